@@ -1,0 +1,200 @@
+#include "framework/app/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "framework/app/commands.h"
+#include "framework/app/menu.h"
+#include "framework/app/versions.h"
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/text.h"
+#include "framework/context/backends.h"
+#include "framework/lab/knobs.h"
+#include "framework/lab/manifest.h"
+
+namespace relief {
+namespace {
+
+constexpr const char* context_help = "auto (osmesa, then egl), osmesa, egl or window";
+
+std::string knobs_and_probes(const std::string& lab_text) {
+    if (lab_text.empty()) return "The knobs and probes of a lab: relief shot LAB --help";
+    try {
+        const LabEntry& entry = find_lab(lab_text);
+        std::string text = fmt::format("Knobs of {} (--set name=value):\n", entry.folder);
+        for (const KnobText& knob : describe_knobs(*entry.make()))
+            text += fmt::format("  {:<14} {}; {} [{}]\n", knob.name, knob.help, knob.range, knob.value);
+        text += "Probes:\n";
+        for (const ProbeInfo& probe : load_manifest(entry).probes)
+            text += fmt::format("  {:<14} {}\n", probe.name,
+                                probe.unit.empty() ? "no unit" : "in " + probe.unit + "s");
+        return text;
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+/// The window where there is a display, else the gallery.
+int open_menu_or_gallery(const std::string& lab_folder) {
+    if (has_display()) try {
+            return window_module().function<decltype(relief_run_menu)>("relief_run_menu")(lab_folder.c_str());
+        } catch (const Error& error) {
+            print_note(fmt::format("{}; making the gallery instead", error.what()));
+        }
+    else
+        print_note("there is no display (DISPLAY and WAYLAND_DISPLAY are empty); making the gallery instead");
+    return make_gallery({}, {});
+}
+
+/// What CLI11 could not place, with the nearest thing that it knows.
+std::string unexpected(const CLI::App& app) {
+    const CLI::App* command = &app;
+    for (const CLI::App* chosen : app.get_subcommands()) command = chosen;
+    const std::vector<std::string> rest = app.remaining(true);
+    const std::string word = rest.empty() ? "" : rest.front();
+    std::vector<std::string> known;
+    if (word.starts_with("-")) {
+        for (const CLI::Option* option : command->get_options())
+            for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+        return unknown("option", word.substr(0, word.find('=')), known);
+    }
+    if (command != &app)
+        return fmt::format("'{}' is one argument too many for {}", word, command->get_name());
+    for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
+        known.push_back(one->get_name());
+    return unknown("command", word, known);
+}
+
+class CommandLine {
+public:
+    // Each lab's executable is named lab-NN and knows one lab: LAB need not be said there.
+    explicit CommandLine(const std::string& program) {
+        app_.name(program);
+        if (program.starts_with("lab-") && registry().size() == 1) only_lab_ = registry().front().folder;
+        shot_.lab = run_lab_ = golden_lab_ = only_lab_;
+        app_.require_subcommand(0, 1);
+        app_.set_version_flag("--version", fmt::format("relief {} ({})", versions::relief, versions::commit));
+        app_.add_flag("--verbose", verbose_, "print each event on standard error");
+        app_.set_help_flag("-h,--help", "this text");
+        app_.get_formatter()->column_width(34);
+        add_list(), add_info(), add_run(), add_shot(), add_gallery(), add_golden(), add_new_lab();
+    }
+
+    int run(int argc, char** argv) {
+        try {
+            app_.parse(argc, argv);
+        } catch (const CLI::Success& wanted) {
+            return app_.exit(wanted);  // --help and --version
+        } catch (const CLI::ExtrasError&) {
+            throw UsageError(unexpected(app_));
+        } catch (const CLI::ParseError& error) {
+            throw UsageError(std::string(error.what()) + "; --help shows what is taken");
+        }
+        set_verbose(verbose_);
+        return command_ ? command_() : open_menu_or_gallery(only_lab_);
+    }
+
+private:
+    CLI::App* add(const char* name, const char* help, std::function<int()> command) {
+        CLI::App* sub = app_.add_subcommand(name, help);
+        sub->add_flag("--verbose", verbose_, "print each event on standard error");
+        sub->callback([this, command = std::move(command)] { command_ = command; });
+        return sub;
+    }
+    void add_lab(CLI::App* sub, std::string& lab, bool required) {
+        CLI::Option* option = sub->add_option("LAB", lab, "a number, a name or any part of one");
+        if (required && only_lab_.empty()) option->required();
+    }
+
+    void add_list() {
+        CLI::App* sub = add("list", "labs, titles, points", [this] { return list_labs(json_); });
+        sub->add_flag("--json", json_, "for scripts");
+    }
+    void add_info() {
+        add("info", "contexts, drivers, libraries: paste it into every bug report",
+            [] { return print_info(); });
+    }
+    void add_run() {
+        CLI::App* sub = add("run", "a lab in a window", [this] {
+            const std::string folder = find_lab(run_lab_).folder;
+            if (!has_display())
+                throw Error("there is no display: take a picture with relief shot " + run_lab_);
+            return window_module().function<decltype(relief_run_menu)>("relief_run_menu")(folder.c_str());
+        });
+        add_lab(sub, run_lab_, true);
+    }
+    void add_shot() {
+        CLI::App* sub =
+            add("shot", "a picture of a lab, without a display", [this] { return take_shot(shot_); });
+        add_lab(sub, shot_.lab, true);
+        sub->add_option("-o", shot_.output, "FILE.png, .exr, .ppm or .pfm, or - for standard output")
+            ->type_name("FILE");
+        sub->add_option("--size", shot_.size, "in pixels [1280x720]")->type_name("WxH");
+        sub->add_option("--time", shot_.time, "of an animation [0]")->type_name("SECONDS");
+        sub->add_option("--context", shot_.context, context_help)->type_name("NAME");
+        sub->add_option("--set", shot_.set, "turn a knob; may be repeated")
+            ->type_name("KNOB=VALUE")
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+            ->allow_extra_args(false);
+        sub->add_option("--camera", shot_.camera, "degrees and metres")->type_name("YAW,PITCH,DISTANCE");
+        sub->add_option("--probe", shot_.probe, "the quantity itself, as the shader has it")
+            ->type_name("NAME");
+        sub->add_option("--truth", shot_.truth, "its exact value")->type_name("NAME");
+        sub->add_option("--error", shot_.error, "how far the one is from the other")->type_name("NAME");
+        sub->footer([this] { return knobs_and_probes(shot_.lab); });
+    }
+    void add_gallery() {
+        CLI::App* sub = add("gallery", "a web page with a picture of every lab",
+                            [this] { return make_gallery(output_, context_kind(context_)); });
+        sub->add_option("-o", output_, "where to [the course's build/gallery]")->type_name("FOLDER");
+        sub->add_option("--context", context_, context_help)->type_name("NAME");
+    }
+    void add_golden() {
+        CLI::App* sub = add("golden", "compare with the reference screenshots",
+                            [this] { return check_golden(golden_lab_, update_, output_); });
+        add_lab(sub, golden_lab_, false);
+        sub->add_flag("--update", update_, "renew them instead");
+        sub->add_option("-o", output_, "write what differs: now, reference, difference")->type_name("FOLDER");
+    }
+    void add_new_lab() {
+        CLI::App* sub = add("new-lab", "a new lab that builds, runs and is tested",
+                            [this] { return make_new_lab(new_name_); });
+        sub->add_option("NAME", new_name_, "like wet_stone (numbered from 20 on) or 21_wet_stone")
+            ->required();
+    }
+
+    CLI::App app_{
+        "Relief: surface detail in OpenGL, lab by lab.\n"
+        "Without a command: the menu window, or the gallery where there is no display."};
+    std::string only_lab_, run_lab_, golden_lab_, new_name_, output_, context_ = "auto";
+    bool verbose_ = false, json_ = false, update_ = false;
+    ShotArguments shot_;
+    std::function<int()> command_;
+};
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+    clean_up_when_interrupted();
+    try {
+        const std::string program = std::filesystem::path(argc > 0 ? argv[0] : "").filename().string();
+        return CommandLine(program).run(argc, argv);
+    } catch (const UsageError& error) {
+        print_error(error.what());
+        return 2;
+    } catch (const Error& error) {
+        print_error(error.what());
+        if (verbose()) fmt::print(stderr, "{}", error.details());
+    } catch (const std::bad_alloc&) {
+        print_error("there is not enough memory for this");
+    } catch (const std::exception& error) {
+        print_error(error.what());
+    }
+    return 1;
+}
+
+}  // namespace relief

@@ -1,0 +1,10 @@
+// The command line of `relief` and of each lab's own executable.
+#pragma once
+
+namespace relief {
+
+/// Runs one command and returns the exit code: 0 done, 1 a check or a file failed, 2 wrong use. Prints errors
+/// as one line each on standard error; nothing is thrown.
+int run_command_line(int argc, char** argv);
+
+}  // namespace relief

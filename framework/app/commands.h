@@ -1,0 +1,33 @@
+// The commands of the command line, one file each. Each returns the exit code, or throws Error.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/context/context.h"
+
+namespace relief {
+
+using ContextChoice = std::optional<ContextKind>;  ///< nothing: OSMesa, then EGL
+
+int list_labs(bool json);
+
+int print_info();
+
+struct ShotArguments {
+    std::string lab, output, size, time, context = "auto", camera, probe, truth, error;
+    std::vector<std::string> set;
+};
+int take_shot(const ShotArguments& arguments);
+
+/// Writes the page into `folder`, or below the course's build folder when it is empty.
+int make_gallery(std::filesystem::path folder, ContextChoice context);
+
+/// All labs when `lab` is empty. With `output`, what differs is written there.
+int check_golden(const std::string& lab, bool update, const std::filesystem::path& output);
+
+int make_new_lab(const std::string& name);
+
+}  // namespace relief

@@ -1,0 +1,128 @@
+// relief golden: the reference screenshots, compared or renewed.
+#include <fmt/format.h>
+
+#include "framework/app/commands.h"
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/paths.h"
+#include "framework/image/compare.h"
+#include "framework/image/file.h"
+#include "framework/image/visualize.h"
+#include "framework/lab/manifest.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+// On the pinned software renderer two machines agree to the last step of 8 bits.
+constexpr double allowed = 1.0 / 255 + 1e-6;
+constexpr const char* driver_note = "driver";
+
+std::string driver_of(const Notes& notes) {
+    for (const auto& [name, value] : notes)
+        if (name == driver_note) return value;
+    return "an unknown driver";
+}
+
+class GoldenCheck {
+public:
+    GoldenCheck(bool update, fs::path output) : update_(update), output_(std::move(output)) {}
+
+    int failures = 0, pictures = 0;
+
+    void check(const LabEntry& entry, const GoldenInfo& golden) {
+        const fs::path file = course_root() / "tests" / "golden" / entry.folder / (golden.name + ".png");
+        ++pictures;
+        try {
+            const Image picture = take(*make_lab(entry, golden.shot), golden.shot);
+            const std::string result = update_ ? renew(file, picture) : compare(file, picture);
+            fmt::print("{}/{}: {}\n", entry.folder, golden.name, result);
+        } catch (const Error& error) {
+            print_error(fmt::format("{}/{}: {}", entry.folder, golden.name, error.what()));
+            ++failures;
+        }
+    }
+
+private:
+    std::string compare(const fs::path& file, const Image& picture) const {
+        if (!fs::exists(file))
+            throw Error({file}, "no reference: look at the picture, then renew with --update");
+        Notes notes;
+        const Image reference = read_image(file, &notes);
+        const Difference off = difference(picture, reference, allowed);
+        if (off.pixels_over == 0) return fmt::format("same within {:.0f}/255", off.largest * 255);
+        if (!output_.empty()) write_difference(file, picture, reference);
+        std::string line =
+            picture.same_shape(reference)
+                ? fmt::format("{} of {} pixels differ by more than 1/255, the most by {:.0f}/255",
+                              off.pixels_over, picture.pixel_count(), off.largest * 255)
+                : fmt::format("{}x{}, the reference is {}x{}", picture.width, picture.height, reference.width,
+                              reference.height);
+        if (driver_of(notes) != driver_)
+            line += fmt::format(" (the reference was made by {}, this is {})", driver_of(notes), driver_);
+        throw Error(line);
+    }
+
+    std::string renew(const fs::path& file, const Image& picture) const {
+        if (fs::exists(file)) {
+            Notes notes;
+            const Image reference = read_image(file, &notes);
+            if (driver_of(notes) != driver_)
+                throw Error(
+                    {file},
+                    fmt::format("not renewed: it was made by {}, this is {}; remove the file first if "
+                                "you mean to change the driver",
+                                driver_of(notes), driver_));
+            if (difference(picture, reference, 0).pixels_over == 0) return "unchanged";
+        }
+        make_folder(file.parent_path());
+        write_image(file, picture, {{driver_note, driver_}});
+        return "renewed";
+    }
+
+    void write_difference(const fs::path& file, const Image& picture, const Image& reference) const {
+        const std::string name = file.parent_path().filename().string() + "-" + file.stem().string();
+        make_folder(output_);
+        write_image(output_ / (name + "-now.png"), picture);
+        write_image(output_ / (name + "-reference.png"), reference);
+        if (picture.same_shape(reference))
+            write_image(output_ / (name + "-difference.png"),
+                        visualize_error(error_image(picture, reference, ErrorMetric::distance), 16.0 / 255));
+    }
+
+    bool update_;
+    fs::path output_;
+    std::string driver_ = describe_context().driver();
+};
+
+}  // namespace
+
+int check_golden(const std::string& lab, bool update, const fs::path& output) {
+    std::vector<const LabEntry*> labs;
+    if (lab.empty())
+        for (const LabEntry& entry : registry()) labs.push_back(&entry);
+    else
+        labs.push_back(&find_lab(lab));
+
+    pin_software_renderer();
+    const auto context = open_any_context();
+    if (describe_context().renderer.find("llvmpipe") == std::string::npos)
+        throw Error("reference screenshots are made and compared on Mesa's llvmpipe; this is " +
+                    describe_context().renderer);
+    GoldenCheck check(update, output);
+    for (const LabEntry* entry : labs) try {
+            const Manifest manifest = load_manifest(*entry);
+            for (const GoldenInfo& golden : manifest.goldens) check.check(*entry, golden);
+        } catch (const Error& error) {
+            print_error(error.what());
+            ++check.failures;
+        }
+    if (check.pictures == 0 && check.failures == 0)
+        throw Error(fmt::format("nothing was compared: there is no [[golden]] in {}",
+                                lab.empty() ? "any lab.toml" : "labs/" + labs.front()->folder + "/lab.toml"));
+    return check.failures == 0 ? 0 : 1;
+}
+
+}  // namespace relief

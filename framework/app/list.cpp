@@ -1,0 +1,39 @@
+// relief list
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "framework/app/commands.h"
+#include "framework/base/error.h"
+#include "framework/base/log.h"
+#include "framework/lab/manifest.h"
+
+namespace relief {
+
+int list_labs(bool json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    bool every_manifest_read = true;
+    for (const LabEntry& lab : registry()) try {
+            const Manifest manifest = load_manifest(lab);
+            all.push_back({{"number", lab.number},
+                           {"name", lab.name},
+                           {"title", manifest.title},
+                           {"points", manifest.points()},
+                           {"learns", manifest.learns}});
+        } catch (const Error& error) {
+            print_error(error.what());
+            every_manifest_read = false;
+        }
+    if (json)
+        fmt::print("{}\n", all.dump(2));
+    else
+        for (const auto& lab : all) {
+            const int points = lab["points"];
+            fmt::print("{:02}  {:<24} {}{}\n", lab["number"].get<int>(), lab["name"].get<std::string>(),
+                       lab["title"].get<std::string>(),
+                       points > 0 ? fmt::format(" ({} points)", points) : "");
+        }
+    return every_manifest_read ? 0 : 1;
+}
+
+}  // namespace relief

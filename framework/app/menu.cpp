@@ -1,0 +1,208 @@
+#include "framework/app/menu.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "framework/app/menu_panel.h"
+#include "framework/app/menu_stage.h"
+#include "framework/base/error.h"
+#include "framework/base/log.h"
+#include "framework/context/glfw_window.h"
+#include "framework/gl/counters.h"
+#include "framework/image/file.h"
+
+namespace relief {
+namespace {
+
+constexpr const char* font_file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+/// Dear ImGui, for as long as the window is open.
+class ImGuiSession {
+public:
+    ImGuiSession(GLFWwindow* window, float scale) {
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;  // the menu leaves no files behind
+        if (std::filesystem::exists(font_file))
+            ImGui::GetIO().Fonts->AddFontFromFileTTF(font_file, 15 * scale);
+        style_panel(scale);
+        ImGui_ImplGlfw_InitForOpenGL(window, true);
+        ImGui_ImplOpenGL3_Init("#version 410 core");
+    }
+    ~ImGuiSession() {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    ImGuiSession(const ImGuiSession&) = delete;
+    ImGuiSession& operator=(const ImGuiSession&) = delete;
+};
+
+float scale_of(GLFWwindow* window) {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window, &x, &y);
+    return std::max(1.0f, x);
+}
+
+class Menu {
+public:
+    explicit Menu(const std::string& folder) {
+        const auto& labs = registry();
+        const auto found =
+            std::find_if(labs.begin(), labs.end(), [&](const LabEntry& lab) { return lab.folder == folder; });
+        open(found == labs.end() ? labs.front() : *found);
+    }
+
+    int run() {
+        GLFWwindow* const window = window_.handle();
+        while (!glfwWindowShouldClose(window)) {
+            // Asleep until something happens; an event wants a second turn, in which Dear ImGui shows what it
+            // did.
+            const bool moves = stage_.manifest().animated && stage_.error().empty() && !paused_;
+            if (moves || turns_ > 0)
+                glfwPollEvents();
+            else
+                glfwWaitEvents(), turns_ = 3;
+            turns_ = std::max(0, turns_ - 1);
+            turn();
+            glfwSwapBuffers(window);
+        }
+        return 0;
+    }
+
+private:
+    void open(const LabEntry& entry) {
+        stage_.open(entry);
+        begin_ = glfwGetTime(), time_ = 0;
+        message_.clear();
+        glfwSetWindowTitle(window_.handle(),
+                           fmt::format("Relief: {} {}", entry.two_digits(), entry.name).c_str());
+    }
+
+    void step(int direction) {
+        const auto& labs = registry();
+        const auto at = &stage_.entry() - labs.data(), count = std::ptrdiff_t(labs.size());
+        open(labs[size_t((at + direction + count) % count)]);
+    }
+
+    void turn() {
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+        glm::ivec2 window{0, 0};
+        glfwGetFramebufferSize(window_.handle(), &window.x, &window.y);
+        const int panel = panel_hidden_ ? 0 : std::min(window.x, int(panel_width * scale_));
+        keyboard();
+        mouse();
+        if (!panel_hidden_) act(draw_panel(stage_, panel, message_));
+        draw_error(stage_, panel);
+        if (!paused_) time_ = glfwGetTime() - begin_;
+
+        const glm::ivec2 room =
+            glm::clamp(window - glm::ivec2(panel, 0), glm::ivec2(1), glm::ivec2(max_picture_side));
+        stage_.draw(room, time_);
+        present(window, panel, room);
+        ImGui::Render();
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    }
+
+    void present(glm::ivec2 window, int panel, glm::ivec2 room) const {
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, window.x, window.y);
+        glClearColor(0.08f, 0.085f, 0.10f, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+        if (!stage_.framebuffer()) return;
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, stage_.framebuffer());
+        glDisable(GL_SCISSOR_TEST);
+        glBlitFramebuffer(0, 0, room.x, room.y, panel, 0, panel + room.x, room.y, GL_COLOR_BUFFER_BIT,
+                          GL_NEAREST);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    }
+
+    void act(PanelWish wish) {
+        if (wish.lab) open(*wish.lab);
+        if (wish.step) step(wish.step);
+        if (wish.restart) open(stage_.entry());
+        if (wish.save) save();
+    }
+
+    void keyboard() {
+        if (ImGui::GetIO().WantTextInput) return;
+        const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
+        if (pressed(GLFW_KEY_PAGE_DOWN) || pressed(GLFW_KEY_RIGHT)) step(1);
+        if (pressed(GLFW_KEY_PAGE_UP) || pressed(GLFW_KEY_LEFT)) step(-1);
+        if (pressed(GLFW_KEY_R)) open(stage_.entry());
+        if (pressed(GLFW_KEY_S) || pressed(GLFW_KEY_F12)) save();
+        if (pressed(GLFW_KEY_C)) stage_.camera() = stage_.manifest().camera, stage_.changed();
+        if (pressed(GLFW_KEY_H)) panel_hidden_ = !panel_hidden_;
+        if (pressed(GLFW_KEY_SPACE)) pause();
+        if (pressed(GLFW_KEY_ESCAPE)) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+    }
+
+    void pause() {
+        paused_ = !paused_;
+        if (!paused_) begin_ = glfwGetTime() - time_;
+    }
+
+    void mouse() {
+        const ImGuiIO& io = ImGui::GetIO();
+        if (io.WantCaptureMouse) return;
+        Orbit& camera = stage_.camera();
+        const Orbit before = camera;
+        if (io.MouseDown[0]) {
+            camera.yaw -= 0.3 * double(io.MouseDelta.x);
+            camera.pitch = std::clamp(camera.pitch + 0.3 * double(io.MouseDelta.y), -89.0, 89.0);
+        }
+        if (io.MouseDown[1] || io.MouseDown[2]) pan(camera, io.MouseDelta.x, io.MouseDelta.y);
+        camera.distance = std::clamp(camera.distance * std::pow(0.9, double(io.MouseWheel)), 1e-3, 1e6);
+        if (!(camera == before)) stage_.changed();
+    }
+
+    // The point under the mouse stays under it.
+    void pan(Orbit& camera, double right, double down) const {
+        const double metres = 2 * camera.distance * std::tan(glm::radians(camera.field_of_view) / 2) /
+                              std::max(1, stage_.size().y);
+        const glm::dmat3 world_from_view = glm::transpose(glm::dmat3(Camera(camera, 1).view_from_world()));
+        camera.target += world_from_view * glm::dvec3(-right * metres, down * metres, 0);
+    }
+
+    void save() {
+        try {
+            int number = 1;
+            const auto name = [&] { return fmt::format("{}-{}.png", stage_.entry().folder, number); };
+            while (std::filesystem::exists(name())) ++number;
+            write_image(name(), stage_.picture());
+            message_ = "saved " + name();
+            fmt::print("{}\n", name());
+            std::fflush(stdout);
+        } catch (const Error& error) {
+            message_ = error.what();
+            print_error(message_);
+        }
+    }
+
+    static constexpr float panel_width = 340;  // pixels at scale 1
+    GlfwWindow window_{{1280, 760}, "Relief", true};
+    float scale_ = scale_of(window_.handle());
+    ImGuiSession imgui_{window_.handle(), scale_};
+    Stage stage_;
+    double begin_ = 0, time_ = 0;
+    bool paused_ = false, panel_hidden_ = false;
+    int turns_ = 3;
+    std::string message_;
+};
+
+}  // namespace
+
+int open_menu(const std::string& lab_folder) {
+    if (registry().empty()) throw Error("this executable has no labs");
+    return Menu(lab_folder).run();
+}
+
+}  // namespace relief
+
+int relief_run_menu(const char* lab_folder) { return relief::open_menu(lab_folder); }

@@ -1,0 +1,27 @@
+// What stands beside the picture in the menu window. In the window module only.
+#pragma once
+
+#include <string>
+
+#include "framework/lab/registry.h"
+
+namespace relief {
+
+class Stage;
+
+/// What the user asked for in the panel.
+struct PanelWish {
+    const LabEntry* lab = nullptr;
+    int step = 0;  ///< 1 the next lab, -1 the one before
+    bool restart = false, save = false;
+};
+
+void style_panel(float scale);
+
+/// Labs, knobs, probes, counters and keys; `width` in pixels. Knobs and probe act on the stage at once.
+PanelWish draw_panel(Stage& stage, int width, const std::string& message);
+
+/// The stage's error, if any, over the picture.
+void draw_error(const Stage& stage, int panel_width);
+
+}  // namespace relief

@@ -1,0 +1,91 @@
+#include "framework/app/menu_stage.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "framework/base/error.h"
+#include "framework/base/log.h"
+#include "framework/gl/counters.h"
+#include "framework/gl/texture.h"
+#include "framework/image/visualize.h"
+
+namespace relief {
+
+void Stage::open(const LabEntry& entry) {
+    lab_.reset();
+    probe_picture_.reset();
+    shown_ = 0;
+    entry_ = &entry;
+    manifest_ = {};
+    stale_ = true;
+    error_.clear(), details_.clear();
+    const glm::ivec2 size = shot_.size;
+    shot_ = {};
+    shot_.size = size;
+    try {
+        manifest_ = load_manifest(entry);
+        shot_.camera = manifest_.camera;
+        lab_ = make_lab(entry, shot_);
+    } catch (const Error& error) {
+        fail(error);
+    }
+}
+
+void Stage::show(Probe probe) {
+    shot_.probe = std::move(probe);
+    stale_ = true;
+}
+
+void Stage::fail(const Error& error) {
+    error_ = error.what(), details_ = error.details();
+    print_error(error_);
+}
+
+bool Stage::draw(glm::ivec2 size, double time) {
+    const bool moves = manifest_.animated && time != shot_.time && error_.empty();
+    if (!lab_ || !(stale_ || moves || size != shot_.size)) return false;
+    stale_ = false;
+    error_.clear(), details_.clear();
+    shot_.size = size, shot_.time = time;
+    const int64_t draw_calls_before = counters().draw_calls;
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+        const TargetKind kind = shot_.probe ? TargetKind::probe : TargetKind::picture;
+        if (!target_ || target_->size() != size || target_->kind() != kind) {
+            target_.reset();
+            target_.emplace(kind, size);
+        }
+        draw_lab(*lab_, frame_of(shot_, *target_));
+        glFinish();
+    } catch (const Error& error) {
+        fail(error);
+    }
+    milliseconds_ =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    draw_calls_ = counters().draw_calls - draw_calls_before;
+    ++frames_;
+    shown_ = !error_.empty() ? 0 : shot_.probe ? draw_probe() : target_->resolve();
+    print_event(fmt::format("frame {}: {}, {} GL objects, {} draw calls, {} texture bytes, {:.1f} ms",
+                            frames_, entry_->folder, counters().live_objects(), draw_calls_,
+                            counters().texture_bytes, milliseconds_));
+    return true;
+}
+
+// The numbers go to the CPU and come back as colours; that happens only when they changed.
+GLuint Stage::draw_probe() {
+    probe_picture_.emplace(ProbePicture{
+        Texture("probe as colours", [this] { return picture(); }, {.wrap = Wrap::clamp, .mips = false}),
+        FramebufferName()});
+    glBindFramebuffer(GL_FRAMEBUFFER, probe_picture_->framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, probe_picture_->texture, 0);
+    return probe_picture_->framebuffer;
+}
+
+Image Stage::picture() const {
+    if (!target_ || !error_.empty()) throw Error("there is no picture to save");
+    if (shot_.probe) return visualize_probe(target_->read(), manifest_.probe(shot_.probe.name).error);
+    return read_picture(*target_);
+}
+
+}  // namespace relief

@@ -1,0 +1,68 @@
+// The lab that the menu shows: drawn anew only when something changed or moves. In the window module only.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "framework/base/error.h"
+#include "framework/lab/manifest.h"
+
+namespace relief {
+
+class Stage {
+public:
+    /// Drops the present lab with all its GL objects, then makes this one as its manifest says.
+    /// A manifest or a shader that is broken becomes error(); nothing is thrown.
+    void open(const LabEntry& entry);
+    void restart() { open(*entry_); }
+
+    const LabEntry& entry() const { return *entry_; }
+    const Manifest& manifest() const { return manifest_; }
+    Lab* lab() { return lab_.get(); }
+    Orbit& camera() { return shot_.camera; }
+    const Probe& probe() const { return shot_.probe; }
+    void show(Probe probe);
+
+    /// A knob or the camera moved.
+    void changed() { stale_ = true; }
+    /// Draws when something changed since the last call; returns whether it did.
+    bool draw(glm::ivec2 size, double time);
+
+    /// What was drawn last (one sample a pixel), for a blit; 0 when there is none.
+    GLuint framebuffer() const { return shown_; }
+    glm::ivec2 size() const { return shot_.size; }
+    /// The same as an 8-bit picture. Throws Error when there is none.
+    Image picture() const;
+
+    /// Why there is no picture: one line, and the compiler's whole log.
+    const std::string& error() const { return error_; }
+    const std::string& details() const { return details_; }
+
+    int64_t frames() const { return frames_; }             ///< drawn since the window opened
+    int64_t draw_calls() const { return draw_calls_; }     ///< in the last frame
+    double milliseconds() const { return milliseconds_; }  ///< of the last frame, to its end on the GPU
+
+private:
+    void fail(const Error& error);
+    GLuint draw_probe();
+
+    const LabEntry* entry_ = nullptr;
+    Manifest manifest_;
+    Shot shot_;
+    std::unique_ptr<Lab> lab_;
+    std::optional<Target> target_;
+    /// The probe as colours, when a probe is shown.
+    struct ProbePicture {
+        Texture texture;
+        FramebufferName framebuffer;
+    };
+    std::optional<ProbePicture> probe_picture_;
+    GLuint shown_ = 0;
+    bool stale_ = true;
+    std::string error_, details_;
+    int64_t frames_ = 0, draw_calls_ = 0;
+    double milliseconds_ = 0;
+};
+
+}  // namespace relief

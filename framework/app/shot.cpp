@@ -1,0 +1,121 @@
+// relief shot: one picture, probe, truth or error map into a file or to standard output.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "framework/app/commands.h"
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/text.h"
+#include "framework/image/file.h"
+#include "framework/image/visualize.h"
+#include "framework/lab/manifest.h"
+
+namespace relief {
+namespace {
+
+glm::ivec2 parse_size(const std::string& text) {
+    const auto parts = split(text, 'x');
+    const auto side = [](const std::string& part) {
+        const auto value = parse_int(part);
+        return value && *value >= 1 && *value <= max_picture_side ? *value : 0;
+    };
+    if (parts.size() == 2 && side(parts[0]) && side(parts[1])) return {side(parts[0]), side(parts[1])};
+    throw UsageError(
+        fmt::format("--size takes WIDTHxHEIGHT from 1x1 to {0}x{0}, not '{1}'", max_picture_side, text));
+}
+
+double parse_time(const std::string& text) {
+    const auto time = parse_number(text);
+    if (!time || *time < 0 || *time > 1e6)
+        throw UsageError(fmt::format("--time takes seconds from 0 to 1000000, not '{}'", text));
+    return *time;
+}
+
+void parse_camera(const std::string& text, Orbit& camera) {
+    const auto parts = split(text, ',');
+    if (parts.size() == 3) {
+        const auto yaw = parse_number(parts[0]), pitch = parse_number(parts[1]),
+                   distance = parse_number(parts[2]);
+        const bool good = yaw && pitch && distance && std::abs(*yaw) <= 36000 && std::abs(*pitch) <= 89 &&
+                          *distance >= 1e-3 && *distance <= 1e6;
+        if (good) {
+            camera.yaw = *yaw, camera.pitch = *pitch, camera.distance = *distance;
+            return;
+        }
+    }
+    throw UsageError(
+        fmt::format("--camera takes yaw,pitch,distance in degrees and metres (pitch -89 to 89, distance "
+                    "above 0), not '{}'",
+                    text));
+}
+
+std::pair<std::string, std::string> parse_setting(const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        throw UsageError(fmt::format("--set takes knob=value, not '{}'", text));
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+enum class Show { picture, probe, truth, error };
+
+Show what_to_show(const ShotArguments& arguments, Probe& probe) {
+    const bool several = !arguments.probe.empty() + !arguments.truth.empty() + !arguments.error.empty() > 1;
+    if (several) throw UsageError("--probe, --truth and --error exclude each other");
+    probe.name = arguments.probe + arguments.truth + arguments.error;
+    if (!arguments.probe.empty()) return Show::probe;
+    if (!arguments.truth.empty()) return Show::truth;
+    return arguments.error.empty() ? Show::picture : Show::error;
+}
+
+}  // namespace
+
+int take_shot(const ShotArguments& arguments) {
+    const LabEntry& entry = find_lab(arguments.lab);
+    const Manifest manifest = load_manifest(entry);
+    Shot shot;
+    shot.camera = manifest.camera;
+    const Show show = what_to_show(arguments, shot.probe);
+    const ErrorMetric metric = shot.probe ? manifest.probe(shot.probe.name).error : ErrorMetric::distance;
+    if (!arguments.size.empty()) shot.size = parse_size(arguments.size);
+    if (!arguments.time.empty()) shot.time = parse_time(arguments.time);
+    if (!arguments.camera.empty()) parse_camera(arguments.camera, shot.camera);
+    for (const std::string& setting : arguments.set) shot.set.push_back(parse_setting(setting));
+
+    const bool to_standard_output = arguments.output == "-";
+    const std::string output = arguments.output.empty() ? entry.folder + ".png" : arguments.output;
+    const ImageFormat format =
+        to_standard_output ? (shot.probe ? ImageFormat::pfm : ImageFormat::ppm) : format_of(output);
+    const bool floats = format == ImageFormat::exr || format == ImageFormat::pfm;
+    const ContextChoice choice = context_kind(arguments.context);
+    const std::unique_ptr<Lab> lab = make_lab(entry, shot);
+
+    Image image;
+    std::string summary;
+    if (show == Show::truth) {
+        image = truth_of(*lab, shot);
+    } else if (show == Show::error) {
+        const Image truth = truth_of(*lab, shot);
+        const auto context = open_context(choice);
+        image = error_image(take(*lab, shot), truth, metric);
+        const ErrorSummary error = summarize(image);
+        summary = fmt::format("mean {:.6g} {}, rms {:.6g}, 99 % {:.6g}, largest {:.6g}, over {} pixels\n",
+                              error.mean, manifest.probe(shot.probe.name).unit, error.rms, error.p99,
+                              error.largest, error.count);
+        if (!floats) image = visualize_error(image, error.p99);
+    } else {
+        const auto context = open_context(choice);
+        image = take(*lab, shot, floats);
+    }
+    if (!floats && (show == Show::probe || show == Show::truth)) image = visualize_probe(image, metric);
+
+    if (to_standard_output) {
+        write_standard_output(encode_image(image, format));
+    } else {
+        write_image(output, image);
+        fmt::print("{}\n{}", output, summary);
+    }
+    return 0;
+}
+
+}  // namespace relief

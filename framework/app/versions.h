@@ -1,0 +1,11 @@
+// What this build was made of; framework/cmake/versions.cpp.in fills it in.
+#pragma once
+
+namespace relief::versions {
+
+extern const char* const relief;  ///< the project's version
+extern const char* const commit;  ///< of the source folder when the build was configured
+extern const char* const compiler;
+extern const char* const libraries;  ///< with their versions
+
+}  // namespace relief::versions

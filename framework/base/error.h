@@ -1,0 +1,38 @@
+// Errors that know their place: what is wrong, in which file and line, and what would be right.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace relief {
+
+/// Where something went wrong. `line` counts from 1; 0 means the whole file.
+struct Place {
+    std::filesystem::path file;
+    int line = 0;
+};
+
+/// Set-up that cannot go on. `what()` is one line, "file:line: message", fit for a person to act on.
+/// The process ends with exit code 1.
+class Error : public std::runtime_error {
+public:
+    explicit Error(const std::string& message);
+    Error(const Place& place, const std::string& message, std::string details = {});
+
+    const Place& place() const { return place_; }
+    /// More than fits on one line (a compiler's whole log), or empty.
+    const std::string& details() const { return details_; }
+
+private:
+    Place place_;
+    std::string details_;
+};
+
+/// The user asked for something that does not exist or is out of range. The process ends with exit code 2.
+class UsageError : public Error {
+public:
+    using Error::Error;
+};
+
+}  // namespace relief

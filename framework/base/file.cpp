@@ -1,0 +1,148 @@
+#include "framework/base/file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include "framework/base/error.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The file being written now, for the signal handler, which may only touch such plain memory.
+char unfinished_file[4096];
+std::atomic<bool> has_unfinished_file = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void remove_unfinished_file(int signal) {
+    if (has_unfinished_file) unlink(unfinished_file);
+    _exit(128 + signal);
+}
+
+/// Owns a file descriptor.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) ::close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    operator int() const { return number_; }
+    bool close() {
+        const int number = number_;
+        number_ = -1;
+        return ::close(number) == 0;
+    }
+
+private:
+    int number_;
+};
+
+/// The file beside the target that takes its name once it is whole, and goes away otherwise.
+class UnfinishedFile {
+public:
+    explicit UnfinishedFile(const fs::path& target)
+        : name_(target.string() + ".unfinished-" + std::to_string(getpid())) {
+        if (name_.size() < sizeof unfinished_file) {
+            std::memcpy(unfinished_file, name_.c_str(), name_.size() + 1);
+            has_unfinished_file = true;
+        }
+    }
+    ~UnfinishedFile() {
+        has_unfinished_file = false;
+        if (!finished_) unlink(name_.c_str());
+    }
+    UnfinishedFile(const UnfinishedFile&) = delete;
+    UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+
+    const char* name() const { return name_.c_str(); }
+    bool rename_to(const fs::path& target) {
+        finished_ = std::rename(name_.c_str(), target.c_str()) == 0;
+        return finished_;
+    }
+
+private:
+    std::string name_;
+    bool finished_ = false;
+};
+
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes.remove_prefix(static_cast<size_t>(written));
+    }
+    return true;
+}
+
+[[noreturn]] void fail(const fs::path& path, const char* action) {
+    throw Error({path}, fmt::format("cannot {}: {}", action, std::strerror(errno)));
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& path, size_t limit) {
+    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat status {};
+    if (file < 0 || fstat(file, &status) != 0) fail(path, "read");
+    if (!S_ISREG(status.st_mode)) throw Error({path}, "cannot read: not a file");
+    if (static_cast<size_t>(status.st_size) > limit)
+        throw Error({path},
+                    fmt::format("cannot read: {} bytes, at most {} are taken", status.st_size, limit));
+    std::string bytes(static_cast<size_t>(status.st_size), '\0');
+    size_t have = 0;
+    while (have < bytes.size()) {
+        const ssize_t got = ::read(file, bytes.data() + have, bytes.size() - have);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) fail(path, "read");
+        if (got == 0) break;
+        have += static_cast<size_t>(got);
+    }
+    bytes.resize(have);
+    return bytes;
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+        if (S_ISDIR(status.st_mode)) throw Error({path}, "cannot write: it is a folder, name a file in it");
+        // A pipe or a device cannot be replaced by a rename: write into it.
+        Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+        if (device < 0 || !write_all(device, bytes) || !device.close()) fail(path, "write");
+        return;
+    }
+    UnfinishedFile unfinished(path);
+    Descriptor file(open(unfinished.name(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (file < 0 || !write_all(file, bytes) || !file.close() || !unfinished.rename_to(path))
+        fail(path, "write");
+}
+
+void write_standard_output(std::string_view bytes) {
+    if (!write_all(STDOUT_FILENO, bytes))
+        throw Error(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
+}
+
+void make_folder(const fs::path& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error) throw Error({path}, "cannot make this folder: " + error.message());
+}
+
+void clean_up_when_interrupted() {
+    std::signal(SIGINT, remove_unfinished_file);
+    std::signal(SIGTERM, remove_unfinished_file);
+    std::signal(SIGHUP, remove_unfinished_file);
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), with a message
+}
+
+}  // namespace relief

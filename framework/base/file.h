@@ -1,0 +1,26 @@
+// Files, whole: read at once, and written so that no half of one is ever seen.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace relief {
+
+/// The whole file. Throws Error that names the file and the reason. `limit` bytes at most.
+std::string read_file(const std::filesystem::path& path, size_t limit = size_t{1} << 30);
+
+/// Writes beside the target and renames, so that an interrupted or failed write leaves the old file, or none.
+/// Throws Error that names the file and the reason.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Writes everything to standard output. Throws Error when the reader went away or the disk is full.
+void write_standard_output(std::string_view bytes);
+
+/// Makes a folder and those above it. Throws Error that names it and the reason.
+void make_folder(const std::filesystem::path& path);
+
+/// From here on, Ctrl-C, a hang-up or a termination also removes the file that is just being written.
+void clean_up_when_interrupted();
+
+}  // namespace relief

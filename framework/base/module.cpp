@@ -1,0 +1,38 @@
+#include "framework/base/module.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include "framework/base/error.h"
+
+namespace relief {
+
+Module::Module(std::span<const char* const> names, const char* package) {
+    std::string reason;
+    for (const char* name : names) {
+        handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+        if (handle_) {
+            name_ = name;
+            return;
+        }
+        if (reason.empty()) reason = dlerror();
+    }
+    throw Error(fmt::format("install the Debian package {} ({})", package, reason));
+}
+
+void* Module::address(const char* name) const {
+    void* const found = dlsym(handle_, name);
+    if (!found) throw Error(fmt::format("{} has no function {}: it is damaged or too old", name_, name));
+    return found;
+}
+
+Module open_own_module(const char* name, const char* package) {
+    Dl_info framework{};
+    dladdr(reinterpret_cast<const void*>(&open_own_module), &framework);
+    const std::filesystem::path folder = std::filesystem::path(framework.dli_fname).parent_path();
+    const std::string path = (folder / name).string();
+    const char* const names[] = {path.c_str()};
+    return Module(names, package);
+}
+
+}  // namespace relief

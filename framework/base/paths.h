@@ -1,0 +1,20 @@
+// Where the course lies on disk. Everything is found from the executable's place, never from the working
+// directory.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace relief {
+
+/// The folder of the running executable, links resolved.
+std::filesystem::path executable_folder();
+
+/// The course's top folder: the nearest one above the executable that has `labs` and `shaders` in it, else
+/// the source folder that this was built from. Throws Error when neither is there.
+const std::filesystem::path& course_root();
+
+/// How a path is shown to a person: relative to the course's top folder when inside it, else as it is.
+std::string shown(const std::filesystem::path& path);
+
+}  // namespace relief

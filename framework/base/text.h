@@ -1,0 +1,35 @@
+// Small helpers for text: numbers that must be whole, the nearest known word for a mistyped one.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace relief {
+
+/// The whole text as a finite number, in any of C's decimal notations; nothing for "", "1x", "nan" or
+/// "1e999".
+std::optional<double> parse_number(std::string_view text);
+
+/// The whole text as a decimal integer that fits.
+std::optional<int> parse_int(std::string_view text);
+
+std::vector<std::string> split(std::string_view text, char separator);
+std::string join(std::span<const std::string> words, std::string_view separator);
+
+/// The number as a person would type it: "0.5", "32".
+std::string plain(double number);
+
+/// Least number of insertions, deletions, substitutions and swaps of neighbours that turn one word into the
+/// other (optimal string alignment distance), ignoring case.
+int edit_distance(std::string_view a, std::string_view b);
+
+/// The known word that a mistyped one most likely stands for; nothing when none is near.
+std::optional<std::string> nearest(std::string_view word, std::span<const std::string> known);
+
+/// "unknown knob 'stpes': did you mean 'steps'? There are: steps, scale".
+std::string unknown(std::string_view kind, std::string_view word, std::span<const std::string> known);
+
+}  // namespace relief

@@ -1,0 +1,34 @@
+# Labs: every folder of labs/ that has a lab.toml is one. Nothing else lists them.
+#
+# relief_add_labs(FOLDER) makes, for FOLDER/NN_name, the executable lab-NN with that lab alone, and for all of them
+# together the executable `relief`. RELIEF_LABS is then the list of their object libraries.
+function(relief_add_labs folder)
+  file(GLOB manifests CONFIGURE_DEPENDS ${folder}/*/lab.toml)
+  set(labs)
+  set(programs)
+  foreach(manifest IN LISTS manifests)
+    cmake_path(GET manifest PARENT_PATH lab_folder)
+    cmake_path(GET lab_folder FILENAME name)
+    if(NOT name MATCHES "^([0-9][0-9])_[a-z][a-z0-9_]*$")
+      message(FATAL_ERROR "labs/${name}: a lab's folder is named like 07_baking")
+    endif()
+    set(number ${CMAKE_MATCH_1})
+    file(GLOB sources CONFIGURE_DEPENDS ${lab_folder}/*.cpp)
+    if(TARGET lab_objects_${number})
+      message(FATAL_ERROR "two labs have the number ${number}: labs/${name} is the second")
+    endif()
+    add_library(lab_objects_${number} OBJECT ${sources})
+    target_compile_definitions(lab_objects_${number} PRIVATE RELIEF_LAB_FOLDER="${name}")
+    target_link_libraries(lab_objects_${number} PUBLIC relief_framework PRIVATE relief_warnings)
+    list(APPEND labs lab_objects_${number})
+
+    add_executable(lab-${number} ${RELIEF_MAIN})
+    target_link_libraries(lab-${number} PRIVATE lab_objects_${number} relief_framework)
+    list(APPEND programs lab-${number})
+  endforeach()
+  add_executable(relief ${RELIEF_MAIN})
+  target_link_libraries(relief PRIVATE ${labs} relief_framework)
+  # `programs` is all that a user runs, without the tests.
+  add_custom_target(programs DEPENDS relief ${programs} relief_modules)
+  set(RELIEF_LABS ${labs} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,5 @@
+# The warnings that the project's own code is held to. CMAKE_COMPILE_WARNING_AS_ERROR turns them into errors.
+add_library(relief_warnings INTERFACE)
+target_compile_options(relief_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+    -Woverloaded-virtual -Wduplicated-cond -Wlogical-op -Wformat=2
+    -Wno-restrict)  # GCC 12 sees overlaps in std::string that are not there (GCC bug 105651)

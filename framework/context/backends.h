@@ -1,0 +1,21 @@
+// The three ways to a context, for context.cpp alone.
+#pragma once
+
+#include <memory>
+
+#include "framework/base/module.h"
+#include "framework/context/context.h"
+
+namespace relief {
+
+std::unique_ptr<Context> open_osmesa();
+std::unique_ptr<Context> open_egl();
+std::unique_ptr<Context> open_hidden_window();
+
+/// The module with GLFW and the menu in it.
+const Module& window_module();
+
+}  // namespace relief
+
+/// What the window module offers to this layer; the caller owns the result.
+extern "C" relief::Context* relief_open_hidden_window();

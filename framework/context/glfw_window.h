@@ -1,0 +1,29 @@
+// A GLFW window with an OpenGL 4.1 core context. In the window module only.
+#pragma once
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <glm/glm.hpp>
+#include <string>
+
+#include "framework/context/context.h"
+
+namespace relief {
+
+class GlfwWindow final : public Context {
+public:
+    /// Throws Error with GLFW's reason when there is no display or no driver.
+    GlfwWindow(glm::ivec2 size, const std::string& title, bool visible);
+    ~GlfwWindow() override;
+    GlfwWindow(const GlfwWindow&) = delete;
+    GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+    void make_current() override { glfwMakeContextCurrent(window_); }
+    GLFWwindow* handle() const { return window_; }
+
+private:
+    GLFWwindow* window_ = nullptr;
+};
+
+}  // namespace relief

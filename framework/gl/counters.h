@@ -1,0 +1,27 @@
+// Counts of what GL holds and does. They sit behind the GL function pointers themselves, so that they also
+// see what a lab does by raw calls.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace relief {
+
+enum class GlKind { buffer, vertex_array, texture, framebuffer, renderbuffer, shader, program, query };
+constexpr int gl_kinds = 8;
+
+struct Counters {
+    std::array<int64_t, gl_kinds> live{};  ///< GL objects by GlKind
+    int64_t draw_calls = 0;                ///< since the process began; a multi-draw counts once
+    int64_t texture_bytes = 0;  ///< in textures that are live, all mip levels, as the course uploaded them
+
+    int64_t live_objects() const {
+        int64_t sum = 0;
+        for (const int64_t count : live) sum += count;
+        return sum;
+    }
+};
+
+Counters& counters();
+
+}  // namespace relief

@@ -1,0 +1,142 @@
+#include "framework/gl/program.h"
+
+#include <fmt/format.h>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "framework/base/error.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+#include "framework/gl/shader_source.h"
+#include "framework/gl/texture.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+GLenum stage_of(const fs::path& path) {
+    static const std::map<std::string, GLenum> stages = {{".vert", GL_VERTEX_SHADER},
+                                                         {".tesc", GL_TESS_CONTROL_SHADER},
+                                                         {".tese", GL_TESS_EVALUATION_SHADER},
+                                                         {".geom", GL_GEOMETRY_SHADER},
+                                                         {".frag", GL_FRAGMENT_SHADER}};
+    const auto found = stages.find(path.extension().string());
+    if (found == stages.end()) throw Error({path}, "a stage ends in .vert, .tesc, .tese, .geom or .frag");
+    return found->second;
+}
+
+// Works for shaders and programs alike: their functions have the same shapes.
+std::string log_of(GLuint name, PFNGLGETSHADERIVPROC parameter, PFNGLGETSHADERINFOLOGPROC read) {
+    GLint length = 0;
+    parameter(name, GL_INFO_LOG_LENGTH, &length);
+    std::string log(size_t(std::max(0, length)), '\0');
+    if (!log.empty()) read(name, length, &length, log.data());
+    log.resize(size_t(std::max(0, length)));
+    return log;
+}
+
+ShaderName compile(const fs::path& path, const ShaderSource& source) {
+    ShaderName shader(stage_of(path));
+    label(GL_SHADER, shader, shown(path));
+    const char* const text = source.text.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint done = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
+    if (!done) {
+        const ShaderLog log = explain_log(log_of(shader, glGetShaderiv, glGetShaderInfoLog), source.files);
+        const Place place = log.first.file.empty() ? Place{path} : log.first;
+        throw Error(place, log.first_message.empty() ? "does not compile" : log.first_message, log.text);
+    }
+    return shader;
+}
+
+}  // namespace
+
+Program::Program(const std::vector<fs::path>& stages, const std::vector<std::string>& defines) {
+    std::vector<ShaderName> shaders;
+    std::vector<fs::path> files;
+    for (const fs::path& path : stages) {
+        const ShaderSource source = load_shader(path, defines);
+        known_.insert(source.names.begin(), source.names.end());
+        title_ += (title_.empty() ? "" : " + ") + shown(path);
+        files = source.files;
+        shaders.push_back(compile(path, source));
+        glAttachShader(name_, shaders.back());
+    }
+    label(GL_PROGRAM, name_, title_);
+    glLinkProgram(name_);
+    GLint done = GL_FALSE;
+    glGetProgramiv(name_, GL_LINK_STATUS, &done);
+    if (!done) {
+        const ShaderLog log = explain_log(log_of(name_, glGetProgramiv, glGetProgramInfoLog), files);
+        throw Error({stages.back()}, "does not link with the other stages: " + log.first_message, log.text);
+    }
+    for (const ShaderName& shader : shaders) glDetachShader(name_, shader);
+
+    GLint count = 0;
+    glGetProgramiv(name_, GL_ACTIVE_UNIFORMS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        char name[256];
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(name_, GLuint(i), sizeof name, nullptr, &size, &type, name);
+        std::string plain_name(name);
+        if (plain_name.ends_with("[0]")) plain_name.resize(plain_name.size() - 3);
+        locations_.emplace(plain_name, glGetUniformLocation(name_, name));
+    }
+}
+
+GLint Program::location(const char* uniform) const {
+    const auto found = locations_.find(std::string_view(uniform));
+    if (found != locations_.end()) return found->second;
+    std::string base(uniform);
+    base.resize(std::min(base.size(), base.find_first_of(".[")));
+    if (!known_.contains(base)) {
+        const std::vector<std::string> names(known_.begin(), known_.end());
+        throw Error(title_ + ": " + unknown("uniform", uniform, names));
+    }
+    return glGetUniformLocation(name_, uniform);  // an element of an array or a struct, or not in use (-1)
+}
+
+void Program::set(const char* uniform, bool value) const { glUniform1i(location(uniform), value); }
+void Program::set(const char* uniform, int value) const { glUniform1i(location(uniform), value); }
+void Program::set(const char* uniform, float value) const { glUniform1f(location(uniform), value); }
+void Program::set(const char* uniform, double value) const { glUniform1f(location(uniform), float(value)); }
+void Program::set(const char* uniform, const glm::vec2& value) const {
+    glUniform2fv(location(uniform), 1, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, const glm::vec3& value) const {
+    glUniform3fv(location(uniform), 1, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, const glm::vec4& value) const {
+    glUniform4fv(location(uniform), 1, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, const glm::mat3& value) const {
+    glUniformMatrix3fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, const glm::mat4& value) const {
+    glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
+}
+void Program::set(const char* sampler, int unit, const Texture& texture) const {
+    const GLint place = location(sampler);
+    if (place < 0) return;
+    glUniform1i(place, unit);
+    bind(unit, texture);
+}
+
+const Program& Programs::with(std::initializer_list<Define> defines) const {
+    std::vector<std::string> key;
+    for (const Define& define : defines)
+        if (!define.text.empty()) key.push_back(define.text);
+    std::unique_ptr<Program>& program = programs_[key];
+    if (!program) {
+        std::vector<fs::path> paths;
+        for (const std::string& stage : stages_) paths.push_back(course_root() / "shaders" / stage);
+        program = std::make_unique<Program>(paths, key);
+    }
+    return *program;
+}
+
+}  // namespace relief

@@ -1,0 +1,78 @@
+// Shader programs from files, in as many permutations as a lab asks for.
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "framework/gl/object.h"
+
+namespace relief {
+
+class Texture;
+
+/// A linked program. Uniforms are set by name: one that this permutation does not use is skipped, one that
+/// none of the program's files has ever heard of throws Error and suggests the nearest.
+class Program {
+public:
+    /// Compiles and links `stages` (paths; the ending says which stage: .vert .tesc .tese .geom .frag).
+    /// Throws Error with the file and line of the first mistake, and the whole log as details.
+    Program(const std::vector<std::filesystem::path>& stages, const std::vector<std::string>& defines);
+
+    operator GLuint() const { return name_; }
+
+    // These set the program that is in use: call glUseProgram first.
+    void set(const char* uniform, bool value) const;
+    void set(const char* uniform, int value) const;
+    void set(const char* uniform, float value) const;
+    void set(const char* uniform, double value) const;
+    void set(const char* uniform, const glm::vec2& value) const;
+    void set(const char* uniform, const glm::vec3& value) const;
+    void set(const char* uniform, const glm::vec4& value) const;
+    void set(const char* uniform, const glm::dvec3& value) const { set(uniform, glm::vec3(value)); }
+    void set(const char* uniform, const glm::mat3& value) const;
+    void set(const char* uniform, const glm::mat4& value) const;
+    void set(const char* uniform, const glm::dmat4& value) const { set(uniform, glm::mat4(value)); }
+    /// Binds the texture to a unit and points the sampler at it. A sampler that this permutation does not use
+    /// loads no texture.
+    void set(const char* sampler, int unit, const Texture& texture) const;
+
+private:
+    GLint location(const char* uniform) const;  ///< -1 when not in use
+
+    ProgramName name_;
+    std::string title_;
+    std::set<std::string> known_;
+    std::map<std::string, GLint, std::less<>> locations_;
+};
+
+/// One preprocessor definition, "NAME" or "NAME VALUE"; an empty one stands for none.
+struct Define {
+    std::string text;
+    Define(const char* definition) : text(definition) {}
+    Define(std::string definition) : text(std::move(definition)) {}
+};
+
+/// The permutations of one set of shader files, each compiled when it is first used.
+class Programs {
+public:
+    /// Paths below the course's `shaders` folder. Nothing is read yet.
+    Programs(std::initializer_list<const char*> stages) : stages_(stages.begin(), stages.end()) {}
+    template <class... Names>
+    explicit Programs(const char* first, Names... others) : Programs({first, others...}) {}
+
+    /// The program with these definitions. Throws what Program's constructor throws.
+    const Program& with(std::initializer_list<Define> defines = {}) const;
+    const Program& with(const Define& define) const { return with({define}); }
+
+private:
+    std::vector<std::string> stages_;
+    mutable std::map<std::vector<std::string>, std::unique_ptr<Program>> programs_;
+};
+
+}  // namespace relief

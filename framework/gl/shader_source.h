@@ -1,0 +1,35 @@
+// Shader text from files: #include, #define permutations, and the way back from a compiler's message to the
+// line that a person wrote. Needs no GL.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "framework/base/error.h"
+
+namespace relief {
+
+struct ShaderSource {
+    std::string text;                          ///< what the compiler gets
+    std::vector<std::filesystem::path> files;  ///< by the source-string number in #line and in messages
+    std::set<std::string> names;  ///< every u_ and s_ name in the files, whether or not it is in use
+};
+
+/// Reads a stage and what it includes. `#include "common/light.glsl"` is looked for beside the including
+/// file, then below the course's `shaders` folder; a file is taken once. `defines` ("NAME" or "NAME VALUE")
+/// follow the
+/// `#version` line, which the stage's first line must be. Throws Error with file and line.
+ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<std::string>& defines);
+
+/// A compiler's log with each "0:12(5): " or "0(12) : " replaced by the file and the line, and the first
+/// error in it.
+struct ShaderLog {
+    Place first;
+    std::string first_message;
+    std::string text;
+};
+ShaderLog explain_log(const std::string& log, const std::vector<std::filesystem::path>& files);
+
+}  // namespace relief

@@ -1,0 +1,55 @@
+// Textures that are loaded when a draw first binds them.
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+#include "framework/gl/object.h"
+#include "framework/image/image.h"
+
+namespace relief {
+
+enum class Wrap { repeat, clamp };
+
+struct TextureOptions {
+    ColorSpace space = ColorSpace::linear;
+    Wrap wrap = Wrap::repeat;
+    /// Trilinear over the chain of mip_chain(), else bilinear on level 0 alone.
+    bool mips = true;
+    /// Samples along the longer side of a pixel's footprint, where the driver can; 1 is none.
+    float anisotropy = 4;
+};
+
+/// A 2-D texture, named at first use. Row 0 of the image is the top, and v grows up. 8-bit images become
+/// GL_R8 to GL_RGBA8 or GL_SRGB8(_ALPHA8), 16-bit ones GL_R16 to GL_RGBA16, floats GL_R32F to GL_RGBA32F.
+class Texture {
+public:
+    Texture(std::string title, std::function<Image()> make, TextureOptions options = {})
+        : title_(std::move(title)), make_(std::move(make)), options_(options) {}
+    ~Texture();
+    Texture(Texture&&) = default;
+    Texture& operator=(Texture&&) = delete;
+
+    /// Throws Error when the image cannot be made or is too large for the driver.
+    operator GLuint() const;
+
+private:
+    void create() const;
+
+    std::string title_;
+    std::function<Image()> make_;
+    TextureOptions options_;
+    mutable std::optional<TextureName> name_;
+    mutable int64_t bytes_ = 0;
+};
+
+/// A file below the course's `assets` folder.
+Texture load_texture(const char* asset, TextureOptions options);
+Texture load_texture(const char* asset, ColorSpace space);
+
+/// Makes the texture current on a unit.
+void bind(int unit, const Texture& texture);
+
+}  // namespace relief

@@ -1,0 +1,100 @@
+#include "framework/image/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "framework/base/error.h"
+
+namespace relief {
+
+bool is_one_color(const Image& image) {
+    const float* const first = image.values.data();
+    const size_t bytes = image.channels * sizeof(float);
+    for (size_t i = 1; i < image.pixel_count(); ++i)
+        if (std::memcmp(first, first + i * image.channels, bytes) != 0) return false;
+    return true;
+}
+
+Difference difference(const Image& a, const Image& b, double threshold) {
+    if (!a.same_shape(b)) return {INFINITY, std::max(a.pixel_count(), b.pixel_count())};
+    Difference result;
+    for (size_t i = 0; i < a.pixel_count(); ++i) {
+        double largest = 0;
+        for (int c = 0; c < a.channels; ++c) {
+            const float x = a.values[i * a.channels + c], y = b.values[i * a.channels + c];
+            if (x == y) continue;  // also two infinities
+            const double off = std::abs(static_cast<double>(x) - y);
+            largest = std::max(largest, std::isnan(off) ? INFINITY : off);
+        }
+        result.largest = std::max(result.largest, largest);
+        if (largest > threshold) ++result.pixels_over;
+    }
+    return result;
+}
+
+namespace {
+
+double angle_degrees(const float* a, const float* b) {
+    const double x = double(a[1]) * b[2] - double(a[2]) * b[1], y = double(a[2]) * b[0] - double(a[0]) * b[2],
+                 z = double(a[0]) * b[1] - double(a[1]) * b[0];
+    const double dot = double(a[0]) * b[0] + double(a[1]) * b[1] + double(a[2]) * b[2];
+    return std::atan2(std::sqrt(x * x + y * y + z * z), dot) * 180 / M_PI;
+}
+
+double distance(const float* a, const float* b, int channels) {
+    double sum = 0;
+    for (int c = 0; c < channels; ++c) sum += (double(a[c]) - b[c]) * (double(a[c]) - b[c]);
+    return std::sqrt(sum);
+}
+
+}  // namespace
+
+Image error_image(const Image& measured, const Image& truth, ErrorMetric metric) {
+    if (!measured.same_shape(truth))
+        throw Error("a probe and its truth must have the same size and number of channels");
+    if (metric == ErrorMetric::angle && measured.channels < 3) throw Error("an angle needs three channels");
+    Image result(measured.width, measured.height, 1);
+    for (size_t i = 0; i < result.pixel_count(); ++i) {
+        const float* const m = measured.values.data() + i * measured.channels;
+        const float* const t = truth.values.data() + i * truth.channels;
+        double error = no_surface;
+        if (!std::isinf(m[0]) && !std::isinf(t[0])) switch (metric) {
+                case ErrorMetric::angle:
+                    error = angle_degrees(m, t);
+                    break;
+                case ErrorMetric::distance:
+                    error = distance(m, t, measured.channels);
+                    break;
+                case ErrorMetric::absolute:
+                    error = distance(m, t, 1);
+                    break;
+            }
+        result.values[i] = static_cast<float>(error);
+    }
+    return result;
+}
+
+ErrorSummary summarize(const Image& error) {
+    ErrorSummary summary;
+    std::vector<float> errors;
+    double sum = 0, squares = 0;
+    for (const float value : error.values) {
+        if (std::isnan(value)) ++summary.not_finite;
+        if (!std::isfinite(value)) continue;
+        errors.push_back(value);
+        sum += value, squares += double(value) * value;
+    }
+    if (errors.empty()) return summary;
+    summary.count = errors.size();
+    summary.mean = sum / errors.size();
+    summary.rms = std::sqrt(squares / errors.size());
+    // The smallest value that at least 99 % of the pixels do not exceed.
+    const size_t rank = static_cast<size_t>(std::ceil(0.99 * errors.size())) - 1;
+    std::nth_element(errors.begin(), errors.begin() + rank, errors.end());
+    summary.p99 = errors[rank];
+    summary.largest = *std::max_element(errors.begin() + rank, errors.end());
+    return summary;
+}
+
+}  // namespace relief

@@ -1,0 +1,77 @@
+// The only file that includes OpenImageIO. Built as a module of its own.
+#include "framework/image/openimageio.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include "framework/base/error.h"
+
+namespace {
+
+using namespace relief;
+
+// OpenImageIO's registry of formats goes by the ending of a name.
+std::string name_for(const char* format) {
+    return std::string("image.") + (std::string_view(format) == "openexr" ? "exr" : format);
+}
+
+// Our notes, and no others, come back from a file.
+constexpr std::string_view note_prefix = "relief:";
+
+int bits_of(OIIO::TypeDesc type) {
+    if (type == OIIO::TypeDesc::UINT8) return 8;
+    if (type == OIIO::TypeDesc::UINT16) return 16;
+    return 32;
+}
+
+}  // namespace
+
+Image relief_decode_image(const std::string& bytes, const char* format, Notes& notes) {
+    OIIO::attribute("try_all_readers", 0);
+    OIIO::attribute("limits:imagesize_MB", static_cast<int>(max_image_bytes >> 20));
+    OIIO::attribute("limits:channels", 4);
+
+    OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
+    const auto input = OIIO::ImageInput::open(name_for(format), nullptr, &reader);
+    if (!input) throw Error(fmt::format("damaged: {}", OIIO::geterror()));
+
+    const OIIO::ImageSpec& spec = input->spec();
+    const bool fits = spec.width >= 1 && spec.height >= 1 && spec.width <= max_image_side &&
+                      spec.height <= max_image_side && spec.nchannels >= 1 && spec.nchannels <= 4 &&
+                      spec.image_pixels() * spec.nchannels * sizeof(float) <= max_image_bytes;
+    if (!fits)
+        throw Error(fmt::format("{}x{} with {} channels: at most {}x{}, 4 channels and {} MiB are taken",
+                                spec.width, spec.height, spec.nchannels, max_image_side, max_image_side,
+                                max_image_bytes >> 20));
+
+    for (const OIIO::ParamValue& note : spec.extra_attribs) {
+        const std::string name = note.name().string();
+        if (name.starts_with(note_prefix))
+            notes.emplace_back(name.substr(note_prefix.size()), note.get_string());
+    }
+    Image image(spec.width, spec.height, spec.nchannels, bits_of(spec.format));
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
+        throw Error(fmt::format("damaged: {}", input->geterror()));
+    return image;
+}
+
+std::string relief_encode_image(const Image& image, const char* format, const Notes& notes) {
+    OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
+    if (std::string_view(format) == "png")
+        type = image.bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
+
+    OIIO::ImageSpec spec(image.width, image.height, image.channels, type);
+    spec.attribute("DateTime",
+                   "1970:01:01 00:00:00");  // else EXR stores the present, and no two files are alike
+    if (type != OIIO::TypeDesc::FLOAT) spec.attribute("oiio:ColorSpace", "sRGB");
+    for (const auto& [name, value] : notes) spec.attribute(std::string(note_prefix) + name, value);
+
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput sink(bytes);
+    const auto output = OIIO::ImageOutput::create(format);
+    const bool done = output && output->set_ioproxy(&sink) && output->open(name_for(format), spec) &&
+                      output->write_image(OIIO::TypeDesc::FLOAT, image.values.data()) && output->close();
+    if (!done) throw Error(fmt::format("cannot encode: {}", output ? output->geterror() : OIIO::geterror()));
+    return {bytes.begin(), bytes.end()};
+}

@@ -1,0 +1,67 @@
+#include "framework/image/visualize.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace relief {
+namespace {
+
+using Color = std::array<float, 3>;
+constexpr Color nothing{0.11f, 0.12f, 0.14f}, not_a_number{1, 0, 1};
+
+void put(Image& image, size_t i, const Color& color) {
+    std::copy(color.begin(), color.end(), image.values.begin() + std::ptrdiff_t(i * 3));
+}
+
+// Lightness rises steadily along the scale, so that it can be read without colour too.
+Color heat(double share) {
+    constexpr std::array<Color, 6> scale = {{{0.00f, 0.00f, 0.02f},
+                                             {0.26f, 0.04f, 0.41f},
+                                             {0.58f, 0.15f, 0.40f},
+                                             {0.87f, 0.32f, 0.23f},
+                                             {0.99f, 0.65f, 0.04f},
+                                             {0.99f, 1.00f, 0.65f}}};
+    const double place = std::clamp(share, 0.0, 1.0) * (scale.size() - 1);
+    const size_t below = std::min(size_t(place), scale.size() - 2);
+    Color color;
+    for (size_t c = 0; c < 3; ++c)
+        color[c] = std::lerp(scale[below][c], scale[below + 1][c], float(place - double(below)));
+    return color;
+}
+
+}  // namespace
+
+Image visualize_probe(const Image& probe, ErrorMetric metric) {
+    const int channels = std::min(probe.channels, 3);
+    double largest = 0;
+    for (const float value : probe.values)
+        if (std::isfinite(value)) largest = std::max<double>(largest, std::abs(value));
+    Image picture(probe.width, probe.height, 3, 8);
+    for (size_t i = 0; i < probe.pixel_count(); ++i) {
+        const float* const value = probe.values.data() + i * probe.channels;
+        Color color{};
+        for (int c = 0; c < channels; ++c)
+            color[size_t(c)] = metric == ErrorMetric::angle ? 0.5f * value[c] + 0.5f
+                               : largest > 0                ? std::abs(value[c]) / float(largest)
+                                                            : 0;
+        if (channels == 1) color[1] = color[2] = color[0];
+        const bool broken = std::any_of(value, value + channels, [](float v) { return std::isnan(v); });
+        put(picture, i, broken ? not_a_number : std::isinf(value[0]) ? nothing : color);
+    }
+    return picture;
+}
+
+Image visualize_error(const Image& error, double largest) {
+    Image picture(error.width, error.height, 3, 8);
+    for (size_t i = 0; i < error.pixel_count(); ++i) {
+        const float value = error.values[i];
+        put(picture, i,
+            std::isnan(value)   ? not_a_number
+            : std::isinf(value) ? nothing
+                                : heat(largest > 0 ? value / largest : 0));
+    }
+    return picture;
+}
+
+}  // namespace relief

@@ -1,0 +1,17 @@
+// Numbers as colours, for a person to look at.
+#pragma once
+
+#include "framework/image/compare.h"
+#include "framework/image/image.h"
+
+namespace relief {
+
+/// A probe as an 8-bit picture: directions (compared by angle) as 0.5 v + 0.5, the rest scaled so that the
+/// largest absolute value is 1. Dark grey where there is no surface, magenta where it is not a number.
+Image visualize_probe(const Image& probe, ErrorMetric metric);
+
+/// An error image as an 8-bit heat map from black over purple and orange to pale yellow, `largest` and more
+/// being the last.
+Image visualize_error(const Image& error, double largest);
+
+}  // namespace relief

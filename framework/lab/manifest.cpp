@@ -1,0 +1,254 @@
+#include "framework/lab/manifest.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double any = std::numeric_limits<double>::max();
+
+/// One table, read key by key; what nobody read is a mistake of the author's.
+class Table {
+public:
+    Table(const fs::path& file, const toml::table& table, std::string what)
+        : file_(file), table_(table), what_(std::move(what)) {}
+
+    std::string text(const char* key) { return value<std::string>(need(key), key, "a text in quotes"); }
+
+    void read(const char* key, std::string& result) {
+        if (const toml::node* node = find(key)) result = value<std::string>(*node, key, "a text in quotes");
+    }
+    void read(const char* key, bool& result) {
+        if (const toml::node* node = find(key)) result = value<bool>(*node, key, "true or false");
+    }
+    void read(const char* key, double& result, double low, double high) {
+        if (const toml::node* node = find(key)) result = number(*node, key, low, high);
+    }
+    void read(const char* key, int& result, int low, int high) {
+        const toml::node* node = find(key);
+        if (!node) return;
+        const auto whole = node->value_exact<int64_t>();
+        if (!whole || *whole < low || *whole > high)
+            fail(*node, fmt::format("'{}' must be a whole number from {} to {}", key, low, high));
+        result = int(*whole);
+    }
+    void read(const char* key, std::vector<std::string>& result) {
+        const toml::node* node = find(key);
+        if (!node) return;
+        const toml::array* array = node->as_array();
+        if (!array) fail(*node, fmt::format("'{}' must be a list of texts", key));
+        for (const toml::node& element : *array)
+            result.push_back(value<std::string>(element, key, "a list of texts"));
+    }
+    /// A list of `count` numbers; false when the key is not there.
+    template <int count>
+    bool read(const char* key, std::array<double, count>& result, double low, double high) {
+        const toml::node* node = find(key);
+        if (!node) return false;
+        const toml::array* array = node->as_array();
+        if (!array || array->size() != count) fail(*node, fmt::format("'{}' must be {} numbers", key, count));
+        for (int i = 0; i < count; ++i) result[i] = number((*array)[size_t(i)], key, low, high);
+        return true;
+    }
+
+    std::optional<Table> table(const char* key) {
+        const toml::node* node = find(key);
+        if (!node) return {};
+        if (!node->as_table()) fail(*node, fmt::format("'{}' must be a table, {{ key = value }}", key));
+        return Table(file_, *node->as_table(), fmt::format("{}.{}", what_, key));
+    }
+    /// Each [[key]] in order.
+    std::vector<Table> tables(const char* key) {
+        std::vector<Table> result;
+        const toml::node* node = find(key);
+        if (!node) return result;
+        const toml::array* array = node->as_array();
+        if (!array || !array->is_array_of_tables())
+            fail(*node, fmt::format("write each {0} as [[{0}]]", key));
+        for (const toml::node& element : *array)
+            result.emplace_back(file_, *element.as_table(), fmt::format("[[{}]]", key));
+        return result;
+    }
+
+    /// All keys with their values as text, for the knobs of a shot.
+    std::vector<std::pair<std::string, std::string>> all_as_text() {
+        std::vector<std::pair<std::string, std::string>> result;
+        for (const auto& [key, node] : table_) {
+            read_.emplace_back(key.str());
+            std::string text;
+            if (const auto string = node.value_exact<std::string>())
+                text = *string;
+            else if (const auto flag = node.value_exact<bool>())
+                text = *flag ? "on" : "off";
+            else
+                text = plain(number(node, read_.back().c_str(), -any, any));
+            result.emplace_back(key.str(), text);
+        }
+        return result;
+    }
+
+    /// Call last: throws for a key that nothing has asked for.
+    void finish() const {
+        for (const auto& [key, node] : table_)
+            if (std::find(read_.begin(), read_.end(), key.str()) == read_.end())
+                throw Error({file_, int(key.source().begin.line)},
+                            unknown("key of " + what_ + ",", key.str(), read_));
+    }
+
+    [[noreturn]] void fail(const std::string& message) const { fail(table_, message); }
+    [[noreturn]] void fail(const toml::node& node, const std::string& message) const {
+        throw Error({file_, int(node.source().begin.line)}, message);
+    }
+
+private:
+    const toml::node* find(const char* key) {
+        read_.emplace_back(key);
+        return table_.get(key);
+    }
+    const toml::node& need(const char* key) {
+        const toml::node* node = find(key);
+        if (!node) fail(table_, fmt::format("{} must have a '{}'", what_, key));
+        return *node;
+    }
+    template <class Type>
+    Type value(const toml::node& node, const char* key, const char* wanted) const {
+        auto result = node.value_exact<Type>();
+        if (!result) fail(node, fmt::format("'{}' must be {}", key, wanted));
+        return *std::move(result);
+    }
+    double number(const toml::node& node, const char* key, double low, double high) const {
+        const auto result = node.is_number() ? node.value<double>() : std::nullopt;
+        if (!result) fail(node, fmt::format("'{}' must be a number", key));
+        if (!(*result >= low && *result <= high))
+            fail(node, fmt::format("'{}' must be from {} to {}", key, plain(low), plain(high)));
+        return *result;
+    }
+
+    const fs::path& file_;
+    const toml::table& table_;
+    std::string what_;
+    std::vector<std::string> read_;
+};
+
+void read_camera(Table parent, Orbit& camera) {
+    parent.read("yaw", camera.yaw, -36000, 36000);
+    parent.read("pitch", camera.pitch, -89, 89);
+    parent.read("distance", camera.distance, 1e-3, 1e6);
+    parent.read("field_of_view", camera.field_of_view, 1, 170);
+    std::array<double, 3> target{};
+    if (parent.read<3>("target", target, -1e6, 1e6)) camera.target = {target[0], target[1], target[2]};
+    parent.finish();
+}
+
+Shot read_shot(Table table, const Orbit& camera) {
+    Shot shot;
+    shot.camera = camera;
+    if (auto knobs = table.table("set")) shot.set = knobs->all_as_text();
+    if (auto place = table.table("camera")) read_camera(*place, shot.camera);
+    table.read("probe", shot.probe.name);
+    table.read("time", shot.time, 0, 1e6);
+    std::array<double, 2> size{};
+    if (table.read<2>("size", size, 1, max_picture_side)) shot.size = {int(size[0]), int(size[1])};
+    table.finish();
+    return shot;
+}
+
+ErrorMetric read_metric(Table& table) {
+    std::string text = "distance";
+    table.read("error", text);
+    if (text == "distance") return ErrorMetric::distance;
+    if (text == "angle") return ErrorMetric::angle;
+    if (text == "absolute") return ErrorMetric::absolute;
+    const std::vector<std::string> known = {"distance", "angle", "absolute"};
+    table.fail(unknown("error", text, known));
+}
+
+}  // namespace
+
+int Manifest::points() const {
+    int sum = 0;
+    for (const TaskInfo& task : tasks) sum += task.points;
+    return sum;
+}
+
+const ProbeInfo& Manifest::probe(const std::string& name) const {
+    std::vector<std::string> known;
+    for (const ProbeInfo& probe : probes) {
+        if (probe.name == name) return probe;
+        known.push_back(probe.name);
+    }
+    throw UsageError(unknown("probe", name, known));
+}
+
+Manifest load_manifest(const fs::path& file) {
+    const std::string text = read_file(file, size_t{1} << 24);
+    toml::table parsed;
+    try {
+        parsed = toml::parse(text, file.string());
+    } catch (const toml::parse_error& error) {
+        throw Error({file, int(error.source().begin.line)}, std::string(error.description()));
+    }
+
+    Table root(file, parsed, "a manifest");
+    Manifest manifest;
+    manifest.title = root.text("title");
+    root.read("learns", manifest.learns);
+    if (auto camera = root.table("camera")) read_camera(*camera, manifest.camera);
+    root.read("animated", manifest.animated);
+
+    for (Table& table : root.tables("probe")) {
+        ProbeInfo probe;
+        probe.name = table.text("name");
+        table.read("unit", probe.unit);
+        probe.error = read_metric(table);
+        table.finish();
+        manifest.probes.push_back(std::move(probe));
+    }
+    for (Table& table : root.tables("task")) {
+        TaskInfo task;
+        task.id = table.text("id");
+        task.title = table.text("title");
+        task.file = table.text("file");
+        table.read("points", task.points, 0, 1000);
+        table.finish();
+        manifest.tasks.push_back(std::move(task));
+    }
+    for (Table& table : root.tables("golden")) {
+        GoldenInfo golden;
+        golden.name = table.text("name");
+        golden.shot.camera = manifest.camera;
+        if (auto shot = table.table("shot")) golden.shot = read_shot(*shot, manifest.camera);
+        table.finish();
+        for (const GoldenInfo& other : manifest.goldens)
+            if (other.name == golden.name)
+                table.fail(fmt::format("two golden pictures are named '{}'", golden.name));
+        if (golden.name.empty() ||
+            golden.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") != std::string::npos)
+            table.fail(fmt::format("'{}' names a file: use a-z, 0-9, - and _", golden.name));
+        if (golden.shot.probe) try {
+                manifest.probe(golden.shot.probe.name);
+            } catch (const UsageError& error) {
+                table.fail(error.what());
+            }
+        manifest.goldens.push_back(std::move(golden));
+    }
+    root.finish();
+    return manifest;
+}
+
+Manifest load_manifest(const LabEntry& lab) {
+    return load_manifest(course_root() / "labs" / lab.folder / "lab.toml");
+}
+
+}  // namespace relief

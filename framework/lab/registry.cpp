@@ -1,0 +1,65 @@
+#include "framework/lab/registry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "framework/base/error.h"
+#include "framework/base/text.h"
+#include "framework/lab/lab.h"
+
+namespace relief {
+namespace {
+
+std::vector<LabEntry>& entries() {
+    static std::vector<LabEntry> labs;
+    return labs;
+}
+
+}  // namespace
+
+const std::vector<LabEntry>& registry() { return entries(); }
+
+LabRegistration::LabRegistration(const char* folder, std::unique_ptr<Lab> (*make)()) {
+    const std::string text(folder);
+    const size_t end = text.find('_');
+    LabEntry entry{parse_int(text.substr(0, end)).value_or(0), text.substr(end + 1), text, make};
+    const auto place =
+        std::upper_bound(entries().begin(), entries().end(), entry,
+                         [](const LabEntry& a, const LabEntry& b) { return a.number < b.number; });
+    entries().insert(place, std::move(entry));
+}
+
+const LabEntry& find_lab(const std::string& text) {
+    std::vector<const LabEntry*> exact, partial;
+    const auto number = parse_int(text);
+    for (const LabEntry& lab : registry()) {
+        if (lab.number == number || lab.name == text || lab.folder == text) exact.push_back(&lab);
+        if (!text.empty() && !number && lab.folder.find(text) != std::string::npos) partial.push_back(&lab);
+    }
+    if (exact.size() == 1) return *exact.front();
+    if (exact.empty() && partial.size() == 1) return *partial.front();
+
+    std::vector<std::string> folders;
+    const auto& candidates = exact.empty() ? partial : exact;
+    for (const LabEntry* lab : candidates) folders.push_back(lab->folder);
+    if (!folders.empty()) throw UsageError(fmt::format("'{}' may be any of: {}", text, join(folders, ", ")));
+
+    // A typo is near to a name or to a word of one; the answer is the whole folder.
+    std::vector<std::string> words;
+    std::map<std::string, std::string> folder_of;
+    for (const LabEntry& lab : registry()) {
+        folders.push_back(lab.folder);
+        std::vector<std::string> parts = split(lab.name, '_');
+        parts.insert(parts.begin(), lab.name);
+        for (const std::string& part : parts)
+            if (folder_of.emplace(part, lab.folder).second) words.push_back(part);
+    }
+    std::string line = fmt::format("unknown lab '{}'", text);
+    const auto guess = nearest(text, words);
+    line += guess ? fmt::format(": did you mean '{}'? There are: ", folder_of.at(*guess)) : "; there are: ";
+    throw UsageError(line + join(folders, ", "));
+}
+
+}  // namespace relief

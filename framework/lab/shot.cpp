@@ -1,0 +1,108 @@
+#include "framework/lab/shot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/base/error.h"
+#include "framework/image/color.h"
+#include "framework/image/compare.h"
+
+namespace relief {
+namespace {
+
+// sRGB-encoded, since nothing encodes what glClear writes.
+constexpr glm::vec3 background{0.11f, 0.12f, 0.14f};
+
+double aspect(glm::ivec2 size) { return double(size.x) / size.y; }
+
+void refuse_broken_probe(const Image& image, const Probe& probe) {
+    size_t surface = 0, broken = 0, first = 0;
+    for (size_t i = 0; i < image.pixel_count(); ++i) {
+        const float* const value = image.values.data() + i * image.channels;
+        const bool is_nan = std::any_of(value, value + image.channels, [](float v) { return std::isnan(v); });
+        if (is_nan && broken++ == 0) first = i;
+        surface += !std::isinf(value[0]);
+    }
+    if (broken > 0)
+        throw Error(fmt::format("probe '{}': {} pixels are not a number, the first at column {}, row {}",
+                                probe.name, broken, first % size_t(image.width),
+                                first / size_t(image.width)));
+    if (surface == 0)
+        throw Error(fmt::format("probe '{}': no surface was drawn, or the camera looks past it", probe.name));
+}
+
+}  // namespace
+
+Frame frame_of(const Shot& shot, const Target& target) {
+    return {target.framebuffer(), target.size(), shot.time, Camera(shot.camera, aspect(target.size())),
+            shot.probe};
+}
+
+void draw_lab(Lab& lab, const Frame& frame) {
+    for (const GLenum capability :
+         {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD,
+          GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART})
+        glDisable(capability);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_MULTISAMPLE);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glFrontFace(GL_CCW);
+    glPatchParameteri(GL_PATCH_VERTICES, 3);
+    if (frame.probe)
+        glClearColor(no_surface, no_surface, no_surface, no_surface);
+    else
+        glClearColor(background.r, background.g, background.b, 1);
+
+    lab.draw(frame);
+
+    glUseProgram(0);
+    glBindVertexArray(0);
+    const std::string errors = take_gl_errors();
+    if (!errors.empty()) throw Error("OpenGL: " + errors);
+}
+
+std::unique_ptr<Lab> make_lab(const LabEntry& entry, const Shot& shot) {
+    std::unique_ptr<Lab> lab = entry.make();
+    for (const auto& [name, value] : shot.set) set_knob(*lab, name, value);
+    return lab;
+}
+
+Image read_picture(const Target& target) {
+    const Image image = target.read();
+    const bool decode = target.kind() == TargetKind::light;
+    Image result(image.width, image.height, 3, image.bits);
+    for (size_t i = 0; i < image.pixel_count(); ++i)
+        for (size_t c = 0; c < 3; ++c) {
+            const float value = image.values[i * 4 + c];
+            result.values[i * 3 + c] = decode ? float(linear_from_srgb(value)) : value;
+        }
+    return result;
+}
+
+Image take(Lab& lab, const Shot& shot, bool light) {
+    const TargetKind kind = shot.probe ? TargetKind::probe : light ? TargetKind::light : TargetKind::picture;
+    const Target target(kind, shot.size);
+    draw_lab(lab, frame_of(shot, target));
+    Image image = shot.probe ? target.read() : read_picture(target);
+    const std::string errors = take_gl_errors();
+    if (!errors.empty()) throw Error("OpenGL: " + errors);
+    if (shot.probe)
+        refuse_broken_probe(image, shot.probe);
+    else if (image.pixel_count() > 1 && is_one_color(image))
+        throw Error("the picture has one colour: nothing was drawn, or the camera looks past it");
+    return image;
+}
+
+Image truth_of(const Lab& lab, const Shot& shot) {
+    const Frame frame{0, shot.size, shot.time, Camera(shot.camera, aspect(shot.size)), shot.probe};
+    auto truth = lab.truth(frame, shot.probe);
+    if (!truth) throw UsageError(fmt::format("this lab has no truth for the probe '{}'", shot.probe.name));
+    return *std::move(truth);
+}
+
+}  // namespace relief

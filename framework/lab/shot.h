@@ -1,0 +1,43 @@
+// One picture, or one probe, of one lab: from the manifest, from --set and --camera, or from the menu.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/gl/target.h"
+#include "framework/lab/lab.h"
+
+namespace relief {
+
+struct Shot {
+    glm::ivec2 size{1280, 720};
+    double time = 0;
+    Orbit camera;
+    Probe probe;
+    std::vector<std::pair<std::string, std::string>> set;  ///< knobs, in order
+};
+
+/// The frame of a shot in a target of its size.
+Frame frame_of(const Shot& shot, const Target& target);
+
+/// Brings GL to the state that Frame promises, clears nothing, and lets the lab draw. Throws what the lab
+/// throws at first use, and Error for whatever GL complains of.
+void draw_lab(Lab& lab, const Frame& frame);
+
+/// A new lab with the shot's knobs set. Needs no context. Throws UsageError for a knob or a value that is not
+/// there.
+std::unique_ptr<Lab> make_lab(const LabEntry& entry, const Shot& shot);
+
+/// The target's picture without alpha: 8-bit sRGB as encoded, or linear floats from a target of that kind.
+Image read_picture(const Target& target);
+
+/// draw_lab() into a new target, then the pixels: 8-bit sRGB (3 channels) for a picture, linear floats (3
+/// channels) when `light`, floats (4 channels) for a probe. Throws Error when nothing was drawn (a picture of
+/// one colour, a probe without a surface) or a probe is NaN anywhere.
+Image take(Lab& lab, const Shot& shot, bool light = false);
+
+/// The truth of the shot's probe. Throws UsageError when the lab has none. Needs no context.
+Image truth_of(const Lab& lab, const Shot& shot);
+
+}  // namespace relief

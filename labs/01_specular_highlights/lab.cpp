@@ -1,0 +1,105 @@
+// Lab 01: specular highlights.
+//
+// Columns of bricks around a lamp: the highlight by the vertex normals is that of a smooth column; a normal
+// map gives every brick its own.
+#include <array>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "framework/lab/lab.h"
+
+namespace relief {
+
+class SpecularHighlights final : public Lab {
+public:
+    void draw(const Frame& frame) override {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const glm::ivec2 size = frame.size;
+        const int split = int(std::lround(wipe_ * float(size.x)));
+        switch (method_) {
+            case vertex_normal:
+            case normal_map:
+                draw_scene(frame, {0, 0}, size, method_ == normal_map);
+                break;
+            case side_by_side:
+                draw_scene(frame, {0, 0}, {size.x / 2, size.y}, false);
+                draw_scene(frame, {size.x / 2, 0}, {size.x - size.x / 2, size.y}, true);
+                break;
+            case wipe:  // one scene twice, each through its own part of the window
+                glEnable(GL_SCISSOR_TEST);
+                glScissor(0, 0, split, size.y);
+                draw_scene(frame, {0, 0}, size, false);
+                glScissor(split, 0, size.x - split, size.y);
+                draw_scene(frame, {0, 0}, size, true);
+                break;
+        }
+    }
+
+    void knobs(Knobs& knobs) override {
+        knobs.choice("method", method_, methods, "where the normal comes from, or both");
+        knobs.slider("wipe", wipe_, 0, 1, "where vertex normals end and the normal map begins, for wipe");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "the lamp's place around the colonnade, degrees");
+        knobs.slider("light_height", light_height_, 0.1f, 5, "the lamp's height, metres");
+        knobs.slider("shininess", shininess_, 2, 256, "exponent of the highlight");
+        knobs.slider("strength", strength_, 0, 2, "of the normal map; 0 is flat");
+    }
+
+private:
+    enum Method { vertex_normal, normal_map, side_by_side, wipe };
+    static constexpr std::array methods = {"vertex-normal", "normal-map", "side-by-side", "wipe"};
+
+    void draw_scene(const Frame& frame, glm::ivec2 corner, glm::ivec2 size, bool with_map) {
+        if (size.x <= 0) return;
+        glViewport(corner.x, corner.y, size.x, size.y);
+        const Camera camera = frame.camera.with_aspect(double(size.x) / size.y);
+        const float yaw_rad = glm::radians(light_yaw_);
+        const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : ""});
+        glUseProgram(surface);
+        surface.set("u_clip_from_world", camera.clip_from_world());
+        surface.set("u_eye", camera.eye());
+        surface.set("u_light", glm::vec3(1.6f * std::sin(yaw_rad), light_height_, 1.6f * std::cos(yaw_rad)));
+        surface.set("u_shininess", shininess_);
+        surface.set("u_strength", strength_);
+
+        surface.set("s_albedo", 0, paving_albedo_);
+        surface.set("s_normal", 1, paving_normal_);
+        draw_mesh(surface, floor_, glm::rotate(glm::mat4(1), glm::radians(-90.0f), {1, 0, 0}));
+        for (const glm::vec3 place : places_)
+            draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + top));
+        surface.set("s_albedo", 0, bricks_albedo_);
+        surface.set("s_normal", 1, bricks_normal_);
+        for (const glm::vec3 place : places_)
+            draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
+    }
+
+    static void draw_mesh(const Program& surface, const GpuMesh& mesh, const glm::mat4& world_from_model) {
+        surface.set("u_world_from_model", world_from_model);
+        glBindVertexArray(mesh.layout());
+        glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+    }
+
+    Programs surface_{"01_specular_highlights/surface.vert", "01_specular_highlights/surface.frag"};
+    Texture bricks_albedo_ = load_texture("bricks_albedo.png", ColorSpace::srgb);
+    Texture bricks_normal_ = load_texture("bricks_normal.png", ColorSpace::linear);
+    Texture paving_albedo_ = load_texture("paving_albedo.png", ColorSpace::srgb);
+    Texture paving_normal_ = load_texture("paving_normal.png", ColorSpace::linear);
+    GpuMesh floor_ = upload([] { return make_quad({.width = 60, .height = 60, .repeat = {24, 24}}); });
+    GpuMesh column_ = upload([] {
+        return make_column({.bottom_radius = 0.5f, .top_radius = 0.34f, .height = 2.6f, .repeat = {2, 2}});
+    });
+    GpuMesh ball_ = upload([] { return make_sphere({.radius = 0.42f, .repeat = {2, 1}}); });
+    static constexpr glm::vec3 top{0, 2.95f, 0};
+    static constexpr std::array<glm::vec3, 6> places_ = {{{-1.4f, 0, 1.2f},
+                                                          {1.4f, 0, 1.2f},
+                                                          {-1.4f, 0, -1.6f},
+                                                          {1.4f, 0, -1.6f},
+                                                          {-1.4f, 0, -4.4f},
+                                                          {1.4f, 0, -4.4f}}};
+
+    int method_ = side_by_side;
+    float wipe_ = 0.5f, light_yaw_ = 10, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;
+};
+
+RELIEF_LAB(SpecularHighlights);
+
+}  // namespace relief

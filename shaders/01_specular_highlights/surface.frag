@@ -1,0 +1,49 @@
+#version 410 core
+// One light and a highlight, by the vertex normal or by the normal map.
+
+#include "common/light.glsl"
+#include "common/normal_map.glsl"
+#include "common/srgb.glsl"
+
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+
+uniform vec3 u_eye;
+uniform vec3 u_light;
+uniform float u_shininess;
+uniform sampler2D s_albedo;
+#ifdef NORMAL_MAP
+in vec4 v_tangent;
+uniform float u_strength;
+uniform sampler2D s_normal;
+#endif
+
+layout(location = 0) out vec4 o_color;
+
+vec3 surface_normal() {
+#ifdef NORMAL_MAP
+    vec3 direction = decode_normal(texture(s_normal, v_uv).xyz);
+    direction.xy *= u_strength;
+    return from_tangent_space(direction, v_normal, v_tangent);
+#else
+    return normalize(v_normal);
+#endif
+}
+
+void main() {
+    vec3 normal = surface_normal();
+#if defined PROBE_normal
+    o_color = vec4(normal, 0.0);
+#elif defined PROBE_uv
+    o_color = vec4(v_uv * vec2(textureSize(s_albedo, 0)), 0.0, 0.0);
+#else
+    vec3 albedo = texture(s_albedo, v_uv).rgb;
+    vec3 to_eye = normalize(u_eye - v_position), to_light = u_light - v_position;
+    vec3 sky = mix(vec3(0.055, 0.045, 0.04), vec3(0.10, 0.125, 0.17), 0.5 + 0.5 * normal.y);
+    vec3 lamp = vec3(1.0, 0.86, 0.68) * 7.0 / (1.0 + dot(to_light, to_light));
+    vec3 light = albedo * sky + lamp * blinn_phong(albedo, 0.16, u_shininess, normal, normalize(to_light), to_eye);
+    float haze = 1.0 - exp(-0.0016 * pow(distance(u_eye, v_position), 2.0));
+    o_color = vec4(srgb_from_linear(mix(light, vec3(0.0123, 0.0137, 0.0176), haze)), 1.0);
+#endif
+}
