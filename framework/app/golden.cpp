@@ -6,6 +6,7 @@
 #include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
+#include "framework/gl/gl.h"
 #include "framework/image/compare.h"
 #include "framework/image/file.h"
 #include "framework/image/visualize.h"
@@ -108,8 +109,8 @@ int check_golden(const std::string& lab, bool update, const fs::path& output) {
 
     pin_software_renderer();
     const auto context = open_any_context();
-    if (describe_context().renderer.find("llvmpipe") == std::string::npos)
-        throw Error("reference screenshots are made and compared on Mesa's llvmpipe; this is " +
+    if (!is_software_renderer())
+        throw Error("reference screenshots are made and compared on Mesa's software renderer; this is " +
                     describe_context().renderer);
     GoldenCheck check(update, output);
     for (const LabEntry* entry : labs) try {

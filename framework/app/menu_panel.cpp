@@ -32,7 +32,7 @@ void heading(const char* line) {
     ImGui::Separator();
 }
 
-/// A knob's name above its widget, its help when the mouse rests on it.
+/// A knob's name beside its widget, its help when the mouse rests on it.
 class DrawKnobs final : public Knobs {
 public:
     bool changed = false;
@@ -55,7 +55,9 @@ public:
 
 private:
     void label(const char* name) {
+        ImGui::AlignTextToFramePadding();
         quiet_text(name);
+        ImGui::SameLine(ImGui::GetContentRegionMax().x * 0.38f);
         ImGui::SetNextItemWidth(-1);
     }
     const char* id(const char* name) { return (id_ = std::string("##") + name).c_str(); }
@@ -168,8 +170,8 @@ PanelWish draw_panel(Stage& stage, int width, const std::string& message) {
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({float(width), ImGui::GetIO().DisplaySize.y});
     ImGui::Begin("panel", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
     draw_labs(stage, wish);
     if (stage.lab()) {
         DrawKnobs knobs;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -117,8 +118,9 @@ std::vector<std::string>& caught_errors() {
     return errors;
 }
 
-void GLAD_API_PTR on_message(GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
+void GLAD_API_PTR on_message(GLenum source, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
                              const void*) {
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;  // Program tells of those, with their place
     // A mistake in a loop must not fill the memory: the first few say what is wrong.
     if (type == GL_DEBUG_TYPE_ERROR && caught_errors().size() < 8) caught_errors().emplace_back(text, length);
 }
@@ -154,6 +156,11 @@ void load_gl(LoadFunction* load) {
         throw Error(fmt::format("the context has OpenGL {}.{}: the course needs 4.1",
                                 GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version)));
     count_calls();
+}
+
+bool is_software_renderer() {
+    const std::string_view renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
 }
 
 void label(GLenum kind, GLuint name, const std::string& text) {

@@ -13,6 +13,9 @@ using LoadFunction = GLADapiproc(const char* name);
 /// Throws Error when the context is older than 4.1.
 void load_gl(LoadFunction* load);
 
+/// Whether the current context draws on the CPU (Mesa's llvmpipe or softpipe).
+bool is_software_renderer();
+
 /// Where KHR_debug is present: names a GL object in debug messages and frame debuggers, else does nothing.
 void label(GLenum kind, GLuint name, const std::string& text);
 

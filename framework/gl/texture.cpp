@@ -97,6 +97,9 @@ void Texture::create() const {
     else
         levels.push_back(std::move(image));
 
+    // Made in the middle of a draw that has textures bound: whatever is on the active unit must stay there.
+    GLint bound = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
     TextureName name;
     glBindTexture(GL_TEXTURE_2D, name);
     label(GL_TEXTURE, name, title_);
@@ -113,11 +116,13 @@ void Texture::create() const {
     const GLint wrap = options_.wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
-    if (GLAD_GL_EXT_texture_filter_anisotropic && options_.mips && options_.anisotropy > 1) {
+    const float anisotropy = options_.anisotropy.value_or(is_software_renderer() ? 1.0f : 8.0f);
+    if (GLAD_GL_EXT_texture_filter_anisotropic && options_.mips && anisotropy > 1) {
         float most = 1;
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
-        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, options_.anisotropy));
+        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, anisotropy));
     }
+    glBindTexture(GL_TEXTURE_2D, GLuint(bound));
     bytes_ = bytes;
     counters().texture_bytes += bytes;
     name_ = std::move(name);
@@ -134,9 +139,8 @@ Texture load_texture(const char* asset, ColorSpace space) {
 }
 
 void bind(int unit, const Texture& texture) {
-    const GLuint name = texture;  // made first: making binds on the unit that is active
-    glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, name);
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_2D, texture);
 }
 
 }  // namespace relief

@@ -18,8 +18,9 @@ struct TextureOptions {
     Wrap wrap = Wrap::repeat;
     /// Trilinear over the chain of mip_chain(), else bilinear on level 0 alone.
     bool mips = true;
-    /// Samples along the longer side of a pixel's footprint, where the driver can; 1 is none.
-    float anisotropy = 4;
+    /// Samples along the longer side of a pixel's footprint, where the driver can; 1 is none. Unless it is said, a GPU
+    /// takes 8 and a software renderer 1: there 4 samples make the whole frame of lab 01 four times as long.
+    std::optional<float> anisotropy = {};
 };
 
 /// A 2-D texture, named at first use. Row 0 of the image is the top, and v grows up. 8-bit images become

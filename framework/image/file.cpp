@@ -86,7 +86,7 @@ ImageFormat format_of(const std::filesystem::path& path) {
     throw UsageError(fmt::format("'{}' must end in .png, .exr, .ppm or .pfm", path.string()));
 }
 
-std::string encode_image(const Image& image, ImageFormat format, const Notes& notes) {
+std::string encode_image(const Image& image, ImageFormat format, const Notes& notes, ColorSpace space) {
     switch (format) {
         case ImageFormat::ppm:
             return encode_ppm(image);
@@ -97,11 +97,11 @@ std::string encode_image(const Image& image, ImageFormat format, const Notes& no
             break;
     }
     const char* const name = format == ImageFormat::png ? "png" : "openexr";
-    return openimageio().function<EncodeImage>("relief_encode_image")(image, name, notes);
+    return openimageio().function<EncodeImage>("relief_encode_image")(image, name, notes, space);
 }
 
-void write_image(const std::filesystem::path& path, const Image& image, const Notes& notes) {
-    write_file(path, encode_image(image, format_of(path), notes));
+void write_image(const std::filesystem::path& path, const Image& image, const Notes& notes, ColorSpace space) {
+    write_file(path, encode_image(image, format_of(path), notes, space));
 }
 
 }  // namespace relief

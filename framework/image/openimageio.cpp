@@ -56,7 +56,7 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
     return image;
 }
 
-std::string relief_encode_image(const Image& image, const char* format, const Notes& notes) {
+std::string relief_encode_image(const Image& image, const char* format, const Notes& notes, ColorSpace space) {
     OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
     if (std::string_view(format) == "png")
         type = image.bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
@@ -64,7 +64,7 @@ std::string relief_encode_image(const Image& image, const char* format, const No
     OIIO::ImageSpec spec(image.width, image.height, image.channels, type);
     spec.attribute("DateTime",
                    "1970:01:01 00:00:00");  // else EXR stores the present, and no two files are alike
-    if (type != OIIO::TypeDesc::FLOAT) spec.attribute("oiio:ColorSpace", "sRGB");
+    if (type != OIIO::TypeDesc::FLOAT) spec.attribute("oiio:ColorSpace", space == ColorSpace::srgb ? "sRGB" : "Linear");
     for (const auto& [name, value] : notes) spec.attribute(std::string(note_prefix) + name, value);
 
     std::vector<unsigned char> bytes;

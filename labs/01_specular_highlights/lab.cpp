@@ -61,15 +61,14 @@ private:
         surface.set("u_shininess", shininess_);
         surface.set("u_strength", strength_);
 
-        surface.set("s_albedo", 0, paving_albedo_);
-        surface.set("s_normal", 1, paving_normal_);
-        draw_mesh(surface, floor_, glm::rotate(glm::mat4(1), glm::radians(-90.0f), {1, 0, 0}));
-        for (const glm::vec3 place : places_)
-            draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + top));
+        // The floor last: what stands before it is not shaded twice.
         surface.set("s_albedo", 0, bricks_albedo_);
         surface.set("s_normal", 1, bricks_normal_);
-        for (const glm::vec3 place : places_)
-            draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
+        for (const glm::vec3 place : places_) draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
+        surface.set("s_albedo", 0, paving_albedo_);
+        surface.set("s_normal", 1, paving_normal_);
+        for (const glm::vec3 place : places_) draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + top));
+        draw_mesh(surface, floor_, glm::rotate(glm::mat4(1), glm::radians(-90.0f), {1, 0, 0}));
     }
 
     static void draw_mesh(const Program& surface, const GpuMesh& mesh, const glm::mat4& world_from_model) {

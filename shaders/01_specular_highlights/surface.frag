@@ -43,7 +43,7 @@ void main() {
     vec3 sky = mix(vec3(0.055, 0.045, 0.04), vec3(0.10, 0.125, 0.17), 0.5 + 0.5 * normal.y);
     vec3 lamp = vec3(1.0, 0.86, 0.68) * 7.0 / (1.0 + dot(to_light, to_light));
     vec3 light = albedo * sky + lamp * blinn_phong(albedo, 0.16, u_shininess, normal, normalize(to_light), to_eye);
-    float haze = 1.0 - exp(-0.0016 * pow(distance(u_eye, v_position), 2.0));
+    float haze = 1.0 - exp(-0.0016 * dot(u_eye - v_position, u_eye - v_position));
     o_color = vec4(srgb_from_linear(mix(light, vec3(0.0123, 0.0137, 0.0176), haze)), 1.0);
 #endif
 }

@@ -1,0 +1,25 @@
+// Writes the course's own textures into a folder: relief-assets FOLDER
+#include <cstdio>
+#include <filesystem>
+
+#include "assets/textures.h"
+#include "framework/base/error.h"
+#include "framework/image/file.h"
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: relief-assets FOLDER\n");
+        return 2;
+    }
+    try {
+        for (const char* surface : {"bricks", "paving"})
+            for (const relief::NamedTexture& texture : relief::make_textures(surface)) {
+                const std::filesystem::path file = std::filesystem::path(argv[1]) / texture.file;
+                relief::write_image(file, texture.image, {}, texture.space);
+                std::puts(file.c_str());
+            }
+    } catch (const relief::Error& error) {
+        std::fprintf(stderr, "relief-assets: %s\n", error.what());
+        return 1;
+    }
+}

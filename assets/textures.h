@@ -1,0 +1,20 @@
+// The course's own textures, by the names of their files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/image/image.h"
+
+namespace relief {
+
+struct NamedTexture {
+    std::string file;  ///< "bricks_albedo.png"
+    ColorSpace space = ColorSpace::linear;
+    Image image;
+};
+
+/// "bricks" or "paving": albedo, height and normal map.
+std::vector<NamedTexture> make_textures(const std::string& surface);
+
+}  // namespace relief
