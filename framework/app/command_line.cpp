@@ -77,6 +77,7 @@ public:
         if (program.starts_with("lab-") && registry().size() == 1) only_lab_ = registry().front().folder;
         shot_.lab = run_lab_ = golden_lab_ = only_lab_;
         app_.require_subcommand(0, 1);
+        app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
         app_.set_version_flag("--version", fmt::format("relief {} ({})", versions::relief, versions::commit));
         app_.add_flag("--verbose", verbose_, "print each event on standard error");
         app_.set_help_flag("-h,--help", "this text");

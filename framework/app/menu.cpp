@@ -131,16 +131,25 @@ private:
     }
 
     void keyboard() {
-        if (ImGui::GetIO().WantTextInput) return;
-        const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, false); };
-        if (pressed(GLFW_KEY_PAGE_DOWN) || pressed(GLFW_KEY_RIGHT)) step(1);
-        if (pressed(GLFW_KEY_PAGE_UP) || pressed(GLFW_KEY_LEFT)) step(-1);
-        if (pressed(GLFW_KEY_R)) open(stage_.entry());
-        if (pressed(GLFW_KEY_S) || pressed(GLFW_KEY_F12)) save();
-        if (pressed(GLFW_KEY_C)) stage_.camera() = stage_.manifest().camera, stage_.changed();
-        if (pressed(GLFW_KEY_H)) panel_hidden_ = !panel_hidden_;
-        if (pressed(GLFW_KEY_SPACE)) pause();
-        if (pressed(GLFW_KEY_ESCAPE)) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+        for (const int key : window_.take_keys())
+            if (!ImGui::GetIO().WantTextInput) press(key);
+    }
+
+    void press(int key) {
+        switch (key) {
+            case GLFW_KEY_PAGE_DOWN:
+            case GLFW_KEY_RIGHT: step(1); break;
+            case GLFW_KEY_PAGE_UP:
+            case GLFW_KEY_LEFT: step(-1); break;
+            case GLFW_KEY_R: open(stage_.entry()); break;
+            case GLFW_KEY_S:
+            case GLFW_KEY_F12: save(); break;
+            case GLFW_KEY_C: stage_.camera() = stage_.manifest().camera, stage_.changed(); break;
+            case GLFW_KEY_H: panel_hidden_ = !panel_hidden_; break;
+            case GLFW_KEY_SPACE: pause(); break;
+            case GLFW_KEY_ESCAPE: glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE); break;
+            default: break;
+        }
     }
 
     void pause() {

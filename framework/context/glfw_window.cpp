@@ -25,13 +25,18 @@ GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) 
     glfwWindowHint(GLFW_DEPTH_BITS, 0);  // labs draw into targets of their own
     window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
     if (!window_) fail();
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
+        if (action == GLFW_PRESS) static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->keys_.push_back(key);
+    });
     GlfwWindow::make_current();
     load_gl(glfwGetProcAddress);
 }
 
+// GLFW itself stays: glfwTerminate would unload the driver's libraries, and whatever large library is opened after that
+// crashes as it starts (seen with OpenImageIO's on Mesa 22.3 and glibc 2.36).
 GlfwWindow::~GlfwWindow() {
     if (window_) glfwDestroyWindow(window_);
-    glfwTerminate();
 }
 
 }  // namespace relief

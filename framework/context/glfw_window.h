@@ -6,6 +6,8 @@
 
 #include <glm/glm.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "framework/context/context.h"
 
@@ -21,9 +23,13 @@ public:
 
     void make_current() override { glfwMakeContextCurrent(window_); }
     GLFWwindow* handle() const { return window_; }
+    /// The keys pressed since the last call, in order: also those that were up again before anyone looked, as happens
+    /// when a frame takes longer than a tap.
+    std::vector<int> take_keys() { return std::exchange(keys_, {}); }
 
 private:
     GLFWwindow* window_ = nullptr;
+    std::vector<int> keys_;
 };
 
 }  // namespace relief

@@ -45,7 +45,7 @@ ShaderName compile(const fs::path& path, const ShaderSource& source) {
     GLint done = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
     if (!done) {
-        const ShaderLog log = explain_log(log_of(shader, glGetShaderiv, glGetShaderInfoLog), source.files);
+        const ShaderLog log = explain_log(log_of(shader, glGetShaderiv, glGetShaderInfoLog), source.lines);
         const Place place = log.first.file.empty() ? Place{path} : log.first;
         throw Error(place, log.first_message.empty() ? "does not compile" : log.first_message, log.text);
     }
@@ -56,12 +56,10 @@ ShaderName compile(const fs::path& path, const ShaderSource& source) {
 
 Program::Program(const std::vector<fs::path>& stages, const std::vector<std::string>& defines) {
     std::vector<ShaderName> shaders;
-    std::vector<fs::path> files;
     for (const fs::path& path : stages) {
         const ShaderSource source = load_shader(path, defines);
         known_.insert(source.names.begin(), source.names.end());
         title_ += (title_.empty() ? "" : " + ") + shown(path);
-        files = source.files;
         shaders.push_back(compile(path, source));
         glAttachShader(name_, shaders.back());
     }
@@ -70,7 +68,7 @@ Program::Program(const std::vector<fs::path>& stages, const std::vector<std::str
     GLint done = GL_FALSE;
     glGetProgramiv(name_, GL_LINK_STATUS, &done);
     if (!done) {
-        const ShaderLog log = explain_log(log_of(name_, glGetProgramiv, glGetProgramInfoLog), files);
+        const ShaderLog log = explain_log(log_of(name_, glGetProgramiv, glGetProgramInfoLog), {});
         throw Error({stages.back()}, "does not link with the other stages: " + log.first_message, log.text);
     }
     for (const ShaderName& shader : shaders) glDetachShader(name_, shader);

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
+#include <cctype>
+#include <optional>
 #include <sstream>
 
 #include "framework/base/file.h"
@@ -14,6 +15,8 @@ namespace relief {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* must_begin = "a stage must begin with #version 410 core";
 
 std::string without_indent(const std::string& line) {
     const size_t begin = line.find_first_not_of(" \t");
@@ -39,11 +42,68 @@ fs::path find_include(const std::string& name, const Place& from) {
                                   guess ? fmt::format(": did you mean \"{}\"?", *guess) : ""));
 }
 
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// By hand: std::regex recurses once a character, and a long line would overflow the stack.
 void collect_names(const std::string& text, std::set<std::string>& names) {
-    static const std::regex name("\\b[us]_\\w+");
-    for (auto found = std::sregex_iterator(text.begin(), text.end(), name); found != std::sregex_iterator();
-         ++found)
-        names.insert(found->str());
+    for (size_t begin = 0; begin < text.size();) {
+        size_t end = begin;
+        while (end < text.size() && is_word(text[end])) ++end;
+        const std::string_view word(text.data() + begin, end - begin);
+        if (word.size() > 2 && (word.starts_with("u_") || word.starts_with("s_"))) names.emplace(word);
+        begin = end + 1;
+    }
+}
+
+/// The name in `#include "name"`, with nothing after it but a comment.
+std::optional<std::string> included_name(const std::string& line) {
+    const size_t open = line.find_first_not_of(" \t", std::string_view("#include").size());
+    if (open == std::string::npos || line[open] != '"') return {};
+    const size_t close = line.find('"', open + 1);
+    if (close == std::string::npos) return {};
+    const std::string rest = without_indent(line.substr(close + 1));
+    if (!rest.empty() && !rest.starts_with("//")) return {};
+    return line.substr(open + 1, close - open - 1);
+}
+
+/// A message of a compiler: Mesa's "0:12(5): error: x", Nvidia's "0(12) : error C1: x", Apple's "ERROR: 0:12: x".
+struct LogLine {
+    std::optional<int> line;  ///< of the text that was compiled
+    std::string message;
+    bool is_warning = false;
+};
+
+LogLine parse_log_line(const std::string& whole) {
+    std::string_view rest(whole);
+    const auto skip = [&](std::string_view text) {
+        const bool found = rest.starts_with(text);
+        if (found) rest.remove_prefix(text.size());
+        return found;
+    };
+    const auto number = [&]() -> std::optional<int> {
+        const size_t end = std::min(rest.find_first_not_of("0123456789"), rest.size());
+        const auto value = parse_int(rest.substr(0, end));
+        const bool digits = end > 0;
+        rest.remove_prefix(end);
+        return digits ? value.value_or(0) : std::optional<int>();
+    };
+    LogLine result{{}, whole, whole.starts_with("WARNING")};
+    skip("ERROR: ") || skip("WARNING: ");
+    if (!number()) return result;
+    std::optional<int> line;
+    if (skip(":")) {
+        line = number();
+        if (line && skip("(") && !(number() && skip(")"))) return result;
+    } else if (skip("(")) {
+        line = number();
+        if (!skip(")")) return result;
+    }
+    skip(" ");
+    if (!line || !skip(":")) return result;
+    result.line = line;
+    result.message = without_indent(std::string(rest));
+    result.is_warning |= result.message.starts_with("warning");
+    return result;
 }
 
 class Loader {
@@ -51,29 +111,28 @@ public:
     explicit Loader(const std::vector<std::string>& defines) : defines_(defines) {}
 
     void append(const fs::path& path, bool is_stage) {
-        const size_t number = source_.files.size();
-        source_.files.push_back(path);
+        taken_.push_back(path);
         const std::string text = read_file(path, size_t{1} << 24);
+        if (is_stage && text.empty()) throw Error({path, 1}, must_begin);
         collect_names(text, source_.names);
 
         std::istringstream lines(text);
         std::string line;
         bool in_comment = false;
-        for (int place = 1; std::getline(lines, line); ++place) {
+        for (int number = 1; std::getline(lines, line); ++number) {
+            if (line.ends_with('\r')) line.pop_back();  // written on Windows
+            const Place place{path, number};
             const std::string start = without_indent(line);
-            if (place == 1 && is_stage) {
-                if (!start.starts_with("#version"))
-                    throw Error({path, 1}, "a stage must begin with #version 410 core");
-                source_.text += line + "\n";
-                for (const std::string& define : defines_) source_.text += "#define " + define + "\n";
-                source_.text += fmt::format("#line 2 {}\n", number);
+            if (number == 1 && is_stage) {
+                if (!start.starts_with("#version")) throw Error(place, must_begin);
+                put(line, place);
+                for (const std::string& define : defines_) put("#define " + define, {});
                 continue;
             }
-            if (place == 1) source_.text += fmt::format("#line 1 {}\n", number);
             if (!in_comment && start.starts_with("#include"))
-                include(start, {path, place}, number);
+                include(start, place);
             else
-                source_.text += line + "\n";
+                put(line, place);
             in_comment = ends_in_comment(line, in_comment);
         }
     }
@@ -81,14 +140,16 @@ public:
     ShaderSource take() { return std::move(source_); }
 
 private:
-    void include(const std::string& line, const Place& place, size_t number) {
-        static const std::regex form("#include\\s+\"([^\"]+)\"\\s*(//.*)?");
-        std::smatch parts;
-        if (!std::regex_match(line, parts, form)) throw Error(place, "write #include \"folder/file.glsl\"");
-        const fs::path file = find_include(parts[1], place);
-        const auto& have = source_.files;
-        if (std::find(have.begin(), have.end(), file) == have.end()) append(file, false);
-        source_.text += fmt::format("#line {} {}\n", place.line + 1, number);
+    void put(const std::string& line, const Place& place) {
+        source_.text += line + "\n";
+        source_.lines.push_back(place);
+    }
+
+    void include(const std::string& line, const Place& place) {
+        const auto name = included_name(line);
+        if (!name) throw Error(place, "write #include \"folder/file.glsl\"");
+        const fs::path file = find_include(*name, place);
+        if (std::find(taken_.begin(), taken_.end(), file) == taken_.end()) append(file, false);
     }
 
     static bool ends_in_comment(const std::string& line, bool inside) {
@@ -103,6 +164,7 @@ private:
     }
 
     const std::vector<std::string>& defines_;
+    std::vector<fs::path> taken_;
     ShaderSource source_;
 };
 
@@ -114,33 +176,23 @@ ShaderSource load_shader(const fs::path& stage, const std::vector<std::string>& 
     return loader.take();
 }
 
-ShaderLog explain_log(const std::string& log, const std::vector<fs::path>& files) {
-    // Mesa "0:12(5): error: x", Nvidia "0(12) : error C1: x", Apple and AMD "ERROR: 0:12: x".
-    static const std::regex form(
-        "^(?:ERROR: |WARNING: )?(\\d+)(?::(\\d+)(?:\\(\\d+\\))?|\\((\\d+)\\)) ?: *(.*)$");
+ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines) {
     ShaderLog result;
-    std::istringstream lines(log);
-    for (std::string line; std::getline(lines, line);) {
-        std::smatch parts;
+    std::istringstream stream(log);
+    for (std::string line; std::getline(stream, line);) {
         const auto end = line.find_last_not_of(" \r\0", std::string::npos, 3);
         line.resize(end == std::string::npos ? 0 : end + 1);
         if (line.empty()) continue;
-        if (!std::regex_match(line, parts, form)) {
-            result.text += line + "\n";
-            if (result.first_message.empty()) result.first_message = line;
-            continue;
-        }
-        const auto number = parse_int(parts[1].str());
-        const auto place = parse_int((parts[2].matched ? parts[2] : parts[3]).str());
-        if (!number || !place || *number < 0 || size_t(*number) >= files.size()) {
-            result.text += line + "\n";
-            continue;
-        }
-        const Place at{files[*number], *place};
-        const std::string message = parts[4];
-        result.text += fmt::format("{}:{}: {}\n", shown(at.file), at.line, message);
-        const bool is_warning = message.starts_with("warning");
-        if (result.first.file.empty() && !is_warning) result.first = at, result.first_message = message;
+        const LogLine parsed = parse_log_line(line);
+        const bool known = parsed.line && *parsed.line >= 1 && size_t(*parsed.line) <= lines.size();
+        const Place place = known ? lines[size_t(*parsed.line) - 1] : Place{};
+        if (place.file.empty())
+            result.text += parsed.message + "\n";
+        else
+            result.text += fmt::format("{}:{}: {}\n", shown(place.file), place.line, parsed.message);
+        // A line with a place says more than a heading without one.
+        const bool better = result.first_message.empty() || (result.first.file.empty() && !place.file.empty());
+        if (better && !parsed.is_warning) result.first = place, result.first_message = parsed.message;
     }
     return result;
 }

@@ -12,8 +12,8 @@
 namespace relief {
 
 struct ShaderSource {
-    std::string text;                          ///< what the compiler gets
-    std::vector<std::filesystem::path> files;  ///< by the source-string number in #line and in messages
+    std::string text;             ///< what the compiler gets
+    std::vector<Place> lines;     ///< where each line of the text comes from; a #define that was put in has no file
     std::set<std::string> names;  ///< every u_ and s_ name in the files, whether or not it is in use
 };
 
@@ -23,13 +23,14 @@ struct ShaderSource {
 /// `#version` line, which the stage's first line must be. Throws Error with file and line.
 ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<std::string>& defines);
 
-/// A compiler's log with each "0:12(5): " or "0(12) : " replaced by the file and the line, and the first
-/// error in it.
+/// A compiler's log with each "0:12(5): " or "0(12) : " replaced by the file and the line that line 12 of the text comes
+/// from, and the first error in it. (#line with a number for each file would be the language's own way, but Mesa 22.3
+/// forgets the file's number in some messages: "undeclared" is one.)
 struct ShaderLog {
     Place first;
     std::string first_message;
     std::string text;
 };
-ShaderLog explain_log(const std::string& log, const std::vector<std::filesystem::path>& files);
+ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines);
 
 }  // namespace relief

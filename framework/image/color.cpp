@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace relief {
 
@@ -17,14 +18,34 @@ double linear_from_srgb(double stored) {
 }
 
 unsigned char srgb8_from_linear(float light) {
-    // The light half way between each stored value and the next, so that the answer is a search.
-    static const std::array<float, 255> halfway = [] {
-        std::array<float, 255> table{};
-        for (int i = 0; i < 255; ++i) table[i] = static_cast<float>(linear_from_srgb((i + 0.5) / 255));
-        return table;
+    // The light half way between each stored value and the next, and where to look: over the square root of light the
+    // curve is so even that a bin holds one such half at the most.
+    constexpr int bins = 4096;
+    struct Tables {
+        std::array<float, 256> halfway{};
+        std::array<unsigned char, bins + 1> first{};
+    };
+    static const Tables tables = [] {
+        Tables made;
+        for (int i = 0; i < 255; ++i) {
+            const double half = linear_from_srgb((i + 0.5) / 255);
+            made.halfway[i] = static_cast<float>(half);
+            if (made.halfway[i] < half) made.halfway[i] = std::nextafter(made.halfway[i], 1.0f);  // the first that rounds up
+        }
+        made.halfway[255] = std::numeric_limits<float>::infinity();
+        for (int i = 0; i <= bins; ++i) {
+            // A little below the bin, so that a square root that is rounded up still begins low enough.
+            const float low = static_cast<float>((i - 0.01) * (i - 0.01) / (double(bins) * bins));
+            made.first[i] = static_cast<unsigned char>(
+                std::upper_bound(made.halfway.begin(), made.halfway.end(), i == 0 ? 0.0f : low) - made.halfway.begin());
+        }
+        return made;
     }();
-    return static_cast<unsigned char>(std::upper_bound(halfway.begin(), halfway.end(), light) -
-                                      halfway.begin());
+    if (!(light > 0)) return 0;
+    if (light >= 1) return 255;
+    unsigned char stored = tables.first[static_cast<size_t>(std::sqrt(light) * bins)];
+    while (light >= tables.halfway[stored]) ++stored;
+    return stored;
 }
 
 float linear_from_srgb8(unsigned char stored) {

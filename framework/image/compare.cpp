@@ -39,7 +39,9 @@ double angle_degrees(const float* a, const float* b) {
     const double x = double(a[1]) * b[2] - double(a[2]) * b[1], y = double(a[2]) * b[0] - double(a[0]) * b[2],
                  z = double(a[0]) * b[1] - double(a[1]) * b[0];
     const double dot = double(a[0]) * b[0] + double(a[1]) * b[1] + double(a[2]) * b[2];
-    return std::atan2(std::sqrt(x * x + y * y + z * z), dot) * 180 / M_PI;
+    const double sine = std::sqrt(x * x + y * y + z * z);
+    // A zero vector has no direction; atan2(0, 0) would call it exact.
+    return sine == 0 && dot == 0 ? NAN : std::atan2(sine, dot) * 180 / M_PI;
 }
 
 double distance(const float* a, const float* b, int channels) {

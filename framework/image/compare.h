@@ -21,8 +21,8 @@ Difference difference(const Image& a, const Image& b, double threshold);
 /// degrees, by atan2 of cross and dot product; or the absolute difference of the first channel.
 enum class ErrorMetric { distance, angle, absolute };
 
-/// One channel: the error of each pixel, +infinity where either has no surface, NaN where either is NaN.
-/// The shapes must agree.
+/// One channel: the error of each pixel, +infinity where either has no surface, NaN where either is NaN or, for an
+/// angle, zero. The shapes must agree.
 Image error_image(const Image& measured, const Image& truth, ErrorMetric metric);
 
 /// Over the pixels with a surface; all zero when there are none.

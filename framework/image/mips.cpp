@@ -8,17 +8,16 @@
 namespace relief {
 namespace {
 
-bool is_color(int channel, int channels) { return channels >= 3 ? channel < 3 : channel < 1; }
-
+/// Applies a curve to what is colour: of 3 or 4 channels the first three, of 1 or 2 the first.
 template <class Curve>
 void apply_to_color(Image& image, Curve curve) {
-    for (size_t i = 0; i < image.values.size(); ++i)
-        if (is_color(static_cast<int>(i % image.channels), image.channels))
-            image.values[i] = curve(image.values[i]);
+    const int colors = image.channels >= 3 ? 3 : 1;
+    for (float* pixel = image.values.data(); pixel != image.values.data() + image.values.size(); pixel += image.channels)
+        for (int c = 0; c < colors; ++c) pixel[c] = curve(pixel[c]);
 }
 
 float light_of(float stored, int bits) {
-    if (bits == 8) return linear_from_srgb8(static_cast<unsigned char>(std::lround(stored * 255)));
+    if (bits == 8) return linear_from_srgb8(static_cast<unsigned char>(stored * 255 + 0.5f));
     return static_cast<float>(linear_from_srgb(stored));
 }
 
@@ -50,16 +49,22 @@ std::vector<Cover> covers(int from, int to) {
 Image half(const Image& image) {
     Image result(std::max(1, image.width / 2), std::max(1, image.height / 2), image.channels, image.bits);
     const auto columns = covers(image.width, result.width), rows = covers(image.height, result.height);
-    for (int y = 0; y < result.height; ++y)
-        for (int x = 0; x < result.width; ++x) {
-            float* const texel = result.pixel(x, y);
-            for (int j = 0; j < rows[y].count; ++j)
-                for (int i = 0; i < columns[x].count; ++i) {
-                    const float weight = rows[y].weight[j] * columns[x].weight[i];
-                    const float* const source = image.pixel(columns[x].first + i, rows[y].first + j);
-                    for (int c = 0; c < image.channels; ++c) texel[c] += weight * source[c];
-                }
+    const size_t channels = static_cast<size_t>(image.channels);
+    std::vector<float> sum(static_cast<size_t>(image.width) * channels);  // of the rows that one row of the result covers
+    for (int y = 0; y < result.height; ++y) {
+        std::fill(sum.begin(), sum.end(), 0.0f);
+        for (int j = 0; j < rows[y].count; ++j) {
+            const float* const source = image.pixel(0, rows[y].first + j);
+            for (size_t i = 0; i < sum.size(); ++i) sum[i] += rows[y].weight[j] * source[i];
         }
+        float* texel = result.pixel(0, y);
+        for (const Cover& cover : columns) {
+            const float* source = sum.data() + static_cast<size_t>(cover.first) * channels;
+            for (int i = 0; i < cover.count; ++i)
+                for (size_t c = 0; c < channels; ++c) texel[c] += cover.weight[i] * *source++;
+            texel += channels;
+        }
+    }
     return result;
 }
 

@@ -3,7 +3,12 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <vector>
 
 #include "framework/base/error.h"
 
@@ -25,6 +30,27 @@ int bits_of(OIIO::TypeDesc type) {
     return 32;
 }
 
+/// libpng and libjpeg print on standard error by themselves; what they say reaches the user through the Error.
+class QuietStandardError {
+public:
+    QuietStandardError() : kept_(dup(STDERR_FILENO)) {
+        const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+        dup2(nowhere, STDERR_FILENO);
+        close(nowhere);
+    }
+    ~QuietStandardError() {
+        dup2(kept_, STDERR_FILENO);
+        close(kept_);
+    }
+    QuietStandardError(const QuietStandardError&) = delete;
+    QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+private:
+    int kept_;
+};
+
+Error damaged(const std::string& reason) { return Error("damaged: " + reason.substr(0, reason.find('\n'))); }
+
 }  // namespace
 
 Image relief_decode_image(const std::string& bytes, const char* format, Notes& notes) {
@@ -32,9 +58,14 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
     OIIO::attribute("limits:imagesize_MB", static_cast<int>(max_image_bytes >> 20));
     OIIO::attribute("limits:channels", 4);
 
+    const QuietStandardError quiet;
     OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
-    const auto input = OIIO::ImageInput::open(name_for(format), nullptr, &reader);
-    if (!input) throw Error(fmt::format("damaged: {}", OIIO::geterror()));
+    OIIO::ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);  // else PNG's colour comes back multiplied by its alpha
+    OIIO::Filesystem::IOProxy* const from_memory = &reader;
+    as_stored.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &from_memory);
+    const auto input = OIIO::ImageInput::open(name_for(format), &as_stored, from_memory);
+    if (!input) throw damaged(OIIO::geterror());
 
     const OIIO::ImageSpec& spec = input->spec();
     const bool fits = spec.width >= 1 && spec.height >= 1 && spec.width <= max_image_side &&
@@ -51,8 +82,21 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
             notes.emplace_back(name.substr(note_prefix.size()), note.get_string());
     }
     Image image(spec.width, spec.height, spec.nchannels, bits_of(spec.format));
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()))
-        throw Error(fmt::format("damaged: {}", input->geterror()));
+    const auto read = [&](OIIO::TypeDesc type, void* into) {
+        if (!input->read_image(0, 0, 0, spec.nchannels, type, into)) throw damaged(input->geterror());
+    };
+    // Divided here: OpenImageIO multiplies by 1 / 255, which is a last bit off.
+    const auto read_integers = [&](auto zero, OIIO::TypeDesc type, float largest) {
+        std::vector<decltype(zero)> stored(image.values.size());
+        read(type, stored.data());
+        std::transform(stored.begin(), stored.end(), image.values.begin(), [=](auto v) { return float(v) / largest; });
+    };
+    if (image.bits == 8)
+        read_integers(uint8_t(), OIIO::TypeDesc::UINT8, 255);
+    else if (image.bits == 16)
+        read_integers(uint16_t(), OIIO::TypeDesc::UINT16, 65535);
+    else
+        read(OIIO::TypeDesc::FLOAT, image.values.data());
     return image;
 }
 
@@ -64,7 +108,10 @@ std::string relief_encode_image(const Image& image, const char* format, const No
     OIIO::ImageSpec spec(image.width, image.height, image.channels, type);
     spec.attribute("DateTime",
                    "1970:01:01 00:00:00");  // else EXR stores the present, and no two files are alike
-    if (type != OIIO::TypeDesc::FLOAT) spec.attribute("oiio:ColorSpace", space == ColorSpace::srgb ? "sRGB" : "Linear");
+    if (type != OIIO::TypeDesc::FLOAT) {
+        spec.attribute("oiio:ColorSpace", space == ColorSpace::srgb ? "sRGB" : "Linear");
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+    }
     for (const auto& [name, value] : notes) spec.attribute(std::string(note_prefix) + name, value);
 
     std::vector<unsigned char> bytes;

@@ -37,7 +37,8 @@ public:
     void slider(const char* name, float& value, float low, float high, const char*) override {
         if (name != name_) return;
         const auto number = parse_number(text_);
-        if (!number || *number < low || *number > high) refuse(plain(low) + " to " + plain(high));
+        // In float, as the range is: 0.1 as a double lies below 0.1f.
+        if (!number || float(*number) < low || float(*number) > high) refuse(plain(low) + " to " + plain(high));
         value = float(*number), done = true;
     }
     void steps(const char* name, int& value, int low, int high, const char*) override {

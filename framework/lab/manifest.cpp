@@ -92,7 +92,7 @@ public:
             else if (const auto flag = node.value_exact<bool>())
                 text = *flag ? "on" : "off";
             else
-                text = plain(number(node, read_.back().c_str(), -any, any));
+                text = fmt::format("{}", number(node, read_.back().c_str(), -any, any));
             result.emplace_back(key.str(), text);
         }
         return result;
@@ -107,6 +107,8 @@ public:
     }
 
     [[noreturn]] void fail(const std::string& message) const { fail(table_, message); }
+    /// At the value of a key that is there.
+    [[noreturn]] void fail(const char* key, const std::string& message) const { fail(*table_.get(key), message); }
     [[noreturn]] void fail(const toml::node& node, const std::string& message) const {
         throw Error({file_, int(node.source().begin.line)}, message);
     }
@@ -159,7 +161,10 @@ Shot read_shot(Table table, const Orbit& camera) {
     table.read("probe", shot.probe.name);
     table.read("time", shot.time, 0, 1e6);
     std::array<double, 2> size{};
-    if (table.read<2>("size", size, 1, max_picture_side)) shot.size = {int(size[0]), int(size[1])};
+    if (table.read<2>("size", size, 1, max_picture_side)) {
+        shot.size = {int(size[0]), int(size[1])};
+        if (shot.size.x != size[0] || shot.size.y != size[1]) table.fail("size", "'size' must be whole numbers of pixels");
+    }
     table.finish();
     return shot;
 }

@@ -31,6 +31,7 @@ public:
                 draw_scene(frame, {0, 0}, size, false);
                 glScissor(split, 0, size.x - split, size.y);
                 draw_scene(frame, {0, 0}, size, true);
+                if (!frame.probe) draw_line(split, size);
                 break;
         }
     }
@@ -53,11 +54,12 @@ private:
         glViewport(corner.x, corner.y, size.x, size.y);
         const Camera camera = frame.camera.with_aspect(double(size.x) / size.y);
         const float yaw_rad = glm::radians(light_yaw_);
+        const glm::vec3 light(1.6f * std::sin(yaw_rad), light_height_, 1.6f * std::cos(yaw_rad));
         const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : ""});
         glUseProgram(surface);
         surface.set("u_clip_from_world", camera.clip_from_world());
         surface.set("u_eye", camera.eye());
-        surface.set("u_light", glm::vec3(1.6f * std::sin(yaw_rad), light_height_, 1.6f * std::cos(yaw_rad)));
+        surface.set("u_light", light);
         surface.set("u_shininess", shininess_);
         surface.set("u_strength", strength_);
 
@@ -69,6 +71,18 @@ private:
         surface.set("s_normal", 1, paving_normal_);
         for (const glm::vec3 place : places_) draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + top));
         draw_mesh(surface, floor_, glm::rotate(glm::mat4(1), glm::radians(-90.0f), {1, 0, 0}));
+
+        if (frame.probe) return;  // the lamp is no surface under study
+        const Program& lamp = surface_.with("LAMP");
+        glUseProgram(lamp);
+        lamp.set("u_clip_from_world", camera.clip_from_world());
+        draw_mesh(lamp, ball_, glm::scale(glm::translate(glm::mat4(1), light), glm::vec3(0.15f)));
+    }
+
+    static void draw_line(int split, glm::ivec2 size) {
+        glScissor(split - 1, 0, 2, size.y);
+        glClearColor(0.9f, 0.88f, 0.84f, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
     }
 
     static void draw_mesh(const Program& surface, const GpuMesh& mesh, const glm::mat4& world_from_model) {
@@ -95,8 +109,8 @@ private:
                                                           {-1.4f, 0, -4.4f},
                                                           {1.4f, 0, -4.4f}}};
 
-    int method_ = side_by_side;
-    float wipe_ = 0.5f, light_yaw_ = 10, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;
+    int method_ = wipe;
+    float wipe_ = 0.5f, light_yaw_ = 22, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;
 };
 
 RELIEF_LAB(SpecularHighlights);

@@ -1,5 +1,5 @@
 #version 410 core
-// One light and a highlight, by the vertex normal or by the normal map.
+// One light and a highlight, by the vertex normal or by the normal map; or the lamp itself.
 
 #include "common/light.glsl"
 #include "common/normal_map.glsl"
@@ -33,7 +33,9 @@ vec3 surface_normal() {
 
 void main() {
     vec3 normal = surface_normal();
-#if defined PROBE_normal
+#if defined LAMP
+    o_color = vec4(1.0, 0.95, 0.84, 1.0);
+#elif defined PROBE_normal
     o_color = vec4(normal, 0.0);
 #elif defined PROBE_uv
     o_color = vec4(v_uv * vec2(textureSize(s_albedo, 0)), 0.0, 0.0);
@@ -41,7 +43,7 @@ void main() {
     vec3 albedo = texture(s_albedo, v_uv).rgb;
     vec3 to_eye = normalize(u_eye - v_position), to_light = u_light - v_position;
     vec3 sky = mix(vec3(0.055, 0.045, 0.04), vec3(0.10, 0.125, 0.17), 0.5 + 0.5 * normal.y);
-    vec3 lamp = vec3(1.0, 0.86, 0.68) * 7.0 / (1.0 + dot(to_light, to_light));
+    vec3 lamp = vec3(1.0, 0.86, 0.68) * 9.0 / (1.0 + dot(to_light, to_light));
     vec3 light = albedo * sky + lamp * blinn_phong(albedo, 0.16, u_shininess, normal, normalize(to_light), to_eye);
     float haze = 1.0 - exp(-0.0016 * dot(u_eye - v_position, u_eye - v_position));
     o_color = vec4(srgb_from_linear(mix(light, vec3(0.0123, 0.0137, 0.0176), haze)), 1.0);

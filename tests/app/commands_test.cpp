@@ -1,0 +1,226 @@
+// The other commands, and a course with something missing or damaged, as users meet them.
+#include <algorithm>
+
+#include "framework/image/file.h"
+#include "tests/app/course_copy.h"
+
+namespace relief {
+namespace {
+
+int lines(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
+
+const Circumstances no_display{{}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}};
+
+/// One copy for all tests of a program; each undoes what it does, or works on files of its own.
+class CourseTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { course_ = std::make_unique<CourseCopy>(); }
+    static void TearDownTestSuite() { course_.reset(); }
+    static const CourseCopy& course() { return *course_; }
+
+    static Result small_shot(std::vector<std::string> more = {}) {
+        std::vector<std::string> arguments = {"shot", "1", "--size", "64x48", "-o", "shot.png"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return course().relief(arguments);
+    }
+    /// Exit code 1, one line with this text, and no picture.
+    static void expect_failure(const Result& result, const std::string& text) {
+        EXPECT_EQ(result.code, 1);
+        EXPECT_TRUE(contains(result.err, text)) << result.err;
+        EXPECT_EQ(lines(result.err), 1) << result.err;
+        EXPECT_FALSE(std::filesystem::exists(course().path() / "shot.png"));
+    }
+
+private:
+    static inline std::unique_ptr<CourseCopy> course_;
+};
+
+/// Puts a file back as it was.
+class Restore {
+public:
+    Restore(const CourseCopy& course, const char* file) : course_(course), file_(file), old_(read_all(course.path() / file)) {}
+    ~Restore() { course_.overwrite(file_, old_); }
+    Restore(const Restore&) = delete;
+    Restore& operator=(const Restore&) = delete;
+
+private:
+    const CourseCopy& course_;
+    std::string file_, old_;
+};
+
+TEST_F(CourseTest, WorksInAFolderWithASpaceFromAnyWorkingDirectory) {
+    const Result result = run({course().path() / "bin" / "relief", "shot", "1", "--size", "64x48", "-o",
+                               course().path() / "here.png"},
+                              {"/", {}});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(std::filesystem::exists(course().path() / "here.png"));
+}
+
+TEST_F(CourseTest, ALabsOwnExecutableKnowsItsLab) {
+    const Result result = run({course().path() / "bin" / "lab-01", "shot", "--size", "64x48", "-o", "own.png"}, {course().path(), {}});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(small_shot().code, 0);
+    EXPECT_EQ(read_all(course().path() / "own.png"), read_all(course().path() / "shot.png"));
+    std::filesystem::remove(course().path() / "shot.png");
+}
+
+TEST_F(CourseTest, AShaderThatDoesNotCompileNamesItsFileAndLine) {
+    const char* file = "shaders/common/light.glsl";
+    const Restore restore(course(), file);
+    course().edit(file, "float facing = max", "float facing = mox");
+    const std::string text = read_all(course().path() / file);
+    const auto line = std::count(text.begin(), text.begin() + std::ptrdiff_t(text.find("mox")), '\n') + 1;
+    expect_failure(small_shot(), std::string(file) + ":" + std::to_string(line) + ": error:");
+}
+
+TEST_F(CourseTest, AMissingIncludeSuggestsTheNearest) {
+    const char* file = "shaders/01_specular_highlights/surface.frag";
+    const Restore restore(course(), file);
+    course().edit(file, "common/light.glsl", "common/lihgt.glsl");
+    expect_failure(small_shot(), "did you mean \"common/light.glsl\"?");
+}
+
+TEST_F(CourseTest, AMissingShaderIsNamed) {
+    const char* file = "shaders/01_specular_highlights/surface.vert";
+    const Restore restore(course(), file);
+    std::filesystem::remove(course().path() / file);
+    expect_failure(small_shot(), std::string(file) + ": cannot read: No such file");
+}
+
+TEST_F(CourseTest, AMissingTextureIsNamed) {
+    const Restore restore(course(), "assets/bricks_albedo.png");
+    std::filesystem::remove(course().path() / "assets/bricks_albedo.png");
+    expect_failure(small_shot(), "assets/bricks_albedo.png: cannot read: No such file");
+}
+
+TEST_F(CourseTest, ADamagedTextureIsNamed) {
+    const char* file = "assets/bricks_normal.png";
+    const Restore restore(course(), file);
+    const std::string whole = read_all(course().path() / file);
+    for (const std::string& broken : {std::string(), std::string("not a picture"), whole.substr(0, whole.size() / 2)}) {
+        course().overwrite(file, broken);
+        expect_failure(small_shot(), std::string(file) + ": ");
+    }
+}
+
+TEST_F(CourseTest, ADamagedManifestNamesItsLine) {
+    const char* file = "labs/01_specular_highlights/lab.toml";
+    const Restore restore(course(), file);
+    course().edit(file, "camera =", "camrea =");
+    const std::string text = read_all(course().path() / file);
+    const auto line = std::count(text.begin(), text.begin() + std::ptrdiff_t(text.find("camrea")), '\n') + 1;
+    expect_failure(small_shot(), std::string(file) + ":" + std::to_string(line) + ": unknown key");
+    const Result list = course().relief({"list"});
+    EXPECT_EQ(list.code, 1);
+    EXPECT_TRUE(contains(list.err, "did you mean 'camera'?")) << list.err;
+}
+
+TEST_F(CourseTest, AMissingManifestIsNamed) {
+    const char* file = "labs/01_specular_highlights/lab.toml";
+    const Restore restore(course(), file);
+    std::filesystem::remove(course().path() / file);
+    expect_failure(small_shot(), std::string(file) + ": cannot read: No such file");
+}
+
+/// A folder of empty files in place of libraries: the linker finds them first and cannot open them.
+Circumstances without_libraries(const TemporaryFolder& folder, const std::vector<std::string>& names) {
+    for (const std::string& name : names) folder.write(name, "");
+    return {{}, {{"LD_LIBRARY_PATH", folder.path().string()}}};
+}
+const std::vector<std::string> osmesa = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+const std::vector<std::string> egl = {"libEGL.so.1", "libEGL.so"};
+
+TEST_F(CourseTest, WithoutOsmesaTheRunSaysWhichPackageAndTakesEgl) {
+    const TemporaryFolder libraries;
+    const Result result = course().relief({"shot", "1", "--size", "64x48", "-o", "egl.png"}, without_libraries(libraries, osmesa));
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.err, "install the Debian package libosmesa6")) << result.err;
+    EXPECT_TRUE(contains(result.err, "trying egl")) << result.err;
+    EXPECT_EQ(lines(result.err), 1);
+    EXPECT_TRUE(std::filesystem::exists(course().path() / "egl.png"));
+}
+
+TEST_F(CourseTest, WithoutAnyContextEveryPackageIsNamed) {
+    const TemporaryFolder libraries;
+    without_libraries(libraries, osmesa);
+    const Result result = course().relief({"shot", "1", "-o", "shot.png"}, without_libraries(libraries, egl));
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "libosmesa6")) << result.err;
+    EXPECT_TRUE(contains(result.err, "libegl1")) << result.err;
+    EXPECT_EQ(lines(result.err), 2);
+}
+
+TEST_F(CourseTest, AnExplicitContextThatIsMissingFails) {
+    const TemporaryFolder libraries;
+    const Result result = course().relief({"shot", "1", "--context", "osmesa", "-o", "shot.png"}, without_libraries(libraries, osmesa));
+    expect_failure(result, "no osmesa context: install the Debian package libosmesa6");
+    expect_failure(course().relief({"shot", "1", "--context", "window", "-o", "shot.png"}, no_display), "there is no display");
+}
+
+TEST_F(CourseTest, AHeadlessRunOpensNeitherWindowNorPictureLibrariesThatItDoesNotNeed) {
+    const TemporaryFolder libraries;
+    const auto where = without_libraries(libraries, {"libglfw.so.3", "libOpenImageIO.so.2.4", "libGL.so.1"});
+    EXPECT_EQ(course().relief({"list"}, where).code, 0);
+    const Result result = course().relief({"shot", "1", "--size", "64x48", "-o", "shot.png"}, where);
+    expect_failure(result, "install the Debian package libopenimageio-dev");
+}
+
+TEST_F(CourseTest, InfoTellsOfAllThreeContexts) {
+    const Result result = course().relief({"info"}, no_display);
+    EXPECT_EQ(result.code, 0) << result.err;
+    for (const char* part : {"osmesa   OpenGL 4.", "egl      OpenGL 4.", "window   missing: no window context: there is no display",
+                             "llvmpipe", "tessellation level 64", "OpenImageIO 2.", "GLFW 3."})
+        EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
+}
+
+TEST_F(CourseTest, ListIsReadByPeopleAndByScripts) {
+    EXPECT_TRUE(contains(course().relief({"list"}).out, "01  specular_highlights      Specular highlights"));
+    const std::string json = course().relief({"list", "--json"}).out;
+    EXPECT_TRUE(json.starts_with("[")) << json;
+    EXPECT_TRUE(contains(json, "\"number\": 1,")) << json;
+}
+
+TEST_F(CourseTest, WithoutADisplayTheMenuIsTheGallery) {
+    const Result result = course().relief({}, no_display);
+    EXPECT_EQ(result.code, 0) << result.err;
+    const std::filesystem::path page = course().path() / "build" / "gallery" / "index.html";
+    EXPECT_EQ(result.out, page.string() + "\n");
+    EXPECT_TRUE(contains(read_all(page), "<img src=\"01_specular_highlights.png\""));
+    EXPECT_EQ(read_image(page.parent_path() / "01_specular_highlights.png").width, 1280);
+}
+
+TEST_F(CourseTest, AGalleryTellsOfABrokenLabAndGoesOn) {
+    const char* file = "shaders/01_specular_highlights/surface.frag";
+    const Restore restore(course(), file);
+    course().overwrite(file, "#version 410 core\nnonsense\n");
+    const Result result = course().relief({"gallery", "-o", "pages"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, std::string(file) + ":2:")) << result.err;
+    EXPECT_TRUE(contains(read_all(course().path() / "pages" / "index.html"), "surface.frag:2:"));
+}
+
+TEST_F(CourseTest, AGalleryThatCannotBeWrittenIsOneLine) {
+    const Result result = course().relief({"gallery", "-o", "/proc/gallery"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "/proc/gallery: cannot make this folder")) << result.err;
+}
+
+TEST_F(CourseTest, CommandsAndOptionsAreSuggested) {
+    const Result command = course().relief({"shto"}), option = course().relief({"list", "--jsn"});
+    EXPECT_EQ(command.code, 2);
+    EXPECT_TRUE(contains(command.err, "did you mean 'shot'?")) << command.err;
+    EXPECT_EQ(option.code, 2);
+    EXPECT_TRUE(contains(option.err, "did you mean '--json'?")) << option.err;
+    EXPECT_EQ(course().relief({"run", "1"}, no_display).code, 1);
+    EXPECT_EQ(course().relief({"shot"}).code, 2);
+}
+
+TEST_F(CourseTest, HelpShowsALabsKnobsAndProbes) {
+    const Result result = course().relief({"shot", "1", "--help"});
+    EXPECT_EQ(result.code, 0);
+    for (const char* part : {"--size WxH", "shininess", "2 to 256", "vertex-normal, normal-map", "in texels"})
+        EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
+}
+
+}  // namespace
+}  // namespace relief

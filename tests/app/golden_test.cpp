@@ -1,0 +1,104 @@
+// relief golden: what passes, what fails, and what it refuses to renew.
+#include "framework/image/file.h"
+#include "tests/app/course_copy.h"
+
+namespace relief {
+namespace {
+
+class Golden : public testing::Test {
+protected:
+    CourseCopy course_;
+    std::filesystem::path file_ = course_.path() / "tests/golden/01_specular_highlights/close.png";
+
+    /// One picture is enough for these tests.
+    void SetUp() override {
+        const char* manifest = "labs/01_specular_highlights/lab.toml";
+        const std::string text = read_all(course_.path() / manifest);
+        course_.overwrite(manifest, text.substr(0, text.find("[[golden]]")) +
+                                        "[[golden]]\nname = \"close\"\nshot = { size = [160, 120], set = { method = \"normal-map\" }, camera = { distance = 2.4 } }\n");
+        std::filesystem::remove(file_);
+    }
+    Result golden(std::vector<std::string> more = {}) const {
+        more.insert(more.begin(), {"golden", "01"});
+        return course_.relief(more);
+    }
+    void renew() const {
+        const Result result = golden({"--update"});
+        ASSERT_EQ(result.code, 0) << result.err;
+        ASSERT_EQ(result.out, "01_specular_highlights/close: renewed\n");
+    }
+    /// Changes the reference: its first pixel's red by some steps of 255, and its driver.
+    void change_reference(int steps, const std::string& driver) const {
+        Notes notes;
+        Image image = read_image(file_, &notes);
+        image.values[0] += float(steps) / 255;
+        if (!driver.empty()) notes = {{"driver", driver}};
+        write_image(file_, image, notes);
+    }
+};
+
+TEST_F(Golden, AMissingReferenceIsAFailure) {
+    const Result result = golden();
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "close.png: no reference: look at the picture, then renew with --update")) << result.err;
+}
+
+TEST_F(Golden, ARenewedReferenceCarriesItsDriverAndPasses) {
+    renew();
+    Notes notes;
+    read_image(file_, &notes);
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_TRUE(contains(notes[0].second, "llvmpipe")) << notes[0].second;
+    EXPECT_TRUE(contains(notes[0].second, "pinned to sse4.1")) << notes[0].second;
+    EXPECT_EQ(golden().out, "01_specular_highlights/close: same within 0/255\n");
+    EXPECT_EQ(golden({"--update"}).out, "01_specular_highlights/close: unchanged\n");
+}
+
+TEST_F(Golden, OneStepOf255IsAllowedAndTwoAreNot) {
+    renew();
+    change_reference(1, "");
+    EXPECT_EQ(golden().code, 0);
+    change_reference(1, "");
+    const Result result = golden({"-o", "differences"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "1 of 19200 pixels differ by more than 1/255, the most by 2/255")) << result.err;
+    EXPECT_EQ(files_in(course_.path() / "differences").size(), 3u) << "now, reference, difference";
+}
+
+TEST_F(Golden, AChangedShaderFails) {
+    renew();
+    course_.edit("shaders/common/light.glsl", "float facing = max(dot(normal, to_light), 0.0)", "float facing = abs(dot(normal, to_light))");
+    EXPECT_EQ(golden().code, 1);
+}
+
+TEST_F(Golden, AReferenceOfAnotherDriverIsNotRenewed) {
+    renew();
+    change_reference(9, "softpipe, Mesa 1.0");
+    const std::string before = read_all(file_);
+    const Result result = golden({"--update"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "not renewed: it was made by softpipe, Mesa 1.0, this is llvmpipe")) << result.err;
+    EXPECT_EQ(read_all(file_), before);
+    EXPECT_TRUE(contains(golden().err, "(the reference was made by softpipe, Mesa 1.0, this is llvmpipe"));
+}
+
+TEST_F(Golden, ABlankPictureIsNotRenewed) {
+    renew();
+    const std::string before = read_all(file_);
+    course_.edit("labs/01_specular_highlights/lab.toml", "distance = 2.4", "distance = 1000000");
+    const Result result = golden({"--update"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "the picture has one colour")) << result.err;
+    EXPECT_EQ(read_all(file_), before);
+}
+
+TEST_F(Golden, ADamagedReferenceIsNamed) {
+    renew();
+    course_.overwrite("tests/golden/01_specular_highlights/close.png", "not a picture");
+    const Result result = golden();
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "close.png: neither PNG, OpenEXR nor JPEG")) << result.err;
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,61 @@
+// What `relief new-lab` makes builds, runs and passes, untouched.
+#include "framework/image/file.h"
+#include "tests/app/course_with_new_lab.h"
+
+namespace relief {
+namespace {
+
+class NewLab : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_EQ(course_.failure, ""); }
+    const CourseWithNewLab& course_ = CourseWithNewLab::get();
+};
+
+TEST_F(NewLab, SaysWhatItMadeAndTakesTheFirstNumberAboveTheCourses) {
+    EXPECT_EQ(course_.made.code, 0) << course_.made.err;
+    for (const char* file : {"labs/20_test_wall/lab.cpp", "labs/20_test_wall/lab.toml", "labs/20_test_wall/README.md",
+                             "shaders/20_test_wall/surface.vert", "shaders/20_test_wall/surface.frag"})
+        EXPECT_TRUE(contains(course_.made.out, std::string(file) + "\n")) << course_.made.out;
+    EXPECT_TRUE(contains(course_.made.out, "./relief run 20")) << course_.made.out;
+}
+
+TEST_F(NewLab, IsListedByItsFolderAlone) {
+    const Result list = run({course_.program("relief"), "list"});
+    EXPECT_EQ(list.code, 0) << list.err;
+    EXPECT_TRUE(contains(list.out, "20  test_wall                Test wall\n")) << list.out;
+}
+
+TEST_F(NewLab, PassesTheTestsOfEveryLab) {
+    const Result result = run({course_.program("labs_tests"), "--context", "osmesa"});
+    EXPECT_EQ(result.code, 0) << result.out << result.err;
+    EXPECT_TRUE(contains(result.out, "EachProbeIsFiniteOnTheSurfaceAndAgreesWithItsTruth/Lab20_test_wall")) << result.out;
+}
+
+TEST_F(NewLab, HasAnExecutableOfItsOwnAndItsErrorMap) {
+    const Result result = run({course_.program("lab-20"), "shot", "--error", "position", "-o", "e.exr", "--size", "64x48"},
+                              {course_.course.path(), {}});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(contains(result.out, "mean ")) << result.out;
+    EXPECT_EQ(read_image(course_.course.path() / "e.exr").channels, 1);
+}
+
+TEST_F(NewLab, WithoutGoldenPicturesIsToldSo) {
+    const Result none = run({course_.program("relief"), "golden", "20"});
+    EXPECT_EQ(none.code, 1);
+    EXPECT_TRUE(contains(none.err, "there is no [[golden]] in labs/20_test_wall/lab.toml")) << none.err;
+}
+
+TEST_F(NewLab, RefusesANameOrNumberThatIsTakenOrIsNone) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"test_wall", "there is a lab of that name: 20_test_wall"}, {"01_other", "number 01 is taken by 01_specular_highlights"},
+        {"Wet Stone", "lower case with underscores"}, {"../x", "lower case with underscores"},
+        {"100_x", "lab numbers go from 01 to 99"}, {"", "lower case with underscores"}};
+    for (const auto& [name, expected] : cases) {
+        const Result result = run({course_.program("relief"), "new-lab", name});
+        EXPECT_EQ(result.code, 2) << name;
+        EXPECT_TRUE(contains(result.err, expected)) << result.err;
+    }
+}
+
+}  // namespace
+}  // namespace relief

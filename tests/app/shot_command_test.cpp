@@ -1,0 +1,182 @@
+// relief shot as its users run it.
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <thread>
+
+#include "framework/image/color.h"
+#include "framework/image/compare.h"
+#include "framework/image/file.h"
+#include "tests/app/course_copy.h"
+
+namespace relief {
+namespace {
+
+class ShotCommand : public testing::Test {
+protected:
+    TemporaryFolder folder_;
+
+    std::filesystem::path file(const char* name) const { return folder_.path() / name; }
+    /// A small picture of lab 01, from another working directory than the course's.
+    Result shot(std::vector<std::string> more) const {
+        std::vector<std::string> command = {relief_program(), "shot", "01", "--size", "96x64"};
+        command.insert(command.end(), more.begin(), more.end());
+        return run(command, {folder_.path(), {}});
+    }
+    Result good_shot(std::vector<std::string> more) const {
+        const Result result = shot(std::move(more));
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        return result;
+    }
+};
+
+TEST_F(ShotCommand, WritesAPngAndSaysItsName) {
+    EXPECT_EQ(good_shot({"-o", "a.png"}).out, "a.png\n");
+    const Image image = read_image(file("a.png"));
+    EXPECT_EQ(image.width, 96);
+    EXPECT_EQ(image.height, 64);
+    EXPECT_EQ(image.channels, 3);
+    EXPECT_FALSE(is_one_color(image));
+    EXPECT_EQ(good_shot({}).out, "01_specular_highlights.png\n");
+}
+
+TEST_F(ShotCommand, GivesTheSameBytesForTheSameTimeAndKnobs) {
+    for (const char* name : {"a.png", "a.exr", "a.ppm", "a.pfm"}) {
+        good_shot({"-o", name, "--set", "shininess=9", "--time", "2"});
+        const std::string first = read_all(file(name));
+        good_shot({"-o", name, "--set", "shininess=9", "--time", "2"});
+        EXPECT_EQ(first, read_all(file(name))) << name;
+    }
+}
+
+TEST_F(ShotCommand, GivesTheSameBitsOnOsmesaAndEgl) {
+    good_shot({"-o", "o.png", "--context", "osmesa"});
+    good_shot({"-o", "e.png", "--context", "egl"});
+    EXPECT_EQ(read_all(file("o.png")), read_all(file("e.png")));
+    good_shot({"-o", "o.exr", "--context", "osmesa", "--probe", "normal"});
+    good_shot({"-o", "e.exr", "--context", "egl", "--probe", "normal"});
+    EXPECT_EQ(read_all(file("o.exr")), read_all(file("e.exr")));
+}
+
+TEST_F(ShotCommand, WritesPpmOrForAProbePfmToStandardOutput) {
+    const std::string picture = good_shot({"-o", "-"}).out;
+    EXPECT_TRUE(picture.starts_with("P6\n96 64\n255\n"));
+    EXPECT_EQ(picture.size(), 13u + 96 * 64 * 3);
+    good_shot({"-o", "a.ppm"});
+    EXPECT_EQ(picture, read_all(file("a.ppm")));
+    const std::string probe = good_shot({"-o", "-", "--probe", "normal"}).out;
+    EXPECT_TRUE(probe.starts_with("PF\n96 64\n-1.0\n"));
+    EXPECT_EQ(probe.size(), 14u + 96 * 64 * 3 * 4);
+}
+
+TEST_F(ShotCommand, KnobsCameraAndMethodChangeThePicture) {
+    good_shot({"-o", "a.png"});
+    const Image usual = read_image(file("a.png"));
+    for (const char* change : {"--set=method=vertex-normal", "--set=strength=0", "--camera=80,30,6"}) {
+        good_shot({"-o", "b.png", change});
+        EXPECT_GT(difference(usual, read_image(file("b.png")), 2.0 / 255).pixels_over, 50u) << change;
+    }
+}
+
+TEST_F(ShotCommand, AnExrHoldsTheLightOfThePng) {
+    good_shot({"-o", "a.png"}), good_shot({"-o", "a.exr"});
+    const Image encoded = read_image(file("a.png")), light = read_image(file("a.exr"));
+    size_t same = 0;
+    for (size_t i = 0; i < encoded.values.size(); ++i)
+        same += std::abs(srgb_from_linear(std::min(light.values[i], 1.0f)) - encoded.values[i]) <= 1.01 / 255;
+    // The others lie on edges, where one of the four samples is brighter than 1 and the float target does not clip it.
+    EXPECT_GT(double(same) / double(encoded.values.size()), 0.95);
+}
+
+TEST_F(ShotCommand, BadUseIsOneLineThatSaysWhatWouldBeRightAndExitCodeTwo) {
+    const std::pair<std::vector<std::string>, const char*> cases[] = {
+        {{"--set", "shinyness=3"}, "did you mean 'shininess'?"},
+        {{"--set", "shininess=1e9"}, "knob shininess takes 2 to 256, not '1e9'"},
+        {{"--set", "shininess=nan"}, "knob shininess takes 2 to 256"},
+        {{"--set", "method=normal-mpa"}, "did you mean 'normal-map'?"},
+        {{"--set", "method"}, "--set takes knob=value"},
+        {{"--probe", "nromal"}, "did you mean 'normal'?"},
+        {{"--context", "osmessa"}, "did you mean 'osmesa'?"},
+        {{"--size", "0x64"}, "1x1 to 8192x8192"},
+        {{"--size", "100000x100000"}, "1x1 to 8192x8192"},
+        {{"--size", "64"}, "--size takes WIDTHxHEIGHT"},
+        {{"--size", "-3x4"}, "--size takes WIDTHxHEIGHT"},
+        {{"--time", "-1"}, "--time takes seconds"},
+        {{"--time", "1e999"}, "--time takes seconds"},
+        {{"--camera", "1,2"}, "--camera takes yaw,pitch,distance"},
+        {{"--camera", "0,90,1"}, "pitch -89 to 89"},
+        {{"--camera", "0,0,0"}, "distance above 0"},
+        {{"--probe", "normal", "--error", "normal"}, "exclude each other"},
+        {{"-o", "a.gif"}, "must end in .png, .exr, .ppm or .pfm"},
+        {{"--colour"}, "unknown option '--colour'"},
+        {{"02"}, "one argument too many"},
+    };
+    for (const auto& [arguments, expected] : cases) {
+        const Result result = shot(arguments);
+        EXPECT_EQ(result.code, 2) << arguments.back();
+        EXPECT_TRUE(contains(result.err, expected)) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        EXPECT_EQ(result.out, "");
+    }
+    EXPECT_TRUE(files_in(folder_.path()).empty());
+}
+
+TEST_F(ShotCommand, OfAnOptionThatIsSaidTwiceTheLastCounts) {
+    good_shot({"-o", "a.png", "--size", "32x16", "--size", "20x10"});
+    EXPECT_EQ(read_image(file("a.png")).width, 20);
+}
+
+TEST_F(ShotCommand, AnUnknownLabSuggestsTheNearest) {
+    const Result result = run({relief_program(), "shot", "speculra"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.err, "did you mean '01_specular_highlights'?")) << result.err;
+}
+
+TEST_F(ShotCommand, AnOutputThatCannotBeWrittenLeavesNothingBehind) {
+    folder_.write("old.png/inside", "");
+    for (const char* name : {"no/such/folder/a.png", "/proc/a.png", "old.png"}) {
+        const Result result = shot({"-o", name});
+        EXPECT_EQ(result.code, 1) << name;
+        EXPECT_TRUE(contains(result.err, "cannot write")) << result.err;
+    }
+    EXPECT_EQ(files_in(folder_.path()).size(), 1u) << "only what the test put there";
+}
+
+TEST_F(ShotCommand, AFullDiskKeepsTheOldFile) {
+    const Result result = shot({"-o", "/dev/full"});
+    EXPECT_EQ(result.code, 2) << "the ending is asked first";
+    folder_.write("a.png", "old");
+    // A limit of 1 KiB on file sizes stands for a full disk.
+    const Result full = run({"bash", "-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" shot 1 --size 96x64 -o a.png", relief_program()},
+                            {folder_.path(), {}});
+    EXPECT_EQ(full.code, 1);
+    EXPECT_TRUE(contains(full.err, "a.png: cannot write")) << full.err;
+    EXPECT_EQ(read_all(file("a.png")), "old");
+    EXPECT_EQ(files_in(folder_.path()).size(), 1u);
+}
+
+TEST_F(ShotCommand, AReaderThatGoesAwayIsAnErrorNotACrash) {
+    const Result result = run({"bash", "-c", "set -o pipefail; \"$0\" shot 1 --size 800x600 -o - | head -c 1 >/dev/null", relief_program()});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "cannot write to standard output")) << result.err;
+}
+
+TEST_F(ShotCommand, CtrlCLeavesNoFile) {
+    Process process({relief_program(), "shot", "01", "--size", "4000x3000", "-o", "a.png"}, {folder_.path(), {}});
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    process.signal(SIGINT);
+    EXPECT_EQ(process.wait().code, 130);
+    EXPECT_TRUE(files_in(folder_.path()).empty());
+}
+
+TEST_F(ShotCommand, ACameraThatLooksPastEverythingIsAFailureNotAPicture) {
+    // So far away that the whole scene falls between the samples.
+    const Result result = shot({"-o", "a.png", "--set", "method=normal-map", "--camera", "0,20,1000000"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "the picture has one colour")) << result.err;
+    EXPECT_TRUE(files_in(folder_.path()).empty());
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,56 @@
+#include "assets/textures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "framework/base/paths.h"
+#include "framework/image/file.h"
+
+namespace relief {
+namespace {
+
+class Surface : public testing::TestWithParam<const char*> {};
+
+TEST_P(Surface, IsMadeAsItLiesInTheRepository) {
+    for (const NamedTexture& made : make_textures(GetParam())) {
+        const Image kept = read_image(course_root() / "assets" / made.file);
+        ASSERT_TRUE(kept.same_shape(made.image)) << made.file;
+        EXPECT_EQ(kept.bits, made.image.bits) << made.file;
+        // A compiler that fuses multiplications and additions rounds some texels to the next value: one step, and few.
+        const double step = 1.0 / ((1 << made.image.bits) - 1);
+        size_t others = 0;
+        for (size_t i = 0; i < kept.values.size(); ++i) {
+            const double off = std::abs(double(kept.values[i]) - made.image.values[i]);
+            ASSERT_LE(off, 1.51 * step) << made.file << ", value " << i;  // the map made is not rounded yet
+            others += off > 0.51 * step;
+        }
+        EXPECT_LE(others, kept.values.size() / 1000) << made.file;
+    }
+}
+
+TEST_P(Surface, TilesWithoutASeam) {
+    const Image heights = read_image(course_root() / "assets" / (std::string(GetParam()) + "_height.png"));
+    const int n = heights.width;
+    // The mean step from one row (or column) to the next: across the border as inside, within the spread of those.
+    const auto mean_step = [&](int at, bool columns) {
+        double sum = 0;
+        for (int i = 0; i < n; ++i) {
+            const int next = (at + 1) % n;
+            sum += columns ? std::abs(*heights.pixel(at, i) - *heights.pixel(next, i))
+                           : std::abs(*heights.pixel(i, at) - *heights.pixel(i, next));
+        }
+        return sum / n;
+    };
+    for (const bool columns : {false, true}) {
+        double largest = 0;
+        for (int i = 0; i + 1 < n; ++i) largest = std::max(largest, mean_step(i, columns));
+        EXPECT_LE(mean_step(n - 1, columns), largest) << (columns ? "columns" : "rows");
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Textures, Surface, testing::Values("bricks", "paving"),
+                         [](const auto& name) { return std::string(name.param); });
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,116 @@
+#include "framework/gl/texture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "framework/base/error.h"
+#include "framework/gl/counters.h"
+#include "framework/gl/program.h"
+#include "framework/gl/target.h"
+#include "framework/image/color.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+/// What a shader reads from the texture at (u, v) on a level.
+glm::vec4 sampled(const Texture& texture, float u, float v, float level = 0) {
+    TemporaryFolder folder;
+    folder.write("a.vert",
+                 "#version 410 core\nvoid main() {\n"
+                 " gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n}\n");
+    folder.write("a.frag",
+                 "#version 410 core\nuniform sampler2D s_map;\nuniform vec3 u_place;\nout vec4 o_color;\n"
+                 "void main() { o_color = textureLod(s_map, u_place.xy, u_place.z); }\n");
+    const Program program({folder.path() / "a.vert", folder.path() / "a.frag"}, {});
+    const Target target(TargetKind::probe, {1, 1});
+    const VertexArrayName layout;
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+    glViewport(0, 0, 1, 1);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(program);
+    program.set("s_map", 3, texture);
+    program.set("u_place", glm::vec3(u, v, level));
+    glBindVertexArray(layout);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    const Image image = target.read();
+    return {image.values[0], image.values[1], image.values[2], image.values[3]};
+}
+
+Image grey(std::vector<float> values, int width, int bits) {
+    Image image(width, int(values.size()) / width, 1, bits);
+    image.values = std::move(values);
+    return image;
+}
+
+TEST(Texture, RowZeroIsTheTopAndVGrowsUp) {
+    const Texture texture("rows", [] { return grey({1.0f, 0.0f}, 1, 8); }, {.mips = false});
+    EXPECT_EQ(sampled(texture, 0.5f, 0.75f).r, 1.0f);
+    EXPECT_EQ(sampled(texture, 0.5f, 0.25f).r, 0.0f);
+}
+
+TEST(Texture, EveryPrecisionKeepsItsValues) {
+    for (const int bits : {8, 16, 32}) {
+        const float value = bits == 8 ? 77.0f / 255 : bits == 16 ? 12345.0f / 65535 : -3.25f;
+        const Texture texture("value", [&] { return grey({value}, 1, bits); });
+        // The filter's weights add up to 1 within two units in the last place of a float.
+        EXPECT_NEAR(sampled(texture, 0.5f, 0.5f).r, value, 3e-7 * std::abs(value)) << bits << " bits";
+    }
+}
+
+TEST(Texture, SrgbColourIsReadAsLight) {
+    Image image(1, 1, 3, 8);
+    image.values = {188.0f / 255, 0, 1};
+    const Texture texture("colour", [&] { return image; }, {.space = ColorSpace::srgb});
+    const glm::vec4 light = sampled(texture, 0.5f, 0.5f);
+    // The renderer approximates the curve; half a step of 8 bits is the tolerance that its specification allows.
+    EXPECT_NEAR(light.r, linear_from_srgb(188.0 / 255), 0.5 / 255);
+    EXPECT_EQ(light.g, 0.0f);
+    EXPECT_NEAR(light.b, 1.0f, 1e-6);
+}
+
+TEST(Texture, TheLastLevelIsTheMeanOfAll) {
+    const Texture texture("mips", [] { return grey({0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0}, 4, 32); });
+    EXPECT_NEAR(sampled(texture, 0.5f, 0.5f, 2).r, 5.0f / 16, 1e-7);
+}
+
+TEST(Texture, MakingOneLeavesTheOthersBound) {
+    const Texture first("first", [] { return grey({0.25f}, 1, 32); }), second("second", [] { return grey({1}, 1, 32); });
+    bind(2, first);
+    const GLuint made = second;
+    EXPECT_NE(made, 0u);
+    GLint bound = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    EXPECT_EQ(GLuint(bound), GLuint(first));
+}
+
+TEST(Texture, SizesNeedNotBePowersOfTwo) {
+    const Texture texture("odd", [] { return grey(std::vector<float>(35, 0.5f), 7, 16); });
+    EXPECT_NEAR(sampled(texture, 0.3f, 0.9f, 2).r, 0.5f, 1e-4);
+}
+
+TEST(Texture, AMissingFileNamesItself) {
+    const Texture texture = load_texture("no_such_texture.png", ColorSpace::linear);
+    try {
+        bind(0, texture);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("assets/no_such_texture.png"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Texture, SrgbWithOneChannelIsRefused) {
+    const Texture texture("grey", [] { return grey({0.5f}, 1, 8); }, {.space = ColorSpace::srgb});
+    EXPECT_THROW(bind(0, texture), Error);
+}
+
+TEST(Texture, AFailedLoadLeavesNoObject) {
+    const Counters before = counters();
+    const Texture texture("broken", []() -> Image { throw Error("no"); });
+    EXPECT_THROW(bind(0, texture), Error);
+    EXPECT_EQ(counters().live, before.live);
+}
+
+}  // namespace
+}  // namespace relief

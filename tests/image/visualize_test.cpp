@@ -1,0 +1,94 @@
+// Numbers as colours: what is broken and what is background stand out.
+#include "framework/image/visualize.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "framework/image/color.h"
+
+namespace relief {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+using Color = std::array<float, 3>;
+
+Color probe_color(const std::vector<float>& value, ErrorMetric metric) {
+    Image probe(2, 1, int(value.size()));  // the second pixel is 0
+    std::copy(value.begin(), value.end(), probe.values.begin());
+    const Image picture = visualize_probe(probe, metric);
+    return {picture.values.at(0), picture.values.at(1), picture.values.at(2)};
+}
+
+Color error_color(float error, double largest) {
+    Image image(1, 1, 1);
+    image.values[0] = error;
+    const Image picture = visualize_error(image, largest);
+    return {picture.values.at(0), picture.values.at(1), picture.values.at(2)};
+}
+
+/// Relative luminance (ITU-R BT.709) of a stored colour.
+double luminance(const Color& color) {
+    return 0.2126 * linear_from_srgb(color[0]) + 0.7152 * linear_from_srgb(color[1]) +
+           0.0722 * linear_from_srgb(color[2]);
+}
+
+TEST(Visualize, ANanIsMagentaInAnyChannel) {
+    const Color magenta{1, 0, 1};
+    for (const ErrorMetric metric : {ErrorMetric::distance, ErrorMetric::angle, ErrorMetric::absolute}) {
+        EXPECT_EQ(probe_color({nan, 0, 0}, metric), magenta);
+        EXPECT_EQ(probe_color({0, 0, nan, 0}, metric), magenta);
+    }
+    EXPECT_EQ(probe_color({nan}, ErrorMetric::absolute), magenta);
+    EXPECT_EQ(error_color(nan, 1), magenta);
+}
+
+TEST(Visualize, NoSurfaceIsDarkGrey) {
+    const Color probe = probe_color({no_surface, no_surface, no_surface, no_surface}, ErrorMetric::angle);
+    EXPECT_EQ(error_color(no_surface, 1), probe);
+    EXPECT_LT(luminance(probe), 0.02);
+    for (const float channel : probe) EXPECT_NEAR(channel, 0.125f, 0.02f);
+}
+
+TEST(Visualize, DirectionsLookLikeANormalMap) {
+    EXPECT_EQ(probe_color({0, 0, 1, 0}, ErrorMetric::angle), (Color{0.5f, 0.5f, 1}));
+    EXPECT_EQ(probe_color({-1, 1, 0}, ErrorMetric::angle), (Color{0, 1, 0.5f}));
+}
+
+TEST(Visualize, QuantitiesAreScaledByTheLargest) {
+    EXPECT_EQ(probe_color({-8, 4, 2}, ErrorMetric::distance), (Color{1, 0.5f, 0.25f}));
+    EXPECT_EQ(probe_color({-8}, ErrorMetric::absolute), (Color{1, 1, 1})) << "one channel is grey";
+    EXPECT_EQ(probe_color({0}, ErrorMetric::absolute), (Color{0, 0, 0})) << "nothing to scale by";
+    EXPECT_EQ(probe_color({6, 3}, ErrorMetric::distance), (Color{1, 0.5f, 0}));
+}
+
+TEST(Visualize, ThePictureHasEightBitsAndThreeChannels) {
+    const Image probe = visualize_probe(Image(3, 2, 4), ErrorMetric::distance),
+                error = visualize_error(Image(3, 2, 1), 1);
+    for (const Image* picture : {&probe, &error}) {
+        EXPECT_EQ(picture->bits, 8);
+        EXPECT_TRUE(picture->same_shape(Image(3, 2, 3)));
+        for (const float value : picture->values) EXPECT_TRUE(value >= 0 && value <= 1) << value;
+    }
+}
+
+TEST(HeatScale, GetsLighterWithEveryStep) {
+    double before = -1;
+    for (int i = 0; i <= 256; ++i) {
+        const double now = luminance(error_color(float(i) / 256 * 3, 3));
+        EXPECT_GT(now, before) << i << " of 256";
+        before = now;
+    }
+    EXPECT_LT(luminance(error_color(0, 3)), 0.01) << "no error is black";
+    EXPECT_GT(before, 0.9) << "the largest error is pale";
+}
+
+TEST(HeatScale, EndsAtTheLargestAndSurvivesAnEmptyScale) {
+    EXPECT_EQ(error_color(7, 3), error_color(3, 3));
+    EXPECT_EQ(error_color(5, 0), error_color(0, 3));
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,175 @@
+// lab.toml: read whole, and each mistake named with its line.
+#include "framework/lab/manifest.h"
+
+#include <set>
+
+#include "framework/base/paths.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using Set = std::vector<std::pair<std::string, std::string>>;
+
+Manifest load(const std::string& text) {
+    const TemporaryFolder folder;
+    return load_manifest(folder.write("lab.toml", text));
+}
+
+/// What loading `text` fails with, without the folder: "lab.toml:2: ...".
+std::string refusal(const std::string& text) {
+    const std::string message = message_of([&] { load(text); });
+    return message.substr(std::min(message.size(), message.rfind("lab.toml:")));
+}
+
+TEST(Manifest, IsReadWhole) {
+    const Manifest manifest = load(R"(
+title = "Parallax occlusion mapping"
+learns = ["march a ray", "what a step costs"]
+camera = { yaw = 60, pitch = -10.5, distance = 2.5, target = [1, 2, 3], field_of_view = 30 }
+animated = true
+
+[[probe]]
+name = "normal"
+unit = "degree"
+error = "angle"
+[[probe]]
+name = "uv"
+[[probe]]
+name = "depth"
+error = "absolute"
+
+[[task]]
+id = "11.1"
+points = 3
+title = "March"
+file = "shaders/11/task.glsl"
+[[task]]
+id = "11.2"
+points = 4
+title = "Intersect"
+file = "shaders/11/task.glsl"
+
+[[golden]]
+name = "default"
+[[golden]]
+name = "steep-uv_2"
+shot = { set = { steps = 4, scale = 0.5, shadows = false, method = "cone" }, probe = "uv", time = 1.5, size = [64, 32], camera = { yaw = 5 } }
+)");
+    EXPECT_EQ(manifest.title, "Parallax occlusion mapping");
+    EXPECT_EQ(manifest.learns, (std::vector<std::string>{"march a ray", "what a step costs"}));
+    const Orbit camera{.yaw = 60, .pitch = -10.5, .distance = 2.5, .target = {1, 2, 3}, .field_of_view = 30};
+    EXPECT_EQ(manifest.camera, camera);
+    EXPECT_TRUE(manifest.animated);
+    ASSERT_EQ(manifest.probes.size(), 3u);
+    EXPECT_EQ(manifest.probe("normal").unit, "degree");
+    EXPECT_EQ(manifest.probe("normal").error, ErrorMetric::angle);
+    EXPECT_EQ(manifest.probe("uv").error, ErrorMetric::distance);
+    EXPECT_EQ(manifest.probe("depth").error, ErrorMetric::absolute);
+    ASSERT_EQ(manifest.tasks.size(), 2u);
+    EXPECT_EQ(manifest.tasks[1].id, "11.2");
+    EXPECT_EQ(manifest.tasks[1].title, "Intersect");
+    EXPECT_EQ(manifest.tasks[1].file, "shaders/11/task.glsl");
+    EXPECT_EQ(manifest.points(), 7);
+    ASSERT_EQ(manifest.goldens.size(), 2u);
+    EXPECT_EQ(manifest.goldens[0].shot.camera, camera);
+    const Shot& shot = manifest.goldens[1].shot;
+    EXPECT_EQ(manifest.goldens[1].name, "steep-uv_2");
+    EXPECT_EQ(std::set(shot.set.begin(), shot.set.end()),
+              (std::set<Set::value_type>{{"steps", "4"}, {"scale", "0.5"}, {"shadows", "off"}, {"method", "cone"}}));
+    EXPECT_EQ(shot.probe.name, "uv");
+    EXPECT_EQ(shot.time, 1.5);
+    EXPECT_EQ(shot.size, glm::ivec2(64, 32));
+    EXPECT_EQ(shot.camera.yaw, 5);
+    EXPECT_EQ(shot.camera.distance, 2.5) << "what a shot leaves out is the lab's";
+}
+
+TEST(Manifest, NeedsOnlyATitle) {
+    const Manifest manifest = load("title = \"A\"\n");
+    EXPECT_EQ(manifest.camera, Orbit{});
+    EXPECT_TRUE(manifest.probes.empty() && manifest.tasks.empty() && manifest.goldens.empty() && !manifest.animated);
+    EXPECT_EQ(manifest.points(), 0);
+}
+
+TEST(Manifest, AMistakeIsNamedWithItsLine) {
+    const struct {
+        const char *text, *message;
+    } mistakes[] = {
+        {"title = \"A\"\nanimated = yes\n", "lab.toml:2: "},
+        {"title = \"A\"\n\ntitle = \"B\"\n", "lab.toml:3: "},
+        {"title = \"A\"\nanimatde = true\n",
+         "lab.toml:2: unknown key of a manifest, 'animatde': did you mean 'animated'?"},
+        {"animated = true\n", "lab.toml:1: a manifest must have a 'title'"},
+        {"", "lab.toml:1: a manifest must have a 'title'"},
+        {"title = 7\n", "lab.toml:1: 'title' must be a text in quotes"},
+        {"title = \"A\"\nanimated = 1\n", "lab.toml:2: 'animated' must be true or false"},
+        {"title = \"A\"\nlearns = \"x\"\n", "lab.toml:2: 'learns' must be a list of texts"},
+        {"title = \"A\"\nlearns = [\n\"x\",\n5]\n", "lab.toml:4: 'learns' must be a list of texts"},
+        {"title = \"A\"\ncamera = 5\n", "lab.toml:2: 'camera' must be a table"},
+        {"title = \"A\"\ncamera = { yaw = \"5\" }\n", "lab.toml:2: 'yaw' must be a number"},
+        {"title = \"A\"\n[camera]\npitch = 90\n", "lab.toml:3: 'pitch' must be from -89 to 89"},
+        {"title = \"A\"\n[camera]\nyaw = nan\n", "lab.toml:3: 'yaw' must be from"},
+        {"title = \"A\"\n[camera]\ndistance = 0\n", "lab.toml:3: 'distance' must be from"},
+        {"title = \"A\"\n[camera]\nfield_of_view = 180\n", "lab.toml:3: 'field_of_view' must be from 1 to 170"},
+        {"title = \"A\"\n[camera]\ntarget = [0, 1]\n", "lab.toml:3: 'target' must be 3 numbers"},
+        {"title = \"A\"\n[camera]\n\nfov = 40\n", "lab.toml:4: unknown key of a manifest.camera, 'fov'"},
+        {"title = \"A\"\nprobe = \"uv\"\n", "lab.toml:2: write each probe as [[probe]]"},
+        {"title = \"A\"\n[probe]\nname = \"uv\"\n", "lab.toml:2: write each probe as [[probe]]"},
+        {"title = \"A\"\n\n[[probe]]\nunit = \"m\"\n", "lab.toml:3: [[probe]] must have a 'name'"},
+        {"title = \"A\"\n[[task]]\nid = \"1\"\ntitle = \"T\"\nfile = \"f\"\npoints = 1.5\n",
+         "lab.toml:6: 'points' must be a whole number from 0 to 1000"},
+        {"title = \"A\"\n[[task]]\nid = \"1\"\ntitle = \"T\"\nfile = \"f\"\npoints = -1\n",
+         "lab.toml:6: 'points' must be a whole number"},
+        {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { size = [0, 8] }\n", "lab.toml:4: 'size' must be from 1 to"},
+        {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { size = [8.5, 8] }\n", "lab.toml:4: 'size' must be"},
+        {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { time = -1 }\n", "lab.toml:4: 'time' must be from 0"},
+        {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { set = { steps = [1] } }\n",
+         "lab.toml:4: 'steps' must be a number"},
+        {"title = \"A\"\n[[golden]]\nname = \"../a\"\n", "lab.toml:2: '../a' names a file: use a-z"},
+        {"title = \"A\"\n[[golden]]\nname = \"a\"\n\n[[golden]]\nname = \"a\"\n",
+         "lab.toml:5: two golden pictures are named 'a'"},
+    };
+    for (const auto& [text, message] : mistakes) {
+        const std::string found = refusal(text);
+        EXPECT_TRUE(found.starts_with(message)) << text << "gives\n" << found << "\nnot\n" << message;
+    }
+}
+
+TEST(Manifest, SuggestsErrorsAndProbes) {
+    EXPECT_TRUE(refusal("title = \"A\"\n[[probe]]\nname = \"uv\"\nerror = \"distnace\"\n")
+                    .starts_with("lab.toml:2: unknown error 'distnace': did you mean 'distance'?"));
+    const std::string probe = "title = \"A\"\n[[probe]]\nname = \"normal\"\n";
+    EXPECT_TRUE(refusal(probe + "[[golden]]\nname = \"a\"\nshot = { probe = \"nromal\" }\n")
+                    .starts_with("lab.toml:4: unknown probe 'nromal': did you mean 'normal'?"));
+    const Manifest manifest = load(probe);
+    EXPECT_TRUE(contains(message_of<UsageError>([&] { manifest.probe("nromal"); }), "did you mean 'normal'?"));
+}
+
+TEST(Manifest, KnobsOfAShotKeepAllTheirDigits) {
+    const Manifest manifest =
+        load("title = \"A\"\n[[golden]]\nname = \"a\"\nshot.set = { big = 12345678, fine = 0.123456789 }\n");
+    for (const auto& [name, value] : manifest.goldens.at(0).shot.set)
+        EXPECT_EQ(value, name == "big" ? "12345678" : "0.123456789");
+}
+
+TEST(Manifest, AMissingFileIsNamed) {
+    EXPECT_TRUE(
+        message_of([] { load_manifest(fs::path("/nowhere/lab.toml")); }).starts_with("/nowhere/lab.toml: cannot read"));
+}
+
+TEST(Manifest, EveryLabsOwnLoads) {
+    int labs = 0;
+    for (const auto& folder : fs::directory_iterator(course_root() / "labs")) {
+        if (!fs::exists(folder.path() / "lab.toml")) continue;
+        EXPECT_NO_THROW(load_manifest(folder.path() / "lab.toml")) << folder.path();
+        ++labs;
+    }
+    EXPECT_GE(labs, 1);
+    const Manifest first = load_manifest(course_root() / "labs/01_specular_highlights/lab.toml");
+    EXPECT_EQ(first.title, "Specular highlights");
+    EXPECT_EQ(first.probe("normal").error, ErrorMetric::angle);
+}
+
+}  // namespace
+}  // namespace relief

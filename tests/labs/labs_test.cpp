@@ -1,0 +1,122 @@
+// What every lab must do, whichever labs there are: all of this also holds a new lab to the contract.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "framework/base/paths.h"
+#include "framework/gl/counters.h"
+#include "framework/image/compare.h"
+#include "framework/lab/manifest.h"
+#include "tests/support.h"
+
+namespace relief {
+
+static void PrintTo(const LabEntry& lab, std::ostream* stream) { *stream << lab.folder; }
+
+namespace {
+
+class EveryLab : public testing::TestWithParam<LabEntry> {
+protected:
+    Manifest manifest_ = load_manifest(GetParam());
+    Shot shot(Probe probe = {}) const {
+        return {.size = {160, 120}, .time = 0.5, .camera = manifest_.camera, .probe = std::move(probe), .set = {}};
+    }
+    Image picture(const Shot& wanted) const { return take(*make_lab(GetParam(), wanted), wanted); }
+};
+
+/// All values of a knob at which something may break: its ends, or each of its choices.
+std::vector<std::string> extremes(const KnobText& knob) {
+    std::vector<std::string> values;
+    std::string range = knob.range;
+    if (const size_t whole = range.find(", whole"); whole != std::string::npos) range.resize(whole);
+    const bool is_list = range.find(" to ") == std::string::npos;
+    const std::string separator = is_list ? ", " : " to ";
+    for (size_t begin = 0, end = 0; end != std::string::npos; begin = end + separator.size()) {
+        end = range.find(separator, begin);
+        values.push_back(range.substr(begin, end - begin));
+    }
+    return values;
+}
+
+TEST_P(EveryLab, HasATitleAGoalAHandoutAndAShaderFolder) {
+    EXPECT_FALSE(manifest_.title.empty());
+    EXPECT_FALSE(manifest_.learns.empty());
+    EXPECT_TRUE(std::filesystem::exists(course_root() / "labs" / GetParam().folder / "README.md"));
+    EXPECT_TRUE(std::filesystem::is_directory(course_root() / "shaders" / GetParam().folder));
+}
+
+TEST_P(EveryLab, IsMadeAndDescribedWithoutAnyGlObject) {
+    const Counters before = counters();
+    describe_knobs(*make_lab(GetParam(), shot()));
+    EXPECT_EQ(counters().live, before.live);
+}
+
+TEST_P(EveryLab, DrawsTheSamePictureEachTime) {
+    EXPECT_EQ(picture(shot()).values, picture(shot()).values);
+}
+
+TEST_P(EveryLab, DrawsWithEachKnobAtItsEnds) {
+    for (const KnobText& knob : describe_knobs(*make_lab(GetParam(), shot())))
+        for (const std::string& value : extremes(knob)) {
+            Shot one = shot();
+            one.set = {{knob.name, value}};
+            EXPECT_NO_THROW(picture(one)) << knob.name << " = " << value;
+        }
+}
+
+TEST_P(EveryLab, DrawsInAnyShapeOfPicture) {
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(2, 97), glm::ivec2(97, 2)}) {
+        Shot odd = shot();
+        odd.size = size;
+        try {
+            picture(odd);
+        } catch (const Error& error) {  // two columns of background are a picture of one colour; nothing else may fail
+            EXPECT_TRUE(contains(error.what(), "one colour")) << error.what();
+        }
+    }
+}
+
+TEST_P(EveryLab, EachProbeIsFiniteOnTheSurfaceAndAgreesWithItsTruth) {
+    EXPECT_FALSE(manifest_.probes.empty());
+    for (const ProbeInfo& info : manifest_.probes) {
+        const Shot wanted = shot({info.name});
+        const auto lab = make_lab(GetParam(), wanted);
+        const Image probe = take(*lab, wanted);  // throws when it is not a number anywhere
+        const Frame frame{0, wanted.size, wanted.time, Camera(wanted.camera, 4.0 / 3), wanted.probe};
+        const auto truth = lab->truth(frame, wanted.probe);
+        if (!truth) continue;
+        const ErrorSummary error = summarize(error_image(probe, *truth, info.error));
+        EXPECT_GT(error.count, probe.pixel_count() / 100) << info.name;
+        EXPECT_EQ(error.not_finite, 0u) << info.name;
+        // A shader works in single precision: a thousandth of the unit leaves room for that and for no mistake.
+        EXPECT_LT(error.p99, 1e-3) << info.name << " in " << info.unit;
+    }
+}
+
+TEST_P(EveryLab, GivesBackEveryObjectAndByte) {
+    const Counters before = counters();
+    picture(shot());
+    EXPECT_EQ(counters().live, before.live);
+    EXPECT_EQ(counters().texture_bytes, before.texture_bytes);
+}
+
+TEST_P(EveryLab, ComesBackIdenticalAfterAnyOtherLab) {
+    const Image before = picture(shot());
+    const Counters objects = counters();
+    for (const LabEntry& other : registry()) {
+        Shot theirs;
+        theirs.size = {64, 48};
+        theirs.camera = load_manifest(other).camera;
+        take(*make_lab(other, theirs), theirs);
+        EXPECT_EQ(picture(shot()).values, before.values) << "after " << other.folder;
+    }
+    EXPECT_EQ(counters().live, objects.live);
+}
+
+INSTANTIATE_TEST_SUITE_P(Labs, EveryLab, testing::ValuesIn(registry()),
+                         [](const auto& lab) { return "Lab" + lab.param.folder; });
+
+TEST(Labs, AreThere) { EXPECT_FALSE(registry().empty()); }
+
+}  // namespace
+}  // namespace relief

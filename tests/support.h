@@ -1,0 +1,64 @@
+// What several tests share.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "framework/base/error.h"
+
+namespace relief {
+
+/// A folder of its own, gone with the object.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        static std::atomic<int> count = 0;
+        path_ = std::filesystem::temp_directory_path() /
+                ("relief-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
+        std::filesystem::create_directories(path_);
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+    /// Writes a file below the folder, with the folders on its way; gives its path.
+    std::filesystem::path write(const std::string& name, std::string_view text) const {
+        const std::filesystem::path file = path_ / name;
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream(file, std::ios::binary).write(text.data(), std::streamsize(text.size()));
+        return file;
+    }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// What a call that must fail said; "" and a failed test when it did not throw an `Expected`.
+template <class Expected = Error, class Call>
+std::string message_of(Call call) {
+    try {
+        call();
+    } catch (const Expected& error) {
+        return error.what();
+    } catch (const std::exception& error) {
+        ADD_FAILURE() << "threw another kind of exception: " << error.what();
+        return {};
+    }
+    ADD_FAILURE() << "threw nothing";
+    return {};
+}
+
+inline bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+}  // namespace relief
