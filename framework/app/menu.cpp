@@ -117,7 +117,6 @@ private:
         glClear(GL_COLOR_BUFFER_BIT);
         if (!stage_.framebuffer()) return;
         glBindFramebuffer(GL_READ_FRAMEBUFFER, stage_.framebuffer());
-        glDisable(GL_SCISSOR_TEST);
         glBlitFramebuffer(0, 0, room.x, room.y, panel, 0, panel + room.x, room.y, GL_COLOR_BUFFER_BIT,
                           GL_NEAREST);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -195,7 +194,7 @@ private:
     }
 
     static constexpr float panel_width = 340;  // pixels at scale 1
-    GlfwWindow window_{{1280, 760}, "Relief", true};
+    GlfwWindow window_{{1280, 800}, "Relief", true};
     float scale_ = scale_of(window_.handle());
     ImGuiSession imgui_{window_.handle(), scale_};
     Stage stage_;

@@ -17,6 +17,24 @@ constexpr glm::vec3 background{0.11f, 0.12f, 0.14f};
 
 double aspect(glm::ivec2 size) { return double(size.x) / size.y; }
 
+/// What Frame promises, but for the clear colour.
+void restore_state() {
+    for (const GLenum capability :
+         {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL,
+          GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART})
+        glDisable(capability);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_MULTISAMPLE);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glFrontFace(GL_CCW);
+    glPatchParameteri(GL_PATCH_VERTICES, 3);
+    glUseProgram(0);
+    glBindVertexArray(0);
+}
+
 void refuse_broken_probe(const Image& image, const Probe& probe) {
     size_t surface = 0, broken = 0, first = 0;
     for (size_t i = 0; i < image.pixel_count(); ++i) {
@@ -41,27 +59,19 @@ Frame frame_of(const Shot& shot, const Target& target) {
 }
 
 void draw_lab(Lab& lab, const Frame& frame) {
-    for (const GLenum capability :
-         {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD,
-          GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART})
-        glDisable(capability);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_MULTISAMPLE);
-    glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    glFrontFace(GL_CCW);
-    glPatchParameteri(GL_PATCH_VERTICES, 3);
-    if (frame.probe)
-        glClearColor(no_surface, no_surface, no_surface, no_surface);
-    else
-        glClearColor(background.r, background.g, background.b, 1);
-
-    lab.draw(frame);
-
-    glUseProgram(0);
-    glBindVertexArray(0);
+    // Before, for the lab; after, also when it throws, for whoever draws next.
+    struct Restored {
+        Restored() { restore_state(); }
+        ~Restored() { restore_state(); }
+    };
+    {
+        const Restored restored;
+        if (frame.probe)
+            glClearColor(no_surface, no_surface, no_surface, no_surface);
+        else
+            glClearColor(background.r, background.g, background.b, 1);
+        lab.draw(frame);
+    }
     const std::string errors = take_gl_errors();
     if (!errors.empty()) throw Error("OpenGL: " + errors);
 }

@@ -21,8 +21,8 @@ struct Shot {
 /// The frame of a shot in a target of its size.
 Frame frame_of(const Shot& shot, const Target& target);
 
-/// Brings GL to the state that Frame promises, clears nothing, and lets the lab draw. Throws what the lab
-/// throws at first use, and Error for whatever GL complains of.
+/// Brings GL to the state that Frame promises, clears nothing, lets the lab draw, and brings GL back. Throws what the
+/// lab throws at first use, and Error for whatever GL complains of.
 void draw_lab(Lab& lab, const Frame& frame);
 
 /// A new lab with the shot's knobs set. Needs no context. Throws UsageError for a knob or a value that is not

@@ -51,6 +51,14 @@ public:
     }
 };
 
+class GivesUpHalfway final : public Lab {
+public:
+    void draw(const Frame& frame) override {
+        BadNeighbour().draw(frame);
+        throw Error("no such file");
+    }
+};
+
 class WithGlError final : public Lab {
 public:
     void draw(const Frame&) override { glEnable(0xFFFF); }
@@ -106,6 +114,15 @@ TEST(Shot, WhatAnotherLabLeftBehindDoesNotShow) {
     EXPECT_THROW(take(bad, small), Error) << "it draws nothing";
     const Image after = take_left_half({0, 1, 0, 1}, small);
     EXPECT_EQ(before.values, after.values);
+}
+
+TEST(Shot, ALabThatGivesUpHalfwayLeavesACleanState) {
+    GivesUpHalfway lab;
+    EXPECT_THROW(take(lab, small), Error);
+    for (const GLenum one : {GL_SCISSOR_TEST, GL_BLEND, GL_RASTERIZER_DISCARD}) EXPECT_FALSE(glIsEnabled(one));
+    GLboolean mask[4];
+    glGetBooleanv(GL_COLOR_WRITEMASK, mask);
+    EXPECT_TRUE(mask[0] && mask[3]);
 }
 
 TEST(Shot, AFloatPictureIsLight) {
