@@ -19,8 +19,7 @@ glm::vec3 with_specks(glm::vec3 color, glm::vec2 p, uint32_t seed) {
 glm::vec3 brick_light(glm::vec2 p, const Texel& texel) {
     const Brick& brick = *texel.brick;
     const uint32_t s = brick.seed;
-    const float flash =
-        ramp(-0.1f, 0.7f, brick.flash_share + noise(p, 128, 4, s + 30) + 0.25f * noise(p, 8, s + 31));
+    const float flash = ramp(-0.1f, 0.7f, brick.flash_share + noise(p, 128, 4, s + 30) + 0.25f * noise(p, 8, s + 31));
     glm::vec3 color = glm::mix(brick.tone, brick.flash, flash);
     color *= 1 + 0.20f * noise(p, 64, 4, s + 32) + 0.22f * grain_noise(p, s + 33);
     if (texel.fresh > 0) {
@@ -45,8 +44,7 @@ glm::vec3 mortar_light(glm::vec2 p, float sand) {
 glm::vec3 light_at(glm::vec2 p, const Texel& texel, glm::vec2 hollow) {
     glm::vec3 color = texel.mortar < 1 && texel.brick ? brick_light(p, texel) : glm::vec3(0);
     if (texel.mortar > 0) color = glm::mix(color, mortar_light(p, texel.sand), texel.mortar);
-    const float dirt =
-        glm::clamp(hollow.x / 3.5f, -0.5f, 1.0f) + 0.6f * glm::clamp(hollow.y / 16, -0.3f, 1.0f);
+    const float dirt = glm::clamp(hollow.x / 3.5f, -0.5f, 1.0f) + 0.6f * glm::clamp(hollow.y / 16, -0.3f, 1.0f);
     return color * (1 - 0.30f * dirt) * (1 + 0.10f * noise(p, 256, 2, 908));
 }
 

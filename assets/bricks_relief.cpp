@@ -36,8 +36,7 @@ float folds(const Brick& brick, glm::vec2 at) {
 
 // How deep into a pit, from 0 to 1, whose places are a lattice of `length` texels.
 float pit(uint32_t seed, glm::vec2 at, int length, float share, float& height) {
-    const NearestPoint point =
-        cellular_noise(at / tile, glm::ivec2(static_cast<int>(tile) / length), seed + length);
+    const NearestPoint point = cellular_noise(at / tile, glm::ivec2(static_cast<int>(tile) / length), seed + length);
     Dice dice(point.id);
     // The share changes across a pit: it must fade, or it would be cut in two.
     const float open = ramp(0.0f, 0.06f, share - dice.between(0, 1));
@@ -55,14 +54,13 @@ struct Face {
 Face face_at(const Brick& brick, glm::vec2 at) {
     const uint32_t s = brick.seed;
     Face face{};
-    face.height = 1.2f * noise(at, 64, s + 1) + 0.7f * noise(at, 32, s + 2) +
-                  brick.roughness * (0.40f * noise(at, 16, s + 3) + 0.25f * noise(at, 8, s + 4) +
-                                     0.18f * grain_noise(at, s + 5));
+    face.height =
+        1.2f * noise(at, 64, s + 1) + 0.7f * noise(at, 32, s + 2) +
+        brick.roughness * (0.40f * noise(at, 16, s + 3) + 0.25f * noise(at, 8, s + 4) + 0.18f * grain_noise(at, s + 5));
     if (brick.folds > 0) face.height -= brick.folds * folds(brick, at);
 
     if (brick.spall > -0.2f) {
-        face.fresh =
-            ramp(0.24f, 0.32f, brick.spall + noise(at, 128, 2, s + 10) + 0.12f * noise(at, 16, s + 15));
+        face.fresh = ramp(0.24f, 0.32f, brick.spall + noise(at, 128, 2, s + 10) + 0.12f * noise(at, 16, s + 15));
         if (face.fresh > 0) face.height -= face.fresh * (1.6f + 0.6f * noise(at, 16, 3, s + 11));
     }
 
@@ -71,8 +69,7 @@ Face face_at(const Brick& brick, glm::vec2 at) {
     if (share == 0) return face;
     const glm::vec2 bent = at + 3.2f * glm::vec2(noise(at, 8, s + 13), noise(at, 8, s + 14));
     for (const int length : {8, 16, 32})
-        face.pit =
-            glm::max(face.pit, pit(s + 40, bent, length, length == 32 ? 0.4f * share : share, face.height));
+        face.pit = glm::max(face.pit, pit(s + 40, bent, length, length == 32 ? 0.4f * share : share, face.height));
     return face;
 }
 
@@ -116,8 +113,7 @@ void add_brick(Texel& texel, const Brick& brick, glm::vec2 p) {
         break_chips(brick, q, at, face);
         const float bevel = brick.bevel * (1 + 0.5f * noise(at, 64, brick.seed + 29));
         const float shape = bevel_profile(-outside / bevel);
-        height += shape * (brick.face + glm::dot(brick.slope, q) - foot_level) +
-                  ramp(0.0f, 0.5f, shape) * face.height;
+        height += shape * (brick.face + glm::dot(brick.slope, q) - foot_level) + ramp(0.0f, 0.5f, shape) * face.height;
     }
     if (outside < texel.outside) {
         texel.brick = &brick;

@@ -30,9 +30,7 @@ struct Axis {
 
 // Bits of a lattice point: the two odd factors keep apart the points of any lattice of fewer than 65536
 // cells.
-uint32_t point_bits(uint32_t start, uint32_t x, uint32_t y) {
-    return hash(start + x * 0x9e3779b1u + y * 0x85ebca77u);
-}
+uint32_t point_bits(uint32_t start, uint32_t x, uint32_t y) { return hash(start + x * 0x9e3779b1u + y * 0x85ebca77u); }
 
 // 16 bits each, from -1 to 1.
 constexpr glm::vec2 signed_pair(uint32_t bits) {
@@ -56,8 +54,7 @@ float gradient_noise(glm::vec2 p, glm::ivec2 cells, uint32_t seed) {
     const auto row = [&](uint32_t number, float y) {
         const glm::vec2& left = gradients[point_bits(start, u.here, number) >> 24];
         const glm::vec2& right = gradients[point_bits(start, u.after, number) >> 24];
-        return glm::mix(left.x * u.inside + left.y * y, right.x * (u.inside - 1) + right.y * y,
-                        ease(u.inside));
+        return glm::mix(left.x * u.inside + left.y * y, right.x * (u.inside - 1) + right.y * y, ease(u.inside));
     };
     return glm::mix(row(v.here, v.inside), row(v.after, v.inside - 1), ease(v.inside));
 }
@@ -72,8 +69,7 @@ float fractal_noise(glm::vec2 p, int cells, int octaves, uint32_t seed) {
     float sum = 0, size = 1, power = 0;
     for (int i = 0; i < octaves; ++i, size /= 2, cells *= 2) {
         // Where the lines of several lattices fall together, the eye finds a weave.
-        sum += size *
-               (i % 2 ? turned_noise(p, cells, seed + i) : gradient_noise(p, glm::ivec2(cells), seed + i));
+        sum += size * (i % 2 ? turned_noise(p, cells, seed + i) : gradient_noise(p, glm::ivec2(cells), seed + i));
         power += size * size;
     }
     return sum / glm::sqrt(power);
@@ -81,8 +77,7 @@ float fractal_noise(glm::vec2 p, int cells, int octaves, uint32_t seed) {
 
 float grain_noise(glm::vec2 p, uint32_t seed) {
     // Two lattices, turned apart: a single one would show.
-    return 0.7f *
-           (turned_noise(p / tile, 293, seed) + turned_noise(glm::vec2(p.y, p.x) / tile, 181, seed + 1));
+    return 0.7f * (turned_noise(p / tile, 293, seed) + turned_noise(glm::vec2(p.y, p.x) / tile, 181, seed + 1));
 }
 
 NearestPoint cellular_noise(glm::vec2 p, glm::ivec2 cells, uint32_t seed) {

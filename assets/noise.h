@@ -12,9 +12,7 @@ constexpr uint32_t hash(uint32_t x) {
     x = (x ^ (x >> 15)) * 0x846ca68bu;
     return x ^ (x >> 16);
 }
-constexpr uint32_t hash(uint32_t a, uint32_t b, uint32_t c = 0) {
-    return hash(a + hash(b + hash(c + 0x9e3779b9u)));
-}
+constexpr uint32_t hash(uint32_t a, uint32_t b, uint32_t c = 0) { return hash(a + hash(b + hash(c + 0x9e3779b9u))); }
 
 /// The top 24 bits, as a number in [0, 1): exact in a float.
 constexpr float unit(uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }

@@ -70,10 +70,8 @@ float layer_at(const Slab& slab, glm::vec2 at) {
 float face_detail(const Slab& slab, glm::vec2 at) {
     const uint32_t s = slab.seed;
     float height = 0.8f * noise(at, 128, s + 6) + 0.6f * noise(at, 64, s + 7) + 0.28f * noise(at, 32, s + 8) +
-                   0.22f * noise(at, 16, s + 9) + 0.13f * noise(at, 8, s + 10) +
-                   0.08f * grain_noise(at, s + 11);
-    const NearestPoint pit =
-        cellular_noise((at + 2.5f * noise(at, 8, s + 13)) / tile, glm::ivec2(64), s + 14);
+                   0.22f * noise(at, 16, s + 9) + 0.13f * noise(at, 8, s + 10) + 0.08f * grain_noise(at, s + 11);
+    const NearestPoint pit = cellular_noise((at + 2.5f * noise(at, 8, s + 13)) / tile, glm::ivec2(64), s + 14);
     Dice dice(pit.id);
     const float radius = dice.between(0.08f, 0.24f);
     if (dice.chance(0.3f)) height -= 3.5f * radius * (1 - ramp(0.2f, 1.0f, pit.distance / radius));
@@ -96,8 +94,7 @@ void add_slab(Texel& texel, const Slab& slab, glm::vec2 p) {
         const float t = glm::min(1.0f, -outside / slab.wear);
         const float edge = 1 - (1 - t) * (1 - t);
         layer = layer_at(slab, at);
-        height +=
-            edge * (slab.face + glm::dot(slab.slope, q) + 0.75f * layer + face_detail(slab, at) - foot_level);
+        height += edge * (slab.face + glm::dot(slab.slope, q) + 0.75f * layer + face_detail(slab, at) - foot_level);
     }
     if (outside < texel.outside) texel.outside = outside, texel.slab = &slab, texel.layer = layer;
     texel.height = glm::max(texel.height, height);
@@ -112,8 +109,8 @@ Texel relief_at(glm::vec2 p, const Floor& floor) {
         for (const Slab& slab : floor[row]) add_slab(texel, slab, p);
     }
     if (texel.outside > -8) {
-        const float sand = joint_level + 0.8f * noise(p, 64, 2, 703) + 0.35f * noise(p, 8, 704) +
-                           0.25f * grain_noise(p, 705);
+        const float sand =
+            joint_level + 0.8f * noise(p, 64, 2, 703) + 0.35f * noise(p, 8, 704) + 0.25f * grain_noise(p, 705);
         texel.joint = ramp(-0.8f, 1.2f, sand - texel.height);
         texel.height = smooth_max(texel.height, sand, 1.5f);
     }
@@ -124,8 +121,8 @@ glm::vec3 stone_light(glm::vec2 p, const Texel& texel) {
     const uint32_t s = texel.slab->seed;
     const glm::vec2 bent = p + 20.0f * glm::vec2(noise(p, 32, s + 30), noise(p, 32, s + 31));
     const float clouds = noise(bent, 128, 4, s + 32);
-    glm::vec3 color = texel.slab->tone *
-                      (1 + 0.20f * clouds + 0.10f * noise(p, 8, s + 33) + 0.24f * grain_noise(p, s + 34));
+    glm::vec3 color =
+        texel.slab->tone * (1 + 0.20f * clouds + 0.10f * noise(p, 8, s + 33) + 0.24f * grain_noise(p, s + 34));
     color *= 1 + 0.05f * texel.layer;
     // Iron in the stone, here and there.
     const float rust = ramp(0.1f, 0.8f, noise(bent, 128, 3, s + 37));
@@ -133,8 +130,7 @@ glm::vec3 stone_light(glm::vec2 p, const Texel& texel) {
 }
 
 glm::vec3 sand_light(glm::vec2 p) {
-    const glm::vec3 sand =
-        light_of(112, 107, 98) * (1 + 0.2f * noise(p, 16, 2, 710) + 0.25f * grain_noise(p, 711));
+    const glm::vec3 sand = light_of(112, 107, 98) * (1 + 0.2f * noise(p, 16, 2, 710) + 0.25f * grain_noise(p, 711));
     const glm::vec3 moss = light_of(84, 90, 70) * (1 + 0.35f * grain_noise(p, 712));
     return glm::mix(sand, moss, ramp(-0.05f, 0.5f, noise(p, 128, 4, 713)));
 }

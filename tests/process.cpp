@@ -32,8 +32,8 @@ void redirect(int descriptor, const char* file, int flags) {
 
 Process::Process(const std::vector<std::string>& command, const Circumstances& where) {
     static std::atomic<int> count = 0;
-    const std::string stem = fs::temp_directory_path() / ("relief-process-" + std::to_string(getpid()) + "-" +
-                                                          std::to_string(++count));
+    const std::string stem =
+        fs::temp_directory_path() / ("relief-process-" + std::to_string(getpid()) + "-" + std::to_string(++count));
     out_ = stem + ".out", err_ = stem + ".err";
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));

@@ -30,8 +30,7 @@ std::string knobs_and_probes(const std::string& lab_text) {
             text += fmt::format("  {:<14} {}; {} [{}]\n", knob.name, knob.help, knob.range, knob.value);
         text += "Probes:\n";
         for (const ProbeInfo& probe : load_manifest(entry).probes)
-            text += fmt::format("  {:<14} {}\n", probe.name,
-                                probe.unit.empty() ? "no unit" : "in " + probe.unit + "s");
+            text += fmt::format("  {:<14} {}\n", probe.name, probe.unit.empty() ? "no unit" : "in " + probe.unit + "s");
         return text;
     } catch (const Error& error) {
         return error.what();
@@ -62,8 +61,7 @@ std::string unexpected(const CLI::App& app) {
             for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
         return unknown("option", word.substr(0, word.find('=')), known);
     }
-    if (command != &app)
-        return fmt::format("'{}' is one argument too many for {}", word, command->get_name());
+    if (command != &app) return fmt::format("'{}' is one argument too many for {}", word, command->get_name());
     for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
         known.push_back(one->get_name());
     return unknown("command", word, known);
@@ -116,21 +114,18 @@ private:
         sub->add_flag("--json", json_, "for scripts");
     }
     void add_info() {
-        add("info", "contexts, drivers, libraries: paste it into every bug report",
-            [] { return print_info(); });
+        add("info", "contexts, drivers, libraries: paste it into every bug report", [] { return print_info(); });
     }
     void add_run() {
         CLI::App* sub = add("run", "a lab in a window", [this] {
             const std::string folder = find_lab(run_lab_).folder;
-            if (!has_display())
-                throw Error("there is no display: take a picture with relief shot " + run_lab_);
+            if (!has_display()) throw Error("there is no display: take a picture with relief shot " + run_lab_);
             return window_module().function<decltype(relief_run_menu)>("relief_run_menu")(folder.c_str());
         });
         add_lab(sub, run_lab_, true);
     }
     void add_shot() {
-        CLI::App* sub =
-            add("shot", "a picture of a lab, without a display", [this] { return take_shot(shot_); });
+        CLI::App* sub = add("shot", "a picture of a lab, without a display", [this] { return take_shot(shot_); });
         add_lab(sub, shot_.lab, true);
         sub->add_option("-o", shot_.output, "FILE.png, .exr, .ppm or .pfm, or - for standard output")
             ->type_name("FILE");
@@ -142,8 +137,7 @@ private:
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
             ->allow_extra_args(false);
         sub->add_option("--camera", shot_.camera, "degrees and metres")->type_name("YAW,PITCH,DISTANCE");
-        sub->add_option("--probe", shot_.probe, "the quantity itself, as the shader has it")
-            ->type_name("NAME");
+        sub->add_option("--probe", shot_.probe, "the quantity itself, as the shader has it")->type_name("NAME");
         sub->add_option("--truth", shot_.truth, "its exact value")->type_name("NAME");
         sub->add_option("--error", shot_.error, "how far the one is from the other")->type_name("NAME");
         sub->footer([this] { return knobs_and_probes(shot_.lab); });
@@ -162,10 +156,9 @@ private:
         sub->add_option("-o", output_, "write what differs: now, reference, difference")->type_name("FOLDER");
     }
     void add_new_lab() {
-        CLI::App* sub = add("new-lab", "a new lab that builds, runs and is tested",
-                            [this] { return make_new_lab(new_name_); });
-        sub->add_option("NAME", new_name_, "like wet_stone (numbered from 20 on) or 21_wet_stone")
-            ->required();
+        CLI::App* sub =
+            add("new-lab", "a new lab that builds, runs and is tested", [this] { return make_new_lab(new_name_); });
+        sub->add_option("NAME", new_name_, "like wet_stone (numbered from 20 on) or 21_wet_stone")->required();
     }
 
     CLI::App app_{

@@ -102,8 +102,8 @@ int make_gallery(fs::path folder, ContextChoice choice) {
             ++failures;
         }
     }
-    const std::string footer = fmt::format("</main>\n<footer>Rendered by {}.</footer>\n</body></html>\n",
-                                           html(describe_context().driver()));
+    const std::string footer =
+        fmt::format("</main>\n<footer>Rendered by {}.</footer>\n</body></html>\n", html(describe_context().driver()));
     const fs::path page = folder / "index.html";
     write_file(page, page_head + cards + footer);
     fmt::print("{}\n", fs::absolute(page).lexically_normal().string());

@@ -48,19 +48,17 @@ public:
 
 private:
     std::string compare(const fs::path& file, const Image& picture) const {
-        if (!fs::exists(file))
-            throw Error({file}, "no reference: look at the picture, then renew with --update");
+        if (!fs::exists(file)) throw Error({file}, "no reference: look at the picture, then renew with --update");
         Notes notes;
         const Image reference = read_image(file, &notes);
         const Difference off = difference(picture, reference, allowed);
         if (off.pixels_over == 0) return fmt::format("same within {:.0f}/255", off.largest * 255);
         if (!output_.empty()) write_difference(file, picture, reference);
-        std::string line =
-            picture.same_shape(reference)
-                ? fmt::format("{} of {} pixels differ by more than 1/255, the most by {:.0f}/255",
-                              off.pixels_over, picture.pixel_count(), off.largest * 255)
-                : fmt::format("{}x{}, the reference is {}x{}", picture.width, picture.height, reference.width,
-                              reference.height);
+        std::string line = picture.same_shape(reference)
+                               ? fmt::format("{} of {} pixels differ by more than 1/255, the most by {:.0f}/255",
+                                             off.pixels_over, picture.pixel_count(), off.largest * 255)
+                               : fmt::format("{}x{}, the reference is {}x{}", picture.width, picture.height,
+                                             reference.width, reference.height);
         if (driver_of(notes) != driver_)
             line += fmt::format(" (the reference was made by {}, this is {})", driver_of(notes), driver_);
         throw Error(line);
@@ -71,11 +69,9 @@ private:
             Notes notes;
             const Image reference = read_image(file, &notes);
             if (driver_of(notes) != driver_)
-                throw Error(
-                    {file},
-                    fmt::format("not renewed: it was made by {}, this is {}; remove the file first if "
-                                "you mean to change the driver",
-                                driver_of(notes), driver_));
+                throw Error({file}, fmt::format("not renewed: it was made by {}, this is {}; remove the file first if "
+                                                "you mean to change the driver",
+                                                driver_of(notes), driver_));
             if (difference(picture, reference, 0).pixels_over == 0) return "unchanged";
         }
         make_folder(file.parent_path());

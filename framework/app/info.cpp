@@ -20,10 +20,9 @@ void print_context(ContextKind kind) {
         const ContextInfo info = describe_context();
         fmt::print("{:<8} OpenGL {}, GLSL {}\n", name_of(kind), info.version, info.shading_language);
         fmt::print("         {} ({})\n", info.renderer, info.vendor);
-        fmt::print(
-            "         texture {}, samples {}, anisotropy {}, patch vertices {}, tessellation level {}, {}\n",
-            info.max_texture, info.max_samples, info.max_anisotropy, info.max_patch_vertices,
-            info.max_tessellation, info.debug ? "KHR_debug" : "no KHR_debug");
+        fmt::print("         texture {}, samples {}, anisotropy {}, patch vertices {}, tessellation level {}, {}\n",
+                   info.max_texture, info.max_samples, info.max_anisotropy, info.max_patch_vertices,
+                   info.max_tessellation, info.debug ? "KHR_debug" : "no KHR_debug");
     } catch (const Error& error) {
         fmt::print("{:<8} missing: {}\n", name_of(kind), error.what());
     }
@@ -38,8 +37,7 @@ int print_info() {
     fmt::print("course   {} with {} labs\n", course_root().string(), registry().size());
     fmt::print("system   {} {} {}, {} threads\n", system.sysname, system.release, system.machine,
                std::thread::hardware_concurrency());
-    for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl, ContextKind::window})
-        print_context(kind);
+    for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl, ContextKind::window}) print_context(kind);
     fmt::print("built    by {}\n", versions::compiler);
     fmt::print("         with {}\n", versions::libraries);
     return 0;

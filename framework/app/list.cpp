@@ -30,8 +30,7 @@ int list_labs(bool json) {
         for (const auto& lab : all) {
             const int points = lab["points"];
             fmt::print("{:02}  {:<24} {}{}\n", lab["number"].get<int>(), lab["name"].get<std::string>(),
-                       lab["title"].get<std::string>(),
-                       points > 0 ? fmt::format(" ({} points)", points) : "");
+                       lab["title"].get<std::string>(), points > 0 ? fmt::format(" ({} points)", points) : "");
         }
     return every_manifest_read ? 0 : 1;
 }

@@ -27,8 +27,7 @@ public:
     ImGuiSession(GLFWwindow* window, float scale) {
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;  // the menu leaves no files behind
-        if (std::filesystem::exists(font_file))
-            ImGui::GetIO().Fonts->AddFontFromFileTTF(font_file, 15 * scale);
+        if (std::filesystem::exists(font_file)) ImGui::GetIO().Fonts->AddFontFromFileTTF(font_file, 15 * scale);
         style_panel(scale);
         ImGui_ImplGlfw_InitForOpenGL(window, true);
         ImGui_ImplOpenGL3_Init("#version 410 core");
@@ -79,8 +78,7 @@ private:
         stage_.open(entry);
         begin_ = glfwGetTime(), time_ = 0;
         message_.clear();
-        glfwSetWindowTitle(window_.handle(),
-                           fmt::format("Relief: {} {}", entry.two_digits(), entry.name).c_str());
+        glfwSetWindowTitle(window_.handle(), fmt::format("Relief: {} {}", entry.two_digits(), entry.name).c_str());
     }
 
     void step(int direction) {
@@ -102,8 +100,7 @@ private:
         draw_error(stage_, panel);
         if (!paused_) time_ = glfwGetTime() - begin_;
 
-        const glm::ivec2 room =
-            glm::clamp(window - glm::ivec2(panel, 0), glm::ivec2(1), glm::ivec2(max_picture_side));
+        const glm::ivec2 room = glm::clamp(window - glm::ivec2(panel, 0), glm::ivec2(1), glm::ivec2(max_picture_side));
         stage_.draw(room, time_);
         present(window, panel, room);
         ImGui::Render();
@@ -117,8 +114,7 @@ private:
         glClear(GL_COLOR_BUFFER_BIT);
         if (!stage_.framebuffer()) return;
         glBindFramebuffer(GL_READ_FRAMEBUFFER, stage_.framebuffer());
-        glBlitFramebuffer(0, 0, room.x, room.y, panel, 0, panel + room.x, room.y, GL_COLOR_BUFFER_BIT,
-                          GL_NEAREST);
+        glBlitFramebuffer(0, 0, room.x, room.y, panel, 0, panel + room.x, room.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
     }
 
@@ -137,17 +133,34 @@ private:
     void press(int key) {
         switch (key) {
             case GLFW_KEY_PAGE_DOWN:
-            case GLFW_KEY_RIGHT: step(1); break;
+            case GLFW_KEY_RIGHT:
+                step(1);
+                break;
             case GLFW_KEY_PAGE_UP:
-            case GLFW_KEY_LEFT: step(-1); break;
-            case GLFW_KEY_R: open(stage_.entry()); break;
+            case GLFW_KEY_LEFT:
+                step(-1);
+                break;
+            case GLFW_KEY_R:
+                open(stage_.entry());
+                break;
             case GLFW_KEY_S:
-            case GLFW_KEY_F12: save(); break;
-            case GLFW_KEY_C: stage_.camera() = stage_.manifest().camera, stage_.changed(); break;
-            case GLFW_KEY_H: panel_hidden_ = !panel_hidden_; break;
-            case GLFW_KEY_SPACE: pause(); break;
-            case GLFW_KEY_ESCAPE: glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE); break;
-            default: break;
+            case GLFW_KEY_F12:
+                save();
+                break;
+            case GLFW_KEY_C:
+                stage_.camera() = stage_.manifest().camera, stage_.changed();
+                break;
+            case GLFW_KEY_H:
+                panel_hidden_ = !panel_hidden_;
+                break;
+            case GLFW_KEY_SPACE:
+                pause();
+                break;
+            case GLFW_KEY_ESCAPE:
+                glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+                break;
+            default:
+                break;
         }
     }
 
@@ -172,8 +185,8 @@ private:
 
     // The point under the mouse stays under it.
     void pan(Orbit& camera, double right, double down) const {
-        const double metres = 2 * camera.distance * std::tan(glm::radians(camera.field_of_view) / 2) /
-                              std::max(1, stage_.size().y);
+        const double metres =
+            2 * camera.distance * std::tan(glm::radians(camera.field_of_view) / 2) / std::max(1, stage_.size().y);
         const glm::dmat3 world_from_view = glm::transpose(glm::dmat3(Camera(camera, 1).view_from_world()));
         camera.target += world_from_view * glm::dvec3(-right * metres, down * metres, 0);
     }

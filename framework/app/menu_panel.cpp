@@ -45,9 +45,7 @@ public:
         label(name);
         note(ImGui::SliderInt(id(name), &value, low, high, "%d", ImGuiSliderFlags_AlwaysClamp), help);
     }
-    void toggle(const char* name, bool& value, const char* help) override {
-        note(ImGui::Checkbox(name, &value), help);
-    }
+    void toggle(const char* name, bool& value, const char* help) override { note(ImGui::Checkbox(name, &value), help); }
     void choice(const char* name, int& value, std::span<const char* const> names, const char* help) override {
         label(name);
         note(ImGui::Combo(id(name), &value, names.data(), int(names.size())), help);
@@ -112,8 +110,7 @@ void draw_probes(Stage& stage) {
         ImGui::SameLine();
         const float wanted = ImGui::CalcTextSize(probe.name.c_str()).x + 2 * ImGui::GetFrameHeight();
         if (ImGui::GetContentRegionAvail().x < wanted) ImGui::NewLine();
-        if (ImGui::RadioButton(probe.name.c_str(), stage.probe().name == probe.name))
-            stage.show({probe.name});
+        if (ImGui::RadioButton(probe.name.c_str(), stage.probe().name == probe.name)) stage.show({probe.name});
     }
 }
 
@@ -133,9 +130,8 @@ void draw_counters(const Stage& stage) {
     row("textures", fmt::format("{:.1f} MiB", double(now.texture_bytes) / (1 << 20)));
     row("live GL objects", std::to_string(now.live_objects()));
     ImGui::EndTable();
-    static constexpr std::array<const char*, gl_kinds> kinds = {"buffers",      "vertex arrays", "textures",
-                                                                "framebuffers", "renderbuffers", "shaders",
-                                                                "programs",     "queries"};
+    static constexpr std::array<const char*, gl_kinds> kinds = {
+        "buffers", "vertex arrays", "textures", "framebuffers", "renderbuffers", "shaders", "programs", "queries"};
     std::string list;
     for (size_t i = 0; i < kinds.size(); ++i)
         if (now.live[i] != 0) list += fmt::format("{}{} {}", list.empty() ? "" : ", ", now.live[i], kinds[i]);
@@ -157,8 +153,7 @@ void style_panel(float scale) {
     style.Colors[ImGuiCol_Button] = {0.20f, 0.21f, 0.25f, 1};
     for (const int color : {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered})
         style.Colors[color] = {0.30f, 0.24f, 0.21f, 1};
-    for (const int color :
-         {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_Header, ImGuiCol_HeaderActive})
+    for (const int color : {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_Header, ImGuiCol_HeaderActive})
         style.Colors[color] = {0.42f, 0.28f, 0.21f, 1};
     for (const int color : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_CheckMark})
         style.Colors[color] = accent;

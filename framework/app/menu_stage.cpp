@@ -61,22 +61,21 @@ bool Stage::draw(glm::ivec2 size, double time) {
     } catch (const Error& error) {
         fail(error);
     }
-    milliseconds_ =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     draw_calls_ = counters().draw_calls - draw_calls_before;
     ++frames_;
     shown_ = !error_.empty() ? 0 : shot_.probe ? draw_probe() : target_->resolve();
-    print_event(fmt::format("frame {}: {}, {} GL objects, {} draw calls, {} texture bytes, {:.1f} ms",
-                            frames_, entry_->folder, counters().live_objects(), draw_calls_,
-                            counters().texture_bytes, milliseconds_));
+    print_event(fmt::format("frame {}: {}, {} GL objects, {} draw calls, {} texture bytes, {:.1f} ms", frames_,
+                            entry_->folder, counters().live_objects(), draw_calls_, counters().texture_bytes,
+                            milliseconds_));
     return true;
 }
 
 // The numbers go to the CPU and come back as colours; that happens only when they changed.
 GLuint Stage::draw_probe() {
-    probe_picture_.emplace(ProbePicture{
-        Texture("probe as colours", [this] { return picture(); }, {.wrap = Wrap::clamp, .mips = false}),
-        FramebufferName()});
+    probe_picture_.emplace(
+        ProbePicture{Texture("probe as colours", [this] { return picture(); }, {.wrap = Wrap::clamp, .mips = false}),
+                     FramebufferName()});
     glBindFramebuffer(GL_FRAMEBUFFER, probe_picture_->framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, probe_picture_->texture, 0);
     return probe_picture_->framebuffer;

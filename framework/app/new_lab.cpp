@@ -39,8 +39,7 @@ NewName parse_name(const std::string& text) {
     const auto taken = taken_numbers();
     NewName result{first_free_number, text};
     const size_t underscore = text.find('_');
-    if (const auto number = parse_int(text.substr(0, underscore));
-        number && underscore != std::string::npos) {
+    if (const auto number = parse_int(text.substr(0, underscore)); number && underscore != std::string::npos) {
         if (*number < 1 || *number > last_number)
             throw UsageError(fmt::format("lab numbers go from 01 to {}, not '{}'", last_number, text));
         result = {*number, text.substr(underscore + 1)};
@@ -50,9 +49,8 @@ NewName parse_name(const std::string& text) {
         while (taken.contains(result.number)) ++result.number;
         if (result.number > last_number) throw UsageError("all lab numbers are taken");
     }
-    const bool good =
-        !result.name.empty() && std::islower(static_cast<unsigned char>(result.name[0])) &&
-        result.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+    const bool good = !result.name.empty() && std::islower(static_cast<unsigned char>(result.name[0])) &&
+                      result.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
     if (!good)
         throw UsageError(
             fmt::format("a lab's name is lower case with underscores, with or without a number: wet_stone or "

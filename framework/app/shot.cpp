@@ -21,8 +21,7 @@ glm::ivec2 parse_size(const std::string& text) {
         return value && *value >= 1 && *value <= max_picture_side ? *value : 0;
     };
     if (parts.size() == 2 && side(parts[0]) && side(parts[1])) return {side(parts[0]), side(parts[1])};
-    throw UsageError(
-        fmt::format("--size takes WIDTHxHEIGHT from 1x1 to {0}x{0}, not '{1}'", max_picture_side, text));
+    throw UsageError(fmt::format("--size takes WIDTHxHEIGHT from 1x1 to {0}x{0}, not '{1}'", max_picture_side, text));
 }
 
 double parse_time(const std::string& text) {
@@ -35,8 +34,7 @@ double parse_time(const std::string& text) {
 void parse_camera(const std::string& text, Orbit& camera) {
     const auto parts = split(text, ',');
     if (parts.size() == 3) {
-        const auto yaw = parse_number(parts[0]), pitch = parse_number(parts[1]),
-                   distance = parse_number(parts[2]);
+        const auto yaw = parse_number(parts[0]), pitch = parse_number(parts[1]), distance = parse_number(parts[2]);
         const bool good = yaw && pitch && distance && std::abs(*yaw) <= 36000 && std::abs(*pitch) <= 89 &&
                           *distance >= 1e-3 && *distance <= 1e6;
         if (good) {
@@ -99,9 +97,8 @@ int take_shot(const ShotArguments& arguments) {
         const auto context = open_context(choice);
         image = error_image(take(*lab, shot), truth, metric);
         const ErrorSummary error = summarize(image);
-        summary = fmt::format("mean {:.6g} {}, rms {:.6g}, 99 % {:.6g}, largest {:.6g}, over {} pixels\n",
-                              error.mean, manifest.probe(shot.probe.name).unit, error.rms, error.p99,
-                              error.largest, error.count);
+        summary = fmt::format("mean {:.6g} {}, rms {:.6g}, 99 % {:.6g}, largest {:.6g}, over {} pixels\n", error.mean,
+                              manifest.probe(shot.probe.name).unit, error.rms, error.p99, error.largest, error.count);
         if (!floats) image = visualize_error(image, error.p99);
     } else {
         const auto context = open_context(choice);

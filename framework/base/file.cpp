@@ -97,8 +97,7 @@ std::string read_file(const fs::path& path, size_t limit) {
     if (file < 0 || fstat(file, &status) != 0) fail(path, "read");
     if (!S_ISREG(status.st_mode)) throw Error({path}, "cannot read: not a file");
     if (static_cast<size_t>(status.st_size) > limit)
-        throw Error({path},
-                    fmt::format("cannot read: {} bytes, at most {} are taken", status.st_size, limit));
+        throw Error({path}, fmt::format("cannot read: {} bytes, at most {} are taken", status.st_size, limit));
     std::string bytes(static_cast<size_t>(status.st_size), '\0');
     size_t have = 0;
     while (have < bytes.size()) {
@@ -123,8 +122,7 @@ void write_file(const fs::path& path, std::string_view bytes) {
     }
     UnfinishedFile unfinished(path);
     Descriptor file(open(unfinished.name(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (file < 0 || !write_all(file, bytes) || !file.close() || !unfinished.rename_to(path))
-        fail(path, "write");
+    if (file < 0 || !write_all(file, bytes) || !file.close() || !unfinished.rename_to(path)) fail(path, "write");
 }
 
 void write_standard_output(std::string_view bytes) {

@@ -117,8 +117,7 @@ ContextInfo describe_context() {
     info.max_samples = limit_of(GL_MAX_SAMPLES);
     info.max_patch_vertices = limit_of(GL_MAX_PATCH_VERTICES);
     info.max_tessellation = limit_of(GL_MAX_TESS_GEN_LEVEL);
-    if (GLAD_GL_EXT_texture_filter_anisotropic)
-        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &info.max_anisotropy);
+    if (GLAD_GL_EXT_texture_filter_anisotropic) glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &info.max_anisotropy);
     info.debug = GLAD_GL_KHR_debug != 0;
     return info;
 }

@@ -41,8 +41,7 @@ public:
         for (const EGLDisplay display : displays())
             if (open(display)) {
                 Egl::make_current();
-                load_gl(
-                    reinterpret_cast<LoadFunction*>(core<decltype(eglGetProcAddress)>("eglGetProcAddress")));
+                load_gl(reinterpret_cast<LoadFunction*>(core<decltype(eglGetProcAddress)>("eglGetProcAddress")));
                 return;
             }
         throw Error(
@@ -96,13 +95,9 @@ private:
         EGLConfig config = nullptr;
         EGLint count = 0;
         choose_(display, wanted, &config, 1, &count);
-        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                     4,
-                                     EGL_CONTEXT_MINOR_VERSION,
-                                     1,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                     EGL_NONE};
+        const EGLint attributes[] = {
+            EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 1, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         if (count > 0) context_ = create_(display, config, EGL_NO_CONTEXT, attributes);
         display_ = display;
         if (context_ != EGL_NO_CONTEXT) return true;

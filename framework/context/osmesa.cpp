@@ -48,12 +48,10 @@ private:
 
     decltype(&OSMesaCreateContextAttribs) create_ =
         library().function<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs");
-    decltype(&OSMesaMakeCurrent) make_current_ =
-        library().function<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
+    decltype(&OSMesaMakeCurrent) make_current_ = library().function<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
     decltype(&OSMesaDestroyContext) destroy_ =
         library().function<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext");
-    decltype(&OSMesaGetProcAddress) load_ =
-        library().function<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress");
+    decltype(&OSMesaGetProcAddress) load_ = library().function<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress");
     OSMesaContext context_ = nullptr;
     // OSMesa insists on a window buffer; nobody draws into it, because its pixels are not those of a
     // framebuffer.

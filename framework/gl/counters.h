@@ -13,7 +13,7 @@ constexpr int gl_kinds = 8;
 struct Counters {
     std::array<int64_t, gl_kinds> live{};  ///< GL objects by GlKind
     int64_t draw_calls = 0;                ///< since the process began; a multi-draw counts once
-    int64_t texture_bytes = 0;  ///< in textures that are live, all mip levels, as the course uploaded them
+    int64_t texture_bytes = 0;             ///< in textures that are live, all mip levels, as the course uploaded them
 
     int64_t live_objects() const {
         int64_t sum = 0;

@@ -153,8 +153,8 @@ void load_gl(LoadFunction* load) {
     const int version = gladLoadGL(load);
     if (version == 0) throw Error("the context has no OpenGL functions");
     if (version < GLAD_MAKE_VERSION(4, 1))
-        throw Error(fmt::format("the context has OpenGL {}.{}: the course needs 4.1",
-                                GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version)));
+        throw Error(fmt::format("the context has OpenGL {}.{}: the course needs 4.1", GLAD_VERSION_MAJOR(version),
+                                GLAD_VERSION_MINOR(version)));
     count_calls();
 }
 

@@ -14,8 +14,8 @@ const GpuMesh::Uploaded& GpuMesh::uploaded() const {
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices.size() * sizeof(Vertex)), mesh.vertices.data(),
                  GL_STATIC_DRAW);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, result.indices);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(uint32_t)),
-                 mesh.indices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(uint32_t)), mesh.indices.data(),
+                 GL_STATIC_DRAW);
     const auto attribute = [](GLuint location, GLint size, size_t offset) {
         glEnableVertexAttribArray(location);
         glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(Vertex),

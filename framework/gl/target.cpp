@@ -9,8 +9,7 @@ namespace {
 
 constexpr int samples_of_pictures = 4;
 
-void attach(GLuint framebuffer, GLenum place, GLuint renderbuffer, GLenum format, int samples,
-            glm::ivec2 size) {
+void attach(GLuint framebuffer, GLenum place, GLuint renderbuffer, GLenum format, int samples, glm::ivec2 size) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.x, size.y);
@@ -55,8 +54,7 @@ Image Target::read() const {
     const size_t row = size_t(size_.x) * 4;
     const auto take = [&](const auto& rows, float scale) {
         for (int y = 0; y < size_.y; ++y)
-            for (size_t i = 0; i < row; ++i)
-                image.pixel(0, y)[i] = float(rows[(size_.y - 1 - y) * row + i]) / scale;
+            for (size_t i = 0; i < row; ++i) image.pixel(0, y)[i] = float(rows[(size_.y - 1 - y) * row + i]) / scale;
     };
     if (kind_ == TargetKind::picture) {
         std::vector<uint8_t> rows(row * size_.y);

@@ -27,10 +27,9 @@ Format format_of(const Image& image, ColorSpace space) {
     const int i = image.channels - 1;
     if (space == ColorSpace::srgb) {
         if (image.bits != 8 || image.channels < 3)
-            throw Error(fmt::format("sRGB colour needs 8 bits and 3 or 4 channels; this has {} bits and {}",
-                                    image.bits, image.channels));
-        return {image.channels == 3 ? GLenum(GL_SRGB8) : GLenum(GL_SRGB8_ALPHA8), external[i],
-                GL_UNSIGNED_BYTE, 1};
+            throw Error(fmt::format("sRGB colour needs 8 bits and 3 or 4 channels; this has {} bits and {}", image.bits,
+                                    image.channels));
+        return {image.channels == 3 ? GLenum(GL_SRGB8) : GLenum(GL_SRGB8_ALPHA8), external[i], GL_UNSIGNED_BYTE, 1};
     }
     if (image.bits == 8) return {unorm8[i], external[i], GL_UNSIGNED_BYTE, 1};
     if (image.bits == 16) return {unorm16[i], external[i], GL_UNSIGNED_SHORT, 2};
@@ -57,8 +56,8 @@ std::vector<Integer> rows_upwards(const Image& image) {
 
 void upload_level(int level, const Image& image, const Format& format) {
     const auto upload = [&](const void* rows) {
-        glTexImage2D(GL_TEXTURE_2D, level, GLint(format.internal), image.width, image.height, 0,
-                     format.external, format.type, rows);
+        glTexImage2D(GL_TEXTURE_2D, level, GLint(format.internal), image.width, image.height, 0, format.external,
+                     format.type, rows);
     };
     if (format.type == GL_UNSIGNED_BYTE) upload(rows_upwards<uint8_t>(image).data());
     if (format.type == GL_UNSIGNED_SHORT) upload(rows_upwards<uint16_t>(image).data());
@@ -88,8 +87,8 @@ void Texture::create() const {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (std::max(image.width, image.height) > largest)
-        throw Error(fmt::format("{}: {}x{} is larger than this driver's {}", title_, image.width,
-                                image.height, largest));
+        throw Error(
+            fmt::format("{}: {}x{} is larger than this driver's {}", title_, image.width, image.height, largest));
 
     std::vector<Image> levels;
     if (options_.mips)
@@ -111,8 +110,7 @@ void Texture::create() const {
     }
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(levels.size()) - 1);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-                    options_.mips ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, options_.mips ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     const GLint wrap = options_.wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);

@@ -30,7 +30,8 @@ unsigned char srgb8_from_linear(float light) {
         for (int i = 0; i < 255; ++i) {
             const double half = linear_from_srgb((i + 0.5) / 255);
             made.halfway[i] = static_cast<float>(half);
-            if (made.halfway[i] < half) made.halfway[i] = std::nextafter(made.halfway[i], 1.0f);  // the first that rounds up
+            if (made.halfway[i] < half)
+                made.halfway[i] = std::nextafter(made.halfway[i], 1.0f);  // the first that rounds up
         }
         made.halfway[255] = std::numeric_limits<float>::infinity();
         for (int i = 0; i <= bins; ++i) {

@@ -38,8 +38,7 @@ std::string encode_ppm(const Image& image) {
     for (size_t i = 0; i < image.pixel_count(); ++i)
         for (int c = 0; c < 3; ++c) {
             const float value = image.values[i * image.channels + (image.channels >= 3 ? c : 0)];
-            bytes += static_cast<char>(
-                std::lround(std::clamp(std::isnan(value) ? 0.0f : value, 0.0f, 1.0f) * 255));
+            bytes += static_cast<char>(std::lround(std::clamp(std::isnan(value) ? 0.0f : value, 0.0f, 1.0f) * 255));
         }
     return bytes;
 }
@@ -48,8 +47,7 @@ std::string encode_ppm(const Image& image) {
 std::string encode_pfm(const Image& image) {
     static_assert(std::endian::native == std::endian::little);
     const int channels = image.channels >= 3 ? 3 : image.channels == 2 ? 3 : 1;
-    std::string bytes =
-        fmt::format("{}\n{} {}\n-1.0\n", channels == 3 ? "PF" : "Pf", image.width, image.height);
+    std::string bytes = fmt::format("{}\n{} {}\n-1.0\n", channels == 3 ? "PF" : "Pf", image.width, image.height);
     bytes.reserve(bytes.size() + image.pixel_count() * channels * sizeof(float));
     for (int y = image.height - 1; y >= 0; --y)
         for (int x = 0; x < image.width; ++x)
@@ -77,8 +75,7 @@ Image read_image(const std::filesystem::path& path, Notes* notes) {
 
 ImageFormat format_of(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     if (ending == ".png") return ImageFormat::png;
     if (ending == ".exr") return ImageFormat::exr;
     if (ending == ".ppm") return ImageFormat::ppm;

@@ -29,7 +29,8 @@ ImageFormat format_of(const std::filesystem::path& path);
 
 /// The same bytes for the same image, notes and library. PNG takes 1 to 4 channels in [0, 1] and stores 16
 /// bits when `image.bits` is 16, else 8; EXR stores 32-bit floats; PPM 8 bits and PFM 32-bit floats (PF with
-/// 3 channels, Pf with 1), both without alpha. `space` is how a PNG says it is to be shown; our own reader does not ask.
+/// 3 channels, Pf with 1), both without alpha. `space` is how a PNG says it is to be shown; our own reader does not
+/// ask.
 std::string encode_image(const Image& image, ImageFormat format, const Notes& notes = {},
                          ColorSpace space = ColorSpace::srgb);
 

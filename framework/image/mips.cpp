@@ -12,7 +12,8 @@ namespace {
 template <class Curve>
 void apply_to_color(Image& image, Curve curve) {
     const int colors = image.channels >= 3 ? 3 : 1;
-    for (float* pixel = image.values.data(); pixel != image.values.data() + image.values.size(); pixel += image.channels)
+    for (float* pixel = image.values.data(); pixel != image.values.data() + image.values.size();
+         pixel += image.channels)
         for (int c = 0; c < colors; ++c) pixel[c] = curve(pixel[c]);
 }
 
@@ -50,7 +51,8 @@ Image half(const Image& image) {
     Image result(std::max(1, image.width / 2), std::max(1, image.height / 2), image.channels, image.bits);
     const auto columns = covers(image.width, result.width), rows = covers(image.height, result.height);
     const size_t channels = static_cast<size_t>(image.channels);
-    std::vector<float> sum(static_cast<size_t>(image.width) * channels);  // of the rows that one row of the result covers
+    std::vector<float> sum(static_cast<size_t>(image.width) *
+                           channels);  // of the rows that one row of the result covers
     for (int y = 0; y < result.height; ++y) {
         std::fill(sum.begin(), sum.end(), 0.0f);
         for (int j = 0; j < rows[y].count; ++j) {
@@ -79,8 +81,7 @@ std::vector<Image> mip_chain(Image image, ColorSpace space) {
     while (level.width > 1 || level.height > 1) {
         level = half(level);
         chain.push_back(level);
-        if (space == ColorSpace::srgb)
-            apply_to_color(chain.back(), [=](float v) { return stored_of(v, bits); });
+        if (space == ColorSpace::srgb) apply_to_color(chain.back(), [=](float v) { return stored_of(v, bits); });
     }
     return chain;
 }

@@ -7,9 +7,7 @@ namespace relief {
 
 Image normals_from_heights(const Image& heights, const NormalOptions& options) {
     const auto height = [&](int x, int y) -> double {
-        const auto inside = [&](int i, int n) {
-            return options.wrap ? (i % n + n) % n : std::clamp(i, 0, n - 1);
-        };
+        const auto inside = [&](int i, int n) { return options.wrap ? (i % n + n) % n : std::clamp(i, 0, n - 1); };
         return *heights.pixel(inside(x, heights.width), inside(y, heights.height));
     };
     const double side = options.filter == SlopeFilter::sobel ? 0.25 : 0.0, middle = 1 - 2 * side;
@@ -22,8 +20,7 @@ Image normals_from_heights(const Image& heights, const NormalOptions& options) {
                 const double weight = k == 0 ? middle : side;
                 if (weight == 0) continue;
                 du += weight * (height(x + 1, y + k) - height(x - 1, y + k)) / 2;
-                dv += weight * (height(x + k, y - 1) - height(x + k, y + 1)) /
-                      2;  // row 0 is the top, v grows up
+                dv += weight * (height(x + k, y - 1) - height(x + k, y + 1)) / 2;  // row 0 is the top, v grows up
             }
             du *= options.texels_u, dv *= options.texels_v;
             const double length = std::sqrt(du * du + dv * dv + 1);

@@ -72,14 +72,12 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
                       spec.height <= max_image_side && spec.nchannels >= 1 && spec.nchannels <= 4 &&
                       spec.image_pixels() * spec.nchannels * sizeof(float) <= max_image_bytes;
     if (!fits)
-        throw Error(fmt::format("{}x{} with {} channels: at most {}x{}, 4 channels and {} MiB are taken",
-                                spec.width, spec.height, spec.nchannels, max_image_side, max_image_side,
-                                max_image_bytes >> 20));
+        throw Error(fmt::format("{}x{} with {} channels: at most {}x{}, 4 channels and {} MiB are taken", spec.width,
+                                spec.height, spec.nchannels, max_image_side, max_image_side, max_image_bytes >> 20));
 
     for (const OIIO::ParamValue& note : spec.extra_attribs) {
         const std::string name = note.name().string();
-        if (name.starts_with(note_prefix))
-            notes.emplace_back(name.substr(note_prefix.size()), note.get_string());
+        if (name.starts_with(note_prefix)) notes.emplace_back(name.substr(note_prefix.size()), note.get_string());
     }
     Image image(spec.width, spec.height, spec.nchannels, bits_of(spec.format));
     const auto read = [&](OIIO::TypeDesc type, void* into) {
@@ -102,8 +100,7 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
 
 std::string relief_encode_image(const Image& image, const char* format, const Notes& notes, ColorSpace space) {
     OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
-    if (std::string_view(format) == "png")
-        type = image.bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
+    if (std::string_view(format) == "png") type = image.bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
 
     OIIO::ImageSpec spec(image.width, image.height, image.channels, type);
     spec.attribute("DateTime",

@@ -13,8 +13,8 @@ Camera::Camera(const Orbit& orbit, double aspect) : orbit_(orbit) {
     eye_ = orbit_.target + orbit_.distance * out;
     view_from_world_ = glm::lookAt(eye_, orbit_.target, glm::dvec3(0, 1, 0));
     // Near and far follow the distance, so that a scene may be of any size.
-    clip_from_view_ = glm::perspective(glm::radians(orbit_.field_of_view), aspect, orbit_.distance * 0.02,
-                                       orbit_.distance * 50);
+    clip_from_view_ =
+        glm::perspective(glm::radians(orbit_.field_of_view), aspect, orbit_.distance * 0.02, orbit_.distance * 50);
 }
 
 Ray Camera::ray(glm::dvec2 clip) const {

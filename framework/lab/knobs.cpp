@@ -44,8 +44,7 @@ public:
     void steps(const char* name, int& value, int low, int high, const char*) override {
         if (name != name_) return;
         const auto number = parse_int(text_);
-        if (!number || *number < low || *number > high)
-            refuse(fmt::format("whole numbers from {} to {}", low, high));
+        if (!number || *number < low || *number > high) refuse(fmt::format("whole numbers from {} to {}", low, high));
         value = *number, done = true;
     }
     void toggle(const char* name, bool& value, const char*) override {

@@ -14,8 +14,7 @@ public:
     virtual void slider(const char* name, float& value, float low, float high, const char* help) = 0;
     virtual void steps(const char* name, int& value, int low, int high, const char* help) = 0;
     virtual void toggle(const char* name, bool& value, const char* help) = 0;
-    virtual void choice(const char* name, int& value, std::span<const char* const> names,
-                        const char* help) = 0;
+    virtual void choice(const char* name, int& value, std::span<const char* const> names, const char* help) = 0;
 };
 
 /// One knob as text.

@@ -30,9 +30,7 @@ struct Frame {
     Probe probe;
 
     /// Through the centre of pixel (x, y) of the picture, row 0 at the top.
-    Ray ray(int x, int y) const {
-        return camera.ray({(x + 0.5) / size.x * 2 - 1, 1 - (y + 0.5) / size.y * 2});
-    }
+    Ray ray(int x, int y) const { return camera.ray({(x + 0.5) / size.x * 2 - 1, 1 - (y + 0.5) / size.y * 2}); }
 };
 
 /// One class a lab, in one file. Members that hold GL objects are made at first use, so a lab can be made

@@ -48,8 +48,7 @@ public:
         if (!node) return;
         const toml::array* array = node->as_array();
         if (!array) fail(*node, fmt::format("'{}' must be a list of texts", key));
-        for (const toml::node& element : *array)
-            result.push_back(value<std::string>(element, key, "a list of texts"));
+        for (const toml::node& element : *array) result.push_back(value<std::string>(element, key, "a list of texts"));
     }
     /// A list of `count` numbers; false when the key is not there.
     template <int count>
@@ -74,8 +73,7 @@ public:
         const toml::node* node = find(key);
         if (!node) return result;
         const toml::array* array = node->as_array();
-        if (!array || !array->is_array_of_tables())
-            fail(*node, fmt::format("write each {0} as [[{0}]]", key));
+        if (!array || !array->is_array_of_tables()) fail(*node, fmt::format("write each {0} as [[{0}]]", key));
         for (const toml::node& element : *array)
             result.emplace_back(file_, *element.as_table(), fmt::format("[[{}]]", key));
         return result;
@@ -102,8 +100,7 @@ public:
     void finish() const {
         for (const auto& [key, node] : table_)
             if (std::find(read_.begin(), read_.end(), key.str()) == read_.end())
-                throw Error({file_, int(key.source().begin.line)},
-                            unknown("key of " + what_ + ",", key.str(), read_));
+                throw Error({file_, int(key.source().begin.line)}, unknown("key of " + what_ + ",", key.str(), read_));
     }
 
     [[noreturn]] void fail(const std::string& message) const { fail(table_, message); }
@@ -163,7 +160,8 @@ Shot read_shot(Table table, const Orbit& camera) {
     std::array<double, 2> size{};
     if (table.read<2>("size", size, 1, max_picture_side)) {
         shot.size = {int(size[0]), int(size[1])};
-        if (shot.size.x != size[0] || shot.size.y != size[1]) table.fail("size", "'size' must be whole numbers of pixels");
+        if (shot.size.x != size[0] || shot.size.y != size[1])
+            table.fail("size", "'size' must be whole numbers of pixels");
     }
     table.finish();
     return shot;
@@ -236,8 +234,7 @@ Manifest load_manifest(const fs::path& file) {
         if (auto shot = table.table("shot")) golden.shot = read_shot(*shot, manifest.camera);
         table.finish();
         for (const GoldenInfo& other : manifest.goldens)
-            if (other.name == golden.name)
-                table.fail(fmt::format("two golden pictures are named '{}'", golden.name));
+            if (other.name == golden.name) table.fail(fmt::format("two golden pictures are named '{}'", golden.name));
         if (golden.name.empty() ||
             golden.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") != std::string::npos)
             table.fail(fmt::format("'{}' names a file: use a-z, 0-9, - and _", golden.name));
@@ -252,8 +249,6 @@ Manifest load_manifest(const fs::path& file) {
     return manifest;
 }
 
-Manifest load_manifest(const LabEntry& lab) {
-    return load_manifest(course_root() / "labs" / lab.folder / "lab.toml");
-}
+Manifest load_manifest(const LabEntry& lab) { return load_manifest(course_root() / "labs" / lab.folder / "lab.toml"); }
 
 }  // namespace relief

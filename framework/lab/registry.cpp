@@ -25,9 +25,8 @@ LabRegistration::LabRegistration(const char* folder, std::unique_ptr<Lab> (*make
     const std::string text(folder);
     const size_t end = text.find('_');
     LabEntry entry{parse_int(text.substr(0, end)).value_or(0), text.substr(end + 1), text, make};
-    const auto place =
-        std::upper_bound(entries().begin(), entries().end(), entry,
-                         [](const LabEntry& a, const LabEntry& b) { return a.number < b.number; });
+    const auto place = std::upper_bound(entries().begin(), entries().end(), entry,
+                                        [](const LabEntry& a, const LabEntry& b) { return a.number < b.number; });
     entries().insert(place, std::move(entry));
 }
 

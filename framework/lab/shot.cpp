@@ -19,9 +19,8 @@ double aspect(glm::ivec2 size) { return double(size.x) / size.y; }
 
 /// What Frame promises, but for the clear colour.
 void restore_state() {
-    for (const GLenum capability :
-         {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL,
-          GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART})
+    for (const GLenum capability : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD,
+                                    GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART})
         glDisable(capability);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_MULTISAMPLE);
@@ -44,9 +43,8 @@ void refuse_broken_probe(const Image& image, const Probe& probe) {
         surface += !std::isinf(value[0]);
     }
     if (broken > 0)
-        throw Error(fmt::format("probe '{}': {} pixels are not a number, the first at column {}, row {}",
-                                probe.name, broken, first % size_t(image.width),
-                                first / size_t(image.width)));
+        throw Error(fmt::format("probe '{}': {} pixels are not a number, the first at column {}, row {}", probe.name,
+                                broken, first % size_t(image.width), first / size_t(image.width)));
     if (surface == 0)
         throw Error(fmt::format("probe '{}': no surface was drawn, or the camera looks past it", probe.name));
 }
@@ -54,8 +52,7 @@ void refuse_broken_probe(const Image& image, const Probe& probe) {
 }  // namespace
 
 Frame frame_of(const Shot& shot, const Target& target) {
-    return {target.framebuffer(), target.size(), shot.time, Camera(shot.camera, aspect(target.size())),
-            shot.probe};
+    return {target.framebuffer(), target.size(), shot.time, Camera(shot.camera, aspect(target.size())), shot.probe};
 }
 
 void draw_lab(Lab& lab, const Frame& frame) {

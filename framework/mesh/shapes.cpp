@@ -54,16 +54,14 @@ Mesh make_column(const ColumnShape& shape) {
 }
 
 Mesh make_sphere(const SphereShape& shape) {
-    return make_patch(
-        std::max(3, shape.sides), std::max(2, shape.rows), shape.repeat, [&](double u, double v) {
-            const double around = glm::two_pi<double>() * (u - 0.5), up = glm::pi<double>() * (v - 0.5);
-            const glm::dvec3 out(std::sin(around) * std::cos(up), std::sin(up),
-                                 std::cos(around) * std::cos(up));
-            return Vertex{.position = double(shape.radius) * out,
-                          .normal = out,
-                          .tangent = {std::cos(around), 0, -std::sin(around), 1},
-                          .uv = {}};
-        });
+    return make_patch(std::max(3, shape.sides), std::max(2, shape.rows), shape.repeat, [&](double u, double v) {
+        const double around = glm::two_pi<double>() * (u - 0.5), up = glm::pi<double>() * (v - 0.5);
+        const glm::dvec3 out(std::sin(around) * std::cos(up), std::sin(up), std::cos(around) * std::cos(up));
+        return Vertex{.position = double(shape.radius) * out,
+                      .normal = out,
+                      .tangent = {std::cos(around), 0, -std::sin(around), 1},
+                      .uv = {}};
+    });
 }
 
 }  // namespace relief

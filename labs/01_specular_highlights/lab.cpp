@@ -102,12 +102,8 @@ private:
     });
     GpuMesh ball_ = upload([] { return make_sphere({.radius = 0.42f, .repeat = {2, 1}}); });
     static constexpr glm::vec3 top{0, 2.95f, 0};
-    static constexpr std::array<glm::vec3, 6> places_ = {{{-1.4f, 0, 1.2f},
-                                                          {1.4f, 0, 1.2f},
-                                                          {-1.4f, 0, -1.6f},
-                                                          {1.4f, 0, -1.6f},
-                                                          {-1.4f, 0, -4.4f},
-                                                          {1.4f, 0, -4.4f}}};
+    static constexpr std::array<glm::vec3, 6> places_ = {
+        {{-1.4f, 0, 1.2f}, {1.4f, 0, 1.2f}, {-1.4f, 0, -1.6f}, {1.4f, 0, -1.6f}, {-1.4f, 0, -4.4f}, {1.4f, 0, -4.4f}}};
 
     int method_ = wipe;
     float wipe_ = 0.5f, light_yaw_ = 22, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;

@@ -38,7 +38,8 @@ private:
 /// Puts a file back as it was.
 class Restore {
 public:
-    Restore(const CourseCopy& course, const char* file) : course_(course), file_(file), old_(read_all(course.path() / file)) {}
+    Restore(const CourseCopy& course, const char* file)
+        : course_(course), file_(file), old_(read_all(course.path() / file)) {}
     ~Restore() { course_.overwrite(file_, old_); }
     Restore(const Restore&) = delete;
     Restore& operator=(const Restore&) = delete;
@@ -49,15 +50,16 @@ private:
 };
 
 TEST_F(CourseTest, WorksInAFolderWithASpaceFromAnyWorkingDirectory) {
-    const Result result = run({course().path() / "bin" / "relief", "shot", "1", "--size", "64x48", "-o",
-                               course().path() / "here.png"},
-                              {"/", {}});
+    const Result result =
+        run({course().path() / "bin" / "relief", "shot", "1", "--size", "64x48", "-o", course().path() / "here.png"},
+            {"/", {}});
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_TRUE(std::filesystem::exists(course().path() / "here.png"));
 }
 
 TEST_F(CourseTest, ALabsOwnExecutableKnowsItsLab) {
-    const Result result = run({course().path() / "bin" / "lab-01", "shot", "--size", "64x48", "-o", "own.png"}, {course().path(), {}});
+    const Result result =
+        run({course().path() / "bin" / "lab-01", "shot", "--size", "64x48", "-o", "own.png"}, {course().path(), {}});
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_EQ(small_shot().code, 0);
     EXPECT_EQ(read_all(course().path() / "own.png"), read_all(course().path() / "shot.png"));
@@ -132,7 +134,8 @@ const std::vector<std::string> egl = {"libEGL.so.1", "libEGL.so"};
 
 TEST_F(CourseTest, WithoutOsmesaTheRunSaysWhichPackageAndTakesEgl) {
     const TemporaryFolder libraries;
-    const Result result = course().relief({"shot", "1", "--size", "64x48", "-o", "egl.png"}, without_libraries(libraries, osmesa));
+    const Result result =
+        course().relief({"shot", "1", "--size", "64x48", "-o", "egl.png"}, without_libraries(libraries, osmesa));
     EXPECT_EQ(result.code, 0);
     EXPECT_TRUE(contains(result.err, "install the Debian package libosmesa6")) << result.err;
     EXPECT_TRUE(contains(result.err, "trying egl")) << result.err;
@@ -152,9 +155,11 @@ TEST_F(CourseTest, WithoutAnyContextEveryPackageIsNamed) {
 
 TEST_F(CourseTest, AnExplicitContextThatIsMissingFails) {
     const TemporaryFolder libraries;
-    const Result result = course().relief({"shot", "1", "--context", "osmesa", "-o", "shot.png"}, without_libraries(libraries, osmesa));
+    const Result result =
+        course().relief({"shot", "1", "--context", "osmesa", "-o", "shot.png"}, without_libraries(libraries, osmesa));
     expect_failure(result, "no osmesa context: install the Debian package libosmesa6");
-    expect_failure(course().relief({"shot", "1", "--context", "window", "-o", "shot.png"}, no_display), "there is no display");
+    expect_failure(course().relief({"shot", "1", "--context", "window", "-o", "shot.png"}, no_display),
+                   "there is no display");
 }
 
 TEST_F(CourseTest, AHeadlessRunOpensNeitherWindowNorPictureLibrariesThatItDoesNotNeed) {
@@ -168,8 +173,9 @@ TEST_F(CourseTest, AHeadlessRunOpensNeitherWindowNorPictureLibrariesThatItDoesNo
 TEST_F(CourseTest, InfoTellsOfAllThreeContexts) {
     const Result result = course().relief({"info"}, no_display);
     EXPECT_EQ(result.code, 0) << result.err;
-    for (const char* part : {"osmesa   OpenGL 4.", "egl      OpenGL 4.", "window   missing: no window context: there is no display",
-                             "llvmpipe", "tessellation level 64", "OpenImageIO 2.", "GLFW 3."})
+    for (const char* part :
+         {"osmesa   OpenGL 4.", "egl      OpenGL 4.", "window   missing: no window context: there is no display",
+          "llvmpipe", "tessellation level 64", "OpenImageIO 2.", "GLFW 3."})
         EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
 }
 

@@ -15,7 +15,8 @@ protected:
         const char* manifest = "labs/01_specular_highlights/lab.toml";
         const std::string text = read_all(course_.path() / manifest);
         course_.overwrite(manifest, text.substr(0, text.find("[[golden]]")) +
-                                        "[[golden]]\nname = \"close\"\nshot = { size = [160, 120], set = { method = \"normal-map\" }, camera = { distance = 2.4 } }\n");
+                                        "[[golden]]\nname = \"close\"\nshot = { size = [160, 120], set = { method = "
+                                        "\"normal-map\" }, camera = { distance = 2.4 } }\n");
         std::filesystem::remove(file_);
     }
     Result golden(std::vector<std::string> more = {}) const {
@@ -40,7 +41,8 @@ protected:
 TEST_F(Golden, AMissingReferenceIsAFailure) {
     const Result result = golden();
     EXPECT_EQ(result.code, 1);
-    EXPECT_TRUE(contains(result.err, "close.png: no reference: look at the picture, then renew with --update")) << result.err;
+    EXPECT_TRUE(contains(result.err, "close.png: no reference: look at the picture, then renew with --update"))
+        << result.err;
 }
 
 TEST_F(Golden, ARenewedReferenceCarriesItsDriverAndPasses) {
@@ -67,7 +69,8 @@ TEST_F(Golden, OneStepOf255IsAllowedAndTwoAreNot) {
 
 TEST_F(Golden, AChangedShaderFails) {
     renew();
-    course_.edit("shaders/common/light.glsl", "float facing = max(dot(normal, to_light), 0.0)", "float facing = abs(dot(normal, to_light))");
+    course_.edit("shaders/common/light.glsl", "float facing = max(dot(normal, to_light), 0.0)",
+                 "float facing = abs(dot(normal, to_light))");
     EXPECT_EQ(golden().code, 1);
 }
 

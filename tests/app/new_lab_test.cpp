@@ -28,12 +28,14 @@ TEST_F(NewLab, IsListedByItsFolderAlone) {
 TEST_F(NewLab, PassesTheTestsOfEveryLab) {
     const Result result = run({course_.program("labs_tests"), "--context", "osmesa"});
     EXPECT_EQ(result.code, 0) << result.out << result.err;
-    EXPECT_TRUE(contains(result.out, "EachProbeIsFiniteOnTheSurfaceAndAgreesWithItsTruth/Lab20_test_wall")) << result.out;
+    EXPECT_TRUE(contains(result.out, "EachProbeIsFiniteOnTheSurfaceAndAgreesWithItsTruth/Lab20_test_wall"))
+        << result.out;
 }
 
 TEST_F(NewLab, HasAnExecutableOfItsOwnAndItsErrorMap) {
-    const Result result = run({course_.program("lab-20"), "shot", "--error", "position", "-o", "e.exr", "--size", "64x48"},
-                              {course_.course.path(), {}});
+    const Result result =
+        run({course_.program("lab-20"), "shot", "--error", "position", "-o", "e.exr", "--size", "64x48"},
+            {course_.course.path(), {}});
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_TRUE(contains(result.out, "mean ")) << result.out;
     EXPECT_EQ(read_image(course_.course.path() / "e.exr").channels, 1);
@@ -46,10 +48,12 @@ TEST_F(NewLab, WithoutGoldenPicturesIsToldSo) {
 }
 
 TEST_F(NewLab, RefusesANameOrNumberThatIsTakenOrIsNone) {
-    const std::pair<const char*, const char*> cases[] = {
-        {"test_wall", "there is a lab of that name: 20_test_wall"}, {"01_other", "number 01 is taken by 01_specular_highlights"},
-        {"Wet Stone", "lower case with underscores"}, {"../x", "lower case with underscores"},
-        {"100_x", "lab numbers go from 01 to 99"}, {"", "lower case with underscores"}};
+    const std::pair<const char*, const char*> cases[] = {{"test_wall", "there is a lab of that name: 20_test_wall"},
+                                                         {"01_other", "number 01 is taken by 01_specular_highlights"},
+                                                         {"Wet Stone", "lower case with underscores"},
+                                                         {"../x", "lower case with underscores"},
+                                                         {"100_x", "lab numbers go from 01 to 99"},
+                                                         {"", "lower case with underscores"}};
     for (const auto& [name, expected] : cases) {
         const Result result = run({course_.program("relief"), "new-lab", name});
         EXPECT_EQ(result.code, 2) << name;

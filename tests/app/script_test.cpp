@@ -14,8 +14,11 @@ protected:
         fs::create_directories(folder_.path() / "framework/cmake");
         fs::copy(source / "relief", folder_.path());
         fs::copy(source / "framework/cmake/packages.txt", folder_.path() / "framework/cmake");
-        stand_in("cmake", "mkdir -p build && touch build/build.ninja && echo RELIEF_TESTS:BOOL=ON >build/CMakeCache.txt");
-        stand_in("ninja", "mkdir -p build/bin && printf '#!/bin/bash\\necho \"ran: $*\"\\n' >build/bin/relief && chmod +x build/bin/relief");
+        stand_in("cmake",
+                 "mkdir -p build && touch build/build.ninja && echo RELIEF_TESTS:BOOL=ON >build/CMakeCache.txt");
+        stand_in("ninja",
+                 "mkdir -p build/bin && printf '#!/bin/bash\\necho \"ran: $*\"\\n' >build/bin/relief && chmod +x "
+                 "build/bin/relief");
         stand_in("ctest", "true");
         stand_in("apt-get", "true");
         stand_in("sudo", "exit 1");
@@ -24,13 +27,15 @@ protected:
     }
     /// A tool that notes its arguments in `calls`, then does as told.
     void stand_in(const std::string& name, const std::string& body) const {
-        const auto file = folder_.write("tools/" + name, "#!/bin/bash\ncd '" + folder_.path().string() + "'\necho \"" + name +
-                                                             " $*\" >>calls\n" + body + "\n");
+        const auto file = folder_.write("tools/" + name, "#!/bin/bash\ncd '" + folder_.path().string() + "'\necho \"" +
+                                                             name + " $*\" >>calls\n" + body + "\n");
         std::filesystem::permissions(file, std::filesystem::perms::owner_all);
     }
     /// All packages are there but these (a pattern for grep).
     void installed(const std::string& but) const {
-        stand_in("dpkg-query", "awk '!/^#/ { print \"installed \" $2 }' framework/cmake/packages.txt | grep -vxE 'installed (" + but + ")'");
+        stand_in("dpkg-query",
+                 "awk '!/^#/ { print \"installed \" $2 }' framework/cmake/packages.txt | grep -vxE 'installed (" + but +
+                     ")'");
     }
     Result script(std::vector<std::string> arguments = {}) const {
         arguments.insert(arguments.begin(), {"bash", folder_.path() / "relief"});
@@ -78,7 +83,8 @@ TEST_F(Script, WithoutRootOrSudoItPrintsTheLineToRunAndStops) {
     stand_in("id", "echo 1000");
     const Result result = script();
     EXPECT_EQ(result.code, 1);
-    EXPECT_EQ(result.err, "relief: packages are missing; as root, run: apt-get install --no-install-recommends libglm-dev\n");
+    EXPECT_EQ(result.err,
+              "relief: packages are missing; as root, run: apt-get install --no-install-recommends libglm-dev\n");
     EXPECT_FALSE(contains(calls(), "cmake"));
 }
 

@@ -148,8 +148,9 @@ TEST_F(ShotCommand, AFullDiskKeepsTheOldFile) {
     EXPECT_EQ(result.code, 2) << "the ending is asked first";
     folder_.write("a.png", "old");
     // A limit of 1 KiB on file sizes stands for a full disk.
-    const Result full = run({"bash", "-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" shot 1 --size 96x64 -o a.png", relief_program()},
-                            {folder_.path(), {}});
+    const Result full =
+        run({"bash", "-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" shot 1 --size 96x64 -o a.png", relief_program()},
+            {folder_.path(), {}});
     EXPECT_EQ(full.code, 1);
     EXPECT_TRUE(contains(full.err, "a.png: cannot write")) << full.err;
     EXPECT_EQ(read_all(file("a.png")), "old");
@@ -157,7 +158,8 @@ TEST_F(ShotCommand, AFullDiskKeepsTheOldFile) {
 }
 
 TEST_F(ShotCommand, AReaderThatGoesAwayIsAnErrorNotACrash) {
-    const Result result = run({"bash", "-c", "set -o pipefail; \"$0\" shot 1 --size 800x600 -o - | head -c 1 >/dev/null", relief_program()});
+    const Result result = run(
+        {"bash", "-c", "set -o pipefail; \"$0\" shot 1 --size 800x600 -o - | head -c 1 >/dev/null", relief_program()});
     EXPECT_EQ(result.code, 1);
     EXPECT_TRUE(contains(result.err, "cannot write to standard output")) << result.err;
 }

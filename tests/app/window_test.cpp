@@ -25,8 +25,8 @@ bool eventually(Condition condition) {
 class Screen {
 public:
     Screen() {
-        server_ = std::make_unique<Process>(std::vector<std::string>{"bash", "-c",
-                                            "exec Xvfb -displayfd 2 -screen 0 1300x800x24 -nolisten tcp 2>&2"});
+        server_ = std::make_unique<Process>(
+            std::vector<std::string>{"bash", "-c", "exec Xvfb -displayfd 2 -screen 0 1300x800x24 -nolisten tcp 2>&2"});
         eventually([&] { return !number().empty(); });
     }
     std::string display() const { return ":" + number(); }
@@ -54,20 +54,26 @@ protected:
     const CourseWithNewLab& course_ = CourseWithNewLab::get();
     TemporaryFolder folder_;
     Screen screen_;
-    Circumstances where_{folder_.path(), {{"DISPLAY", screen_.display()}, {"WAYLAND_DISPLAY", ""}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}};
+    Circumstances where_{folder_.path(),
+                         {{"DISPLAY", screen_.display()}, {"WAYLAND_DISPLAY", ""}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}};
     std::unique_ptr<Process> window_;
 
     void open(const std::string& lab) {
         ASSERT_EQ(course_.failure, "");
-        window_ = std::make_unique<Process>(std::vector<std::string>{course_.program("relief"), "run", lab, "--verbose"}, where_);
+        window_ = std::make_unique<Process>(
+            std::vector<std::string>{course_.program("relief"), "run", lab, "--verbose"}, where_);
         ASSERT_TRUE(eventually([&] { return !frames().empty(); })) << window_->err();
-        ASSERT_EQ(run({"xdotool", "search", "--sync", "--onlyvisible", "--name", "^Relief: ", "windowfocus"}, where_).code, 0);
+        ASSERT_EQ(
+            run({"xdotool", "search", "--sync", "--onlyvisible", "--name", "^Relief: ", "windowfocus"}, where_).code,
+            0);
     }
     std::vector<FrameLine> frames() const {
-        static const std::regex form("frame (\\d+): (\\w+), (\\d+) GL objects, (\\d+) draw calls, (\\d+) texture bytes");
+        static const std::regex form(
+            "frame (\\d+): (\\w+), (\\d+) GL objects, (\\d+) draw calls, (\\d+) texture bytes");
         std::vector<FrameLine> result;
         const std::string text = window_->err();
-        for (auto found = std::sregex_iterator(text.begin(), text.end(), form); found != std::sregex_iterator(); ++found)
+        for (auto found = std::sregex_iterator(text.begin(), text.end(), form); found != std::sregex_iterator();
+             ++found)
             result.push_back({std::stoi((*found)[1]), (*found)[2], std::stoi((*found)[3]), std::stoi((*found)[4]),
                               std::stoll((*found)[5])});
         return result;
@@ -77,7 +83,9 @@ protected:
     void press_for(const char* key, const std::string& lab) {
         const size_t before = frames().size();
         press(key);
-        ASSERT_TRUE(eventually([&] { return frames().size() > before && frames().back().lab == lab; })) << key << "\n" << window_->err();
+        ASSERT_TRUE(eventually([&] { return frames().size() > before && frames().back().lab == lab; }))
+            << key << "\n"
+            << window_->err();
     }
     Image saved(const std::string& name) {
         press("s");
@@ -151,7 +159,8 @@ TEST_F(Window, EscapeEndsItWithExitCodeZero) {
 }
 
 TEST_F(Window, GivesAContextToShotsToo) {
-    const Result result = run({course_.program("relief"), "shot", "20", "--size", "64x48", "--context", "window", "-o", "w.png"}, where_);
+    const Result result =
+        run({course_.program("relief"), "shot", "20", "--size", "64x48", "--context", "window", "-o", "w.png"}, where_);
     EXPECT_EQ(result.code, 0) << result.err;
     const Result headless = run({course_.program("relief"), "shot", "20", "--size", "64x48", "-o", "o.png"}, where_);
     EXPECT_EQ(headless.code, 0) << headless.err;

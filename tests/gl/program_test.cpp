@@ -32,7 +32,8 @@ protected:
 };
 
 TEST_F(ProgramTest, AMistakeNamesTheFileAndLineThatAPersonWrote) {
-    const Error error = error_of(good_vertex, "#version 410 core\nout vec4 o_color;\nvoid main() { o_color = colour; }\n");
+    const Error error =
+        error_of(good_vertex, "#version 410 core\nout vec4 o_color;\nvoid main() { o_color = colour; }\n");
     EXPECT_EQ(error.place().file, folder_.path() / "a.frag");
     EXPECT_EQ(error.place().line, 3);
     EXPECT_NE(std::string(error.what()).find("colour"), std::string::npos) << error.what();
@@ -50,7 +51,8 @@ TEST_F(ProgramTest, AMistakeInAnIncludedFileNamesThatFile) {
 TEST_F(ProgramTest, ALineAfterAnIncludeAndDefinesKeepsItsNumber) {
     folder_.write("light.glsl", "float light() { return 1.0; }\n// more\n// lines\n");
     folder_.write("a.vert", good_vertex);
-    folder_.write("a.frag", "#version 410 core\n#include \"light.glsl\"\nout vec4 o_color;\nvoid main() { o_color = x; }\n");
+    folder_.write("a.frag",
+                  "#version 410 core\n#include \"light.glsl\"\nout vec4 o_color;\nvoid main() { o_color = x; }\n");
     try {
         const Program broken({folder_.path() / "a.vert", folder_.path() / "a.frag"}, {"ONE", "TWO 2"});
         FAIL() << "it compiled";
@@ -61,9 +63,10 @@ TEST_F(ProgramTest, ALineAfterAnIncludeAndDefinesKeepsItsNumber) {
 }
 
 TEST_F(ProgramTest, StagesThatDoNotFitNameTheLinker) {
-    const Error error = error_of("#version 410 core\nout vec2 v_uv;\nvoid main() { v_uv = vec2(0.0); gl_Position = vec4(0.0); }\n",
-                                 "#version 410 core\nin vec3 v_uv;\nout vec4 o_color;\n"
-                                 "void main() { o_color = vec4(v_uv, 1.0); }\n");
+    const Error error =
+        error_of("#version 410 core\nout vec2 v_uv;\nvoid main() { v_uv = vec2(0.0); gl_Position = vec4(0.0); }\n",
+                 "#version 410 core\nin vec3 v_uv;\nout vec4 o_color;\n"
+                 "void main() { o_color = vec4(v_uv, 1.0); }\n");
     EXPECT_NE(std::string(error.what()).find("does not link"), std::string::npos) << error.what();
 }
 

@@ -76,7 +76,8 @@ TEST(Texture, TheLastLevelIsTheMeanOfAll) {
 }
 
 TEST(Texture, MakingOneLeavesTheOthersBound) {
-    const Texture first("first", [] { return grey({0.25f}, 1, 32); }), second("second", [] { return grey({1}, 1, 32); });
+    const Texture first("first", [] { return grey({0.25f}, 1, 32); }),
+        second("second", [] { return grey({1}, 1, 32); });
     bind(2, first);
     const GLuint made = second;
     EXPECT_NE(made, 0u);

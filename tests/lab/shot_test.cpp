@@ -35,8 +35,8 @@ class BadNeighbour final : public Lab {
 public:
     void draw(const Frame& frame) override {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
-        for (const GLenum one : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD,
-                                 GL_POLYGON_OFFSET_FILL})
+        for (const GLenum one :
+             {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL})
             glEnable(one);
         glDisable(GL_DEPTH_TEST);
         glScissor(0, 0, 1, 1);

@@ -51,9 +51,7 @@ TEST_P(EveryLab, IsMadeAndDescribedWithoutAnyGlObject) {
     EXPECT_EQ(counters().live, before.live);
 }
 
-TEST_P(EveryLab, DrawsTheSamePictureEachTime) {
-    EXPECT_EQ(picture(shot()).values, picture(shot()).values);
-}
+TEST_P(EveryLab, DrawsTheSamePictureEachTime) { EXPECT_EQ(picture(shot()).values, picture(shot()).values); }
 
 TEST_P(EveryLab, DrawsWithEachKnobAtItsEnds) {
     for (const KnobText& knob : describe_knobs(*make_lab(GetParam(), shot())))
