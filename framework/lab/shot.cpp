@@ -38,13 +38,14 @@ void refuse_broken_probe(const Image& image, const Probe& probe) {
     size_t surface = 0, broken = 0, first = 0;
     for (size_t i = 0; i < image.pixel_count(); ++i) {
         const float* const value = image.values.data() + i * image.channels;
-        const bool is_nan = std::any_of(value, value + image.channels, [](float v) { return std::isnan(v); });
-        if (is_nan && broken++ == 0) first = i;
-        surface += !std::isinf(value[0]);
+        const auto finite = std::count_if(value, value + image.channels, [](float v) { return std::isfinite(v); });
+        const auto outside = std::count(value, value + image.channels, no_surface);
+        surface += finite == image.channels;
+        if (finite != image.channels && outside != image.channels && broken++ == 0) first = i;
     }
     if (broken > 0)
-        throw Error(fmt::format("probe '{}': {} pixels are not a number, the first at column {}, row {}", probe.name,
-                                broken, first % size_t(image.width), first / size_t(image.width)));
+        throw Error(fmt::format("probe '{}': {} pixels are not finite, the first at column {}, row {}", probe.name, broken,
+                                first % size_t(image.width), first / size_t(image.width)));
     if (surface == 0)
         throw Error(fmt::format("probe '{}': no surface was drawn, or the camera looks past it", probe.name));
 }

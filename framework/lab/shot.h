@@ -34,7 +34,7 @@ Image read_picture(const Target& target);
 
 /// draw_lab() into a new target, then the pixels: 8-bit sRGB (3 channels) for a picture, linear floats (3
 /// channels) when `light`, floats (4 channels) for a probe. Throws Error when nothing was drawn (a picture of
-/// one colour, a probe without a surface) or a probe is NaN anywhere.
+/// one colour, a probe without a surface) or a probe has a pixel that is neither finite nor background.
 Image take(Lab& lab, const Shot& shot, bool light = false);
 
 /// The truth of the shot's probe. Throws UsageError when the lab has none. Needs no context.

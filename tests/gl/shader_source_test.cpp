@@ -52,16 +52,16 @@ TEST_F(Shaders, DefinesFollowTheVersion) {
 }
 
 TEST_F(Shaders, IncludesAreLookedForBesideTheFileThenInShaders) {
-    folder_.write("light.glsl", "float beside;\n");
+    folder_.write("common/light.glsl", "float beside;\n");
     folder_.write("part/a.glsl", "#include \"b.glsl\"\nfloat a;\n");
     folder_.write("part/b.glsl", "float b;\n");
     const ShaderSource source = load(
         "#version 410 core\n"
-        "#include \"light.glsl\"\n"
+        "#include \"common/light.glsl\"\n"
         "#include \"part/a.glsl\"\n"
         "#include \"common/srgb.glsl\"\n");
-    EXPECT_EQ(files_of(source), (std::vector<std::string>{"stage.frag", "light.glsl", "part/b.glsl", "part/a.glsl",
-                                                          "shaders/common/srgb.glsl"}));
+    EXPECT_EQ(files_of(source), (std::vector<std::string>{"stage.frag", "common/light.glsl", "part/b.glsl",
+                                                          "part/a.glsl", "shaders/common/srgb.glsl"}));
     EXPECT_LT(source.text.find("float b;"), source.text.find("float a;")) << "in the include's place";
     EXPECT_TRUE(contains(source.text, "float beside;"));
 }

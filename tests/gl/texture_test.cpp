@@ -86,6 +86,20 @@ TEST(Texture, MakingOneLeavesTheOthersBound) {
     EXPECT_EQ(GLuint(bound), GLuint(first));
 }
 
+TEST(Texture, TakesTheAnisotropyThatIsAskedForAndNoneByItselfInSoftware) {
+    if (!GLAD_GL_EXT_texture_filter_anisotropic) GTEST_SKIP() << "this driver has no anisotropic filter";
+    const auto anisotropy = [](TextureOptions options) {
+        const Texture texture("grey", [] { return grey({1}, 1, 8); }, options);
+        bind(0, texture);
+        float value = 0;
+        glGetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &value);
+        return value;
+    };
+    EXPECT_EQ(anisotropy({.anisotropy = 4}), 4);
+    EXPECT_EQ(anisotropy({.anisotropy = 1}), 1);
+    EXPECT_EQ(anisotropy({}), is_software_renderer() ? 1 : 8);
+}
+
 TEST(Texture, SizesNeedNotBePowersOfTwo) {
     const Texture texture("odd", [] { return grey(std::vector<float>(35, 0.5f), 7, 16); });
     EXPECT_NEAR(sampled(texture, 0.3f, 0.9f, 2).r, 0.5f, 1e-4);

@@ -196,11 +196,11 @@ TEST_F(ImageFiles, WriteTheFormatOfTheEnding) {
         EXPECT_TRUE(contains(message_of<UsageError>([&] { format_of(name); }), ".png, .exr, .ppm or .pfm")) << name;
 }
 
-/// libpng has its own say on standard error.
+/// The error says it all: nothing else goes to standard error, where libpng likes to write.
 class NoImages : public testing::Test {
 protected:
     void SetUp() override { testing::internal::CaptureStderr(); }
-    void TearDown() override { testing::internal::GetCapturedStderr(); }
+    void TearDown() override { EXPECT_EQ(testing::internal::GetCapturedStderr(), ""); }
 };
 
 TEST_F(NoImages, AreRefusedWithTheirName) {

@@ -86,9 +86,11 @@ TEST(Shot, BackgroundOfAProbeIsInfinityInEveryChannel) {
     }
 }
 
-TEST(Shot, AProbeThatIsNotANumberNamesItsPixel) {
-    const std::string message = message_of([] { take_left_half({0, NAN, 0, 0}, small_probe); });
-    EXPECT_TRUE(contains(message, "64 pixels are not a number, the first at column 0, row 0")) << message;
+TEST(Shot, AProbeThatIsNotFiniteNamesItsPixel) {
+    for (const float wrong : {NAN, no_surface, -no_surface}) {
+        const std::string message = message_of([&] { take_left_half({0, wrong, 0, 0}, small_probe); });
+        EXPECT_TRUE(contains(message, "64 pixels are not finite, the first at column 0, row 0")) << message;
+    }
 }
 
 TEST(Shot, AProbeWithoutAnySurfaceFails) {
