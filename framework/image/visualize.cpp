@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace relief {
 namespace {
@@ -34,20 +35,28 @@ Color heat(double share) {
 
 Image visualize_probe(const Image& probe, ErrorMetric metric) {
     const int channels = std::min(probe.channels, 3);
-    double largest = 0;
+    std::vector<double> sizes;
     for (const float value : probe.values)
-        if (std::isfinite(value)) largest = std::max<double>(largest, std::abs(value));
+        if (std::isfinite(value) && value != 0) sizes.push_back(std::abs(value));
+    std::sort(sizes.begin(), sizes.end());
+    const double largest = sizes.empty() ? 1 : sizes.back();
+    // Some sixteen bands between 0 and a usual value: one for each texture tile is typical of texels.
+    const double band = sizes.empty() ? 1 : std::exp2(std::ceil(std::log2(sizes[sizes.size() / 2] / 16)));
+
+    const auto color_of = [&](const float* value) {
+        if (metric == ErrorMetric::absolute) return heat(std::abs(value[0]) / largest);
+        Color color{};
+        for (int c = 0; c < channels; ++c) {
+            const double bands = value[c] / band;
+            color[size_t(c)] = metric == ErrorMetric::angle ? 0.5f * value[c] + 0.5f : float(bands - std::floor(bands));
+        }
+        return color;
+    };
     Image picture(probe.width, probe.height, 3, 8);
     for (size_t i = 0; i < probe.pixel_count(); ++i) {
         const float* const value = probe.values.data() + i * probe.channels;
-        Color color{};
-        for (int c = 0; c < channels; ++c)
-            color[size_t(c)] = metric == ErrorMetric::angle ? 0.5f * value[c] + 0.5f
-                               : largest > 0                ? std::abs(value[c]) / float(largest)
-                                                            : 0;
-        if (channels == 1) color[1] = color[2] = color[0];
         const bool broken = std::any_of(value, value + channels, [](float v) { return std::isnan(v); });
-        put(picture, i, broken ? not_a_number : std::isinf(value[0]) ? nothing : color);
+        put(picture, i, broken ? not_a_number : std::isinf(value[0]) ? nothing : color_of(value));
     }
     return picture;
 }

@@ -6,8 +6,9 @@
 
 namespace relief {
 
-/// A probe as an 8-bit picture: directions (compared by angle) as 0.5 v + 0.5, the rest scaled so that the
-/// largest absolute value is 1. Dark grey where there is no surface, magenta where it is not a number.
+/// A probe as an 8-bit picture: directions (compared by angle) as 0.5 v + 0.5; vectors (by distance) in bands, each
+/// channel rising from 0 to 1 again and again, a power of two wide; single numbers as a heat map, the largest being the
+/// last colour. Dark grey where there is no surface, magenta where it is not a number.
 Image visualize_probe(const Image& probe, ErrorMetric metric);
 
 /// An error image as an 8-bit heat map from black over purple and orange to pale yellow, `largest` and more

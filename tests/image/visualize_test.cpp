@@ -57,11 +57,15 @@ TEST(Visualize, DirectionsLookLikeANormalMap) {
     EXPECT_EQ(probe_color({-1, 1, 0}, ErrorMetric::angle), (Color{0, 1, 0.5f}));
 }
 
-TEST(Visualize, QuantitiesAreScaledByTheLargest) {
-    EXPECT_EQ(probe_color({-8, 4, 2}, ErrorMetric::distance), (Color{1, 0.5f, 0.25f}));
-    EXPECT_EQ(probe_color({-8}, ErrorMetric::absolute), (Color{1, 1, 1})) << "one channel is grey";
-    EXPECT_EQ(probe_color({0}, ErrorMetric::absolute), (Color{0, 0, 0})) << "nothing to scale by";
-    EXPECT_EQ(probe_color({6, 3}, ErrorMetric::distance), (Color{1, 0.5f, 0}));
+TEST(Visualize, SingleNumbersAreHeatScaledByTheLargest) {
+    EXPECT_EQ(probe_color({-8}, ErrorMetric::absolute), error_color(1, 1)) << "the largest size is the last colour";
+    EXPECT_EQ(probe_color({0}, ErrorMetric::absolute), error_color(0, 1)) << "nothing to scale by";
+}
+
+TEST(Visualize, VectorsShowBandsAPowerOfTwoWide) {
+    // Sizes 5, 3, 6 and 16: the usual one (of rank 2 from 0) is 6, a sixteenth of it 0.375, so a band is 0.5 wide.
+    EXPECT_EQ(probe_color({5.125f, -3.125f, 6, 16}, ErrorMetric::distance), (Color{0.25f, 0.75f, 0}));
+    EXPECT_EQ(probe_color({0, 0, 0}, ErrorMetric::distance), (Color{0, 0, 0})) << "no size to take a band from";
 }
 
 TEST(Visualize, ThePictureHasEightBitsAndThreeChannels) {
