@@ -28,8 +28,7 @@ struct Axis {
     }
 };
 
-// Bits of a lattice point: the two odd factors keep apart the points of any lattice of fewer than 65536
-// cells.
+// Bits of a lattice point: the two odd factors keep apart the points of any lattice of fewer than 65536 cells.
 uint32_t point_bits(uint32_t start, uint32_t x, uint32_t y) { return hash(start + x * 0x9e3779b1u + y * 0x85ebca77u); }
 
 // 16 bits each, from -1 to 1.

@@ -17,9 +17,8 @@ constexpr uint32_t hash(uint32_t a, uint32_t b, uint32_t c = 0) { return hash(a 
 /// The top 24 bits, as a number in [0, 1): exact in a float.
 constexpr float unit(uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 
-/// Numbers one after the other, where one thing needs many (a brick: its size, tone, chips). The order of
-/// throws must not be left to the compiler, as it is among arguments in parentheses: one to a statement, or
-/// in braces.
+/// Numbers one after the other, where one thing needs many (a brick: its size, tone, chips). The order of throws must
+/// not be left to the compiler, as it is among arguments in parentheses: one to a statement, or in braces.
 class Dice {
 public:
     explicit constexpr Dice(uint32_t seed) : seed_(hash(seed)) {}

@@ -28,10 +28,9 @@ Image stored_heights(const Image& texels, double depth);
 /// Light, 3 channels, to sRGB in steps of 8 bits.
 Image stored_albedo(const Image& light);
 
-/// `size` by `size` texels, first the relief of all, then the light from each. `relief_at(p)` gives a value
-/// with a `height`, in texels; `light_at(p, that value, hollow)` the light, where `hollow` is how much lower
-/// the texel lies than the mean about 4 and 24 texels around it. All lengths are for a map of 1024, also in
-/// `p`.
+/// `size` by `size` texels, first the relief of all, then the light from each. `relief_at(p)` gives a value with a
+/// `height`, in texels; `light_at(p, that value, hollow)` the light, where `hollow` is how much lower the texel lies
+/// than the mean about 4 and 24 texels around it. All lengths are for a map of 1024, also in `p`.
 template <class Relief, class Light>
 SurfaceMaps make_surface(int size, double depth, Relief relief_at, Light light_at) {
     const auto place = [=](int x, int y) { return (glm::vec2(x, y) + 0.5f) * (tile / size); };

@@ -59,8 +59,7 @@ public:
     int run() {
         GLFWwindow* const window = window_.handle();
         while (!glfwWindowShouldClose(window)) {
-            // Asleep until something happens; an event wants a second turn, in which Dear ImGui shows what it
-            // did.
+            // Asleep until something happens; an event wants a second turn, in which Dear ImGui shows what it did.
             const bool moves = stage_.manifest().animated && stage_.error().empty() && !paused_;
             if (moves || turns_ > 0)
                 glfwPollEvents();

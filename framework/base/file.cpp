@@ -111,18 +111,21 @@ std::string read_file(const fs::path& path, size_t limit) {
     return bytes;
 }
 
-void write_file(const fs::path& path, std::string_view bytes) {
+void write_file(const fs::path& named, std::string_view bytes) {
+    // A link stays a link: what it points to is written.
+    std::error_code ignored;
+    const fs::path path = fs::is_symlink(named, ignored) ? fs::weakly_canonical(named, ignored) : named;
     struct stat status {};
     if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
-        if (S_ISDIR(status.st_mode)) throw Error({path}, "cannot write: it is a folder, name a file in it");
+        if (S_ISDIR(status.st_mode)) throw Error({named}, "cannot write: it is a folder, name a file in it");
         // A pipe or a device cannot be replaced by a rename: write into it.
         Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC));
-        if (device < 0 || !write_all(device, bytes) || !device.close()) fail(path, "write");
+        if (device < 0 || !write_all(device, bytes) || !device.close()) fail(named, "write");
         return;
     }
     UnfinishedFile unfinished(path);
     Descriptor file(open(unfinished.name(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (file < 0 || !write_all(file, bytes) || !file.close() || !unfinished.rename_to(path)) fail(path, "write");
+    if (file < 0 || !write_all(file, bytes) || !file.close() || !unfinished.rename_to(path)) fail(named, "write");
 }
 
 void write_standard_output(std::string_view bytes) {

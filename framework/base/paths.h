@@ -1,5 +1,4 @@
-// Where the course lies on disk. Everything is found from the executable's place, never from the working
-// directory.
+// Where the course lies on disk. Everything is found from the executable's place, never from the working directory.
 #pragma once
 
 #include <filesystem>

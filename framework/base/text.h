@@ -9,8 +9,7 @@
 
 namespace relief {
 
-/// The whole text as a finite number, in any of C's decimal notations; nothing for "", "1x", "nan" or
-/// "1e999".
+/// The whole text as a finite number, in any of C's decimal notations; nothing for "", "1x", "nan" or "1e999".
 std::optional<double> parse_number(std::string_view text);
 
 /// The whole text as a decimal integer that fits.

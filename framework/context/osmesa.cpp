@@ -53,8 +53,7 @@ private:
         library().function<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext");
     decltype(&OSMesaGetProcAddress) load_ = library().function<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress");
     OSMesaContext context_ = nullptr;
-    // OSMesa insists on a window buffer; nobody draws into it, because its pixels are not those of a
-    // framebuffer.
+    // OSMesa insists on a window buffer; nobody draws into it, because its pixels are not those of a framebuffer.
     std::array<unsigned char, 4 * 4 * 4> window_{};
 };
 

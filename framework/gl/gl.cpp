@@ -13,8 +13,7 @@
 namespace relief {
 namespace {
 
-// Each template below replaces one of glad's function pointers by a function that counts, then calls what was
-// there.
+// Each template below replaces one of glad's function pointers by a function that counts, then calls what was there.
 
 template <auto& pointer>
 using PointerOf = std::remove_reference_t<decltype(pointer)>;

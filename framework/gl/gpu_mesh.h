@@ -9,8 +9,7 @@
 
 namespace relief {
 
-/// Attribute locations, the same in every lab: 0 position, 1 normal, 2 tangent (with the handedness in w), 3
-/// uv.
+/// Attribute locations, the same in every lab: 0 position, 1 normal, 2 tangent (with the handedness in w), 3 uv.
 class GpuMesh {
 public:
     explicit GpuMesh(std::function<Mesh()> make) : make_(std::move(make)) {}

@@ -17,10 +17,9 @@ struct ShaderSource {
     std::set<std::string> names;  ///< every u_ and s_ name in the files, whether or not it is in use
 };
 
-/// Reads a stage and what it includes. `#include "common/light.glsl"` is looked for beside the including
-/// file, then below the course's `shaders` folder; a file is taken once. `defines` ("NAME" or "NAME VALUE")
-/// follow the
-/// `#version` line, which the stage's first line must be. Throws Error with file and line.
+/// Reads a stage and what it includes. `#include "common/light.glsl"` is looked for beside the including file, then
+/// below the course's `shaders` folder; a file is taken once. `defines` ("NAME" or "NAME VALUE") follow the `#version`
+/// line, which the stage's first line must be. Throws Error with file and line.
 ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<std::string>& defines);
 
 /// A compiler's log with each "0:12(5): " or "0(12) : " replaced by the file and the line that line 12 of the text

@@ -61,7 +61,11 @@ Image error_image(const Image& measured, const Image& truth, ErrorMetric metric)
         const float* const m = measured.values.data() + i * measured.channels;
         const float* const t = truth.values.data() + i * truth.channels;
         double error = no_surface;
-        if (!std::isinf(m[0]) && !std::isinf(t[0])) switch (metric) {
+        const bool is_nan = std::any_of(m, m + measured.channels, [](float v) { return std::isnan(v); });
+        if (is_nan)
+            error = NAN;
+        else if (!std::isinf(m[0]) && !std::isinf(t[0]))
+            switch (metric) {
                 case ErrorMetric::angle:
                     error = angle_degrees(m, t);
                     break;

@@ -10,9 +10,8 @@ namespace relief {
 /// How stored numbers stand for light. Normal and height maps are linear, always.
 enum class ColorSpace { linear, srgb };
 
-/// Row 0 is the top; `channels` floats a pixel, without padding. Values that come from, or go to, integers
-/// are in [0, 1]; probes have the units of their quantity, with +infinity in every channel where there is no
-/// surface.
+/// Row 0 is the top; `channels` floats a pixel, without padding. Values that come from, or go to, integers are in [0,
+/// 1]; probes have the units of their quantity, with +infinity in every channel where there is no surface.
 struct Image {
     int width = 0;
     int height = 0;

@@ -174,7 +174,7 @@ ErrorMetric read_metric(Table& table) {
     if (text == "angle") return ErrorMetric::angle;
     if (text == "absolute") return ErrorMetric::absolute;
     const std::vector<std::string> known = {"distance", "angle", "absolute"};
-    table.fail(unknown("error", text, known));
+    table.fail("error", unknown("error", text, known));
 }
 
 }  // namespace
@@ -234,10 +234,11 @@ Manifest load_manifest(const fs::path& file) {
         if (auto shot = table.table("shot")) golden.shot = read_shot(*shot, manifest.camera);
         table.finish();
         for (const GoldenInfo& other : manifest.goldens)
-            if (other.name == golden.name) table.fail(fmt::format("two golden pictures are named '{}'", golden.name));
+            if (other.name == golden.name)
+                table.fail("name", fmt::format("two golden pictures are named '{}'", golden.name));
         if (golden.name.empty() ||
             golden.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") != std::string::npos)
-            table.fail(fmt::format("'{}' names a file: use a-z, 0-9, - and _", golden.name));
+            table.fail("name", fmt::format("'{}' names a file: use a-z, 0-9, - and _", golden.name));
         if (golden.shot.probe) try {
                 manifest.probe(golden.shot.probe.name);
             } catch (const UsageError& error) {

@@ -1,5 +1,4 @@
-// Which labs this executable has. A lab enters by being in a folder of `labs` with a lab.toml; nothing else
-// lists it.
+// Which labs this executable has. A lab enters by being in a folder of `labs` with a lab.toml; nothing else lists it.
 #pragma once
 
 #include <memory>
@@ -22,8 +21,7 @@ struct LabEntry {
 /// By number.
 const std::vector<LabEntry>& registry();
 
-/// "7", "07", "planet", "07_planet" or any part of a name that only one lab has. Throws UsageError that
-/// suggests.
+/// "7", "07", "planet", "07_planet" or any part of a name that only one lab has. Throws UsageError that suggests.
 const LabEntry& find_lab(const std::string& text);
 
 /// Puts a lab into the registry; RELIEF_LAB makes one.

@@ -44,8 +44,8 @@ void refuse_broken_probe(const Image& image, const Probe& probe) {
         if (finite != image.channels && outside != image.channels && broken++ == 0) first = i;
     }
     if (broken > 0)
-        throw Error(fmt::format("probe '{}': {} pixels are not finite, the first at column {}, row {}", probe.name, broken,
-                                first % size_t(image.width), first / size_t(image.width)));
+        throw Error(fmt::format("probe '{}': {} pixels are not finite, the first at column {}, row {}", probe.name,
+                                broken, first % size_t(image.width), first / size_t(image.width)));
     if (surface == 0)
         throw Error(fmt::format("probe '{}': no surface was drawn, or the camera looks past it", probe.name));
 }

@@ -25,8 +25,7 @@ Frame frame_of(const Shot& shot, const Target& target);
 /// lab throws at first use, and Error for whatever GL complains of.
 void draw_lab(Lab& lab, const Frame& frame);
 
-/// A new lab with the shot's knobs set. Needs no context. Throws UsageError for a knob or a value that is not
-/// there.
+/// A new lab with the shot's knobs set. Needs no context. Throws UsageError for a knob or a value that is not there.
 std::unique_ptr<Lab> make_lab(const LabEntry& entry, const Shot& shot);
 
 /// The target's picture without alpha: 8-bit sRGB as encoded, or linear floats from a target of that kind.

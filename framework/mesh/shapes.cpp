@@ -7,8 +7,7 @@
 namespace relief {
 namespace {
 
-/// A grid of (columns + 1) x (rows + 1) vertices over (u, v) in [0, 1]²; `vertex` gives the surface at a
-/// place.
+/// A grid of (columns + 1) x (rows + 1) vertices over (u, v) in [0, 1]²; `vertex` gives the surface at a place.
 template <class Surface>
 Mesh make_patch(int columns, int rows, glm::vec2 repeat, Surface vertex) {
     columns = std::max(1, columns), rows = std::max(1, rows);
@@ -28,6 +27,9 @@ Mesh make_patch(int columns, int rows, glm::vec2 repeat, Surface vertex) {
     return mesh;
 }
 
+/// The last column lies on the first to the last bit: sin(2 pi) is not 0 in floating point.
+double once_around(double u) { return u < 1 ? u : 0; }
+
 }  // namespace
 
 Mesh make_quad(const QuadShape& shape) {
@@ -41,13 +43,14 @@ Mesh make_quad(const QuadShape& shape) {
 
 Mesh make_column(const ColumnShape& shape) {
     return make_patch(std::max(3, shape.sides), shape.rows, shape.repeat, [&](double u, double v) {
-        const double angle = glm::two_pi<double>() * u, s = std::sin(angle), c = std::cos(angle);
+        const double angle = glm::two_pi<double>() * once_around(u), s = std::sin(angle), c = std::cos(angle);
         const double radius = glm::mix<double>(shape.bottom_radius, shape.top_radius, v);
         const double taper = double(shape.top_radius) - shape.bottom_radius;
-        // dP/du points along (c, 0, -s), dP/dv along (taper s, height, taper c); the normal is their cross
-        // product.
+        // dP/du points along (c, 0, -s), dP/dv along (taper s, height, taper c); the normal is their cross product.
+        const glm::dvec3 across(shape.height * s, -taper, shape.height * c);
+        const bool is_a_line = shape.height == 0 && taper == 0;
         return Vertex{.position = {radius * s, v * shape.height, radius * c},
-                      .normal = glm::normalize(glm::dvec3(shape.height * s, -taper, shape.height * c)),
+                      .normal = is_a_line ? glm::dvec3(s, 0, c) : glm::normalize(across),
                       .tangent = {c, 0, -s, 1},
                       .uv = {}};
     });
@@ -55,7 +58,7 @@ Mesh make_column(const ColumnShape& shape) {
 
 Mesh make_sphere(const SphereShape& shape) {
     return make_patch(std::max(3, shape.sides), std::max(2, shape.rows), shape.repeat, [&](double u, double v) {
-        const double around = glm::two_pi<double>() * (u - 0.5), up = glm::pi<double>() * (v - 0.5);
+        const double around = glm::two_pi<double>() * (once_around(u) - 0.5), up = glm::pi<double>() * (v - 0.5);
         const glm::dvec3 out(std::sin(around) * std::cos(up), std::sin(up), std::cos(around) * std::cos(up));
         return Vertex{.position = double(shape.radius) * out,
                       .normal = out,

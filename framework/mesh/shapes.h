@@ -13,7 +13,8 @@ struct QuadShape {
 };
 Mesh make_quad(const QuadShape& shape);
 
-/// A column that stands on y = 0, without caps; u runs around (to the right, seen from outside), v up.
+/// A column that stands on y = 0, without caps; u runs around (to the right, seen from outside), v up. Without height
+/// and taper its normals point away from the axis.
 struct ColumnShape {
     float bottom_radius = 1, top_radius = 1, height = 1;
     int sides = 48, rows = 8;

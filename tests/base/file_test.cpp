@@ -122,6 +122,15 @@ TEST(Files, APipeOrADeviceIsWrittenIntoNotReplaced) {
     EXPECT_TRUE(fs::is_symlink(full));
 }
 
+TEST(Files, ALinkStaysALink) {
+    const TemporaryFolder folder;
+    folder.write("real.txt", "old");
+    std::filesystem::create_symlink("real.txt", folder.path() / "link.txt");
+    write_file(folder.path() / "link.txt", "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link.txt"));
+    EXPECT_EQ(read_file(folder.path() / "real.txt"), "new");
+}
+
 TEST(Folders, AreMadeWithThoseAboveAndMayExist) {
     const TemporaryFolder folder;
     make_folder(folder.path() / "a" / "b");

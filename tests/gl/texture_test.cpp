@@ -89,7 +89,8 @@ TEST(Texture, MakingOneLeavesTheOthersBound) {
 TEST(Texture, TakesTheAnisotropyThatIsAskedForAndNoneByItselfInSoftware) {
     if (!GLAD_GL_EXT_texture_filter_anisotropic) GTEST_SKIP() << "this driver has no anisotropic filter";
     const auto anisotropy = [](TextureOptions options) {
-        const Texture texture("grey", [] { return grey({1}, 1, 8); }, options);
+        const Texture texture(
+            "grey", [] { return grey({1}, 1, 8); }, options);
         bind(0, texture);
         float value = 0;
         glGetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &value);

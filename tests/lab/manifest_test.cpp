@@ -126,9 +126,9 @@ TEST(Manifest, AMistakeIsNamedWithItsLine) {
         {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { time = -1 }\n", "lab.toml:4: 'time' must be from 0"},
         {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { set = { steps = [1] } }\n",
          "lab.toml:4: 'steps' must be a number"},
-        {"title = \"A\"\n[[golden]]\nname = \"../a\"\n", "lab.toml:2: '../a' names a file: use a-z"},
+        {"title = \"A\"\n[[golden]]\nname = \"../a\"\n", "lab.toml:3: '../a' names a file: use a-z"},
         {"title = \"A\"\n[[golden]]\nname = \"a\"\n\n[[golden]]\nname = \"a\"\n",
-         "lab.toml:5: two golden pictures are named 'a'"},
+         "lab.toml:6: two golden pictures are named 'a'"},
     };
     for (const auto& [text, message] : mistakes) {
         const std::string found = refusal(text);
@@ -138,7 +138,7 @@ TEST(Manifest, AMistakeIsNamedWithItsLine) {
 
 TEST(Manifest, SuggestsErrorsAndProbes) {
     EXPECT_TRUE(refusal("title = \"A\"\n[[probe]]\nname = \"uv\"\nerror = \"distnace\"\n")
-                    .starts_with("lab.toml:2: unknown error 'distnace': did you mean 'distance'?"));
+                    .starts_with("lab.toml:4: unknown error 'distnace': did you mean 'distance'?"));
     const std::string probe = "title = \"A\"\n[[probe]]\nname = \"normal\"\n";
     EXPECT_TRUE(refusal(probe + "[[golden]]\nname = \"a\"\nshot = { probe = \"nromal\" }\n")
                     .starts_with("lab.toml:4: unknown probe 'nromal': did you mean 'normal'?"));

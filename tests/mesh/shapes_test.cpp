@@ -131,6 +131,20 @@ TEST(Shapes, ASeamHasEachOfItsVerticesTwiceWithTheUvOfBothSides) {
     }
 }
 
+TEST(Shapes, ASeamIsClosedToTheLastBit) {
+    const Mesh column = make_column({.sides = 7, .rows = 1}), sphere = make_sphere({.sides = 7, .rows = 4});
+    for (const Mesh* mesh : {&column, &sphere})
+        for (size_t row = 0; row < mesh->vertices.size(); row += 8) {
+            EXPECT_EQ(mesh->vertices[row].position, mesh->vertices[row + 7].position);
+            EXPECT_EQ(mesh->vertices[row].normal, mesh->vertices[row + 7].normal);
+        }
+}
+
+TEST(Column, WithoutHeightAndTaperHasNormalsAwayFromItsAxis) {
+    for (const Vertex& vertex : make_column({.height = 0}).vertices)
+        EXPECT_NEAR(glm::dot(vertex.normal, vertex.position), 1, 1e-6);
+}
+
 TEST(Quad, FacesZAndIsCentred) {
     const Mesh quad = make_quad({.width = 4, .height = 2});
     const glm::vec3 corners[] = {{-2, -1, 0}, {2, -1, 0}, {-2, 1, 0}, {2, 1, 0}};
