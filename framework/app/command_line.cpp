@@ -37,15 +37,17 @@ std::string knobs_and_probes(const std::string& lab_text) {
     }
 }
 
+int run_menu(const std::string& lab_folder) {
+    return window_module().function<decltype(relief_run_menu)>("relief_run_menu")(lab_folder.c_str());
+}
+
 /// The window where there is a display, else the gallery.
 int open_menu_or_gallery(const std::string& lab_folder) {
-    if (has_display()) try {
-            return window_module().function<decltype(relief_run_menu)>("relief_run_menu")(lab_folder.c_str());
-        } catch (const Error& error) {
-            print_note(fmt::format("{}; making the gallery instead", error.what()));
-        }
-    else
-        print_note("there is no display (DISPLAY and WAYLAND_DISPLAY are empty); making the gallery instead");
+    try {
+        return run_menu(lab_folder);
+    } catch (const NoWindow& error) {
+        print_note(fmt::format("{}; making the gallery instead", error.what()));
+    }
     return make_gallery({}, {});
 }
 
@@ -81,6 +83,11 @@ public:
         app_.set_help_flag("-h,--help", "this text");
         app_.get_formatter()->column_width(34);
         add_list(), add_info(), add_run(), add_shot(), add_gallery(), add_golden(), add_new_lab();
+        // An empty word is most often a script's variable that was never set; it must not mean "all" or "as usual".
+        const CLI::Validator not_empty([](std::string& word) { return word.empty() ? "must not be empty" : ""; }, "");
+        for (CLI::App* sub : app_.get_subcommands([](const CLI::App*) { return true; }))
+            for (CLI::Option* option : sub->get_options())
+                if (option->get_items_expected_max() > 0) option->check(not_empty);
     }
 
     int run(int argc, char** argv) {
@@ -119,8 +126,7 @@ private:
     void add_run() {
         CLI::App* sub = add("run", "a lab in a window", [this] {
             const std::string folder = find_lab(run_lab_).folder;
-            if (!has_display()) throw Error("there is no display: take a picture with relief shot " + run_lab_);
-            return window_module().function<decltype(relief_run_menu)>("relief_run_menu")(folder.c_str());
+            return run_menu(folder);
         });
         add_lab(sub, run_lab_, true);
     }
@@ -176,13 +182,16 @@ int run_command_line(int argc, char** argv) {
     clean_up_when_interrupted();
     try {
         const std::string program = std::filesystem::path(argc > 0 ? argv[0] : "").filename().string();
-        return CommandLine(program).run(argc, argv);
+        const int code = CommandLine(program).run(argc, argv);
+        // A script must not take half an answer, or none, for a whole one.
+        if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw Error("cannot write to standard output");
+        return code;
     } catch (const UsageError& error) {
         print_error(error.what());
         return 2;
     } catch (const Error& error) {
         print_error(error.what());
-        if (verbose()) fmt::print(stderr, "{}", error.details());
+        if (!error.details().empty()) print_event(error.details());
     } catch (const std::bad_alloc&) {
         print_error("there is not enough memory for this");
     } catch (const std::exception& error) {

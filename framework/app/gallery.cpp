@@ -89,18 +89,20 @@ int make_gallery(fs::path folder, ContextChoice choice) {
     Progress progress(int(registry().size()));
     for (const LabEntry& entry : registry()) {
         progress.next("lab " + entry.two_digits());
+        Image picture;
         try {
             const Manifest manifest = load_manifest(entry);
             Shot shot;
             shot.camera = manifest.camera;
-            const Image picture = take(*make_lab(entry, shot), shot);
-            write_image(folder / (entry.folder + ".png"), picture);
+            picture = take(*make_lab(entry, shot), shot);
             cards += card(entry, manifest);
         } catch (const Error& error) {
             print_error(fmt::format("{}: {}", entry.folder, error.what()));
             cards += broken_card(entry, error.what());
             ++failures;
+            continue;
         }
+        write_image(folder / (entry.folder + ".png"), picture);  // a folder that cannot be written ends it all
     }
     const std::string footer =
         fmt::format("</main>\n<footer>Rendered by {}.</footer>\n</body></html>\n", html(describe_context().driver()));

@@ -33,11 +33,12 @@ public:
 
     int failures = 0, pictures = 0;
 
-    void check(const LabEntry& entry, const GoldenInfo& golden) {
+    void check(const LabEntry& entry, const Manifest& manifest, const GoldenInfo& golden) {
         const fs::path file = course_root() / "tests" / "golden" / entry.folder / (golden.name + ".png");
         ++pictures;
         try {
-            const Image picture = take(*make_lab(entry, golden.shot), golden.shot);
+            Image picture = take(*make_lab(entry, golden.shot), golden.shot);
+            if (golden.shot.probe) picture = visualize_probe(picture, manifest.probe(golden.shot.probe.name).error);
             const std::string result = update_ ? renew(file, picture) : compare(file, picture);
             fmt::print("{}/{}: {}\n", entry.folder, golden.name, result);
         } catch (const Error& error) {
@@ -111,7 +112,7 @@ int check_golden(const std::string& lab, bool update, const fs::path& output) {
     GoldenCheck check(update, output);
     for (const LabEntry* entry : labs) try {
             const Manifest manifest = load_manifest(*entry);
-            for (const GoldenInfo& golden : manifest.goldens) check.check(*entry, golden);
+            for (const GoldenInfo& golden : manifest.goldens) check.check(*entry, manifest, golden);
         } catch (const Error& error) {
             print_error(error.what());
             ++check.failures;

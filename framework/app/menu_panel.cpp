@@ -131,7 +131,8 @@ void draw_counters(const Stage& stage) {
     row("live GL objects", std::to_string(now.live_objects()));
     ImGui::EndTable();
     static constexpr std::array<const char*, gl_kinds> kinds = {
-        "buffers", "vertex arrays", "textures", "framebuffers", "renderbuffers", "shaders", "programs", "queries"};
+        "buffers", "vertex arrays", "textures",  "samplers", "framebuffers",       "renderbuffers",
+        "shaders", "programs",      "pipelines", "queries",  "transform feedbacks"};
     std::string list;
     for (size_t i = 0; i < kinds.size(); ++i)
         if (now.live[i] != 0) list += fmt::format("{}{} {}", list.empty() ? "" : ", ", now.live[i], kinds[i]);
@@ -179,7 +180,7 @@ PanelWish draw_panel(Stage& stage, int width, const std::string& message) {
     heading("Keys");
     quiet_text(
         "drag: orbit   right drag: pan   wheel: zoom\nleft, right: labs   R: restart   C: camera back\n"
-        "S: save a picture   H: hide this   Esc: quit");
+        "S: save a picture   H: hide this   Esc: quit\nspace: hold an animation still");
     if (ImGui::Button("Save a picture")) wish.save = true;
     if (!message.empty()) wrapped(message);
     ImGui::End();

@@ -48,6 +48,7 @@ bool Stage::draw(glm::ivec2 size, double time) {
     stale_ = false;
     error_.clear(), details_.clear();
     shot_.size = size, shot_.time = time;
+    shown_ = 0;
     const int64_t draw_calls_before = counters().draw_calls;
     const auto begin = std::chrono::steady_clock::now();
     try {
@@ -58,13 +59,15 @@ bool Stage::draw(glm::ivec2 size, double time) {
         }
         draw_lab(*lab_, frame_of(shot_, *target_));
         glFinish();
+        milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+        shown_ = shot_.probe ? draw_probe() : target_->resolve();
     } catch (const Error& error) {
         fail(error);
+    } catch (const std::exception& error) {  // the window stays open, whatever a lab does
+        fail(Error(error.what()));
     }
-    milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     draw_calls_ = counters().draw_calls - draw_calls_before;
     ++frames_;
-    shown_ = !error_.empty() ? 0 : shot_.probe ? draw_probe() : target_->resolve();
     print_event(fmt::format("frame {}: {}, {} GL objects, {} draw calls, {} texture bytes, {:.1f} ms", frames_,
                             entry_->folder, counters().live_objects(), draw_calls_, counters().texture_bytes,
                             milliseconds_));

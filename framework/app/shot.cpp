@@ -86,6 +86,7 @@ int take_shot(const ShotArguments& arguments) {
         to_standard_output ? (shot.probe ? ImageFormat::pfm : ImageFormat::ppm) : format_of(output);
     const bool floats = format == ImageFormat::exr || format == ImageFormat::pfm;
     const ContextChoice choice = context_kind(arguments.context);
+    std::unique_ptr<Context> context;  // outlives the lab, whose GL objects it holds
     const std::unique_ptr<Lab> lab = make_lab(entry, shot);
 
     Image image;
@@ -94,14 +95,14 @@ int take_shot(const ShotArguments& arguments) {
         image = truth_of(*lab, shot);
     } else if (show == Show::error) {
         const Image truth = truth_of(*lab, shot);
-        const auto context = open_context(choice);
+        context = open_context(choice);
         image = error_image(take(*lab, shot), truth, metric);
         const ErrorSummary error = summarize(image);
         summary = fmt::format("mean {:.6g} {}, rms {:.6g}, 99 % {:.6g}, largest {:.6g}, over {} pixels\n", error.mean,
                               manifest.probe(shot.probe.name).unit, error.rms, error.p99, error.largest, error.count);
         if (!floats) image = visualize_error(image, error.p99);
     } else {
-        const auto context = open_context(choice);
+        context = open_context(choice);
         image = take(*lab, shot, floats);
     }
     if (!floats && (show == Show::probe || show == Show::truth)) image = visualize_probe(image, metric);

@@ -58,8 +58,8 @@ public:
         }
     }
     ~UnfinishedFile() {
-        has_unfinished_file = false;
         if (!finished_) unlink(name_.c_str());
+        has_unfinished_file = false;
     }
     UnfinishedFile(const UnfinishedFile&) = delete;
     UnfinishedFile& operator=(const UnfinishedFile&) = delete;
@@ -140,9 +140,8 @@ void make_folder(const fs::path& path) {
 }
 
 void clean_up_when_interrupted() {
-    std::signal(SIGINT, remove_unfinished_file);
-    std::signal(SIGTERM, remove_unfinished_file);
-    std::signal(SIGHUP, remove_unfinished_file);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, remove_unfinished_file) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), with a message
 }
 

@@ -16,7 +16,6 @@ void print_note(std::string_view message);
 
 /// Event by event, what the run does. Printed with --verbose only.
 void set_verbose(bool on);
-bool verbose();
 void print_event(std::string_view message);
 
 /// "3 of 17: lab 03" on a terminal's last line, from the third second on; nothing when standard error is not

@@ -31,6 +31,8 @@ Module open_own_module(const char* name, const char* package) {
     dladdr(reinterpret_cast<const void*>(&open_own_module), &framework);
     const std::filesystem::path folder = std::filesystem::path(framework.dli_fname).parent_path();
     const std::string path = (folder / name).string();
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) throw Error({path}, "is missing: build it with ./relief build");
     const char* const names[] = {path.c_str()};
     return Module(names, package);
 }

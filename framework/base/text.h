@@ -9,7 +9,8 @@
 
 namespace relief {
 
-/// The whole text as a finite number, in any of C's decimal notations; nothing for "", "1x", "nan" or "1e999".
+/// The whole text as a finite decimal number, such as 2, -0.5 or 1e-3, whatever the locale; nothing for "", "1x", "nan"
+/// or "1e999".
 std::optional<double> parse_number(std::string_view text);
 
 /// The whole text as a decimal integer that fits.

@@ -12,7 +12,7 @@ std::unique_ptr<Context> open_osmesa();
 std::unique_ptr<Context> open_egl();
 std::unique_ptr<Context> open_hidden_window();
 
-/// The module with GLFW and the menu in it.
+/// The module with GLFW and the menu in it. Throws NoWindow.
 const Module& window_module();
 
 }  // namespace relief

@@ -7,9 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "framework/base/error.h"
+
 namespace relief {
 
 enum class ContextKind { osmesa, egl, window };
+
+/// There is no window to be had here: no display, no GLFW, or no driver for it.
+class NoWindow : public Error {
+public:
+    using Error::Error;
+};
 
 /// A context, current on this thread from its construction on, with the GL functions loaded. One at a time.
 class Context {

@@ -10,7 +10,7 @@ namespace {
 [[noreturn]] void fail() {
     const char* reason = nullptr;
     glfwGetError(&reason);
-    throw Error(std::string("no window: ") + (reason ? reason : "GLFW gives no reason"));
+    throw NoWindow(std::string("no window: ") + (reason ? reason : "GLFW gives no reason"));
 }
 
 }  // namespace
@@ -31,6 +31,7 @@ GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) 
     });
     GlfwWindow::make_current();
     load_gl(glfwGetProcAddress);
+    glfwSwapInterval(1);  // an animation needs no more frames than the screen shows
 }
 
 // GLFW itself stays: glfwTerminate would unload the driver's libraries, and whatever large library is opened after that

@@ -15,7 +15,7 @@ namespace relief {
 
 class GlfwWindow final : public Context {
 public:
-    /// Throws Error with GLFW's reason when there is no display or no driver.
+    /// Throws NoWindow with GLFW's reason when there is no display or no driver.
     GlfwWindow(glm::ivec2 size, const std::string& title, bool visible);
     ~GlfwWindow() override;
     GlfwWindow(const GlfwWindow&) = delete;

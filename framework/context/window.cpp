@@ -5,12 +5,16 @@
 namespace relief {
 
 const Module& window_module() {
-    static const Module module = open_own_module("relief-window.so", "libglfw3");
-    return module;
+    if (!has_display()) throw NoWindow("there is no display (DISPLAY and WAYLAND_DISPLAY are empty)");
+    try {
+        static const Module module = open_own_module("relief-window.so", "libglfw3");
+        return module;
+    } catch (const Error& error) {
+        throw NoWindow(error.what());
+    }
 }
 
 std::unique_ptr<Context> open_hidden_window() {
-    if (!has_display()) throw Error("there is no display (DISPLAY and WAYLAND_DISPLAY are empty)");
     return std::unique_ptr<Context>(
         window_module().function<decltype(relief_open_hidden_window)>("relief_open_hidden_window")());
 }

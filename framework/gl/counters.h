@@ -7,8 +7,20 @@
 
 namespace relief {
 
-enum class GlKind { buffer, vertex_array, texture, framebuffer, renderbuffer, shader, program, query };
-constexpr int gl_kinds = 8;
+enum class GlKind {
+    buffer,
+    vertex_array,
+    texture,
+    sampler,
+    framebuffer,
+    renderbuffer,
+    shader,
+    program,
+    pipeline,
+    query,
+    transform_feedback
+};
+constexpr int gl_kinds = 11;
 
 struct Counters {
     std::array<int64_t, gl_kinds> live{};  ///< GL objects by GlKind

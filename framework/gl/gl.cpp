@@ -93,6 +93,14 @@ void count_calls() {
     put_in_front<CountDeleted<glad_glDeleteRenderbuffers, GlKind::renderbuffer>>(glad_glDeleteRenderbuffers);
     put_in_front<CountGenerated<glad_glGenQueries, GlKind::query>>(glad_glGenQueries);
     put_in_front<CountDeleted<glad_glDeleteQueries, GlKind::query>>(glad_glDeleteQueries);
+    put_in_front<CountGenerated<glad_glGenSamplers, GlKind::sampler>>(glad_glGenSamplers);
+    put_in_front<CountDeleted<glad_glDeleteSamplers, GlKind::sampler>>(glad_glDeleteSamplers);
+    put_in_front<CountGenerated<glad_glGenProgramPipelines, GlKind::pipeline>>(glad_glGenProgramPipelines);
+    put_in_front<CountDeleted<glad_glDeleteProgramPipelines, GlKind::pipeline>>(glad_glDeleteProgramPipelines);
+    put_in_front<CountGenerated<glad_glGenTransformFeedbacks, GlKind::transform_feedback>>(
+        glad_glGenTransformFeedbacks);
+    put_in_front<CountDeleted<glad_glDeleteTransformFeedbacks, GlKind::transform_feedback>>(
+        glad_glDeleteTransformFeedbacks);
     put_in_front<CountCreatedProgram<glad_glCreateProgram>>(glad_glCreateProgram);
     put_in_front<CountDeletedOne<glad_glDeleteProgram, GlKind::program>>(glad_glDeleteProgram);
     put_in_front<CountCreatedShader<glad_glCreateShader>>(glad_glCreateShader);

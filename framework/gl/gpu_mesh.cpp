@@ -8,6 +8,8 @@ const GpuMesh::Uploaded& GpuMesh::uploaded() const {
     if (uploaded_) return *uploaded_;
     const Mesh mesh = make_();
     Uploaded result;
+    GLint bound = 0;  // another mesh may be bound already
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
     result.count = GLsizei(mesh.indices.size());
     glBindVertexArray(result.layout);
     glBindBuffer(GL_ARRAY_BUFFER, result.vertices);
@@ -25,7 +27,7 @@ const GpuMesh::Uploaded& GpuMesh::uploaded() const {
     attribute(1, 3, offsetof(Vertex, normal));
     attribute(2, 4, offsetof(Vertex, tangent));
     attribute(3, 2, offsetof(Vertex, uv));
-    glBindVertexArray(0);
+    glBindVertexArray(GLuint(bound));
     return uploaded_.emplace(std::move(result));
 }
 

@@ -35,7 +35,8 @@ std::vector<std::string> names_of_shaders() {
 fs::path find_include(const std::string& name, const Place& from) {
     for (const fs::path& folder : {from.file.parent_path(), course_root() / "shaders"}) {
         const fs::path candidate = (folder / name).lexically_normal();
-        if (fs::is_regular_file(candidate)) return candidate;
+        std::error_code ignored;
+        if (fs::is_regular_file(candidate, ignored)) return candidate;
     }
     const auto guess = nearest(name, names_of_shaders());
     throw Error(from, fmt::format("cannot find the included file \"{}\"{}", name,
@@ -55,9 +56,22 @@ void collect_names(const std::string& text, std::set<std::string>& names) {
     }
 }
 
+/// `#version 410 core`, however it is spaced: a newer one would not run on every student's machine.
+bool is_version_410(const std::string& line) {
+    std::istringstream words(line);
+    std::string directive, number, profile;
+    words >> directive >> number >> profile;
+    return directive == "#version" && number == "410" && profile == "core";
+}
+
+/// `#include` or `# include`, as the language allows for any directive.
+bool is_include(const std::string& line) {
+    return line.starts_with("#") && without_indent(line.substr(1)).starts_with("include");
+}
+
 /// The name in `#include "name"`, with nothing after it but a comment.
 std::optional<std::string> included_name(const std::string& line) {
-    const size_t open = line.find_first_not_of(" \t", std::string_view("#include").size());
+    const size_t open = line.find_first_not_of(" \t", line.find("include") + std::string_view("include").size());
     if (open == std::string::npos || line[open] != '"') return {};
     const size_t close = line.find('"', open + 1);
     if (close == std::string::npos) return {};
@@ -122,14 +136,15 @@ public:
         for (int number = 1; std::getline(lines, line); ++number) {
             if (line.ends_with('\r')) line.pop_back();  // written on Windows
             const Place place{path, number};
+            if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);  // some editors' mark of UTF-8
             const std::string start = without_indent(line);
             if (number == 1 && is_stage) {
-                if (!start.starts_with("#version")) throw Error(place, must_begin);
+                if (!is_version_410(start)) throw Error(place, must_begin);
                 put(line, place);
                 for (const std::string& define : defines_) put("#define " + define, {});
                 continue;
             }
-            if (!in_comment && start.starts_with("#include"))
+            if (!in_comment && is_include(start))
                 include(start, place);
             else
                 put(line, place);

@@ -66,9 +66,7 @@ void upload_level(int level, const Image& image, const Format& format) {
 
 }  // namespace
 
-Texture::~Texture() {
-    if (name_) counters().texture_bytes -= bytes_;
-}
+Texture::~Texture() { counters().texture_bytes -= bytes_; }
 
 Texture::operator GLuint() const {
     if (!name_) create();

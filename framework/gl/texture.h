@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "framework/gl/object.h"
 #include "framework/image/image.h"
@@ -30,7 +31,12 @@ public:
     Texture(std::string title, std::function<Image()> make, TextureOptions options = {})
         : title_(std::move(title)), make_(std::move(make)), options_(options) {}
     ~Texture();
-    Texture(Texture&&) = default;
+    Texture(Texture&& other) noexcept
+        : title_(std::move(other.title_)),
+          make_(std::move(other.make_)),
+          options_(other.options_),
+          name_(std::move(other.name_)),
+          bytes_(std::exchange(other.bytes_, 0)) {}
     Texture& operator=(Texture&&) = delete;
 
     /// Throws Error when the image cannot be made or is too large for the driver.

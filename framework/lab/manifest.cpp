@@ -167,6 +167,10 @@ Shot read_shot(Table table, const Orbit& camera) {
     return shot;
 }
 
+bool is_identifier(const std::string& name) {
+    return !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
+
 ErrorMetric read_metric(Table& table) {
     std::string text = "distance";
     table.read("error", text);
@@ -206,6 +210,8 @@ Manifest load_manifest(const fs::path& file) {
     Table root(file, parsed, "a manifest");
     Manifest manifest;
     manifest.title = root.text("title");
+    if (manifest.title.empty() || manifest.title.find('\n') != std::string::npos)
+        root.fail("title", "'title' must be one line");
     root.read("learns", manifest.learns);
     if (auto camera = root.table("camera")) read_camera(*camera, manifest.camera);
     root.read("animated", manifest.animated);
@@ -216,6 +222,10 @@ Manifest load_manifest(const fs::path& file) {
         table.read("unit", probe.unit);
         probe.error = read_metric(table);
         table.finish();
+        if (!is_identifier(probe.name))
+            table.fail("name", fmt::format("'{}' becomes PROBE_<name> in the shader: use a-z, 0-9 and _", probe.name));
+        for (const ProbeInfo& other : manifest.probes)
+            if (other.name == probe.name) table.fail("name", fmt::format("two probes are named '{}'", probe.name));
         manifest.probes.push_back(std::move(probe));
     }
     for (Table& table : root.tables("task")) {

@@ -24,7 +24,7 @@ struct TaskInfo {
     int points = 0;
 };
 
-/// A reference screenshot, tests/golden/<lab's folder>/<name>.png.
+/// A reference screenshot, tests/golden/<lab's folder>/<name>.png; of a probe, what visualize_probe() makes of it.
 struct GoldenInfo {
     std::string name;
     Shot shot;

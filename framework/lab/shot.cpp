@@ -19,17 +19,29 @@ double aspect(glm::ivec2 size) { return double(size.x) / size.y; }
 
 /// What Frame promises, but for the clear colour.
 void restore_state() {
-    for (const GLenum capability : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD,
-                                    GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB, GL_PRIMITIVE_RESTART})
+    for (const GLenum capability :
+         {GL_BLEND, GL_COLOR_LOGIC_OP, GL_CULL_FACE, GL_DEPTH_CLAMP, GL_FRAMEBUFFER_SRGB, GL_POLYGON_OFFSET_FILL,
+          GL_PRIMITIVE_RESTART, GL_PROGRAM_POINT_SIZE, GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
+          GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_SCISSOR_TEST, GL_STENCIL_TEST})
         glDisable(capability);
+    for (GLenum i = 0; i < 8; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_MULTISAMPLE);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
+    glDepthRange(0, 1);
+    glClearDepth(1);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glBlendFunc(GL_ONE, GL_ZERO);
+    glBlendEquation(GL_FUNC_ADD);
+    glCullFace(GL_BACK);
     glFrontFace(GL_CCW);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     glPatchParameteri(GL_PATCH_VERTICES, 3);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    glActiveTexture(GL_TEXTURE0);
     glUseProgram(0);
     glBindVertexArray(0);
 }

@@ -24,6 +24,7 @@ public:
             case side_by_side:
                 draw_scene(frame, {0, 0}, {size.x / 2, size.y}, false);
                 draw_scene(frame, {size.x / 2, 0}, {size.x - size.x / 2, size.y}, true);
+                draw_line(frame, size.x / 2);
                 break;
             case wipe:  // one scene twice, each through its own part of the window
                 glEnable(GL_SCISSOR_TEST);
@@ -31,7 +32,7 @@ public:
                 draw_scene(frame, {0, 0}, size, false);
                 glScissor(split, 0, size.x - split, size.y);
                 draw_scene(frame, {0, 0}, size, true);
-                if (!frame.probe) draw_line(split, size);
+                draw_line(frame, split);
                 break;
         }
     }
@@ -54,7 +55,7 @@ private:
         glViewport(corner.x, corner.y, size.x, size.y);
         const Camera camera = frame.camera.with_aspect(double(size.x) / size.y);
         const float yaw_rad = glm::radians(light_yaw_);
-        const glm::vec3 light(1.6f * std::sin(yaw_rad), light_height_, 1.6f * std::cos(yaw_rad));
+        const glm::vec3 light(2.8f * std::sin(yaw_rad), light_height_, 2.8f * std::cos(yaw_rad));
         const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : ""});
         glUseProgram(surface);
         surface.set("u_clip_from_world", camera.clip_from_world());
@@ -72,15 +73,17 @@ private:
         for (const glm::vec3 place : places_) draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + top));
         draw_mesh(surface, floor_, glm::rotate(glm::mat4(1), glm::radians(-90.0f), {1, 0, 0}));
 
-        if (frame.probe) return;  // the lamp is no surface under study
+        if (frame.probe) return;
         const Program& lamp = surface_.with("LAMP");
         glUseProgram(lamp);
         lamp.set("u_clip_from_world", camera.clip_from_world());
         draw_mesh(lamp, ball_, glm::scale(glm::translate(glm::mat4(1), light), glm::vec3(0.15f)));
     }
 
-    static void draw_line(int split, glm::ivec2 size) {
-        glScissor(split - 1, 0, 2, size.y);
+    static void draw_line(const Frame& frame, int x) {
+        if (frame.probe) return;  // neither the line nor the lamp is a surface under study
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(x - 1, 0, 2, frame.size.y);
         glClearColor(0.9f, 0.88f, 0.84f, 1);
         glClear(GL_COLOR_BUFFER_BIT);
     }
@@ -106,7 +109,7 @@ private:
         {{-1.4f, 0, 1.2f}, {1.4f, 0, 1.2f}, {-1.4f, 0, -1.6f}, {1.4f, 0, -1.6f}, {-1.4f, 0, -4.4f}, {1.4f, 0, -4.4f}}};
 
     int method_ = wipe;
-    float wipe_ = 0.5f, light_yaw_ = 22, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;
+    float wipe_ = 0.5f, light_yaw_ = 14, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;
 };
 
 RELIEF_LAB(SpecularHighlights);

@@ -1,7 +1,8 @@
-// Reflection of one light, per unit of incoming irradiance. All directions are unit and point away from the surface.
+// Reflection of one light of unit strength, the cosine included. All directions are unit and point away from the
+// surface.
 
 // Lambert plus Blinn-Phong (Blinn 1977). The highlight is scaled by (shininess + 8) / 8, so that a sharper one is
-// brighter and no more light leaves than came (Akenine-Moller et al. 2008).
+// brighter as it gets smaller (Akenine-Moller et al. 2008).
 vec3 blinn_phong(vec3 albedo, float specular, float shininess, vec3 normal, vec3 to_light, vec3 to_eye) {
     float facing = max(dot(normal, to_light), 0.0);
     float lobe = pow(max(dot(normal, normalize(to_light + to_eye)), 0.0), shininess);

@@ -205,6 +205,36 @@ TEST_F(CourseTest, AGalleryTellsOfABrokenLabAndGoesOn) {
     EXPECT_TRUE(contains(read_all(course().path() / "pages" / "index.html"), "surface.frag:2:"));
 }
 
+TEST_F(CourseTest, AGallerysTextIsEscaped) {
+    const char* file = "labs/01_specular_highlights/lab.toml";
+    const Restore restore(course(), file);
+    course().edit(file, "Specular highlights", "Light & <b>shade</b>");
+    EXPECT_EQ(course().relief({"gallery", "-o", "escaped"}).code, 0);
+    const std::string page = read_all(course().path() / "escaped" / "index.html");
+    EXPECT_TRUE(contains(page, "Light &amp; &lt;b&gt;shade&lt;/b&gt;")) << page;
+}
+
+TEST_F(CourseTest, NobodyListeningIsNoCrashAndNoSuccess) {
+    const std::string relief = course().path() / "bin" / "relief";
+    const auto shell = [&](const std::string& line) { return run({"bash", "-c", line, relief}).code; };
+    EXPECT_EQ(shell("\"$0\" shot nope 2>&-"), 2);
+    EXPECT_EQ(shell("\"$0\" shot nope 2>/dev/full"), 2);
+    EXPECT_EQ(shell("\"$0\" list --json >/dev/full"), 1);
+    EXPECT_EQ(shell("\"$0\" list >&-"), 1);
+}
+
+TEST_F(CourseTest, AnEmptyWordMeansNeitherAllNorAsUsual) {
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{"golden", ""},
+                                                                                           {"shot", ""},
+                                                                                           {"shot", "1", "--size", ""},
+                                                                                           {"shot", "1", "-o", ""},
+                                                                                           {"gallery", "-o", ""}}) {
+        const Result result = course().relief(arguments);
+        EXPECT_EQ(result.code, 2) << arguments[0] << ": " << result.out << result.err;
+        EXPECT_EQ(lines(result.err), 1) << result.err;
+    }
+}
+
 TEST_F(CourseTest, AGalleryThatCannotBeWrittenIsOneLine) {
     const Result result = course().relief({"gallery", "-o", "/proc/gallery"});
     EXPECT_EQ(result.code, 1);

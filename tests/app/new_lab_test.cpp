@@ -53,7 +53,7 @@ TEST_F(NewLab, RefusesANameOrNumberThatIsTakenOrIsNone) {
                                                          {"Wet Stone", "lower case with underscores"},
                                                          {"../x", "lower case with underscores"},
                                                          {"100_x", "lab numbers go from 01 to 99"},
-                                                         {"", "lower case with underscores"}};
+                                                         {"", "must not be empty"}};
     for (const auto& [name, expected] : cases) {
         const Result result = run({course_.program("relief"), "new-lab", name});
         EXPECT_EQ(result.code, 2) << name;

@@ -15,7 +15,8 @@ protected:
         fs::copy(source / "relief", folder_.path());
         fs::copy(source / "framework/cmake/packages.txt", folder_.path() / "framework/cmake");
         stand_in("cmake",
-                 "mkdir -p build && touch build/build.ninja && echo RELIEF_TESTS:BOOL=ON >build/CMakeCache.txt");
+                 "mkdir -p build && touch build/build.ninja && "
+                 "printf 'RELIEF_TESTS:BOOL=ON\\nCMAKE_HOME_DIRECTORY:INTERNAL=%s\\n' \"$PWD\" >build/CMakeCache.txt");
         stand_in("ninja",
                  "mkdir -p build/bin && printf '#!/bin/bash\\necho \"ran: $*\"\\n' >build/bin/relief && chmod +x "
                  "build/bin/relief");
@@ -65,6 +66,16 @@ TEST_F(Script, TheSecondTimeAsksNoPackageAndConfiguresNothing) {
     EXPECT_EQ(script().code, 0);
     const std::string called = calls();
     for (const char* tool : {"dpkg-query", "apt-get", "cmake"}) EXPECT_FALSE(contains(called, tool)) << called;
+}
+
+TEST_F(Script, AMovedCourseIsBuiltAnew) {
+    script();
+    calls();
+    folder_.write("build/CMakeCache.txt", "CMAKE_HOME_DIRECTORY:INTERNAL=/somewhere/else\n");
+    const Result result = script();
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.err, "relief: this folder was moved or copied: building anew\n");
+    EXPECT_TRUE(contains(calls(), "cmake -S"));
 }
 
 TEST_F(Script, RootInstallsWhatIsMissingAndNoMore) {

@@ -15,7 +15,10 @@ TEST(Counters, SeeWhatRawCallsMakeAndDelete) {
     glGenTextures(3, names);
     EXPECT_EQ(counters().live_objects(), before + 3);
     const GLuint shader = glCreateShader(GL_VERTEX_SHADER), program = glCreateProgram();
-    EXPECT_EQ(counters().live_objects(), before + 5);
+    GLuint sampler = 0, pipeline = 0, feedback = 0;
+    glGenSamplers(1, &sampler), glGenProgramPipelines(1, &pipeline), glGenTransformFeedbacks(1, &feedback);
+    EXPECT_EQ(counters().live_objects(), before + 8);
+    glDeleteSamplers(1, &sampler), glDeleteProgramPipelines(1, &pipeline), glDeleteTransformFeedbacks(1, &feedback);
     glDeleteTextures(3, names);
     glDeleteShader(shader), glDeleteProgram(program);
     EXPECT_EQ(counters().live_objects(), before);
@@ -35,7 +38,9 @@ TEST(Counters, CountEachDrawOnce) {
     glBindVertexArray(layout);
     glDrawArrays(GL_TRIANGLES, 0, 0);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 0, 5);
-    EXPECT_EQ(counters().draw_calls, before + 2);
+    glDrawElements(GL_TRIANGLES, 0, GL_UNSIGNED_INT, nullptr);
+    glDrawElementsInstanced(GL_TRIANGLES, 0, GL_UNSIGNED_INT, nullptr, 3);
+    EXPECT_EQ(counters().draw_calls, before + 4);
     take_gl_errors();  // without a program the draws are refused, but they were made
 }
 
@@ -54,9 +59,24 @@ TEST(Counters, OwnersGiveBackEveryObjectAndByte) {
     EXPECT_EQ(counters().texture_bytes, before.texture_bytes);
 }
 
+TEST(Counters, AMovedTextureIsCountedOnce) {
+    const Counters before = counters();
+    {
+        Texture first("grey", [] { return Image(4, 4, 3, 8); });
+        bind(0, first);
+        const Texture second(std::move(first));
+    }
+    EXPECT_EQ(counters().texture_bytes, before.texture_bytes);
+    EXPECT_EQ(counters().live, before.live);
+}
+
 TEST(GlErrors, AreToldOnceWithTheirText) {
     glEnable(0xFFFF);
-    EXPECT_NE(take_gl_errors().find("GL_INVALID_ENUM"), std::string::npos);
+    const std::string text = take_gl_errors();
+    EXPECT_NE(text.find("GL_INVALID_ENUM"), std::string::npos) << text;
+    if (GLAD_GL_KHR_debug) {
+        EXPECT_NE(text.find("glEnable"), std::string::npos) << "the driver says where: " << text;
+    }
     EXPECT_EQ(take_gl_errors(), "");
 }
 

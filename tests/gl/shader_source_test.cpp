@@ -145,10 +145,16 @@ TEST_F(Shaders, AMisspelledIncludeSaysHowToWriteIt) {
 }
 
 TEST_F(Shaders, AStageMustBeginWithItsVersion) {
-    for (const char* text : {"void main() {}\n", "\n#version 410 core\n", "// c\n#version 410 core\n", "\n", ""})
+    for (const char* text : {"void main() {}\n", "\n#version 410 core\n", "// c\n#version 410 core\n", "\n", "",
+                             "#version 450 core\n", "#version 330 core\n", "#version 410\n"})
         EXPECT_TRUE(contains(message_of([&] { load(text); }), "stage.frag:1: a stage must begin with #version"))
             << "'" << text << "'";
     EXPECT_TRUE(contains(message_of([&] { load_shader(folder_.path() / "no.vert", {}); }), "no.vert: cannot read"));
+}
+
+TEST_F(Shaders, AByteOrderMarkAndASpacedIncludeWork) {
+    folder_.write("a.glsl", "float a;\n");
+    EXPECT_TRUE(contains(load("\xef\xbb\xbf#version 410 core\n#  include \"a.glsl\"\n").text, "float a;"));
 }
 
 TEST_F(Shaders, FilesFromWindowsWork) {

@@ -45,6 +45,19 @@ TEST(Target, AProbeKeepsInfinityNotANumberAndEveryBit) {
     EXPECT_TRUE(std::isnan(image.pixel(1, 0)[1]));
 }
 
+TEST(Target, AProbeHasOneSampleAndAPictureHasMore) {
+    const auto samples = [](TargetKind kind) {
+        const Target target(kind, {4, 4});
+        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+        GLint count = 0;
+        glGetIntegerv(GL_SAMPLES, &count);
+        return count;
+    };
+    EXPECT_LE(samples(TargetKind::probe), 1) << "numbers must not be averaged";
+    EXPECT_GT(samples(TargetKind::picture), 1);
+    EXPECT_GT(samples(TargetKind::light), 1);
+}
+
 TEST(Target, LightIsNotClipped) {
     const Target target(TargetKind::light, {2, 2});
     fill(target, {0, 0}, {2, 2}, {12.5f, -2, 0.25f, 1});

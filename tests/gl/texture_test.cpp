@@ -101,6 +101,14 @@ TEST(Texture, TakesTheAnisotropyThatIsAskedForAndNoneByItselfInSoftware) {
     EXPECT_EQ(anisotropy({}), is_software_renderer() ? 1 : 8);
 }
 
+TEST(Texture, WrapsOrClampsAsItIsTold) {
+    const auto two = [] { return grey({0.0f, 1.0f}, 2, 32); };
+    const Texture repeated("repeat", two, {.wrap = Wrap::repeat, .mips = false}),
+        clamped("clamp", two, {.wrap = Wrap::clamp, .mips = false});
+    EXPECT_EQ(sampled(repeated, 1.25f, 0.5f).r, 0.0f);
+    EXPECT_EQ(sampled(clamped, 1.25f, 0.5f).r, 1.0f);
+}
+
 TEST(Texture, SizesNeedNotBePowersOfTwo) {
     const Texture texture("odd", [] { return grey(std::vector<float>(35, 0.5f), 7, 16); });
     EXPECT_NEAR(sampled(texture, 0.3f, 0.9f, 2).r, 0.5f, 1e-4);

@@ -48,6 +48,11 @@ public:
         glFrontFace(GL_CW);
         glClearColor(1, 0, 1, 0);
         glActiveTexture(GL_TEXTURE7);
+        glClearDepth(0);
+        glDepthRange(1, 0);
+        for (const GLenum one : {GL_COLOR_LOGIC_OP, GL_DEPTH_CLAMP, GL_SAMPLE_MASK, GL_SAMPLE_ALPHA_TO_COVERAGE})
+            glEnable(one);
+        glSampleMaski(0, 0);
     }
 };
 
@@ -125,6 +130,23 @@ TEST(Shot, ALabThatGivesUpHalfwayLeavesACleanState) {
     GLboolean mask[4];
     glGetBooleanv(GL_COLOR_WRITEMASK, mask);
     EXPECT_TRUE(mask[0] && mask[3]);
+}
+
+/// Its picture is the time.
+class Clock final : public Lab {
+public:
+    void draw(const Frame& frame) override {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClearColor(float(frame.time), 0, 0, 0);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+};
+
+TEST(Shot, HandsTheTimeToTheLab) {
+    Clock lab;
+    Shot shot = small_probe;
+    shot.time = 2.5;
+    EXPECT_EQ(take(lab, shot).values[0], 2.5f);
 }
 
 TEST(Shot, AFloatPictureIsLight) {
