@@ -1,4 +1,5 @@
 // The menu window, with real key presses on an X server of its own (Xvfb).
+#include <algorithm>
 #include <chrono>
 #include <regex>
 #include <thread>
@@ -51,6 +52,7 @@ struct FrameLine {
 
 class Window : public testing::Test {
 protected:
+    static constexpr int window_width = 1280;
     const CourseWithNewLab& course_ = CourseWithNewLab::get();
     TemporaryFolder folder_;
     Screen screen_;
@@ -78,6 +80,25 @@ protected:
                               std::stoll((*found)[5])});
         return result;
     }
+    /// What the screen shows, through xwd, as 3 channels. The window stands in its upper left corner.
+    Image screen() const {
+        const std::filesystem::path file = folder_.path() / "screen.xwd";
+        EXPECT_EQ(run({"xwd", "-root", "-silent", "-out", file}, where_).code, 0);
+        const std::string bytes = read_all(file);
+        const auto number = [&](size_t i) {  // the header: big-endian words
+            uint32_t value = 0;
+            for (size_t k = 0; k < 4; ++k) value = value << 8 | uint8_t(bytes.at(4 * i + k));
+            return value;
+        };
+        const size_t pixels = number(0) + size_t(number(19)) * 12, line = number(12), step = number(11) / 8;
+        Image image(int(number(4)), int(number(5)), 3, 8);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                for (size_t c = 0; c < 3; ++c)  // blue, green, red
+                    image.pixel(x, y)[c] =
+                        float(uint8_t(bytes.at(pixels + size_t(y) * line + size_t(x) * step + 2 - c))) / 255;
+        return image;
+    }
     void press(const char* key) const { EXPECT_EQ(run({"xdotool", "key", key}, where_).code, 0); }
     /// Presses and waits for the frame of that lab.
     void press_for(const char* key, const std::string& lab) {
@@ -95,6 +116,39 @@ protected:
         return {};
     }
 };
+
+TEST_F(Window, ShowsThePictureThatItSaves) {
+    open("20");
+    const Image saved_picture = saved("20_test_wall-1.png");
+    size_t same = 0;
+    ASSERT_TRUE(eventually([&] {
+        const Image shown = screen();
+        same = 0;
+        for (int y = 0; y < saved_picture.height; ++y)
+            for (int x = 0; x < saved_picture.width; ++x)
+                same += std::equal(saved_picture.pixel(x, y), saved_picture.pixel(x, y) + 3,
+                                   shown.pixel(window_width - saved_picture.width + x, y));
+        return same == saved_picture.pixel_count();
+    })) << same
+        << " of " << saved_picture.pixel_count() << " pixels";
+}
+
+TEST_F(Window, AKnobThatIsTurnedChangesThePicture) {
+    open("20");
+    const Image before = saved("20_test_wall-1.png");
+    const size_t frames_before = frames().size();
+    // The sliders stand one below the other; where exactly is the panel's affair.
+    for (int y = 80; y < 240 && frames().size() == frames_before; y += 8) {
+        run({"xdotool", "mousemove", "280", std::to_string(y)}, where_);
+        std::this_thread::sleep_for(100ms);
+        run({"xdotool", "mousedown", "1"}, where_);
+        std::this_thread::sleep_for(100ms);
+        run({"xdotool", "mouseup", "1"}, where_);
+        std::this_thread::sleep_for(100ms);
+    }
+    EXPECT_GT(frames().size(), frames_before);
+    EXPECT_NE(saved("20_test_wall-2.png").values, before.values);
+}
 
 TEST_F(Window, SwitchingThereAndBackGivesTheSamePictureAndLeaksNothing) {
     open("01");
@@ -146,6 +200,16 @@ TEST_F(Window, ABrokenShaderIsShownAndMendedByR) {
     open("20");
     EXPECT_TRUE(contains(window_->err(), std::string(file) + ":2: error:")) << window_->err();
     EXPECT_TRUE(window_->running());
+    // The message stands in the alarm's colour at the top of the picture's place.
+    EXPECT_TRUE(eventually([&] {
+        const Image shown = screen();
+        for (int y = 0; y < 100; ++y)
+            for (int x = 360; x < window_width; ++x) {
+                const float* const pixel = shown.pixel(x, y);
+                if (pixel[0] > 0.7f && pixel[1] < 0.6f && pixel[2] < 0.5f) return true;
+            }
+        return false;
+    }));
     course_.course.overwrite(file, good);
     press_for("r", "20_test_wall");
     saved("20_test_wall-1.png");
