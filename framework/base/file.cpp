@@ -92,7 +92,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 }  // namespace
 
 std::string read_file(const fs::path& path, size_t limit) {
-    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat status {};
     if (file < 0 || fstat(file, &status) != 0) fail(path, "read");
     if (!S_ISREG(status.st_mode)) throw Error({path}, "cannot read: not a file");

@@ -122,6 +122,13 @@ TEST(Files, APipeOrADeviceIsWrittenIntoNotReplaced) {
     EXPECT_TRUE(fs::is_symlink(full));
 }
 
+TEST(Files, APipeWithoutAWriterIsRefusedNotWaitedFor) {
+    const TemporaryFolder folder;
+    const std::filesystem::path pipe = folder.path() / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_TRUE(contains(message_of([&] { read_file(pipe); }), "pipe: cannot read: not a file"));
+}
+
 TEST(Files, ALinkStaysALink) {
     const TemporaryFolder folder;
     folder.write("real.txt", "old");
