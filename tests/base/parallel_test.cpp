@@ -1,0 +1,48 @@
+// Work in pieces: each part once, and failures that are heard.
+#include "framework/base/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <mutex>
+#include <stdexcept>
+#include <vector>
+
+namespace relief {
+namespace {
+
+TEST(Parallel, DoesEveryPartOnceForAnyNumberOfThreads) {
+    for (const unsigned threads : {0u, 1u, 2u, 3u, 8u})
+        for (const size_t count : {0u, 1u, 2u, 7u, 100u}) {
+            std::vector<std::atomic<int>> done(count);
+            parallel_pieces(count, 1, threads, [&](size_t begin, size_t end) {
+                EXPECT_LT(begin, end);
+                for (size_t i = begin; i < end; ++i) ++done.at(i);
+            });
+            for (size_t i = 0; i < count; ++i) EXPECT_EQ(done[i], 1) << i << " of " << count << ", " << threads;
+        }
+}
+
+TEST(Parallel, DoesNotCutSmallWork) {
+    std::mutex mutex;
+    std::vector<std::pair<size_t, size_t>> pieces;
+    parallel_pieces(100, 64, 8, [&](size_t begin, size_t end) {
+        const std::lock_guard lock(mutex);
+        pieces.emplace_back(begin, end);
+    });
+    EXPECT_EQ(pieces.size(), 2u);
+}
+
+TEST(Parallel, ThrowsWhatAPieceThrowsAfterTheOthersAreDone) {
+    std::atomic<size_t> done = 0;
+    EXPECT_THROW(parallel_pieces(4, 1, 4,
+                                 [&](size_t begin, size_t) {
+                                     ++done;
+                                     if (begin == 2) throw std::runtime_error("piece 2");
+                                 }),
+                 std::runtime_error);
+    EXPECT_EQ(done, 4u);
+}
+
+}  // namespace
+}  // namespace relief
