@@ -3,6 +3,8 @@
 
 #include <glm/glm.hpp>
 
+#include "framework/reference/ray.h"
+
 namespace relief {
 
 /// Where the camera is: on a sphere around the target. Degrees and metres; yaw 0 looks along -z, yaw grows as
@@ -12,10 +14,6 @@ struct Orbit {
     glm::dvec3 target{0, 0, 0};
     double field_of_view = 40;  ///< vertical, degrees
     bool operator==(const Orbit&) const = default;
-};
-
-struct Ray {
-    glm::dvec3 origin, direction;  ///< direction is unit
 };
 
 class Camera {
@@ -30,7 +28,7 @@ public:
     glm::dmat4 clip_from_world() const { return clip_from_view_ * view_from_world_; }
     /// The same camera for a picture of another shape.
     Camera with_aspect(double aspect) const { return {orbit_, aspect}; }
-    /// The ray through a point of the picture: x and y in [-1, 1], y up.
+    /// The ray through a point of the picture: x and y in [-1, 1], y up. Its direction is unit.
     Ray ray(glm::dvec2 clip) const;
 
 private:

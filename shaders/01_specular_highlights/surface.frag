@@ -4,6 +4,7 @@
 #include "common/light.glsl"
 #include "common/normal_map.glsl"
 #include "common/srgb.glsl"
+#include "common/tangent_space.glsl"
 
 in vec3 v_position;
 in vec3 v_normal;

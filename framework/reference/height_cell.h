@@ -1,0 +1,60 @@
+// One cell of a height map: the bilinear surface between four texel centres, and a ray against it. The twin of
+// shaders/common/height_cell.glsl.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+namespace relief {
+
+/// The heights of four neighbouring texels: h10 is one texel further along u than h00, h01 one along v. A place in the
+/// cell is (0, 0) at h00 and (1, 1) at h11.
+struct HeightCell {
+    double h00, h10, h01, h11;
+
+    double top() const { return std::max(std::max(h00, h10), std::max(h01, h11)); }
+};
+
+inline double height_in_cell(const HeightCell& cell, glm::dvec2 at) {
+    const double lower = cell.h00 + (cell.h10 - cell.h00) * at.x, upper = cell.h01 + (cell.h11 - cell.h01) * at.x;
+    return lower + (upper - lower) * at.y;
+}
+
+/// dh/du and dh/dv, per texel.
+inline glm::dvec2 slope_in_cell(const HeightCell& cell, glm::dvec2 at) {
+    const double along_u = cell.h10 - cell.h00, along_v = cell.h01 - cell.h00;
+    const double twist = (cell.h11 - cell.h01) - along_u;
+    return {along_u + twist * at.y, along_v + twist * at.x};
+}
+
+/// How far a straight segment runs above the cell's surface: a quadratic, as the Bernstein coefficients of
+/// begin (1 - s)² + 2 middle s (1 - s) + end s², s from 0 to 1 along the segment.
+struct Gap {
+    double begin, middle, end;
+};
+
+/// The gap of the segment between two points: x and y places in the cell, z heights. The height is bilinear, so
+/// the middle coefficient is the segment's middle less the mean of the heights at the two mixed corners
+/// (x of one end, y of the other).
+inline Gap gap_above_cell(const HeightCell& cell, glm::dvec3 from, glm::dvec3 to) {
+    return {from.z - height_in_cell(cell, {from.x, from.y}),
+            (from.z + to.z - height_in_cell(cell, {to.x, from.y}) - height_in_cell(cell, {from.x, to.y})) / 2,
+            to.z - height_in_cell(cell, {to.x, to.y})};
+}
+
+/// Whether a gap that begins at or above 0 comes down to 0 at all: without a root or a division.
+inline bool closes(const Gap& gap) {
+    return gap.end <= 0 || gap.begin <= 0 || (gap.middle < 0 && gap.middle * gap.middle >= gap.begin * gap.end);
+}
+
+/// The first s in [0, 1] at which a gap that closes() is 0. Both forms of the root add numbers of one sign, so nothing
+/// cancels; s / (1 - s) is the smaller positive root of begin + 2 middle r + end r².
+inline double first_closing(const Gap& gap) {
+    if (gap.begin <= 0) return 0;
+    const double root = std::sqrt(std::max(0.0, gap.middle * gap.middle - gap.begin * gap.end));
+    if (gap.middle > 0) return (gap.middle + root) / (gap.middle + root - gap.end);
+    return gap.begin / (gap.begin - gap.middle + root);
+}
+
+}  // namespace relief

@@ -1,0 +1,419 @@
+// Every function of shaders/common against its twin in double precision, over thousands of inputs; and the same with a
+// mistake planted in the shader, which must be seen.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <regex>
+#include <set>
+
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/image/color.h"
+#include "framework/reference/displaced.h"
+#include "framework/reference/height_field.h"
+#include "framework/reference/light.h"
+#include "framework/reference/normal_map.h"
+#include "framework/reference/tangent_space.h"
+#include "framework/reference/tessellation.h"
+#include "tests/gl/glsl_function.h"
+
+namespace relief {
+namespace {
+
+/// Inputs to be used as they come: floats, so that shader and twin begin with the very same numbers.
+struct Dice {
+    std::mt19937 random;
+    float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); }
+    /// Both signs, and sizes that differ by powers of ten.
+    float any_size(float lowest, float highest) {
+        const float size = std::pow(10.0f, between(lowest, highest));
+        return random() % 2 ? size : -size;
+    }
+    glm::vec3 inside(float low, float high) { return {between(low, high), between(low, high), between(low, high)}; }
+    glm::vec3 unit() {
+        for (;;)
+            if (const glm::vec3 v = inside(-1, 1); glm::length(v) > 0.1f && glm::length(v) <= 1)
+                return glm::normalize(v);
+    }
+};
+
+/// A function and its twin. The error is the distance between the two results, relative to the twin's length or to
+/// `scale`, whichever is larger.
+struct Twin {
+    std::string function, file, expression;
+    std::function<GlslInput(Dice&)> input;
+    std::function<glm::dvec4(const GlslInput&)> twin;
+    PlantedMistake mistake;
+    double tolerance = 1e-5;  ///< a larger one has its reason beside it
+    double scale = 1e-6;
+};
+
+glm::dvec3 xyz(const glm::vec4& v) { return glm::dvec3(v); }
+glm::dvec4 scalar(double value) { return {value, 0, 0, 0}; }
+HeightCell cell_of(const glm::vec4& gathered) { return {gathered.w, gathered.z, gathered.x, gathered.y}; }
+
+GlslInput random_cell(Dice& dice) {
+    return {glm::vec4(dice.inside(0, 1), dice.between(0, 1)), glm::vec4(dice.inside(0, 1), 0),
+            glm::vec4(dice.inside(0, 1), 0)};
+}
+
+/// Normal and tangent at any angle but nearly along each other, of any length, as interpolation leaves them.
+GlslInput random_frame(Dice& dice) {
+    for (;;) {
+        const glm::vec3 normal = dice.between(0.3f, 1) * dice.unit(), tangent = dice.between(0.3f, 1) * dice.unit();
+        if (std::abs(glm::dot(glm::normalize(normal), glm::normalize(tangent))) < 0.9f)
+            return {glm::vec4(dice.unit(), 0), glm::vec4(normal, 0), glm::vec4(tangent, dice.random() % 2 ? 1 : -1)};
+    }
+}
+
+glm::dvec4 column_of_cotangent_frame(const GlslInput& in, int column) {
+    return {cotangent_frame(xyz(in[0]), xyz(in[1]), xyz(in[2]), {in[3].x, in[3].y}, {in[3].z, in[3].w})[column], 0};
+}
+GlslInput random_differences(Dice& dice) {
+    for (;;) {
+        const glm::vec3 n = dice.unit(), p = dice.inside(-1, 1), q = dice.inside(-1, 1);
+        const glm::vec2 u(dice.between(-1, 1), dice.between(-1, 1)), v(dice.between(-1, 1), dice.between(-1, 1));
+        // Neighbours that see the surface neither edge-on nor with uv that hardly change.
+        if (std::abs(glm::dot(n, glm::cross(p, q))) > 0.1f && std::abs(u.x * v.y - u.y * v.x) > 0.1f)
+            return {glm::vec4(n, 0), glm::vec4(p, 0), glm::vec4(q, 0), glm::vec4(u, v)};
+    }
+}
+
+std::vector<Twin> light_and_color() {
+    return {
+        {"blinn_phong",
+         "light.glsl",
+         "vec4(blinn_phong(a.xyz, a.w, b.w, b.xyz, c.xyz, d.xyz), 0.0)",
+         [](Dice& dice) {
+             // Within 60 degrees of the normal: at a right angle a relative error of the cosine has no bound.
+             const glm::vec3 n = dice.unit();
+             const auto near = [&] { return glm::normalize(n + 0.8f * dice.unit()); };
+             return GlslInput{glm::vec4(dice.inside(0, 1), dice.between(0, 1)),
+                              glm::vec4(n, std::pow(2.0f, dice.between(0, 8))), glm::vec4(near(), 0),
+                              glm::vec4(near(), 0)};
+         },
+         [](const GlslInput& in) {
+             return glm::dvec4(blinn_phong(xyz(in[0]), in[0].w, in[1].w, xyz(in[1]), xyz(in[2]), xyz(in[3])), 0);
+         },
+         {"albedo + specular", "albedo - specular"},
+         // A power of 256 multiplies the rounding of its base by 256, and llvmpipe's pow is good to some 1e-5 itself.
+         1e-4},
+        {"srgb_from_linear",
+         "srgb.glsl",
+         "vec4(srgb_from_linear(a.xyz), 0.0)",
+         [](Dice& dice) { return GlslInput{glm::vec4(std::abs(dice.any_size(-5, 0)), dice.between(0, 1), 0, 0)}; },
+         [](const GlslInput& in) {
+             return glm::dvec4(srgb_from_linear(in[0].x), srgb_from_linear(in[0].y), srgb_from_linear(in[0].z), 0);
+         },
+         {"- 0.055;", "+ 0.055;"}},
+    };
+}
+
+std::vector<Twin> normals_and_frames() {
+    const auto stored = [](Dice& dice) { return GlslInput{glm::vec4(dice.inside(0, 1), 0)}; };
+    const auto pair = [](Dice& dice) { return GlslInput{glm::vec4(dice.between(-1, 1), dice.between(-1, 1), 0, 0)}; };
+    return {
+        {"decode_normal",
+         "normal_map.glsl",
+         "vec4(decode_normal(a.xyz), 0.0)",
+         stored,
+         [](const GlslInput& in) { return glm::dvec4(decode_normal(xyz(in[0])), 0); },
+         {"stored * 2.0 - 1.0", "stored * 2.0 + 1.0"}},
+        {"decode_normal_128",
+         "normal_map.glsl",
+         "vec4(decode_normal_128(a.xyz), 0.0)",
+         stored,
+         [](const GlslInput& in) { return glm::dvec4(decode_normal_128(xyz(in[0])), 0); },
+         {"- 128.0", "+ 128.0"}},
+        {"decode_normal_xy",
+         "normal_map.glsl",
+         "vec4(decode_normal_xy(a.xy), 0.0)",
+         pair,
+         [](const GlslInput& in) {
+             return glm::dvec4(decode_normal_xy({in[0].x, in[0].y}), 0);
+         },
+         {"1.0 - dot(xy, xy)", "1.0 + dot(xy, xy)"},
+         // At the horizon z is the root of what is left of 1, and that has half of its digits.
+         5e-4},
+        {"decode_octahedral",
+         "normal_map.glsl",
+         "vec4(decode_octahedral(a.xy), 0.0)",
+         pair,
+         [](const GlslInput& in) {
+             return glm::dvec4(decode_octahedral({in[0].x, in[0].y}), 0);
+         },
+         {"n.y >= 0.0 ? -below", "n.y >= 0.0 ? below"}},
+        {"tangent_frame",
+         "tangent_space.glsl",
+         "vec4(tangent_frame(b.xyz, c)[1], 0.0)",
+         random_frame,
+         [](const GlslInput& in) { return glm::dvec4(tangent_frame(xyz(in[1]), in[2])[1], 0); },
+         {"cross(n, t)", "cross(t, n)"}},
+        {"from_tangent_space",
+         "tangent_space.glsl",
+         "vec4(from_tangent_space(a.xyz, b.xyz, c), 0.0)",
+         random_frame,
+         [](const GlslInput& in) { return glm::dvec4(from_tangent_space(xyz(in[0]), xyz(in[1]), in[2]), 0); },
+         {"tangent.xyz - dot", "tangent.xyz + dot"}},
+        {"to_tangent_space",
+         "tangent_space.glsl",
+         "vec4(to_tangent_space(a.xyz, b.xyz, c), 0.0)",
+         random_frame,
+         [](const GlslInput& in) { return glm::dvec4(to_tangent_space(xyz(in[0]), xyz(in[1]), in[2]), 0); },
+         {"direction * tangent_frame", "-direction * tangent_frame"}},
+        {"cotangent_frame",
+         "tangent_space.glsl",
+         "vec4(cotangent_frame(a.xyz, b.xyz, c.xyz, d.xy, d.zw)[0], 0.0)",
+         random_differences,
+         [](const GlslInput& in) { return column_of_cotangent_frame(in, 0); },
+         {"? -1.0 : 1.0", "? 1.0 : 1.0"},
+         // Sums of two products may nearly cancel, since the longer of the two columns sets the scale.
+         1e-5,
+         1},
+        {"cotangent_frame",
+         "tangent_space.glsl",
+         "vec4(cotangent_frame(a.xyz, b.xyz, c.xyz, d.xy, d.zw)[1], 0.0)",
+         random_differences,
+         [](const GlslInput& in) { return column_of_cotangent_frame(in, 1); },
+         {"across_x * uv_dx.y + across_y", "across_x * uv_dx.y - across_y"},
+         1e-5,
+         1},
+    };
+}
+
+std::vector<Twin> height_cells() {
+    return {
+        {"height_in_cell",
+         "height_cell.glsl",
+         "vec4(height_in_cell(a, b.xy), vec3(0.0))",
+         random_cell,
+         [](const GlslInput& in) {
+             return scalar(height_in_cell(cell_of(in[0]), {in[1].x, in[1].y}));
+         },
+         {"corners.wz, corners.xy", "corners.zw, corners.yx"}},
+        {"slope_in_cell",
+         "height_cell.glsl",
+         "vec4(slope_in_cell(a, b.xy), 0.0, 0.0)",
+         random_cell,
+         [](const GlslInput& in) {
+             return glm::dvec4(slope_in_cell(cell_of(in[0]), {in[1].x, in[1].y}), 0, 0);
+         },
+         {"corners.x - corners.w, corners.y - corners.z", "corners.w - corners.x, corners.z - corners.y"},
+         1e-5,
+         1},  // a difference of heights: relative to the heights
+        {"gap_above_cell",
+         "height_cell.glsl",
+         "vec4(gap_above_cell(a, b.xyz, c.xyz), 0.0)",
+         random_cell,
+         [](const GlslInput& in) {
+             const Gap gap = gap_above_cell(cell_of(in[0]), xyz(in[1]), xyz(in[2]));
+             return glm::dvec4(gap.begin, gap.middle, gap.end, 0);
+         },
+         {"from.z + to.z - mixed", "from.z + to.z + mixed"},
+         1e-5,
+         1},  // likewise
+        {"closes",
+         "height_cell.glsl",
+         "vec4(closes(a.xyz), vec3(0.0))",
+         [](Dice& dice) {
+             for (;;) {  // not nearer to touching than floats can tell
+                 const glm::dvec3 gap = dice.inside(-1, 1);
+                 if (std::abs(gap.y * gap.y - gap.x * gap.z) > 1e-5) return GlslInput{glm::vec4(gap, 0)};
+             }
+         },
+         [](const GlslInput& in) {
+             return scalar(closes({in[0].x, in[0].y, in[0].z}));
+         },
+         {"gap.y < 0.0", "gap.y > 0.0"}},
+        {"first_closing",
+         "height_cell.glsl",
+         "vec4(first_closing(a.xyz), vec3(0.0))",
+         [](Dice& dice) {
+             for (;;) {
+                 const glm::dvec3 gap(dice.between(0, 1), dice.between(-1, 1), dice.between(-1, 1));
+                 if (closes({gap.x, gap.y, gap.z}) && std::abs(gap.y * gap.y - gap.x * gap.z) > 0.01)
+                     return GlslInput{glm::vec4(gap, 0)};
+             }
+         },
+         [](const GlslInput& in) {
+             return scalar(first_closing({in[0].x, in[0].y, in[0].z}));
+         },
+         {"gap.x - gap.y + root", "gap.x + gap.y + root"}},
+    };
+}
+
+std::vector<Twin> displacement_and_levels() {
+    const auto edge = [](Dice& dice) {
+        return GlslInput{glm::vec4(dice.inside(-1, 1), 0), glm::vec4(dice.inside(-1, 1), 0),
+                         glm::vec4(dice.inside(2, 9), 0),
+                         glm::vec4(dice.between(300, 3000), dice.between(4, 64), 0, 0)};
+    };
+    const auto base = [](Dice& dice) {
+        return GlslInput{glm::vec4(1, 0.1f * dice.inside(-1, 1)),
+                         glm::vec4(0.1f * dice.inside(-1, 1), 0),
+                         glm::vec4(dice.unit(), 0),
+                         glm::vec4(dice.inside(-1, 1), dice.between(0, 1)),
+                         glm::vec4(dice.inside(-1, 1), dice.between(0, 0.2f)),
+                         glm::vec4(dice.between(-2, 2), dice.between(-2, 2), 0, 0)};
+    };
+    return {
+        {"displaced",
+         "displacement.glsl",
+         "vec4(displaced(a.xyz, c.xyz, d.w, e.w), 0.0)",
+         base,
+         [](const GlslInput& in) {
+             const SurfacePoint point{
+                 .position = xyz(in[0]), .normal = xyz(in[2]), .du = {}, .dv = {}, .normal_du = {}, .normal_dv = {}};
+             return glm::dvec4(displace(point, {in[3].w, {}}, in[4].w).position, 0);
+         },
+         {"height - 1.0) * normal;", "1.0 - height) * normal;"}},
+        {"displaced_normal",
+         "displacement.glsl",
+         "vec4(displaced_normal(a.xyz, b.xyz + vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0), d.xyz, e.xyz, d.w, f.xy, "
+         "e.w), 0.0)",
+         base,
+         [](const GlslInput& in) {
+             const SurfacePoint point{.position = {},
+                                      .normal = {0, 0, 1},
+                                      .du = xyz(in[0]),
+                                      .dv = xyz(in[1]) + glm::dvec3(0, 1, 0),
+                                      .normal_du = xyz(in[3]),
+                                      .normal_dv = xyz(in[4])};
+             return glm::dvec4(displace(point, {in[3].w, {in[5].x, in[5].y}}, in[4].w).normal, 0);
+         },
+         {"scale * slope.x * normal, dv", "scale * slope.y * normal, dv"}},
+        {"possible_level",
+         "tessellation.glsl",
+         "vec4(possible_level(a.x), vec3(0.0))",
+         [](Dice& dice) { return GlslInput{glm::vec4(dice.any_size(-3, 3), 0, 0, 0)}; },
+         [](const GlslInput& in) { return scalar(possible_level(in[0].x)); },
+         {"level > 1.0", "level < 1.0"}},
+        {"level_by_distance",
+         "tessellation.glsl",
+         "vec4(level_by_distance(a.x, a.y, a.z, b.x, b.y), vec3(0.0))",
+         [](Dice& dice) {
+             const float nearest = dice.between(0.1f, 10);
+             return GlslInput{glm::vec4(dice.between(0, 100), nearest, nearest * dice.between(2, 10), 0),
+                              glm::vec4(dice.between(3, 6), dice.between(0, 3), 0, 0)};
+         },
+         [](const GlslInput& in) { return scalar(level_by_distance(in[0].x, in[0].y, in[0].z, in[1].x, in[1].y)); },
+         {"distance - nearest", "distance + nearest"}},
+        {"level_by_size",
+         "tessellation.glsl",
+         "vec4(level_by_size(a.xyz, b.xyz, c.xyz, d.x, d.y), vec3(0.0))",
+         edge,
+         [](const GlslInput& in) {
+             return scalar(level_by_size(xyz(in[0]), xyz(in[1]), xyz(in[2]), in[3].x, in[3].y));
+         },
+         {"* 0.5 - eye", "* 0.5 + eye"}},
+        {"level_by_error",
+         "tessellation.glsl",
+         "vec4(level_by_error(c.x, c.y, c.z, d.x, d.y), vec3(0.0))",
+         edge,
+         [](const GlslInput& in) { return scalar(level_by_error(in[2].x, in[2].y, in[2].z, in[3].x, in[3].y)); },
+         {"8.0 * budget", "budget / 8.0"}},
+    };
+}
+
+std::vector<Twin> all_twins() {
+    std::vector<Twin> all;
+    for (const auto& some : {light_and_color(), normals_and_frames(), height_cells(), displacement_and_levels()})
+        all.insert(all.end(), some.begin(), some.end());
+    return all;
+}
+
+constexpr unsigned seed = 11;
+
+std::vector<GlslInput> inputs_of(const Twin& twin) {
+    Dice dice{std::mt19937(seed)};
+    std::vector<GlslInput> inputs(4000);
+    for (GlslInput& input : inputs) input = twin.input(dice);
+    return inputs;
+}
+
+/// The largest error over all inputs; infinite when a result is not a number.
+double largest_error(const Twin& twin, const PlantedMistake& mistake) {
+    const std::vector<GlslInput> inputs = inputs_of(twin);
+    const std::vector<glm::vec4> results = evaluate_glsl(twin.file, twin.expression, inputs, mistake);
+    double largest = 0;
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const glm::dvec4 truth = twin.twin(inputs[i]);
+        const double error = glm::length(glm::dvec4(results[i]) - truth) / std::max(glm::length(truth), twin.scale);
+        largest = std::max(largest, std::isnan(error) ? INFINITY : error);
+    }
+    return largest;
+}
+
+TEST(ShaderFunction, AgreesWithItsTwin) {
+    for (const Twin& twin : all_twins())
+        EXPECT_LE(largest_error(twin, {}), twin.tolerance) << twin.expression << ", seed " << seed;
+}
+
+TEST(ShaderFunction, WithAMistakeNoLongerAgrees) {
+    for (const Twin& twin : all_twins())
+        EXPECT_GT(largest_error(twin, twin.mistake), 100 * twin.tolerance) << twin.expression << ", seed " << seed;
+}
+
+TEST(ShaderFunction, EachOfThemHasATwinHere) {
+    std::set<std::string> tested = {"cell_corners"};  // below: it reads a texture
+    for (const Twin& twin : all_twins()) tested.insert(twin.function);
+    const std::regex definition("(^|\n)(float|bool|int|vec[234]|mat[234]) ([a-z_0-9]+)\\(");
+    size_t found = 0;
+    for (const auto& file : std::filesystem::directory_iterator(course_root() / "shaders/common")) {
+        const std::string text = read_file(file.path());
+        for (auto match = std::sregex_iterator(text.begin(), text.end(), definition); match != std::sregex_iterator();
+             ++match, ++found)
+            EXPECT_TRUE(tested.contains((*match)[3])) << (*match)[3] << " in " << file.path();
+    }
+    EXPECT_GE(found, tested.size());
+}
+
+TEST(ShaderFunction, CellCornersAreTheTexelsThemselvesOfAnyCell) {
+    const int columns = 8, rows = 4;
+    Image image(columns, rows, 1);
+    Dice dice{std::mt19937(seed)};
+    for (float& value : image.values) value = dice.between(0, 1);
+    const Texture map("heights", [&] { return image; });
+    std::vector<GlslInput> inputs;
+    for (int row = -1; row < rows; ++row)
+        for (int column = -1; column < columns; ++column) inputs.push_back({glm::vec4(column, row, 0, 0)});
+    const auto corners = evaluate_glsl("height_cell.glsl", "cell_corners(s_map, ivec2(a.xy))", inputs, {}, &map);
+    const auto texel = [&](float column, float row) {
+        return *image.pixel((int(column) + columns) % columns, rows - 1 - (int(row) + rows) % rows);
+    };
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const float x = inputs[i][0].x, y = inputs[i][0].y;
+        EXPECT_EQ(corners[i], glm::vec4(texel(x, y + 1), texel(x + 1, y + 1), texel(x + 1, y), texel(x, y)))
+            << "cell " << x << ", " << y;
+    }
+}
+
+TEST(ShaderFunction, DegenerateInputsGiveWhatTheTwinsSay) {
+    const std::vector<GlslInput> zero(1);
+    const auto value = [&](const char* file, const char* expression) {
+        return evaluate_glsl(file, expression, zero)[0];
+    };
+    EXPECT_EQ(value("normal_map.glsl", "vec4(decode_octahedral(vec2(1.0, 1.0)), 0.0)"), glm::vec4(0, 0, -1, 0));
+    EXPECT_EQ(value("normal_map.glsl", "vec4(decode_octahedral(vec2(1.0, 0.0)), 0.0)"), glm::vec4(1, 0, 0, 0));
+    EXPECT_EQ(value("normal_map.glsl", "vec4(decode_normal_xy(vec2(1.0, 0.5)), 0.0)").z, 0) << "too long: no NaN";
+    EXPECT_EQ(value("normal_map.glsl", "vec4(decode_normal_128(vec3(128.0, 128.0, 255.0) / 255.0), 0.0)"),
+              glm::vec4(0, 0, 1, 0));
+    EXPECT_EQ(
+        value(
+            "tangent_space.glsl",
+            "vec4(cotangent_frame(vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), a.xy, a.xy)[0], 0.0)"),
+        glm::vec4(0));
+    EXPECT_EQ(value("displacement.glsl",
+                    "vec4(displaced_normal(a.xyz, a.xyz, vec3(0.0, 0.0, 1.0), a.xyz, a.xyz, 0.5, a.xy, 1.0), 0.0)"),
+              glm::vec4(0, 0, 1, 0));
+    EXPECT_EQ(value("height_cell.glsl", "vec4(first_closing(vec3(1.0, 1.0, -1e30)), closes(vec3(1.0)), 0.0, 0.0)").y,
+              0);
+    EXPECT_EQ(value("height_cell.glsl", "vec4(first_closing(a.xyz), vec3(0.0))").x, 0);
+    EXPECT_EQ(value("tessellation.glsl", "vec4(level_by_size(a.xyz, a.xyz, a.xyz, 1000.0, 8.0), vec3(0.0))").x, 1)
+        << "0 / 0";
+}
+
+}  // namespace
+}  // namespace relief
