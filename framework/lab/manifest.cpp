@@ -221,6 +221,7 @@ Manifest load_manifest(const fs::path& file) {
         probe.name = table.text("name");
         table.read("unit", probe.unit);
         probe.error = read_metric(table);
+        table.read("limit", probe.limit, 0, any);
         table.finish();
         if (!is_identifier(probe.name))
             table.fail("name", fmt::format("'{}' becomes PROBE_<name> in the shader: use a-z, 0-9 and _", probe.name));

@@ -12,10 +12,13 @@
 
 namespace relief {
 
-/// A quantity that the lab's shaders can write. `error` is how two values of it are compared.
+/// A quantity that the lab's shaders can write. `error` is how two values of it are compared, and `limit` what 99 % of
+/// the pixels keep, by the manifest's camera and the knobs as they are: no more than single precision costs, unless the
+/// lab is about methods that are wrong.
 struct ProbeInfo {
     std::string name, unit;
     ErrorMetric error = ErrorMetric::distance;
+    double limit = 1e-3;  ///< in the unit
 };
 
 /// Something a student is to write.

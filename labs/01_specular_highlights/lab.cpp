@@ -6,6 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/lab/lab.h"
+#include "scene.h"
+#include "truth.h"
 
 namespace relief {
 
@@ -46,6 +48,23 @@ public:
         knobs.slider("strength", strength_, 0, 2, "of the normal map; 0 is flat");
     }
 
+    /// Of the bricks themselves, whichever method draws them.
+    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        if (method_ != side_by_side) return colonnade::truth(frame, probe, strength_);
+        Image both(frame.size.x, frame.size.y, 4);
+        const int middle = frame.size.x / 2;
+        for (const auto& [begin, end] : {std::pair(0, middle), std::pair(middle, frame.size.x)}) {
+            if (begin == end) continue;
+            Frame half = frame;
+            half.size.x = end - begin;
+            half.camera = frame.camera.with_aspect(double(half.size.x) / half.size.y);
+            const Image part = colonnade::truth(half, probe, strength_);
+            for (int y = 0; y < half.size.y; ++y)
+                std::copy_n(part.pixel(0, y), size_t(half.size.x) * 4, both.pixel(begin, y));
+        }
+        return both;
+    }
+
 private:
     enum Method { vertex_normal, normal_map, side_by_side, wipe };
     static constexpr std::array methods = {"vertex-normal", "normal-map", "side-by-side", "wipe"};
@@ -67,10 +86,12 @@ private:
         // The floor last: what stands before it is not shaded twice.
         surface.set("s_albedo", 0, bricks_albedo_);
         surface.set("s_normal", 1, bricks_normal_);
-        for (const glm::vec3 place : places_) draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
+        for (const glm::vec3 place : colonnade::places)
+            draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
         surface.set("s_albedo", 0, paving_albedo_);
         surface.set("s_normal", 1, paving_normal_);
-        for (const glm::vec3 place : places_) draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + top));
+        for (const glm::vec3 place : colonnade::places)
+            draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + colonnade::top));
         draw_mesh(surface, floor_, glm::rotate(glm::mat4(1), glm::radians(-90.0f), {1, 0, 0}));
 
         if (frame.probe) return;
@@ -99,14 +120,9 @@ private:
     Texture bricks_normal_ = load_texture("bricks_normal.png", ColorSpace::linear);
     Texture paving_albedo_ = load_texture("paving_albedo.png", ColorSpace::srgb);
     Texture paving_normal_ = load_texture("paving_normal.png", ColorSpace::linear);
-    GpuMesh floor_ = upload([] { return make_quad({.width = 60, .height = 60, .repeat = {24, 24}}); });
-    GpuMesh column_ = upload([] {
-        return make_column({.bottom_radius = 0.5f, .top_radius = 0.34f, .height = 2.6f, .repeat = {2, 2}});
-    });
-    GpuMesh ball_ = upload([] { return make_sphere({.radius = 0.42f, .repeat = {2, 1}}); });
-    static constexpr glm::vec3 top{0, 2.95f, 0};
-    static constexpr std::array<glm::vec3, 6> places_ = {
-        {{-1.4f, 0, 1.2f}, {1.4f, 0, 1.2f}, {-1.4f, 0, -1.6f}, {1.4f, 0, -1.6f}, {-1.4f, 0, -4.4f}, {1.4f, 0, -4.4f}}};
+    GpuMesh floor_ = upload([] { return make_quad(colonnade::ground); });
+    GpuMesh column_ = upload([] { return make_column(colonnade::column); });
+    GpuMesh ball_ = upload([] { return make_sphere(colonnade::ball); });
 
     int method_ = wipe;
     float wipe_ = 0.5f, light_yaw_ = 14, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;

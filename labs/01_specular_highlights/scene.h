@@ -1,0 +1,19 @@
+// The colonnade: what stands where, for the picture and for its truth.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "framework/mesh/shapes.h"
+
+namespace relief::colonnade {
+
+constexpr QuadShape ground{.width = 60, .height = 60, .repeat = {24, 24}};  // turned to face up
+constexpr ColumnShape column{.bottom_radius = 0.5f, .top_radius = 0.34f, .height = 2.6f, .repeat = {2, 2}};
+constexpr SphereShape ball{.radius = 0.42f, .repeat = {2, 1}};
+/// Where the columns stand, and how far above that the balls hang.
+constexpr std::array<glm::vec3, 6> places = {
+    {{-1.4f, 0, 1.2f}, {1.4f, 0, 1.2f}, {-1.4f, 0, -1.6f}, {1.4f, 0, -1.6f}, {-1.4f, 0, -4.4f}, {1.4f, 0, -4.4f}}};
+constexpr glm::vec3 top{0, 2.95f, 0};
+
+}  // namespace relief::colonnade
