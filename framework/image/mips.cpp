@@ -86,4 +86,38 @@ std::vector<Image> mip_chain(Image image, ColorSpace space) {
     return chain;
 }
 
+std::vector<Image> normal_mip_chain(const Image& normals) {
+    Image vectors(normals.width, normals.height, 3);
+    const auto for_each_vector = [](Image& image, int channels, const auto& change) {
+        for (float* v = image.values.data(); v != image.values.data() + image.values.size(); v += channels) change(v);
+    };
+    const auto made_unit = [](float* v) {
+        const double length = std::sqrt(double(v[0]) * v[0] + double(v[1]) * v[1] + double(v[2]) * v[2]);
+        const bool has_direction = length > 1e-6 && std::isfinite(length);
+        for (int c = 0; c < 3; ++c) v[c] = has_direction ? float(v[c] / length) : c == 2;
+        return has_direction ? length : 0;
+    };
+    for (size_t i = 0; i < normals.pixel_count(); ++i)
+        for (int c = 0; c < 3; ++c)
+            vectors.values[i * 3 + size_t(c)] = normals.values[i * size_t(normals.channels) + size_t(c)] * 2 - 1;
+    for_each_vector(vectors, 3, made_unit);
+
+    std::vector<Image> chain;
+    for (const Image& mean : mip_chain(std::move(vectors), ColorSpace::linear)) {
+        Image& level = chain.emplace_back(mean.width, mean.height, 4, normals.bits);
+        for (size_t i = 0; i < level.pixel_count(); ++i) {
+            float* const texel = level.values.data() + i * 4;
+            std::copy_n(mean.values.data() + i * 3, 3, texel);
+            // Rounding may leave the mean of equal normals a little too long.
+            texel[3] = chain.size() == 1 ? 1 : float(std::min(1.0, made_unit(texel)));
+            for (int c = 0; c < 3; ++c) texel[c] = 0.5f * texel[c] + 0.5f;
+        }
+    }
+    return chain;
+}
+
+double toksvig_factor(double length, double shininess) {
+    return length > 0 ? length / (length + shininess * (1 - length)) : 0;
+}
+
 }  // namespace relief

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
 #include <random>
 
 namespace relief {
@@ -96,6 +98,69 @@ TEST(Mips, AlphaIsNeverSrgb) {
         EXPECT_EQ(last.values.front(), 188 / 255.0f) << channels << " channels";
         EXPECT_EQ(last.values.back(), 0.5f) << channels << " channels";
     }
+}
+
+Image stored(const std::vector<glm::dvec3>& normals, int width) {
+    Image image(width, int(normals.size()) / width, 3);
+    for (size_t i = 0; i < normals.size(); ++i)
+        for (int c = 0; c < 3; ++c) image.values[i * 3 + size_t(c)] = float(0.5 * normals[i][c] + 0.5);
+    return image;
+}
+
+TEST(NormalMips, OfEqualNormalsAreTheSameAndOfFullLength) {
+    const glm::dvec3 tilted = glm::normalize(glm::dvec3(0.3, -0.4, 0.8));
+    const auto chain =
+        normal_mip_chain(stored(std::vector<glm::dvec3>(35, 0.9 * tilted), 7));  // not unit, as 8 bits leave it
+    ASSERT_EQ(chain.size(), 3u);
+    for (const Image& level : chain) {
+        EXPECT_EQ(level.channels, 4);
+        for (size_t i = 0; i < level.pixel_count(); ++i) {
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(level.values[i * 4 + size_t(c)], 0.5 * tilted[c] + 0.5, 1e-6);
+            EXPECT_NEAR(level.values[i * 4 + 3], 1, 1e-6);
+            EXPECT_LE(level.values[i * 4 + 3], 1);
+        }
+    }
+}
+
+TEST(NormalMips, AreUnitAndKeepTheLengthOfTheMean) {
+    // Two normals at 60 degrees to each other: their mean is as long as the cosine of 30.
+    const double s = std::sin(M_PI / 6), c = std::cos(M_PI / 6);
+    const auto chain = normal_mip_chain(stored({{s, 0, c}, {-s, 0, c}}, 2));
+    EXPECT_NEAR(chain[1].values[0], 0.5, 1e-6);
+    EXPECT_NEAR(chain[1].values[2], 1, 1e-6);
+    EXPECT_NEAR(chain[1].values[3], c, 1e-6);
+}
+
+TEST(NormalMips, OfNormalsThatCancelOutPointUpWithoutLength) {
+    const auto chain = normal_mip_chain(stored({{1, 0, 0}, {-1, 0, 0}}, 2));
+    EXPECT_EQ(chain[1].values, (std::vector<float>{0.5f, 0.5f, 1, 0}));
+    const auto broken = normal_mip_chain(stored({{NAN, 0, 0}, {0, 0, 1}}, 2));
+    EXPECT_EQ(broken[1].values, (std::vector<float>{0.5f, 0.5f, 1, 1})) << "what is not a number points up";
+}
+
+TEST(NormalMips, OfRandomSlopesAreAsLongAsTheIntegralSays) {
+    // Slopes N(0, s²) in both directions: |mean n| is the mean of n.z = 1 / sqrt(1 + r²), r² / s² exponential of
+    // mean 2.
+    const double s = 0.3;
+    std::mt19937 random(31);
+    std::normal_distribution<> slope(0, s);
+    std::vector<glm::dvec3> normals(256 * 256);
+    for (glm::dvec3& n : normals) n = glm::normalize(glm::dvec3(-slope(random), -slope(random), 1));
+    double integral = 0;
+    const int steps = 20000;
+    for (int i = 0; i < steps; ++i) {
+        const double r2 = -2 * s * s * std::log((i + 0.5) / steps);
+        integral += 1 / std::sqrt(1 + r2) / steps;
+    }
+    // The spread of n.z is 0.07, over 65,536 texels.
+    EXPECT_NEAR(normal_mip_chain(stored(normals, 256)).back().values[3], integral, 0.07 / 256 * 4);
+}
+
+TEST(Toksvig, FactorIsOneForEqualNormalsAndFallsWithShininess) {
+    EXPECT_EQ(toksvig_factor(1, 512), 1);
+    EXPECT_EQ(toksvig_factor(0, 512), 0);
+    EXPECT_DOUBLE_EQ(toksvig_factor(0.5, 1), 0.5);
+    EXPECT_NEAR(toksvig_factor(126.0 / 127, 512), 0.2, 0.003) << "one step of 8 signed bits";
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ TEST(Displaced, WithoutTheTurningOfTheBaseIsOff) {
     const glm::dvec3 right = displace(base, height, 0.1).normal;
     EXPECT_NEAR(degrees_between(right, base.normal), glm::degrees(std::atan(1 / 0.95)), 1e-9);
     base.normal_du = {};
-    EXPECT_NEAR(degrees_between(displace(base, height, 0.1).normal, right), glm::degrees(std::atan(1 / 0.95)) - 45, 1e-9);
+    EXPECT_NEAR(degrees_between(displace(base, height, 0.1).normal, right), glm::degrees(std::atan(1 / 0.95)) - 45,
+                1e-9);
 }
 
 TEST(TangentFrame, IsAtRightAnglesAndKeepsTheNormalAndTheHandedness) {

@@ -1,0 +1,57 @@
+// Lines of heights and their slopes by definition: what is taken at borders, the cubic spline, levels of detail.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "framework/image/normals.h"
+
+namespace relief {
+
+/// An index beyond a line of `count`, brought back: around, or to the border.
+int inside(int index, int count, bool wrap);
+
+/// A slope is a sum of weighted differences: of equal heights it is 0 exactly.
+struct Difference {
+    int plus = 0, minus = 0;  ///< indices in the line
+    double weight = 0;
+};
+struct Differences {
+    std::array<Difference, 4> values;
+    int count = 0;
+    const Difference* begin() const { return values.data(); }
+    const Difference* end() const { return values.data() + count; }
+};
+
+/// Of element `i` of a line of `count`, without smoothing across. Without wrap, central differences (and what is built
+/// on them) become (-3 h0 + 4 h1 - h2) / 2 at a border, the fourth order its own one-sided forms (Fornberg 1988), as
+/// far as the line is long enough; `forward` looks back at the last element. The spline's row gives what its end slopes
+/// are.
+Differences slope_differences(SlopeFilter filter, int i, int count, bool wrap);
+
+constexpr int spline_lanes = 16;
+
+/// The slopes of the cubic splines through several lines at once. They solve m(i-1) + 4 m(i) + m(i+1) =
+/// 3 (h(i+1) - h(i-1)), around the line when it wraps, else with end slopes of the fourth order.
+class SplineLines {
+public:
+    SplineLines(int count, bool wrap);
+    /// Element `i` of `lanes` lines, whose heights lie `stride` apart.
+    void set(int i, const float* heights, size_t stride, int lanes);
+    void solve();
+    double slope(int i, int lane) const { return values_[size_t(i)][size_t(lane)]; }
+
+private:
+    using Lanes = std::array<double, spline_lanes>;
+    void solve_around();
+    void solve_between_ends();
+
+    bool wrap_;
+    std::vector<Lanes> values_, work_;
+    std::vector<double> factors_;
+};
+
+/// The height map with each level of detail as strong as `strengths` says, see NormalOptions.
+Image with_level_strengths(const Image& heights, const std::vector<double>& strengths, bool wrap, unsigned threads);
+
+}  // namespace relief
