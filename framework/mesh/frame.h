@@ -1,0 +1,16 @@
+// A direction at right angles to another.
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+
+namespace relief {
+
+/// A unit vector perpendicular to a unit one, without a branch and without a direction in which it fails (Duff et al.
+/// 2017). It jumps where z changes its sign, as every such choice must somewhere.
+inline glm::dvec3 any_perpendicular(const glm::dvec3& unit) {
+    const double sign = std::copysign(1.0, unit.z), a = -1 / (sign + unit.z);
+    return {1 + sign * unit.x * unit.x * a, sign * unit.x * unit.y * a, -sign * unit.x};
+}
+
+}  // namespace relief
