@@ -196,20 +196,24 @@ private:
 
     glm::dvec3 contribution(const TangentFace& face) const {
         const glm::dvec3 along(face.along);
-        return solver_.method == TangentMethod::mikktspace ? projected(along) : along;
+        if (solver_.method != TangentMethod::mikktspace) return along;
+        const glm::dvec3 on_plane = projected(along);
+        // Its square is 0 or from 1e-8 to 1, and its length need be no better than a float.
+        const float squared = float(glm::dot(on_plane, on_plane));
+        return squared > 0 ? on_plane * double(1 / std::sqrt(squared)) : on_plane;
     }
 
-    /// On the tangent plane and unit but for rounding; zero where too little is left of it.
+    /// On the tangent plane; zero where too little is left of it.
     glm::dvec3 projected(const glm::dvec3& v) const {
         const glm::dvec3 along = v - normal_ * glm::dot(normal_, v);
-        const double squared = glm::dot(along, along);
-        if (!(squared > smallest_sine * smallest_sine * glm::dot(v, v))) return glm::dvec3(0);
-        return along * double(1 / std::sqrt(float(squared)));
+        const bool enough = glm::dot(along, along) > smallest_sine * smallest_sine * glm::dot(v, v);
+        return enough ? along : glm::dvec3(0);
     }
 
-    /// Once more: the first time leaves along the normal what rounding has, over the sine.
+    /// Perpendicular to the normal and unit, or zero. Projected once more: the first time leaves along the normal what
+    /// rounding has, over the sine.
     glm::dvec3 tangent_of(const glm::dvec3& v) const {
-        const glm::dvec3 unit = projected(v);
+        const glm::dvec3 unit = direction(projected(v));
         return made_unit(unit - normal_ * glm::dot(normal_, unit));
     }
 
