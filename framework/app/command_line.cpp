@@ -82,7 +82,7 @@ public:
         app_.add_flag("--verbose", verbose_, "print each event on standard error");
         app_.set_help_flag("-h,--help", "this text");
         app_.get_formatter()->column_width(34);
-        add_list(), add_info(), add_run(), add_shot(), add_gallery(), add_golden(), add_new_lab();
+        add_list(), add_info(), add_run(), add_shot(), add_gallery(), add_golden(), add_bench(), add_new_lab();
         // An empty word is most often a script's variable that was never set; it must not mean "all" or "as usual".
         const CLI::Validator not_empty([](std::string& word) { return word.empty() ? "must not be empty" : ""; }, "");
         for (CLI::App* sub : app_.get_subcommands([](const CLI::App*) { return true; }))
@@ -161,6 +161,15 @@ private:
         sub->add_flag("--update", update_, "renew them instead");
         sub->add_option("-o", output_, "write what differs: now, reference, difference")->type_name("FOLDER");
     }
+    void add_bench() {
+        CLI::App* sub = add("bench", "run time against error: a table, and a CSV for each topic",
+                            [this] { return run_bench(bench_); });
+        sub->add_option("TOPIC", bench_.topics, "all of them when none is named");
+        sub->add_option("-o", bench_.output, "where the CSV go [the course's build/bench]")->type_name("FOLDER");
+        sub->add_option("--repeats", bench_.repeats, "samples of each method, in turns [15]")->type_name("N");
+        sub->add_flag("--quick", bench_.quick, "small sizes, for a first look");
+        sub->footer([] { return bench_topics_text(); });
+    }
     void add_new_lab() {
         CLI::App* sub =
             add("new-lab", "a new lab that builds, runs and is tested", [this] { return make_new_lab(new_name_); });
@@ -173,6 +182,7 @@ private:
     std::string only_lab_, run_lab_, golden_lab_, new_name_, output_, context_ = "auto";
     bool verbose_ = false, json_ = false, update_ = false;
     ShotArguments shot_;
+    BenchArguments bench_;
     std::function<int()> command_;
 };
 

@@ -28,6 +28,15 @@ int make_gallery(std::filesystem::path folder, ContextChoice context);
 /// All labs when `lab` is empty. With `output`, what differs is written there.
 int check_golden(const std::string& lab, bool update, const std::filesystem::path& output);
 
+struct BenchArguments {
+    std::vector<std::string> topics;
+    std::string output, repeats = "15";
+    bool quick = false;
+};
+int run_bench(const BenchArguments& arguments);
+/// A line for each topic, for --help.
+std::string bench_topics_text();
+
 int make_new_lab(const std::string& name);
 
 }  // namespace relief

@@ -48,6 +48,9 @@ HeightField::HeightField(const Image& heights, bool wraps) : size_(heights.width
             const auto inside = [&](int i, int n) { return wraps ? (i + n) % n : std::clamp(i, 0, n - 1); };
             padded_.push_back(*heights.pixel(inside(column, size_.x), size_.y - 1 - inside(row, size_.y)));
         }
+    tops_.resize(padded_.size());
+    for (int row = -1; row < size_.y; ++row)
+        for (int column = -1; column < size_.x; ++column) tops_[place(column, row)] = cell(place(column, row)).top();
 }
 
 /// Cells are numbered by their lower left texel. Beyond a border that is clamped they are all like cell -1, or the last
@@ -58,22 +61,22 @@ int64_t HeightField::wrapped(int64_t index, int side) const {
     return rest < 0 ? rest + side : rest;
 }
 
-HeightCell HeightField::cell(int64_t column, int64_t row) const {
-    const int64_t stride = size_.x + 2;
-    const double* const lower = padded_.data() + (row + 1) * stride + column + 1;
-    return {lower[0], lower[1], lower[stride], lower[stride + 1]};
+HeightCell HeightField::cell(size_t place) const {
+    const double* const lower = padded_.data() + place;
+    const double* const upper = lower + size_.x + 2;
+    return {lower[0], lower[1], upper[0], upper[1]};
 }
 
 double HeightField::height(glm::dvec2 texel) const {
-    const glm::dvec2 place = texel - 0.5, corner = glm::floor(place);
-    return height_in_cell(cell(wrapped(int64_t(corner.x), size_.x), wrapped(int64_t(corner.y), size_.y)),
-                          place - corner);
+    const glm::dvec2 at = texel - 0.5, corner = glm::floor(at);
+    return height_in_cell(cell(place(wrapped(int64_t(corner.x), size_.x), wrapped(int64_t(corner.y), size_.y))),
+                          at - corner);
 }
 
 glm::dvec2 HeightField::slope(glm::dvec2 texel) const {
-    const glm::dvec2 place = texel - 0.5, corner = glm::floor(place);
-    return slope_in_cell(cell(wrapped(int64_t(corner.x), size_.x), wrapped(int64_t(corner.y), size_.y)),
-                         place - corner);
+    const glm::dvec2 at = texel - 0.5, corner = glm::floor(at);
+    return slope_in_cell(cell(place(wrapped(int64_t(corner.x), size_.x), wrapped(int64_t(corner.y), size_.y))),
+                         at - corner);
 }
 
 std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_end) const {
@@ -122,10 +125,10 @@ std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_
     for (int64_t count = 1;; ++count) {
         const double t1 = std::min({std::max(t0, std::min(t_u, t_v)), t_stop});
         const glm::dvec3 to = at(t1);
-        const HeightCell heights = cell(stored_column, stored_row);
-        if (std::min(from.z, to.z) <= heights.top()) {
+        const size_t here = place(stored_column, stored_row);
+        if (std::min(from.z, to.z) <= tops_[here]) {
             const glm::dvec3 corner(column, row, 0);
-            const Gap gap = gap_above_cell(heights, from - corner, to - corner);
+            const Gap gap = gap_above_cell(cell(here), from - corner, to - corner);
             if (closes(gap)) {
                 const double t = t0 + (t1 - t0) * first_closing(gap);
                 return Hit{t, glm::dvec2(at(t)) + 0.5 + tile, count};

@@ -48,13 +48,15 @@ public:
 
 private:
     int64_t wrapped(int64_t index, int side) const;
-    HeightCell cell(int64_t column, int64_t row) const;
+    size_t place(int64_t column, int64_t row) const { return size_t((row + 1) * (size_.x + 2) + column + 1); }
+    HeightCell cell(size_t place) const;
 
     glm::ivec2 size_;
     bool wraps_;
     double lowest_, highest_;
     // Row 0 is the lowest, and there is a border of one texel all around, so that a cell's corners are neighbours.
     std::vector<double> padded_;
+    std::vector<double> tops_;  ///< the highest corner of each cell, in the same places: most cells need no more
 };
 
 }  // namespace relief

@@ -1,0 +1,11 @@
+#include "framework/measure/topics.h"
+
+namespace relief {
+
+std::span<const BenchTopic> bench_topics() {
+    static const std::vector<BenchTopic> topics = {storage_topic(), normals_topic(), tangents_topic(),
+                                                   intersection_topic()};
+    return topics;
+}
+
+}  // namespace relief

@@ -1,0 +1,13 @@
+// The topics of relief bench, one file each.
+#pragma once
+
+#include "framework/measure/bench.h"
+
+namespace relief {
+
+BenchTopic storage_topic();
+BenchTopic normals_topic();
+BenchTopic tangents_topic();
+BenchTopic intersection_topic();
+
+}  // namespace relief
