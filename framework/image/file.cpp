@@ -3,18 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstring>
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/module.h"
 #include "framework/base/text.h"
+#include "framework/image/netpbm.h"
 #include "framework/image/openimageio.h"
 
 namespace relief {
+
+using namespace std::string_view_literals;
+
 namespace {
 
 const Module& openimageio() {
@@ -24,50 +24,52 @@ const Module& openimageio() {
 
 // The first bytes say what a file is; its name may lie.
 const char* format_by_content(const std::string& bytes) {
-    using namespace std::string_view_literals;
     const std::string_view start(bytes);
     if (start.starts_with("\x89PNG\r\n\x1a\n"sv)) return "png";
     if (start.starts_with("\x76\x2f\x31\x01"sv)) return "openexr";
     if (start.starts_with("\xff\xd8\xff"sv)) return "jpeg";
-    throw Error("neither PNG, OpenEXR nor JPEG");
+    throw Error("neither PNG, OpenEXR, JPEG, PPM nor PFM");
 }
 
-std::string encode_ppm(const Image& image) {
-    std::string bytes = fmt::format("P6\n{} {}\n255\n", image.width, image.height);
-    bytes.reserve(bytes.size() + image.pixel_count() * 3);
-    for (size_t i = 0; i < image.pixel_count(); ++i)
-        for (int c = 0; c < 3; ++c) {
-            const float value = image.values[i * image.channels + (image.channels >= 3 ? c : 0)];
-            bytes += static_cast<char>(std::lround(std::clamp(std::isnan(value) ? 0.0f : value, 0.0f, 1.0f) * 255));
-        }
-    return bytes;
-}
-
-// Rows go from the bottom to the top; the scale's sign says little-endian.
-std::string encode_pfm(const Image& image) {
-    static_assert(std::endian::native == std::endian::little);
-    const int channels = image.channels >= 3 ? 3 : image.channels == 2 ? 3 : 1;
-    std::string bytes = fmt::format("{}\n{} {}\n-1.0\n", channels == 3 ? "PF" : "Pf", image.width, image.height);
-    bytes.reserve(bytes.size() + image.pixel_count() * channels * sizeof(float));
-    for (int y = image.height - 1; y >= 0; --y)
-        for (int x = 0; x < image.width; ++x)
-            for (int c = 0; c < channels; ++c) {
-                const float value = c < image.channels ? image.pixel(x, y)[c] : 0.0f;
-                bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-            }
-    return bytes;
+/// OpenEXR takes memory for an attribute before it looks whether the file has so much: a few bytes could ask for 2 GB.
+/// Throws Error when an attribute of the header is larger than what is left.
+void check_openexr_header(std::string_view bytes) {
+    size_t at = 8;  // magic number and version
+    const auto skip_word = [&] {
+        const size_t end = bytes.find('\0', at);
+        if (end == std::string_view::npos) throw Error("damaged: its header has no end");
+        const bool empty = end == at;
+        at = end + 1;
+        return !empty;
+    };
+    while (skip_word()) {  // a name, its type, its size, its value; the last name is empty
+        skip_word();
+        if (bytes.size() - at < 4) throw Error("damaged: its header has no end");
+        uint32_t size = 0;
+        for (int i = 3; i >= 0; --i) size = size << 8 | static_cast<unsigned char>(bytes[at + size_t(i)]);
+        at += 4;
+        if (size > bytes.size() - at)
+            throw Error(fmt::format("damaged: a header's value has {} bytes, more than the file", size));
+        at += size;
+    }
 }
 
 }  // namespace
 
+Image decode_image(const std::string& bytes, Notes* notes) {
+    if (is_netpbm(bytes)) return decode_netpbm(bytes);
+    const char* const format = format_by_content(bytes);
+    if (format == "openexr"sv) check_openexr_header(bytes);
+    Notes found;
+    Image image = openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
+    if (notes) *notes = std::move(found);
+    return image;
+}
+
 Image read_image(const std::filesystem::path& path, Notes* notes) {
     const std::string bytes = read_file(path, max_image_bytes);
-    Notes found;
     try {
-        const char* format = format_by_content(bytes);
-        Image image = openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
-        if (notes) *notes = std::move(found);
-        return image;
+        return decode_image(bytes, notes);
     } catch (const Error& error) {
         throw Error({path}, error.what());
     }

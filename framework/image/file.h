@@ -20,8 +20,11 @@ using Notes = std::vector<std::pair<std::string, std::string>>;
 constexpr int max_image_side = 16384;
 constexpr size_t max_image_bytes = size_t{1} << 30;
 
-/// Reads PNG, OpenEXR or JPEG, told apart by content, not by name. `notes` gets what write_image kept.
-/// Throws Error that names the file: missing, damaged, too large, of another kind.
+/// PNG, OpenEXR, JPEG, PPM, PGM or PFM, told apart by content. `notes` gets what write_image kept. Throws Error without
+/// a place: damaged, too large, of another kind.
+Image decode_image(const std::string& bytes, Notes* notes = nullptr);
+
+/// The image in a file, whatever its name. Throws Error that names the file, missing or not.
 Image read_image(const std::filesystem::path& path, Notes* notes = nullptr);
 
 /// The format that a file name asks for; throws UsageError for another ending than .png, .exr, .ppm, .pfm.

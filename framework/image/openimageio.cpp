@@ -81,7 +81,9 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
     }
     Image image(spec.width, spec.height, spec.nchannels, bits_of(spec.format));
     const auto read = [&](OIIO::TypeDesc type, void* into) {
-        if (!input->read_image(0, 0, 0, spec.nchannels, type, into)) throw damaged(input->geterror());
+        if (input->read_image(0, 0, 0, spec.nchannels, type, into)) return;
+        const std::string reason = input->geterror();
+        throw damaged(reason);
     };
     // Divided here: OpenImageIO multiplies by 1 / 255, which is a last bit off.
     const auto read_integers = [&](auto zero, OIIO::TypeDesc type, float largest) {

@@ -198,8 +198,9 @@ const ProbeInfo& Manifest::probe(const std::string& name) const {
     throw UsageError(unknown("probe", name, known));
 }
 
-Manifest load_manifest(const fs::path& file) {
-    const std::string text = read_file(file, size_t{1} << 24);
+Manifest load_manifest(const fs::path& file) { return parse_manifest(read_file(file, size_t{1} << 24), file); }
+
+Manifest parse_manifest(const std::string& text, const fs::path& file) {
     toml::table parsed;
     try {
         parsed = toml::parse(text, file.string());

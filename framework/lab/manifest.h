@@ -51,6 +51,8 @@ struct Manifest {
 /// missing key, a value of another type or out of range; and for a golden picture whose name or probe is
 /// unknown or not unique.
 Manifest load_manifest(const std::filesystem::path& file);
+/// The same for a text that is there; `file` is only named.
+Manifest parse_manifest(const std::string& text, const std::filesystem::path& file);
 Manifest load_manifest(const LabEntry& lab);
 
 }  // namespace relief

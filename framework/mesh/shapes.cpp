@@ -7,25 +7,55 @@
 namespace relief {
 namespace {
 
-/// A grid of (columns + 1) x (rows + 1) vertices over (u, v) in [0, 1]²; `vertex` gives the surface at a place.
+/// A place of a patch: u and v in [0, 1]; s and t, the same in [-1, 1], are exactly opposite at opposite places.
+struct Place {
+    double u, v, s, t;
+};
+
+/// With less than 1e18 sums and squared lengths stay finite in float, too.
+double extent(float size) { return std::isfinite(size) ? std::min(std::abs(size), 1e18f) : 0; }
+
+int count_of(int count, int least) { return std::clamp(count, least, 4096); }
+
+/// Adds a grid of (columns + 1) x (rows + 1) vertices; `vertex` gives the surface at a place.
 template <class Surface>
-Mesh make_patch(int columns, int rows, glm::vec2 repeat, Surface vertex) {
-    columns = std::max(1, columns), rows = std::max(1, rows);
-    Mesh mesh;
+void add_patch(Mesh& mesh, int columns, int rows, glm::vec2 repeat, Surface vertex) {
+    columns = count_of(columns, 1), rows = count_of(rows, 1);
+    repeat = {extent(repeat.x), extent(repeat.y)};
+    const auto first = static_cast<uint32_t>(mesh.vertices.size());
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column <= columns; ++column) {
-            const double u = double(column) / columns, v = double(row) / rows;
-            Vertex corner = vertex(u, v);
-            corner.uv = glm::vec2(u, v) * repeat;
+            const Place place{.u = double(column) / columns,
+                              .v = double(row) / rows,
+                              .s = double(2 * column - columns) / columns,
+                              .t = double(2 * row - rows) / rows};
+            Vertex corner = vertex(place);
+            corner.uv = glm::vec2(place.u, place.v) * repeat;
             mesh.vertices.push_back(corner);
         }
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
-            const uint32_t a = row * (columns + 1) + column, b = a + 1, c = a + columns + 1, d = c + 1;
+            const uint32_t a = first + row * (columns + 1) + column, b = a + 1, c = a + columns + 1, d = c + 1;
             mesh.indices.insert(mesh.indices.end(), {a, b, d, a, d, c});
         }
+}
+
+template <class Surface>
+Mesh make_patch(int columns, int rows, glm::vec2 repeat, Surface vertex) {
+    Mesh mesh;
+    add_patch(mesh, columns, rows, repeat, vertex);
     return mesh;
 }
+
+/// A face of the cube [-1, 1]³: the axes along its normal, u and v.
+struct Face {
+    glm::dvec3 normal, right, up;
+};
+
+constexpr Face cube_faces[] = {
+    {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
+    {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
+};
 
 /// The last column lies on the first to the last bit: sin(2 pi) is not 0 in floating point.
 double once_around(double u) { return u < 1 ? u : 0; }
@@ -33,34 +63,99 @@ double once_around(double u) { return u < 1 ? u : 0; }
 }  // namespace
 
 Mesh make_quad(const QuadShape& shape) {
-    return make_patch(shape.columns, shape.rows, shape.repeat, [&](double u, double v) {
-        return Vertex{.position = {(u - 0.5) * shape.width, (v - 0.5) * shape.height, 0},
+    const double width = extent(shape.width), height = extent(shape.height);
+    return make_patch(shape.columns, shape.rows, shape.repeat, [&](const Place& at) {
+        return Vertex{.position = {(at.u - 0.5) * width, (at.v - 0.5) * height, 0},
                       .normal = {0, 0, 1},
                       .tangent = {1, 0, 0, 1},
                       .uv = {}};
     });
 }
 
+Mesh make_grid(const GridShape& shape) {
+    const double width = extent(shape.width), depth = extent(shape.depth);
+    return make_patch(shape.columns, shape.rows, shape.repeat, [&](const Place& at) {
+        return Vertex{.position = {at.s / 2 * width, 0, -at.t / 2 * depth},
+                      .normal = {0, 1, 0},
+                      .tangent = {1, 0, 0, 1},
+                      .uv = {}};
+    });
+}
+
+Mesh make_box(const BoxShape& shape) {
+    const glm::dvec3 half = glm::dvec3(extent(shape.size.x), extent(shape.size.y), extent(shape.size.z)) / 2.0;
+    const glm::dvec3 cells(shape.cells);
+    Mesh mesh;
+    for (const Face& face : cube_faces) {
+        const double columns = glm::dot(cells, glm::abs(face.right)), rows = glm::dot(cells, glm::abs(face.up));
+        add_patch(mesh, int(columns), int(rows), shape.repeat, [&](const Place& at) {
+            return Vertex{.position = half * (face.normal + at.s * face.right + at.t * face.up),
+                          .normal = face.normal,
+                          .tangent = glm::dvec4(face.right, 1),
+                          .uv = {}};
+        });
+    }
+    return mesh;
+}
+
 Mesh make_column(const ColumnShape& shape) {
-    return make_patch(std::max(3, shape.sides), shape.rows, shape.repeat, [&](double u, double v) {
-        const double angle = glm::two_pi<double>() * once_around(u), s = std::sin(angle), c = std::cos(angle);
-        const double radius = glm::mix<double>(shape.bottom_radius, shape.top_radius, v);
-        const double taper = double(shape.top_radius) - shape.bottom_radius;
+    const double bottom = extent(shape.bottom_radius), top = extent(shape.top_radius), height = extent(shape.height);
+    return make_patch(count_of(shape.sides, 3), shape.rows, shape.repeat, [&](const Place& at) {
+        const double angle = glm::two_pi<double>() * once_around(at.u), s = std::sin(angle), c = std::cos(angle);
+        const double radius = glm::mix<double>(bottom, top, at.v), taper = top - bottom;
         // dP/du points along (c, 0, -s), dP/dv along (taper s, height, taper c); the normal is their cross product.
-        const glm::dvec3 across(shape.height * s, -taper, shape.height * c);
-        const bool is_a_line = shape.height == 0 && taper == 0;
-        return Vertex{.position = {radius * s, v * shape.height, radius * c},
+        const glm::dvec3 across(height * s, -taper, height * c);
+        const bool is_a_line = height == 0 && taper == 0;
+        return Vertex{.position = {radius * s, at.v * height, radius * c},
                       .normal = is_a_line ? glm::dvec3(s, 0, c) : glm::normalize(across),
                       .tangent = {c, 0, -s, 1},
                       .uv = {}};
     });
 }
 
+Mesh make_disc(const DiscShape& shape) {
+    return make_column({.bottom_radius = shape.radius,
+                        .top_radius = 0,
+                        .height = 0,
+                        .sides = shape.sides,
+                        .rows = shape.rows,
+                        .repeat = shape.repeat});
+}
+
 Mesh make_sphere(const SphereShape& shape) {
-    return make_patch(std::max(3, shape.sides), std::max(2, shape.rows), shape.repeat, [&](double u, double v) {
-        const double around = glm::two_pi<double>() * (once_around(u) - 0.5), up = glm::pi<double>() * (v - 0.5);
+    const double radius = extent(shape.radius);
+    return make_patch(count_of(shape.sides, 3), count_of(shape.rows, 2), shape.repeat, [&](const Place& at) {
+        const double around = glm::two_pi<double>() * (once_around(at.u) - 0.5), up = glm::pi<double>() * (at.v - 0.5);
         const glm::dvec3 out(std::sin(around) * std::cos(up), std::sin(up), std::cos(around) * std::cos(up));
-        return Vertex{.position = double(shape.radius) * out,
+        return Vertex{
+            .position = radius * out, .normal = out, .tangent = {std::cos(around), 0, -std::sin(around), 1}, .uv = {}};
+    });
+}
+
+Mesh make_cube_sphere(const CubeSphereShape& shape) {
+    const double radius = extent(shape.radius);
+    // tan(pi / 4) is not 1 in floating point, and the faces must meet in their edges.
+    const auto equal_angle = [](double s) { return std::abs(s) == 1 ? s : std::tan(glm::quarter_pi<double>() * s); };
+    Mesh mesh;
+    for (const Face& face : cube_faces)
+        add_patch(mesh, shape.cells, shape.cells, shape.repeat, [&](const Place& at) {
+            const glm::dvec3 out =
+                glm::normalize(face.normal + equal_angle(at.s) * face.right + equal_angle(at.t) * face.up);
+            // The place on the cube moves along `right`; pushed onto the sphere, what is left is tangential.
+            const glm::dvec3 along_u = glm::normalize(face.right - out * glm::dot(out, face.right));
+            return Vertex{.position = radius * out, .normal = out, .tangent = glm::dvec4(along_u, 1), .uv = {}};
+        });
+    return mesh;
+}
+
+Mesh make_torus(const TorusShape& shape) {
+    const double ring = extent(shape.ring_radius), tube = std::min(extent(shape.tube_radius), ring);
+    return make_patch(count_of(shape.sides, 3), count_of(shape.rows, 3), shape.repeat, [&](const Place& at) {
+        const double around = glm::two_pi<double>() * (once_around(at.u) - 0.5);
+        const double up = glm::two_pi<double>() * (once_around(at.v) - 0.5);
+        const glm::dvec3 out(std::sin(around) * std::cos(up), std::sin(up), std::cos(around) * std::cos(up));
+        const glm::dvec3 centre(ring * std::sin(around), 0, ring * std::cos(around));
+        return Vertex{.position = centre + tube * out,
                       .normal = out,
                       .tangent = {std::cos(around), 0, -std::sin(around), 1},
                       .uv = {}};

@@ -100,7 +100,7 @@ TEST_F(Golden, ADamagedReferenceIsNamed) {
     course_.overwrite("tests/golden/01_specular_highlights/close.png", "not a picture");
     const Result result = golden();
     EXPECT_EQ(result.code, 1);
-    EXPECT_TRUE(contains(result.err, "close.png: neither PNG, OpenEXR nor JPEG")) << result.err;
+    EXPECT_TRUE(contains(result.err, "close.png: neither PNG, OpenEXR, JPEG, PPM nor PFM")) << result.err;
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "framework/base/error.h"
-#include "framework/mesh/frame.h"
 #include "framework/mesh/shapes.h"
 #include "framework/mesh/tangent_faces.h"
 #include "tests/mesh/test_meshes.h"
@@ -326,19 +325,6 @@ TEST(Angles, AreThoseOfAtan2) {
     EXPECT_EQ(special[0], 0) << "0 and 0";
     EXPECT_EQ(special[1], float(M_PI));
     EXPECT_NEAR(special[2], M_PI / 2, 1e-7);
-}
-
-TEST(Frame, HasAPerpendicularForEveryNormal) {
-    std::mt19937 random(57);
-    std::normal_distribution<> bell;
-    for (int i = 0; i < 2000; ++i) {
-        const glm::dvec3 n = glm::normalize(glm::dvec3(bell(random), bell(random), bell(random)));
-        EXPECT_NEAR(glm::length(any_perpendicular(n)), 1, 1e-12);
-        EXPECT_NEAR(glm::dot(any_perpendicular(n), n), 0, 1e-12);
-    }
-    for (const double z : {1.0, -1.0})
-        EXPECT_NEAR(glm::length(any_perpendicular({0, 0, z})), 1, 1e-15) << "at both poles";
-    EXPECT_NEAR(glm::dot(any_perpendicular({0, 1, -0.0}), glm::dvec3(0, 1, 0)), 0, 1e-15);
 }
 
 }  // namespace

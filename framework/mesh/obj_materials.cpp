@@ -1,0 +1,121 @@
+// Materials of an MTL text, read by tinyobjloader.
+//
+// It sees only what this course has a use for, a checked line at a time, and made to fit: it takes three numbers after
+// -o, -s and -t, where the format allows one or two, and would swallow the map's name.
+#include <fmt/format.h>
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "framework/mesh/obj_parts.h"
+
+namespace relief::obj {
+namespace {
+
+constexpr int most_materials = 4096;
+
+/// The options of a map with all their numbers, and its name. Both may be empty.
+std::string with_whole_options(std::string_view rest) {
+    static const std::map<std::string_view, int> arguments_of = {
+        {"-blendu", 1},  {"-blendv", 1}, {"-boost", 1},      {"-clamp", 1}, {"-bm", 1}, {"-texres", 1}, {"-type", 1},
+        {"-imfchan", 1}, {"-mm", 2},     {"-colorspace", 1}, {"-o", 3},     {"-s", 3},  {"-t", 3}};
+    std::string whole;
+    while (true) {
+        std::string_view after = rest;
+        const std::string_view option = take_name(after);
+        const auto found = arguments_of.find(option);
+        if (found == arguments_of.end()) break;
+        whole.append(option).append(" ");
+        for (int i = 0; i < found->second; ++i) {
+            std::string_view beyond = after;
+            const std::string_view word = take_name(beyond);
+            const bool is_there = found->second < 3 || (is_number(word) && !trimmed(beyond).empty());
+            whole.append(is_there ? word : option == "-s" ? "1" : "0").append(" ");
+            if (is_there) after = beyond;
+        }
+        rest = after;
+    }
+    return whole.append(trimmed(rest));
+}
+
+/// What tinyobjloader is to see of a statement; empty where that is nothing.
+std::string checked(const Statements& statement, Notes& notes) {
+    static const std::set<std::string_view> maps = {"map_Kd", "map_bump", "map_Bump", "bump",
+                                                    "norm",   "map_disp", "map_Disp", "disp"};
+    const std::string keyword(statement.keyword());
+    if (keyword == "newmtl")  // a diffuse colour, because tinyobjloader's default depends on the materials before
+        return fmt::format("newmtl {}\nKd 1 1 1\n", statement.rest());
+    if (maps.contains(keyword)) return fmt::format("{} {}\n", keyword, with_whole_options(statement.rest()));
+
+    const int numbers = keyword == "Kd" || keyword == "Ks" ? 3 : keyword == "d" || keyword == "Tr" || keyword == "Ns";
+    if (numbers == 0) return {};
+    std::string line = keyword;
+    std::string_view rest = statement.rest();
+    for (int i = 0; i < numbers; ++i) {
+        const std::string_view word = take_word(rest);
+        if (!is_number(word)) {
+            notes.add(statement.file(), statement.line(),
+                      fmt::format("'{}' is left out: '{}' is not a finite number", keyword, excerpt(word)));
+            return {};
+        }
+        line.append(" ").append(word);
+    }
+    return line + "\n";
+}
+
+float finite_or(float value, float otherwise) { return std::isfinite(value) ? value : otherwise; }
+
+glm::vec3 color(const float (&rgb)[3], float otherwise) {
+    return {finite_or(rgb[0], otherwise), finite_or(rgb[1], otherwise), finite_or(rgb[2], otherwise)};
+}
+
+/// As this system opens it: files that were written elsewhere have backslashes.
+std::filesystem::path map_path(std::string name, const std::filesystem::path& folder) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    return name.empty() ? std::filesystem::path() : (folder / name).lexically_normal();
+}
+
+}  // namespace
+
+std::vector<Material> read_materials(std::string_view text, const std::filesystem::path& file,
+                                     const std::filesystem::path& folder, Notes& notes) {
+    std::string shown;
+    int count = 0;
+    Statements statements(text, file);
+    try {
+        while (statements.next()) {
+            if (statements.keyword() == "newmtl" && (statements.rest().empty() || ++count > most_materials))
+                statements.fail(statements.rest().empty() ? "a material without a name; the rest is not read"
+                                                          : "too many materials; the rest is not read");
+            if (count > 0) shown += checked(statements, notes);
+        }
+    } catch (const Error& error) {
+        notes.add(error);
+    }
+    std::istringstream stream(shown);
+    std::map<std::string, int> indices;
+    std::vector<tinyobj::material_t> read;
+    tinyobj::LoadMtl(&indices, &read, &stream, nullptr, nullptr);
+
+    std::vector<Material> materials;
+    for (const tinyobj::material_t& material : read) {
+        if (material.name.empty()) continue;  // there is always one more
+        materials.push_back({.name = material.name,
+                             .diffuse = color(material.diffuse, 1),
+                             .specular = color(material.specular, 0),
+                             .shininess = finite_or(material.shininess, 1),
+                             .opacity = std::clamp(finite_or(material.dissolve, 1), 0.0f, 1.0f),
+                             .bump_scale = finite_or(material.bump_texopt.bump_multiplier, 1),
+                             .diffuse_map = map_path(material.diffuse_texname, folder),
+                             .bump_map = map_path(material.bump_texname, folder),
+                             .normal_map = map_path(material.normal_texname, folder),
+                             .displacement_map = map_path(material.displacement_texname, folder)});
+    }
+    return materials;
+}
+
+}  // namespace relief::obj
