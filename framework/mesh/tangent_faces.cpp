@@ -15,27 +15,22 @@ bool is_finite(const Vertex& vertex) {
 
 }  // namespace
 
-void angles_of(const double y[3], const double x[3], float angles[3]) {
-    double low[3], high[3];
-    for (int i = 0; i < 3; ++i) {
-        const double size = std::abs(x[i]);
-        low[i] = std::min(y[i], size), high[i] = std::max(y[i], size);
-        if (high[i] == 0) high[i] = 1;
-    }
-    const double inverse = 1 / (high[0] * high[1] * high[2]);
-    const double shares[3] = {low[0] * (inverse * high[1] * high[2]), low[1] * (inverse * high[0] * high[2]),
-                              low[2] * (inverse * high[0] * high[1])};
-    // All three at once, in single precision, by the compilers' vectors: Chebyshev's polynomial for atan(a) / a over
-    // s = a² in [0, 1], 7.5e-8 off at most.
-    typedef float Floats __attribute__((vector_size(16)));
-    const Floats a = {float(shares[0]), float(shares[1]), float(shares[2]), 0}, s = a * a;
-    Floats p = Floats{} - 0.0046687733f;
-    for (const float c : {0.02416619f, -0.0593671f, 0.09906097f, -0.14016585f, 0.19969235f, -0.3333196f, 0.9999999f})
-        p = p * s + c;
-    p *= a;
-    for (int i = 0; i < 3; ++i) {
-        const float first = p[i], second = y[i] > std::abs(x[i]) ? float(pi / 2) - first : first;
-        angles[i] = x[i] < 0 ? float(pi) - second : second;
+// Without branches, so that compilers make vectors of it.
+void angles_of(const double* __restrict y, const double* __restrict x, float* __restrict angles, int count) {
+    for (int i = 0; i < count; ++i) {
+        const double size = std::abs(x[i]), low = y[i] < size ? y[i] : size, high = y[i] < size ? size : y[i];
+        const float a = float(low / (high > 0 ? high : 1)), s = a * a;
+        // Chebyshev's polynomial for atan(a) / a over s = a² in [0, 1], 7.5e-8 off at most.
+        float p = -0.0046687733f;
+        p = p * s + 0.02416619f;
+        p = p * s - 0.0593671f;
+        p = p * s + 0.09906097f;
+        p = p * s - 0.14016585f;
+        p = p * s + 0.19969235f;
+        p = p * s - 0.3333196f;
+        p = (p * s + 0.9999999f) * a;
+        const float first = y[i] > size ? float(pi / 2) - p : p;
+        angles[i] = x[i] < 0 ? float(pi) - first : first;
     }
 }
 
@@ -43,8 +38,9 @@ void angles_of(const double y[3], const double x[3], float angles[3]) {
 // exact but for extreme sizes; what is made of two of them is made of the triangle's two shorter edges, so that a
 // sliver keeps its digits.
 TangentFace tangent_face(const Vertex* const corners[3], const glm::dvec3 normals[3], TangentMethod method,
-                         double area_unit) {
+                         double area_unit, FaceAngles& angles) {
     TangentFace face{};
+    angles = {};
     if (!is_finite(*corners[0]) || !is_finite(*corners[1]) || !is_finite(*corners[2])) {
         face.why = TangentFallback::not_finite, face.in_no_group = true;
         return face;
@@ -63,20 +59,16 @@ TangentFace tangent_face(const Vertex* const corners[3], const glm::dvec3 normal
     face.in_no_group = lengths[0] == 0 || lengths[1] == 0 || lengths[2] == 0;
 
     if (method == TangentMethod::angle) {
-        const double sines[3] = {twice_area, twice_area, twice_area};
-        const double cosines[3] = {-glm::dot(edges[0], edges[2]), -glm::dot(edges[1], edges[0]),
-                                   -glm::dot(edges[2], edges[1])};
-        angles_of(sines, cosines, face.weight);
+        angles = {{twice_area, twice_area, twice_area},
+                  {-glm::dot(edges[0], edges[2]), -glm::dot(edges[1], edges[0]), -glm::dot(edges[2], edges[1])}};
     } else if (method == TangentMethod::mikktspace) {
         // Between edges that are projected onto the tangent plane: their cross product is what `across` has along the
         // normal, their dot product loses what both have along it.
-        double sines[3], cosines[3];
         for (int i = 0; i < 3; ++i) {
             const glm::dvec3 &leaving = edges[i], &arriving = edges[i == 0 ? 2 : i - 1], &n = normals[i];
-            sines[i] = std::abs(glm::dot(n, across));
-            cosines[i] = glm::dot(n, leaving) * glm::dot(n, arriving) - glm::dot(leaving, arriving);
+            angles.sine[i] = std::abs(glm::dot(n, across));
+            angles.cosine[i] = glm::dot(n, leaving) * glm::dot(n, arriving) - glm::dot(leaving, arriving);
         }
-        angles_of(sines, cosines, face.weight);
     } else {
         const float weight = method == TangentMethod::area ? float(twice_area / area_unit) : 1;
         face.weight[0] = face.weight[1] = face.weight[2] = weight;

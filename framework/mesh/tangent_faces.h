@@ -13,13 +13,19 @@ struct TangentFace {
     float weight[3] = {};      ///< of its three corners
 };
 
-/// The angles in [0, pi] whose sines and cosines are as y >= 0 to x; 0 for 0 and 0. Within 5e-7, with one division for
-/// all three: a library's atan2 costs more than all the rest of a triangle. The three larger of |x| and y, multiplied,
-/// must be doubles, as those of a triangle of floats are.
-void angles_of(const double y[3], const double x[3], float angles[3]);
+/// The angles in [0, pi] whose sines and cosines are as y >= 0 to x; 0 for 0 and 0. Within 5e-7, and many at once: a
+/// library's atan2, one by one, costs more than all the rest of a triangle.
+void angles_of(const double* y, const double* x, float* angles, int count);
 
-/// `normals[i]` are the unit normals of the corners' vertices. Weights of `area` are relative to `area_unit`.
+/// What a triangle says, but for the weights of its corners; these, or the sines and cosines of the angles that they
+/// are.
+struct FaceAngles {
+    double sine[3], cosine[3];
+};
+
+/// `normals[i]` are the unit normals of the corners' vertices, for mikktspace. For `angle` and `mikktspace` the weights
+/// are left to angles_of(); weights of `area` are relative to `area_unit`.
 TangentFace tangent_face(const Vertex* const corners[3], const glm::dvec3 normals[3], TangentMethod method,
-                         double area_unit);
+                         double area_unit, FaceAngles& angles);
 
 }  // namespace relief

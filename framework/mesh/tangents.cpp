@@ -69,7 +69,7 @@ struct Solver {
                 repaired.emplace(uint32_t(i), normal_of_faces(mesh, lists.at(i)));
         const double area_unit = method == TangentMethod::area ? largest_area() : 1;
         parallel_pieces(faces.size(), 1 << 12, threads, [&](size_t begin, size_t end) {
-            for (size_t i = begin; i < end; ++i) faces[i] = face(i, area_unit);
+            for (size_t i = begin; i < end; i += batch) make_faces(i, std::min(end, i + batch), area_unit);
         });
     }
 
@@ -82,13 +82,25 @@ struct Solver {
     }
 
 private:
-    TangentFace face(size_t i, double area_unit) const {
-        const uint32_t* const at = &mesh.indices[i * 3];
-        const Vertex* const corners[3] = {&mesh.vertices[at[0]], &mesh.vertices[at[1]], &mesh.vertices[at[2]]};
-        glm::dvec3 normals[3];
-        if (method == TangentMethod::mikktspace)
-            for (int k = 0; k < 3; ++k) normals[k] = normal(at[k]);
-        return tangent_face(corners, normals, method, area_unit);
+    /// As many as stay in the nearest cache: first their edges, then all their angles.
+    static constexpr size_t batch = 64;
+    void make_faces(size_t begin, size_t end, double area_unit) {
+        double sines[3 * batch] = {}, cosines[3 * batch] = {};
+        for (size_t i = begin; i < end; ++i) {
+            const uint32_t* const at = &mesh.indices[i * 3];
+            const Vertex* const corners[3] = {&mesh.vertices[at[0]], &mesh.vertices[at[1]], &mesh.vertices[at[2]]};
+            glm::dvec3 normals[3];
+            if (method == TangentMethod::mikktspace)
+                for (int k = 0; k < 3; ++k) normals[k] = normal(at[k]);
+            FaceAngles angles;
+            faces[i] = tangent_face(corners, normals, method, area_unit, angles);
+            std::copy_n(angles.sine, 3, sines + 3 * (i - begin)),
+                std::copy_n(angles.cosine, 3, cosines + 3 * (i - begin));
+        }
+        if (method != TangentMethod::angle && method != TangentMethod::mikktspace) return;
+        float weights[3 * batch];
+        angles_of(sines, cosines, weights, int(3 * (end - begin)));
+        for (size_t i = begin; i < end; ++i) std::copy_n(weights + 3 * (i - begin), 3, faces[i].weight);
     }
 
     /// So that areas of any size are floats beside each other.

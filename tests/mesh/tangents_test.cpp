@@ -316,12 +316,12 @@ TEST(Angles, AreThoseOfAtan2) {
             y[k] = length * std::sin(angle[k]), x[k] = length * std::cos(angle[k]);
         }
         float measured[3];
-        angles_of(y, x, measured);
+        angles_of(y, x, measured, 3);
         for (int k = 0; k < 3; ++k) ASSERT_NEAR(measured[k], angle[k], 5e-7);
     }
     const double y[3] = {0, 0, 1}, x[3] = {0, -1, 0};
     float special[3];
-    angles_of(y, x, special);
+    angles_of(y, x, special, 3);
     EXPECT_EQ(special[0], 0) << "0 and 0";
     EXPECT_EQ(special[1], float(M_PI));
     EXPECT_NEAR(special[2], M_PI / 2, 1e-7);
