@@ -85,8 +85,9 @@ void add_triangles(ObjModel& model, const obj::Faces& faces, const std::vector<i
 /// `materials_of` gives the materials of the libraries that the faces name.
 template <class Materials>
 ObjModel read_model(std::string_view text, const fs::path& file, const ObjLimits& limits, Materials materials_of) {
-    if (text.size() > limits.bytes)
-        throw Error({file}, fmt::format("{} bytes, at most {} are taken", text.size(), limits.bytes));
+    const size_t most_bytes = std::min(limits.bytes, size_t{1} << 31);  // so that an int counts whatever is in it
+    if (text.size() > most_bytes)
+        throw Error({file}, fmt::format("{} bytes, at most {} are taken", text.size(), most_bytes));
     obj::Notes notes;
     obj::Faces faces = obj::read_faces(text, file, limits, notes);
     ObjModel model;

@@ -4,8 +4,7 @@
 // - Corners with the same indices of position, uv and normal share a vertex.
 // - Polygons are cut into triangles and keep their winding; see polygon.h.
 // - A corner without a normal, or with one of length zero, gets the mean of the faces at its position, weighted by
-// their
-//   angles there (Thürmer and Wüthrich 1998): of the faces in its smoothing group, or of all while no `s` has come.
+//   their angles there (Thürmer and Wüthrich 1998): of those in its smoothing group, or of all while no `s` has come.
 //   After `s off`, and where the mean is zero (a sheet with two sides), it gets its face's own; without area, +z.
 // - A corner without uv gets (0, 0).
 // - Tangents are *not* those of the uv: vertex.tangent is any_perpendicular() of the normal, with w = 1, until someone
@@ -53,8 +52,8 @@ struct ObjModel {
 };
 
 struct ObjLimits {
-    size_t bytes = size_t{128} << 20;  ///< of the OBJ file
-    size_t corners = 12'000'000;       ///< of all faces together; at most 2'000'000'000
+    size_t bytes = size_t{128} << 20;  ///< of the OBJ file; more than 2 GiB are not taken
+    size_t corners = 6'000'000;        ///< of all faces together; they take up to 150 bytes each
 };
 
 /// Reads a model and the material files that it names, which lie in its folder. Throws Error with file and line for

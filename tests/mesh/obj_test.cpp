@@ -166,6 +166,12 @@ TEST(Obj, WhatItDoesNotReadIsNotedOnce) {
     EXPECT_EQ(model.notes[1], "model.obj:9: 's wild' is not a smoothing group; taken as off");
 }
 
+TEST(Obj, OfManyNotesTheFirstTwentyAreKept) {
+    std::string text = square + "f 1 2 3\n";
+    for (int i = 0; i < 30; ++i) text += "s x\n";
+    EXPECT_EQ(parse_obj(text).notes.size(), 20u);
+}
+
 std::string error_of(const std::string& text, const ObjLimits& limits = {}) {
     return message_of([&] { parse_obj(text, {}, "a/b.obj", limits); });
 }
@@ -185,6 +191,11 @@ TEST(ObjErrors, NameTheFileAndTheLine) {
     EXPECT_EQ(error_of("v 0 0e999 0\n"), "a/b.obj:1: a number has an exponent out of range");
     EXPECT_EQ(error_of(""), "a/b.obj: has no faces");
     EXPECT_EQ(error_of(square), "a/b.obj: has no faces");
+}
+
+TEST(ObjErrors, AStatementOverSeveralLinesHasTheNumberOfItsFirst) {
+    EXPECT_EQ(error_of("v 0 \\\n0 \\\nx\n"), "a/b.obj:1: 'x' is not a finite number");
+    EXPECT_EQ(error_of("v 0 \\\n0 0\nv x 0 0\n"), "a/b.obj:3: 'x' is not a finite number");
 }
 
 TEST(ObjErrors, RefuseWhatIsNoCorner) {

@@ -77,7 +77,7 @@ TEST(Triangulate, AConcaveQuadIsCutThroughItsReflexCornerWhicheverItIs) {
         for (size_t i = 0; i < 4; ++i) turned.push_back(dart[(first + i) % 4]);
         expect_covered_anywhere(turned);
     }
-    expect_covered_anywhere({{0, 0, 0}, {4, 0.1, 0}, {0.1, 0.1, 0}, {0.1, 4, 0}});  // the shorter one lies outside
+    expect_covered_anywhere({{0, -9, 0}, {1, 1, 0}, {0, 0, 0}, {-1, 1, 0}});  // the shorter one lies outside
 }
 
 TEST(Triangulate, CoversConvexAndConcavePolygonsOnce) {
