@@ -31,26 +31,61 @@ const char* format_by_content(const std::string& bytes) {
     throw Error("neither PNG, OpenEXR, JPEG, PPM nor PFM");
 }
 
-/// OpenEXR takes memory for an attribute before it looks whether the file has so much: a few bytes could ask for 2 GB.
-/// Throws Error when an attribute of the header is larger than what is left.
+/// OpenEXR takes memory for what its header asks for before it looks whether the file has so much, and before
+/// OpenImageIO tells of the size: a few bytes could cost gigabytes. Walks the header; throws Error for a value that is
+/// larger than the file, for sides, tiles or channels beyond what is taken, and for files of several or deep images.
 void check_openexr_header(std::string_view bytes) {
-    size_t at = 8;  // magic number and version
-    const auto skip_word = [&] {
+    const auto number_at = [&](size_t at) {
+        if (at > bytes.size() || bytes.size() - at < 4) throw Error("damaged: its header has no end");
+        uint32_t number = 0;
+        for (size_t i = 4; i-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+        return number;
+    };
+    const auto refuse = [](const char* what) {
+        throw Error(fmt::format("{}: one flat image of at most {}x{} with 4 channels is taken", what, max_image_side,
+                                max_image_side));
+    };
+    constexpr uint32_t deep_or_several = 0x1800;
+    if (number_at(4) & deep_or_several) refuse("deep, or several images");
+
+    size_t at = 8;  // after the magic number and the version
+    const auto word = [&] {
         const size_t end = bytes.find('\0', at);
         if (end == std::string_view::npos) throw Error("damaged: its header has no end");
-        const bool empty = end == at;
+        const std::string_view found = bytes.substr(at, end - at);
         at = end + 1;
-        return !empty;
+        return found;
     };
-    while (skip_word()) {  // a name, its type, its size, its value; the last name is empty
-        skip_word();
-        if (bytes.size() - at < 4) throw Error("damaged: its header has no end");
-        uint32_t size = 0;
-        for (int i = 3; i >= 0; --i) size = size << 8 | static_cast<unsigned char>(bytes[at + size_t(i)]);
-        at += 4;
-        if (size > bytes.size() - at)
-            throw Error(fmt::format("damaged: a header's value has {} bytes, more than the file", size));
-        at += size;
+    for (std::string_view name = word(); !name.empty(); name = word()) {  // a name, its type, its size, its value
+        word();
+        const size_t size = number_at(at), begin = at += 4;
+        if (size > bytes.size() - begin)
+            throw Error(fmt::format("damaged: a value of its header has {} bytes, more than the file", size));
+        const auto side = [&](size_t low, size_t high) {
+            return int64_t(int32_t(number_at(begin + high))) - int32_t(number_at(begin + low)) + 1;
+        };
+        if (name == "dataWindow" && (side(0, 8) > max_image_side || side(4, 12) > max_image_side)) refuse("too large");
+        if (name == "tiles" && (number_at(begin) > max_image_side || number_at(begin + 4) > max_image_side))
+            refuse("its tiles are too large");
+        if (name == "channels") {
+            int channels = 0;  // each a name and 16 bytes
+            for (at = begin; at < begin + size && !word().empty(); at += 16)
+                if (++channels > 4) refuse("more than 4 channels");
+        }
+        at = begin + size;
+    }
+}
+
+/// libpng takes memory for a chunk before it reads it. Throws Error for one that is larger than what is left of the
+/// file.
+void check_png_chunks(std::string_view bytes) {
+    for (size_t at = 8; bytes.size() - at >= 8;) {  // a length, a name, the bytes, a checksum
+        uint32_t length = 0;
+        for (size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+        if (length > bytes.size() - at - 8)
+            throw Error(fmt::format("damaged: a chunk has {} bytes, more than the file", length));
+        if (bytes.substr(at + 4, 4) == "IEND") return;
+        at += std::min<size_t>(bytes.size() - at, size_t{length} + 12);
     }
 }
 
@@ -60,6 +95,7 @@ Image decode_image(const std::string& bytes, Notes* notes) {
     if (is_netpbm(bytes)) return decode_netpbm(bytes);
     const char* const format = format_by_content(bytes);
     if (format == "openexr"sv) check_openexr_header(bytes);
+    if (format == "png"sv) check_png_chunks(bytes);
     Notes found;
     Image image = openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
     if (notes) *notes = std::move(found);

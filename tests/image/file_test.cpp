@@ -257,11 +257,31 @@ TEST_F(NoImages, AHugeHeaderIsRefusedBeforeItsPixelsAreAllocated) {
             << width << "x" << height;
     for (const auto& [width, height] : {std::pair(0u, 5u), {0x7fffffffu, 0x7fffffffu}})
         EXPECT_TRUE(refusal("huge.png", header(width, height)).starts_with("damaged")) << width << "x" << height;
+    std::string png = header(2, 2);
+    png.replace(png.find("IDAT") - 4, 4, "\x70\0\0\0"s);
+    EXPECT_TRUE(contains(refusal("chunk.png", png), "a chunk has 1879048192 bytes, more than the file"));
     std::string exr = encode_image(Image(2, 2, 1), ImageFormat::exr);
     const std::string window("dataWindow\0box2i\0\x10\0\0\0", 21);
     ASSERT_TRUE(contains(exr, window));
+    const std::string small = exr;
     exr.replace(exr.find(window) + window.size() + 8, 8, "\x9f\x86\x01\0\x9f\x86\x01\0"s);  // to 99999, 99999
-    EXPECT_TRUE(refusal("huge.exr", exr).starts_with("damaged"));
+    EXPECT_TRUE(contains(refusal("huge.exr", exr), "too large: one flat image of at most 16384x16384"));
+    exr = small;
+    exr.replace(exr.find(window) + window.size() - 4, 4, "\xff\xff\xff\x7f"s);  // the value's own size
+    EXPECT_TRUE(contains(refusal("huge.exr", exr), "2147483647 bytes, more than the file"));
+    exr = small;
+    exr[5] = '\x10';  // of the version's flags
+    EXPECT_TRUE(contains(refusal("several.exr", exr), "deep, or several images"));
+    exr = small;
+    const std::string channels("channels\0chlist\0", 16);
+    const size_t at = exr.find(channels) + channels.size();
+    std::string list;
+    for (const char name : {'A', 'B', 'G', 'R', 'Z'}) list += name + std::string(17, '\0');
+    list += '\0';
+    const unsigned char old_size = static_cast<unsigned char>(exr[at]);
+    exr.replace(at, 4 + old_size, std::string(1, char(list.size())) + std::string(3, '\0') + list);
+    EXPECT_TRUE(contains(refusal("many.exr", exr), "more than 4 channels"));
+    EXPECT_TRUE(contains(refusal("short.exr", small.substr(0, 40)), "damaged"));
 }
 
 }  // namespace
