@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
@@ -31,6 +33,38 @@ const char* format_by_content(const std::string& bytes) {
     throw Error("neither PNG, OpenEXR, JPEG, PPM nor PFM");
 }
 
+/// How many bytes a value of these types has in an OpenEXR header; nothing for a type whose size is free. OpenEXR reads
+/// as many, whatever size the file says, and then takes what follows for something else.
+std::optional<uint32_t> openexr_size(std::string_view type) {
+    constexpr std::pair<std::string_view, uint32_t> sizes[] = {{"box2i", 16},
+                                                               {"box2f", 16},
+                                                               {"chromaticities", 32},
+                                                               {"compression", 1},
+                                                               {"deepImageState", 1},
+                                                               {"double", 8},
+                                                               {"envmap", 1},
+                                                               {"float", 4},
+                                                               {"int", 4},
+                                                               {"keycode", 28},
+                                                               {"lineOrder", 1},
+                                                               {"m33f", 36},
+                                                               {"m33d", 72},
+                                                               {"m44f", 64},
+                                                               {"m44d", 128},
+                                                               {"rational", 8},
+                                                               {"tiledesc", 9},
+                                                               {"timecode", 8},
+                                                               {"v2i", 8},
+                                                               {"v2f", 8},
+                                                               {"v2d", 16},
+                                                               {"v3i", 12},
+                                                               {"v3f", 12},
+                                                               {"v3d", 24}};
+    for (const auto& [name, size] : sizes)
+        if (name == type) return size;
+    return {};
+}
+
 /// OpenEXR takes memory for what its header asks for before it looks whether the file has so much, and before
 /// OpenImageIO tells of the size: a few bytes could cost gigabytes. Walks the header; throws Error for a value that is
 /// larger than the file, for sides, tiles or channels beyond what is taken, and for files of several or deep images.
@@ -57,8 +91,10 @@ void check_openexr_header(std::string_view bytes) {
         return found;
     };
     for (std::string_view name = word(); !name.empty(); name = word()) {  // a name, its type, its size, its value
-        word();
+        const std::string_view type = word();
         const size_t size = number_at(at), begin = at += 4;
+        const auto inconsistent = [&] { throw Error(fmt::format("damaged: {} bytes are no {}", size, type)); };
+        if (const auto right = openexr_size(type); right && *right != size) inconsistent();
         if (size > bytes.size() - begin)
             throw Error(fmt::format("damaged: a value of its header has {} bytes, more than the file", size));
         const auto side = [&](size_t low, size_t high) {
@@ -67,10 +103,13 @@ void check_openexr_header(std::string_view bytes) {
         if (name == "dataWindow" && (side(0, 8) > max_image_side || side(4, 12) > max_image_side)) refuse("too large");
         if (name == "tiles" && (number_at(begin) > max_image_side || number_at(begin + 4) > max_image_side))
             refuse("its tiles are too large");
-        if (name == "channels") {
-            int channels = 0;  // each a name and 16 bytes
+        if (type == "preview" && (size < 8 || uint64_t{number_at(begin)} * number_at(begin + 4) * 4 + 8 != size))
+            inconsistent();
+        if (type == "chlist") {
+            int channels = 0;  // each a name and 16 bytes, then an empty name
             for (at = begin; at < begin + size && !word().empty(); at += 16)
                 if (++channels > 4) refuse("more than 4 channels");
+            if (at != begin + size) inconsistent();
         }
         at = begin + size;
     }
