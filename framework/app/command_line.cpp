@@ -75,14 +75,17 @@ public:
     explicit CommandLine(const std::string& program) {
         app_.name(program);
         if (program.starts_with("lab-") && registry().size() == 1) only_lab_ = registry().front().folder;
-        shot_.lab = run_lab_ = golden_lab_ = only_lab_;
+        shot_.lab = run_lab_ = golden_lab_ = check_lab_ = only_lab_;
         app_.require_subcommand(0, 1);
         app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
         app_.set_version_flag("--version", fmt::format("relief {} ({})", versions::relief, versions::commit));
         app_.add_flag("--verbose", verbose_, "print each event on standard error");
         app_.set_help_flag("-h,--help", "this text");
         app_.get_formatter()->column_width(34);
-        add_list(), add_info(), add_run(), add_shot(), add_gallery(), add_golden(), add_bench(), add_new_lab();
+        add_list(), add_info(), add_run(), add_shot(), add_gallery(), add_check(), add_golden(), add_new_lab();
+#if __has_include("framework/measure/bench.h")  // not in a student's course
+        add_bench(), add_handout();
+#endif
         // An empty word is most often a script's variable that was never set; it must not mean "all" or "as usual".
         const CLI::Validator not_empty([](std::string& word) { return word.empty() ? "must not be empty" : ""; }, "");
         for (CLI::App* sub : app_.get_subcommands([](const CLI::App*) { return true; }))
@@ -161,6 +164,18 @@ private:
         sub->add_flag("--update", update_, "renew them instead");
         sub->add_option("-o", output_, "write what differs: now, reference, difference")->type_name("FOLDER");
     }
+    void add_check() {
+        CLI::App* sub = add("check", "your work on a lab: what is wrong, and what to look at next",
+                            [this] { return check_own_work(check_lab_, json_); });
+        add_lab(sub, check_lab_, true);
+        sub->add_flag("--json", json_, "for scripts");
+    }
+#if __has_include("framework/measure/bench.h")
+    void add_handout() {
+        CLI::App* sub = add("handout", "the course for students: starters, no solutions, no hidden checks",
+                            [this] { return make_handout(output_); });
+        sub->add_option("-o", output_, "where to; must be empty or new")->type_name("FOLDER");
+    }
     void add_bench() {
         CLI::App* sub = add("bench", "run time against error: a table, and a CSV for each topic",
                             [this] { return run_bench(bench_); });
@@ -170,6 +185,7 @@ private:
         sub->add_flag("--quick", bench_.quick, "small sizes, for a first look");
         sub->footer([] { return bench_topics_text(); });
     }
+#endif
     void add_new_lab() {
         CLI::App* sub =
             add("new-lab", "a new lab that builds, runs and is tested", [this] { return make_new_lab(new_name_); });
@@ -179,7 +195,7 @@ private:
     CLI::App app_{
         "Relief: surface detail in OpenGL, lab by lab.\n"
         "Without a command: the menu window, or the gallery where there is no display."};
-    std::string only_lab_, run_lab_, golden_lab_, new_name_, output_, context_ = "auto";
+    std::string only_lab_, run_lab_, golden_lab_, check_lab_, new_name_, output_, context_ = "auto";
     bool verbose_ = false, json_ = false, update_ = false;
     ShotArguments shot_;
     BenchArguments bench_;

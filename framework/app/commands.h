@@ -28,6 +28,11 @@ int make_gallery(std::filesystem::path folder, ContextChoice context);
 /// All labs when `lab` is empty. With `output`, what differs is written there.
 int check_golden(const std::string& lab, bool update, const std::filesystem::path& output);
 
+/// A lab's checks on the course's files as they are. 1 when one did not pass.
+int check_own_work(const std::string& lab, bool json);
+
+int make_handout(const std::string& folder);
+
 struct BenchArguments {
     std::vector<std::string> topics;
     std::string output, repeats = "15";

@@ -27,4 +27,6 @@ Error::Error(const std::string& message) : std::runtime_error(one_line(message))
 Error::Error(const Place& place, const std::string& message, std::string details)
     : std::runtime_error(with_place(place, message)), place_(place), details_(std::move(details)) {}
 
+void unfinished(const std::string& task) { throw Error("task " + task + " is not written yet"); }
+
 }  // namespace relief

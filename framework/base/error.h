@@ -35,4 +35,8 @@ public:
     using Error::Error;
 };
 
+/// What a student's function does before it is written: throws Error that names the task. In a shader,
+/// common/unfinished.glsl has its like.
+[[noreturn]] void unfinished(const std::string& task);
+
 }  // namespace relief

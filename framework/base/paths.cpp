@@ -23,8 +23,8 @@ std::optional<fs::path> find_course() {
     return {};
 }
 
-const std::optional<fs::path>& found_course() {
-    static const std::optional<fs::path> course = find_course();
+std::optional<fs::path>& found_course() {
+    static std::optional<fs::path> course = find_course();
     return course;
 }
 
@@ -41,6 +41,12 @@ const fs::path& course_root() {
                     " holds the course (labs/ and shaders/): keep the executable inside the course's folder");
     return *found_course();
 }
+
+CourseElsewhere::CourseElsewhere(const fs::path& root) : before_(course_root()) {
+    if (!is_course(root)) throw Error({root}, "is not a course: there is no labs/ or no shaders/ in it");
+    found_course() = root;
+}
+CourseElsewhere::~CourseElsewhere() { found_course() = before_; }
 
 std::string shown(const fs::path& path) {
     if (path.is_absolute() && found_course()) {

@@ -13,6 +13,19 @@ std::filesystem::path executable_folder();
 /// the source folder that this was built from. Throws Error when neither is there.
 const std::filesystem::path& course_root();
 
+/// While this is alive, course_root() is another folder with `labs` and `shaders`: a course with a student's files in
+/// it. One at a time, and on the thread that reads the course.
+class CourseElsewhere {
+public:
+    explicit CourseElsewhere(const std::filesystem::path& root);
+    ~CourseElsewhere();
+    CourseElsewhere(const CourseElsewhere&) = delete;
+    CourseElsewhere& operator=(const CourseElsewhere&) = delete;
+
+private:
+    std::filesystem::path before_;
+};
+
 /// How a path is shown to a person: relative to the course's top folder when inside it, else as it is.
 std::string shown(const std::filesystem::path& path);
 

@@ -27,6 +27,38 @@ struct TaskInfo {
     int points = 0;
 };
 
+/// What a check allows between two shots; nothing where a limit is not given. In the unit of the probe, over the pixels
+/// with a surface.
+struct Limits {
+    std::optional<double> mean, p99, largest;
+    std::optional<double> wrong;  ///< share of the pixels that are off by more than one unit
+    double outline = 0.01;        ///< share of the pixels in which only one of the two has a surface
+};
+
+/// A comparison that tells whether a task is solved. A picture that has no `limits` of its own may have 0.05 % of its
+/// pixels off by more than 2/255, and 4 pixels by more than 32/255.
+struct CheckInfo {
+    std::string task, name;
+    Shot shot;
+    std::string against;  ///< "truth" of the probe, "solution" (its picture or probe), or the name of another check
+    Limits limits;
+    std::string reason;   ///< where the limits come from
+    std::string look_at;  ///< what to look at next when it fails
+    bool hidden = false;  ///< never handed out
+};
+
+/// A change to a file: `find` stands in it exactly once.
+struct Edit {
+    std::string file, find, replace;
+};
+
+/// Something that students get wrong, as edits of the solution: a check of its task must fail with them.
+struct MistakeInfo {
+    std::string id, task, hint;
+    std::vector<Edit> edits;
+    std::string same_as;  ///< another mistake that no check can tell from this one, or empty
+};
+
 /// A reference screenshot, tests/golden/<lab's folder>/<name>.png; of a probe, what visualize_probe() makes of it.
 struct GoldenInfo {
     std::string name;
@@ -40,16 +72,22 @@ struct Manifest {
     bool animated = false;
     std::vector<ProbeInfo> probes;
     std::vector<TaskInfo> tasks;
+    std::vector<CheckInfo> checks;
+    std::vector<MistakeInfo> mistakes;
     std::vector<GoldenInfo> goldens;
+    /// Files and folders, relative to the course's top folder, that hold answers to this lab's tasks.
+    std::vector<std::string> keep_back;
 
     int points() const;
-    /// Throws UsageError that suggests the nearest.
+    // These throw UsageError that suggests the nearest.
     const ProbeInfo& probe(const std::string& name) const;
+    const TaskInfo& task(const std::string& id) const;
+    const CheckInfo& check(const std::string& name) const;
 };
 
 /// Reads a manifest. Throws Error with file and line for a missing file, a syntax error, an unknown or
-/// missing key, a value of another type or out of range; and for a golden picture whose name or probe is
-/// unknown or not unique.
+/// missing key, a value of another type or out of range; for a name that is used twice, and for one (of a probe, a
+/// task, a check, a mistake) that is not there.
 Manifest load_manifest(const std::filesystem::path& file);
 /// The same for a text that is there; `file` is only named.
 Manifest parse_manifest(const std::string& text, const std::filesystem::path& file);

@@ -362,6 +362,7 @@ TEST(ShaderFunction, EachOfThemHasATwinHere) {
     const std::regex definition("(^|\n)(float|bool|int|vec[234]|mat[234]) ([a-z_0-9]+)\\(");
     size_t found = 0;
     for (const auto& file : std::filesystem::directory_iterator(course_root() / "shaders/common")) {
+        if (file.path().filename() == "unfinished.glsl") continue;  // holes for students, not mathematics
         const std::string text = read_file(file.path());
         for (auto match = std::sregex_iterator(text.begin(), text.end(), definition); match != std::sregex_iterator();
              ++match, ++found)

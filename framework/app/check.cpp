@@ -1,0 +1,81 @@
+// relief check: a student's own work against the lab's checks.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "framework/app/commands.h"
+#include "framework/base/error.h"
+#include "framework/grade/check.h"
+
+namespace relief {
+namespace {
+
+/// "2", "1.5"
+std::string points_text(double points) { return fmt::format("{:.3g}", points); }
+
+std::string colored(Outcome outcome, const std::string& word) {
+    static const bool on = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
+    if (!on) return word;
+    return fmt::format("\x1b[{}m{}\x1b[0m",
+                       outcome == Outcome::passed       ? 32
+                       : outcome == Outcome::unfinished ? 33
+                                                        : 31,
+                       word);
+}
+
+void print(const CheckResult& result) {
+    fmt::print("  {}  {}: {}\n", colored(result.outcome, fmt::format("{:<10}", name_of(result.outcome))),
+               result.check->name, result.found);
+    if (result.outcome == Outcome::passed || result.outcome == Outcome::unfinished) return;
+    if (result.outcome == Outcome::wrong && !result.check->reason.empty())
+        fmt::print("              allowed: {}\n", result.check->reason);
+    fmt::print("              look at: {}\n", result.check->look_at);
+}
+
+nlohmann::ordered_json as_json(const TaskResult& task) {
+    nlohmann::ordered_json checks = nlohmann::ordered_json::array();
+    for (const CheckResult& result : task.checks)
+        checks.push_back({{"name", result.check->name},
+                          {"outcome", name_of(result.outcome)},
+                          {"found", result.found},
+                          {"look_at", result.check->look_at}});
+    return {{"id", task.task->id},     {"title", task.task->title}, {"file", task.task->file},
+            {"points", task.points()}, {"of", task.task->points},   {"checks", checks}};
+}
+
+}  // namespace
+
+int check_own_work(const std::string& lab_text, bool json) {
+    const LabEntry& lab = find_lab(lab_text);
+    const Manifest manifest = load_manifest(lab);
+    if (manifest.tasks.empty()) throw Error(fmt::format("lab {} has no tasks", lab.two_digits()));
+    pin_software_renderer();
+    const auto context = open_any_context();
+    const std::vector<TaskResult> tasks = check_lab(lab, manifest);
+
+    double points = 0;
+    bool all = true;
+    nlohmann::ordered_json report = {{"lab", lab.folder}, {"tasks", nlohmann::ordered_json::array()}};
+    for (const TaskResult& task : tasks) {
+        points += task.points();
+        for (const CheckResult& result : task.checks) all &= result.outcome == Outcome::passed;
+        if (json) {
+            report["tasks"].push_back(as_json(task));
+            continue;
+        }
+        fmt::print("{}  {}: {} of {} points ({})\n", task.task->id, task.task->title, points_text(task.points()),
+                   task.task->points, task.task->file);
+        for (const CheckResult& result : task.checks) print(result);
+    }
+    if (json) {
+        report["points"] = points, report["of"] = manifest.points();
+        fmt::print("{}\n", report.dump(2));
+    } else {
+        fmt::print("{} of {} points\n", points_text(points), manifest.points());
+    }
+    return all ? 0 : 1;
+}
+
+}  // namespace relief

@@ -1,0 +1,137 @@
+#include "framework/grade/check.h"
+
+#include <fmt/format.h>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/paths.h"
+#include "framework/grade/starter.h"
+#include "framework/image/file.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Pictures: let through none of 26 visible one-line mistakes in a trial, and all the noise of one driver.
+constexpr double small_difference = 2.0 / 255 + 1e-6, large_difference = 32.0 / 255 + 1e-6;
+constexpr double share_over_small = 0.0005;
+constexpr size_t pixels_over_large = 4;
+
+/// What was measured, limit by limit, and whether all were kept.
+class Findings {
+public:
+    void add(const char* what, double value, std::optional<double> limit, const std::string& unit) {
+        if (!limit) return;
+        const bool kept = value <= *limit;
+        good_ &= kept;
+        text_ += fmt::format("{}{} {:.4g}{}{}", text_.empty() ? "" : ", ", what, value, unit,
+                             kept ? "" : fmt::format(" (at most {:.4g})", *limit));
+    }
+    CheckResult result(const CheckInfo& check) const {
+        return {&check, good_ ? Outcome::passed : Outcome::wrong, text_};
+    }
+
+private:
+    bool good_ = true;
+    std::string text_;
+};
+
+bool is_surface(const Image& image, size_t pixel) { return image.values[pixel * image.channels] != no_surface; }
+
+CheckResult compare_probes(const CheckInfo& check, const ProbeInfo& probe, const Image& drawn, const Image& expected) {
+    size_t only_one = 0, off = 0;
+    for (size_t i = 0; i < drawn.pixel_count(); ++i) only_one += is_surface(drawn, i) != is_surface(expected, i);
+    const Image error = error_image(drawn, expected, probe.error);
+    const ErrorSummary summary = summarize(error);
+    if (summary.count == 0) return {&check, Outcome::broken, "there is not one pixel to compare"};
+    for (const float value : error.values) off += value > 1 && value != no_surface;
+    Findings findings;
+    const std::string unit = probe.unit.empty() ? "" : " " + probe.unit;
+    const Limits& limits = check.limits;
+    findings.add("mean", summary.mean, limits.mean, unit);
+    findings.add("99 %", summary.p99, limits.p99, unit);
+    findings.add("largest", summary.largest, limits.largest, unit);
+    findings.add(("share of pixels off by more than 1" + unit).c_str(), double(off) / double(summary.count),
+                 limits.wrong, "");
+    if (double(only_one) > limits.outline * double(drawn.pixel_count()))
+        findings.add("share of pixels where only one has a surface", double(only_one) / double(drawn.pixel_count()),
+                     limits.outline, "");
+    if (summary.not_finite > 0)
+        return {&check, Outcome::wrong,
+                fmt::format("{} pixels are not a number or have no direction", summary.not_finite)};
+    return findings.result(check);
+}
+
+CheckResult compare_pictures(const CheckInfo& check, const Image& drawn, const Image& expected) {
+    const double pixels = double(drawn.pixel_count());
+    Findings findings;
+    findings.add("share of pixels off by more than 2/255",
+                 double(difference(drawn, expected, small_difference).pixels_over) / pixels, share_over_small, "");
+    findings.add("pixels off by more than 32/255", double(difference(drawn, expected, large_difference).pixels_over),
+                 double(pixels_over_large), "");
+    return findings.result(check);
+}
+
+Image draw(const LabEntry& lab, const Shot& shot) { return take(*make_lab(lab, shot), shot); }
+
+}  // namespace
+
+const char* name_of(Outcome outcome) {
+    constexpr const char* names[] = {"passed", "wrong", "unfinished", "broken"};
+    return names[int(outcome)];
+}
+
+double TaskResult::points() const {
+    double passed = 0;
+    for (const CheckResult& result : checks) passed += result.outcome == Outcome::passed;
+    return task->points * passed / double(checks.size());
+}
+
+fs::path expectation_file(const LabEntry& lab, const CheckInfo& check) {
+    std::string name;
+    for (const char c : check.name) name += std::isalnum(static_cast<unsigned char>(c)) ? char(std::tolower(c)) : '-';
+    return course_root() / "labs" / lab.folder / "expected" / (name + (check.shot.probe ? ".exr" : ".png"));
+}
+
+std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check) {
+    if (check.against != "truth" && check.against != "solution") return {};
+    const fs::path file = expectation_file(lab, check);
+    if (fs::exists(file)) return read_image(file);
+    if (check.against == "solution") return draw(lab, check.shot);
+    return truth_of(*make_lab(lab, check.shot), check.shot);
+}
+
+CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
+                      const std::optional<Image>& expected) {
+    try {
+        if (is_unfinished(read_file(course_root() / manifest.task(check.task).file), check.task))
+            return {&check, Outcome::unfinished, "not written yet"};
+        const Image drawn = draw(lab, check.shot);
+        const Image other = expected ? *expected : draw(lab, manifest.check(check.against).shot);
+        if (!drawn.same_shape(other)) return {&check, Outcome::broken, "the expected picture has another size"};
+        if (!check.shot.probe) return compare_pictures(check, drawn, other);
+        return compare_probes(check, manifest.probe(check.shot.probe.name), drawn, other);
+    } catch (const Error& error) {
+        return {&check, Outcome::broken, error.what()};
+    }
+}
+
+std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest) {
+    std::vector<TaskResult> results;
+    Progress progress(int(manifest.checks.size()));
+    for (const TaskInfo& task : manifest.tasks) {
+        TaskResult& result = results.emplace_back(TaskResult{&task, {}});
+        for (const CheckInfo& check : manifest.checks) {
+            if (check.task != task.id) continue;
+            progress.next(check.name);
+            result.checks.push_back(run_check(lab, manifest, check, expectation(lab, check)));
+        }
+        if (result.checks.empty())
+            throw Error(fmt::format("labs/{}/lab.toml: task {} has no check", lab.folder, task.id));
+    }
+    return results;
+}
+
+}  // namespace relief

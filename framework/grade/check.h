@@ -1,0 +1,42 @@
+// A lab's checks: what the course's own files draw, held against the truth, the solution, or another picture.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/lab/manifest.h"
+
+namespace relief {
+
+/// `unfinished`: the task still calls unfinished(). `broken`: it does not compile, throws, or draws nothing.
+enum class Outcome { passed, wrong, unfinished, broken };
+const char* name_of(Outcome outcome);
+
+struct CheckResult {
+    const CheckInfo* check;
+    Outcome outcome = Outcome::broken;
+    std::string found;  ///< what was measured and what is allowed, or what went wrong
+};
+
+struct TaskResult {
+    const TaskInfo* task;
+    std::vector<CheckResult> checks;
+    /// The task's points in equal shares for its checks.
+    double points() const;
+};
+
+/// What a check compares with, from the lab's folder `expected` where a handout has left it, else the truth or the
+/// solution of this course itself. Nothing for a check against another. Wants a context for a solution.
+std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check);
+/// The file of it, whether it is there or not.
+std::filesystem::path expectation_file(const LabEntry& lab, const CheckInfo& check);
+
+/// Draws and compares, in the current context. Never throws for what a student's file does.
+CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
+                      const std::optional<Image>& expected);
+
+/// All checks of a lab, task by task. Throws Error when a task has none: then nothing would be looked at.
+std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest);
+
+}  // namespace relief
