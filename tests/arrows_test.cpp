@@ -39,7 +39,10 @@ std::string mistake(const std::string& file, const std::string& include) {
     if (!floors.contains(to)) return "names no part of the framework";
     if (from == "labs") {
         if (to == "lab")
-            return include == "framework/lab/lab.h" ? "" : "a lab includes framework/lab/lab.h and what lies below";
+            return include == "framework/lab/lab.h" || include == "framework/lab/labels.h" ||
+                           include == "framework/lab/tiles.h"
+                       ? ""
+                       : "a lab includes lab.h, labels.h or tiles.h, and what lies below";
         return floors.at(to) < floors.at("context") ? "" : "a lab does not know of contexts or what is above labs";
     }
     if (from == "assets") return floors.at(to) < floors.at("gl") ? "" : "the textures are made without GL";

@@ -32,6 +32,7 @@ public:
     void set(const char* uniform, float value) const;
     void set(const char* uniform, double value) const;
     void set(const char* uniform, const glm::vec2& value) const;
+    void set(const char* uniform, const glm::ivec2& value) const;
     void set(const char* uniform, const glm::vec3& value) const;
     void set(const char* uniform, const glm::vec4& value) const;
     void set(const char* uniform, const glm::dvec3& value) const { set(uniform, glm::vec3(value)); }

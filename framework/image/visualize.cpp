@@ -15,8 +15,8 @@ void put(Image& image, size_t i, const Color& color) {
     std::copy(color.begin(), color.end(), image.values.begin() + std::ptrdiff_t(i * 3));
 }
 
-// Lightness rises steadily along the scale, so that it can be read without colour too.
 Color heat(double share) {
+    // Lightness rises steadily along the scale, so that it can be read without colour too.
     constexpr std::array<Color, 6> scale = {{{0.00f, 0.00f, 0.02f},
                                              {0.26f, 0.04f, 0.41f},
                                              {0.58f, 0.15f, 0.40f},
@@ -32,6 +32,11 @@ Color heat(double share) {
 }
 
 }  // namespace
+
+glm::dvec3 heat_color(double share) {
+    const Color color = heat(share);
+    return {color[0], color[1], color[2]};
+}
 
 Image visualize_probe(const Image& probe, ErrorMetric metric) {
     const int channels = std::min(probe.channels, 3);

@@ -1,10 +1,15 @@
 // Numbers as colours, for a person to look at.
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include "framework/image/compare.h"
 #include "framework/image/image.h"
 
 namespace relief {
+
+/// Black at 0 over purple and orange to pale yellow at 1, as sRGB stores it. The twin of shaders/common/heat.glsl.
+glm::dvec3 heat_color(double share);
 
 /// A probe as an 8-bit picture: directions (compared by angle) as 0.5 v + 0.5; vectors (by distance) in bands, each
 /// channel rising from 0 to 1 again and again, a power of two wide; single numbers as a heat map, the largest being the

@@ -1,0 +1,52 @@
+// A frame cut into a grid of smaller ones, to show methods side by side.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "framework/lab/lab.h"
+
+namespace relief {
+
+/// A part of a frame, in pixels from its lower left corner, as glViewport has it.
+struct Tile {
+    glm::ivec2 corner, size;
+};
+
+/// Rows from the top, columns from the left; together they cover the frame. A tile of a tiny frame may be empty.
+inline std::vector<Tile> tiles_of(glm::ivec2 size, int columns, int rows) {
+    std::vector<Tile> tiles;
+    for (int row = rows - 1; row >= 0; --row)
+        for (int column = 0; column < columns; ++column) {
+            const glm::ivec2 begin(size.x * column / columns, size.y * row / rows);
+            const glm::ivec2 end(size.x * (column + 1) / columns, size.y * (row + 1) / rows);
+            tiles.push_back({begin, end - begin});
+        }
+    return tiles;
+}
+
+/// The frame as one tile sees it: its size, and a camera of its shape.
+inline Frame frame_in(const Frame& frame, const Tile& tile) {
+    Frame part = frame;
+    part.size = tile.size;
+    part.camera = frame.camera.with_aspect(double(tile.size.x) / std::max(1, tile.size.y));
+    return part;
+}
+
+/// A truth put together from those of its tiles.
+inline Image truth_in_tiles(const Frame& frame, const std::vector<Tile>& tiles,
+                            const std::function<Image(const Frame&, size_t tile)>& truth) {
+    Image whole(frame.size.x, frame.size.y, 4);
+    for (size_t i = 0; i < tiles.size(); ++i) {
+        const auto& [corner, size] = tiles[i];
+        if (size.x <= 0 || size.y <= 0) continue;
+        const Image part = truth(frame_in(frame, tiles[i]), i);
+        for (int y = 0; y < size.y; ++y)
+            std::copy_n(part.pixel(0, y), size_t(size.x) * 4,
+                        whole.pixel(corner.x, frame.size.y - corner.y - size.y + y));
+    }
+    return whole;
+}
+
+}  // namespace relief

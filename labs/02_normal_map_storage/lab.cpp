@@ -1,0 +1,146 @@
+// Lab 02: normal map storage.
+//
+// A sphere of directions, stored in each format and read back: lit on the left, the error in degrees on the right.
+// Yours: shaders/02_normal_map_storage/task.glsl
+#include <fmt/format.h>
+
+#include <map>
+
+#include "formats.h"
+#include "framework/gl/target.h"
+#include "framework/image/compare.h"
+#include "framework/lab/lab.h"
+#include "framework/lab/labels.h"
+#include "framework/lab/tiles.h"
+#include "truth.h"
+
+namespace relief {
+
+class NormalMapStorage final : public Lab {
+public:
+    void draw(const Frame& frame) override {
+        const auto tiles = tiles_of_view(frame.size);
+        std::vector<ErrorSummary> errors(tiles.size());
+        if (!frame.probe)
+            for (size_t i = 0; i < tiles.size(); ++i) errors[i] = measure(format_of(i));
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        for (size_t i = 0; i < tiles.size(); ++i) {
+            draw_sphere(frame_in(frame, tiles[i]), tiles[i], format_of(i));
+            describe(frame.size, tiles[i], format_of(i), errors[i]);
+        }
+        draw_scale(frame.size);
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        static const auto names = [] {
+            std::array<const char*, storage::formats.size()> list{};
+            for (size_t i = 0; i < list.size(); ++i) list[i] = storage::formats[i].name;
+            return list;
+        }();
+        knobs.choice("view", view_, views, "every format, or one of them");
+        knobs.choice("format", format_, names, "for view = one");
+        knobs.toggle("mismatch", mismatch_, "read 8-bit codes by the other rule: 128 is 0, or is not");
+        knobs.choice("show", show_, shows, "the lit sphere, the error, or half of each");
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        const auto tiles = tiles_of_view(frame.size);
+        if (!storage::truth(frame, probe, 0)) return {};
+        return truth_in_tiles(frame, tiles,
+                              [&](const Frame& part, size_t i) { return *storage::truth(part, probe, format_of(i)); });
+    }
+
+private:
+    enum View { every, one };
+    static constexpr std::array views = {"every", "one"};
+    static constexpr std::array shows = {"half-and-half", "light", "error"};
+    static constexpr glm::ivec2 measured{512, 256};
+
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
+        if (view_ == one) return tiles_of(size, 1, 1);
+        return size.x >= size.y ? tiles_of(size, 4, 2) : tiles_of(size, 2, 4);
+    }
+    int format_of(size_t tile) const { return view_ == one ? format_ : int(tile); }
+
+    const Program& program(int format, const char* purpose) const {
+        return sphere_.with({fmt::format("FORMAT {}", format), mismatch_ ? "MISMATCH" : "", purpose});
+    }
+
+    void draw_sphere(const Frame& frame, const Tile& tile, int format) const {
+        glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
+        const Ray middle = frame.camera.ray({0, 0});
+        const glm::dvec3 forward = middle.direction;
+        const auto side = [&](glm::dvec2 clip) {  // a window's edge, as far ahead as the middle is
+            const glm::dvec3 direction = frame.camera.ray(clip).direction;
+            return direction / glm::dot(direction, forward) - forward;
+        };
+        const Define probe = frame.probe;
+        const Program& sphere = program(format, probe.text.c_str());
+        glUseProgram(sphere);
+        sphere.set("u_eye", frame.camera.eye());
+        sphere.set("u_forward", forward);
+        sphere.set("u_right", side({1, 0}));
+        sphere.set("u_up", side({0, 1}));
+        sphere.set("u_split", show_ == 0 ? 0.0f : show_ == 1 ? 2.0f : -2.0f);
+        glBindVertexArray(nothing_.layout());
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    /// The error over directions that are spread evenly, by the shader's own functions; once for each format.
+    const ErrorSummary& measure(int format) {
+        const auto [found, is_new] = measured_.try_emplace({format, mismatch_});
+        if (!is_new) return found->second;
+        const Target target(TargetKind::probe, measured);
+        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+        glClear(GL_DEPTH_BUFFER_BIT);
+        glViewport(0, 0, measured.x, measured.y);
+        const Program& sphere = program(format, "MEASURE");
+        glUseProgram(sphere);
+        sphere.set("u_measured", measured);
+        glBindVertexArray(nothing_.layout());
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        const Image drawn = target.read();
+        Image error(measured.x, measured.y, 1);
+        for (size_t i = 0; i < error.values.size(); ++i) error.values[i] = drawn.values[i * 4];
+        return found->second = summarize(error);
+    }
+
+    void describe(glm::ivec2 size, const Tile& tile, int format, const ErrorSummary& error) {
+        const storage::Format& about = storage::formats[size_t(format)];
+        const float line = std::min(Labels::line_height(size), 0.075f * float(tile.size.y));
+        const glm::vec2 place(float(tile.corner.x) + float(tile.size.x) / 2,
+                              float(size.y - tile.corner.y - tile.size.y));
+        labels_.text(about.title, place + glm::vec2(0, line * 0.4f), line, Align::centre);
+        const float low = float(tile.size.y) - line * 2.6f, small = line * 0.8f;
+        labels_.text(fmt::format("mean {:.3g}~ max {:.3g}~", error.mean, error.largest), place + glm::vec2(0, low),
+                     small, Align::centre);
+        if (!mismatch_)
+            labels_.text(fmt::format("{} {:.3g}~ {:.3g}~", about.source, about.mean, about.largest),
+                         place + glm::vec2(0, low + small), small, Align::centre, {0.62f, 0.63f, 0.65f});
+    }
+
+    void draw_scale(glm::ivec2 size) {
+        const float line = Labels::line_height(size) * 0.7f, width = 0.4f * float(size.x);
+        const glm::vec2 place((float(size.x) - width) / 2, float(size.y) - line * 1.1f);
+        if (show_ == 1 || size.y < 100) return;
+        labels_.heat_scale(place, {width, line * 0.8f});
+        labels_.text("0.001~", place - glm::vec2(line * 0.6f, 0), line, Align::right);
+        labels_.text("10~", place + glm::vec2(width + line * 0.6f, 0), line);
+        for (int power = -2; power <= 0; ++power)
+            labels_.rectangle(place + glm::vec2(width * float(power + 3) / 4, 0), {1, line * 0.8f}, {1, 1, 1, 0.8f});
+    }
+
+    Programs sphere_{"02_normal_map_storage/window.vert", "02_normal_map_storage/sphere.frag"};
+    GpuMesh nothing_ = upload([] { return Mesh{}; });
+    Labels labels_;
+    std::map<std::pair<int, bool>, ErrorSummary> measured_;
+
+    int view_ = every, format_ = 0, show_ = 0;
+    bool mismatch_ = false;
+};
+
+RELIEF_LAB(NormalMapStorage);
+
+}  // namespace relief
