@@ -13,8 +13,8 @@ int inside(int index, int count, bool wrap) {
     return rest < 0 ? rest + count : rest;
 }
 
-Differences slope_differences(SlopeFilter filter, int i, int count, bool wrap) {
-    Differences result;
+SlopeDifferences slope_differences(SlopeFilter filter, int i, int count, bool wrap) {
+    SlopeDifferences result;
     const auto add = [&](int plus, int minus, double weight) {
         result.values[size_t(result.count++)] = {inside(plus, count, wrap), inside(minus, count, wrap), weight};
     };
@@ -51,6 +51,11 @@ Differences slope_differences(SlopeFilter filter, int i, int count, bool wrap) {
     return result;
 }
 
+double weight_beside(SlopeFilter filter) {
+    if (filter == SlopeFilter::sobel) return 1 / 4.0;
+    return filter == SlopeFilter::scharr ? 3 / 16.0 : 0;
+}
+
 SplineLines::SplineLines(int count, bool wrap)
     : wrap_(wrap), values_(static_cast<size_t>(count)), work_(static_cast<size_t>(count)) {
     // Thomas: m(i) + factor(i) m(i+1) = ..., the same for all lines.
@@ -68,7 +73,7 @@ void SplineLines::solve() {
     const int count = int(values_.size());
     const auto sum = [&](int i, SlopeFilter filter, double scale) {
         Lanes& to = work_[size_t(i)] = {};
-        for (const Difference& one : slope_differences(filter, i, count, wrap_))
+        for (const SlopeDifference& one : slope_differences(filter, i, count, wrap_))
             for (size_t k = 0; k < spline_lanes; ++k)
                 to[k] += scale * one.weight * (values_[size_t(one.plus)][k] - values_[size_t(one.minus)][k]);
     };

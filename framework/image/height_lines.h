@@ -12,22 +12,25 @@ namespace relief {
 int inside(int index, int count, bool wrap);
 
 /// A slope is a sum of weighted differences: of equal heights it is 0 exactly.
-struct Difference {
+struct SlopeDifference {
     int plus = 0, minus = 0;  ///< indices in the line
     double weight = 0;
 };
-struct Differences {
-    std::array<Difference, 4> values;
+struct SlopeDifferences {
+    std::array<SlopeDifference, 4> values;
     int count = 0;
-    const Difference* begin() const { return values.data(); }
-    const Difference* end() const { return values.data() + count; }
+    const SlopeDifference* begin() const { return values.data(); }
+    const SlopeDifference* end() const { return values.data() + count; }
 };
 
 /// Of element `i` of a line of `count`, without smoothing across. Without wrap, central differences (and what is built
 /// on them) become (-3 h0 + 4 h1 - h2) / 2 at a border, the fourth order its own one-sided forms (Fornberg 1988), as
 /// far as the line is long enough; `forward` looks back at the last element. The spline's row gives what its end slopes
 /// are.
-Differences slope_differences(SlopeFilter filter, int i, int count, bool wrap);
+SlopeDifferences slope_differences(SlopeFilter filter, int i, int count, bool wrap);
+
+/// The slope of a line is smoothed across: each of the two lines beside it has this weight, itself the rest.
+double weight_beside(SlopeFilter filter);
 
 constexpr int spline_lanes = 16;
 

@@ -18,15 +18,6 @@ namespace {
 /// Results larger than this do not stay in any cache.
 constexpr size_t uncached_bytes = size_t{8} << 20;
 
-struct Smoothing {
-    double side, middle;
-};
-Smoothing smoothing_of(SlopeFilter filter) {
-    if (filter == SlopeFilter::sobel) return {1 / 4.0, 2 / 4.0};
-    if (filter == SlopeFilter::scharr) return {3 / 16.0, 10 / 16.0};
-    return {0, 1};
-}
-
 /// One texel by the definition, for borders: the slopes along u and v.
 class TexelSlopes {
 public:
@@ -45,14 +36,14 @@ public:
 private:
     template <class Height>
     double slope(int i, int count, int across, int across_count, Height height) const {
-        const Differences differences = slope_differences(options_.filter, i, count, options_.wrap);
-        const Smoothing smoothing = smoothing_of(options_.filter);
+        const SlopeDifferences differences = slope_differences(options_.filter, i, count, options_.wrap);
+        const double beside = weight_beside(options_.filter);
         double sum = 0;
         for (int k = -1; k <= 1; ++k) {
-            const double weight = k == 0 ? smoothing.middle : smoothing.side;
+            const double weight = k == 0 ? 1 - 2 * beside : beside;
             if (weight == 0) continue;
             const int line = inside(across + k, across_count, options_.wrap);
-            for (const Difference& one : differences)
+            for (const SlopeDifference& one : differences)
                 sum += weight * one.weight * (double(height(one.plus, line)) - height(one.minus, line));
         }
         return sum;
@@ -69,8 +60,8 @@ struct InnerWeights {
 InnerWeights inner_weights(SlopeFilter filter) {
     if (filter == SlopeFilter::forward) return {1, 0};
     if (filter == SlopeFilter::fourth_order) return {8 / 12.0, -1 / 12.0};
-    const Smoothing smoothing = smoothing_of(filter);
-    return {smoothing.middle / 2, smoothing.side / 2};
+    const double beside = weight_beside(filter);
+    return {(1 - 2 * beside) / 2, beside / 2};
 }
 
 class Rows {

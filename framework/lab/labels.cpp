@@ -35,6 +35,16 @@ void Labels::text(const std::string& text, glm::vec2 place, float height, Align 
     }
 }
 
+void Labels::log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks) {
+    const float line = line_height(size) * 0.7f, length = 0.4f * float(size.x);
+    const glm::vec2 place((float(size.x) - length) / 2, float(size.y) - line * 1.15f);
+    heat_scale(place, {length, line * 0.8f});
+    text(low, place - glm::vec2(line * 0.6f, 0), line, Align::right);
+    text(high, place + glm::vec2(length + line * 0.6f, 0), line);
+    for (int tick = 1; tick < ticks; ++tick)
+        rectangle(place + glm::vec2(length * float(tick) / float(ticks), 0), {1, line * 0.8f}, {1, 1, 1, 0.8f});
+}
+
 void Labels::draw(const Frame& frame) {
     std::vector<Corner> corners;
     corners.swap(corners_);

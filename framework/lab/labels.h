@@ -27,6 +27,9 @@ public:
     /// From 0 on the left to 1 on the right, as heat() has it.
     void heat_scale(glm::vec2 place, glm::vec2 size);
 
+    /// What heat() means, at the lower end of a frame of this size: `low` at its left, ten times as much a tick.
+    void log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks);
+
     /// Draws into frame.target over its whole size, and forgets.
     void draw(const Frame& frame);
 

@@ -29,7 +29,7 @@ public:
             draw_sphere(frame_in(frame, tiles[i]), tiles[i], format_of(i));
             describe(frame.size, tiles[i], format_of(i), errors[i]);
         }
-        draw_scale(frame.size);
+        if (show_ != 1) labels_.log_scale(frame.size, "0.001~", "10~", 4);
         labels_.draw(frame);
     }
 
@@ -119,17 +119,6 @@ private:
         if (!mismatch_)
             labels_.text(fmt::format("{} {:.3g}~ {:.3g}~", about.source, about.mean, about.largest),
                          place + glm::vec2(0, low + small), small, Align::centre, {0.62f, 0.63f, 0.65f});
-    }
-
-    void draw_scale(glm::ivec2 size) {
-        const float line = Labels::line_height(size) * 0.7f, width = 0.4f * float(size.x);
-        const glm::vec2 place((float(size.x) - width) / 2, float(size.y) - line * 1.1f);
-        if (show_ == 1 || size.y < 100) return;
-        labels_.heat_scale(place, {width, line * 0.8f});
-        labels_.text("0.001~", place - glm::vec2(line * 0.6f, 0), line, Align::right);
-        labels_.text("10~", place + glm::vec2(width + line * 0.6f, 0), line);
-        for (int power = -2; power <= 0; ++power)
-            labels_.rectangle(place + glm::vec2(width * float(power + 3) / 4, 0), {1, line * 0.8f}, {1, 1, 1, 0.8f});
     }
 
     Programs sphere_{"02_normal_map_storage/window.vert", "02_normal_map_storage/sphere.frag"};

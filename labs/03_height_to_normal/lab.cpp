@@ -1,0 +1,265 @@
+// Lab 03: height to normal.
+//
+// A normal map from a height map, by six filters: on clean heights and on 8-bit ones, with borders that wrap or end.
+// Yours: shaders/03_height_to_normal/task.glsl
+#include <fmt/format.h>
+
+#include <map>
+
+#include "differences.h"
+#include "framework/base/paths.h"
+#include "framework/gl/target.h"
+#include "framework/image/compare.h"
+#include "framework/image/file.h"
+#include "framework/image/mips.h"
+#include "framework/lab/lab.h"
+#include "framework/lab/labels.h"
+#include "framework/lab/tiles.h"
+#include "heights.h"
+#include "truth.h"
+
+namespace relief {
+
+class HeightToNormal final : public Lab {
+public:
+    void draw(const Frame& frame) override {
+        const auto tiles = tiles_of_view(frame.size);
+        make_heights();
+        for (size_t i = 0; i < tiles.size(); ++i) make_normals(filter_of(i));
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        for (size_t i = 0; i < tiles.size(); ++i) {
+            draw_wall(frame_in(frame, tiles[i]), tiles[i], maps_.at(filter_of(i)));
+            describe(frame.size, tiles[i], filter_of(i));
+        }
+        if (show_ != 1 && has_known_slope()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        const auto before =
+            std::tuple(filter_, source_, size_, bits_, wrap_, where_, depth_, stretch_, fine_, middle_, coarse_);
+        knobs.choice("view", view_, views, "every filter, or one of them");
+        knobs.choice("filter", filter_, filters, "for view = one");
+        knobs.choice("show", show_, shows, "the lit relief, the error against the known slope, or half of each");
+        knobs.choice("source", source_, sources, "a known function, the bricks' height map, or the bricks' colours");
+        knobs.choice("size", size_, sizes, "texels along each side, of the known function");
+        knobs.choice("bits", bits_, bit_counts, "that a height of the known function is stored in");
+        knobs.slider("depth", depth_, 0, 64, "what height 1 is worth, texels");
+        knobs.slider("stretch", stretch_, 0.25f, 4, "how wide a texel is, in its heights");
+        knobs.toggle("wrap", wrap_, "the map goes on at its other side; else it ends at its border");
+        knobs.choice("where", where_, places, "who computes the map: the fragment shader, or the framework on the CPU");
+        knobs.slider("fine", fine_, 0, 3, "strength of what changes over a texel");
+        knobs.slider("middle", middle_, 0, 3, "over two texels");
+        knobs.slider("coarse", coarse_, 0, 3, "over four texels");
+        knobs.steps("repeat", repeat_, 1, 4, "of the map along each side of the wall: look for seams");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light stands around the wall, degrees");
+        knobs.slider("light_height", light_height_, -2, 2, "how high it stands, metres");
+        if (before !=
+            std::tuple(filter_, source_, size_, bits_, wrap_, where_, depth_, stretch_, fine_, middle_, coarse_))
+            heights_.reset(), truth_.reset(), maps_.clear();
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        Image map;
+        if (probe.name == "normal" && has_known_slope()) map = heights::exact_normals(size(), texels());
+        if (probe.name == "height" && source_ == colors) map = heights::heights_by_cpu(picture("bricks_albedo.png"));
+        if (probe.name == "height" && source_ != colors) map = stored_heights();
+        if (map.values.empty()) return {};
+        return truth_in_tiles(frame, tiles_of_view(frame.size),
+                              [&](const Frame& part, size_t) { return heights::on_wall(part, map, wall(), repeat_); });
+    }
+
+private:
+    enum Source { waves, bricks, colors };
+    static constexpr std::array views = {"every", "one"};
+    static constexpr std::array filters = {"forward", "central", "sobel", "scharr", "fourth-order", "spline"};
+    static constexpr std::array shows = {"half-and-half", "light", "error"};
+    static constexpr std::array sources = {"waves", "bricks", "colors"};
+    static constexpr std::array sizes = {"32", "64", "128", "256"};
+    static constexpr std::array bit_counts = {"float", "16", "8"};
+    static constexpr std::array places = {"gpu", "cpu"};
+
+    int size() const { return source_ == waves ? 32 << size_ : 256; }
+    glm::dvec2 texels() const { return {depth_ / stretch_, depth_}; }
+    glm::dvec2 wall() const { return glm::dvec2(std::min(1.0f, stretch_), std::min(1.0f, 1 / stretch_)); }
+    bool has_known_slope() const { return source_ == waves && fine_ == 1 && middle_ == 1 && coarse_ == 1; }
+    std::vector<Tile> tiles_of_view(glm::ivec2 frame) const {
+        if (view_ == 1) return tiles_of(frame, 1, 1);
+        return frame.x >= frame.y ? tiles_of(frame, 3, 2) : tiles_of(frame, 2, 3);
+    }
+    int filter_of(size_t tile) const { return view_ == 1 ? filter_ : int(tile); }
+
+    /// A quarter of an asset's size: a filter reads every texel of it.
+    static Image picture(const char* file) {
+        const Image whole = read_image(course_root() / "assets" / file);
+        Image small = mip_chain(whole, whole.channels == 3 ? ColorSpace::srgb : ColorSpace::linear).at(2);
+        small.bits = 32;
+        return small;
+    }
+    Image stored_heights() const {
+        if (source_ == bricks) return strengthened(picture("bricks_height.png"));
+        return strengthened(heights::sample(size(), bits_ == 0 ? 32 : bits_ == 1 ? 16 : 8));
+    }
+    Image strengthened(Image image) const {
+        image.bits = 32;  // rounded where it was to be; what follows is exact
+        if (fine_ == 1 && middle_ == 1 && coarse_ == 1) return image;
+        return with_level_strengths(image, {fine_, middle_, coarse_}, wrap_, 0);
+    }
+
+    /// A texture that a fragment shader fills, a fragment a texel.
+    struct Map {
+        Map(int side, GLenum format) : size(side) {
+            glActiveTexture(GL_TEXTURE0);
+            glBindTexture(GL_TEXTURE_2D, texture);
+            glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), size, size, 0, GL_RGBA, GL_FLOAT, nullptr);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+            glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+        }
+        void fill(const GpuMesh& nothing) const {
+            glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+            glViewport(0, 0, size, size);
+            glBindVertexArray(nothing.layout());
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+        }
+        int size;
+        TextureName texture;
+        FramebufferName framebuffer;
+        ErrorSummary error = {};
+    };
+
+    static Texture table(Image image) {
+        return Texture("table", [image = std::move(image)] { return image; }, {.wrap = Wrap::clamp, .mips = false});
+    }
+    static Texture lines(int filter, int count, bool wrap) {
+        return Texture("differences", [=] { return heights::differences_of_lines(SlopeFilter(filter), count, wrap); },
+                       {.wrap = Wrap::clamp, .mips = false});
+    }
+
+    void make_heights() {
+        if (heights_) return;
+        heights_.emplace(size(), GLenum(GL_R32F));
+        glBindTexture(GL_TEXTURE_2D, heights_->texture);
+        if (source_ == colors) {
+            const Program& convert = heights_program_.with();
+            glUseProgram(convert);
+            const Texture colors_of_bricks = table(picture("bricks_albedo.png"));
+            convert.set("s_picture", 0, colors_of_bricks);
+            heights_->fill(nothing_);
+            return;
+        }
+        Image image = stored_heights();
+        std::vector<float> upwards;
+        for (int y = image.height; y-- > 0;)
+            upwards.insert(upwards.end(), image.pixel(0, y), image.pixel(0, y) + image.width);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, image.width, image.height, 0, GL_RED, GL_FLOAT, upwards.data());
+    }
+
+    void make_normals(int filter) {
+        const auto [found, is_new] = maps_.try_emplace(filter, size(), GLenum(GL_RGBA32F));
+        if (!is_new) return;
+        Map& map = found->second;
+        const auto option = SlopeFilter(filter);
+        if (where_ == 1) {
+            const Image normals = heights::normals_by_cpu(
+                read(*heights_, 1), {.texels_u = texels().x, .texels_v = texels().y, .filter = option, .wrap = wrap_});
+            overwrite(map, normals);
+        } else {
+            const bool is_sobel = option == SlopeFilter::sobel;
+            const Program& convert = normals_program_.with(is_sobel ? "SOBEL" : "");
+            glUseProgram(convert);
+            const Texture differences = lines(filter, size(), wrap_);
+            convert.set("u_differences", option == SlopeFilter::spline ? size() : 4);
+            convert.set("u_beside", weight_beside(option));
+            convert.set("u_wrap", wrap_);
+            convert.set("u_texels", glm::vec2(texels()));
+            convert.set("s_differences_u", 1, differences);
+            convert.set("s_differences_v", 1, differences);
+            glUniform1i(glGetUniformLocation(convert, "s_heights"), 0);
+            glActiveTexture(GL_TEXTURE0);
+            glBindTexture(GL_TEXTURE_2D, heights_->texture);
+            map.fill(nothing_);
+        }
+        const Image exact = has_known_slope() ? heights::exact_normals(size(), texels()) : Image();
+        if (!exact.values.empty()) map.error = summarize(error_image(read(map, 3), exact, ErrorMetric::angle));
+    }
+
+    static Image read(const Map& map, int channels) {
+        std::vector<float> upwards(size_t(map.size) * map.size * channels);
+        glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
+        glReadPixels(0, 0, map.size, map.size, channels == 1 ? GL_RED : GL_RGB, GL_FLOAT, upwards.data());
+        Image image(map.size, map.size, channels);
+        const size_t row = size_t(map.size) * channels;
+        for (int y = 0; y < map.size; ++y)
+            std::copy_n(upwards.data() + row * (map.size - 1 - y), row, image.pixel(0, y));
+        return image;
+    }
+
+    static void overwrite(const Map& map, const Image& normals) {
+        std::vector<float> upwards;
+        for (int y = normals.height; y-- > 0;)
+            for (int x = 0; x < normals.width; ++x) {
+                const float* const n = normals.pixel(x, y);
+                upwards.insert(upwards.end(), {n[0], n[1], n[2], 1});
+            }
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, map.texture);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, map.size, map.size, 0, GL_RGBA, GL_FLOAT, upwards.data());
+    }
+
+    void draw_wall(const Frame& frame, const Tile& tile, const Map& map) {
+        glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
+        const bool show_error = show_ != 1 && map.error.count > 0 && !frame.probe;
+        const Program& surface = wall_program_.with({frame.probe, show_error ? "ERROR" : ""});
+        glUseProgram(surface);
+        surface.set("u_clip_from_world", frame.camera.clip_from_world());
+        surface.set("u_eye", frame.camera.eye());
+        const float yaw_rad = glm::radians(light_yaw_);
+        surface.set("u_light", glm::vec3(2 * std::sin(yaw_rad), light_height_, 0.6f + 0.8f * std::cos(yaw_rad)));
+        surface.set("u_wall", glm::vec2(wall()));
+        surface.set("u_repeat", float(repeat_));
+        if (show_error) {
+            if (!truth_) truth_.emplace(table(heights::exact_normals(size(), texels())));
+            surface.set("u_split", show_ == 0 ? 0.5f : 0.0f);
+            surface.set("s_truth", 2, *truth_);
+        }
+        glUniform1i(glGetUniformLocation(surface, "s_normals"), 0);
+        glUniform1i(glGetUniformLocation(surface, "s_heights"), 1);
+        glActiveTexture(GL_TEXTURE1);
+        glBindTexture(GL_TEXTURE_2D, heights_->texture);
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, map.texture);
+        glBindVertexArray(quad_.layout());
+        glDrawElements(GL_TRIANGLES, quad_.count(), GL_UNSIGNED_INT, nullptr);
+    }
+
+    void describe(glm::ivec2 size, const Tile& tile, int filter) {
+        const float line = std::min(Labels::line_height(size), 0.08f * float(tile.size.y));
+        const ErrorSummary& error = maps_.at(filter).error;
+        const glm::vec2 top(float(tile.corner.x) + float(tile.size.x) / 2, float(size.y - tile.corner.y - tile.size.y));
+        labels_.text(filters[size_t(filter)], top + glm::vec2(0, line * 0.2f), line, Align::centre);
+        if (error.count > 0)
+            labels_.text(fmt::format("mean {:.2g}~ max {:.2g}~", error.mean, error.largest),
+                         top + glm::vec2(0, float(tile.size.y) - line * 2.1f), line * 0.85f, Align::centre);
+    }
+
+    Programs heights_program_{"03_height_to_normal/map.vert", "03_height_to_normal/heights.frag"};
+    Programs normals_program_{"03_height_to_normal/map.vert", "03_height_to_normal/normals.frag"};
+    Programs wall_program_{"03_height_to_normal/wall.vert", "03_height_to_normal/wall.frag"};
+    GpuMesh quad_ = upload([] { return make_quad({.width = 2, .height = 2}); });
+    GpuMesh nothing_ = upload([] { return Mesh{}; });
+    Labels labels_;
+    std::optional<Map> heights_;
+    std::map<int, Map> maps_;  ///< by filter
+    std::optional<Texture> truth_;
+
+    int view_ = 0, filter_ = 2, show_ = 0, source_ = waves, size_ = 1, bits_ = 0, where_ = 0, repeat_ = 2;
+    bool wrap_ = true;
+    float depth_ = 14, stretch_ = 1, fine_ = 1, middle_ = 1, coarse_ = 1, light_yaw_ = -50, light_height_ = 1.1f;
+};
+
+RELIEF_LAB(HeightToNormal);
+
+}  // namespace relief

@@ -1,0 +1,65 @@
+#include "truth.h"
+
+#include "framework/base/error.h"
+#include "heights.h"
+
+namespace relief::heights {
+
+Image exact_normals(int size, glm::dvec2 texels) {
+    //[solution
+    Image image(size, size, 3);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const glm::dvec2 rise = slope(centre(x, y, size)) / double(size) * texels;
+            const glm::dvec3 normal = glm::normalize(glm::dvec3(-rise, 1));
+            for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = float(normal[c]);
+        }
+    return image;
+    //]starter
+    //| static_cast<void>(size), static_cast<void>(texels);
+    //| return {};
+    //]
+}
+
+Image normals_by_cpu(const Image& heights, const NormalOptions& options) {
+    //[solution
+    Image normals = normals_from_heights(heights, options);
+    for (float& value : normals.values) value = 2 * value - 1;
+    normals.bits = 32;
+    return normals;
+    //]starter
+    //| static_cast<void>(heights), static_cast<void>(options);
+    //| throw Error("the CPU's normals are not in this course: they are what task 3.1 asks for");
+    //]
+}
+
+Image heights_by_cpu(const Image& picture) {
+    //[solution
+    Image heights = heights_from_color(picture, ColorSpace::srgb);
+    heights.bits = 32;
+    return heights;
+    //]starter
+    //| static_cast<void>(picture);
+    //| return {};
+    //]
+}
+
+Image on_wall(const Frame& frame, const Image& map, glm::dvec2 wall, double repeat) {
+    Image image(frame.size.x, frame.size.y, 4);
+    std::fill(image.values.begin(), image.values.end(), no_surface);
+    for (int y = 0; y < frame.size.y; ++y)
+        for (int x = 0; x < frame.size.x; ++x) {
+            const Ray ray = frame.ray(x, y);
+            const double t = -ray.origin.z / ray.direction.z;
+            const glm::dvec2 place = glm::dvec2(ray.at(t)) / wall;
+            if (!(t > 0) || !(std::abs(place.x) <= 1) || !(std::abs(place.y) <= 1)) continue;
+            const glm::dvec2 uv = glm::fract((place * 0.5 + 0.5) * repeat);
+            const int column = std::min(int(uv.x * map.width), map.width - 1);
+            const int row = std::min(int(uv.y * map.height), map.height - 1);
+            const float* const texel = map.pixel(column, map.height - 1 - row);
+            for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = c < map.channels ? texel[c] : 0;
+        }
+    return image;
+}
+
+}  // namespace relief::heights

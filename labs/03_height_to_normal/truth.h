@@ -1,0 +1,23 @@
+// The exact values of lab 03's probes, and the same maps made by the CPU.
+#pragma once
+
+#include "framework/image/normals.h"
+#include "framework/lab/lab.h"
+
+namespace relief::heights {
+
+/// The unit normals of the known function at the centres of size x size texels, not packed: 3 channels in [-1, 1].
+/// Empty in a student's course. `texels` is what height 1 is worth along u and v.
+Image exact_normals(int size, glm::dvec2 texels);
+
+/// What the framework makes of the same heights, not packed. Throws Error in a student's course.
+Image normals_by_cpu(const Image& heights, const NormalOptions& options);
+
+/// What the framework makes of a colour picture. Empty in a student's course.
+Image heights_by_cpu(const Image& picture);
+
+/// `map` (row 0 at the top) as a wall of half the size `wall` shows it that many times along each side: the texel at
+/// the centre of each pixel, +infinity beside the wall.
+Image on_wall(const Frame& frame, const Image& map, glm::dvec2 wall, double repeat);
+
+}  // namespace relief::heights
