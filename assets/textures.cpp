@@ -2,11 +2,18 @@
 
 #include "assets/bricks.h"
 #include "assets/paving.h"
+#include "assets/quilt.h"
 #include "framework/image/normals.h"
 
 namespace relief {
 
 std::vector<NamedTexture> make_textures(const std::string& surface) {
+    if (surface == "quilt") {
+        QuiltMaps maps = make_quilt();
+        return {{"quilt_object.png", ColorSpace::linear, std::move(maps.object)},
+                {"quilt_world.png", ColorSpace::linear, std::move(maps.world)},
+                {"quilt_tangent.png", ColorSpace::linear, std::move(maps.tangent)}};
+    }
     const bool bricks = surface == "bricks";
     SurfaceMaps maps = bricks ? make_bricks() : make_paving();
     const double depth = bricks ? bricks_depth_in_texels : paving_depth_in_texels;

@@ -14,7 +14,7 @@ struct NamedTexture {
     Image image;
 };
 
-/// "bricks" or "paving": albedo, height and normal map.
+/// "bricks" or "paving": albedo, height and normal map; "quilt": its normals in three spaces.
 std::vector<NamedTexture> make_textures(const std::string& surface);
 
 }  // namespace relief

@@ -1,0 +1,112 @@
+// Lab 04: object space.
+//
+// One quilted column and three maps of its normals, in the world's space, the object's and the tangent's: twist it,
+// turn it, move it, and see which map goes along. Yours: shaders/04_object_space/task.glsl
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "framework/lab/lab.h"
+#include "framework/lab/labels.h"
+#include "framework/lab/tiles.h"
+#include "quilt.h"
+#include "truth.h"
+
+namespace relief {
+
+class ObjectSpace final : public Lab {
+public:
+    void draw(const Frame& frame) override {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const auto tiles = tiles_of_view(frame.size);
+        for (size_t i = 0; i < tiles.size(); ++i) {
+            draw_column(frame_in(frame, tiles[i]), tiles[i], map_of(i));
+            if (!frame.probe) describe(frame.size, tiles[i], map_of(i));
+        }
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        knobs.choice("view", view_, views, "every map, or one of them");
+        knobs.choice("map", map_, maps, "for view = one");
+        knobs.slider("twist", twist_, -180, 180, "from the foot of the column to its top, degrees");
+        knobs.slider("rotate", rotate_, -180, 180, "about the vertical, degrees");
+        knobs.slider("translate", translate_, -1, 1, "sideways, metres");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light stands around the column, degrees");
+        knobs.toggle("show_map", show_map_, "the map itself in a corner");
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe&) const override {
+        if (!quilt::truth(frame_in(frame, {{0, 0}, {1, 1}}), rate(), world_from_model())) return {};
+        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
+            return *quilt::truth(part, rate(), world_from_model());
+        });
+    }
+
+private:
+    static constexpr std::array views = {"every", "one"};
+    static constexpr std::array maps = {"world", "object", "tangent"};
+    static constexpr std::array defines = {"WORLD_MAP", "OBJECT_MAP", "TANGENT_MAP"};
+
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
+        if (view_ == 1) return tiles_of(size, 1, 1);
+        return size.x >= size.y ? tiles_of(size, 3, 1) : tiles_of(size, 1, 3);
+    }
+    int map_of(size_t tile) const { return view_ == 1 ? map_ : int(tile); }
+
+    double rate() const { return glm::radians(double(twist_)) / quilt::column.height; }
+    glm::dmat4 world_from_model() const {
+        const glm::dmat4 moved = glm::translate(glm::dmat4(1), glm::dvec3(translate_, 0, 0));
+        const glm::dmat4 turned = glm::rotate(moved, glm::radians(double(rotate_)), glm::dvec3(0, 1, 0));
+        return glm::translate(turned * quilt::rest(), glm::dvec3(0, -quilt::column.height / 2, 0));
+    }
+
+    const Texture& texture(int map) const { return map == 0 ? world_ : map == 1 ? object_ : tangent_; }
+
+    void draw_column(const Frame& frame, const Tile& tile, int map) const {
+        glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
+        const float yaw_rad = glm::radians(light_yaw_);
+        const Program& surface = surface_.with({frame.probe, defines[size_t(map)]});
+        glUseProgram(surface);
+        surface.set("u_clip_from_world", frame.camera.clip_from_world());
+        surface.set("u_world_from_model", world_from_model());
+        surface.set("u_rate", rate());
+        surface.set("u_eye", frame.camera.eye());
+        surface.set("u_light", glm::vec3(3 * std::sin(yaw_rad), 2.2f, 3 * std::cos(yaw_rad)));
+        surface.set("s_normals", 0, texture(map));
+        glBindVertexArray(column_.layout());
+        glDrawElements(GL_TRIANGLES, column_.count(), GL_UNSIGNED_INT, nullptr);
+    }
+
+    void describe(glm::ivec2 size, const Tile& tile, int map) {
+        const float line = std::min(Labels::line_height(size), 0.09f * float(tile.size.x));
+        const glm::vec2 top(float(tile.corner.x) + float(tile.size.x) / 2, float(size.y - tile.corner.y - tile.size.y));
+        labels_.text(std::string(maps[size_t(map)]) + " space", top + glm::vec2(0, line * 0.4f), line, Align::centre);
+        if (!show_map_) return;
+        const int side = std::min(tile.size.x, tile.size.y) / 5, gap = side / 8;
+        glViewport(tile.corner.x + gap, tile.corner.y + gap, side, side);
+        const Program& inset = inset_.with();
+        glUseProgram(inset);
+        inset.set("s_normals", 0, texture(map));
+        glDisable(GL_DEPTH_TEST);
+        glBindVertexArray(nothing_.layout());
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glEnable(GL_DEPTH_TEST);
+    }
+
+    Programs surface_{"04_object_space/column.vert", "04_object_space/column.frag"};
+    Programs inset_{"04_object_space/map.vert", "04_object_space/map.frag"};
+    Texture world_ = load_texture("quilt_world.png", ColorSpace::linear);
+    Texture object_ = load_texture("quilt_object.png", ColorSpace::linear);
+    Texture tangent_ = load_texture("quilt_tangent.png", ColorSpace::linear);
+    GpuMesh column_ = upload([] { return make_column(quilt::column); });
+    GpuMesh nothing_ = upload([] { return Mesh{}; });
+    Labels labels_;
+
+    int view_ = 0, map_ = 2;
+    float twist_ = 90, rotate_ = 0, translate_ = 0, light_yaw_ = 40;
+    bool show_map_ = true;
+};
+
+RELIEF_LAB(ObjectSpace);
+
+}  // namespace relief

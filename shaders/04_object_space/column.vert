@@ -1,0 +1,33 @@
+#version 410 core
+// The column, twisted about its axis and then placed in the world.
+
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 2) in vec4 a_tangent;
+layout(location = 3) in vec2 a_uv;
+
+uniform mat4 u_clip_from_world;
+uniform mat4 u_world_from_model;
+uniform float u_rate;  // of the twist, radians a metre
+
+out vec3 v_world;
+out vec3 v_rest;  // where it is before the twist
+out vec2 v_uv;
+#ifdef TANGENT_MAP
+out vec3 v_tangent;
+out vec3 v_bitangent;
+#endif
+
+void main() {
+    float c = cos(u_rate * a_position.y), s = sin(u_rate * a_position.y);
+    vec3 twisted = vec3(a_position.x * c + a_position.z * s, a_position.y, a_position.z * c - a_position.x * s);
+    vec4 world = u_world_from_model * vec4(twisted, 1.0);
+    v_world = world.xyz;
+    v_rest = a_position;
+    v_uv = a_uv;
+#ifdef TANGENT_MAP
+    v_tangent = a_tangent.xyz;
+    v_bitangent = a_tangent.w * cross(a_normal, a_tangent.xyz);
+#endif
+    gl_Position = u_clip_from_world * world;
+}
