@@ -1,9 +1,11 @@
-// Writes the course's own textures into a folder: relief-assets FOLDER
+// Writes the course's own textures and models into a folder: relief-assets FOLDER
 #include <cstdio>
 #include <filesystem>
 
 #include "assets/textures.h"
+#include "assets/urn.h"
 #include "framework/base/error.h"
+#include "framework/base/file.h"
 #include "framework/image/file.h"
 
 int main(int argc, char** argv) {
@@ -18,6 +20,9 @@ int main(int argc, char** argv) {
                 relief::write_image(file, texture.image, {}, texture.space);
                 std::puts(file.c_str());
             }
+        const std::filesystem::path urn = std::filesystem::path(argv[1]) / "urn.obj";
+        relief::write_file(urn, relief::make_urn());
+        std::puts(urn.c_str());
     } catch (const relief::Error& error) {
         std::fprintf(stderr, "relief-assets: %s\n", error.what());
         return 1;

@@ -6,6 +6,7 @@ bool is_unfinished = false;
 float unfinished(float placeholder) { is_unfinished = true; return placeholder; }
 vec2 unfinished(vec2 placeholder) { is_unfinished = true; return placeholder; }
 vec3 unfinished(vec3 placeholder) { is_unfinished = true; return placeholder; }
+vec4 unfinished(vec4 placeholder) { is_unfinished = true; return placeholder; }
 mat3 unfinished(mat3 placeholder) { is_unfinished = true; return placeholder; }
 ivec2 unfinished(ivec2 placeholder) { is_unfinished = true; return placeholder; }
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "assets/urn.h"
+#include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/image/file.h"
 
@@ -50,6 +52,8 @@ TEST_P(Surface, TilesWithoutASeam) {
         EXPECT_LE(mean_step(n - 1, columns), largest) << (columns ? "columns" : "rows");
     }
 }
+
+TEST(Urn, IsMadeAsItLiesInTheRepository) { EXPECT_EQ(make_urn(), read_file(course_root() / "assets/urn.obj")); }
 
 TEST(Quilt, IsMadeAsItLiesInTheRepository) { expect_made_as_kept("quilt"); }
 

@@ -61,7 +61,7 @@ TEST_P(Course, TheSolutionPassesEveryCheck) {
 
 TEST_P(Course, AStarterIsUnfinishedInEveryCheckAndPaintsTheChequer) {
     if (manifest_.tasks.empty()) GTEST_SKIP() << "a lab of someone's own";
-    std::map<std::string, std::optional<Image>> expected;
+    Expectations expected;
     for (const CheckInfo& check : manifest_.checks) expected[check.name] = expectation(GetParam(), check);
     const CourseOverlay overlay(starters());
     for (const CheckInfo& check : manifest_.checks)
@@ -83,7 +83,7 @@ TEST_P(Course, AStarterIsUnfinishedInEveryCheckAndPaintsTheChequer) {
 }
 
 TEST_P(Course, EveryKnownMistakeFailsACheckOfItsTask) {
-    std::map<std::string, std::optional<Image>> expected;
+    Expectations expected;
     for (const CheckInfo& check : manifest_.checks) expected[check.name] = expectation(GetParam(), check);
     for (const MistakeInfo& mistake : manifest_.mistakes) {
         const CourseFiles files = edited(mistake.edits);
@@ -105,9 +105,10 @@ TEST_P(Course, EveryKnownMistakeFailsACheckOfItsTask) {
                         << mistake.id << " does not compile: " << result.found;
                 }
         } else {
-            for (const auto& [name, outcome, found] : check_with_task(GetParam(), mistake.task, files))
+            for (const auto& [name, outcome, found] : check_with_task(GetParam(), mistake.task, files, expected))
                 judge(name, outcome == "passed", found);
         }
+        EXPECT_FALSE(kept.empty()) << mistake.id << ": nothing was checked";
         EXPECT_TRUE(caught) << mistake.id << " passes every check of task " << mistake.task << kept;
     }
 }

@@ -1,10 +1,13 @@
 // A lab with another task.cpp: compiled and linked with what the build already has, then asked for its checks.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/grade/overlay.h"
+#include "framework/image/image.h"
 #include "framework/lab/registry.h"
 
 namespace relief {
@@ -13,8 +16,12 @@ struct VariantCheck {
     std::string name, outcome, found;
 };
 
+/// What the checks of a lab compare with, by their names.
+using Expectations = std::map<std::string, std::optional<Image>>;
+
 /// The checks of one task by the lab's own executable, with `files` in place of the course's. Fails the test when that
 /// does not compile.
-std::vector<VariantCheck> check_with_task(const LabEntry& lab, const std::string& task, const CourseFiles& files);
+std::vector<VariantCheck> check_with_task(const LabEntry& lab, const std::string& task, const CourseFiles& files,
+                                          const Expectations& expected);
 
 }  // namespace relief

@@ -1,0 +1,220 @@
+// Lab 05: the tangent basis.
+//
+// Bricks on a coarse mesh, by the tangents of each method; the angle to dP/du as a heat map; the frames as lines.
+// Yours: labs/05_tangent_basis/task.cpp and shaders/05_tangent_basis/task.glsl
+#include <fmt/format.h>
+
+#include <map>
+
+#include "framework/lab/lab.h"
+#include "framework/lab/labels.h"
+#include "framework/lab/tiles.h"
+#include "shapes.h"
+#include "task.h"
+#include "truth.h"
+
+namespace relief {
+
+class TangentBasis final : public Lab {
+public:
+    void draw(const Frame& frame) override {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const auto tiles = tiles_of_view(frame.size);
+        for (size_t i = 0; i < tiles.size(); ++i) {
+            draw_surface(frame_in(frame, tiles[i]), tiles[i], method_of(i));
+            describe(frame.size, tiles[i], method_of(i));
+        }
+        if (show_ != 1) labels_.log_scale(frame.size, "0.01~", "100~", 4);
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        const auto before = std::tuple(shape_, columns_, rows_, jitter_, shear_);
+        knobs.choice("view", view_, views, "the methods side by side, or one of them");
+        knobs.choice("method", method_, methods, "for view = one: where the tangent comes from");
+        knobs.choice("shape", shape_, shapes, "what the bricks lie on");
+        knobs.choice("show", show_, shows, "lit, the angle to dP/du, or half of each");
+        knobs.toggle("lines", lines_, "tangent red, bitangent green, normal blue");
+        knobs.slider("line_length", line_length_, 2, 60, "pixels");
+        knobs.steps("columns", columns_, 3, 64, "cells around");
+        knobs.steps("rows", rows_, 2, 64, "cells up");
+        knobs.slider("jitter", jitter_, 0, 1, "how far vertices are out of line");
+        knobs.slider("shear", shear_, -1, 1, "of the quad's texture: how much v grows along x");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light stands around the shape, degrees");
+        if (before != std::tuple(shape_, columns_, rows_, jitter_, shear_)) meshes_.clear();
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        if (shape() == basis::Shape::urn) return {};
+        const basis::CoarseMesh mesh = coarse();
+        if (!basis::truth(frame_in(frame, {{0, 0}, {1, 1}}), probe, mesh, shape(), shear_)) return {};
+        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
+            return *basis::truth(part, probe, mesh, shape(), shear_);
+        });
+    }
+
+private:
+    enum Method { per_face, uniform, area, angle, mikktspace, derivatives, analytic };
+    static constexpr std::array views = {"every", "one"};
+    static constexpr std::array methods = {"per-face",   "uniform",     "area",    "angle",
+                                           "mikktspace", "derivatives", "analytic"};
+    static constexpr std::array shapes = {"quad", "box", "cylinder", "sphere", "torus", "mirrored", "urn"};
+    static constexpr std::array shows = {"half-and-half", "light", "error"};
+    static constexpr std::array side_by_side = {per_face, uniform, area, angle, derivatives, analytic};
+
+    basis::Shape shape() const { return basis::Shape(shape_); }
+    basis::CoarseMesh coarse() const { return basis::coarse_mesh(shape(), columns_, rows_, jitter_, shear_); }
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
+        if (view_ == 1) return tiles_of(size, 1, 1);
+        return size.x >= size.y ? tiles_of(size, 3, 2) : tiles_of(size, 2, 3);
+    }
+    int method_of(size_t tile) const { return view_ == 1 ? method_ : side_by_side[tile]; }
+
+    static basis::Triangle triangle_of(const Mesh& mesh, size_t first) {
+        basis::Triangle triangle;
+        for (size_t i = 0; i < 3; ++i) {
+            const Vertex& vertex = mesh.vertices[mesh.indices[first + i]];
+            triangle.position[i] = vertex.position, triangle.uv[i] = vertex.uv;
+        }
+        return triangle;
+    }
+
+    /// Every corner a vertex of its own, with the frame of its triangle.
+    static Mesh with_faces(const Mesh& mesh) {
+        Mesh result;
+        for (size_t first = 0; first < mesh.indices.size(); first += 3) {
+            const basis::Triangle triangle = triangle_of(mesh, first);
+            const basis::FaceBasis face = basis::solve(triangle);
+            const glm::dvec3 up =
+                glm::cross(triangle.position[1] - triangle.position[0], triangle.position[2] - triangle.position[0]);
+            for (size_t i = 0; i < 3; ++i) {
+                Vertex vertex = mesh.vertices[mesh.indices[first + i]];
+                if (glm::length(up) > 0) vertex.normal = glm::normalize(up);
+                vertex.tangent = basis::vertex_tangent(face.tangent, vertex.normal, face.handedness);
+                result.indices.push_back(uint32_t(result.vertices.size()));
+                result.vertices.push_back(vertex);
+            }
+        }
+        return result;
+    }
+
+    /// The weighted mean at each vertex, of mirrored triangles and of the others apart: together they would cancel out.
+    static Mesh with_means(const Mesh& mesh, basis::Weight weight) {
+        struct Sums {
+            glm::dvec3 sum[2] = {};
+            int triangles[2] = {};
+        };
+        std::vector<Sums> sums(mesh.vertices.size());
+        std::vector<int> sides(mesh.indices.size() / 3);
+        for (size_t first = 0; first < mesh.indices.size(); first += 3) {
+            const basis::Triangle triangle = triangle_of(mesh, first);
+            const basis::FaceBasis face = basis::solve(triangle);
+            const int side = sides[first / 3] = face.handedness < 0;
+            for (int i = 0; i < 3; ++i) {
+                Sums& vertex = sums[mesh.indices[first + size_t(i)]];
+                vertex.sum[side] += basis::corner_weight(weight, triangle, i) * face.tangent;
+                ++vertex.triangles[side];
+            }
+        }
+        Mesh result = mesh;
+        std::vector<uint32_t> mirrored(mesh.vertices.size());  // the vertex for the mirrored triangles
+        for (uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+            mirrored[i] = i;
+            for (const int side : {0, 1}) {
+                if (sums[i].triangles[side] == 0) continue;
+                Vertex vertex = mesh.vertices[i];
+                vertex.tangent = basis::vertex_tangent(sums[i].sum[side], vertex.normal, side == 1 ? -1 : 1);
+                if (side == 1 && sums[i].triangles[0] > 0) {
+                    mirrored[i] = uint32_t(result.vertices.size());
+                    result.vertices.push_back(vertex);
+                } else {
+                    result.vertices[i] = vertex;
+                }
+            }
+        }
+        for (size_t i = 0; i < result.indices.size(); ++i)
+            if (sides[i / 3] == 1) result.indices[i] = mirrored[result.indices[i]];
+        return result;
+    }
+
+    Mesh make(int method) const {
+        const Mesh mesh = coarse().mesh;
+        switch (method) {
+            case per_face:
+                return with_faces(mesh);
+            case uniform:
+                return with_means(mesh, basis::Weight::uniform);
+            case area:
+                return with_means(mesh, basis::Weight::area);
+            case angle:
+                return with_means(mesh, basis::Weight::angle);
+            case mikktspace:
+                return basis::with_mikktspace(mesh);
+            default:
+                return mesh;
+        }
+    }
+    const GpuMesh& mesh_of(int method) {
+        return meshes_.try_emplace(method, upload([this, method] { return make(method); })).first->second;
+    }
+
+    void draw_surface(const Frame& frame, const Tile& tile, int method) {
+        glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
+        const char* exact = shape() == basis::Shape::quad       ? "QUAD"
+                            : shape() == basis::Shape::box      ? "BOX"
+                            : shape() == basis::Shape::mirrored ? "MIRRORED"
+                                                                : "";
+        const GpuMesh& mesh = mesh_of(method);
+        const Program& surface = surface_.with({frame.probe, method == derivatives ? "DERIVATIVES" : "", exact});
+        glUseProgram(surface);
+        const float yaw_rad = glm::radians(light_yaw_);
+        surface.set("u_clip_from_world", frame.camera.clip_from_world());
+        surface.set("u_eye", frame.camera.eye());
+        surface.set("u_light", glm::vec3(3 * std::sin(yaw_rad), 2.4f, 3 * std::cos(yaw_rad)));
+        surface.set("u_repeat", shape() == basis::Shape::quad  ? glm::vec2(2)
+                                : shape() == basis::Shape::box ? glm::vec2(1)
+                                                               : glm::vec2(4, 2));
+        surface.set("u_split", float(tile.corner.x) + float(tile.size.x) * (show_ == 0   ? 0.5f
+                                                                            : show_ == 1 ? 2.0f
+                                                                                         : -1.0f));
+        surface.set("u_shear", shear_);
+        surface.set("s_albedo", 0, albedo_);
+        surface.set("s_normals", 1, normals_);
+        glBindVertexArray(mesh.layout());
+        glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+
+        if (!lines_ || method == derivatives || frame.probe) return;
+        const Program& frames = frames_.with();
+        glUseProgram(frames);
+        frames.set("u_clip_from_world", frame.camera.clip_from_world());
+        frames.set("u_size", glm::vec2(tile.size));
+        frames.set("u_length", line_length_);
+        frames.set("u_focal_pixels",
+                   tile.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2)));
+        glDrawElements(GL_POINTS, mesh.count(), GL_UNSIGNED_INT, nullptr);
+    }
+
+    void describe(glm::ivec2 size, const Tile& tile, int method) {
+        const float line = std::min(Labels::line_height(size), 0.08f * float(tile.size.y));
+        labels_.text(methods[size_t(method)],
+                     glm::vec2(float(tile.corner.x) + float(tile.size.x) / 2,
+                               float(size.y - tile.corner.y - tile.size.y) + line * 0.3f),
+                     line, Align::centre);
+    }
+
+    Programs surface_{"05_tangent_basis/surface.vert", "05_tangent_basis/surface.frag"};
+    Programs frames_{"05_tangent_basis/lines.vert", "05_tangent_basis/lines.geom", "05_tangent_basis/lines.frag"};
+    Texture albedo_ = load_texture("bricks_albedo.png", ColorSpace::srgb);
+    Texture normals_ = load_texture("bricks_normal.png", ColorSpace::linear);
+    std::map<int, GpuMesh> meshes_;  ///< by method
+    Labels labels_;
+
+    int view_ = 0, method_ = angle, shape_ = int(basis::Shape::torus), show_ = 0, columns_ = 24, rows_ = 12;
+    bool lines_ = true;
+    float line_length_ = 14, jitter_ = 0.7f, shear_ = 0, light_yaw_ = 35;
+};
+
+RELIEF_LAB(TangentBasis);
+
+}  // namespace relief

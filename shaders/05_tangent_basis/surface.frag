@@ -1,0 +1,75 @@
+#version 410 core
+// Bricks on a surface by its tangents: lit, or the angle between the tangent and dP/du.
+
+#include "05_tangent_basis/task.glsl"
+#include "common/heat.glsl"
+#include "common/light.glsl"
+#include "common/srgb.glsl"
+
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_uv;
+#ifndef DERIVATIVES
+in vec4 v_tangent;
+#endif
+
+uniform vec3 u_eye;
+uniform vec3 u_light;
+uniform vec2 u_repeat;
+uniform float u_split;  // lit left of it, the error on its right, in pixels
+uniform float u_shear;
+uniform sampler2D s_albedo;
+uniform sampler2D s_normals;
+
+layout(location = 0) out vec4 o_color;
+
+// dP/du of the surface that the mesh stands for.
+vec3 exact_tangent() {
+#if defined QUAD
+    return normalize(vec3(1.0, -u_shear, 0.0));
+#elif defined BOX
+    return abs(v_normal.y) > 0.5 ? vec3(1.0, 0.0, 0.0) : normalize(cross(vec3(0.0, 1.0, 0.0), v_normal));
+#elif defined MIRRORED
+    // |2u - 1| of a turn on both sides of +z, where u grows to the right on the right half only.
+    float turn = 3.14159265 * (1.0 + v_uv.x), side = v_position.x < 0.0 ? 1.0 : -1.0;
+    return side * vec3(cos(side * turn), 0.0, -sin(side * turn));
+#else
+    float turn = 6.28318531 * v_uv.x;
+    return vec3(cos(turn), 0.0, -sin(turn));
+#endif
+}
+
+vec4 tangent_here(vec3 normal) {
+#ifdef DERIVATIVES
+    return tangent_of_derivatives(normal, dFdx(v_position), dFdy(v_position), dFdx(v_uv), dFdy(v_uv));
+#else
+    return v_tangent;
+#endif
+}
+
+void main() {
+    vec3 normal = normalize(v_normal);
+    vec4 tangent = tangent_here(normal);
+    vec3 bitangent = tangent.w * cross(normal, tangent.xyz);
+#if defined PROBE_tangent
+    o_color = vec4(tangent.xyz, 0.0);
+#elif defined PROBE_bitangent
+    o_color = vec4(bitangent, 0.0);
+#else
+    vec3 color;
+    if (gl_FragCoord.x > u_split) {
+        vec3 exact = exact_tangent();
+        float error = degrees(atan(length(cross(tangent.xyz, exact)), dot(tangent.xyz, exact)));
+        color = heat((log2(max(error, 1e-6)) / log2(10.0) + 2.0) / 4.0);
+    } else {
+        vec2 uv = v_uv * u_repeat;
+        vec3 stored = texture(s_normals, uv).xyz * 2.0 - 1.0, albedo = texture(s_albedo, uv).rgb;
+        vec3 bumped = normalize(stored.x * tangent.xyz + stored.y * bitangent + stored.z * normal);
+        vec3 to_eye = normalize(u_eye - v_position), to_light = normalize(u_light - v_position);
+        vec3 light = albedo * mix(vec3(0.10, 0.09, 0.08), vec3(0.24, 0.27, 0.32), 0.5 + 0.5 * bumped.y);
+        light += vec3(1.5, 1.35, 1.2) * blinn_phong(albedo, 0.10, 40.0, bumped, to_light, to_eye);
+        color = srgb_from_linear(light);
+    }
+    o_color = finished(vec4(color, 1.0), gl_FragCoord.xy);
+#endif
+}
