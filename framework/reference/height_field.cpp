@@ -79,6 +79,11 @@ glm::dvec2 HeightField::slope(glm::dvec2 texel) const {
                          at - corner);
 }
 
+glm::dvec2 HeightField::central_slope(glm::dvec2 texel) const {
+    const glm::dvec2 right(1, 0), up(0, 1);
+    return {(height(texel + right) - height(texel - right)) / 2, (height(texel + up) - height(texel - up)) / 2};
+}
+
 std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_end) const {
     if (!is_finite(ray.origin) || !is_finite(ray.direction) || !(t_end >= 0)) return {};
     const glm::dvec3 along = ray.direction;

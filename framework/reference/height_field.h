@@ -29,6 +29,10 @@ public:
     /// dh/du and dh/dv, per texel. On a line between two cells, of the cell to the right and above.
     glm::dvec2 slope(glm::dvec2 texel) const;
 
+    /// Half the difference between the heights one texel further on and one texel back, of the interpolated surface:
+    /// what a normal map of central differences has between its texels, too.
+    glm::dvec2 central_slope(glm::dvec2 texel) const;
+
     struct Hit {
         double t;          ///< in lengths of the ray's direction
         glm::dvec2 texel;  ///< where, beyond the border too: not wrapped

@@ -21,13 +21,7 @@ struct Relief {
     Relief(const char* file, double depth_in_texels)  // assets/SOURCES.md has the depths
         : heights(read_image(course_root() / "assets" / file), true), depth(depth_in_texels) {}
     glm::dvec2 texels(glm::dvec2 uv) const { return uv * glm::dvec2(heights.size()); }
-    /// The central difference commutes with the interpolation between texels.
-    glm::dvec2 slope(glm::dvec2 uv) const {
-        const glm::dvec2 at = texels(uv), right(1, 0), up(0, 1);
-        return depth / 2 *
-               glm::dvec2(heights.height(at + right) - heights.height(at - right),
-                          heights.height(at + up) - heights.height(at - up));
-    }
+    glm::dvec2 slope(glm::dvec2 uv) const { return depth * heights.central_slope(texels(uv)); }
 };
 
 /// What a ray sees: the smooth surface (in the world's directions) and the texture on it.

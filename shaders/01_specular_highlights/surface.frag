@@ -1,10 +1,9 @@
 #version 410 core
 // One light and a highlight, by the vertex normal or by the normal map; or the lamp itself.
 
+#include "01_specular_highlights/task.glsl"
 #include "common/light.glsl"
-#include "common/normal_map.glsl"
 #include "common/srgb.glsl"
-#include "common/tangent_space.glsl"
 
 in vec3 v_position;
 in vec3 v_normal;
@@ -24,9 +23,8 @@ layout(location = 0) out vec4 o_color;
 
 vec3 surface_normal() {
 #ifdef NORMAL_MAP
-    vec3 direction = decode_normal(texture(s_normal, v_uv).xyz);
-    direction.xy *= u_strength;
-    return from_tangent_space(direction, v_normal, v_tangent);
+    vec3 direction = direction_of_texel(texture(s_normal, v_uv).xyz, u_strength);
+    return direction_in_world(direction, v_tangent.xyz, v_tangent.w * cross(v_normal, v_tangent.xyz), v_normal);
 #else
     return normalize(v_normal);
 #endif
@@ -47,6 +45,7 @@ void main() {
     vec3 lamp = vec3(1.0, 0.86, 0.68) * 9.0 / (1.0 + dot(to_light, to_light));
     vec3 light = albedo * sky + lamp * blinn_phong(albedo, 0.16, u_shininess, normal, normalize(to_light), to_eye);
     float haze = 1.0 - exp(-0.0016 * dot(u_eye - v_position, u_eye - v_position));
-    o_color = vec4(srgb_from_linear(mix(light, vec3(0.0123, 0.0137, 0.0176), haze)), 1.0);
+    vec3 seen = mix(light, vec3(0.0123, 0.0137, 0.0176), haze);
+    o_color = finished(vec4(srgb_from_linear(seen), 1.0), gl_FragCoord.xy);
 #endif
 }

@@ -1,0 +1,147 @@
+// Lab 06: tangent space.
+//
+// A frame at every pixel: light in the world's space or in the tangent's, on models that are scaled and mirrored, with
+// textures that are turned.
+// Yours: shaders/06_tangent_space/task.glsl
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "framework/lab/lab.h"
+#include "framework/lab/labels.h"
+#include "framework/lab/tiles.h"
+#include "scene.h"
+#include "truth.h"
+
+namespace relief {
+
+class TangentSpace final : public Lab {
+public:
+    void draw(const Frame& frame) override {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const auto tiles = tiles_of_view(frame.size);
+        for (size_t i = 0; i < tiles.size(); ++i) {
+            draw_surface(frame_in(frame, tiles[i]), tiles[i], view_ == 1 ? chosen() : comparisons[i]);
+            if (view_ == 0) describe(frame.size, tiles[i], comparisons[i].title);
+        }
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        knobs.choice("view", view_, views, "the right way and three mistakes, or what the knobs say");
+        knobs.choice("shape", shape_, shapes, "the wall's left half is mirrored");
+        knobs.choice("normals", normals_from_, sources, "from the map, or from the vertices alone");
+        knobs.choice("map", map_, maps, "bricks, or one flat texel");
+        knobs.slider("strength", strength_, 0, 2, "of the map; 0 is flat");
+        knobs.choice("light_in", light_in_, spaces, "where light and eye meet the normal");
+        knobs.toggle("gram_schmidt", gram_schmidt_, "for view = one: make each pixel's frame unit and perpendicular");
+        knobs.toggle("inverse_transpose", inverse_transpose_, "for view = one: take normals to the world by it");
+        knobs.toggle("turn_tangent", turn_tangent_, "for view = one: turn the tangent with the texture");
+        knobs.slider("turn", turn_, -180, 180, "of the texture, degrees");
+        knobs.slider("scale_x", scale_.x, -2, 2, "of the model");
+        knobs.slider("scale_y", scale_.y, -2, 2, "of the model");
+        knobs.slider("scale_z", scale_.z, -2, 2, "of the model");
+        knobs.steps("size", size_, -6, 6, "of the model, a power of ten");
+        knobs.slider("rotate", rotate_, -180, 180, "the model about the vertical, degrees");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light stands, degrees");
+        knobs.slider("light_height", light_height_, -3, 3, "how high, metres");
+        knobs.slider("light_distance", light_distance_, 0, 5, "how far from the axis, metres");
+        knobs.choice("trouble", trouble_, troubles, "what the vertices' tangents are");
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe&) const override {
+        const bool has_map = normals_from_ == 0 && map_ == 0 && trouble_ <= 1;
+        const frames::Pose pose{frames::Shape(shape_), world_from_model(), has_map ? double(strength_) : 0.0,
+                                glm::radians(double(turn_))};
+        if (!frames::truth(frame_in(frame, {{0, 0}, {1, 1}}), pose)) return {};
+        return truth_in_tiles(frame, tiles_of_view(frame.size),
+                              [&](const Frame& part, size_t) { return *frames::truth(part, pose); });
+    }
+
+private:
+    /// What is done at each pixel; the empty words are the right way.
+    struct Way {
+        const char *title, *frame, *normals, *turn;
+    };
+    static constexpr std::array<Way, 4> comparisons = {{{"right", "", "", ""},
+                                                        {"frame as interpolated", "AS_INTERPOLATED", "", ""},
+                                                        {"normal by the model's matrix", "", "MODEL_MATRIX", ""},
+                                                        {"tangent not turned", "", "", "TANGENT_STAYS"}}};
+    static constexpr std::array views = {"compare", "one"};
+    static constexpr std::array shapes = {"sphere", "column", "wall"};
+    static constexpr std::array sources = {"map", "vertices"};
+    static constexpr std::array maps = {"bricks", "one-texel"};
+    static constexpr std::array spaces = {"world", "tangent"};
+    static constexpr std::array troubles = {"none", "leaning", "along-normal", "missing"};
+
+    static constexpr std::array trouble_defines = {"", "TANGENT_LEANING", "TANGENT_ALONG_NORMAL", "NO_TANGENT"};
+
+    Way chosen() const {
+        return {"", gram_schmidt_ ? "" : "AS_INTERPOLATED", inverse_transpose_ ? "" : "MODEL_MATRIX",
+                turn_tangent_ ? "" : "TANGENT_STAYS"};
+    }
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
+        return view_ == 1 ? tiles_of(size, 1, 1) : tiles_of(size, 2, 2);
+    }
+
+    glm::dmat4 world_from_model() const {
+        const glm::dmat4 turned = glm::rotate(glm::dmat4(1), glm::radians(double(rotate_)), glm::dvec3(0, 1, 0));
+        const glm::dmat4 scaled = glm::scale(turned, glm::dvec3(scale_) * std::pow(10.0, size_));
+        return frames::Shape(shape_) == frames::Shape::column
+                   ? glm::translate(scaled, glm::dvec3(0, -frames::column.height / 2, 0))
+                   : scaled;
+    }
+
+    void draw_surface(const Frame& frame, const Tile& tile, const Way& way) const {
+        glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
+        const bool map = normals_from_ == 0;
+        const Program& surface =
+            map ? surface_.with({frame.probe, "NORMAL_MAP", way.frame, way.normals, way.turn,
+                                 turn_ != 0 ? "TURNED" : "", light_in_ == 1 ? "IN_TANGENT_SPACE" : "",
+                                 trouble_defines[size_t(trouble_)]})
+                : surface_.with({frame.probe, way.normals});
+        glUseProgram(surface);
+        const float yaw_rad = glm::radians(light_yaw_);
+        surface.set("u_clip_from_world", frame.camera.clip_from_world());
+        surface.set("u_world_from_model", world_from_model());
+        surface.set("u_eye", frame.camera.eye());
+        surface.set("u_light",
+                    glm::vec3(light_distance_ * std::sin(yaw_rad), light_height_, light_distance_ * std::cos(yaw_rad)));
+        surface.set("u_strength", strength_);
+        surface.set("u_turn", glm::radians(turn_));
+        surface.set("s_normals", 0, map_ == 0 ? bricks_ : texel_);
+        const GpuMesh& mesh = shape_ == 0 ? sphere_ : shape_ == 1 ? column_ : wall_;
+        glBindVertexArray(mesh.layout());
+        glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+    }
+
+    void describe(glm::ivec2 size, const Tile& tile, const char* title) {
+        const float line = std::min(Labels::line_height(size), 0.065f * float(tile.size.x));
+        labels_.text(title,
+                     glm::vec2(float(tile.corner.x) + float(tile.size.x) / 2,
+                               float(size.y - tile.corner.y - tile.size.y) + line * 0.3f),
+                     line, Align::centre);
+    }
+
+    static Image flat_texel() {
+        Image image(1, 1, 3);
+        image.values = {0.5f, 0.5f, 1};
+        return image;
+    }
+
+    Programs surface_{"06_tangent_space/surface.vert", "06_tangent_space/surface.frag"};
+    Texture bricks_ = load_texture("bricks_normal.png", ColorSpace::linear);
+    Texture texel_{"a flat texel", flat_texel};
+    GpuMesh sphere_ = upload([] { return make_sphere(frames::sphere); });
+    GpuMesh column_ = upload([] { return make_column(frames::column); });
+    GpuMesh wall_ = upload([] { return frames::make_mirrored_wall(); });
+    Labels labels_;
+
+    int view_ = 0, shape_ = 0, normals_from_ = 0, map_ = 0, light_in_ = 0, size_ = 0, trouble_ = 0;
+    bool gram_schmidt_ = true, inverse_transpose_ = true, turn_tangent_ = true;
+    glm::vec3 scale_{1.35f, 0.75f, 0.9f};
+    float strength_ = 1, turn_ = 60, rotate_ = 0, light_yaw_ = -40, light_height_ = 2.2f, light_distance_ = 3;
+};
+
+RELIEF_LAB(TangentSpace);
+
+}  // namespace relief
