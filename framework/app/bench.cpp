@@ -50,8 +50,10 @@ int run_bench(const BenchArguments& arguments) {
         arguments.output.empty() ? course_root() / "build" / "bench" : std::filesystem::path(arguments.output);
     make_folder(folder);
 
-    const BenchMachine machine{.cpu = cpu_name(), .compiler = versions::compiler, .commit = versions::commit};
+    BenchMachine machine{.cpu = cpu_name(), .compiler = versions::compiler, .commit = versions::commit};
     for (const BenchTopic* topic : topics) {
+        const std::unique_ptr<Context> context = topic->draws ? open_context(context_kind(arguments.context)) : nullptr;
+        machine.renderer = context ? describe_context().renderer : "none";
         std::vector<BenchMethod> methods;
         std::vector<BenchTimes> times;
         {

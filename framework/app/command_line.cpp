@@ -182,6 +182,7 @@ private:
         sub->add_option("TOPIC", bench_.topics, "all of them when none is named");
         sub->add_option("-o", bench_.output, "where the CSV go [the course's build/bench]")->type_name("FOLDER");
         sub->add_option("--repeats", bench_.repeats, "samples of each method, in turns [15]")->type_name("N");
+        sub->add_option("--context", bench_.context, context_help)->type_name("NAME");
         sub->add_flag("--quick", bench_.quick, "small sizes, for a first look");
         sub->footer([] { return bench_topics_text(); });
     }

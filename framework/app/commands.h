@@ -35,7 +35,7 @@ int make_handout(const std::string& folder);
 
 struct BenchArguments {
     std::vector<std::string> topics;
-    std::string output, repeats = "15";
+    std::string output, repeats = "15", context = "auto";
     bool quick = false;
 };
 int run_bench(const BenchArguments& arguments);

@@ -11,6 +11,7 @@ const GpuMesh::Uploaded& GpuMesh::uploaded() const {
     GLint bound = 0;  // another mesh may be bound already
     glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
     result.count = GLsizei(mesh.indices.size());
+    result.vertex_count = GLsizei(mesh.vertices.size());
     glBindVertexArray(result.layout);
     glBindBuffer(GL_ARRAY_BUFFER, result.vertices);
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices.size() * sizeof(Vertex)), mesh.vertices.data(),

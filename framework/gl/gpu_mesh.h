@@ -16,12 +16,13 @@ public:
 
     GLuint layout() const { return uploaded().layout; }  ///< the vertex array, with the index buffer in it
     GLsizei count() const { return uploaded().count; }   ///< of indices, GL_UNSIGNED_INT
+    GLsizei vertices() const { return uploaded().vertex_count; }
 
 private:
     struct Uploaded {
         VertexArrayName layout;
         BufferName vertices, indices;
-        GLsizei count = 0;
+        GLsizei count = 0, vertex_count = 0;
     };
     const Uploaded& uploaded() const;
 

@@ -35,6 +35,7 @@ struct BenchSettings {
 struct BenchTopic {
     std::string name, help;
     std::function<std::vector<BenchMethod>(const BenchSettings&)> methods;
+    bool draws = false;  ///< wants a context, in which its methods are made, run and dropped
 };
 std::span<const BenchTopic> bench_topics();
 

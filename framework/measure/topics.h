@@ -9,5 +9,6 @@ BenchTopic storage_topic();
 BenchTopic normals_topic();
 BenchTopic tangents_topic();
 BenchTopic intersection_topic();
+BenchTopic frames_topic();
 
 }  // namespace relief

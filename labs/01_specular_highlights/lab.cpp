@@ -90,8 +90,10 @@ private:
             draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
         surface.set("s_albedo", 0, paving_albedo_);
         surface.set("s_normal", 1, paving_normal_);
+        glEnable(GL_CULL_FACE);  // a ball is closed: its far half costs time and is never seen
         for (const glm::vec3 place : colonnade::places)
             draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + colonnade::top));
+        glDisable(GL_CULL_FACE);
         draw_mesh(surface, floor_, glm::rotate(glm::mat4(1), glm::radians(-90.0f), {1, 0, 0}));
 
         if (frame.probe) return;

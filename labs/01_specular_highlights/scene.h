@@ -9,8 +9,9 @@
 namespace relief::colonnade {
 
 constexpr QuadShape ground{.width = 60, .height = 60, .repeat = {24, 24}};  // turned to face up
-constexpr ColumnShape column{.bottom_radius = 0.5f, .top_radius = 0.34f, .height = 2.6f, .repeat = {2, 2}};
-constexpr SphereShape ball{.radius = 0.42f, .repeat = {2, 1}};
+// Rows, although the taper is straight: on the two triangles of one long trapezoid uv would bend.
+constexpr ColumnShape column{.bottom_radius = 0.5f, .top_radius = 0.34f, .height = 2.6f, .rows = 6, .repeat = {2, 2}};
+constexpr SphereShape ball{.radius = 0.42f, .sides = 32, .rows = 16, .repeat = {2, 1}};
 /// Where the columns stand, and how far above that the balls hang.
 constexpr std::array<glm::vec3, 6> places = {
     {{-1.4f, 0, 1.2f}, {1.4f, 0, 1.2f}, {-1.4f, 0, -1.6f}, {1.4f, 0, -1.6f}, {-1.4f, 0, -4.4f}, {1.4f, 0, -4.4f}}};

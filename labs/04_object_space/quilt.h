@@ -9,7 +9,7 @@
 
 namespace relief::quilt {
 
-constexpr ColumnShape column{.bottom_radius = 0.42f, .top_radius = 0.42f, .height = 1.7f, .sides = 96, .rows = 64};
+constexpr ColumnShape column{.bottom_radius = 0.42f, .top_radius = 0.42f, .height = 1.7f, .sides = 64, .rows = 24};
 /// Height 1 lies so many metres above height 0, along the column's normal.
 constexpr double scale = 0.06;
 

@@ -192,7 +192,7 @@ private:
         frames.set("u_length", line_length_);
         frames.set("u_focal_pixels",
                    tile.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2)));
-        glDrawElements(GL_POINTS, mesh.count(), GL_UNSIGNED_INT, nullptr);
+        glDrawArrays(GL_POINTS, 0, mesh.vertices());
     }
 
     void describe(glm::ivec2 size, const Tile& tile, int method) {

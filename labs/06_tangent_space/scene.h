@@ -8,9 +8,9 @@ namespace relief::frames {
 enum class Shape { sphere, column, wall };
 
 // A tile of bricks is as wide as it is high on the column and on the wall, and at the sphere's equator.
-constexpr SphereShape sphere{.radius = 1, .sides = 64, .rows = 32, .repeat = {4, 2}};
+constexpr SphereShape sphere{.radius = 1, .sides = 48, .rows = 24, .repeat = {4, 2}};
 constexpr ColumnShape column{
-    .bottom_radius = 0.6f, .top_radius = 0.6f, .height = 1.884956f, .sides = 64, .rows = 8, .repeat = {2, 1}};
+    .bottom_radius = 0.6f, .top_radius = 0.6f, .height = 1.884956f, .sides = 64, .rows = 1, .repeat = {2, 1}};
 /// Its left half is the mirror image of the right one: u falls towards the middle and grows from there.
 constexpr QuadShape wall{.width = 2, .height = 2, .repeat = {2, 2}};
 constexpr double bricks_depth_in_texels = 24;  // assets/SOURCES.md
