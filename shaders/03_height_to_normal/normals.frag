@@ -44,9 +44,8 @@ float slope_v(ivec2 texel) {
 // difference a one-sided one of the same order; across it the border repeats.
 float beyond(ivec2 texel, ivec2 along) {
     ivec2 size = textureSize(s_heights, 0), last = inside(texel);
-    bool outside = dot(abs(texel - last), along) > 0;
-    if (u_wrap || !outside || dot(size, along) < 3) return height(texel);
-    ivec2 inwards = texel.x < 0 || texel.y < 0 ? along : -along;
+    ivec2 inwards = (last - texel) * along;  // one step back along the slope, or none
+    if (u_wrap || inwards == ivec2(0) || size.x < 3 || size.y < 3) return height(texel);
     return 3.0 * height(last) - 3.0 * height(last + inwards) + height(last + 2 * inwards);
 }
 vec2 slope(ivec2 texel) {

@@ -11,6 +11,8 @@
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/image/color.h"
+#include "framework/image/visualize.h"
+#include "framework/mesh/frame.h"
 #include "framework/reference/displaced.h"
 #include "framework/reference/height_field.h"
 #include "framework/reference/light.h"
@@ -108,6 +110,12 @@ std::vector<Twin> light_and_color() {
              return glm::dvec4(srgb_from_linear(in[0].x), srgb_from_linear(in[0].y), srgb_from_linear(in[0].z), 0);
          },
          {"- 0.055;", "+ 0.055;"}},
+        {"heat",
+         "heat.glsl",
+         "vec4(heat(a.x), 0.0)",
+         [](Dice& dice) { return GlslInput{glm::vec4(dice.between(-0.2f, 1.2f), 0, 0, 0)}; },
+         [](const GlslInput& in) { return glm::dvec4(heat_color(in[0].x), 0); },
+         {"0.87, 0.32", "0.32, 0.87"}},
     };
 }
 
@@ -115,6 +123,12 @@ std::vector<Twin> normals_and_frames() {
     const auto stored = [](Dice& dice) { return GlslInput{glm::vec4(dice.inside(0, 1), 0)}; };
     const auto pair = [](Dice& dice) { return GlslInput{glm::vec4(dice.between(-1, 1), dice.between(-1, 1), 0, 0)}; };
     return {
+        {"any_perpendicular",
+         "perpendicular.glsl",
+         "vec4(any_perpendicular(a.xyz), 0.0)",
+         [](Dice& dice) { return GlslInput{glm::vec4(dice.unit(), 0)}; },
+         [](const GlslInput& in) { return glm::dvec4(any_perpendicular(xyz(in[0])), 0); },
+         {"sign_ * unit.x * unit.y", "unit.x * unit.y"}},
         {"decode_normal",
          "normal_map.glsl",
          "vec4(decode_normal(a.xyz), 0.0)",

@@ -141,7 +141,7 @@ TEST(Manifest, SuggestsErrorsAndProbes) {
                     .starts_with("lab.toml:4: unknown error 'distnace': did you mean 'distance'?"));
     const std::string probe = "title = \"A\"\n[[probe]]\nname = \"normal\"\n";
     EXPECT_TRUE(refusal(probe + "[[golden]]\nname = \"a\"\nshot = { probe = \"nromal\" }\n")
-                    .starts_with("lab.toml:4: unknown probe 'nromal': did you mean 'normal'?"));
+                    .starts_with("lab.toml:6: unknown probe 'nromal': did you mean 'normal'?"));
     const Manifest manifest = load(probe);
     EXPECT_TRUE(contains(message_of<UsageError>([&] { manifest.probe("nromal"); }), "did you mean 'normal'?"));
 }

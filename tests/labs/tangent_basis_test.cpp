@@ -1,0 +1,57 @@
+// Lab 05: which method comes nearest to dP/du, and what is not drawn costs nothing.
+#include "framework/gl/counters.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+double mean_error(const char* shape, const char* method, const char* probe = "tangent") {
+    return error_of("05", shot_of("05", {{"view", "one"}, {"shape", shape}, {"method", method}}, probe)).mean;
+}
+
+TEST(TangentBasis, WeighingByAnglesIsNearestToTheSurface) {
+    const double angle = mean_error("torus", "angle");
+    EXPECT_LT(angle, 0.9 * mean_error("torus", "uniform"));
+    EXPECT_LT(mean_error("torus", "uniform"), mean_error("torus", "area"));
+    EXPECT_LT(mean_error("torus", "area"), 0.5 * mean_error("torus", "derivatives"));
+    EXPECT_LT(mean_error("torus", "derivatives"), mean_error("torus", "per-face"));
+    EXPECT_NEAR(mean_error("torus", "mikktspace"), angle, 0.01) << "it weighs by angles, too";
+}
+
+TEST(TangentBasis, OnFlatAndStraightShapesEveryMethodIsExact) {
+    for (const char* method : {"uniform", "area", "angle", "mikktspace", "derivatives"})
+        EXPECT_LT(mean_error("quad", method), 0.01) << method;
+    EXPECT_LT(mean_error("box", "angle"), 0.05) << "but for a pixel on an edge";
+}
+
+TEST(TangentBasis, AMirroredMeshIsAsGoodAsTheOther) {
+    for (const char* method : {"uniform", "angle", "mikktspace"})
+        EXPECT_NEAR(mean_error("mirrored", method, "bitangent"), mean_error("sphere", method, "bitangent"), 0.15)
+            << method;
+}
+
+TEST(TangentBasis, LinesThatAreOffCostNoDrawNoProgramAndNoPixel) {
+    const auto cost = [](const char* lines) {
+        const Shot shot = shot_of("05", {{"lines", lines}});
+        const auto lab = make_lab(find_lab("05"), shot);
+        const int64_t draws = counters().draw_calls, programs = counters().live[size_t(GlKind::program)];
+        take(*lab, shot);
+        return std::pair(counters().draw_calls - draws, counters().live[size_t(GlKind::program)] - programs);
+    };
+    const auto [draws_off, programs_off] = cost("off");
+    const auto [draws_on, programs_on] = cost("on");
+    EXPECT_EQ(draws_on - draws_off, 5) << "once for each method that has tangents at its vertices";
+    EXPECT_EQ(programs_on - programs_off, 1);
+}
+
+TEST(TangentBasis, TheCoarsestAndTheMostJitteredMeshesAreFinite) {
+    for (const char* shape : {"quad", "box", "cylinder", "sphere", "torus", "mirrored"})
+        for (const char* method : {"per-face", "uniform", "area", "angle", "mikktspace", "derivatives", "analytic"}) {
+            const std::vector<Knob> knobs = {{"view", "one"}, {"shape", shape}, {"method", method}, {"columns", "3"},
+                                             {"rows", "2"},   {"jitter", "1"},  {"shear", "-1"}};
+            EXPECT_NO_THROW(drawn("05", shot_of("05", knobs, "bitangent", {64, 64}))) << shape << ", " << method;
+        }
+}
+
+}  // namespace
+}  // namespace relief

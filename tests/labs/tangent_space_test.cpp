@@ -1,0 +1,127 @@
+// Lab 06, and lab 01 with it: what must look the same, what must stay finite, and what must not be there.
+#include "framework/gl/counters.h"
+#include "framework/gl/program.h"
+#include "framework/gl/texture.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+std::vector<Knob> one(std::vector<Knob> knobs) {
+    knobs.emplace_back("view", "one");
+    return knobs;
+}
+Image picture(std::vector<Knob> knobs, const Orbit* camera = nullptr) {
+    Shot shot = shot_of("06", one(std::move(knobs)), "", {160, 160});
+    if (camera) shot.camera = *camera;
+    return drawn("06", shot);
+}
+
+// One step of 8 bits: the two ways round once each.
+TEST(TangentSpace, LightInTheWorldAndInTangentSpaceIsTheSame) {
+    for (const char* shape : {"sphere", "column", "wall"})
+        expect_same_picture(picture({{"shape", shape}}), picture({{"shape", shape}, {"light_in", "tangent"}}), 1, 8);
+}
+
+TEST(TangentSpace, AFlatMapIsNoMap) {
+    for (const char* shape : {"sphere", "column", "wall"}) {
+        const Image none = picture({{"shape", shape}, {"normals", "vertices"}});
+        expect_same_picture(picture({{"shape", shape}, {"map", "one-texel"}}), none, 1, 0);
+        expect_same_picture(picture({{"shape", shape}, {"strength", "0"}}), none, 1, 0);
+    }
+    // Lab 01 does not make its vertex normals unit before it adds them up.
+    const Image vertices = drawn("01", shot_of("01", {{"method", "vertex-normal"}}));
+    expect_same_picture(drawn("01", shot_of("01", {{"method", "normal-map"}, {"strength", "0"}})), vertices, 1, 8);
+}
+
+TEST(TangentSpace, TurningModelLightAndCameraTogetherChangesNothing) {
+    Orbit camera = load_manifest(find_lab("06")).camera;
+    const Image before = picture({{"light_yaw", "-40"}}, &camera);
+    camera.yaw += 70;
+    // Edges of triangles and of texels' footprints fall a rounding away from where they were.
+    expect_same_picture(picture({{"light_yaw", "30"}, {"rotate", "70"}}, &camera), before, 2, 160 * 160 / 200);
+}
+
+TEST(TangentSpace, TheMirroredHalfOfTheWallIsLitLikeTheOther) {
+    Orbit camera = load_manifest(find_lab("06")).camera;
+    camera.yaw = 0;
+    const Image wall = picture({{"shape", "wall"}, {"turn", "0"}, {"light_yaw", "0"}}, &camera);
+    Image mirrored = wall;
+    for (int y = 0; y < wall.height; ++y)
+        for (int x = 0; x < wall.width; ++x) std::copy_n(wall.pixel(wall.width - 1 - x, y), 3, mirrored.pixel(x, y));
+    // Samples within a pixel are not mirrored: the outline and sharp edges may differ.
+    const Difference off = difference(wall, mirrored, 24.0 / 255);
+    EXPECT_LT(off.pixels_over, wall.pixel_count() / 100) << off.largest * 255;
+    expect_same_picture(wall, mirrored, 8, wall.pixel_count() / 12);
+}
+
+TEST(TangentSpace, EveryPixelIsFiniteWhateverTheScaleTheTangentOrTheLight) {
+    const std::vector<std::vector<Knob>> scenes = {
+        {{"trouble", "leaning"}},
+        {{"trouble", "along-normal"}},
+        {{"trouble", "missing"}},
+        {{"map", "one-texel"}},
+        {{"scale_x", "-2"}, {"scale_y", "-1"}},
+        {{"scale_z", "0"}},
+        {{"scale_x", "0"}, {"scale_y", "0"}},
+        {{"scale_x", "0"}, {"scale_y", "0"}, {"scale_z", "0"}},
+        {{"light_distance", "1"}, {"light_height", "0"}, {"scale_x", "1"}, {"scale_y", "1"}, {"scale_z", "1"}},
+        {{"light_distance", "0"}, {"light_height", "0"}},
+        {{"size", "6"}},
+        {{"size", "-6"}}};
+    for (const auto& scene : scenes)
+        for (const char* shape : {"sphere", "column", "wall"})
+            for (const char* space : {"world", "tangent"}) {
+                std::vector<Knob> knobs = one(scene);
+                knobs.insert(knobs.end(), {{"shape", shape}, {"light_in", space}});
+                Shot shot = shot_of("06", knobs, "", {64, 64});
+                if (scene[0].first == "size") shot.camera.distance *= scene[0].second == "6" ? 1e6 : 1e-6;
+                const auto lab = make_lab(find_lab("06"), shot);
+                const Target target(TargetKind::light, shot.size);
+                draw_lab(*lab, frame_of(shot, target));
+                for (const float value : target.read().values)
+                    ASSERT_TRUE(std::isfinite(value))
+                        << scene[0].first << " = " << scene[0].second << ", " << shape << ", " << space;
+            }
+}
+
+TEST(TangentSpace, AScaleOfAMillionOrAMillionthLooksTheSame) {
+    const auto normals = [&](const char* size, double factor) {
+        Shot shot = shot_of("06", one({{"size", size}}), "normal", {64, 64});
+        shot.camera.distance *= factor;
+        return drawn("06", shot);
+    };
+    const Image usual = normals("0", 1);
+    for (const auto& [size, factor] : {std::pair("6", 1e6), std::pair("-6", 1e-6)})
+        EXPECT_LT(summarize(error_image(normals(size, factor), usual, ErrorMetric::angle)).mean, 0.05) << size;
+}
+
+TEST(TangentSpace, WithoutAMapThereIsNoTangentNoSamplerAndNoTexture) {
+    const Programs programs{"06_tangent_space/surface.vert", "06_tangent_space/surface.frag"};
+    const Program& plain = programs.with();
+    const Program& mapped = programs.with("NORMAL_MAP");
+    for (const char* attribute : {"a_tangent", "a_uv"}) {
+        EXPECT_EQ(glGetAttribLocation(plain, attribute), -1) << attribute;
+        EXPECT_GE(glGetAttribLocation(mapped, attribute), 0) << attribute;
+    }
+    for (const char* uniform : {"s_normals", "u_strength", "u_turn"})
+        EXPECT_EQ(glGetUniformLocation(plain, uniform), -1) << uniform;
+    EXPECT_EQ(glGetUniformLocation(mapped, "u_turn"), -1) << "nothing is turned";
+    EXPECT_GE(glGetUniformLocation(programs.with({"NORMAL_MAP", "TURNED"}), "u_turn"), 0);
+
+    const auto bytes = [](const char* lab, std::vector<Knob> knobs) {
+        const Shot shot = shot_of(lab, std::move(knobs), "", {64, 64});
+        const int64_t before = counters().texture_bytes;
+        const auto made = make_lab(find_lab(lab), shot);
+        const Target target(TargetKind::picture, shot.size);
+        draw_lab(*made, frame_of(shot, target));
+        return counters().texture_bytes - before;
+    };
+    EXPECT_EQ(bytes("06", one({{"normals", "vertices"}})), 0);
+    // 1024 x 1024 texels of 3 bytes, and a third of that for the smaller levels.
+    EXPECT_NEAR(double(bytes("06", one({{"normals", "map"}}))), 3.0 * 1024 * 1024 * 4 / 3, 16);
+    EXPECT_EQ(bytes("01", {{"method", "normal-map"}}), 2 * bytes("01", {{"method", "vertex-normal"}}));
+}
+
+}  // namespace
+}  // namespace relief
