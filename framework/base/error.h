@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <source_location>
 #include <stdexcept>
 #include <string>
 
@@ -35,8 +36,9 @@ public:
     using Error::Error;
 };
 
-/// What a student's function does before it is written: throws Error that names the task. In a shader,
-/// common/unfinished.glsl has its like.
-[[noreturn]] void unfinished(const std::string& task);
+/// What a student's function does before it is written: throws Error that names the task, and the file and line of the
+/// call. In a shader, common/unfinished.glsl has its like.
+[[noreturn]] void unfinished(const std::string& task,
+                             const std::source_location& where = std::source_location::current());
 
 }  // namespace relief

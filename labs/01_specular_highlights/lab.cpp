@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/lab/lab.h"
+#include "framework/lab/tiles.h"
 #include "scene.h"
 #include "truth.h"
 
@@ -50,19 +51,10 @@ public:
 
     /// Of the bricks themselves, whichever method draws them.
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        if (method_ != side_by_side) return colonnade::truth(frame, probe, strength_);
-        Image both(frame.size.x, frame.size.y, 4);
-        const int middle = frame.size.x / 2;
-        for (const auto& [begin, end] : {std::pair(0, middle), std::pair(middle, frame.size.x)}) {
-            if (begin == end) continue;
-            Frame half = frame;
-            half.size.x = end - begin;
-            half.camera = frame.camera.with_aspect(double(half.size.x) / half.size.y);
-            const Image part = colonnade::truth(half, probe, strength_);
-            for (int y = 0; y < half.size.y; ++y)
-                std::copy_n(part.pixel(0, y), size_t(half.size.x) * 4, both.pixel(begin, y));
-        }
-        return both;
+        const auto of = [&](const Frame& view) { return colonnade::truth(view, probe, strength_); };
+        if (!of(frame_in(frame, {{0, 0}, {1, 1}}))) return {};
+        if (method_ != side_by_side) return of(frame);
+        return truth_in_tiles(frame, tiles_of(frame.size, 2, 1), [&](const Frame& view, size_t) { return *of(view); });
     }
 
 private:
