@@ -258,6 +258,35 @@ TEST_F(CourseTest, HelpShowsALabsKnobsAndProbes) {
         EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
 }
 
+TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
+    const Result right = course().relief({"check", "2"});
+    EXPECT_EQ(right.code, 0) << right.out << right.err;
+    EXPECT_TRUE(contains(right.out, "11 of 11 points")) << right.out;
+    const std::string file = "shaders/02_normal_map_storage/task.glsl", before = read_all(course().path() / file);
+    course().edit(file, "code / 255.0 * 2.0 - 1.0", "code / 255.0");
+    const Result wrong = course().relief({"check", "storage"});
+    EXPECT_EQ(wrong.code, 1);
+    for (const char* part :
+         {"2.1  Store a normal in three bytes: 1 of 3 points (shaders/02_normal_map_storage/task.glsl)",
+          "wrong       three bytes and back: mean ", "(at most 0.176)", "allowed: rounding to 8 bits costs",
+          "look at: decode_unorm8 undoes f"})
+        EXPECT_TRUE(contains(wrong.out, part)) << part << "\n" << wrong.out;
+    course().edit(file, "code / 255.0", "cde / 255.0");
+    const Result broken = course().relief({"check", "2"});
+    EXPECT_EQ(broken.code, 1);
+    EXPECT_TRUE(contains(broken.out, "broken ") && contains(broken.out, "task.glsl:") && contains(broken.out, "cde"))
+        << broken.out;
+    course().overwrite(file, "");
+    EXPECT_EQ(course().relief({"check", "2"}).code, 1) << "an emptied file is a failed check, and no crash";
+    course().overwrite(file, before);
+}
+
+TEST_F(CourseTest, CheckSuggestsTheLabThatWasMeant) {
+    const Result result = course().relief({"check", "tangent_bsis"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.err, "did you mean")) << result.err;
+}
+
 TEST_F(CourseTest, BenchPrintsATableAndWritesACsvForEachTopic) {
     const Result result = course().relief({"bench", "storage", "--quick", "--repeats", "1", "-o", "measured"});
     EXPECT_EQ(result.code, 0) << result.err;

@@ -136,6 +136,100 @@ TEST(Manifest, AMistakeIsNamedWithItsLine) {
     }
 }
 
+constexpr const char* with_task = R"(title = "A"
+[[probe]]
+name = "uv"
+[[task]]
+id = "1.1"
+title = "T"
+file = "shaders/x/task.glsl"
+)";
+
+TEST(Manifest, ChecksAndMistakesAreReadWhole) {
+    const Manifest manifest = load(std::string(with_task) + R"(
+[[check]]
+task = "1.1"
+name = "near"
+shot = { set = { steps = 32 }, camera = { yaw = 60 }, size = [64, 32] }
+probe = "uv"
+against = "truth"
+limit = { mean = 0.5, wrong = 0.06, outline = 0.1 }
+reason = "as published"
+look_at = "the crossing"
+[[check]]
+task = "1.1"
+name = "far"
+probe = "uv"
+against = "near"
+limit = { largest = 1, p99 = 0.5 }
+reason = "the same"
+look_at = "both"
+hidden = true
+[[mistake]]
+id = "flipped"
+task = "1.1"
+hint = "The sign."
+edits = [{ file = "shaders/x/task.glsl", find = "a", replace = "b" }, { file = "labs/x/task.cpp", find = "c", replace = "" }]
+[[mistake]]
+id = "turned"
+task = "1.1"
+hint = "The other sign."
+edits = [{ file = "shaders/x/task.glsl", find = "c", replace = "d" }]
+same_as = "flipped"
+)");
+    ASSERT_EQ(manifest.checks.size(), 2u);
+    const CheckInfo& check = manifest.check("near");
+    EXPECT_EQ(check.task, "1.1");
+    EXPECT_EQ(check.shot.size, glm::ivec2(64, 32));
+    EXPECT_EQ(check.shot.camera.yaw, 60);
+    EXPECT_EQ(check.shot.probe.name, "uv");
+    EXPECT_EQ(check.against, "truth");
+    EXPECT_EQ(check.limits.mean, 0.5);
+    EXPECT_EQ(check.limits.wrong, 0.06);
+    EXPECT_EQ(check.limits.outline, 0.1);
+    EXPECT_FALSE(check.limits.p99 || check.limits.largest || check.hidden);
+    EXPECT_EQ(check.reason, "as published");
+    EXPECT_EQ(check.look_at, "the crossing");
+    EXPECT_TRUE(manifest.check("far").hidden);
+    EXPECT_EQ(manifest.check("far").shot.size, glm::ivec2(128, 128)) << "small, so that a check takes no time";
+    ASSERT_EQ(manifest.mistakes.size(), 2u);
+    EXPECT_EQ(manifest.mistakes[0].edits.at(1).file, "labs/x/task.cpp");
+    EXPECT_EQ(manifest.mistakes[0].edits.at(1).replace, "");
+    EXPECT_EQ(manifest.mistakes[1].same_as, "flipped");
+}
+
+TEST(Manifest, ACheckOrAMistakeThatCannotWorkIsNamedWithItsLine) {
+    const std::string check = "[[check]]\ntask = \"1.1\"\nname = \"a\"\nlook_at = \"x\"\n";
+    const std::string mistake = "[[mistake]]\nid = \"m\"\ntask = \"1.1\"\nhint = \"h\"\n";
+    const std::pair<std::string, const char*> texts[] = {
+        {check, "lab.toml:8: [[check]] must have a 'against'"},
+        {check + "against = \"truht\"\n", "lab.toml:12: unknown check 'truht'"},
+        {check + "against = \"truth\"\n", "lab.toml:12: a truth is of a 'probe'"},
+        {check + "against = \"truth\"\nprobe = \"uv\"\n", "lab.toml:10: a check of a probe has a 'limit'"},
+        {check + "against = \"truth\"\nprobe = \"vu\"\n", "lab.toml:13: unknown probe 'vu'"},
+        {check + "against = \"truth\"\nprobe = \"uv\"\nlimit = { mean = 1 }\n",
+         "lab.toml:10: a 'limit' has a 'reason'"},
+        {check + "against = \"truth\"\nprobe = \"uv\"\nlimit = { maen = 1 }\n",
+         "lab.toml:14: unknown key of [[check]].limit, 'maen'"},
+        {check + "against = \"solution\"\nlimit = { mean = 1 }\nreason = \"r\"\n",
+         "lab.toml:10: a picture is compared by the course's rule"},
+        {"[[check]]\ntask = \"1.2\"\nname = \"a\"\nlook_at = \"x\"\nagainst = \"solution\"\n",
+         "lab.toml:9: unknown task '1.2'"},
+        {mistake, "lab.toml:9: a mistake has 'edits'"},
+        {mistake + "edits = [{ file = \"../x\", find = \"a\", replace = \"b\" }]\n",
+         "lab.toml:12: 'file' is a path inside the course"},
+        {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\nsame_as = \"n\"\n",
+         "lab.toml:13: unknown mistake 'n'"},
+        {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\n" + mistake +
+             "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\n",
+         "lab.toml:14: two mistakes are named 'm'"},
+    };
+    for (const auto& [text, message] : texts) {
+        const std::string found = refusal(with_task + text);
+        EXPECT_TRUE(found.starts_with(message)) << text << "gives\n" << found << "\nnot\n" << message;
+    }
+}
+
 TEST(Manifest, SuggestsErrorsAndProbes) {
     EXPECT_TRUE(refusal("title = \"A\"\n[[probe]]\nname = \"uv\"\nerror = \"distnace\"\n")
                     .starts_with("lab.toml:4: unknown error 'distnace': did you mean 'distance'?"));
