@@ -30,7 +30,7 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        const auto before = std::tuple(shape_, columns_, rows_, jitter_, shear_);
+        const auto before = std::tuple(shape_, columns_, rows_, jitter_, shear_, collapsed_);
         knobs.choice("view", view_, views, "the methods side by side, or one of them");
         knobs.choice("method", method_, methods, "for view = one: where the tangent comes from");
         knobs.choice("shape", shape_, shapes, "what the bricks lie on");
@@ -41,12 +41,13 @@ public:
         knobs.steps("rows", rows_, 2, 64, "cells up");
         knobs.slider("jitter", jitter_, 0, 1, "how far vertices are out of line");
         knobs.slider("shear", shear_, -1, 1, "of the quad's texture: how much v grows along x");
+        knobs.toggle("collapsed", collapsed_, "all u are 0: no triangle has an area in uv");
         knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light stands around the shape, degrees");
-        if (before != std::tuple(shape_, columns_, rows_, jitter_, shear_)) meshes_.clear();
+        if (before != std::tuple(shape_, columns_, rows_, jitter_, shear_, collapsed_)) meshes_.clear();
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        if (shape() == basis::Shape::urn) return {};
+        if (shape() == basis::Shape::urn || collapsed_) return {};
         const basis::CoarseMesh mesh = coarse();
         if (!basis::truth(frame_in(frame, {{0, 0}, {1, 1}}), probe, mesh, shape(), shear_)) return {};
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
@@ -139,7 +140,9 @@ private:
     }
 
     Mesh make(int method) const {
-        const Mesh mesh = coarse().mesh;
+        Mesh mesh = coarse().mesh;
+        if (collapsed_)
+            for (Vertex& vertex : mesh.vertices) vertex.uv.x = 0;
         switch (method) {
             case per_face:
                 return with_faces(mesh);
@@ -211,7 +214,7 @@ private:
     Labels labels_;
 
     int view_ = 0, method_ = angle, shape_ = int(basis::Shape::torus), show_ = 0, columns_ = 24, rows_ = 12;
-    bool lines_ = true;
+    bool lines_ = true, collapsed_ = false;
     float line_length_ = 14, jitter_ = 0.7f, shear_ = 0, light_yaw_ = 35;
 };
 

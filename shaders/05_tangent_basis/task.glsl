@@ -1,11 +1,13 @@
 // Lab 05, yours: a tangent without vertices that have one.
 
+#include "common/perpendicular.glsl"
 #include "common/unfinished.glsl"
 
 // TASK 5.4 (4 points): from one pixel to the next on the right the position changes by `position_dx` and the uv by `uv_dx`;
 // to the next one above by `position_dy` and `uv_dy`. That is a triangle: solve it for dP/du as in task 5.1, take out what
 // lies along the unit normal, and make it unit. In w goes 1, or -1 where the texture is mirrored: where dP/dv is on the
-// other side than cross(normal, tangent).
+// other side than cross(normal, tangent). Where the uv do not change there is no answer, and must be no NaN either:
+// any_perpendicular(normal) will do.
 vec4 tangent_of_derivatives(vec3 normal, vec3 position_dx, vec3 position_dy, vec2 uv_dx, vec2 uv_dy) {
     //[solution
     float determinant = uv_dx.x * uv_dy.y - uv_dy.x * uv_dx.y;
@@ -13,7 +15,9 @@ vec4 tangent_of_derivatives(vec3 normal, vec3 position_dx, vec3 position_dy, vec
     vec3 along_u = side * (position_dx * uv_dy.y - position_dy * uv_dx.y);
     vec3 along_v = side * (position_dy * uv_dx.x - position_dx * uv_dy.x);
     vec3 tangent = along_u - dot(along_u, normal) * normal;
-    return vec4(normalize(tangent), dot(cross(normal, tangent), along_v) < 0.0 ? -1.0 : 1.0);
+    float squared = dot(tangent, tangent);
+    if (squared == 0.0) return vec4(any_perpendicular(normal), 1.0);
+    return vec4(tangent * inversesqrt(squared), dot(cross(normal, tangent), along_v) < 0.0 ? -1.0 : 1.0);
     //]starter
     //| return unfinished(vec4(1.0, 0.0, 0.0, 1.0));
     //]

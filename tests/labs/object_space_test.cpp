@@ -30,8 +30,8 @@ TEST(ObjectSpace, AtRestTheThreeMapsAgree) {
     for (const char* map : {"object", "tangent"}) {
         shot.set.back().second = map;
         const ErrorSummary off = summarize(error_image(drawn("04", shot), world, ErrorMetric::angle));
-        // Each is rounded to 8 bits: 0.17 degrees on average for one, the root of two times that for the difference; and
-        // the filter mixes unit vectors of other spaces.
+        // Each is rounded to 8 bits: 0.17 degrees on average for one, the root of two times that for the difference;
+        // and the filter mixes unit vectors of other spaces.
         EXPECT_LT(off.mean, 0.35) << map;
         EXPECT_GT(off.mean, 0.05) << map << ": is it the same map?";
     }

@@ -44,6 +44,21 @@ TEST(TangentBasis, LinesThatAreOffCostNoDrawNoProgramAndNoPixel) {
     EXPECT_EQ(programs_on - programs_off, 1);
 }
 
+TEST(TangentBasis, WithoutAnyAreaInUvEveryFrameIsStillOne) {
+    for (const char* method : {"per-face", "uniform", "area", "angle", "mikktspace", "derivatives"})
+        for (const char* shape : {"quad", "sphere", "urn"}) {
+            const Shot shot =
+                shot_of("05", {{"view", "one"}, {"shape", shape}, {"method", method}, {"collapsed", "on"}}, "tangent",
+                        {64, 64});
+            const Image tangent = drawn("05", shot);  // throws when it is not a number anywhere
+            for (size_t i = 0; i < tangent.pixel_count(); ++i) {
+                const float* const t = &tangent.values[i * 4];
+                // Between vertices whose directions are any at all the sum may be short, but it is there.
+                ASSERT_GT(t[0] * t[0] + t[1] * t[1] + t[2] * t[2], 1e-4) << shape << ", " << method;  // or infinite
+            }
+        }
+}
+
 TEST(TangentBasis, TheCoarsestAndTheMostJitteredMeshesAreFinite) {
     for (const char* shape : {"quad", "box", "cylinder", "sphere", "torus", "mirrored"})
         for (const char* method : {"per-face", "uniform", "area", "angle", "mikktspace", "derivatives", "analytic"}) {

@@ -55,6 +55,22 @@ TEST(TangentSpace, TheMirroredHalfOfTheWallIsLitLikeTheOther) {
     expect_same_picture(wall, mirrored, 8, wall.pixel_count() / 12);
 }
 
+TEST(TangentSpace, TheNormalsOfTheMirroredHalfAreThoseOfTheOtherInAMirror) {
+    Shot shot = shot_of("06", one({{"shape", "wall"}, {"turn", "0"}}), "normal", {128, 128});
+    shot.camera.yaw = 0;
+    const Image normals = drawn("06", shot);
+    Image mirrored = normals;
+    for (int y = 0; y < normals.height; ++y)
+        for (int x = 0; x < normals.width; ++x) {
+            std::copy_n(normals.pixel(normals.width - 1 - x, y), 4, mirrored.pixel(x, y));
+            if (mirrored.pixel(x, y)[0] != no_surface) mirrored.pixel(x, y)[0] *= -1;
+        }
+    const ErrorSummary off = summarize(error_image(normals, mirrored, ErrorMetric::angle));
+    EXPECT_GT(off.count, normals.pixel_count() / 4);
+    // The centres of the pixels are mirrored; the smaller levels of the map are chosen by neighbours that are not.
+    EXPECT_LT(off.mean, 0.05);
+}
+
 TEST(TangentSpace, EveryPixelIsFiniteWhateverTheScaleTheTangentOrTheLight) {
     const std::vector<std::vector<Knob>> scenes = {
         {{"trouble", "leaning"}},
