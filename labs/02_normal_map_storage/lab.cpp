@@ -88,15 +88,16 @@ private:
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
-    /// The error over directions that are spread evenly, by the shader's own functions; once for each format.
+    /// The error over directions that are spread evenly, by the shader's own functions; once for each program (a shader
+    /// that is saved anew is another one).
     const ErrorSummary& measure(int format) {
-        const auto [found, is_new] = measured_.try_emplace({format, mismatch_});
+        const Program& sphere = program(format, "MEASURE");
+        const auto [found, is_new] = measured_.try_emplace(sphere);
         if (!is_new) return found->second;
         const Target target(TargetKind::probe, measured);
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
         glClear(GL_DEPTH_BUFFER_BIT);
         glViewport(0, 0, measured.x, measured.y);
-        const Program& sphere = program(format, "MEASURE");
         glUseProgram(sphere);
         sphere.set("u_measured", measured);
         glBindVertexArray(nothing_.layout());
@@ -124,7 +125,7 @@ private:
     Programs sphere_{"02_normal_map_storage/window.vert", "02_normal_map_storage/sphere.frag"};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
-    std::map<std::pair<int, bool>, ErrorSummary> measured_;
+    std::map<GLuint, ErrorSummary> measured_;  ///< by program
 
     int view_ = every, format_ = 0, show_ = 0;
     bool mismatch_ = false;

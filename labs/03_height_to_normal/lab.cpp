@@ -24,6 +24,7 @@ class HeightToNormal final : public Lab {
 public:
     void draw(const Frame& frame) override {
         const auto tiles = tiles_of_view(frame.size);
+        if (std::exchange(makers_, makers(tiles.size())) != makers_) heights_.reset(), maps_.clear();
         make_heights();
         for (size_t i = 0; i < tiles.size(); ++i) make_normals(filter_of(i));
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
@@ -138,6 +139,17 @@ private:
                        {.wrap = Wrap::clamp, .mips = false});
     }
 
+    const Program& normals_program(int filter) const {
+        return normals_program_.with(SlopeFilter(filter) == SlopeFilter::sobel ? "SOBEL" : "");
+    }
+    /// The programs that fill the maps: one whose shader is saved anew is another one, and its maps are made again.
+    std::vector<GLuint> makers(size_t tiles) const {
+        std::vector<GLuint> programs;
+        if (source_ == colors) programs.push_back(heights_program_.with());
+        for (size_t i = 0; i < tiles && where_ == 0; ++i) programs.push_back(normals_program(filter_of(i)));
+        return programs;
+    }
+
     void make_heights() {
         if (heights_) return;
         heights_.emplace(size(), GLenum(GL_R32F));
@@ -167,8 +179,7 @@ private:
                 read(*heights_, 1), {.texels_u = texels().x, .texels_v = texels().y, .filter = option, .wrap = wrap_});
             overwrite(map, normals);
         } else {
-            const bool is_sobel = option == SlopeFilter::sobel;
-            const Program& convert = normals_program_.with(is_sobel ? "SOBEL" : "");
+            const Program& convert = normals_program(filter);
             glUseProgram(convert);
             const Texture differences = lines(filter, size(), wrap_);
             convert.set("u_differences", option == SlopeFilter::spline ? size() : 4);
@@ -254,6 +265,7 @@ private:
     std::optional<Map> heights_;
     std::map<int, Map> maps_;  ///< by filter
     std::optional<Texture> truth_;
+    std::vector<GLuint> makers_;
 
     int view_ = 0, filter_ = 2, show_ = 0, source_ = waves, size_ = 1, bits_ = 0, where_ = 0, repeat_ = 2;
     bool wrap_ = true;
