@@ -58,6 +58,11 @@ private:
     static constexpr std::array shows = {"half-and-half", "light", "error"};
     static constexpr glm::ivec2 measured{512, 256};
 
+    struct Measured {
+        GLuint by = 0;
+        ErrorSummary error;
+    };
+
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         if (view_ == one) return tiles_of(size, 1, 1);
         return size.x >= size.y ? tiles_of(size, 4, 2) : tiles_of(size, 2, 4);
@@ -88,12 +93,12 @@ private:
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
-    /// The error over directions that are spread evenly, by the shader's own functions; once for each program (a shader
-    /// that is saved anew is another one).
+    /// The error over directions that are spread evenly, by the shader's own functions; anew when the program is
+    /// another, as it is when a shader was saved.
     const ErrorSummary& measure(int format) {
         const Program& sphere = program(format, "MEASURE");
-        const auto [found, is_new] = measured_.try_emplace(sphere);
-        if (!is_new) return found->second;
+        Measured& known = measured_[format];
+        if (std::exchange(known.by, GLuint(sphere)) == known.by) return known.error;
         const Target target(TargetKind::probe, measured);
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
         glClear(GL_DEPTH_BUFFER_BIT);
@@ -105,7 +110,7 @@ private:
         const Image drawn = target.read();
         Image error(measured.x, measured.y, 1);
         for (size_t i = 0; i < error.values.size(); ++i) error.values[i] = drawn.values[i * 4];
-        return found->second = summarize(error);
+        return known.error = summarize(error);
     }
 
     void describe(glm::ivec2 size, const Tile& tile, int format, const ErrorSummary& error) {
@@ -125,7 +130,7 @@ private:
     Programs sphere_{"02_normal_map_storage/window.vert", "02_normal_map_storage/sphere.frag"};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
-    std::map<GLuint, ErrorSummary> measured_;  ///< by program
+    std::map<int, Measured> measured_;  ///< by format
 
     int view_ = every, format_ = 0, show_ = 0;
     bool mismatch_ = false;
