@@ -98,7 +98,8 @@ private:
     const ErrorSummary& measure(int format) {
         const Program& sphere = program(format, "MEASURE");
         Measured& known = measured_[format];
-        if (std::exchange(known.by, GLuint(sphere)) == known.by) return known.error;
+        if (known.by == sphere) return known.error;
+        known.by = sphere;
         const Target target(TargetKind::probe, measured);
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
         glClear(GL_DEPTH_BUFFER_BIT);

@@ -24,7 +24,7 @@ class HeightToNormal final : public Lab {
 public:
     void draw(const Frame& frame) override {
         const auto tiles = tiles_of_view(frame.size);
-        if (std::exchange(makers_, makers(tiles.size())) != makers_) heights_.reset(), maps_.clear();
+        if (auto now = makers(tiles.size()); now != makers_) heights_.reset(), maps_.clear(), makers_ = std::move(now);
         make_heights();
         for (size_t i = 0; i < tiles.size(); ++i) make_normals(filter_of(i));
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
