@@ -43,6 +43,7 @@ const CourseOverlay::Folder& CourseOverlay::fill(const Folder& folder, const Cou
             own.insert(parent);
     const auto link_rest = [&](const fs::path& part) {
         make_folder(folder.path / part);
+        if (!fs::is_directory(course_root() / part)) return;  // the files bring their own
         for (const auto& entry : fs::directory_iterator(course_root() / part)) {
             const fs::path name = part / entry.path().filename();
             if (!own.contains(name) && !files.contains(name.string()))

@@ -1,0 +1,61 @@
+// A course with other files in it, and a handout that must not be written.
+#include "framework/grade/overlay.h"
+
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/grade/handout.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+constexpr const char* task = "shaders/02_normal_map_storage/task.glsl";
+
+TEST(CourseOverlay, HasItsOwnFilesAndAllTheOthersForAsLongAsItLives) {
+    const std::filesystem::path root = course_root();
+    const std::string before = read_file(root / task);
+    {
+        const CourseOverlay overlay({{task, "// mine"}, {"labs/99_x/new.txt", "new"}});
+        EXPECT_NE(course_root(), root);
+        EXPECT_EQ(read_file(course_root() / task), "// mine");
+        EXPECT_EQ(read_file(course_root() / "labs/99_x/new.txt"), "new");
+        for (const char* other : {"shaders/02_normal_map_storage/sphere.frag", "shaders/common/heat.glsl",
+                                  "labs/01_specular_highlights/lab.toml", "README.md"})
+            EXPECT_EQ(read_file(course_root() / other), read_file(root / other)) << other;
+    }
+    EXPECT_EQ(course_root(), root);
+    EXPECT_EQ(read_file(root / task), before);
+    EXPECT_FALSE(std::filesystem::exists(root / "labs/99_x"));
+}
+
+TEST(CourseOverlay, EditsReplaceWhatStandsThereExactlyOnce) {
+    const CourseFiles files =
+        edited({{task, "encode_paired8(vec3 normal)", "X"}, {task, "encode_unorm8(vec3 normal)", "Y"}});
+    ASSERT_EQ(files.size(), 1u);
+    EXPECT_TRUE(contains(files.at(task), "vec3 X {") && contains(files.at(task), "vec3 Y {"));
+    for (const char* find : {"nowhere to be found", "vec3", ""})
+        EXPECT_TRUE(contains(message_of([&] {
+                                 edited({{task, find, "x"}});
+                             }),
+                             "must stand there exactly once"))
+            << find;
+    EXPECT_TRUE(contains(message_of([&] { edited({{"no/file", "a", "b"}}); }), "no/file: cannot read"));
+}
+
+TEST(Handout, IsRefusedWhenALabIncludesWhatAnotherKeepsBack) {
+    const char* const surface = "shaders/06_tangent_space/surface.frag";
+    const CourseOverlay overlay(
+        edited({{surface, "#include \"common/light.glsl\"", "#include \"common/normal_map.glsl\""}}));
+    const TemporaryFolder folder;
+    const std::string message = message_of([&] { write_handout(folder.path() / "handout"); });
+    EXPECT_TRUE(contains(message, "includes shaders/common/normal_map.glsl, which holds answers of")) << message;
+}
+
+TEST(Handout, IsRefusedWhenMarksDoNotPair) {
+    const CourseOverlay overlay(edited({{task, "// TASK 2.4", "//[solution\n// TASK 2.4"}}));
+    const TemporaryFolder folder;
+    EXPECT_TRUE(contains(message_of([&] { write_handout(folder.path() / "handout"); }), "task.glsl:"));
+}
+
+}  // namespace
+}  // namespace relief
