@@ -7,9 +7,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
+#include "framework/app/menu_error_map.h"
+#include "framework/app/menu_handout.h"
 #include "framework/app/menu_panel.h"
 #include "framework/app/menu_stage.h"
+#include "framework/app/menu_style.h"
 #include "framework/base/error.h"
 #include "framework/base/log.h"
 #include "framework/context/glfw_window.h"
@@ -19,16 +23,13 @@
 namespace relief {
 namespace {
 
-constexpr const char* font_file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-
 /// Dear ImGui, for as long as the window is open.
 class ImGuiSession {
 public:
     ImGuiSession(GLFWwindow* window, float scale) {
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;  // the menu leaves no files behind
-        if (std::filesystem::exists(font_file)) ImGui::GetIO().Fonts->AddFontFromFileTTF(font_file, 15 * scale);
-        style_panel(scale);
+        style_menu(scale);
         ImGui_ImplGlfw_InitForOpenGL(window, true);
         ImGui_ImplOpenGL3_Init("#version 410 core");
     }
@@ -59,12 +60,15 @@ public:
     int run() {
         GLFWwindow* const window = window_.handle();
         while (!glfwWindowShouldClose(window)) {
-            // Asleep until something happens; an event wants a second turn, in which Dear ImGui shows what it did.
-            const bool moves = stage_.manifest().animated && stage_.error().empty() && !paused_;
-            if (moves || turns_ > 0)
+            // Asleep until something happens; an event wants a second turn, in which Dear ImGui shows what it did. The
+            // sleep is broken to look at files, and nothing is drawn when they are as they were.
+            if (moves() || turns_ > 0)
                 glfwPollEvents();
             else
-                glfwWaitEvents(), turns_ = 3;
+                glfwWaitEventsTimeout(look_every);
+            if (window_.take_event()) turns_ = 3;
+            if (look()) turns_ = std::max(turns_, 2);
+            if (!moves() && turns_ == 0) continue;
             turns_ = std::max(0, turns_ - 1);
             turn();
             glfwSwapBuffers(window);
@@ -73,8 +77,32 @@ public:
     }
 
 private:
+    bool moves() const { return stage_.manifest().animated && !stage_.failed() && !paused_; }
+
+    /// What happens without the user: files that were saved, and an error map once the picture stands still. Whether
+    /// there is anything new to show.
+    bool look() {
+        const double now = glfwGetTime();
+        bool news = false;
+        if (now - looked_ >= look_every) {
+            looked_ = now;
+            news = stage_.look();
+            news |= handout_.look();
+        }
+        // A drag that pauses is not over, and the truth may take a second.
+        bool dragged = false;
+        for (int button = 0; button < 3; ++button)
+            dragged |= glfwGetMouseButton(window_.handle(), button) == GLFW_PRESS;
+        if (error_map_.wanted() && !dragged && now - drawn_ >= still_for) {
+            error_map_.compute(stage_);
+            news = true;
+        }
+        return news;
+    }
+
     void open(const LabEntry& entry) {
         stage_.open(entry);
+        if (handout_.is_open()) handout_.open(entry);
         begin_ = glfwGetTime(), time_ = 0;
         message_.clear();
         glfwSetWindowTitle(window_.handle(), fmt::format("Relief: {} {}", entry.two_digits(), entry.name).c_str());
@@ -95,12 +123,16 @@ private:
         const int panel = panel_hidden_ ? 0 : std::min(window.x, int(panel_width * scale_));
         keyboard();
         mouse();
-        if (!panel_hidden_) act(draw_panel(stage_, panel, message_));
+        if (!panel_hidden_) act(draw_panel(stage_, panel, error_map_.on(), message_));
         draw_error(stage_, panel);
+        handout_.draw(panel, scale_);
         if (!paused_) time_ = glfwGetTime() - begin_;
 
-        const glm::ivec2 room = glm::clamp(window - glm::ivec2(panel, 0), glm::ivec2(1), glm::ivec2(max_picture_side));
-        stage_.draw(room, time_);
+        const int half = error_map_.on() ? 2 : 1;
+        const glm::ivec2 room =
+            glm::clamp(glm::ivec2((window.x - panel) / half, window.y), glm::ivec2(1), glm::ivec2(max_picture_side));
+        if (stage_.draw(room, time_)) error_map_.forget(), drawn_ = glfwGetTime();
+        error_map_.draw(panel + room.x, room, moves());
         present(window, panel, room);
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -122,6 +154,8 @@ private:
         if (wish.step) step(wish.step);
         if (wish.restart) open(stage_.entry());
         if (wish.save) save();
+        if (wish.handout) toggle_handout();
+        if (wish.error_map) error_map_.toggle();
     }
 
     void keyboard() {
@@ -129,7 +163,28 @@ private:
             if (!ImGui::GetIO().WantTextInput) press(key);
     }
 
+    void toggle_handout() {
+        if (handout_.is_open())
+            handout_.close();
+        else
+            handout_.open(stage_.entry());
+    }
+
+    /// Keys that scroll an open handout, and what closes it. Returns false for all others.
+    bool press_in_handout(int key) {
+        static const std::map<int, float> lines = {{GLFW_KEY_UP, -2.0f},       {GLFW_KEY_DOWN, 2.0f},
+                                                   {GLFW_KEY_PAGE_UP, -25.0f}, {GLFW_KEY_PAGE_DOWN, 25.0f},
+                                                   {GLFW_KEY_HOME, -1e6f},     {GLFW_KEY_END, 1e6f}};
+        const auto found = lines.find(key);
+        if (key == GLFW_KEY_ESCAPE)
+            handout_.close();
+        else if (found != lines.end())
+            handout_.scroll(found->second);
+        return key == GLFW_KEY_ESCAPE || found != lines.end();
+    }
+
     void press(int key) {
+        if (handout_.is_open() && press_in_handout(key)) return;
         switch (key) {
             case GLFW_KEY_PAGE_DOWN:
             case GLFW_KEY_RIGHT:
@@ -145,6 +200,12 @@ private:
             case GLFW_KEY_S:
             case GLFW_KEY_F12:
                 save();
+                break;
+            case GLFW_KEY_F1:
+                toggle_handout();
+                break;
+            case GLFW_KEY_E:
+                error_map_.toggle();
                 break;
             case GLFW_KEY_C:
                 stage_.camera() = stage_.manifest().camera, stage_.changed();
@@ -205,11 +266,15 @@ private:
         }
     }
 
-    static constexpr float panel_width = 340;  // pixels at scale 1
+    static constexpr float panel_width = 340;                   // pixels at scale 1
+    static constexpr double look_every = 0.2, still_for = 0.3;  // seconds
     GlfwWindow window_{{1280, 800}, "Relief", true};
     float scale_ = scale_of(window_.handle());
     ImGuiSession imgui_{window_.handle(), scale_};
     Stage stage_;
+    Handout handout_;
+    ErrorMap error_map_;
+    double looked_ = 0, drawn_ = 0;
     double begin_ = 0, time_ = 0;
     bool paused_ = false, panel_hidden_ = false;
     int turns_ = 3;

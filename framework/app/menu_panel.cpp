@@ -3,29 +3,18 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
 #include "framework/app/menu_stage.h"
+#include "framework/app/menu_style.h"
 #include "framework/base/error.h"
 #include "framework/gl/counters.h"
 
 namespace relief {
 namespace {
 
-const ImVec4 accent{0.90f, 0.54f, 0.36f, 1}, quiet{0.62f, 0.63f, 0.65f, 1}, alarm{1, 0.45f, 0.38f, 1};
-
-void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
-void wrapped(const std::string& line) {
-    ImGui::PushTextWrapPos(0);
-    text(line);
-    ImGui::PopTextWrapPos();
-}
-void quiet_text(const std::string& line) {
-    ImGui::PushStyleColor(ImGuiCol_Text, quiet);
-    wrapped(line);
-    ImGui::PopStyleColor();
-}
 void heading(const char* line) {
     ImGui::Dummy({0, 6});
     ImGui::TextColored(accent, "%s", line);
@@ -81,19 +70,38 @@ std::string title_of(const LabEntry& lab) {
     return found->second;
 }
 
+/// One letter that says whether the shaders on screen are those in the files.
+void draw_letter(ShaderState state) {
+    struct Letter {
+        const char *letter, *help;
+        ImVec4 color;
+    };
+    static const std::map<ShaderState, Letter> letters = {
+        {ShaderState::unchanged, {"U", "unchanged: the shaders that the lab was opened with", quiet}},
+        {ShaderState::renewed, {"N", "new: shaders were saved since the lab was opened, and are on screen", good}},
+        {ShaderState::failed, {"F", "failed: what was saved last does not work", alarm}}};
+    const Letter& shown = letters.at(state);
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(shown.color, "%s", shown.letter);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shown.help);
+}
+
 void draw_labs(const Stage& stage, PanelWish& wish) {
-    ImGui::SetNextItemWidth(-1);
+    ImGui::SetNextItemWidth(-ImGui::CalcTextSize("N").x - ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::BeginCombo("##labs", title_of(stage.entry()).c_str(), ImGuiComboFlags_HeightLarge)) {
         for (const LabEntry& lab : registry())
             if (ImGui::Selectable(title_of(lab).c_str(), &lab == &stage.entry())) wish.lab = &lab;
         ImGui::EndCombo();
     }
+    draw_letter(stage.shaders());
     const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     if (ImGui::Button("Previous", {third, 0})) wish.step = -1;
     ImGui::SameLine();
     if (ImGui::Button("Next", {third, 0})) wish.step = 1;
     ImGui::SameLine();
     if (ImGui::Button("Restart", {third, 0})) wish.restart = true;
+    if (ImGui::Button("Handout (F1)", {-1, 0})) wish.handout = true;
     for (const std::string& line : stage.manifest().learns) {
         ImGui::Bullet();
         ImGui::SameLine();
@@ -101,7 +109,7 @@ void draw_labs(const Stage& stage, PanelWish& wish) {
     }
 }
 
-void draw_probes(Stage& stage) {
+void draw_probes(Stage& stage, bool error_map, PanelWish& wish) {
     const auto& probes = stage.manifest().probes;
     if (probes.empty()) return;
     heading("Look at");
@@ -112,6 +120,8 @@ void draw_probes(Stage& stage) {
         if (ImGui::GetContentRegionAvail().x < wanted) ImGui::NewLine();
         if (ImGui::RadioButton(probe.name.c_str(), stage.probe().name == probe.name)) stage.show({probe.name});
     }
+    if (ImGui::Checkbox("error map beside it", &error_map)) wish.error_map = true;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("how far the probe is from the truth, at every pixel (E)");
 }
 
 void draw_counters(const Stage& stage) {
@@ -141,27 +151,7 @@ void draw_counters(const Stage& stage) {
 
 }  // namespace
 
-void style_panel(float scale) {
-    ImGui::StyleColorsDark();
-    ImGuiStyle& style = ImGui::GetStyle();
-    style.WindowPadding = {16, 14};
-    style.FramePadding = {8, 5};
-    style.ItemSpacing = {8, 6};
-    style.FrameRounding = style.GrabRounding = style.PopupRounding = 4;
-    style.WindowBorderSize = 0;
-    style.Colors[ImGuiCol_WindowBg] = {0.09f, 0.095f, 0.11f, 1};
-    style.Colors[ImGuiCol_FrameBg] = {0.16f, 0.17f, 0.20f, 1};
-    style.Colors[ImGuiCol_Button] = {0.20f, 0.21f, 0.25f, 1};
-    for (const int color : {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered})
-        style.Colors[color] = {0.30f, 0.24f, 0.21f, 1};
-    for (const int color : {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_Header, ImGuiCol_HeaderActive})
-        style.Colors[color] = {0.42f, 0.28f, 0.21f, 1};
-    for (const int color : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_CheckMark})
-        style.Colors[color] = accent;
-    style.ScaleAllSizes(scale);
-}
-
-PanelWish draw_panel(Stage& stage, int width, const std::string& message) {
+PanelWish draw_panel(Stage& stage, int width, bool error_map, const std::string& message) {
     PanelWish wish;
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({float(width), ImGui::GetIO().DisplaySize.y});
@@ -174,13 +164,14 @@ PanelWish draw_panel(Stage& stage, int width, const std::string& message) {
         heading("Knobs");
         stage.lab()->knobs(knobs);
         if (knobs.changed) stage.changed();
-        draw_probes(stage);
+        draw_probes(stage, error_map, wish);
     }
     draw_counters(stage);
     heading("Keys");
     quiet_text(
         "drag: orbit   right drag: pan   wheel: zoom\nleft, right: labs   R: restart   C: camera back\n"
-        "S: save a picture   H: hide this   Esc: quit\nspace: hold an animation still");
+        "F1: handout   E: error map   S: save a picture\nH: hide this   space: hold an animation still\n"
+        "Esc: quit   Shaders that are saved are taken.");
     if (ImGui::Button("Save a picture")) wish.save = true;
     if (!message.empty()) wrapped(message);
     ImGui::End();
@@ -188,18 +179,23 @@ PanelWish draw_panel(Stage& stage, int width, const std::string& message) {
 }
 
 void draw_error(const Stage& stage, int panel_width) {
-    if (stage.error().empty()) return;
+    const Error* const error = stage.error();
+    if (!error) return;
     const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const float width = std::max(100.0f, all.x - float(panel_width) - 40);
     ImGui::SetNextWindowPos({float(panel_width) + 20, 20});
-    ImGui::SetNextWindowSize({std::max(100.0f, all.x - float(panel_width) - 40), 0});
+    // A long log is scrolled: the last good picture stays in view below it.
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, all.y * 0.4f});
+    ImGui::SetNextWindowBgAlpha(0.92f);
     ImGui::Begin("error", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PushStyleColor(ImGuiCol_Text, alarm);
-    wrapped(stage.error());
+    wrapped(error->what());
     ImGui::PopStyleColor();
-    if (!stage.details().empty()) wrapped(stage.details());
-    quiet_text("Mend it, then press R.");
+    if (!error->details().empty()) wrapped(error->details());
+    quiet_text(stage.lab() ? "A shader that is mended and saved is taken at once; after anything else press R."
+                           : "Mend it, then press R.");
     ImGui::End();
 }
 

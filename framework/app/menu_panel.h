@@ -14,14 +14,13 @@ struct PanelWish {
     const LabEntry* lab = nullptr;
     int step = 0;  ///< 1 the next lab, -1 the one before
     bool restart = false, save = false;
+    bool handout = false, error_map = false;  ///< to be shown, or hidden when they are shown
 };
 
-void style_panel(float scale);
-
 /// Labs, knobs, probes, counters and keys; `width` in pixels. Knobs and probe act on the stage at once.
-PanelWish draw_panel(Stage& stage, int width, const std::string& message);
+PanelWish draw_panel(Stage& stage, int width, bool error_map, const std::string& message);
 
-/// The stage's error, if any, over the picture.
+/// The stage's error, if any, over the upper part of the picture.
 void draw_error(const Stage& stage, int panel_width);
 
 }  // namespace relief

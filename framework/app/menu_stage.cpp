@@ -18,8 +18,8 @@ void Stage::open(const LabEntry& entry) {
     shown_ = 0;
     entry_ = &entry;
     manifest_ = {};
-    stale_ = true;
-    error_.clear(), details_.clear();
+    stale_ = true, renewed_ = false;
+    failure_.reset(), shader_failure_.reset();
     const glm::ivec2 size = shot_.size;
     shot_ = {};
     shot_.size = size;
@@ -35,25 +35,44 @@ void Stage::open(const LabEntry& entry) {
 void Stage::show(Probe probe) {
     shot_.probe = std::move(probe);
     stale_ = true;
+    shown_ = 0;
 }
 
 void Stage::fail(const Error& error) {
-    error_ = error.what(), details_ = error.details();
-    print_error(error_);
+    failure_ = error;
+    print_error(error.what());
 }
 
+bool Stage::look() {
+    ShaderNews news = renew_programs();
+    shader_failure_ = std::move(news.error);
+    if (!news.changed) return false;
+    stale_ = true;
+    if (shader_failure_)
+        print_error(shader_failure_->what());
+    else
+        renewed_ = true;
+    return true;
+}
+
+ShaderState Stage::shaders() const {
+    return error() ? ShaderState::failed : renewed_ ? ShaderState::renewed : ShaderState::unchanged;
+}
+
+const Error* Stage::error() const { return failure_ ? &*failure_ : shader_failure_ ? &*shader_failure_ : nullptr; }
+
 bool Stage::draw(glm::ivec2 size, double time) {
-    const bool moves = manifest_.animated && time != shot_.time && error_.empty();
+    const bool moves = manifest_.animated && time != shot_.time && !failed();
     if (!lab_ || !(stale_ || moves || size != shot_.size)) return false;
     stale_ = false;
-    error_.clear(), details_.clear();
+    failure_.reset();
     shot_.size = size, shot_.time = time;
-    shown_ = 0;
     const int64_t draw_calls_before = counters().draw_calls;
     const auto begin = std::chrono::steady_clock::now();
     try {
         const TargetKind kind = shot_.probe ? TargetKind::probe : TargetKind::picture;
         if (!target_ || target_->size() != size || target_->kind() != kind) {
+            shown_ = 0;
             target_.reset();
             target_.emplace(kind, size);
         }
@@ -76,6 +95,7 @@ bool Stage::draw(glm::ivec2 size, double time) {
 
 // The numbers go to the CPU and come back as colours; that happens only when they changed.
 GLuint Stage::draw_probe() {
+    shown_ = 0;
     probe_picture_.emplace(
         ProbePicture{Texture("probe as colours", [this] { return picture(); }, {.wrap = Wrap::clamp, .mips = false}),
                      FramebufferName()});
@@ -85,7 +105,7 @@ GLuint Stage::draw_probe() {
 }
 
 Image Stage::picture() const {
-    if (!target_ || !error_.empty()) throw Error("there is no picture to save");
+    if (!target_ || failed()) throw Error("there is no picture to save");
     if (shot_.probe) return visualize_probe(target_->read(), manifest_.probe(shot_.probe.name).error);
     return read_picture(*target_);
 }

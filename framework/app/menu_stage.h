@@ -10,6 +10,13 @@
 
 namespace relief {
 
+/// What is on screen, beside the files of its shaders.
+enum class ShaderState {
+    unchanged,  ///< what the lab was opened with
+    renewed,    ///< saved since then, and taken
+    failed      ///< saved, and no good: the picture is the last good program's, or there is none
+};
+
 class Stage {
 public:
     /// Drops the present lab with all its GL objects, then makes this one as its manifest says.
@@ -19,25 +26,32 @@ public:
 
     const LabEntry& entry() const { return *entry_; }
     const Manifest& manifest() const { return manifest_; }
-    Lab* lab() { return lab_.get(); }
+    Lab* lab() const { return lab_.get(); }
     Orbit& camera() { return shot_.camera; }
     const Probe& probe() const { return shot_.probe; }
     void show(Probe probe);
+
+    /// Takes shaders that were saved; knobs and camera stay. Call it a few times a second. Returns whether there is
+    /// anything new to show.
+    bool look();
+    ShaderState shaders() const;
 
     /// A knob or the camera moved.
     void changed() { stale_ = true; }
     /// Draws when something changed since the last call; returns whether it did.
     bool draw(glm::ivec2 size, double time);
 
-    /// What was drawn last (one sample a pixel), for a blit; 0 when there is none.
+    /// What was drawn last without an error (one sample a pixel), for a blit; 0 when there is none.
     GLuint framebuffer() const { return shown_; }
+    const Shot& shot() const { return shot_; }
     glm::ivec2 size() const { return shot_.size; }
     /// The same as an 8-bit picture. Throws Error when there is none.
     Image picture() const;
 
-    /// Why there is no picture: one line, and the compiler's whole log.
-    const std::string& error() const { return error_; }
-    const std::string& details() const { return details_; }
+    /// Why there is no picture, or why it is older than its shaders. Null when all is well.
+    const Error* error() const;
+    /// Whether the last frame was not drawn to its end.
+    bool failed() const { return failure_.has_value(); }
 
     int64_t frames() const { return frames_; }             ///< drawn since the window opened
     int64_t draw_calls() const { return draw_calls_; }     ///< in the last frame
@@ -59,8 +73,9 @@ private:
     };
     std::optional<ProbePicture> probe_picture_;
     GLuint shown_ = 0;
-    bool stale_ = true;
-    std::string error_, details_;
+    bool stale_ = true, renewed_ = false;
+    std::optional<Error> failure_;         ///< of the last frame, or of opening the lab
+    std::optional<Error> shader_failure_;  ///< of shaders that were saved since
     int64_t frames_ = 0, draw_calls_ = 0;
     double milliseconds_ = 0;
 };

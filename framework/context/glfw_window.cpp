@@ -27,11 +27,26 @@ GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) 
     if (!window_) fail();
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
-        if (action == GLFW_PRESS) static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window))->keys_.push_back(key);
+        GlfwWindow& self = noted(window);
+        if (action == GLFW_PRESS) self.keys_.push_back(key);
     });
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { noted(window); });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { noted(window); });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { noted(window); });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { noted(window); });
+    glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { noted(window); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { noted(window); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { noted(window); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { noted(window); });
     GlfwWindow::make_current();
     load_gl(glfwGetProcAddress);
     glfwSwapInterval(1);  // an animation needs no more frames than the screen shows
+}
+
+GlfwWindow& GlfwWindow::noted(GLFWwindow* window) {
+    auto& self = *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
+    self.event_ = true;
+    return self;
 }
 
 // GLFW itself stays: glfwTerminate would unload the driver's libraries, and whatever large library is opened after that

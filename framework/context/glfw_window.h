@@ -26,9 +26,15 @@ public:
     /// The keys pressed since the last call, in order: also those that were up again before anyone looked, as happens
     /// when a frame takes longer than a tap.
     std::vector<int> take_keys() { return std::exchange(keys_, {}); }
+    /// Whether anything has come from the user or the screen since the last call. What waits with a timeout cannot tell
+    /// otherwise why it woke.
+    bool take_event() { return std::exchange(event_, false); }
 
 private:
+    static GlfwWindow& noted(GLFWwindow* window);
+
     GLFWwindow* window_ = nullptr;
+    bool event_ = false;
     std::vector<int> keys_;
 };
 

@@ -7,7 +7,6 @@
 #include "framework/base/error.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
-#include "framework/gl/shader_source.h"
 #include "framework/gl/texture.h"
 
 namespace relief {
@@ -36,9 +35,9 @@ std::string log_of(GLuint name, PFNGLGETSHADERIVPROC parameter, PFNGLGETSHADERIN
     return log;
 }
 
-ShaderName compile(const fs::path& path, const ShaderSource& source) {
-    ShaderName shader(stage_of(path));
-    label(GL_SHADER, shader, shown(path));
+ShaderName compile(const ShaderSource& source) {
+    ShaderName shader(stage_of(source.stage));
+    label(GL_SHADER, shader, shown(source.stage));
     const char* const text = source.text.c_str();
     glShaderSource(shader, 1, &text, nullptr);
     glCompileShader(shader);
@@ -46,21 +45,29 @@ ShaderName compile(const fs::path& path, const ShaderSource& source) {
     glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
     if (!done) {
         const ShaderLog log = explain_log(log_of(shader, glGetShaderiv, glGetShaderInfoLog), source.lines);
-        const Place place = log.first.file.empty() ? Place{path} : log.first;
+        const Place place = log.first.file.empty() ? Place{source.stage} : log.first;
         throw Error(place, log.first_message.empty() ? "does not compile" : log.first_message, log.text);
     }
     return shader;
 }
 
+std::vector<ShaderSource> load_shaders(const std::vector<fs::path>& stages, const std::vector<std::string>& defines) {
+    std::vector<ShaderSource> sources;
+    for (const fs::path& path : stages) sources.push_back(load_shader(path, defines));
+    return sources;
+}
+
 }  // namespace
 
-Program::Program(const std::vector<fs::path>& stages, const std::vector<std::string>& defines) {
+Program::Program(const std::vector<fs::path>& stages, const std::vector<std::string>& defines)
+    : Program(load_shaders(stages, defines)) {}
+
+Program::Program(const std::vector<ShaderSource>& stages) {
     std::vector<ShaderName> shaders;
-    for (const fs::path& path : stages) {
-        const ShaderSource source = load_shader(path, defines);
+    for (const ShaderSource& source : stages) {
         known_.insert(source.names.begin(), source.names.end());
-        title_ += (title_.empty() ? "" : " + ") + shown(path);
-        shaders.push_back(compile(path, source));
+        title_ += (title_.empty() ? "" : " + ") + shown(source.stage);
+        shaders.push_back(compile(source));
         glAttachShader(name_, shaders.back());
     }
     label(GL_PROGRAM, name_, title_);
@@ -69,7 +76,7 @@ Program::Program(const std::vector<fs::path>& stages, const std::vector<std::str
     glGetProgramiv(name_, GL_LINK_STATUS, &done);
     if (!done) {
         const ShaderLog log = explain_log(log_of(name_, glGetProgramiv, glGetProgramInfoLog), {});
-        throw Error({stages.back()}, "does not link with the other stages: " + log.first_message, log.text);
+        throw Error({stages.back().stage}, "does not link with the other stages: " + log.first_message, log.text);
     }
     for (const ShaderName& shader : shaders) glDetachShader(name_, shader);
 
@@ -127,17 +134,105 @@ void Program::set(const char* sampler, int unit, const Texture& texture) const {
     bind(unit, texture);
 }
 
+/// One program, and the texts that say whether its files have changed.
+class Permutation {
+public:
+    Permutation(std::vector<fs::path> stages, std::vector<std::string> defines)
+        : stages_(std::move(stages)), defines_(std::move(defines)) {
+        all().push_back(this);
+    }
+    ~Permutation() { std::erase(all(), this); }
+    Permutation(const Permutation&) = delete;
+    Permutation& operator=(const Permutation&) = delete;
+
+    /// Every one that lives. A lab keeps its Programs to itself, and should not have to hand them to a window that it
+    /// knows nothing of; so they sign in here, as labs do in their registry.
+    static std::vector<Permutation*>& all() {
+        static std::vector<Permutation*> permutations;
+        return permutations;
+    }
+
+    /// Throws when its files hold none; then they are tried again at the next call.
+    const Program& program() {
+        if (!program_) compile(read());
+        return *program_;
+    }
+
+    /// Whether the files read differently, twice, from what was tried last.
+    bool look() {
+        Text text = read();
+        const bool settled = text.whole == std::exchange(seen_, text.whole);
+        if (!settled || text.whole == tried_) return false;
+        tried_ = text.whole;
+        if (!program_) return true;  // it failed when it was asked for, and whoever asks again gets it
+        error_.reset();
+        try {
+            if (text.whole != made_of_) compile(std::move(text));
+        } catch (const Error& error) {
+            error_ = error;
+        }
+        return true;
+    }
+    const std::optional<Error>& error() const { return error_; }
+
+private:
+    struct Text {
+        std::vector<ShaderSource> sources;
+        std::string whole;           ///< of all stages, or why there is none
+        std::optional<Error> error;  ///< a file is missing, or an #include is wrong
+    };
+    // Reading a few small files costs what asking for their times would, and no file system is wrong about a text.
+    Text read() const {
+        Text text;
+        try {
+            text.sources = load_shaders(stages_, defines_);
+            for (const ShaderSource& source : text.sources) text.whole += source.text + '\0';
+        } catch (const Error& error) {
+            text.whole = error.what();
+            text.error = error;
+        }
+        return text;
+    }
+    void compile(Text text) {
+        tried_ = seen_ = text.whole;
+        if (text.error) throw *text.error;
+        // Into the same Program: a lab may hold a reference to it.
+        program_ = Program(text.sources);
+        made_of_ = std::move(text.whole);
+    }
+
+    std::vector<fs::path> stages_;
+    std::vector<std::string> defines_;
+    std::optional<Program> program_;
+    std::string made_of_, tried_, seen_;
+    std::optional<Error> error_;
+};
+
+Programs::Programs(std::initializer_list<const char*> stages) : stages_(stages.begin(), stages.end()) {}
+Programs::Programs(Programs&&) noexcept = default;
+Programs& Programs::operator=(Programs&&) noexcept = default;
+Programs::~Programs() = default;
+
 const Program& Programs::with(std::initializer_list<Define> defines) const {
     std::vector<std::string> key;
     for (const Define& define : defines)
         if (!define.text.empty()) key.push_back(define.text);
-    std::unique_ptr<Program>& program = programs_[key];
-    if (!program) {
+    std::unique_ptr<Permutation>& permutation = permutations_[key];
+    if (!permutation) {
         std::vector<fs::path> paths;
         for (const std::string& stage : stages_) paths.push_back(course_root() / "shaders" / stage);
-        program = std::make_unique<Program>(paths, key);
+        permutation = std::make_unique<Permutation>(paths, key);
     }
-    return *program;
+    return permutation->program();
+}
+
+ShaderNews renew_programs() {
+    ShaderNews news;
+    for (Permutation* const permutation : Permutation::all()) {
+        news.changed |= permutation->look();
+        if (!news.error && permutation->error()) news.error = permutation->error();
+    }
+    return news;
 }
 
 }  // namespace relief

@@ -6,11 +6,14 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "framework/base/error.h"
 #include "framework/gl/object.h"
+#include "framework/gl/shader_source.h"
 
 namespace relief {
 
@@ -23,6 +26,8 @@ public:
     /// Compiles and links `stages` (paths; the ending says which stage: .vert .tesc .tese .geom .frag).
     /// Throws Error with the file and line of the first mistake, and the whole log as details.
     Program(const std::vector<std::filesystem::path>& stages, const std::vector<std::string>& defines);
+    /// The same from text that is read already.
+    explicit Program(const std::vector<ShaderSource>& stages);
 
     operator GLuint() const { return name_; }
 
@@ -59,11 +64,17 @@ struct Define {
     Define(std::string definition) : text(std::move(definition)) {}
 };
 
-/// The permutations of one set of shader files, each compiled when it is first used.
+class Permutation;
+
+/// The permutations of one set of shader files, each compiled when it is first used. What with() returned stays valid
+/// as long as this object, also when its files change: see renew_programs().
 class Programs {
 public:
     /// Paths below the course's `shaders` folder. Nothing is read yet.
-    Programs(std::initializer_list<const char*> stages) : stages_(stages.begin(), stages.end()) {}
+    Programs(std::initializer_list<const char*> stages);
+    ~Programs();
+    Programs(Programs&&) noexcept;
+    Programs& operator=(Programs&&) noexcept;
     template <class... Names>
     explicit Programs(const char* first, Names... others) : Programs({first, others...}) {}
 
@@ -73,7 +84,19 @@ public:
 
 private:
     std::vector<std::string> stages_;
-    mutable std::map<std::vector<std::string>, std::unique_ptr<Program>> programs_;
+    mutable std::map<std::vector<std::string>, std::unique_ptr<Permutation>> permutations_;
 };
+
+/// What became of shader files that were saved.
+struct ShaderNews {
+    bool changed = false;        ///< since the call before, something was compiled anew or is to be tried again
+    std::optional<Error> error;  ///< why a program on screen is older than its files; stays until they are mended
+};
+
+/// Looks at the files of every permutation in use, in every Programs that lives, and compiles what reads differently
+/// into the same Program. One that does not compile leaves the last good program in place. Call it a few times a
+/// second: a text counts when two calls in a row saw it, so that a file which is half written, or away for a moment
+/// while an editor renames, is no news.
+ShaderNews renew_programs();
 
 }  // namespace relief

@@ -188,7 +188,9 @@ private:
 ShaderSource load_shader(const fs::path& stage, const std::vector<std::string>& defines) {
     Loader loader(defines);
     loader.append(stage, true);
-    return loader.take();
+    ShaderSource source = loader.take();
+    source.stage = stage;
+    return source;
 }
 
 ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines) {

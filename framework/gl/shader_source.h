@@ -12,6 +12,7 @@
 namespace relief {
 
 struct ShaderSource {
+    std::filesystem::path stage;
     std::string text;             ///< what the compiler gets
     std::vector<Place> lines;     ///< where each line of the text comes from; a #define that was put in has no file
     std::set<std::string> names;  ///< every u_ and s_ name in the files, whether or not it is in use

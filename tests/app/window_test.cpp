@@ -52,8 +52,18 @@ struct FrameLine {
 
 class Window : public testing::Test {
 protected:
-    static constexpr int window_width = 1280;
+    static constexpr int window_width = 1280, panel_width = 340;
     const CourseWithNewLab& course_ = CourseWithNewLab::get();
+    /// The fragment shader of the new lab, as it was when the test is over.
+    struct Shader {
+        const CourseCopy& course;
+        const char* file = "shaders/20_test_wall/surface.frag";
+        std::string good = read_all(course.path() / file);
+        ~Shader() { restore(); }
+        void overwrite(const std::string& text) const { course.overwrite(file, text); }
+        void edit(const std::string& find, const std::string& replace) const { course.edit(file, find, replace); }
+        void restore() const { overwrite(good); }
+    } shader_{course_.course};
     TemporaryFolder folder_;
     Screen screen_;
     Circumstances where_{folder_.path(),
@@ -99,6 +109,58 @@ protected:
                         float(uint8_t(bytes.at(pixels + size_t(y) * line + size_t(x) * step + 2 - c))) / 255;
         return image;
     }
+    /// Whether the screen shows a picture at the window's right edge, from row `first` to before row `end`.
+    bool shown(const Image& picture, int first = 0, int end = 1 << 20) const {
+        const Image all = screen();
+        for (int y = first; y < std::min(end, picture.height); ++y)
+            for (int x = 0; x < picture.width; ++x)
+                if (!std::equal(picture.pixel(x, y), picture.pixel(x, y) + 3,
+                                all.pixel(window_width - picture.width + x, y)))
+                    return false;
+        return true;
+    }
+    /// The message in the alarm's colour at the top of the picture's place.
+    bool alarmed() const {
+        return has_color(360, window_width, 100, [](const float* c) { return is_red(c); });
+    }
+    /// The letter beside the lab's name, by its colour.
+    char letter() const {
+        const int left = panel_width - 40;
+        if (has_color(left, panel_width, 45, [](const float* c) { return c[1] > 0.6f && c[0] < 0.6f; })) return 'N';
+        return has_color(left, panel_width, 45, [](const float* c) { return is_red(c); }) ? 'F' : 'U';
+    }
+    static bool is_red(const float* c) { return c[0] > 0.7f && c[1] < 0.6f && c[2] < 0.5f; }
+    template <class Test>
+    bool has_color(int left, int right, int bottom, Test test) const {
+        const Image all = screen();
+        for (int y = 0; y < bottom; ++y)
+            for (int x = left; x < right; ++x)
+                if (test(all.pixel(x, y))) return true;
+        return false;
+    }
+    /// How often something stands in what the window wrote.
+    size_t count(const std::string& part) const {
+        const std::string text = window_->err();
+        size_t times = 0;
+        for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++times;
+        return times;
+    }
+    void drag() const {
+        for (const std::vector<std::string>& step : std::vector<std::vector<std::string>>{
+                 {"mousemove", "800", "300"}, {"mousedown", "1"}, {"mousemove", "900", "340"}, {"mouseup", "1"}}) {
+            std::vector<std::string> command = {"xdotool"};
+            command.insert(command.end(), step.begin(), step.end());
+            EXPECT_EQ(run(command, where_).code, 0);
+            std::this_thread::sleep_for(300ms);
+        }
+    }
+    /// Saves under the next free name.
+    Image saved_anew() {
+        int number = 1;
+        const auto name = [&] { return "20_test_wall-" + std::to_string(number) + ".png"; };
+        while (std::filesystem::exists(folder_.path() / name())) ++number;
+        return saved(name());
+    }
     void press(const char* key) const { EXPECT_EQ(run({"xdotool", "key", key}, where_).code, 0); }
     /// Presses and waits for the frame of that lab.
     void press_for(const char* key, const std::string& lab) {
@@ -120,17 +182,7 @@ protected:
 TEST_F(Window, ShowsThePictureThatItSaves) {
     open("20");
     const Image saved_picture = saved("20_test_wall-1.png");
-    size_t same = 0;
-    ASSERT_TRUE(eventually([&] {
-        const Image shown = screen();
-        same = 0;
-        for (int y = 0; y < saved_picture.height; ++y)
-            for (int x = 0; x < saved_picture.width; ++x)
-                same += std::equal(saved_picture.pixel(x, y), saved_picture.pixel(x, y) + 3,
-                                   shown.pixel(window_width - saved_picture.width + x, y));
-        return same == saved_picture.pixel_count();
-    })) << same
-        << " of " << saved_picture.pixel_count() << " pixels";
+    EXPECT_TRUE(eventually([&] { return shown(saved_picture); }));
 }
 
 TEST_F(Window, AKnobThatIsTurnedChangesThePicture) {
@@ -181,38 +233,137 @@ TEST_F(Window, StandsStillWhenNothingChanges) {
 TEST_F(Window, DraggingTurnsTheCameraAndCBringsItBack) {
     open("20");
     const Image before = saved("20_test_wall-1.png");
-    for (const std::vector<std::string>& step : std::vector<std::vector<std::string>>{
-             {"mousemove", "800", "300"}, {"mousedown", "1"}, {"mousemove", "900", "340"}, {"mouseup", "1"}}) {
-        std::vector<std::string> command = {"xdotool"};
-        command.insert(command.end(), step.begin(), step.end());
-        EXPECT_EQ(run(command, where_).code, 0);
-        std::this_thread::sleep_for(300ms);
-    }
+    drag();
     EXPECT_NE(saved("20_test_wall-2.png").values, before.values);
     press_for("c", "20_test_wall");
     EXPECT_EQ(saved("20_test_wall-3.png").values, before.values);
 }
 
-TEST_F(Window, ABrokenShaderIsShownAndMendedByR) {
-    const char* file = "shaders/20_test_wall/surface.frag";
-    const std::string good = read_all(course_.course.path() / file);
-    course_.course.overwrite(file, "#version 410 core\nnonsense\n");
+TEST_F(Window, AShaderThatIsSavedIsTakenAndTheCameraStays) {
     open("20");
-    EXPECT_TRUE(contains(window_->err(), std::string(file) + ":2: error:")) << window_->err();
+    drag();
+    const Image before = saved("20_test_wall-1.png");
+    EXPECT_EQ(letter(), 'U');
+    shader_.edit("vec3(0.55, 0.20", "vec3(0.05, 0.40");
+    EXPECT_TRUE(eventually([&] { return letter() == 'N'; })) << letter() << window_->err();
+    const Image after = saved("20_test_wall-2.png");
+    EXPECT_NE(after.values, before.values);
+    EXPECT_TRUE(eventually([&] { return shown(after); }));
+    shader_.restore();
+    EXPECT_TRUE(eventually([&] { return saved_anew().values == before.values; }))
+        << "the same camera, the same picture";
+}
+
+TEST_F(Window, AShaderThatDoesNotCompileLeavesTheLastGoodPictureAndSaysWhere) {
+    open("20");
+    const Image good = saved("20_test_wall-1.png");
+    shader_.overwrite("#version 410 core\nnonsense\n");
+    ASSERT_TRUE(eventually([&] { return letter() == 'F'; })) << window_->err();
+    EXPECT_TRUE(contains(window_->err(), std::string(shader_.file) + ":2: error:")) << window_->err();
+    EXPECT_TRUE(eventually([&] { return alarmed(); }));
+    EXPECT_TRUE(shown(good, good.height / 2)) << "the lower half";
+
+    shader_.restore();
+    EXPECT_TRUE(eventually([&] { return letter() == 'N' && shown(good); })) << window_->err();
+    EXPECT_FALSE(alarmed());
+}
+
+TEST_F(Window, AShaderThatIsGoneForAWhileOrReplacedByRenamingIsNoTrouble) {
+    open("20");
+    const Image good = saved("20_test_wall-1.png");
+    const auto file = course_.course.path() / shader_.file, away = folder_.path() / "away.frag";
+    std::filesystem::copy(file, away);
+    std::filesystem::remove(file);
+    EXPECT_TRUE(eventually([&] { return letter() == 'F'; })) << window_->err();
+    EXPECT_TRUE(shown(good, good.height / 2));
+    std::filesystem::rename(away, file);
+    EXPECT_TRUE(eventually([&] { return letter() == 'N' && shown(good); })) << window_->err();
     EXPECT_TRUE(window_->running());
-    // The message stands in the alarm's colour at the top of the picture's place.
-    EXPECT_TRUE(eventually([&] {
-        const Image shown = screen();
-        for (int y = 0; y < 100; ++y)
-            for (int x = 360; x < window_width; ++x) {
-                const float* const pixel = shown.pixel(x, y);
-                if (pixel[0] > 0.7f && pixel[1] < 0.6f && pixel[2] < 0.5f) return true;
-            }
-        return false;
-    }));
+}
+
+TEST_F(Window, AShaderThatIsBrokenFromTheStartIsShownAndTakenWhenItIsMended) {
+    shader_.overwrite("#version 410 core\nnonsense\n");
+    open("20");
+    EXPECT_TRUE(contains(window_->err(), std::string(shader_.file) + ":2: error:")) << window_->err();
+    EXPECT_TRUE(eventually([&] { return alarmed() && letter() == 'F'; }));
+    shader_.restore();
+    EXPECT_TRUE(eventually([&] { return letter() == 'N' && !alarmed(); })) << window_->err();
+    saved("20_test_wall-1.png");
+}
+
+TEST_F(Window, AManifestIsReadAgainByR) {
+    const char* file = "labs/20_test_wall/lab.toml";
+    const std::string good = read_all(course_.course.path() / file);
+    open("20");
+    course_.course.overwrite(file, "nonsense\n");
+    press("r");
+    EXPECT_TRUE(eventually([&] { return alarmed(); })) << window_->err();
     course_.course.overwrite(file, good);
     press_for("r", "20_test_wall");
     saved("20_test_wall-1.png");
+}
+
+TEST_F(Window, TheErrorMapSaysWhatShotErrorSays) {
+    open("20");
+    press("e");
+    const std::string size = std::to_string((window_width - panel_width) / 2) + "x800";
+    const Result shot =
+        run({course_.program("relief"), "shot", "20", "--error", "position", "--size", size, "-o", "e.png"},
+            {folder_.path(), {}});
+    ASSERT_EQ(shot.code, 0) << shot.err;
+    const std::string numbers = shot.out.substr(shot.out.find("mean"));
+    EXPECT_TRUE(eventually([&] { return contains(window_->err(), "error map: position, " + numbers); }))
+        << numbers << window_->err();
+    // All but the lowest part, where the numbers stand.
+    const Image map = read_image(folder_.path() / "e.png");
+    EXPECT_TRUE(eventually([&] { return shown(map, 0, map.height - 200); }));
+    const size_t maps = count("error map: ");
+    run({"xdotool", "mousemove", "700", "400"}, where_);
+    std::this_thread::sleep_for(1s);
+    EXPECT_EQ(count("error map: "), maps) << "nothing changed";
+    press("e");
+    EXPECT_TRUE(eventually([&] { return frames().size() >= 3; })) << "the picture takes its room back";
+}
+
+TEST_F(Window, TheErrorIsComputedWhenADragIsOver) {
+    open("20");
+    press("e");
+    ASSERT_TRUE(eventually([&] { return count("error map: ") == 1; })) << window_->err();
+    run({"xdotool", "mousemove", "500", "300"}, where_);
+    std::this_thread::sleep_for(200ms);
+    run({"xdotool", "mousedown", "1"}, where_);
+    for (int i = 0; i < 3; ++i) {
+        const size_t before = frames().size();
+        run({"xdotool", "mousemove", std::to_string(520 + 20 * i), "310"}, where_);
+        EXPECT_TRUE(eventually([&] { return frames().size() > before; }));
+        std::this_thread::sleep_for(600ms);  // longer than what counts as still
+    }
+    EXPECT_EQ(count("error map: "), 1u);
+    run({"xdotool", "mouseup", "1"}, where_);
+    EXPECT_TRUE(eventually([&] { return count("error map: ") == 2; })) << window_->err();
+}
+
+TEST_F(Window, TheHandoutOpensOverThePictureAndEscapeClosesIt) {
+    open("01");
+    const Image picture = saved("01_specular_highlights-1.png");
+    ASSERT_TRUE(eventually([&] { return shown(picture); }));
+    for (const char* close : {"F1", "Escape"}) {
+        press("F1");
+        EXPECT_TRUE(eventually([&] { return !shown(picture); }));
+        press(close);
+        EXPECT_TRUE(eventually([&] { return shown(picture); })) << close;
+    }
+    EXPECT_TRUE(window_->running());
+    // A lab without one says so and goes on.
+    const auto file = course_.course.path() / "labs/01_specular_highlights/README.md";
+    std::filesystem::rename(file, folder_.path() / "README.md");
+    press("F1");
+    EXPECT_TRUE(eventually([&] { return !shown(picture); }));
+    std::filesystem::rename(folder_.path() / "README.md", file);
+    press("Escape");
+    EXPECT_TRUE(eventually([&] { return shown(picture); }));
+    press("Escape");
+    EXPECT_TRUE(eventually([&] { return !window_->running(); }));
 }
 
 TEST_F(Window, EscapeEndsItWithExitCodeZero) {

@@ -1,0 +1,37 @@
+// The part of Markdown that handouts are written in, as blocks of styled text. Knows nothing of how they are shown.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace relief {
+
+/// A run of text in one style. A line break that was asked for is a '\n'.
+struct Span {
+    std::string text;  ///< of an image: what stands in for it
+    bool bold = false, italic = false, code = false, image = false;
+    std::string target = {};  ///< of a link or an image
+    bool operator==(const Span&) const = default;
+};
+using Spans = std::vector<Span>;
+
+enum class BlockKind { paragraph, heading, item, quote, code, table, rule };
+
+struct Block {
+    BlockKind kind = BlockKind::paragraph;
+    /// Of a heading 1 to 6; of anything else how deep it stands in lists, from 0; of an item how deep its list does.
+    int level = 0;
+    std::string marker = {};                    ///< of an item: "*", or its number as written, "2."
+    Spans spans = {};                           ///< of a paragraph, a heading, an item, a quote
+    std::string text = {};                      ///< of code: its lines
+    std::vector<std::vector<Spans>> rows = {};  ///< of a table, the heading first; all have as many cells
+    bool operator==(const Block&) const = default;
+};
+
+/// Headings by #, paragraphs, bullets and numbers (nested by indent), quotes, code between fences or by indent, tables
+/// with |, rules; in them bold, italics, code, links, images and backslashes. Like every Markdown it takes any text:
+/// what is not closed, or not known, stands as it was written.
+std::vector<Block> parse_markdown(std::string_view text);
+
+}  // namespace relief
