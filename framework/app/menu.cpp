@@ -93,7 +93,7 @@ private:
         bool dragged = false;
         for (int button = 0; button < 3; ++button)
             dragged |= glfwGetMouseButton(window_.handle(), button) == GLFW_PRESS;
-        if (error_map_.wanted() && !dragged && now - drawn_ >= still_for) {
+        if (error_map_.wanted() && !dragged && !moves() && now - drawn_ >= still_for) {
             error_map_.compute(stage_);
             news = true;
         }
@@ -102,6 +102,7 @@ private:
 
     void open(const LabEntry& entry) {
         stage_.open(entry);
+        error_map_.forget();
         if (handout_.is_open()) handout_.open(entry);
         begin_ = glfwGetTime(), time_ = 0;
         message_.clear();

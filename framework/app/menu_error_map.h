@@ -15,7 +15,10 @@ class Stage;
 class ErrorMap {
 public:
     bool on() const { return on_; }
-    void toggle() { on_ = !on_; }
+    void toggle() {
+        on_ = !on_;
+        forget();
+    }
 
     /// The picture changed: the map is of another one.
     void forget();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "framework/app/menu_style.h"
 #include "framework/base/error.h"
@@ -53,7 +54,7 @@ public:
                     if (text[end] == '\n')
                         x_ = 0, y_ += line_;
                     else if (x_ > 0)
-                        x_ += gap();
+                        x_ += gap(look);
                 }
                 begin = end + 1;
             }
@@ -69,7 +70,7 @@ private:
         Look look;
         bool goes_on;  ///< in the box of the word before
     };
-    float gap() const { return font(base_)->FontSize * 0.3f; }
+    static float gap(const Look& look) { return look.face->FontSize * (look.boxed ? 0.6f : 0.36f); }
     static float width_of(const Piece& piece) {
         const char* const text = piece.text.c_str();
         return piece.look.face->CalcTextSizeA(piece.look.face->FontSize, FLT_MAX, 0, text, text + piece.text.size()).x;
@@ -104,8 +105,10 @@ private:
             ImDrawList& list = *ImGui::GetWindowDrawList();
             const ImVec2 at{std::floor(corner_.x + x_), std::floor(corner_.y + y_ + (line_ - size) / 2)};
             if (piece.look.boxed && !piece.text.empty()) {
-                const float before = piece.goes_on && x_ > 0 ? gap() : 2;
-                list.AddRectFilled({at.x - before, at.y - 1}, {at.x + width + 2, at.y + size + 1}, code_back, 3);
+                const bool goes_on = piece.goes_on && x_ > 0;
+                list.AddRectFilled({at.x - (goes_on ? gap(piece.look) : 2), at.y - 1},
+                                   {at.x + width + 2, at.y + size + 1}, code_back, 3,
+                                   goes_on ? ImDrawFlags_RoundCornersRight : ImDrawFlags_RoundCornersAll);
             }
             list.AddText(piece.look.face, size, at, piece.look.color, piece.text.c_str(),
                          piece.text.c_str() + piece.text.size());
@@ -184,6 +187,8 @@ bool Handout::look() {
 }
 
 void Handout::draw(int left, float scale) {
+    // Not in the frame of the press, which still has the pictures in its lists.
+    if (std::exchange(closing_, false)) close();
     if (!open_) return;
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float room = all.x - float(left), margin = std::min(20 * scale, room / 20);
@@ -202,14 +207,13 @@ void Handout::draw(int left, float scale) {
     if (!problem_.empty()) set_spans({{.text = problem_}}, width);
     for (const Block& block : blocks_) draw_block(block, width);
     ImGui::Dummy({0, 6});
-    const bool closed = ImGui::Button("Close (F1)");
+    closing_ = ImGui::Button("Close (F1)");
     ImGui::End();
-    if (closed) close();
 }
 
 void Handout::draw_block(const Block& block, float width) {
     const float em = font(FontRole::text)->FontSize;
-    const float indent = std::min(float(block.level) * 1.6f * em, width / 2);
+    const float indent = std::min(float(block.level) * 2 * em, width / 2);
     const auto space = [](float height) { ImGui::Dummy({0, height}); };
     switch (block.kind) {
         case BlockKind::heading:
@@ -227,9 +231,12 @@ void Handout::draw_block(const Block& block, float width) {
         case BlockKind::item: {
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const std::string marker = block.marker == "*" ? "\u2022" : block.marker;
-            Setter number({at.x + indent + em * 0.2f, at.y}, width, FontRole::text, true);
+            Setter size({}, width, FontRole::text, false);
+            size.set({{.text = marker}});
+            Setter number({at.x + indent + std::max(0.0f, 1.6f * em - size.widest()), at.y}, width, FontRole::text,
+                          true);
             number.set({{.text = marker}});
-            set_spans(block.spans, width, FontRole::text, indent + 1.6f * em);
+            set_spans(block.spans, width, FontRole::text, indent + 2 * em);
             break;
         }
         case BlockKind::quote: {

@@ -30,7 +30,7 @@ private:
     void draw_table(const Block& block, float width) const;
     void draw_picture(const Span& image, float width);
 
-    bool open_ = false, to_top_ = false;
+    bool open_ = false, closing_ = false, to_top_ = false;
     float scroll_ = 0;
     std::filesystem::path file_;
     std::string text_, problem_;

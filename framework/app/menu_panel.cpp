@@ -193,7 +193,7 @@ void draw_error(const Stage& stage, int panel_width) {
     ImGui::PushStyleColor(ImGuiCol_Text, alarm);
     wrapped(error->what());
     ImGui::PopStyleColor();
-    if (!error->details().empty()) wrapped(error->details());
+    if (error->details() != std::string(error->what()) + "\n") wrapped(error->details());  // a log of one line
     quiet_text(stage.lab() ? "A shader that is mended and saved is taken at once; after anything else press R."
                            : "Mend it, then press R.");
     ImGui::End();

@@ -268,6 +268,21 @@ TEST_F(Window, AShaderThatDoesNotCompileLeavesTheLastGoodPictureAndSaysWhere) {
     EXPECT_FALSE(alarmed());
 }
 
+TEST_F(Window, AShaderWithoutAUniformThatTheLabSetsLeavesTheLastGoodPictureToo) {
+    open("20");
+    const Image good = saved("20_test_wall-1.png");
+    std::string text = shader_.good;
+    for (size_t at = text.find("u_light"); at != std::string::npos; at = text.find("u_light", at + 1))
+        text.replace(at, 7, "u_lamp");
+    shader_.overwrite(text);
+    ASSERT_TRUE(eventually([&] { return letter() == 'F'; })) << window_->err();
+    EXPECT_TRUE(contains(window_->err(), "'u_light'")) << window_->err();
+    EXPECT_TRUE(eventually([&] { return alarmed(); }));
+    EXPECT_TRUE(shown(good, good.height / 2));
+    shader_.restore();
+    EXPECT_TRUE(eventually([&] { return letter() == 'N' && shown(good); })) << window_->err();
+}
+
 TEST_F(Window, AShaderThatIsGoneForAWhileOrReplacedByRenamingIsNoTrouble) {
     open("20");
     const Image good = saved("20_test_wall-1.png");
