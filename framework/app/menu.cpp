@@ -60,14 +60,15 @@ public:
     int run() {
         GLFWwindow* const window = window_.handle();
         while (!glfwWindowShouldClose(window)) {
-            // Asleep until something happens; an event wants a second turn, in which Dear ImGui shows what it did. The
-            // sleep is broken to look at files, and nothing is drawn when they are as they were.
+            // Asleep until something happens. An event wants a second turn, in which Dear ImGui shows what it did, and
+            // a third when that was to open a window, which is measured before it is shown. The sleep is broken to look
+            // at files, and nothing is drawn when they are as they were.
             if (moves() || turns_ > 0)
                 glfwPollEvents();
             else
                 glfwWaitEventsTimeout(look_every);
-            if (window_.take_event()) turns_ = 3;
-            if (look()) turns_ = std::max(turns_, 2);
+            const bool news = look();
+            if (window_.take_event() || news) turns_ = 3;
             if (!moves() && turns_ == 0) continue;
             turns_ = std::max(0, turns_ - 1);
             turn();
