@@ -16,6 +16,7 @@
 #include "framework/lab/labels.h"
 #include "framework/lab/tiles.h"
 #include "heights.h"
+#include "map.h"
 #include "truth.h"
 
 namespace relief {
@@ -108,29 +109,6 @@ private:
         return with_level_strengths(image, {fine_, middle_, coarse_}, wrap_, 0);
     }
 
-    /// A texture that a fragment shader fills, a fragment a texel.
-    struct Map {
-        Map(int side, GLenum format) : size(side) {
-            glActiveTexture(GL_TEXTURE0);
-            glBindTexture(GL_TEXTURE_2D, texture);
-            glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), size, size, 0, GL_RGBA, GL_FLOAT, nullptr);
-            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-            glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-        }
-        void fill(const GpuMesh& nothing) const {
-            glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-            glViewport(0, 0, size, size);
-            glBindVertexArray(nothing.layout());
-            glDrawArrays(GL_TRIANGLES, 0, 3);
-        }
-        int size;
-        TextureName texture;
-        FramebufferName framebuffer;
-        ErrorSummary error = {};
-    };
-
     static Texture table(Image image) {
         return Texture("table", [image = std::move(image)] { return image; }, {.wrap = Wrap::clamp, .mips = false});
     }
@@ -153,7 +131,6 @@ private:
     void make_heights() {
         if (heights_) return;
         heights_.emplace(size(), GLenum(GL_R32F));
-        glBindTexture(GL_TEXTURE_2D, heights_->texture);
         if (source_ == colors) {
             const Program& convert = heights_program_.with();
             glUseProgram(convert);
@@ -162,22 +139,18 @@ private:
             heights_->fill(nothing_);
             return;
         }
-        Image image = stored_heights();
-        std::vector<float> upwards;
-        for (int y = image.height; y-- > 0;)
-            upwards.insert(upwards.end(), image.pixel(0, y), image.pixel(0, y) + image.width);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, image.width, image.height, 0, GL_RED, GL_FLOAT, upwards.data());
+        heights_->fill(stored_heights());
     }
 
     void make_normals(int filter) {
         const auto [found, is_new] = maps_.try_emplace(filter, size(), GLenum(GL_RGBA32F));
         if (!is_new) return;
-        Map& map = found->second;
+        heights::Map& map = found->second;
         const auto option = SlopeFilter(filter);
         if (where_ == 1) {
             const Image normals = heights::normals_by_cpu(
-                read(*heights_, 1), {.texels_u = texels().x, .texels_v = texels().y, .filter = option, .wrap = wrap_});
-            overwrite(map, normals);
+                heights_->read(1), {.texels_u = texels().x, .texels_v = texels().y, .filter = option, .wrap = wrap_});
+            map.fill(normals);
         } else {
             const Program& convert = normals_program(filter);
             glUseProgram(convert);
@@ -190,37 +163,14 @@ private:
             convert.set("s_differences_v", 1, differences);
             glUniform1i(glGetUniformLocation(convert, "s_heights"), 0);
             glActiveTexture(GL_TEXTURE0);
-            glBindTexture(GL_TEXTURE_2D, heights_->texture);
+            glBindTexture(GL_TEXTURE_2D, *heights_);
             map.fill(nothing_);
         }
         const Image exact = has_known_slope() ? heights::exact_normals(size(), texels()) : Image();
-        if (!exact.values.empty()) map.error = summarize(error_image(read(map, 3), exact, ErrorMetric::angle));
+        if (!exact.values.empty()) map.error = summarize(error_image(map.read(3), exact, ErrorMetric::angle));
     }
 
-    static Image read(const Map& map, int channels) {
-        std::vector<float> upwards(size_t(map.size) * map.size * channels);
-        glBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
-        glReadPixels(0, 0, map.size, map.size, channels == 1 ? GL_RED : GL_RGB, GL_FLOAT, upwards.data());
-        Image image(map.size, map.size, channels);
-        const size_t row = size_t(map.size) * channels;
-        for (int y = 0; y < map.size; ++y)
-            std::copy_n(upwards.data() + row * (map.size - 1 - y), row, image.pixel(0, y));
-        return image;
-    }
-
-    static void overwrite(const Map& map, const Image& normals) {
-        std::vector<float> upwards;
-        for (int y = normals.height; y-- > 0;)
-            for (int x = 0; x < normals.width; ++x) {
-                const float* const n = normals.pixel(x, y);
-                upwards.insert(upwards.end(), {n[0], n[1], n[2], 1});
-            }
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, map.texture);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, map.size, map.size, 0, GL_RGBA, GL_FLOAT, upwards.data());
-    }
-
-    void draw_wall(const Frame& frame, const Tile& tile, const Map& map) {
+    void draw_wall(const Frame& frame, const Tile& tile, const heights::Map& map) {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         const bool show_error = show_ != 1 && map.error.count > 0 && !frame.probe;
         const Program& surface = wall_program_.with({frame.probe, show_error ? "ERROR" : ""});
@@ -239,9 +189,9 @@ private:
         glUniform1i(glGetUniformLocation(surface, "s_normals"), 0);
         glUniform1i(glGetUniformLocation(surface, "s_heights"), 1);
         glActiveTexture(GL_TEXTURE1);
-        glBindTexture(GL_TEXTURE_2D, heights_->texture);
+        glBindTexture(GL_TEXTURE_2D, *heights_);
         glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, map.texture);
+        glBindTexture(GL_TEXTURE_2D, map);
         glBindVertexArray(quad_.layout());
         glDrawElements(GL_TRIANGLES, quad_.count(), GL_UNSIGNED_INT, nullptr);
     }
@@ -262,8 +212,8 @@ private:
     GpuMesh quad_ = upload([] { return make_quad({.width = 2, .height = 2}); });
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
-    std::optional<Map> heights_;
-    std::map<int, Map> maps_;  ///< by filter
+    std::optional<heights::Map> heights_;
+    std::map<int, heights::Map> maps_;  ///< by filter
     std::optional<Texture> truth_;
     std::vector<GLuint> makers_;
 

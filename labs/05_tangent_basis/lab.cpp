@@ -10,8 +10,8 @@
 #include "framework/lab/labels.h"
 #include "framework/lab/tiles.h"
 #include "shapes.h"
-#include "task.h"
 #include "truth.h"
+#include "vertex_tangents.h"
 
 namespace relief {
 
@@ -72,86 +72,19 @@ private:
     }
     int method_of(size_t tile) const { return view_ == 1 ? method_ : side_by_side[tile]; }
 
-    static basis::Triangle triangle_of(const Mesh& mesh, size_t first) {
-        basis::Triangle triangle;
-        for (size_t i = 0; i < 3; ++i) {
-            const Vertex& vertex = mesh.vertices[mesh.indices[first + i]];
-            triangle.position[i] = vertex.position, triangle.uv[i] = vertex.uv;
-        }
-        return triangle;
-    }
-
-    /// Every corner a vertex of its own, with the frame of its triangle.
-    static Mesh with_faces(const Mesh& mesh) {
-        Mesh result;
-        for (size_t first = 0; first < mesh.indices.size(); first += 3) {
-            const basis::Triangle triangle = triangle_of(mesh, first);
-            const basis::FaceBasis face = basis::solve(triangle);
-            const glm::dvec3 up =
-                glm::cross(triangle.position[1] - triangle.position[0], triangle.position[2] - triangle.position[0]);
-            for (size_t i = 0; i < 3; ++i) {
-                Vertex vertex = mesh.vertices[mesh.indices[first + i]];
-                if (glm::length(up) > 0) vertex.normal = glm::normalize(up);
-                vertex.tangent = basis::vertex_tangent(face.tangent, vertex.normal, face.handedness);
-                result.indices.push_back(uint32_t(result.vertices.size()));
-                result.vertices.push_back(vertex);
-            }
-        }
-        return result;
-    }
-
-    /// The weighted mean at each vertex, of mirrored triangles and of the others apart: together they would cancel out.
-    static Mesh with_means(const Mesh& mesh, basis::Weight weight) {
-        struct Sums {
-            glm::dvec3 sum[2] = {};
-            int triangles[2] = {};
-        };
-        std::vector<Sums> sums(mesh.vertices.size());
-        std::vector<int> sides(mesh.indices.size() / 3);
-        for (size_t first = 0; first < mesh.indices.size(); first += 3) {
-            const basis::Triangle triangle = triangle_of(mesh, first);
-            const basis::FaceBasis face = basis::solve(triangle);
-            const int side = sides[first / 3] = face.handedness < 0;
-            for (int i = 0; i < 3; ++i) {
-                Sums& vertex = sums[mesh.indices[first + size_t(i)]];
-                vertex.sum[side] += basis::corner_weight(weight, triangle, i) * face.tangent;
-                ++vertex.triangles[side];
-            }
-        }
-        Mesh result = mesh;
-        std::vector<uint32_t> mirrored(mesh.vertices.size());  // the vertex for the mirrored triangles
-        for (uint32_t i = 0; i < mesh.vertices.size(); ++i) {
-            mirrored[i] = i;
-            for (const int side : {0, 1}) {
-                if (sums[i].triangles[side] == 0) continue;
-                Vertex vertex = mesh.vertices[i];
-                vertex.tangent = basis::vertex_tangent(sums[i].sum[side], vertex.normal, side == 1 ? -1 : 1);
-                if (side == 1 && sums[i].triangles[0] > 0) {
-                    mirrored[i] = uint32_t(result.vertices.size());
-                    result.vertices.push_back(vertex);
-                } else {
-                    result.vertices[i] = vertex;
-                }
-            }
-        }
-        for (size_t i = 0; i < result.indices.size(); ++i)
-            if (sides[i / 3] == 1) result.indices[i] = mirrored[result.indices[i]];
-        return result;
-    }
-
     Mesh make(int method) const {
         Mesh mesh = coarse().mesh;
         if (collapsed_)
             for (Vertex& vertex : mesh.vertices) vertex.uv.x = 0;
         switch (method) {
             case per_face:
-                return with_faces(mesh);
+                return basis::with_faces(mesh);
             case uniform:
-                return with_means(mesh, basis::Weight::uniform);
+                return basis::with_means(mesh, basis::Weight::uniform);
             case area:
-                return with_means(mesh, basis::Weight::area);
+                return basis::with_means(mesh, basis::Weight::area);
             case angle:
-                return with_means(mesh, basis::Weight::angle);
+                return basis::with_means(mesh, basis::Weight::angle);
             case mikktspace:
                 return basis::with_mikktspace(mesh);
             default:

@@ -1,0 +1,159 @@
+// A table of a TOML file, read key by key: a mistake is named with its line, and so is a key that nobody has asked for.
+#pragma once
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/base/error.h"
+#include "framework/base/text.h"
+
+namespace relief {
+
+class Table {
+public:
+    Table(const std::filesystem::path& file, const toml::table& table, std::string what)
+        : file_(file), table_(table), what_(std::move(what)) {}
+
+    std::string text(const char* key) { return value<std::string>(need(key), key, "a text in quotes"); }
+
+    void read(const char* key, std::string& result) {
+        if (const toml::node* node = find(key)) result = value<std::string>(*node, key, "a text in quotes");
+    }
+    void read(const char* key, bool& result) {
+        if (const toml::node* node = find(key)) result = value<bool>(*node, key, "true or false");
+    }
+    void read(const char* key, double& result, double low, double high) {
+        if (const toml::node* node = find(key)) result = number(*node, key, low, high);
+    }
+    void read(const char* key, int& result, int low, int high) {
+        const toml::node* node = find(key);
+        if (!node) return;
+        const auto whole = node->value_exact<int64_t>();
+        if (!whole || *whole < low || *whole > high)
+            fail(*node, fmt::format("'{}' must be a whole number from {} to {}", key, low, high));
+        result = int(*whole);
+    }
+    void read(const char* key, std::vector<std::string>& result) {
+        const toml::node* node = find(key);
+        if (!node) return;
+        const toml::array* array = node->as_array();
+        if (!array) fail(*node, fmt::format("'{}' must be a list of texts", key));
+        for (const toml::node& element : *array) result.push_back(value<std::string>(element, key, "a list of texts"));
+    }
+    /// A list of `count` numbers; false when the key is not there.
+    template <int count>
+    bool read(const char* key, std::array<double, count>& result, double low, double high) {
+        const toml::node* node = find(key);
+        if (!node) return false;
+        const toml::array* array = node->as_array();
+        if (!array || array->size() != count) fail(*node, fmt::format("'{}' must be {} numbers", key, count));
+        for (int i = 0; i < count; ++i) result[i] = number((*array)[size_t(i)], key, low, high);
+        return true;
+    }
+
+    std::optional<Table> table(const char* key) {
+        const toml::node* node = find(key);
+        if (!node) return {};
+        if (!node->as_table()) fail(*node, fmt::format("'{}' must be a table, {{ key = value }}", key));
+        return Table(file_, *node->as_table(), fmt::format("{}.{}", what_, key));
+    }
+    /// Each [[key]] in order.
+    std::vector<Table> tables(const char* key) {
+        std::vector<Table> result;
+        const toml::node* node = find(key);
+        if (!node) return result;
+        const toml::array* array = node->as_array();
+        if (!array || !array->is_array_of_tables()) fail(*node, fmt::format("write each {0} as [[{0}]]", key));
+        for (const toml::node& element : *array)
+            result.emplace_back(file_, *element.as_table(), fmt::format("[[{}]]", key));
+        return result;
+    }
+
+    /// Each { ... } of a list, in order.
+    std::vector<Table> inline_tables(const char* key) {
+        std::vector<Table> result;
+        const toml::node* node = find(key);
+        if (!node) return result;
+        const toml::array* array = node->as_array();
+        if (!array) fail(*node, fmt::format("'{}' must be a list of {{ key = value }}", key));
+        for (const toml::node& element : *array) {
+            if (!element.as_table()) fail(element, fmt::format("'{}' must be a list of {{ key = value }}", key));
+            result.emplace_back(file_, *element.as_table(), fmt::format("{}.{}", what_, key));
+        }
+        return result;
+    }
+
+    /// All keys with their values as text, for the knobs of a shot.
+    std::vector<std::pair<std::string, std::string>> all_as_text() {
+        std::vector<std::pair<std::string, std::string>> result;
+        for (const auto& [key, node] : table_) {
+            read_.emplace_back(key.str());
+            std::string text;
+            if (const auto string = node.value_exact<std::string>())
+                text = *string;
+            else if (const auto flag = node.value_exact<bool>())
+                text = *flag ? "on" : "off";
+            else
+                text = fmt::format("{}", number(node, read_.back().c_str(), std::numeric_limits<double>::lowest(),
+                                                std::numeric_limits<double>::max()));
+            result.emplace_back(key.str(), text);
+        }
+        return result;
+    }
+
+    /// Call last: throws for a key that nothing has asked for.
+    void finish() const {
+        for (const auto& [key, node] : table_)
+            if (std::find(read_.begin(), read_.end(), key.str()) == read_.end())
+                throw Error({file_, int(key.source().begin.line)}, unknown("key of " + what_ + ",", key.str(), read_));
+    }
+
+    [[noreturn]] void fail(const std::string& message) const { fail(table_, message); }
+    /// At the value of a key, or at the table when it is not there.
+    [[noreturn]] void fail(const char* key, const std::string& message) const {
+        const toml::node* const node = table_.get(key);
+        fail(node ? *node : table_, message);
+    }
+    [[noreturn]] void fail(const toml::node& node, const std::string& message) const {
+        throw Error({file_, int(node.source().begin.line)}, message);
+    }
+
+private:
+    const toml::node* find(const char* key) {
+        read_.emplace_back(key);
+        return table_.get(key);
+    }
+    const toml::node& need(const char* key) {
+        const toml::node* node = find(key);
+        if (!node) fail(table_, fmt::format("{} must have a '{}'", what_, key));
+        return *node;
+    }
+    template <class Type>
+    Type value(const toml::node& node, const char* key, const char* wanted) const {
+        auto result = node.value_exact<Type>();
+        if (!result) fail(node, fmt::format("'{}' must be {}", key, wanted));
+        return *std::move(result);
+    }
+    double number(const toml::node& node, const char* key, double low, double high) const {
+        const auto result = node.is_number() ? node.value<double>() : std::nullopt;
+        if (!result) fail(node, fmt::format("'{}' must be a number", key));
+        if (!(*result >= low && *result <= high))
+            fail(node, fmt::format("'{}' must be from {} to {}", key, plain(low), plain(high)));
+        return *result;
+    }
+
+    const std::filesystem::path& file_;
+    const toml::table& table_;
+    std::string what_;
+    std::vector<std::string> read_;
+};
+
+}  // namespace relief

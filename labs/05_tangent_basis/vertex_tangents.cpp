@@ -1,0 +1,73 @@
+#include "vertex_tangents.h"
+
+namespace relief::basis {
+namespace {
+
+Triangle triangle_of(const Mesh& mesh, size_t first) {
+    Triangle triangle;
+    for (size_t i = 0; i < 3; ++i) {
+        const Vertex& vertex = mesh.vertices[mesh.indices[first + i]];
+        triangle.position[i] = vertex.position, triangle.uv[i] = vertex.uv;
+    }
+    return triangle;
+}
+
+}  // namespace
+
+Mesh with_faces(const Mesh& mesh) {
+    Mesh result;
+    for (size_t first = 0; first < mesh.indices.size(); first += 3) {
+        const Triangle triangle = triangle_of(mesh, first);
+        const FaceBasis face = solve(triangle);
+        const glm::dvec3 up =
+            glm::cross(triangle.position[1] - triangle.position[0], triangle.position[2] - triangle.position[0]);
+        for (size_t i = 0; i < 3; ++i) {
+            Vertex vertex = mesh.vertices[mesh.indices[first + i]];
+            if (glm::length(up) > 0) vertex.normal = glm::normalize(up);
+            vertex.tangent = vertex_tangent(face.tangent, vertex.normal, face.handedness);
+            result.indices.push_back(uint32_t(result.vertices.size()));
+            result.vertices.push_back(vertex);
+        }
+    }
+    return result;
+}
+
+Mesh with_means(const Mesh& mesh, Weight weight) {
+    struct Sums {
+        glm::dvec3 sum[2] = {};
+        int triangles[2] = {};
+    };
+    std::vector<Sums> sums(mesh.vertices.size());
+    std::vector<int> sides(mesh.indices.size() / 3);
+    for (size_t first = 0; first < mesh.indices.size(); first += 3) {
+        const Triangle triangle = triangle_of(mesh, first);
+        const FaceBasis face = solve(triangle);
+        const int side = sides[first / 3] = face.handedness < 0;
+        for (int i = 0; i < 3; ++i) {
+            Sums& vertex = sums[mesh.indices[first + size_t(i)]];
+            vertex.sum[side] += corner_weight(weight, triangle, i) * face.tangent;
+            ++vertex.triangles[side];
+        }
+    }
+    Mesh result = mesh;
+    std::vector<uint32_t> mirrored(mesh.vertices.size());  // the vertex for the mirrored triangles
+    for (uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+        mirrored[i] = i;
+        for (const int side : {0, 1}) {
+            if (sums[i].triangles[side] == 0) continue;
+            Vertex vertex = mesh.vertices[i];
+            vertex.tangent = vertex_tangent(sums[i].sum[side], vertex.normal, side == 1 ? -1 : 1);
+            if (side == 1 && sums[i].triangles[0] > 0) {
+                mirrored[i] = uint32_t(result.vertices.size());
+                result.vertices.push_back(vertex);
+            } else {
+                result.vertices[i] = vertex;
+            }
+        }
+    }
+    for (size_t i = 0; i < result.indices.size(); ++i)
+        if (sides[i / 3] == 1) result.indices[i] = mirrored[result.indices[i]];
+    return result;
+}
+
+}  // namespace relief::basis
