@@ -91,19 +91,24 @@ std::string bench_table(const BenchTopic& topic, std::span<const BenchMethod> me
                         std::span<const BenchTimes> times) {
     size_t name = 6, knobs = 5;
     std::string item = "item", unit = "unit";
+    double longest = 0;
+    for (const BenchTimes& time : times) longest = std::max(longest, time.median);
+    const bool in_milliseconds = longest >= 1e6;  // one unit for a whole table
+    const double scale = in_milliseconds ? 1e-6 : 1;
     for (const BenchMethod& method : methods) {
         name = std::max(name, method.name.size()), knobs = std::max(knobs, knob_text(method).size());
         item = method.item;
         if (!method.error.unit.empty()) unit = method.error.unit;
     }
-    std::string text = fmt::format("{}: {}\n{:<{}}  {:<{}}  {:>11} {:>9} {:>9} {:>7}  {:>10} {:>10} {:>10}\n",
-                                   topic.name, topic.help, "method", name, "knobs", knobs, "ns/" + item, "p10", "p90",
-                                   "GB/s", "mean " + unit, "p99", "largest");
+    std::string text =
+        fmt::format("{}: {}\n{:<{}}  {:<{}}  {:>11} {:>9} {:>9} {:>7}  {:>10} {:>10} {:>10}\n", topic.name, topic.help,
+                    "method", name, "knobs", knobs, (in_milliseconds ? "ms/" : "ns/") + item, "p10", "p90", "GB/s",
+                    "mean " + unit, "p99", "largest");
     for (size_t i = 0; i < methods.size(); ++i) {
         const BenchError& error = methods[i].error;
         text += fmt::format("{:<{}}  {:<{}}  {:>11.4g} {:>9.4g} {:>9.4g} {:>7}", methods[i].name, name,
-                            knob_text(methods[i]), knobs, times[i].median, times[i].p10, times[i].p90,
-                            rate(methods[i], times[i]));
+                            knob_text(methods[i]), knobs, scale * times[i].median, scale * times[i].p10,
+                            scale * times[i].p90, rate(methods[i], times[i]));
         if (!error.unit.empty())
             text += fmt::format("  {:>10.4g} {:>10.4g} {:>10.4g}", error.mean, error.p99, error.largest);
         text += '\n';
