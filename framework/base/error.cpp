@@ -27,8 +27,8 @@ Error::Error(const std::string& message) : std::runtime_error(one_line(message))
 Error::Error(const Place& place, const std::string& message, std::string details)
     : std::runtime_error(with_place(place, message)), place_(place), details_(std::move(details)) {}
 
-void unfinished(const std::string& task, const std::source_location& where) {
-    throw Error({where.file_name(), int(where.line())}, "task " + task + " is not written yet");
+void unfinished(const std::string& task, const char* file, int line) {
+    throw Error({file, line}, "task " + task + " is not written yet");
 }
 
 }  // namespace relief

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <source_location>
 #include <stdexcept>
 #include <string>
 
@@ -37,8 +36,8 @@ public:
 };
 
 /// What a student's function does before it is written: throws Error that names the task, and the file and line of the
-/// call. In a shader, common/unfinished.glsl has its like.
-[[noreturn]] void unfinished(const std::string& task,
-                             const std::source_location& where = std::source_location::current());
+/// call (std::source_location is not in every clang that is still about). In a shader, common/unfinished.glsl has its
+/// like.
+[[noreturn]] void unfinished(const std::string& task, const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
 }  // namespace relief
