@@ -50,10 +50,14 @@ std::vector<std::string> includes_of(const std::string& text) {
 
 class Handout {
 public:
-    explicit Handout(fs::path folder) : folder_(std::move(folder)) {
+    explicit Handout(fs::path folder) : whole_(std::move(folder)) {
         std::error_code ignored;
-        if (fs::exists(folder_) && !fs::is_empty(folder_, ignored))
-            throw Error({folder_}, "is there already and not empty: a handout wants a folder of its own");
+        if (fs::exists(whole_) && (!fs::is_directory(whole_) || !fs::is_empty(whole_, ignored)))
+            throw Error({whole_}, "is there already and not empty: a handout wants a folder of its own");
+        // Beside it until it is whole: half a course must never be taken for one.
+        if (!whole_.has_filename()) whole_ = whole_.parent_path();
+        folder_ = fs::path(whole_) += ".part";
+        fs::remove_all(folder_, ignored);
     }
 
     HandoutReport write() {
@@ -67,6 +71,9 @@ public:
         put("README.md", read_file(course_root() / readme));
         take_common_shaders();
         write_expected();
+        std::error_code failure;
+        fs::rename(folder_, whole_, failure);
+        if (failure) throw Error({whole_}, "cannot put the handout here: " + failure.message());
         return report;
     }
 
@@ -146,7 +153,7 @@ private:
         }
     }
 
-    fs::path folder_;
+    fs::path whole_, folder_;
     std::map<std::string, std::string> kept_back_;  ///< path to lab
     std::map<fs::path, fs::path> includes_;         ///< a file, and one that includes it
 };

@@ -90,6 +90,13 @@ TEST_F(StudentsCourse, IsNeverWrittenOverWhatIsThere) {
     const Result again = run({relief_program(), "handout", "-o", course().string()});
     EXPECT_EQ(again.code, 1);
     EXPECT_TRUE(contains(again.err, "is there already and not empty")) << again.err;
+    EXPECT_FALSE(fs::exists(course().string() + ".part")) << "what was not whole yet";
+    const Result file = run({relief_program(), "handout", "-o", (course() / "README.md").string()});
+    EXPECT_EQ(file.code, 1);
+    EXPECT_TRUE(contains(file.err, "README.md: is there already")) << file.err;
+    const Result readonly = run({relief_program(), "handout", "-o", "/proc/handout"});
+    EXPECT_EQ(readonly.code, 1);
+    EXPECT_TRUE(contains(readonly.err, "/proc/handout.part: cannot make this folder")) << readonly.err;
     const Result nowhere = run({relief_program(), "handout"});
     EXPECT_EQ(nowhere.code, 2);
     EXPECT_TRUE(contains(nowhere.err, "-o FOLDER")) << nowhere.err;
