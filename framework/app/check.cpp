@@ -25,13 +25,19 @@ std::string colored(Outcome outcome, const std::string& word) {
                        word);
 }
 
+/// What does not draw has not been measured: then the check's own advice would mislead.
+std::string look_at(const CheckResult& result) {
+    return result.outcome == Outcome::broken ? "what the message names; nothing is measured until the lab draws"
+                                             : result.check->look_at;
+}
+
 void print(const CheckResult& result) {
     fmt::print("  {}  {}: {}\n", colored(result.outcome, fmt::format("{:<10}", name_of(result.outcome))),
                result.check->name, result.found);
     if (result.outcome == Outcome::passed || result.outcome == Outcome::unfinished) return;
     if (result.outcome == Outcome::wrong && !result.check->reason.empty())
         fmt::print("              allowed: {}\n", result.check->reason);
-    fmt::print("              look at: {}\n", result.check->look_at);
+    fmt::print("              look at: {}\n", look_at(result));
 }
 
 nlohmann::ordered_json as_json(const TaskResult& task) {
@@ -40,7 +46,7 @@ nlohmann::ordered_json as_json(const TaskResult& task) {
         checks.push_back({{"name", result.check->name},
                           {"outcome", name_of(result.outcome)},
                           {"found", result.found},
-                          {"look_at", result.check->look_at}});
+                          {"look_at", look_at(result)}});
     return {{"id", task.task->id},     {"title", task.task->title}, {"file", task.task->file},
             {"points", task.points()}, {"of", task.task->points},   {"checks", checks}};
 }

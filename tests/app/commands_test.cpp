@@ -274,7 +274,8 @@ TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
     course().edit(file, "code / 255.0", "cde / 255.0");
     const Result broken = course().relief({"check", "2"});
     EXPECT_EQ(broken.code, 1);
-    EXPECT_TRUE(contains(broken.out, "broken ") && contains(broken.out, "task.glsl:") && contains(broken.out, "cde"))
+    EXPECT_TRUE(contains(broken.out, "broken ") && contains(broken.out, "task.glsl:") && contains(broken.out, "cde") &&
+                contains(broken.out, "nothing is measured until the lab draws"))
         << broken.out;
     course().overwrite(file, "");
     EXPECT_EQ(course().relief({"check", "2"}).code, 1) << "an emptied file is a failed check, and no crash";

@@ -65,6 +65,23 @@ TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeAndNoHiddenCheck) {
     delete texts_;
 }
 
+TEST_F(StudentsCourse, BeginsWithAReadmeOfItsOwn) {
+    const std::string readme = read_file(course() / "README.md");
+    EXPECT_TRUE(readme.starts_with("# Relief: your labs\n\nSurface detail")) << readme.substr(0, 80);
+    for (const char* command : {"\n./relief list ", "\n./relief run 01 ", "\n./relief check 01 "})
+        EXPECT_TRUE(contains(readme, command)) << command;
+    for (const std::string& lab : *labs_) {  // and each lab with its handout, whose pictures came along
+        const std::string handout = read_file(course() / "labs" / lab / "README.md");
+        size_t pictures = 0;
+        for (size_t at = handout.find("](../../"); at != std::string::npos;
+             at = handout.find("](../../", at + 1), ++pictures) {
+            const std::string path = handout.substr(at + 8, handout.find(')', at) - at - 8);
+            EXPECT_TRUE(fs::exists(course() / path)) << lab << ": " << path;
+        }
+        EXPECT_GE(pictures, 1u) << lab;
+    }
+}
+
 TEST_F(StudentsCourse, HoldsNoTruthButAsPictures) {
     for (const char* left_out :
          {"tests/CMakeLists.txt", "framework/reference/height_field.h", "framework/measure",
