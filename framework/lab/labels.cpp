@@ -35,9 +35,19 @@ void Labels::text(const std::string& text, glm::vec2 place, float height, Align 
     }
 }
 
+void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text, glm::vec3 color) {
+    // Counted in lines of one height, whatever the words: what is long is written smaller.
+    const float high = std::min(line_height(size), 0.075f * float(tile.size.y)) * (line == 0 ? 1.0f : 0.8f);
+    const float height = std::min(high, 0.94f * float(tile.size.x) / ((float(text.size()) + 1) * letter_aspect));
+    const float top = float(size.y - tile.corner.y - tile.size.y);
+    const float y =
+        line >= 0 ? top + high * (float(line) + 0.3f) : top + float(tile.size.y) + high * (float(line) * 1.05f - 0.7f);
+    this->text(text, {float(tile.corner.x) + float(tile.size.x) / 2, y}, height, Align::centre, color);
+}
+
 void Labels::log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks) {
     const float line = line_height(size) * 0.7f, length = 0.4f * float(size.x);
-    const glm::vec2 place((float(size.x) - length) / 2, float(size.y) - line * 1.15f);
+    const glm::vec2 place((float(size.x) - length) / 2, float(size.y) - line * 1.1f);
     heat_scale(place, {length, line * 0.8f});
     text(low, place - glm::vec2(line * 0.6f, 0), line, Align::right);
     text(high, place + glm::vec2(length + line * 0.6f, 0), line);

@@ -1,11 +1,13 @@
 // Words in a picture: the names, numbers and scales of what it shows.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/lab/lab.h"
+#include "framework/lab/tiles.h"
 
 namespace relief {
 
@@ -23,11 +25,15 @@ public:
     /// dark plates keep it legible on anything.
     void text(const std::string& text, glm::vec2 place, float height, Align align = Align::left,
               glm::vec3 color = {0.93f, 0.92f, 0.89f});
+    /// In the middle of a tile: line 0 is its first, -1 its last. As high as line_height() where the tile has the room.
+    void caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text,
+                 glm::vec3 color = {0.93f, 0.92f, 0.89f});
     void rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color);
     /// From 0 on the left to 1 on the right, as heat() has it.
     void heat_scale(glm::vec2 place, glm::vec2 size);
 
-    /// What heat() means, at the lower end of a frame of this size: `low` at its left, ten times as much a tick.
+    /// What heat() means, in the lowest scale_height() pixels of a frame: `low` at its left, ten times as much a tick.
+    static int scale_height(glm::ivec2 size) { return int(std::ceil(line_height(size) * 0.9f)); }
     void log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks);
 
     /// Draws into frame.target over its whole size, and forgets.

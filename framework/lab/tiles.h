@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct Tile {
 };
 
 /// Rows from the top, columns from the left; together they cover the frame. A tile of a tiny frame may be empty.
-inline std::vector<Tile> tiles_of(glm::ivec2 size, int columns, int rows) {
+inline std::vector<Tile> tile_grid(glm::ivec2 size, int columns, int rows) {
     std::vector<Tile> tiles;
     for (int row = rows - 1; row >= 0; --row)
         for (int column = 0; column < columns; ++column) {
@@ -26,11 +27,34 @@ inline std::vector<Tile> tiles_of(glm::ivec2 size, int columns, int rows) {
     return tiles;
 }
 
-/// The frame as one tile sees it: its size, and a camera of its shape.
+/// `count` tiles in the columns that leave them nearest to squares and few places empty; the lowest `below` pixels stay
+/// free of them.
+inline std::vector<Tile> tiles_of(glm::ivec2 size, int count, int below = 0) {
+    size.y = std::max(0, size.y - below);
+    const auto rows = [&](int columns) { return (count + columns - 1) / columns; };
+    const auto cost = [&](int columns) {
+        const double wide = double(size.x) / columns, high = double(size.y) / rows(columns);
+        return std::abs(std::log(wide / high)) + std::log(double(columns) * rows(columns) / count);
+    };
+    int columns = 1;
+    for (int candidate = 2; candidate <= count; ++candidate)
+        if (cost(candidate) < cost(columns)) columns = candidate;
+    std::vector<Tile> tiles = tile_grid(size, columns, rows(columns));
+    tiles.resize(size_t(count));
+    for (Tile& tile : tiles) tile.corner.y += below;
+    return tiles;
+}
+
+/// The frame as one tile sees it: its size, and a camera of its shape. A tile that is higher than wide sees as much
+/// from side to side as a square one.
 inline Frame frame_in(const Frame& frame, const Tile& tile) {
     Frame part = frame;
     part.size = tile.size;
-    part.camera = frame.camera.with_aspect(double(tile.size.x) / std::max(1, tile.size.y));
+    const double aspect = double(tile.size.x) / std::max(1, tile.size.y);
+    Orbit orbit = frame.camera.orbit();
+    if (aspect > 0 && aspect < 1)
+        orbit.field_of_view = glm::degrees(2 * std::atan(std::tan(glm::radians(orbit.field_of_view) / 2) / aspect));
+    part.camera = Camera(orbit, aspect);
     return part;
 }
 
@@ -38,6 +62,7 @@ inline Frame frame_in(const Frame& frame, const Tile& tile) {
 inline Image truth_in_tiles(const Frame& frame, const std::vector<Tile>& tiles,
                             const std::function<Image(const Frame&, size_t tile)>& truth) {
     Image whole(frame.size.x, frame.size.y, 4);
+    std::fill(whole.values.begin(), whole.values.end(), no_surface);  // where there is no tile
     for (size_t i = 0; i < tiles.size(); ++i) {
         const auto& [corner, size] = tiles[i];
         if (size.x <= 0 || size.y <= 0) continue;

@@ -54,7 +54,7 @@ public:
         const auto of = [&](const Frame& view) { return colonnade::truth(view, probe, strength_); };
         if (!of(frame_in(frame, {{0, 0}, {1, 1}}))) return {};
         if (method_ != side_by_side) return of(frame);
-        return truth_in_tiles(frame, tiles_of(frame.size, 2, 1), [&](const Frame& view, size_t) { return *of(view); });
+        return truth_in_tiles(frame, tile_grid(frame.size, 2, 1), [&](const Frame& view, size_t) { return *of(view); });
     }
 
 private:
@@ -64,7 +64,7 @@ private:
     void draw_scene(const Frame& frame, glm::ivec2 corner, glm::ivec2 size, bool with_map) {
         if (size.x <= 0) return;
         glViewport(corner.x, corner.y, size.x, size.y);
-        const Camera camera = frame.camera.with_aspect(double(size.x) / size.y);
+        const Camera camera = size == frame.size ? frame.camera : frame_in(frame, {corner, size}).camera;
         const float yaw_rad = glm::radians(light_yaw_);
         const glm::vec3 light(2.8f * std::sin(yaw_rad), light_height_, 2.8f * std::cos(yaw_rad));
         const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : ""});

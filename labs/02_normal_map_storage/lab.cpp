@@ -64,8 +64,7 @@ private:
     };
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        if (view_ == one) return tiles_of(size, 1, 1);
-        return size.x >= size.y ? tiles_of(size, 4, 2) : tiles_of(size, 2, 4);
+        return tiles_of(size, view_ == one ? 1 : int(storage::formats.size()), Labels::scale_height(size));
     }
     int format_of(size_t tile) const { return view_ == one ? format_ : int(tile); }
 
@@ -116,16 +115,11 @@ private:
 
     void describe(glm::ivec2 size, const Tile& tile, int format, const ErrorSummary& error) {
         const storage::Format& about = storage::formats[size_t(format)];
-        const float line = std::min(Labels::line_height(size), 0.075f * float(tile.size.y));
-        const glm::vec2 place(float(tile.corner.x) + float(tile.size.x) / 2,
-                              float(size.y - tile.corner.y - tile.size.y));
-        labels_.text(about.title, place + glm::vec2(0, line * 0.4f), line, Align::centre);
-        const float low = float(tile.size.y) - line * 2.6f, small = line * 0.8f;
-        labels_.text(fmt::format("mean {:.3g}~ max {:.3g}~", error.mean, error.largest), place + glm::vec2(0, low),
-                     small, Align::centre);
+        labels_.caption(size, tile, 0, about.title);
+        labels_.caption(size, tile, -2, fmt::format("mean {:.3g}~ max {:.3g}~", error.mean, error.largest));
         if (!mismatch_)
-            labels_.text(fmt::format("{} {:.3g}~ {:.3g}~", about.source, about.mean, about.largest),
-                         place + glm::vec2(0, low + small), small, Align::centre, {0.62f, 0.63f, 0.65f});
+            labels_.caption(size, tile, -1, fmt::format("{} {:.3g}~ {:.3g}~", about.source, about.mean, about.largest),
+                            {0.62f, 0.63f, 0.65f});
     }
 
     Programs sphere_{"02_normal_map_storage/window.vert", "02_normal_map_storage/sphere.frag"};

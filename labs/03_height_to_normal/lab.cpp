@@ -87,8 +87,7 @@ private:
     glm::dvec2 wall() const { return glm::dvec2(std::min(1.0f, stretch_), std::min(1.0f, 1 / stretch_)); }
     bool has_known_slope() const { return source_ == waves && fine_ == 1 && middle_ == 1 && coarse_ == 1; }
     std::vector<Tile> tiles_of_view(glm::ivec2 frame) const {
-        if (view_ == 1) return tiles_of(frame, 1, 1);
-        return frame.x >= frame.y ? tiles_of(frame, 3, 2) : tiles_of(frame, 2, 3);
+        return tiles_of(frame, view_ == 1 ? 1 : int(filters.size()), Labels::scale_height(frame));
     }
     int filter_of(size_t tile) const { return view_ == 1 ? filter_ : int(tile); }
 
@@ -197,13 +196,10 @@ private:
     }
 
     void describe(glm::ivec2 size, const Tile& tile, int filter) {
-        const float line = std::min(Labels::line_height(size), 0.08f * float(tile.size.y));
         const ErrorSummary& error = maps_.at(filter).error;
-        const glm::vec2 top(float(tile.corner.x) + float(tile.size.x) / 2, float(size.y - tile.corner.y - tile.size.y));
-        labels_.text(filters[size_t(filter)], top + glm::vec2(0, line * 0.2f), line, Align::centre);
+        labels_.caption(size, tile, 0, filters[size_t(filter)]);
         if (error.count > 0)
-            labels_.text(fmt::format("mean {:.2g}~ max {:.2g}~", error.mean, error.largest),
-                         top + glm::vec2(0, float(tile.size.y) - line * 2.1f), line * 0.85f, Align::centre);
+            labels_.caption(size, tile, -1, fmt::format("mean {:.2g}~ max {:.2g}~", error.mean, error.largest));
     }
 
     Programs heights_program_{"03_height_to_normal/map.vert", "03_height_to_normal/heights.frag"};

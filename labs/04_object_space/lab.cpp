@@ -47,10 +47,7 @@ private:
     static constexpr std::array maps = {"world", "object", "tangent"};
     static constexpr std::array defines = {"WORLD_MAP", "OBJECT_MAP", "TANGENT_MAP"};
 
-    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        if (view_ == 1) return tiles_of(size, 1, 1);
-        return size.x >= size.y ? tiles_of(size, 3, 1) : tiles_of(size, 1, 3);
-    }
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const { return tiles_of(size, view_ == 1 ? 1 : int(maps.size())); }
     int map_of(size_t tile) const { return view_ == 1 ? map_ : int(tile); }
 
     double rate() const { return glm::radians(double(twist_)) / quilt::column.height; }
@@ -78,9 +75,7 @@ private:
     }
 
     void describe(glm::ivec2 size, const Tile& tile, int map) {
-        const float line = std::min(Labels::line_height(size), 0.09f * float(tile.size.x));
-        const glm::vec2 top(float(tile.corner.x) + float(tile.size.x) / 2, float(size.y - tile.corner.y - tile.size.y));
-        labels_.text(std::string(maps[size_t(map)]) + " space", top + glm::vec2(0, line * 0.4f), line, Align::centre);
+        labels_.caption(size, tile, 0, std::string(maps[size_t(map)]) + " space");
         if (!show_map_) return;
         const int side = std::min(tile.size.x, tile.size.y) / 5, gap = side / 8;
         glViewport(tile.corner.x + gap, tile.corner.y + gap, side, side);

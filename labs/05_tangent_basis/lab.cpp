@@ -23,7 +23,7 @@ public:
         const auto tiles = tiles_of_view(frame.size);
         for (size_t i = 0; i < tiles.size(); ++i) {
             draw_surface(frame_in(frame, tiles[i]), tiles[i], method_of(i));
-            describe(frame.size, tiles[i], method_of(i));
+            labels_.caption(frame.size, tiles[i], 0, methods[size_t(method_of(i))]);
         }
         if (show_ != 1) labels_.log_scale(frame.size, "0.01~", "100~", 4);
         labels_.draw(frame);
@@ -67,8 +67,7 @@ private:
     basis::Shape shape() const { return basis::Shape(shape_); }
     basis::CoarseMesh coarse() const { return basis::coarse_mesh(shape(), columns_, rows_, jitter_, shear_); }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        if (view_ == 1) return tiles_of(size, 1, 1);
-        return size.x >= size.y ? tiles_of(size, 3, 2) : tiles_of(size, 2, 3);
+        return tiles_of(size, view_ == 1 ? 1 : int(side_by_side.size()), Labels::scale_height(size));
     }
     int method_of(size_t tile) const { return view_ == 1 ? method_ : side_by_side[tile]; }
 
@@ -129,14 +128,6 @@ private:
         frames.set("u_focal_pixels",
                    tile.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2)));
         glDrawArrays(GL_POINTS, 0, mesh.vertices());
-    }
-
-    void describe(glm::ivec2 size, const Tile& tile, int method) {
-        const float line = std::min(Labels::line_height(size), 0.08f * float(tile.size.y));
-        labels_.text(methods[size_t(method)],
-                     glm::vec2(float(tile.corner.x) + float(tile.size.x) / 2,
-                               float(size.y - tile.corner.y - tile.size.y) + line * 0.3f),
-                     line, Align::centre);
     }
 
     Programs surface_{"05_tangent_basis/surface.vert", "05_tangent_basis/surface.frag"};

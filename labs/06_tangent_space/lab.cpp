@@ -21,7 +21,7 @@ public:
         const auto tiles = tiles_of_view(frame.size);
         for (size_t i = 0; i < tiles.size(); ++i) {
             draw_surface(frame_in(frame, tiles[i]), tiles[i], view_ == 1 ? chosen() : comparisons[i]);
-            if (view_ == 0) describe(frame.size, tiles[i], comparisons[i].title);
+            if (view_ == 0) labels_.caption(frame.size, tiles[i], 0, comparisons[i].title);
         }
         labels_.draw(frame);
     }
@@ -80,7 +80,7 @@ private:
                 turn_tangent_ ? "" : "TANGENT_STAYS"};
     }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        return view_ == 1 ? tiles_of(size, 1, 1) : tiles_of(size, 2, 2);
+        return tiles_of(size, view_ == 1 ? 1 : int(comparisons.size()));
     }
 
     glm::dmat4 world_from_model() const {
@@ -112,14 +112,6 @@ private:
         const GpuMesh& mesh = shape_ == 0 ? sphere_ : shape_ == 1 ? column_ : wall_;
         glBindVertexArray(mesh.layout());
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
-    }
-
-    void describe(glm::ivec2 size, const Tile& tile, const char* title) {
-        const float line = std::min(Labels::line_height(size), 0.065f * float(tile.size.x));
-        labels_.text(title,
-                     glm::vec2(float(tile.corner.x) + float(tile.size.x) / 2,
-                               float(size.y - tile.corner.y - tile.size.y) + line * 0.3f),
-                     line, Align::centre);
     }
 
     static Image flat_texel() {
