@@ -1,0 +1,55 @@
+// What labs 10 to 12 press a relief into: a surface, a height map, and how the one lies on the other.
+#pragma once
+
+#include <optional>
+
+#include "framework/lab/lab.h"
+#include "framework/mesh/relief.h"
+
+namespace relief {
+
+class ReliefSurface {
+public:
+    enum Shape { wall, column, urn };
+
+    void knobs(Knobs& knobs);
+
+    /// The heights as every search reads them: finite, in [0, 1], rounded as they are stored.
+    const Image& heights() const;
+    const Mesh& mesh() const;
+    ReliefLay lay() const;
+    /// Counts up when heights() becomes another image, so that what is made from it can be made anew.
+    int version() const { return heights(), version_; }
+
+    /// For shaders/common/relief.vert and what follows it; binds s_heights to unit 0, s_albedo to 1, s_normals to 2.
+    /// The program is in use.
+    void set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model = glm::dmat4(1)) const;
+    void draw() const;
+
+    // The knobs. A lab may begin with others.
+    int shape = wall, map = 6, size = 2, bits = 0, repeat = 1;
+    float depth = 0.08f;  ///< of the relief, in tiles along u
+    float stretch = 1;    ///< height of a tile over its width: texels that are not square
+    float extent = 4;     ///< side of the wall, metres
+    bool mirror = false;
+    int shift = 0;  ///< tiles
+
+private:
+    bool is_asset() const;
+    Image albedo() const;
+    Image normals() const;
+    void renew() const;
+
+    struct Made {
+        std::array<int, 3> of;  ///< map, size, bits
+        Image heights;
+        Texture height_texture, albedo_texture, normal_texture;
+    };
+    mutable std::optional<Made> made_;
+    mutable int version_ = 0;
+    mutable std::optional<Mesh> meshes_[3];
+    mutable float extent_ = 0;  ///< that the wall was made with
+    mutable std::optional<GpuMesh> uploaded_[3];
+};
+
+}  // namespace relief

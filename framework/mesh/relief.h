@@ -1,0 +1,18 @@
+// How a relief lies on a mesh, and what each vertex of its shaders gets.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace relief {
+
+/// A tile of the height map is one unit of the texture coordinates that reach the map: uv = vertex uv * repeat + shift.
+/// Tangents are those of growing u, so a negative repeat.x turns them and their handedness.
+struct ReliefLay {
+    glm::vec2 repeat = {1, 1};       ///< tiles per unit of the mesh's uv; x is negative where it is mirrored
+    glm::vec2 shift = {0, 0};        ///< tiles
+    glm::vec2 depth = {0.08, 0.08};  ///< what height 1 is worth, in tiles along u and along v
+    float metres = 0.08f;            ///< and in metres
+    int texels = 512;                ///< along each side of the map
+};
+
+}  // namespace relief
