@@ -66,6 +66,17 @@ void upload_level(int level, const Image& image, const Format& format) {
 
 }  // namespace
 
+Texture::Texture(std::string title, std::function<Image()> make, TextureOptions options)
+    : Texture(std::move(title), std::function<std::vector<Image>()>([make = std::move(make), options] {
+                  std::vector<Image> levels;
+                  if (options.mips)
+                      levels = mip_chain(make(), options.space);
+                  else
+                      levels.push_back(make());
+                  return levels;
+              }),
+              options) {}
+
 Texture::~Texture() { counters().texture_bytes -= bytes_; }
 
 Texture::operator GLuint() const {
@@ -74,7 +85,8 @@ Texture::operator GLuint() const {
 }
 
 void Texture::create() const {
-    Image image = make_();
+    const std::vector<Image> levels = make_();
+    const Image& image = levels.at(0);
     const Format format = [&] {
         try {
             return format_of(image, options_.space);
@@ -87,12 +99,6 @@ void Texture::create() const {
     if (std::max(image.width, image.height) > largest)
         throw Error(
             fmt::format("{}: {}x{} is larger than this driver's {}", title_, image.width, image.height, largest));
-
-    std::vector<Image> levels;
-    if (options_.mips)
-        levels = mip_chain(std::move(image), options_.space);
-    else
-        levels.push_back(std::move(image));
 
     // Made in the middle of a draw that has textures bound: whatever is on the active unit must stay there.
     GLint bound = 0;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "framework/gl/object.h"
 #include "framework/image/image.h"
@@ -28,7 +29,9 @@ struct TextureOptions {
 /// GL_R8 to GL_RGBA8 or GL_SRGB8(_ALPHA8), 16-bit ones GL_R16 to GL_RGBA16, floats GL_R32F to GL_RGBA32F.
 class Texture {
 public:
-    Texture(std::string title, std::function<Image()> make, TextureOptions options = {})
+    Texture(std::string title, std::function<Image()> make, TextureOptions options = {});
+    /// With mip levels of one's own, from level 0 down to 1 x 1.
+    Texture(std::string title, std::function<std::vector<Image>()> make, TextureOptions options = {})
         : title_(std::move(title)), make_(std::move(make)), options_(options) {}
     ~Texture();
     Texture(Texture&& other) noexcept
@@ -46,7 +49,7 @@ private:
     void create() const;
 
     std::string title_;
-    std::function<Image()> make_;
+    std::function<std::vector<Image>()> make_;  ///< the levels
     TextureOptions options_;
     mutable std::optional<TextureName> name_;
     mutable int64_t bytes_ = 0;

@@ -53,8 +53,12 @@ Mesh make_urn() {
     return mesh;
 }
 
-constexpr ColumnShape column_shape{.bottom_radius = 0.5f, .top_radius = 0.5f, .height = 2, .sides = 64, .rows = 1};
-constexpr float around_column = 3.14159265f;       // 2 pi times its radius, metres
+constexpr ColumnShape column_shape{.bottom_radius = ReliefSurface::column_radius,
+                                   .top_radius = ReliefSurface::column_radius,
+                                   .height = ReliefSurface::column_height,
+                                   .sides = 64,
+                                   .rows = 1};
+constexpr float around_column = 2 * glm::pi<float>() * ReliefSurface::column_radius;
 constexpr float around_urn = 3.2f, up_urn = 2.4f;  // metres per unit of uv, at its middle
 
 }  // namespace

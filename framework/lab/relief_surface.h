@@ -11,6 +11,7 @@ namespace relief {
 class ReliefSurface {
 public:
     enum Shape { wall, column, urn };
+    static constexpr float column_radius = 0.5f, column_height = 2;  ///< metres
 
     void knobs(Knobs& knobs);
 

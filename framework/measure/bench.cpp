@@ -92,18 +92,20 @@ std::string bench_table(const BenchTopic& topic, std::span<const BenchMethod> me
     size_t name = 6, knobs = 5;
     std::string item = "item", unit = "unit";
     double longest = 0;
+    bool any_wrong = false, any_work = false;
     for (const BenchTimes& time : times) longest = std::max(longest, time.median);
     const bool in_milliseconds = longest >= 1e6;  // one unit for a whole table
     const double scale = in_milliseconds ? 1e-6 : 1;
     for (const BenchMethod& method : methods) {
         name = std::max(name, method.name.size()), knobs = std::max(knobs, knob_text(method).size());
         item = method.item;
+        any_wrong |= method.error.wrong.has_value(), any_work |= method.work.has_value();
         if (!method.error.unit.empty()) unit = method.error.unit;
     }
-    std::string text =
-        fmt::format("{}: {}\n{:<{}}  {:<{}}  {:>11} {:>9} {:>9} {:>7}  {:>10} {:>10} {:>10}\n", topic.name, topic.help,
-                    "method", name, "knobs", knobs, (in_milliseconds ? "ms/" : "ns/") + item, "p10", "p90", "GB/s",
-                    "mean " + unit, "p99", "largest");
+    std::string text = fmt::format("{}: {}\n{:<{}}  {:<{}}  {:>11} {:>9} {:>9} {:>7}  {:>10} {:>10} {:>10}{}{}\n",
+                                   topic.name, topic.help, "method", name, "knobs", knobs,
+                                   (in_milliseconds ? "ms/" : "ns/") + item, "p10", "p90", "GB/s", "mean " + unit,
+                                   "p99", "largest", any_wrong ? "   wrong %" : "", any_work ? "      work" : "");
     for (size_t i = 0; i < methods.size(); ++i) {
         const BenchError& error = methods[i].error;
         text += fmt::format("{:<{}}  {:<{}}  {:>11.4g} {:>9.4g} {:>9.4g} {:>7}", methods[i].name, name,
@@ -111,6 +113,8 @@ std::string bench_table(const BenchTopic& topic, std::span<const BenchMethod> me
                             scale * times[i].p90, rate(methods[i], times[i]));
         if (!error.unit.empty())
             text += fmt::format("  {:>10.4g} {:>10.4g} {:>10.4g}", error.mean, error.p99, error.largest);
+        if (error.wrong) text += fmt::format(" {:>9.4f}", *error.wrong * 100);
+        if (methods[i].work) text += fmt::format(" {:>9.2f}", *methods[i].work);
         text += '\n';
     }
     return text;
@@ -120,7 +124,7 @@ std::string bench_csv(const BenchTopic& topic, std::span<const BenchMethod> meth
                       const BenchSettings& settings, const BenchMachine& machine) {
     std::string text =
         "topic,method,knobs,items,item,repeats,ns_per_item_median,ns_per_item_p10,ns_per_item_p90,bytes_per_item,"
-        "error_mean,error_p99,error_largest,error_unit,renderer,cpu,compiler,commit\r\n";
+        "error_mean,error_p99,error_largest,error_unit,error_wrong,work_per_item,renderer,cpu,compiler,commit\r\n";
     for (size_t i = 0; i < methods.size(); ++i) {
         const BenchMethod& method = methods[i];
         const BenchError& error = method.error;
@@ -128,9 +132,11 @@ std::string bench_csv(const BenchTopic& topic, std::span<const BenchMethod> meth
         const std::string errors =
             error.unit.empty() ? ",,," : fmt::format("{},{},{},{}", error.mean, error.p99, error.largest, error.unit);
         const std::string bytes = method.bytes_per_item > 0 ? fmt::format("{}", method.bytes_per_item) : "";
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", quoted(topic.name), quoted(method.name),
-                            quoted(knob_text(method)), method.items, method.item, settings.repeats, times[i].median,
-                            times[i].p10, times[i].p90, bytes, errors, quoted(machine.renderer), quoted(machine.cpu),
+        const auto or_empty = [](const std::optional<double>& value) { return value ? fmt::format("{}", *value) : ""; };
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", quoted(topic.name),
+                            quoted(method.name), quoted(knob_text(method)), method.items, method.item, settings.repeats,
+                            times[i].median, times[i].p10, times[i].p90, bytes, errors, or_empty(error.wrong),
+                            or_empty(method.work), quoted(machine.renderer), quoted(machine.cpu),
                             quoted(machine.compiler), quoted(machine.commit));
     }
     return text;

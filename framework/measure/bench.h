@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -12,7 +13,8 @@ namespace relief {
 /// How far a method is from the truth. Of a peer that computes nothing: no unit.
 struct BenchError {
     double mean = 0, p99 = 0, largest = 0;
-    std::string unit = {};  ///< "degree", "texel"
+    std::string unit = {};             ///< "degree", "texel"
+    std::optional<double> wrong = {};  ///< share off by more than one unit, where that is a kind of its own
 };
 
 /// One way of doing it, ready to run: what it needs lives in its closures.
@@ -21,7 +23,8 @@ struct BenchMethod {
     std::vector<std::pair<std::string, std::string>> knobs;  ///< what is swept: {"threads", "2"}
     size_t items = 1;                                        ///< that one run works on
     std::string item = "item";                               ///< "texel", "triangle": times are a nanosecond each
-    double bytes_per_item = 0;  ///< what it reads and writes, or stores; 0 where it is no claim
+    double bytes_per_item = 0;        ///< what it reads and writes, or stores; 0 where it is no claim
+    std::optional<double> work = {};  ///< what an item takes and no clock can move: heights read, cells looked at
     std::function<void()> run;
     BenchError error = {};
 };

@@ -9,6 +9,7 @@ BenchTopic storage_topic();
 BenchTopic normals_topic();
 BenchTopic tangents_topic();
 BenchTopic intersection_topic();
+BenchTopic parallax_topic();
 BenchTopic frames_topic();
 
 }  // namespace relief

@@ -84,14 +84,17 @@ glm::dvec2 HeightField::central_slope(glm::dvec2 texel) const {
     return {(height(texel + right) - height(texel - right)) / 2, (height(texel + up) - height(texel - up)) / 2};
 }
 
-std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_end) const {
+std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_end, double bend) const {
     if (!is_finite(ray.origin) || !is_finite(ray.direction) || !(t_end >= 0)) return {};
+    if (!(bend >= 0) || (bend > 0 && std::isinf(t_end))) return {};
     const glm::dvec3 along = ray.direction;
 
     // Above the highest height nothing can be hit; a little below the lowest one everything has been.
     double t0 = 0, t_stop = t_end;
     const double above = ray.origin.z - highest_;
-    if (along.z < 0) {
+    if (bend > 0) {
+        // It may turn before it is low enough, and rise for ever after: every cell is looked at.
+    } else if (along.z < 0) {
         t0 = std::max(0.0, above / -along.z);
         const double slack = 1e-12 * (1 + std::abs(lowest_) + std::abs(ray.origin.z));
         t_stop = std::min(t_stop, std::max(t0, (ray.origin.z - lowest_ + slack) / -along.z));
@@ -107,7 +110,7 @@ std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_
     if (wraps_)
         tile = glm::floor((glm::dvec2(ray.origin) + t0 * glm::dvec2(along)) / glm::dvec2(size_)) * glm::dvec2(size_);
     const glm::dvec3 origin(glm::dvec2(ray.origin) - tile - 0.5, ray.origin.z);
-    const auto at = [&](double t) { return origin + t * along; };
+    const auto at = [&](double t) { return origin + t * along + glm::dvec3(0, 0, bend * t * t); };
     const double cells = (std::abs(along.x) + std::abs(along.y)) * (t_stop - t0);
     const glm::dvec3 first = at(t0);
     if (!is_finite(first) || !(std::abs(first.x) + std::abs(first.y) < 1e15)) return {};
@@ -131,9 +134,12 @@ std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_
         const double t1 = std::min({std::max(t0, std::min(t_u, t_v)), t_stop});
         const glm::dvec3 to = at(t1);
         const size_t here = place(stored_column, stored_row);
-        if (std::min(from.z, to.z) <= tops_[here]) {
+        const double sag =
+            bend * (t1 - t0) * (t1 - t0) / 2;  // between its ends a ray that bends is lower by half of it
+        if (std::min(from.z, to.z) - sag <= tops_[here]) {
             const glm::dvec3 corner(column, row, 0);
-            const Gap gap = gap_above_cell(cell(here), from - corner, to - corner);
+            Gap gap = gap_above_cell(cell(here), from - corner, to - corner);
+            gap.middle -= sag;
             if (closes(gap)) {
                 const double t = t0 + (t1 - t0) * first_closing(gap);
                 return Hit{t, glm::dvec2(at(t)) + 0.5 + tile, count};

@@ -42,7 +42,10 @@ public:
     /// surface: the ray's origin if that is on or below it. Nothing when there is none, or when the ray is not finite.
     /// The walk (Amanatides and Woo 1987) solves one quadratic a cell; its error is some 1e-13 texels. Throws Error
     /// when the ray would pass more than max_cells, as a level one can.
-    std::optional<Hit> first_hit(const Ray& ray, double t_end) const;
+    ///
+    /// `bend` (at least 0) adds bend t² to the ray's height, as over a base that falls away from its tangent plane.
+    /// Then t_end must be finite.
+    std::optional<Hit> first_hit(const Ray& ray, double t_end, double bend = 0) const;
     static constexpr double max_cells = 1 << 24;
 
     /// Whether nothing stands between the surface at `texel` and a light that lies towards `direction` (x and y in

@@ -34,16 +34,39 @@ HeightField random_field(unsigned seed, int columns, int rows, bool wraps) {
 Ray down(glm::dvec2 texel, glm::dvec2 along) { return {{texel, 1}, {along, -1}}; }
 
 /// Steps of 1/400 texel and 60 bisections: slow, and knows nothing of cells.
-double first_hit_by_force(const HeightField& field, const Ray& ray) {
-    const auto gap = [&](double t) { return ray.at(t).z - field.height(glm::dvec2(ray.at(t))); };
+double first_hit_by_force(const HeightField& field, const Ray& ray, double bend = 0, double t_end = 1) {
+    const auto gap = [&](double t) { return ray.at(t).z + bend * t * t - field.height(glm::dvec2(ray.at(t))); };
     if (gap(0) <= 0) return 0;
     const double step = 1 / (400 * std::max(1.0, glm::length(glm::dvec2(ray.direction))));
     double t = 0;
     while (gap(t + step) > 0)
-        if ((t += step) > 1) return infinity;
+        if ((t += step) > t_end) return infinity;
     double low = t, high = t + step;
     for (int i = 0; i < 60; ++i) (gap((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
     return high;
+}
+
+TEST(HeightField, ARayThatBendsHitsWhereBruteForceSaysOrLeavesThroughTheTop) {
+    const HeightField rough = random_field(3, 16, 16, true);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<> share(0, 1);
+    int hits = 0, misses = 0;
+    for (int i = 0; i < 400; ++i) {
+        const double turn = 2 * M_PI * share(random), reach = 20 * share(random), bend = share(random);
+        const Ray ray =
+            down({16 * share(random), 16 * share(random)}, {reach * std::cos(turn), reach * std::sin(turn)});
+        const double t_end = 1 / bend;  // it is at height 1 again
+        const double forced = first_hit_by_force(rough, ray, bend, std::min(t_end, 50.0));
+        const auto hit = rough.first_hit(ray, std::min(t_end, 50.0), bend);
+        ASSERT_EQ(hit.has_value(), std::isfinite(forced)) << i;
+        if (hit) {
+            EXPECT_NEAR(hit->t, forced, 1e-9) << i;
+        }
+        ++(hit ? hits : misses);
+    }
+    EXPECT_GT(hits, 50);
+    EXPECT_GT(misses, 20);
+    EXPECT_FALSE(rough.first_hit(down({1, 1}, {1, 1}), infinity, 0.5)) << "a bent ray wants an end";
 }
 
 TEST(HeightField, GoesThroughTheTexelCentresAndIsBilinearBetween) {

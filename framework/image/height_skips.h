@@ -1,0 +1,58 @@
+// What is known of a height map before any ray is cast, so that a search may skip what it cannot hit.
+//
+// Heights are the bilinear surface through the texel centres of a map that repeats. Cell (x, y) has its lower left
+// corner at the centre of texel (x, y), row 0 lowest; its highest point is a corner. The images have row 0 at the top,
+// as all do.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "framework/image/image.h"
+
+namespace relief {
+
+/// A ray only looks ahead, so each cell (or block of cells) has its windows in four quadrants: 0 for rays along +u and
+/// +v, 1 for -u, 2 for -v, 3 for both. Window k of a quadrant is the cell (or block) and `grown[k]` cells more on the
+/// two sides ahead. What is stored is 1 - (the highest height in it) in 1/255, rounded down: a ray that enters at
+/// height 1 and falls by 1 is above everything in the window until t is that number.
+struct HeightWindows {
+    int block = 1;               ///< cells along a block's side, a power of two
+    std::array<int, 4> grown{};  ///< cells, rising
+    Image clear;                 ///< a texel a block, 4 channels of 8 bits; the quadrants side by side
+};
+
+/// As few cells a block as leave 256 x 256 of them, and the windows with which rays of all slants take the fewest turns
+/// on this map. Throws Error when a side is not a power of two.
+HeightWindows height_windows(const Image& heights);
+HeightWindows height_windows(const Image& heights, int block, const std::array<int, 4>& grown);
+
+/// Everything that a search wants to know of a cell in one texel of four whole numbers: quadrant by quadrant, row 0
+/// lowest. Number k has in its upper bits a corner's height, in 1 / (2^31 - 256), 23 bits of it (in textureGather's
+/// order: upper left, upper right, lower right, lower left), and in its lower 8 bits what window k stores. 64 bytes a
+/// cell.
+struct CellMap {
+    int width = 0, height = 0;
+    std::array<int, 4> grown{};
+    std::vector<int32_t> texels;
+};
+CellMap cell_map(const Image& heights);
+CellMap cell_map(const Image& heights, const std::array<int, 4>& grown);
+
+/// Level k holds the highest height in 2^k x 2^k cells; its first level is the cells themselves (Tevs, Ihrke and Seidel
+/// 2008). Floats, one channel, down to 1 x 1.
+std::vector<Image> max_mips(const Image& heights);
+
+/// The highest height in the 5 x 5 cells around each cell.
+Image highest_in_5x5(const Image& heights);
+
+/// For each cell, the widest cone that stands on it and is empty (Dummer 2006), as texels of radius per unit of height:
+/// its foot is the cell itself at its highest corner, and no other cell within `cone_reach` rises into it. So it is
+/// right for rays over the bilinear surface, not only at texel centres. At height 1 it is no wider than cone_reach, and
+/// cone_widest texels per unit at most.
+Image cone_map(const Image& heights, unsigned threads = 0);
+constexpr int cone_reach = 32;
+constexpr float cone_widest = 4096;
+
+}  // namespace relief

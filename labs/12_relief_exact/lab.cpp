@@ -1,0 +1,182 @@
+// Lab 12: the exact hit.
+//
+// Where a view ray meets the relief first, without a guess: six ways to skip what it cannot meet, the shadow, depth and
+// outline that follow from the hit.
+// Yours: shaders/12_relief_exact/task.glsl
+#include <fmt/format.h>
+
+#include <glm/gtc/constants.hpp>
+
+#include "framework/gl/target.h"
+#include "framework/lab/lab.h"
+#include "framework/lab/labels.h"
+#include "framework/lab/tiles.h"
+#include "skips.h"
+#include "truth.h"
+
+namespace relief {
+
+using namespace exact;
+
+class ReliefExact final : public Lab {
+public:
+    ReliefExact() {
+        surface_.map = 3, surface_.extent = 3;
+        floor_.map = 7, floor_.extent = 3, floor_.depth = 0.06f;
+        wall_.map = 6, wall_.extent = 2.2f, wall_.depth = 0.07f;
+        column_.shape = ReliefSurface::column, column_.map = 3, column_.depth = 0.12f;
+    }
+
+    void draw(const Frame& frame) override {
+        const auto tiles = tiles_of_view(frame.size);
+        std::vector<double> turns;
+        if (view_ == compare && !frame.probe)
+            for (size_t i = 0; i < tiles.size(); ++i)
+                turns.push_back(mean_turns(frame_in(frame, tiles[i]), method_of(i)));
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        for (size_t i = 0; i < tiles.size(); ++i) {
+            glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
+            const Frame part = frame_in(frame, tiles[i]);
+            const float middle = float(tiles[i].corner.x) + float(tiles[i].size.x) / 2;
+            const float turns_from = show_ == 0 ? 1e9f : show_ == 1 ? middle : 0;
+            for (const Object& object : objects()) draw_object(part, object, method_of(i), turns_from);
+            if (view_ == scene) draw_ball(part);
+            if (!turns.empty()) describe(frame.size, tiles[i], method_of(i), turns[i]);
+        }
+        if (view_ != scene && show_ > 0) labels_.log_scale(frame.size, "1", "256 turns", 8);
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        knobs.choice("view", view_, views, "reliefs and a ball, every method, or one of them");
+        knobs.choice("method", method_, method_names, "how the search skips; the hit is the same");
+        knobs.choice("show", show_, shows, "the light, how many turns each pixel took, or half of each");
+        knobs.choice("shadow", shadow_, shadows, "of the relief on itself");
+        knobs.toggle("write_depth", write_depth_, "the depth of the hit, or of the base");
+        knobs.toggle("outline", outline_, "end where the relief ends, and bend with a column");
+        knobs.toggle("costs", costs_, "say what each method's map costs to make, and to keep");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light is, degrees");
+        knobs.slider("light_pitch", light_pitch_, -10, 89, "how high, degrees");
+        surface_.knobs(knobs);
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        const Sight sight{objects(), view_ == scene ? std::optional(Ball{}) : std::nullopt, outline_, to_light()};
+        if (!exact::truth(frame_in(frame, {{0, 0}, {1, 1}}), probe, sight)) return {};
+        return truth_in_tiles(frame, tiles_of_view(frame.size),
+                              [&](const Frame& part, size_t) { return *exact::truth(part, probe, sight); });
+    }
+
+private:
+    enum View { scene, compare, one };
+    static constexpr std::array views = {"scene", "compare", "one"};
+    static constexpr std::array shows = {"light", "half-and-half", "turns"};
+    static constexpr std::array shadows = {"none", "hard", "soft"};
+    static constexpr std::array shadow_defines = {"", "HARD_SHADOW", "SOFT_SHADOW"};
+
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
+        const int below = view_ != scene && show_ > 0 ? Labels::scale_height(size) : 0;
+        return tiles_of(size, view_ == compare ? int(method_names.size()) : 1, below);
+    }
+    Method method_of(size_t tile) const { return Method(view_ == compare ? int(tile) : method_); }
+
+    glm::dvec3 to_light() const {
+        const double yaw = glm::radians(double(light_yaw_)), pitch = glm::radians(double(light_pitch_));
+        return {std::cos(pitch) * std::sin(yaw), std::sin(pitch), std::cos(pitch) * std::cos(yaw)};
+    }
+
+    std::vector<Object> objects() const {
+        const glm::dmat4 here(1);
+        if (view_ != scene) {
+            const double down = surface_.shape == ReliefSurface::column ? -ReliefSurface::column_height / 2 : 0;
+            return {{&surface_, glm::translate(here, glm::dvec3(0, down, 0))}};
+        }
+        return {{&floor_, glm::rotate(here, -glm::half_pi<double>(), glm::dvec3(1, 0, 0))},
+                {&wall_, glm::translate(here, glm::dvec3(0.25, 0.75, -0.55))},
+                {&column_, glm::translate(here, glm::dvec3(-0.85, -0.3, 0.05))}};
+    }
+
+    Skips& skips_of(const ReliefSurface& surface) {
+        auto& [version, skips] = skips_[&surface];
+        if (!skips || version != surface.version())
+            skips = std::make_unique<Skips>(surface.heights()), version = surface.version();
+        return *skips;
+    }
+
+    void draw_object(const Frame& frame, const Object& object, Method method, float turns_from) {
+        const ReliefSurface& surface = *object.surface;
+        Skips& skips = skips_of(surface);
+        method = skips.usable(method);
+        const double radius = object.radius(outline_);
+        const Program& program = surface_program_.with(
+            {frame.probe, method_defines[method], frame.probe ? "" : shadow_defines[size_t(shadow_)],
+             write_depth_ ? "WRITE_DEPTH" : "", outline_ ? "OUTLINE" : "", radius > 0 ? "CURVED" : ""});
+        glUseProgram(program);
+        surface.set(program, frame, object.world_from_model);
+        skips.set(program, method);
+        const auto [low, high] = object.border(outline_);
+        program.set("u_border", glm::vec4(low, high));
+        program.set("u_radius", radius);
+        program.set("u_to_light", to_light());
+        program.set("u_turns_from", turns_from);
+        program.set("u_soft_samples", 24);
+        // Behind a column's outline is what stands there, not the inside of its far half.
+        if (radius > 0) glEnable(GL_CULL_FACE);
+        surface.draw();
+        glDisable(GL_CULL_FACE);
+    }
+
+    void draw_ball(const Frame& frame) const {
+        const Program& program = ball_program_.with(frame.probe);
+        glUseProgram(program);
+        program.set("u_clip_from_world", frame.camera.clip_from_world());
+        program.set("u_eye", frame.camera.eye());
+        program.set("u_centre", Ball{}.centre);
+        program.set("u_to_light", to_light());
+        program.set("u_nothing", no_surface);
+        glBindVertexArray(ball_.layout());
+        glDrawElements(GL_TRIANGLES, ball_.count(), GL_UNSIGNED_INT, nullptr);
+    }
+
+    /// Over a small copy of the picture.
+    double mean_turns(Frame frame, Method method) {
+        if (!small_) small_.emplace(TargetKind::probe, glm::ivec2(64));
+        frame.probe = {"steps"}, frame.size = small_->size();
+        glBindFramebuffer(GL_FRAMEBUFFER, small_->framebuffer());
+        glViewport(0, 0, frame.size.x, frame.size.y);
+        glClearColor(no_surface, no_surface, no_surface, no_surface);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glClearColor(0, 0, 0, 0);
+        for (const Object& object : objects()) draw_object(frame, object, method, 0);
+        const Image steps = small_->read();
+        double sum = 0, count = 0;
+        for (size_t i = 0; i < steps.values.size(); i += 4)
+            if (std::isfinite(steps.values[i])) sum += double(steps.values[i]), ++count;
+        return count > 0 ? sum / count : 0;
+    }
+
+    void describe(glm::ivec2 size, const Tile& tile, Method method, double turns) {
+        labels_.caption(size, tile, 0, method_names[method]);
+        labels_.caption(size, tile, -1, fmt::format("{:.1f} turns", turns));
+        if (!costs_) return;
+        const Skips::Costs costs = skips_of(surface_).costs(method);
+        labels_.caption(size, tile, -2, fmt::format("{:.1f} MB, {:.0f} ms", costs.megabytes, costs.milliseconds));
+    }
+
+    Programs surface_program_{"common/relief.vert", "12_relief_exact/surface.frag"};
+    Programs ball_program_{"12_relief_exact/ball.vert", "12_relief_exact/ball.frag"};
+    ReliefSurface surface_, floor_, wall_, column_;
+    std::map<const ReliefSurface*, std::pair<int, std::unique_ptr<Skips>>> skips_;
+    GpuMesh ball_ = upload([] { return make_sphere({.radius = float(Ball{}.radius), .sides = 96, .rows = 48}); });
+    std::optional<Target> small_;
+    Labels labels_;
+
+    int view_ = scene, method_ = cells, show_ = 0, shadow_ = 1;
+    bool write_depth_ = true, outline_ = true, costs_ = false;
+    float light_yaw_ = 55, light_pitch_ = 40;
+};
+
+RELIEF_LAB(ReliefExact);
+
+}  // namespace relief

@@ -1,0 +1,35 @@
+// What lab 12 shows: reliefs in their places, and a ball among them.
+#pragma once
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "framework/lab/lab.h"
+#include "framework/lab/relief_surface.h"
+
+namespace relief::exact {
+
+/// One relief. On a cylinder the relief's own outline is that of a base which bends; a wall ends where its uv do.
+struct Object {
+    const ReliefSurface* surface;
+    glm::dmat4 world_from_model{1};
+
+    double radius(bool outline) const {
+        return outline && surface->shape == ReliefSurface::column ? double(ReliefSurface::column_radius) : 0;
+    }
+    /// Between which uv there is a surface.
+    std::pair<glm::vec2, glm::vec2> border(bool outline) const {
+        const glm::vec2 far(1e30f);
+        if (!outline || surface->shape == ReliefSurface::urn) return {-far, far};
+        const ReliefLay lay = surface->lay();
+        glm::vec2 low = glm::min(lay.shift, lay.shift + lay.repeat), high = glm::max(lay.shift, lay.shift + lay.repeat);
+        if (surface->shape == ReliefSurface::column) low.x = -far.x, high.x = far.x;  // it closes around
+        return {low, high};
+    }
+};
+
+struct Ball {
+    glm::dvec3 centre{0.62, 0.13, 0.42};
+    double radius = 0.3;
+};
+
+}  // namespace relief::exact

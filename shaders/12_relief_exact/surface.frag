@@ -1,0 +1,119 @@
+#version 410 core
+// A relief, hit exactly: in its own shadow, at its own depth, with its own outline.
+
+#ifdef GL_ARB_conservative_depth
+#extension GL_ARB_conservative_depth : enable
+#endif
+
+#include "12_relief_exact/search.glsl"
+#include "common/heat.glsl"
+#include "common/light.glsl"
+#include "common/srgb.glsl"
+
+in vec3 v_position;
+in vec3 v_normal;
+in vec4 v_tangent;
+in vec2 v_uv;
+
+uniform mat4 u_clip_from_world;
+uniform vec3 u_eye;
+uniform vec3 u_to_light;       // unit: the light is far away
+uniform vec2 u_depth;          // tiles along u and v that height 1 is worth
+uniform float u_depth_metres;
+uniform vec2 u_normal_strength;
+uniform float u_radius;        // of the cylinder that the base is, metres
+uniform vec4 u_border;         // lowest u and v, highest u and v
+uniform int u_soft_samples;
+uniform float u_turns_from;    // pixels: to the right of it the picture shows how many turns were taken
+uniform sampler2D s_albedo;
+uniform sampler2D s_normals;
+
+layout(location = 0) out vec4 o_color;
+#if defined WRITE_DEPTH && defined GL_ARB_conservative_depth
+layout(depth_greater) out float gl_FragDepth;  // a relief lies behind its base: what is hidden already stays so
+#endif
+
+const float least_slant = 0.002;  // a flatter view ray counts as no flatter: a float could not follow it
+
+// 1 in the light, 0 in the shadow.
+float light_at(ReliefRay ray) {
+#if defined SOFT_SHADOW
+    // How far the relief reaches above the ray, against how far away: what covers more of a light that has a size.
+    const float hardness = 3.0;
+    vec2 size = vec2(textureSize(s_heights, 0));
+    float covered = 0.0;
+    for (int i = 1; i <= u_soft_samples; ++i) {
+        float t = float(i) / float(u_soft_samples);
+        float above = textureLod(s_heights, (ray.start + t * ray.along + 0.5) / size, 0.0).r - height_of(ray, t);
+        covered = max(covered, above / t * hardness);
+    }
+    return 1.0 - min(covered, 1.0);
+#else
+    return first_hit(ray, false, 0.0, 1.0).missed ? 1.0 : 0.0;
+#endif
+}
+
+void main() {
+    vec3 normal = normalize(v_normal);
+    vec3 tangent = normalize(v_tangent.xyz - dot(v_tangent.xyz, normal) * normal);
+    vec3 bitangent = v_tangent.w * cross(normal, tangent);
+    vec3 to_eye = normalize(u_eye - v_position);
+    bool faces = dot(to_eye, normal) > 0.0;
+    float slant = max(dot(to_eye, normal), least_slant);
+    vec2 size = vec2(textureSize(s_heights, 0));
+    vec2 dx = dFdx(v_uv), dy = dFdy(v_uv);  // of the base: neighbours may hit far apart
+
+    vec2 across = -vec2(dot(to_eye, tangent), dot(to_eye, bitangent)) / slant;  // per depth
+    ReliefRay view = ReliefRay(v_uv * size - 0.5, across * u_depth * size, vec3(1.0, -1.0, 0.0));
+    ReliefHit hit = ReliefHit(0.0, false, 0);
+#ifdef CURVED
+    if (!faces) discard;
+    float depth = max(u_depth_metres, 1e-9);
+    float gain = bend(across.x * depth, u_radius, depth);
+    view.height.z = gain;
+    hit = first_hit(view, false, 0.0, gain < 0.25 ? 2.0 / (1.0 + sqrt(1.0 - 4.0 * gain)) : 1.0 / gain);
+    if (hit.missed && gain >= 0.25) discard;
+#else
+    if (faces) hit = first_hit(view, true, 1.0 - u_highest, 1.0);
+#endif
+    vec2 uv = v_uv + hit.t * across * u_depth;
+    vec3 position = v_position - to_eye * (hit.t * u_depth_metres / slant);
+#ifdef OUTLINE
+    if (any(lessThan(uv, u_border.xy)) || any(greaterThan(uv, u_border.zw))) discard;
+#endif
+#ifdef WRITE_DEPTH
+    gl_FragDepth = window_depth(position, u_clip_from_world);
+#endif
+
+    float lit = 1.0;
+#if defined HARD_SHADOW || defined SOFT_SHADOW || defined PROBE_shadow
+    // From a little above the relief, so that a hit does not shade itself.
+    vec3 to_light = vec3(dot(u_to_light, tangent), dot(u_to_light, bitangent), dot(u_to_light, normal));
+    lit = 0.0;
+    if (to_light.z > 0.0) {
+        float height = min(height_of(view, hit.t) + 1e-4, 1.0);
+        lit = light_at(shadow_ray(vec3(uv * size - 0.5, height), to_light, u_depth * size));
+    }
+#endif
+
+#if defined PROBE_uv
+    o_color = vec4(uv * size, 0.0, 0.0);
+#elif defined PROBE_depth
+    o_color = vec4(distance(u_eye, position), 0.0, 0.0, 0.0);
+#elif defined PROBE_steps
+    o_color = vec4(float(hit.turns), hit.turns > u_most_turns ? 1.0 : 0.0, 0.0, 0.0);
+#elif defined PROBE_shadow
+    o_color = vec4(lit, 0.0, 0.0, 0.0);
+#else
+    if (gl_FragCoord.x > u_turns_from) {
+        o_color = finished(vec4(heat(log2(float(max(hit.turns, 1))) / 8.0), 1.0), gl_FragCoord.xy);
+        return;
+    }
+    vec3 albedo = textureGrad(s_albedo, uv, dx, dy).rgb;
+    vec3 mapped = textureGrad(s_normals, uv, dx, dy).xyz * 2.0 - 1.0;
+    vec3 n = normalize(mat3(tangent, bitangent, normal) * vec3(mapped.xy * u_normal_strength, mapped.z));
+    vec3 light = albedo * mix(vec3(0.1, 0.09, 0.08), vec3(0.25, 0.28, 0.34), 0.5 + 0.5 * n.y);
+    light += lit * vec3(1.35, 1.22, 1.02) * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
+    o_color = finished(vec4(srgb_from_linear(light), 1.0), gl_FragCoord.xy);
+#endif
+}

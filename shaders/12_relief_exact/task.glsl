@@ -1,0 +1,72 @@
+// Lab 12, yours: how far a ray may go before it has to look, and what follows from where it hits.
+
+#include "common/unfinished.glsl"
+
+// A ray over the height map, in texels from the centre of the map's first texel (so that cell (0, 0) lies between 0 and 1)
+// and in heights. At t it is over start + t * along, and height.x + t * height.y + t * t * height.z high: on a flat base a
+// view ray has (1, -1, 0), from the top of the relief at t = 0 to its ground at t = 1.
+struct ReliefRay {
+    vec2 start;
+    vec2 along;
+    vec3 height;
+};
+
+// TASK 12.1 (3 points): the ray is in the square from `low` to `low` + `side` (texels). At which t does it leave it along u,
+// through the right wall or the left one, whichever lies ahead, and at which t along v? (It leaves at the sooner of the
+// two.) `inverse` is 1 / ray.along, finite and never 0.
+vec2 leave_square(ReliefRay ray, vec2 inverse, vec2 low, float side) {
+    //[solution
+    vec2 wall = low + side * step(0.0, inverse);
+    return (wall - ray.start) * inverse;
+    //]starter
+    //| return unfinished(vec2(1.0));
+    //]
+}
+
+// TASK 12.2 (4 points): skip what cannot be hit. The ray is about to leave its cell at `leaves_cell`. Around it are four
+// windows: nothing in window k is as high as the ray until t = above_until[k], and the ray is in that window until leaves_window[k]:
+// while both hold there is nothing to hit. How far may it go?
+float next_look(float leaves_cell, vec4 leaves_window, vec4 above_until) {
+    //[solution
+    vec4 safe = min(leaves_window, above_until);
+    return max(max(leaves_cell, max(safe.x, safe.y)), max(safe.z, safe.w));
+    //]starter
+    //| return unfinished(leaves_cell);
+    //]
+}
+
+// TASK 12.3 (3 points): the ray from the hit towards the light, to see whether the relief is in its own shadow. `hit` is
+// the hit's place (texels, as in ReliefRay) and its height; `to_light` the direction of the light in tangent space; `depth`
+// what height 1 is worth, in texels along u and along v. At t = 1 the ray is to be at height 1: nothing stands higher. The
+// light is above the horizon: to_light.z > 0.
+ReliefRay shadow_ray(vec3 hit, vec3 to_light, vec2 depth) {
+    //[solution
+    float rise = 1.0 - hit.z;
+    return ReliefRay(hit.xy, to_light.xy / to_light.z * depth * rise, vec3(hit.z, rise, 0.0));
+    //]starter
+    //| return ReliefRay(hit.xy, unfinished(vec2(0.0)), vec3(hit.z, 1.0 - hit.z, 0.0));
+    //]
+}
+
+// TASK 12.4 (2 points): the depth that the depth test is to compare, for a point of the world: 0 at the near plane, 1 at
+// the far one, as the rasteriser makes it (glDepthRange is 0 to 1).
+float window_depth(vec3 world, mat4 clip_from_world) {
+    //[solution
+    vec4 clip = clip_from_world * vec4(world, 1.0);
+    return 0.5 + 0.5 * clip.z / clip.w;
+    //]starter
+    //| return unfinished(gl_FragCoord.z);
+    //]
+}
+
+// TASK 12.5 (3 points): a base that bends away. Seen from the fragment, a cylinder of radius `radius` (metres) falls away
+// from its tangent plane by x * x / (2 * radius) at the distance x along the tangent. So a view ray that moves `across`
+// metres along the tangent from t = 0 to t = 1 gains height over the base. By how much at t = 1, in heights (`depth_metres`
+// each)? That is the ray's height.z: it comes down less and less, may turn, and leave the relief without a hit.
+float bend(float across, float radius, float depth_metres) {
+    //[solution
+    return across * across / (2.0 * radius * depth_metres);
+    //]starter
+    //| return unfinished(0.0);
+    //]
+}
