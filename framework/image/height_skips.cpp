@@ -64,26 +64,37 @@ void slide(std::vector<float>& values, int length) {
     }
 }
 
-/// The highest of `side` x `side` cells from `begin` cells before the first of each block.
-Grid highest_in_squares(const Grid& cells, int block, glm::ivec2 begin, int side) {
-    const int columns = cells.width / block, rows = cells.height / block;
-    Grid across(columns, cells.height), result(columns, rows);
-    parallel_pieces(size_t(cells.height), 32, 0, [&](size_t first, size_t end) {
-        for (int y = int(first); y < int(end); ++y) {
-            std::vector<float> line(cells.row(y), cells.row(y) + cells.width);
-            slide(line, side);
-            for (int x = 0; x < columns; ++x)
-                across.row(y)[x] = line[size_t((x * block - begin.x) & (cells.width - 1))];
+/// The highest in each block of `side` x `side` cells.
+Grid highest_in_blocks(const Grid& cells, int side) {
+    if (side == 1) return cells;
+    Grid blocks(cells.width / side, cells.height / side);
+    parallel_pieces(size_t(blocks.height), 16, 0, [&](size_t begin, size_t end) {
+        for (int y = int(begin) * side; y < int(end) * side; ++y) {
+            float* const to = blocks.row(y / side);
+            for (int x = 0; x < cells.width; ++x)
+                to[x / side] = std::max(y % side == 0 && x % side == 0 ? 0.0f : to[x / side], cells.row(y)[x]);
         }
     });
-    // Columns sixteen at a time: a line of the cache holds as many.
-    parallel_pieces(size_t(columns + 15) / 16, 1, 0, [&](size_t first, size_t end) {
-        std::vector<float> line(size_t(cells.height));
-        for (int x = int(first) * 16; x < std::min(columns, int(end) * 16); ++x) {
+    return blocks;
+}
+
+/// The highest of `side` x `side` cells from `behind` cells before each.
+Grid highest_in_squares(const Grid& cells, int behind, int side) {
+    Grid across(cells.width, cells.height), result(cells.width, cells.height);
+    parallel_pieces(size_t(cells.height), 32, 0, [&](size_t begin, size_t end) {
+        for (int y = int(begin); y < int(end); ++y) {
+            std::vector<float> line(cells.row(y), cells.row(y) + cells.width);
+            slide(line, side);
+            for (int x = 0; x < cells.width; ++x) across.row(y)[x] = line[size_t((x - behind) & (cells.width - 1))];
+        }
+    });
+    parallel_pieces(size_t(cells.width), 32, 0, [&](size_t begin, size_t end) {
+        std::vector<float> line;
+        for (int x = int(begin); x < int(end); ++x) {
             line.resize(size_t(cells.height));
             for (int y = 0; y < cells.height; ++y) line[size_t(y)] = across.row(y)[x];
             slide(line, side);
-            for (int y = 0; y < rows; ++y) result.row(y)[x] = line[size_t((y * block - begin.y) & (cells.height - 1))];
+            for (int y = 0; y < cells.height; ++y) result.row(y)[x] = line[size_t((y - behind) & (cells.height - 1))];
         }
     });
     return result;
@@ -143,13 +154,12 @@ private:
     std::vector<Ray> rays_;
 };
 
-/// One window after the other, each the one that helps most beside those before it.
-std::array<int, 4> best_windows(const Grid& cells, int block) {
-    const int side = std::min(cells.width, cells.height);
+/// One window after the other, each the one that helps most beside those before it. `blocks` are of `block` cells.
+std::array<int, 4> best_windows(const Grid& cells, const Grid& blocks, int block) {
     std::vector<Turns::Window> candidates;
     for (const int grown : {0, 1, 2, 3, 5, 7, 10, 14, 20, 28, 40, 56})
-        if (grown == 0 || grown + block < side)
-            candidates.push_back({grown, highest_in_squares(cells, block, {0, 0}, block + grown)});
+        if (grown == 0 || (grown < std::min(blocks.width, blocks.height) && grown * block <= 56))
+            candidates.push_back({grown * block, highest_in_squares(blocks, 0, 1 + grown)});
     const Turns turns(cells, block);
     std::array<int, 4> grown{};
     std::vector<const Turns::Window*> chosen;
@@ -178,29 +188,26 @@ Image image_of(const Grid& grid) {
 HeightWindows height_windows(const Image& heights) {
     const Grid cells = highest_in_cells(heights);
     const int block = std::max(1, std::min(cells.width, cells.height) / 256);
-    return height_windows(heights, block, best_windows(cells, block));
-}
-
-HeightWindows height_windows(const Image& heights, int block, const std::array<int, 4>& grown) {
-    const Grid cells = highest_in_cells(heights);
-    const int columns = cells.width / block;
-    HeightWindows windows{block, grown, Image(4 * columns, cells.height / block, 4, 8)};
-    for (int k = 0; k < 4; ++k)
-        for (int quadrant = 0; quadrant < 4; ++quadrant) {
-            const int size = grown[size_t(k)];
-            const Grid highest = highest_in_squares(cells, block, behind(quadrant, size), block + size);
-            for (int y = 0; y < highest.height; ++y)
-                for (int x = 0; x < columns; ++x)
-                    windows.clear.pixel(quadrant * columns + x, highest.height - 1 - y)[k] =
-                        clear_of(highest.row(y)[x]) / 255;
-        }
+    const Grid blocks = highest_in_blocks(cells, block);
+    HeightWindows windows{block, best_windows(cells, blocks, block), Image(4 * blocks.width, blocks.height, 4, 8)};
+    for (int k = 0; k < 4; ++k) {
+        // The squares of the other quadrants are those of other blocks.
+        const int grown = windows.grown[size_t(k)] / block;
+        const Grid ahead = highest_in_squares(blocks, 0, 1 + grown);
+        for (int quadrant = 0; quadrant < 4; ++quadrant)
+            for (int y = 0; y < blocks.height; ++y)
+                for (int x = 0; x < blocks.width; ++x) {
+                    const glm::ivec2 from = glm::ivec2(x, y) - behind(quadrant, grown);
+                    windows.clear.pixel(quadrant * blocks.width + x, blocks.height - 1 - y)[k] =
+                        clear_of(ahead.wrapped(from.x, from.y)) / 255;
+                }
+    }
     return windows;
 }
 
-CellMap cell_map(const Image& heights) { return cell_map(heights, best_windows(highest_in_cells(heights), 1)); }
-
-CellMap cell_map(const Image& heights, const std::array<int, 4>& grown) {
+CellMap cell_map(const Image& heights) {
     const Grid cells = highest_in_cells(heights);
+    const std::array<int, 4> grown = best_windows(cells, cells, 1);
     const size_t layer = cells.values.size() * 4;
     CellMap map{cells.width, cells.height, grown, std::vector<int32_t>(layer * 4)};
     const auto corner = [&](int x, int y) {
@@ -210,7 +217,7 @@ CellMap cell_map(const Image& heights, const std::array<int, 4>& grown) {
     for (int k = 0; k < 4; ++k) {
         const int size = grown[size_t(k)];
         // The squares of the other quadrants are those of other cells.
-        const Grid ahead = highest_in_squares(cells, 1, {0, 0}, 1 + size);
+        const Grid ahead = highest_in_squares(cells, 0, 1 + size);
         parallel_pieces(size_t(cells.height), 16, 0, [&](size_t begin, size_t end) {
             for (int y = int(begin); y < int(end); ++y)
                 for (int x = 0; x < cells.width; ++x) {
@@ -244,7 +251,7 @@ std::vector<Image> max_mips(const Image& heights) {
 }
 
 Image highest_in_5x5(const Image& heights) {
-    return image_of(highest_in_squares(highest_in_cells(heights), 1, {2, 2}, 5));
+    return image_of(highest_in_squares(highest_in_cells(heights), 2, 5));
 }
 
 Image cone_map(const Image& heights, unsigned threads) {

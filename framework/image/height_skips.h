@@ -19,14 +19,13 @@ namespace relief {
 /// height 1 and falls by 1 is above everything in the window until t is that number.
 struct HeightWindows {
     int block = 1;               ///< cells along a block's side, a power of two
-    std::array<int, 4> grown{};  ///< cells, rising
+    std::array<int, 4> grown{};  ///< cells, rising; whole blocks
     Image clear;                 ///< a texel a block, 4 channels of 8 bits; the quadrants side by side
 };
 
 /// As few cells a block as leave 256 x 256 of them, and the windows with which rays of all slants take the fewest turns
 /// on this map. Throws Error when a side is not a power of two.
 HeightWindows height_windows(const Image& heights);
-HeightWindows height_windows(const Image& heights, int block, const std::array<int, 4>& grown);
 
 /// Everything that a search wants to know of a cell in one texel of four whole numbers: quadrant by quadrant, row 0
 /// lowest. Number k has in its upper bits a corner's height, in 1 / (2^31 - 256), 23 bits of it (in textureGather's
@@ -38,7 +37,6 @@ struct CellMap {
     std::vector<int32_t> texels;
 };
 CellMap cell_map(const Image& heights);
-CellMap cell_map(const Image& heights, const std::array<int, 4>& grown);
 
 /// Level k holds the highest height in 2^k x 2^k cells; its first level is the cells themselves (Tevs, Ihrke and Seidel
 /// 2008). Floats, one channel, down to 1 x 1.

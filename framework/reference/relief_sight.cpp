@@ -11,7 +11,7 @@ ReliefSights::ReliefSights(const Mesh& mesh) : mesh_(mesh) {
         triangles_.push_back({position(i), position(i + 1) - position(i), position(i + 2) - position(i)});
 }
 
-std::optional<ReliefSight> ReliefSights::look(const Ray& ray, const ReliefLay& lay) const {
+std::optional<ReliefSight> ReliefSights::look(const Ray& ray, const ReliefLay& lay, bool front_only) const {
     double nearest = std::numeric_limits<double>::infinity();
     size_t seen = 0;
     glm::dvec3 shares{};
@@ -19,6 +19,7 @@ std::optional<ReliefSight> ReliefSights::look(const Ray& ray, const ReliefLay& l
         const auto& [corner, e1, e2] = triangles_[i];
         const glm::dvec3 across = glm::cross(ray.direction, e2), from = ray.origin - corner;
         const double determinant = glm::dot(e1, across), s = glm::dot(from, across);
+        if (front_only && determinant < 0) continue;
         // Most triangles end here, without a division.
         if (determinant == 0 || s * determinant < 0 || std::abs(s) > std::abs(determinant)) continue;
         const glm::dvec3 q = glm::cross(from, e1);

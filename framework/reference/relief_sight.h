@@ -27,8 +27,9 @@ constexpr double least_slant = 0.002;
 class ReliefSights {
 public:
     explicit ReliefSights(const Mesh& mesh);
-    /// The first triangle that the ray meets, from either side (Möller and Trumbore 1997).
-    std::optional<ReliefSight> look(const Ray& ray, const ReliefLay& lay) const;
+    /// The first triangle that the ray meets (Möller and Trumbore 1997), from either side, or from the front alone as
+    /// where back faces are culled.
+    std::optional<ReliefSight> look(const Ray& ray, const ReliefLay& lay, bool front_only = false) const;
 
 private:
     struct Triangle {

@@ -121,8 +121,7 @@ private:
         program.set("u_to_light", to_light());
         program.set("u_turns_from", turns_from);
         program.set("u_soft_samples", 24);
-        // Behind a column's outline is what stands there, not the inside of its far half.
-        if (radius > 0) glEnable(GL_CULL_FACE);
+        if (object.is_closed()) glEnable(GL_CULL_FACE);
         surface.draw();
         glDisable(GL_CULL_FACE);
     }
@@ -145,9 +144,9 @@ private:
         frame.probe = {"steps"}, frame.size = small_->size();
         glBindFramebuffer(GL_FRAMEBUFFER, small_->framebuffer());
         glViewport(0, 0, frame.size.x, frame.size.y);
-        glClearColor(no_surface, no_surface, no_surface, no_surface);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glClearColor(0, 0, 0, 0);
+        constexpr float nothing[] = {no_surface, no_surface, no_surface, no_surface};
+        glClearBufferfv(GL_COLOR, 0, nothing);
+        glClear(GL_DEPTH_BUFFER_BIT);
         for (const Object& object : objects()) draw_object(frame, object, method, 0);
         const Image steps = small_->read();
         double sum = 0, count = 0;
@@ -172,7 +171,7 @@ private:
     std::optional<Target> small_;
     Labels labels_;
 
-    int view_ = scene, method_ = cells, show_ = 0, shadow_ = 1;
+    int view_ = scene, method_ = windows, show_ = 0, shadow_ = 1;
     bool write_depth_ = true, outline_ = true, costs_ = false;
     float light_yaw_ = 55, light_pitch_ = 40;
 };

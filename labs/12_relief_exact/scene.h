@@ -13,6 +13,8 @@ struct Object {
     const ReliefSurface* surface;
     glm::dmat4 world_from_model{1};
 
+    /// From the front alone: a far half's base is nearer than some of what the near half's view rays hit.
+    bool is_closed() const { return surface->shape != ReliefSurface::wall; }
     double radius(bool outline) const {
         return outline && surface->shape == ReliefSurface::column ? double(ReliefSurface::column_radius) : 0;
     }
@@ -28,7 +30,7 @@ struct Object {
 };
 
 struct Ball {
-    glm::dvec3 centre{0.62, 0.13, 0.42};
+    glm::dvec3 centre{0.62, 0.06, 0.42};
     double radius = 0.3;
 };
 

@@ -25,13 +25,14 @@ public:
           sights_(object.surface->mesh()),
           lay_(object.surface->lay()),
           model_from_world_(glm::inverse(object.world_from_model)),
+          is_closed_(object.is_closed()),
           radius_(object.radius(outline)),
           border_(object.border(outline)) {}
 
     void look(const Ray& world, const glm::dvec3& to_light, bool wants_light, Seen& nearest) const {
         const glm::dmat3 turn(model_from_world_);
         const Ray ray{glm::dvec3(model_from_world_ * glm::dvec4(world.origin, 1)), turn * world.direction};
-        const auto sight = sights_.look(ray, lay_);
+        const auto sight = sights_.look(ray, lay_, is_closed_);
         if (!sight || (radius_ > 0 && sight->faces_away)) return;
         double t = 0, bend = 0;
         if (!sight->faces_away) {
@@ -63,6 +64,7 @@ private:
     ReliefSights sights_;
     ReliefLay lay_;
     glm::dmat4 model_from_world_;
+    bool is_closed_;
     double radius_;
     std::pair<glm::vec2, glm::vec2> border_;
 };

@@ -19,7 +19,7 @@ void main() {
 #elif defined PROBE_uv || defined PROBE_steps || defined PROBE_shadow
     o_color = vec4(u_nothing);
 #else
-    vec3 normal = normalize(v_normal), albedo = vec3(0.62, 0.13, 0.05);
+    vec3 normal = normalize(v_normal), albedo = vec3(0.32, 0.07, 0.03);
     vec3 light = albedo * mix(vec3(0.1, 0.09, 0.08), vec3(0.25, 0.28, 0.34), 0.5 + 0.5 * normal.y);
     light += vec3(1.35, 1.22, 1.02) * blinn_phong(albedo, 0.08, 60.0, normal, u_to_light, normalize(u_eye - v_position));
     o_color = vec4(srgb_from_linear(light), 1.0);

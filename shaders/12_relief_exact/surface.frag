@@ -91,8 +91,9 @@ void main() {
     vec3 to_light = vec3(dot(u_to_light, tangent), dot(u_to_light, bitangent), dot(u_to_light, normal));
     lit = 0.0;
     if (to_light.z > 0.0) {
-        float height = min(height_of(view, hit.t) + 1e-4, 1.0);
-        lit = light_at(shadow_ray(vec3(uv * size - 0.5, height), to_light, u_depth * size));
+        float height = height_of(view, hit.t) + 1e-4;
+        ReliefRay ray = shadow_ray(vec3(uv * size - 0.5, min(height, 1.0)), to_light, u_depth * size);
+        lit = height < u_highest ? light_at(ray) : 1.0;
     }
 #endif
 

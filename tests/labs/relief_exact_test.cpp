@@ -1,0 +1,273 @@
+// Lab 12: the exact hit is exact, on every map and from every side, and so is what follows from it.
+#include "framework/gl/counters.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+constexpr const char* methods[] = {"walk", "coarse", "windows", "cells", "max-mips", "cones"};
+
+std::vector<Knob> one(std::vector<Knob> knobs) {
+    knobs.insert(knobs.begin(), {{"view", "one"}, {"shadow", "none"}, {"outline", "off"}, {"extent", "4"}});
+    return knobs;
+}
+Shot seen(std::vector<Knob> knobs, double yaw, double pitch, const char* probe = "uv", glm::ivec2 size = {128, 128}) {
+    Shot shot = shot_of("12", one(std::move(knobs)), probe, size);
+    shot.camera = {.yaw = yaw, .pitch = pitch, .distance = 0.4, .target = {0.13, 0.07, 0}, .field_of_view = 40};
+    return shot;
+}
+
+struct Tally {
+    size_t pixels = 0, off = 0;  ///< off: by more than 0.05 texels
+    void add(const Image& error) {
+        for (const float value : error.values)
+            if (std::isfinite(value)) ++pixels, off += value > 0.05f;
+    }
+    double share() const { return double(off) / double(std::max<size_t>(1, pixels)); }
+};
+
+/// Only the pixels whose rays come in at 89 degrees from the wall's normal or steeper.
+Image up_to_89_degrees(Image error, const Shot& shot) {
+    const Frame frame{0, shot.size, 0, Camera(shot.camera, double(shot.size.x) / shot.size.y), {}};
+    for (int y = 0; y < error.height; ++y)
+        for (int x = 0; x < error.width; ++x)
+            if (-frame.ray(x, y).direction.z < std::cos(glm::radians(89.0))) *error.pixel(x, y) = no_surface;
+    return error;
+}
+
+// Each sees 20 degrees around its own angle: together 0 to 89.
+constexpr std::pair<double, double> sides[] = {{0, 0}, {25, -35}, {-60, 10}, {75, -5}};
+
+TEST(ReliefExact, OneRayInTenThousandAtMostIsOffByATwentiethOfATexel) {
+    for (const char* map : {"smooth", "fbm", "bricks", "stones", "posts", "rock", "wall", "paving"})
+        for (const char* bits : {"float", "8"}) {
+            Tally tally;
+            for (const char* method : {"windows", "cells"}) {
+                // Both where heights are floats; where they are bytes, windows on the larger map.
+                const std::vector<const char*> sizes = bits[0] == 'f'     ? std::vector{"512", "1024"}
+                                                       : method[0] == 'w' ? std::vector{"1024"}
+                                                                          : std::vector{"512"};
+                for (const char* size : sizes) {
+                    const Shot first = seen({{"map", map}, {"bits", bits}, {"size", size}, {"method", method}}, 0, 0);
+                    const auto lab = make_lab(find_lab("12"), first);
+                    for (const auto& [yaw, pitch] : sides) {
+                        Shot shot = first;
+                        shot.camera.yaw = yaw, shot.camera.pitch = pitch;
+                        tally.add(up_to_89_degrees(
+                            error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance), shot));
+                    }
+                }
+            }
+            EXPECT_GT(tally.pixels, 100'000u);
+            EXPECT_LE(tally.share(), 1e-4) << map << ", " << bits << ": " << tally.off << " of " << tally.pixels;
+        }
+}
+
+TEST(ReliefExact, EverySearchHasTheSameHit) {
+    for (const char* map : {"stones", "posts", "rock"})
+        for (const auto& [yaw, pitch] : {std::pair(50.0, 20.0), {-78.0, -8.0}}) {
+            const Image walked = drawn("12", seen({{"map", map}, {"method", "walk"}}, yaw, pitch));
+            for (const char* method : methods) {
+                Tally tally;
+                tally.add(error_image(drawn("12", seen({{"map", map}, {"method", method}}, yaw, pitch)), walked,
+                                      ErrorMetric::distance));
+                EXPECT_LE(tally.off, 3u) << method << ", " << map << ", " << yaw;
+            }
+        }
+}
+
+TEST(ReliefExact, MirroredStretchedRepeatedAndOnAnySurfaceItIsExact) {
+    const std::vector<std::vector<Knob>> lays = {{{"mirror", "on"}},
+                                                 {{"stretch", "2.5"}},
+                                                 {{"stretch", "0.4"}, {"mirror", "on"}, {"repeat", "2"}},
+                                                 {{"depth", "0.3"}},
+                                                 {{"surface", "column"}},
+                                                 {{"surface", "column"}, {"outline", "on"}, {"depth", "0.2"}},
+                                                 {{"surface", "column"}, {"mirror", "on"}, {"stretch", "2"}}};
+    for (const char* method : methods) {
+        Tally tally;
+        for (std::vector<Knob> lay : lays) {
+            lay.insert(lay.end(), {{"map", "stones"}, {"method", method}});
+            const bool column = lay[0].second == "column";
+            Shot shot = seen(lay, 35, 15);
+            if (column) shot.camera.distance = 1.2;
+            const auto lab = make_lab(find_lab("12"), shot);
+            const Image error = error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
+            tally.add(error);
+        }
+        EXPECT_LE(tally.share(), 2e-4) << method << ": " << tally.off << " of " << tally.pixels;
+    }
+}
+
+TEST(ReliefExact, AnUrnIsExactWhereARayComesInSteeperThanADegree) {
+    // Flatter, a float's rounding of the interpolated normal moves the hit by texels: the way is over 57 depths long.
+    Shot shot = seen({{"surface", "urn"}, {"map", "stones"}, {"method", "windows"}}, 20, 10, "uv", {192, 192});
+    shot.camera.distance = 3.2, shot.camera.target = {};
+    const auto lab = make_lab(find_lab("12"), shot);
+    const Image error = error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
+    Shot base = shot;  // how far in a ray goes at most, from a relief that is 0 everywhere
+    base.set.emplace_back("map", "low"), base.probe = {"depth"};
+    const Image ground = drawn("12", base);
+    base.set.emplace_back("map", "high");
+    const Image top = drawn("12", base);
+    Tally tally;
+    for (size_t i = 0; i < error.values.size(); ++i) {
+        const double way = double(ground.values[i * 4]) - double(top.values[i * 4]);
+        const double metres = 0.08 * 3.2 / 3;  // of depth: a third of the way around is a tile
+        if (std::isfinite(error.values[i]) && way > metres * 0.99 && way < metres * 57)
+            ++tally.pixels, tally.off += error.values[i] > 0.05f;
+    }
+    EXPECT_GT(tally.pixels, 5000u);
+    EXPECT_LE(tally.share(), 2e-4) << tally.off << " of " << tally.pixels;
+}
+
+double mean_turns(const char* method, const char* map, double yaw, const char* size = "512") {
+    const Image steps = drawn("12", seen({{"map", map}, {"method", method}, {"size", size}}, yaw, 3, "steps"));
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < steps.values.size(); i += 4)
+        if (std::isfinite(steps.values[i])) sum += double(steps.values[i]), ++count;
+    return sum / count;
+}
+
+TEST(ReliefExact, WindowsTakeAFractionOfTheTurnsOnMapsThatTheyWereNotMadeFor) {
+    for (const char* size : {"512", "1024"})
+        for (const char* map : {"smooth", "fbm", "rock", "wall", "paving", "stones", "posts"})
+            for (const double yaw : {40.0, 75.0}) {
+                const double walked = mean_turns("walk", map, yaw, size);
+                for (const char* method : {"windows", "cells"})
+                    EXPECT_LT(mean_turns(method, map, yaw, size), std::max(4.0, 0.5 * walked))
+                        << method << ", " << map << ", " << yaw << ", " << size << ": walked " << walked;
+            }
+}
+
+TEST(ReliefExact, NothingIsMarchedWhereTheMapSaysSoOrTheSurfaceFacesAway) {
+    for (const char* method : methods) {
+        EXPECT_LE(mean_turns(method, "low", 70), 1.01) << method;
+        EXPECT_LE(mean_turns(method, "plateau", 70), 6) << method << ": it begins at the height of the highest";
+        const Image behind = drawn("12", seen({{"map", "stones"}, {"method", method}}, 180, 10, "steps"));
+        for (size_t i = 0; i < behind.values.size(); i += 4) ASSERT_EQ(behind.values[i], 0) << method;
+    }
+}
+
+TEST(ReliefExact, ABallAndThreeReliefsMeetWhereTheyReallyDo) {
+    for (const double yaw : {14.0, -35.0, 60.0}) {
+        Shot shot = shot_of("12", {}, "depth", {256, 192});
+        shot.camera.yaw = yaw;
+        const auto lab = make_lab(find_lab("12"), shot);
+        const Image depth = take(*lab, shot), truth = truth_of(*lab, shot);
+        size_t off = 0, outline = 0;
+        for (size_t i = 0; i < depth.values.size(); i += 4) {
+            const bool here = std::isfinite(depth.values[i]), there = std::isfinite(truth.values[i]);
+            outline += here != there;
+            off += here && there && std::abs(depth.values[i] - truth.values[i]) > 0.005;
+        }
+        // Outlines that fall within a rounding of a pixel's centre; the ball is a mesh of flat pieces.
+        EXPECT_LE(off, depth.pixel_count() / 500) << yaw;
+        EXPECT_LE(outline, depth.pixel_count() / 1000) << yaw;
+    }
+}
+
+TEST(ReliefExact, WithoutItsDepthOrOutlineTheSceneIsAnotherOne) {
+    const Image right = drawn("12", shot_of("12", {}, "depth"));
+    for (const char* knob : {"write_depth", "outline"}) {
+        const Image wrong = drawn("12", shot_of("12", {{knob, "off"}}, "depth"));
+        EXPECT_GT(difference(wrong, right, 0.01).pixels_over, right.pixel_count() / 400) << knob;
+    }
+}
+
+TEST(ReliefExact, ItsShadowIsTheReliefs) {
+    for (const char* map : {"stones", "bricks", "rock"})
+        for (const auto& [yaw, pitch] : {std::pair("60", "20"), {"-120", "45"}, {"10", "-5"}}) {
+            Shot shot = seen({{"map", map}, {"light_yaw", yaw}, {"light_pitch", pitch}}, 25, 20, "shadow");
+            const auto lab = make_lab(find_lab("12"), shot);
+            const ErrorSummary error =
+                summarize(error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::absolute));
+            EXPECT_LT(error.mean, 0.01) << map << ", " << yaw << ", " << pitch;
+        }
+}
+
+TEST(ReliefExact, ADepthOfZeroIsThePlainWall) {
+    const auto picture = [](const char* map, const char* depth) {
+        return drawn("12", seen({{"map", map}, {"depth", depth}}, 40, 20, "uv"));
+    };
+    const Image flat = picture("high", "0.08");
+    const Image stones = picture("stones", "0");
+    EXPECT_LT(difference(flat, stones, 0).largest, 1e-3);
+}
+
+TEST(ReliefExact, AShiftOfWholeTilesShiftsEveryHitAndNothingElse) {
+    const Image here = drawn("12", seen({{"map", "rock"}}, 55, 15));
+    for (const char* shift : {"1", "16"}) {
+        Image there = drawn("12", seen({{"map", "rock"}, {"shift", shift}}, 55, 15));
+        for (size_t i = 0; i < there.values.size(); i += 4)
+            for (size_t c : {0, 1}) there.values[i + c] -= float(std::stoi(shift) * 512);
+        Tally tally;  // at 16 tiles a float resolves a thousandth of a texel
+        tally.add(error_image(there, here, ErrorMetric::distance));
+        EXPECT_LE(tally.off, 8u) << shift;
+    }
+}
+
+TEST(ReliefExact, EveryPixelIsFiniteAndNoLoopRunsOn) {
+    const std::vector<std::vector<Knob>> scenes = {
+        {{"map", "low"}},     {{"map", "high"}},       {{"map", "plateau"}},
+        {{"map", "damaged"}}, {{"size", "1"}},         {{"depth", "0"}},
+        {{"depth", "10"}},    {{"shift", "10000"}},    {{"stretch", "4"}},
+        {{"surface", "urn"}}, {{"surface", "column"}}, {{"surface", "column"}, {"outline", "on"}, {"depth", "10"}}};
+    for (const char* method : {"windows", "cones"})
+        for (std::vector<Knob> scene : scenes) {
+            scene.insert(scene.begin(), {{"map", "posts"}, {"method", method}});
+            for (const double yaw : {0.0, 89.9, 90.0, 90.1}) {
+                Shot shot = seen(scene, yaw, yaw == 0 ? 0 : 0.05, "steps", {32, 32});
+                if (scene.back().first == "surface" || scene[2].first == "surface") shot.camera.distance = 3;
+                const auto lab = make_lab(find_lab("12"), shot);
+                const Target probe(TargetKind::probe, shot.size), light(TargetKind::light, shot.size);
+                draw_lab(*lab, frame_of(shot, probe));
+                for (const Image steps = probe.read(); const float value : steps.values)
+                    ASSERT_TRUE(value == no_surface || (value >= 0 && value <= 4097));
+                shot.probe = {};
+                draw_lab(*lab, frame_of(shot, light));
+                for (const Image picture = light.read(); const float value : picture.values)
+                    ASSERT_TRUE(std::isfinite(value)) << method << ", " << scene[2].first << " = " << scene[2].second;
+            }
+        }
+}
+
+TEST(ReliefExact, FromInsideTheReliefAndOnAMapOf4096ItIsFinite) {
+    Shot inside = seen({{"map", "stones"}}, 150, 10, "uv", {64, 64});
+    inside.camera.distance = 0.02, inside.camera.target = {0, 0, -0.03};
+    EXPECT_NO_THROW(drawn("12", inside));
+    for (const char* method : {"windows", "cells"}) {
+        const Shot large = seen({{"map", "posts"}, {"size", "4096"}, {"method", method}}, 60, 10, "uv", {64, 64});
+        const auto lab = make_lab(find_lab("12"), large);
+        Tally tally;
+        tally.add(error_image(take(*lab, large), truth_of(*lab, large), ErrorMetric::distance));
+        EXPECT_LE(tally.off, 20u) << method << ": a float resolves five hundredths of such a texel";
+    }
+}
+
+TEST(ReliefExact, NoRayOfAnUsualPictureIsStopped) {
+    for (const char* map : {"posts", "rock", "paving"})
+        for (const double yaw : {0.0, 40.0, 65.0}) {
+            const Image steps = drawn("12", seen({{"map", map}}, yaw, 5, "steps"));
+            for (size_t i = 0; i < steps.values.size(); i += 4)
+                ASSERT_TRUE(steps.values[i] == no_surface || steps.values[i + 1] == 0) << map << ", " << yaw;
+        }
+}
+
+TEST(ReliefExact, AMethodsMapIsMadeOnlyForThatMethod) {
+    const auto bytes = [](const char* method) {
+        const Shot shot = seen({{"map", "stones"}, {"method", method}}, 40, 10);
+        const int64_t before = counters().texture_bytes;
+        const auto made = make_lab(find_lab("12"), shot);
+        const Target target(TargetKind::probe, shot.size);
+        draw_lab(*made, frame_of(shot, target));
+        return counters().texture_bytes - before;
+    };
+    constexpr int64_t heights = (512 * 512 * 4 - 1) / 3 + 1;  // floats, with their smaller levels
+    EXPECT_NEAR(double(bytes("walk")), double(heights) * 4, 64) << "no albedo, no normals: the probe reads none";
+    EXPECT_EQ(bytes("windows") - bytes("walk"), 4 * 256 * 256 * 4);
+    EXPECT_EQ(bytes("coarse") - bytes("walk"), 512 * 512 * 4);
+}
+
+}  // namespace
+}  // namespace relief
