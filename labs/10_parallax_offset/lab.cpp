@@ -20,11 +20,12 @@ public:
 
     void draw(const Frame& frame) override {
         const auto sights = sights_of(frame);
-        if (!frame.probe) measure(sights);
+        const bool words = !frame.probe && (view_ == strip || show_ != light);
+        if (words) measure(sights);
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (const Sight& sight : sights) draw_tile(sight);
-        if (!frame.probe) describe(frame.size, sights);
+        if (words) describe(frame.size, sights);
         labels_.draw(frame);
     }
 
@@ -63,7 +64,7 @@ private:
 
     /// The angles run along the longer side of the picture.
     std::vector<Sight> sights_of(const Frame& frame) const {
-        const int below = show_ == light ? 0 : Labels::scale_height(frame.size);
+        const int below = frame.probe || show_ == light ? 0 : Labels::scale_height(frame.size);
         if (view_ == one) {
             const Tile tile = tiles_of(frame.size, 1, below)[0];
             return {{tile, frame_in(frame, tile), method_, 0}};
