@@ -101,8 +101,7 @@ private:
         if (size.x <= 0 || size.y <= 0) return;
         glViewport(corner.x, corner.y, size.x, size.y);
         if (sight.frame.probe || show_ == light) return draw_relief(sight, "");
-        // One scene twice, each through its own part of the tile: the errors on the right, or below where tiles are
-        // small.
+        // One scene twice, each through its own part of the tile: errors on the right, or below where tiles are small.
         glEnable(GL_SCISSOR_TEST);
         const auto through = [&](glm::ivec2 low, glm::ivec2 high, const char* purpose) {
             glScissor(corner.x + low.x, corner.y + low.y, high.x - low.x, high.y - low.y);
@@ -125,10 +124,11 @@ private:
     }
 
     const Texture& tops() {
-        if (!tops_ || tops_of_ != surface_.version())
-            tops_of_ = surface_.version(),
-            tops_.emplace(
-                "tops", [this] { return offsets::block_tops(surface_.heights(), 4); }, TextureOptions{.mips = false});
+        if (!tops_ || tops_of_ != surface_.version()) {
+            tops_of_ = surface_.version();
+            const auto make = [this] { return offsets::block_tops(surface_.heights(), 4); };
+            tops_.emplace("tops", make, TextureOptions{.mips = false});
+        }
         return *tops_;
     }
 
@@ -179,8 +179,9 @@ private:
     void describe(glm::ivec2 size, const std::vector<Sight>& sights) {
         for (size_t i = 0; i < sights.size(); ++i) {
             const auto& [tile, frame, method, degrees] = sights[i];
+            const bool one_angle = view_ == strip && surface_.shape == ReliefSurface::wall;
             const std::string name = methods[size_t(method)];
-            labels_.caption(size, tile, 0, view_ == strip ? fmt::format("{} {}~", name, degrees) : name);
+            labels_.caption(size, tile, 0, one_angle ? fmt::format("{} {}~", name, degrees) : name);
             labels_.caption(size, tile, -1, fmt::format("{:.3g} texels", measured_.means[i]));
         }
         if (show_ != light) labels_.log_scale(size, "0.01", "100 texels", 4);
@@ -196,7 +197,7 @@ private:
 
     Programs program_{"common/relief.vert", "10_parallax_offset/surface.frag"};
     ReliefSurface surface_;
-    std::optional<Texture> tops_;  ///< where the exact hit need not look
+    std::optional<Texture> tops_;  ///< of blocks of the heights: what the exact hit passes over
     int tops_of_ = 0;              ///< version of the heights
     Labels labels_;
     Measured measured_;
