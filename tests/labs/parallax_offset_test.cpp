@@ -232,8 +232,9 @@ TEST(ParallaxOffset, EveryPixelIsFiniteAndNoRayTooLongWhateverTheAngleTheMapOrTh
                     if (*probe && std::all_of(value, value + 4, [](float v) { return v == no_surface; })) continue;
                     ASSERT_TRUE(std::all_of(value, value + 4, [](float v) { return std::isfinite(v); }))
                         << "scene " << i << ", " << method << ", probe '" << probe << "'";
-                    if (shot.probe.name == "ray")
+                    if (shot.probe.name == "ray") {
                         ASSERT_LE(glm::length(glm::make_vec2(value)), longest) << "scene " << i;
+                    }
                 }
             }
     }
