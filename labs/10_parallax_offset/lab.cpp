@@ -1,0 +1,211 @@
+// Lab 10: parallax offset.
+//
+// A relief on a flat wall, by three guesses of where the view ray meets it, from straight on to nearly edge-on: lit
+// above, the error in texels below. Yours: shaders/10_parallax_offset/task.glsl
+#include <fmt/format.h>
+
+#include "framework/gl/target.h"
+#include "framework/image/compare.h"
+#include "framework/lab/labels.h"
+#include "framework/lab/relief_surface.h"
+#include "framework/lab/tiles.h"
+#include "tops.h"
+#include "truth.h"
+
+namespace relief {
+
+class ParallaxOffset final : public Lab {
+public:
+    ParallaxOffset() { surface_.extent = 16, surface_.depth = 0.06f; }  // a wall that fills a picture from 85 degrees
+
+    void draw(const Frame& frame) override {
+        const auto sights = sights_of(frame);
+        const bool words = !frame.probe && (view_ == strip || show_ != light);
+        if (words) measure(sights);
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        for (const Sight& sight : sights) draw_tile(sight);
+        if (words) describe(frame.size, sights);
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        knobs.choice("view", view_, views, "every method at five angles on the wall, or one by the camera");
+        knobs.choice("method", method_, methods, "for view = one");
+        knobs.steps("steps", steps_, 1, 256, "layers of the steep method");
+        knobs.choice("show", show_, shows, "the lit relief, the error, or half of each");
+        surface_.knobs(knobs);
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
+        knobs.slider("light_pitch", light_pitch_, -90, 90, "how high it stands, degrees");
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        std::vector<Tile> tiles;
+        std::vector<Frame> frames;
+        for (const Sight& sight : sights_of(frame)) tiles.push_back(sight.tile), frames.push_back(sight.frame);
+        const std::vector<Image> images = offsets::truths(frames, probe, surface_);
+        if (images.empty()) return {};
+        return truth_in_tiles(frame, tiles, [&](const Frame&, size_t i) { return images[i]; });
+    }
+
+private:
+    enum View { strip, one };
+    enum Show { half_and_half, light, error };
+    static constexpr std::array views = {"strip", "one"};
+    static constexpr std::array methods = {"offset", "limited", "steep"};
+    static constexpr std::array shows = {"half-and-half", "light", "error"};
+    static constexpr std::array angles = {0, 30, 60, 75, 85};  ///< between the view and the wall's normal, degrees
+
+    struct Sight {
+        Tile tile;
+        Frame frame;
+        int method, degrees;
+    };
+
+    /// The angles run along the longer side of the picture.
+    std::vector<Sight> sights_of(const Frame& frame) const {
+        const int below = frame.probe || show_ == light ? 0 : Labels::scale_height(frame.size);
+        if (view_ == one) {
+            const Tile tile = tiles_of(frame.size, 1, below)[0];
+            return {{tile, frame_in(frame, tile), method_, 0}};
+        }
+        const bool wide = frame.size.x >= frame.size.y;
+        const int columns = int(wide ? angles.size() : methods.size()),
+                  rows = int(wide ? methods.size() : angles.size());
+        std::vector<Tile> tiles = tile_grid({frame.size.x, std::max(0, frame.size.y - below)}, columns, rows);
+        const int gap = std::min(frame.size.x, frame.size.y) / 160;
+        std::vector<Sight> sights;
+        for (int i = 0; i < int(tiles.size()); ++i) {
+            Tile& tile = tiles[size_t(i)];
+            tile.corner.y += below;
+            tile.size = glm::max(tile.size - gap, 0);
+            const int method = wide ? i / columns : i % columns,
+                      degrees = angles[size_t(wide ? i % columns : i / columns)];
+            sights.push_back({tile, from_afar(frame_in(frame, tile), degrees), method, degrees});
+        }
+        return sights;
+    }
+
+    /// As much of the wall as the camera shows, but through a long lens, so that the angle is the same all over.
+    static Frame from_afar(Frame frame, double degrees) {
+        constexpr double lens = 2;
+        Orbit orbit = frame.camera.orbit();
+        orbit.distance *= std::tan(glm::radians(orbit.field_of_view) / 2) / std::tan(glm::radians(lens) / 2);
+        orbit.yaw = degrees, orbit.pitch = 0, orbit.field_of_view = lens;
+        frame.camera = Camera(orbit, double(frame.size.x) / std::max(1, frame.size.y));
+        return frame;
+    }
+
+    void draw_tile(const Sight& sight) {
+        const auto& [corner, size] = sight.tile;
+        if (size.x <= 0 || size.y <= 0) return;
+        glViewport(corner.x, corner.y, size.x, size.y);
+        if (sight.frame.probe || show_ == light) return draw_relief(sight, "");
+        // One scene twice, each through its own part of the tile: errors on the right, or below where tiles are small.
+        glEnable(GL_SCISSOR_TEST);
+        const auto through = [&](glm::ivec2 low, glm::ivec2 high, const char* purpose) {
+            glScissor(corner.x + low.x, corner.y + low.y, high.x - low.x, high.y - low.y);
+            draw_relief(sight, purpose);
+        };
+        if (view_ == one) {
+            const int half = show_ == error ? 0 : size.x / 2;
+            through({0, 0}, {half, size.y}, "");
+            through({half, 0}, size, "ERROR");
+        } else {
+            const int half = show_ == error ? size.y : size.y / 2;
+            through({0, half}, size, "");
+            through({0, 0}, {size.x, half}, "ERROR");
+        }
+        glDisable(GL_SCISSOR_TEST);
+    }
+
+    const Program& program(const Sight& sight, const char* purpose) const {
+        return program_.with({fmt::format("METHOD {}", sight.method), sight.frame.probe, purpose});
+    }
+
+    const Texture& tops() {
+        if (!tops_ || tops_of_ != surface_.version()) {
+            tops_of_ = surface_.version();
+            const auto make = [this] { return offsets::block_tops(surface_.heights(), 4); };
+            tops_.emplace("tops", make, TextureOptions{.mips = false});
+        }
+        return *tops_;
+    }
+
+    void draw_relief(const Sight& sight, const char* purpose) {
+        const Program& relief = program(sight, purpose);
+        glUseProgram(relief);
+        surface_.set(relief, sight.frame);
+        const double yaw_rad = glm::radians(light_yaw_), pitch_rad = glm::radians(light_pitch_);
+        relief.set("u_to_light", glm::dvec3(std::sin(yaw_rad) * std::cos(pitch_rad), std::sin(pitch_rad),
+                                            std::cos(yaw_rad) * std::cos(pitch_rad)));
+        relief.set("u_steps", steps_);
+        relief.set("u_most_turns", 4096);
+        relief.set("s_tops", 3, tops());
+        surface_.draw();
+    }
+
+    /// Each sight's mean error over 64 x 64 of its rays, by the shader's own functions; anew when anything is another.
+    void measure(const std::vector<Sight>& sights) {
+        Measured now;
+        for (const Sight& sight : sights) {
+            now.programs.push_back(program(sight, "MEASURE"));
+            now.cameras.push_back(sight.frame.camera.clip_from_world());
+        }
+        for (const KnobText& knob : describe_knobs(*this)) now.knobs.push_back(knob.value);
+        now.means = measured_.means;
+        if (now == measured_) return;
+
+        constexpr int side = 64;
+        const Target target(TargetKind::probe, {side, side * int(sights.size())});
+        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+        glClearBufferfv(GL_COLOR, 0, &glm::vec4(no_surface)[0]);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        for (size_t i = 0; i < sights.size(); ++i) {
+            glViewport(0, side * int(i), side, side);
+            draw_relief(sights[i], "MEASURE");
+        }
+        const Image drawn = target.read();
+        now.means.clear();
+        for (int i = 0; i < int(sights.size()); ++i) {
+            Image errors(side, side, 1);
+            for (size_t pixel = 0; pixel < errors.values.size(); ++pixel)
+                errors.values[pixel] = drawn.pixel(0, side * (int(sights.size()) - 1 - i))[pixel * 4];
+            now.means.push_back(summarize(errors).mean);
+        }
+        measured_ = std::move(now);
+    }
+
+    void describe(glm::ivec2 size, const std::vector<Sight>& sights) {
+        for (size_t i = 0; i < sights.size(); ++i) {
+            const auto& [tile, frame, method, degrees] = sights[i];
+            const bool one_angle = view_ == strip && surface_.shape == ReliefSurface::wall;
+            const std::string name = methods[size_t(method)];
+            labels_.caption(size, tile, 0, one_angle ? fmt::format("{} {}~", name, degrees) : name);
+            labels_.caption(size, tile, -1, fmt::format("{:.3g} texels", measured_.means[i]));
+        }
+        if (show_ != light) labels_.log_scale(size, "0.01", "100 texels", 4);
+    }
+
+    struct Measured {
+        std::vector<GLuint> programs;
+        std::vector<glm::dmat4> cameras;
+        std::vector<std::string> knobs;
+        std::vector<double> means;  ///< texels
+        bool operator==(const Measured&) const = default;
+    };
+
+    Programs program_{"common/relief.vert", "10_parallax_offset/surface.frag"};
+    ReliefSurface surface_;
+    std::optional<Texture> tops_;  ///< of blocks of the heights: what the exact hit passes over
+    int tops_of_ = 0;              ///< version of the heights
+    Labels labels_;
+    Measured measured_;
+
+    int view_ = strip, method_ = 2, steps_ = 32, show_ = half_and_half;
+    float light_yaw_ = -50, light_pitch_ = 40;
+};
+
+RELIEF_LAB(ParallaxOffset);
+
+}  // namespace relief

@@ -1,0 +1,303 @@
+// Lab 10: the shaders' guesses are those of their twins, and so are their errors; what must stay finite, and what must
+// look the same.
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/gtx/component_wise.hpp>
+#include <set>
+
+#include "framework/lab/relief_surface.h"
+#include "framework/reference/relief_sight.h"
+#include "labs/10_parallax_offset/tops.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+constexpr std::array methods = {"offset", "limited", "steep"};
+constexpr std::array angles = {0, 30, 60, 75, 85};
+constexpr int steps = 24;
+
+/// A wall through a long lens, so that the angle is the same all over; a texel is about a pixel at 0 degrees.
+Shot wall_at(double degrees, std::vector<Knob> knobs, const char* probe = "uv", glm::ivec2 size = {96, 96}) {
+    knobs.insert(knobs.begin(), {{"view", "one"}, {"steps", std::to_string(steps)}});
+    Shot shot = shot_of("10", std::move(knobs), probe, size);
+    shot.camera = {.yaw = degrees, .pitch = 0, .distance = 3, .target = {0.1, 0.07, 0}, .field_of_view = 2};
+    return shot;
+}
+Image picture(const std::vector<Knob>& knobs, double degrees = 40) {
+    Shot shot = wall_at(degrees, knobs, "");
+    shot.camera.target.x = 0, shot.camera.distance = 0.3, shot.camera.field_of_view = 40;
+    shot.set.emplace_back("show", "light");
+    return drawn("10", shot);
+}
+
+struct Figures {
+    double mean = 0, wrong = 0;  ///< texels; share off by more than one
+};
+Figures figures_of(const Image& errors) {
+    Figures figures;
+    double count = 0;
+    for (const float error : errors.values)
+        if (error != no_surface) figures.mean += error, figures.wrong += error > 1, ++count;
+    return {figures.mean / count, figures.wrong / count};
+}
+
+/// The lab's surface alone, as it begins there.
+class Surface final : public Lab {
+public:
+    Surface() { surface.extent = 16, surface.depth = 0.06f; }
+    void draw(const Frame&) override {}
+    void knobs(Knobs& knobs) override { surface.knobs(knobs); }
+    ReliefSurface surface;
+};
+Surface surface_of(const Shot& shot) {
+    Surface lab;
+    std::set<std::string> known;
+    for (const KnobText& knob : describe_knobs(lab)) known.insert(knob.name);
+    for (const auto& [name, value] : shot.set)
+        if (known.contains(name)) set_knob(lab, name, value);
+    return lab;
+}
+
+/// The surface of a shot, and what is guessed there in double precision.
+struct Twin {
+    Surface lab;
+    ReliefSurface& surface = lab.surface;
+    ReliefSights sights{surface.mesh()};
+    HeightField heights{surface.heights(), true};
+
+    explicit Twin(const Shot& shot) : lab(surface_of(shot)) {}
+
+    ParallaxHit guess(const std::string& method, const ReliefRay& ray) const {
+        return method == "offset"    ? parallax_offset(heights, ray)
+               : method == "limited" ? offset_limited(heights, ray)
+                                     : steep_parallax(heights, ray, steps);
+    }
+    /// What the method costs in double precision, pixel by pixel.
+    Image errors(const Shot& shot, const std::string& method) const {
+        const Frame frame{0, shot.size, 0, Camera(shot.camera, double(shot.size.x) / shot.size.y), {}};
+        Image errors(shot.size.x, shot.size.y, 1);
+        for (int y = 0; y < shot.size.y; ++y)
+            for (int x = 0; x < shot.size.x; ++x) {
+                const auto sight = sights.look(frame.ray(x, y), surface.lay());
+                const auto exact = sight ? heights.first_hit(sight->ray.in_texels(), 1) : std::nullopt;
+                *errors.pixel(x, y) =
+                    exact ? float(glm::distance(guess(method, sight->ray).texel, exact->texel)) : no_surface;
+            }
+        return errors;
+    }
+};
+
+Image errors_of(const Shot& shot) {
+    const auto lab = make_lab(find_lab("10"), shot);
+    return error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
+}
+
+TEST(ParallaxOffset, EachMethodIsAsWrongAsItsTwinInDoublePrecision) {
+    for (const char* map : {"wall", "fbm"})
+        for (const char* method : methods)
+            for (const int degrees : angles) {
+                const Shot shot = wall_at(degrees, {{"map", map}, {"method", method}});
+                const Figures gpu = figures_of(errors_of(shot)), twin = figures_of(Twin(shot).errors(shot, method));
+                // The sampler's weights have 8 bits: 0.01 texels, where the error is as small.
+                EXPECT_NEAR(gpu.mean, twin.mean, 0.05 * twin.mean + 0.01) << map << ", " << method << ", " << degrees;
+                EXPECT_NEAR(gpu.wrong, twin.wrong, 0.05 * twin.wrong + 0.002)
+                    << map << ", " << method << ", " << degrees;
+            }
+}
+
+TEST(ParallaxOffset, TheErrorGrowsWithTheAngle) {
+    for (const char* method : methods) {
+        double before = -1;
+        for (const int degrees : angles) {
+            const double mean = figures_of(errors_of(wall_at(degrees, {{"method", method}}))).mean;
+            EXPECT_GT(mean, 1.5 * before) << method << " at " << degrees;
+            before = mean;
+        }
+    }
+}
+
+TEST(ParallaxOffset, TheErrorInThePictureIsTheError) {
+    for (const auto& [surface, degrees] : {std::pair("wall", 30), {"wall", 60}, {"wall", 85}, {"column", 20}}) {
+        Shot shot = wall_at(degrees, {{"surface", surface}, {"method", "offset"}});
+        if (surface == std::string("column")) shot.camera.target = {0, 1, 0}, shot.camera.distance = 30;
+        Twin twin(shot);
+        const Programs programs{"common/relief.vert", "10_parallax_offset/surface.frag"};
+        const Program& program = programs.with({"METHOD 0", "MEASURE"});
+        const Texture tops("tops", [&] { return offsets::block_tops(twin.surface.heights(), 4); }, {.mips = false});
+        const Target target(TargetKind::probe, shot.size);
+        const Frame frame = frame_of(shot, target);
+        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+        glViewport(0, 0, shot.size.x, shot.size.y);
+        glClearBufferfv(GL_COLOR, 0, &glm::vec4(no_surface)[0]);
+        glEnable(GL_DEPTH_TEST);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        glUseProgram(program);
+        twin.surface.set(program, frame);
+        program.set("u_most_turns", 4096);
+        program.set("s_tops", 3, tops);
+        twin.surface.draw();
+        const Image shown = target.read(), errors = errors_of(shot);
+        size_t off = 0, count = 0;
+        for (size_t i = 0; i < errors.values.size(); ++i) {
+            if (errors.values[i] == no_surface) continue;
+            ++count, off += std::abs(shown.values[i * 4] - errors.values[i]) > 0.1f + 0.001f * errors.values[i];
+        }
+        EXPECT_GT(count, errors.values.size() / 4);
+        // Rays that only graze an edge end elsewhere.
+        EXPECT_LE(off, count / 200) << surface << " at " << degrees;
+    }
+}
+
+TEST(ParallaxOffset, ARayThatPassesOverBlocksMissesNothing) {
+    Image heights(32, 32, 1);
+    std::fill(heights.values.begin(), heights.values.end(), 0.25f);
+    *heights.pixel(12, 31 - 3) = 1;
+    const Image tops = offsets::block_tops(heights, 4);
+    ASSERT_EQ(tops.width, 8);
+    // The post's texel (column 12, row 3 from below) belongs to the cells on both its sides.
+    constexpr std::array reaches = {0, 1, 3, 8};
+    for (int row = 0; row < 8; ++row)
+        for (int column = 0; column < 8; ++column) {
+            const float* const top = tops.pixel(column, 7 - row);
+            const auto apart = [](int a, int b) { return std::min((a - b + 8) % 8, (b - a + 8) % 8); };
+            const int blocks = std::max(std::min(apart(column, 2), apart(column, 3)), apart(row, 0));
+            for (int k = 0; k < 4; ++k)
+                EXPECT_EQ(top[k], blocks <= reaches[size_t(k)] ? 1.0f : 0.25f)
+                    << column << ", " << row << ", channel " << k;
+        }
+}
+
+TEST(ParallaxOffset, AReliefOfNoDepthIsThePlainTexture) {
+    for (const double degrees : {0.0, 40.0, 85.0}) {
+        const Image plain = picture({{"depth", "0"}, {"method", "offset"}}, degrees);
+        for (const char* method : {"limited", "steep"})
+            EXPECT_EQ(picture({{"depth", "0"}, {"method", method}}, degrees).values, plain.values) << method;
+        const Image rays = drawn("10", wall_at(degrees, {{"depth", "0"}}, "ray"));
+        for (size_t i = 0; i < rays.values.size(); i += 4) ASSERT_EQ(glm::length(glm::make_vec2(&rays.values[i])), 0);
+    }
+}
+
+TEST(ParallaxOffset, SeenStraightOnOneTapIsExact) {
+    for (const char* method : methods) {
+        const Shot shot = wall_at(0, {{"method", method}}, "uv", {33, 33});
+        // The ray of the middle pixel does not move; a pixel beside it, by a 3000th of the depth.
+        EXPECT_LT(*errors_of(shot).pixel(16, 16), 0.005) << method;
+    }
+    Shot depth = wall_at(0, {{"method", "offset"}}, "depth", {33, 33});
+    const auto lab = make_lab(find_lab("10"), depth);
+    const Image error = error_image(take(*lab, depth), truth_of(*lab, depth), ErrorMetric::absolute);
+    EXPECT_LT(*error.pixel(16, 16), 0.06 / 255 / 2);  // metres: 8-bit heights are interpolated in 8 bits
+}
+
+TEST(ParallaxOffset, EveryPixelIsFiniteAndNoRayTooLongWhateverTheAngleTheMapOrTheDepth) {
+    struct Scene {
+        std::vector<Knob> knobs;
+        double yaw = 40, pitch = 0;
+        glm::dvec3 target{0, 0, 0};
+    };
+    const std::vector<Scene> scenes = {{{}, 89.9},
+                                       {{}, 90},
+                                       {{}, 90.1},
+                                       {{}, 0},
+                                       {{{"surface", "column"}}, 0, 89, {0, 1, 0}},
+                                       {{{"map", "low"}}},
+                                       {{{"map", "high"}}},
+                                       {{{"map", "plateau"}}},
+                                       {{{"map", "damaged"}}},
+                                       {{{"map", "stones"}, {"size", "1"}}},
+                                       {{{"map", "low"}, {"size", "4096"}, {"depth", "10"}}, 89.9},
+                                       {{{"depth", "10"}}, 80},
+                                       {{{"depth", "10"}, {"stretch", "0.25"}, {"mirror", "on"}}, 89.9},
+                                       {{{"shift", "10000"}}},
+                                       {{{"steps", "1"}}},
+                                       {{}, 210, 0, {0, 0, -0.01}},                 // within the relief
+                                       {{{"surface", "column"}}, 0, 0, {0, 1, 0}},  // within the column
+                                       {{{"surface", "urn"}, {"depth", "1"}}, 20, 60, {0, 0.5, 0}}};
+    for (size_t i = 0; i < scenes.size(); ++i) {
+        Shot shot = wall_at(0, scenes[i].knobs, "", {48, 48});
+        const bool edge_on = std::abs(scenes[i].yaw - 90) < 1;  // a long lens, to see the horizon in more than a pixel
+        shot.camera = {scenes[i].yaw, scenes[i].pitch, 0.3, scenes[i].target, edge_on ? 1.0 : 60.0};
+        const auto lab = make_lab(find_lab("10"), shot);
+        const ReliefLay lay = surface_of(shot).surface.lay();
+        const double longest = glm::compMax(lay.depth) * lay.texels / least_slant * 1.001;
+        for (const char* method : methods)
+            for (const char* probe : {"", "uv", "depth", "ray", "steps"}) {
+                set_knob(*lab, "method", method);
+                shot.probe = {probe};
+                const Target target(*probe ? TargetKind::probe : TargetKind::light, shot.size);
+                draw_lab(*lab, frame_of(shot, target));
+                const Image image = target.read();
+                for (size_t pixel = 0; pixel < image.pixel_count(); ++pixel) {
+                    const float* const value = &image.values[pixel * 4];
+                    if (*probe && std::all_of(value, value + 4, [](float v) { return v == no_surface; })) continue;
+                    ASSERT_TRUE(std::all_of(value, value + 4, [](float v) { return std::isfinite(v); }))
+                        << "scene " << i << ", " << method << ", probe '" << probe << "'";
+                    if (shot.probe.name == "ray") {
+                        ASSERT_LE(glm::length(glm::make_vec2(value)), longest) << "scene " << i;
+                    }
+                }
+            }
+    }
+}
+
+TEST(ParallaxOffset, TilesFurtherOnTheHitsAreTheSame) {
+    for (const char* method : methods)
+        for (const char* shift : {"1", "16"}) {
+            const std::vector<Knob> knobs = {{"method", method}, {"map", "smooth"}, {"size", "1024"}};
+            std::vector<Knob> further = knobs;
+            further.emplace_back("shift", shift);
+            const Image here = drawn("10", wall_at(60, knobs)), there = drawn("10", wall_at(60, further));
+            size_t off = 0;
+            for (size_t i = 0; i < here.values.size(); i += 4) {
+                const glm::vec2 moved = glm::make_vec2(&there.values[i]) - glm::make_vec2(&here.values[i]);
+                off += glm::distance(moved, glm::vec2(1024.0f * std::stof(shift))) > 0.05f;
+            }
+            // A float at 24 tiles of 1024 texels is 0.002 texels fine, and a height within that of a layer may count
+            // for the next: 1 in 500 on hills that rise by 1 in 250.
+            EXPECT_LE(off, here.pixel_count() / 250) << method << ", " << shift;
+        }
+}
+
+TEST(ParallaxOffset, ThereIsNoSeamAtTheBorderOfATile) {
+    for (const char* method : {"offset", "limited"}) {
+        Shot shot = wall_at(50, {{"method", method}, {"map", "smooth"}, {"size", "256"}});
+        shot.camera.target = {0, 0, 0};  // where four tiles meet
+        const Image uv = drawn("10", shot);
+        const auto step = [&](int x, int y) {
+            return glm::distance(glm::make_vec2(uv.pixel(x + 1, y)), glm::make_vec2(uv.pixel(x, y)));
+        };
+        // On a smooth map neighbours go to neighbours: no step is much longer than the one before.
+        bool crossed = false;
+        for (int y = 0; y < 96; ++y)
+            for (int x = 1; x + 1 < 96; ++x) {
+                crossed |= std::floor(uv.pixel(x, y)[0] / 256) != std::floor(uv.pixel(x + 1, y)[0] / 256);
+                ASSERT_LT(std::abs(step(x, y) - step(x - 1, y)), 0.1) << method << " at " << x << ", " << y;
+            }
+        EXPECT_TRUE(crossed);
+    }
+}
+
+TEST(ParallaxOffset, AMirroredReliefIsThePictureInAMirror) {
+    for (const char* method : methods) {
+        const Image usual = picture({{"method", method}, {"light_yaw", "-50"}}, 40);
+        const Image mirrored = picture({{"method", method}, {"light_yaw", "50"}, {"mirror", "on"}}, -40);
+        Image back = mirrored;
+        for (int y = 0; y < back.height; ++y)
+            for (int x = 0; x < back.width; ++x)
+                std::copy_n(mirrored.pixel(back.width - 1 - x, y), 3, back.pixel(x, y));
+        // A float may fall into the next layer.
+        expect_same_picture(back, usual, 4, usual.pixel_count() / 100);
+    }
+}
+
+TEST(ParallaxOffset, ATapIsCountedForEachLayer) {
+    for (const char* map : {"high", "low"})
+        for (const char* method : methods) {
+            const Image taps = drawn("10", wall_at(40, {{"method", method}, {"map", map}}, "steps"));
+            const float expected = method == std::string("steep") && map == std::string("low") ? steps + 1 : 1;
+            for (size_t i = 0; i < taps.values.size(); i += 4) ASSERT_EQ(taps.values[i], expected) << map << method;
+        }
+}
+
+}  // namespace
+}  // namespace relief
