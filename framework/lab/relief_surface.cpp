@@ -7,7 +7,6 @@
 #include "framework/image/color.h"
 #include "framework/image/file.h"
 #include "framework/image/height_maps.h"
-#include "framework/image/normals.h"
 #include "framework/mesh/obj.h"
 
 namespace relief {
@@ -117,10 +116,24 @@ Image ReliefSurface::albedo() const {
     return image;
 }
 
+/// At each texel, across the two chords between the points beside it.
 Image ReliefSurface::normals() const {
     const Image& heights = this->heights();
-    const double worth = double(normals_depth) * heights.width;
-    return normals_from_heights(heights, {.texels_u = worth, .texels_v = worth});
+    const int side = heights.width;
+    const auto point = [&](int x, int y) {  // in texels; row 0 is the top
+        const float height = *heights.pixel((x + side) % side, (y + side) % side);
+        return glm::vec3(x, -y, height * normals_depth * float(side));
+    };
+    Image image(side, side, 3, 8);
+    parallel_pieces(size_t(side), 16, 0, [&](size_t begin, size_t end) {
+        for (int y = int(begin); y < int(end); ++y)
+            for (int x = 0; x < side; ++x) {
+                const glm::vec3 right = point(x + 1, y) - point(x - 1, y), up = point(x, y - 1) - point(x, y + 1);
+                const glm::vec3 stored = 0.5f * glm::normalize(glm::cross(right, up)) + 0.5f;
+                for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = stored[c];
+            }
+    });
+    return image;
 }
 
 const Mesh& ReliefSurface::mesh() const {
