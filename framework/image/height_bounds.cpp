@@ -1,0 +1,48 @@
+#include "framework/image/height_bounds.h"
+
+#include <algorithm>
+
+namespace relief {
+namespace {
+
+void take_in(float* bounds, const float* other) {
+    bounds[0] = std::min(bounds[0], other[0]), bounds[1] = std::max(bounds[1], other[1]);
+}
+
+Image cells_of(const Image& heights) {
+    Image cells(heights.width, heights.height, 2);
+    for (int y = 0; y < heights.height; ++y)
+        for (int x = 0; x < heights.width; ++x) {
+            const int right = (x + 1) % heights.width, above = (y + heights.height - 1) % heights.height;
+            const auto [low, high] = std::minmax({*heights.pixel(x, y), *heights.pixel(right, y),
+                                                  *heights.pixel(x, above), *heights.pixel(right, above)});
+            cells.pixel(x, y)[0] = low, cells.pixel(x, y)[1] = high;
+        }
+    return cells;
+}
+
+/// Rounded outwards: where a side is odd, its middle texel counts for both of its neighbours.
+Image half(const Image& bounds) {
+    Image result(std::max(1, bounds.width / 2), std::max(1, bounds.height / 2), 2);
+    const auto begin = [](int i, int from, int to) { return i * from / to; };
+    const auto end = [](int i, int from, int to) { return ((i + 1) * from + to - 1) / to; };
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+            const int left = begin(x, bounds.width, result.width), top = begin(y, bounds.height, result.height);
+            float* const texel = result.pixel(x, y);
+            std::copy_n(bounds.pixel(left, top), 2, texel);
+            for (int v = top; v < end(y, bounds.height, result.height); ++v)
+                for (int u = left; u < end(x, bounds.width, result.width); ++u) take_in(texel, bounds.pixel(u, v));
+        }
+    return result;
+}
+
+}  // namespace
+
+std::vector<Image> min_max_mips(const Image& heights) {
+    std::vector<Image> levels{cells_of(heights)};
+    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(half(levels.back()));
+    return levels;
+}
+
+}  // namespace relief

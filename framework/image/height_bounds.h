@@ -1,0 +1,17 @@
+// Between which heights a relief lies, region by region: what a search along a ray can rely on before it looks.
+#pragma once
+
+#include <vector>
+
+#include "framework/image/image.h"
+
+namespace relief {
+
+/// Of a one-channel height map that repeats: two channels, the lowest and the highest height. Level 0 has a texel for
+/// each bilinear cell, the one between this texel's centre and those of its neighbours to the right and above; each
+/// level is half the size of the one before, rounded down, to 1x1. Texel i of the M along a side of N holds the cells
+/// i N / M to (i + 1) N / M, those in part as well: 2^k x 2^k of them on level k where N is a power of two. Their far
+/// corners count, so the surface leaves the bounds nowhere.
+std::vector<Image> min_max_mips(const Image& heights);
+
+}  // namespace relief

@@ -1,0 +1,221 @@
+// Lab 11: parallax occlusion mapping.
+//
+// March the view ray through the height map, and take the place where the last two samples' line goes below it.
+// Yours: shaders/11_parallax_occlusion/task.glsl
+#include <fmt/format.h>
+
+#include <tuple>
+
+#include "bounds.h"
+#include "framework/gl/target.h"
+#include "framework/lab/lab.h"
+#include "framework/lab/labels.h"
+#include "framework/lab/relief_surface.h"
+#include "framework/lab/tiles.h"
+#include "truth.h"
+
+namespace relief {
+
+class ParallaxOcclusion final : public Lab {
+public:
+    ParallaxOcclusion() { surface_.depth = 0.06f; }
+
+    void draw(const Frame& frame) override {
+        const auto tiles = tiles_of_view(frame.size);
+        std::vector<Figures> figures(tiles.size());
+        const bool shows_error = view_ == compare && show_ != picture && !frame.probe;
+        if (view_ == compare && !frame.probe)
+            for (size_t i = 0; i < tiles.size(); ++i) figures[i] = measure(i, frame_in(frame, tiles[i]));
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glEnable(GL_SCISSOR_TEST);
+        for (size_t i = 0; i < tiles.size(); ++i) {
+            const auto& [corner, size] = tiles[i];
+            const int left = !shows_error ? size.x : show_ == error ? 0 : size.x * 3 / 4;
+            draw_part(frame, tiles[i], {corner, {left, size.y}}, method_of(i), frame.probe);
+            if (shows_error)
+                draw_part(frame, tiles[i], {corner + glm::ivec2(left, 0), {size.x - left, size.y}}, method_of(i),
+                          "ERROR");
+            if (view_ == compare) describe(frame.size, tiles[i], comparisons[i], figures[i]);
+        }
+        glDisable(GL_SCISSOR_TEST);
+        if (shows_error) labels_.log_scale(frame.size, "0.01", "100 texels", 4);
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        knobs.choice("view", view_, views, "methods side by side, or what the knobs say");
+        knobs.choice("show", show_, shows, "for view = compare: the picture, the error, or both");
+        knobs.choice("count", chosen_.count, counts, "where the number of steps comes from");
+        knobs.steps("steps", steps_, 1, 512, "of the march; by angle, where the ray is level");
+        knobs.steps("least_steps", least_steps_, 1, 512, "by angle, where it looks straight down");
+        knobs.slider("texels_per_step", chosen_.texels_per_step, 0.25f, 8, "by texel, of the level that is read");
+        knobs.choice("refine", chosen_.refine, refinements, "what is made of the last two samples");
+        knobs.steps("rounds", chosen_.rounds, 0, 8, "of bisection, secant or illinois");
+        knobs.choice("mip", mip_, mips, "which level is marched through");
+        knobs.choice("lookup", lookup_, lookups, "implicit lets each sample derive a level: the usual mistake");
+        knobs.toggle("skip", skip_, "do not march what is too short to see, or flat");
+        knobs.toggle("decal", decal_, "paint on a pane that stands at the top of the relief");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
+        knobs.slider("light_pitch", light_pitch_, -90, 90, "from how high, degrees");
+        surface_.knobs(knobs);
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        const auto of = [&](const Frame& part) {
+            return occlusion::truth(part, probe, surface_.mesh(), surface_.lay(), surface_.heights());
+        };
+        const Tile pixel{{0, 0}, {1, 1}};
+        if (!of(frame_in(frame, pixel))) return {};
+        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) { return *of(part); });
+    }
+
+private:
+    enum View { compare, one };
+    enum Show { both, picture, error };
+    enum Count { fixed, by_angle, by_texel };
+    enum Refine { none, linear, bisection, secant, illinois };
+    static constexpr std::array views = {"compare", "one"};
+    static constexpr std::array shows = {"both", "picture", "error"};
+    static constexpr std::array counts = {"fixed", "angle", "texel"};
+    static constexpr std::array refinements = {"none", "linear", "bisection", "secant", "illinois"};
+    static constexpr std::array mips = {"base", "footprint"};
+    static constexpr std::array lookups = {"fixed-lod", "implicit"};
+    static constexpr glm::ivec2 measured{120, 96};
+
+    struct Method {
+        const char* title;
+        int count;
+        float steps, least_steps, texels_per_step;
+        int refine, rounds;
+    };
+    static constexpr std::array<Method, 6> comparisons = {
+        {{"8 steps", fixed, 8, 8, 1, linear, 0},
+         {"8 to 32 by angle", by_angle, 32, 8, 1, linear, 0},
+         {"64 steps", fixed, 64, 8, 1, linear, 0},
+         {"8 + 2 secant", fixed, 8, 8, 1, secant, 2},
+         {"16 + 5 bisections", fixed, 16, 8, 1, bisection, 5},
+         {"1 in 2 texels + 2 secant", by_texel, 32, 8, 2, secant, 2}}};
+
+    struct Figures {
+        double mean = 0, wrong = 0, heights_read = 0;
+    };
+    /// What figures were measured of; measured anew when any of it changes.
+    struct Measured {
+        GLuint by = 0;
+        int version = 0;
+        Orbit orbit;
+        glm::ivec2 size{};
+        ReliefLay lay;
+        int shape = 0;
+        Figures figures;
+        bool same_as(const Measured& other) const {
+            const auto all = [](const Measured& m) {
+                return std::tuple(m.by, m.version, m.size, m.lay.repeat, m.lay.shift, m.lay.depth, m.shape);
+            };
+            return all(*this) == all(other) && orbit == other.orbit;
+        }
+    };
+    struct Bounds {
+        int version;
+        TextureName texture;
+    };
+
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
+        if (view_ == one) return tiles_of(size, 1);
+        return tiles_of(size, int(comparisons.size()), show_ == picture ? 0 : Labels::scale_height(size));
+    }
+    Method method_of(size_t tile) const {
+        if (view_ == compare) return comparisons[tile];
+        Method method = chosen_;
+        method.steps = float(steps_), method.least_steps = float(std::min(steps_, least_steps_));
+        return method;
+    }
+
+    void draw_part(const Frame& frame, const Tile& tile, const Tile& part, const Method& method,
+                   const Define& purpose) {
+        if (part.size.x <= 0 || part.size.y <= 0) return;
+        use(frame_in(frame, tile), method, purpose);
+        glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
+        glScissor(part.corner.x, part.corner.y, part.size.x, part.size.y);
+        surface_.draw();
+    }
+
+    /// The program for one frame and one method, with all that it wants to know.
+    const Program& use(const Frame& frame, const Method& method, const Define& purpose, float level_bias = 0) {
+        const Program& program =
+            program_.with({purpose, mip_ == 1 ? "FOOTPRINT" : "", lookup_ == 1 ? "IMPLICIT" : "", skip_ ? "SKIP" : ""});
+        const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
+        glUseProgram(program);
+        surface_.set(program, frame);
+        if (glGetUniformLocation(program, "s_bounds") >= 0) {  // made where this permutation looks at them
+            if (!bounds_ || bounds_->version != surface_.version())
+                bounds_.emplace(Bounds{surface_.version(), occlusion::upload_bounds(surface_.heights())});
+            glActiveTexture(GL_TEXTURE3);
+            glBindTexture(GL_TEXTURE_2D, bounds_->texture);
+            program.set("s_bounds", 3);
+        }
+        program.set("u_to_light",
+                    glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
+        program.set("u_count", method.count);
+        program.set("u_steps", method.steps);
+        program.set("u_least_steps", method.least_steps);
+        program.set("u_texels_per_step", method.texels_per_step);
+        program.set("u_refine", method.refine);
+        program.set("u_rounds", method.refine <= linear ? 0 : method.rounds);
+        program.set("u_level_bias", level_bias);
+        program.set("u_decal", decal_ ? 0.9f : 0.0f);
+        program.set("u_most_cells", 4 * surface_.heights().width);
+        return program;
+    }
+
+    /// What a tile's method is off by, seen by the frame's own camera in fewer pixels.
+    const Figures& measure(size_t tile, const Frame& frame) {
+        const Program& program =
+            use(frame, method_of(tile), "MEASURE", std::log2(float(measured.y) / float(std::max(1, frame.size.y))));
+        Measured now{program, surface_.version(), frame.camera.orbit(), frame.size, surface_.lay(), surface_.shape, {}};
+        Measured& known = measured_[tile];
+        if (now.same_as(known)) return known.figures;
+        const Target target(TargetKind::probe, measured);
+        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glViewport(0, 0, measured.x, measured.y);
+        surface_.draw();
+        const Image drawn = target.read();
+        double pixels = 0;
+        for (size_t i = 0; i < drawn.pixel_count(); ++i) {
+            const float* const pixel = drawn.values.data() + i * 4;
+            if (pixel[3] >= 0) continue;  // background
+            ++pixels;
+            now.figures.mean += double(pixel[0]), now.figures.heights_read += double(pixel[1]);
+            now.figures.wrong += pixel[0] > 1;
+        }
+        for (double* sum : {&now.figures.mean, &now.figures.wrong, &now.figures.heights_read})
+            *sum /= std::max(1.0, pixels);
+        known = now;
+        return known.figures;
+    }
+
+    void describe(glm::ivec2 size, const Tile& tile, const Method& method, const Figures& figures) {
+        labels_.caption(size, tile, 0, method.title);
+        labels_.caption(size, tile, -2,
+                        fmt::format("off {:.3g} texels, {:.2g} % wrong", figures.mean, 100 * figures.wrong));
+        labels_.caption(size, tile, -1, fmt::format("{:.3g} heights read", figures.heights_read),
+                        {0.62f, 0.63f, 0.65f});
+    }
+
+    Programs program_{"common/relief.vert", "11_parallax_occlusion/surface.frag"};
+    ReliefSurface surface_;
+    std::optional<Bounds> bounds_;
+    std::array<Measured, comparisons.size()> measured_;
+    Labels labels_;
+
+    int view_ = compare, show_ = both, mip_ = 0, lookup_ = 0, steps_ = 32, least_steps_ = 8;
+    bool skip_ = true, decal_ = false;
+    Method chosen_{"", fixed, 32, 8, 1, linear, 2};
+    float light_yaw_ = -50, light_pitch_ = 40;
+};
+
+RELIEF_LAB(ParallaxOcclusion);
+
+}  // namespace relief

@@ -1,0 +1,14 @@
+// The exact values of lab 11's probes.
+#pragma once
+
+#include "framework/lab/lab.h"
+#include "framework/mesh/relief.h"
+
+namespace relief::occlusion {
+
+/// Of `uv`, the place in texels where the view ray meets the bilinear relief first; of `depth`, how many metres that is
+/// from the eye. A fragment that is seen from behind has no relief. Nothing for `steps`, nor in a student's course.
+std::optional<Image> truth(const Frame& frame, const Probe& probe, const Mesh& mesh, const ReliefLay& lay,
+                           const Image& heights);
+
+}  // namespace relief::occlusion

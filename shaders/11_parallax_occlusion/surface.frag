@@ -1,0 +1,154 @@
+#version 410 core
+// A relief by parallax occlusion mapping: lit, or how far the march ends from the exact hit, in texels.
+
+#include "common/heat.glsl"
+#include "common/light.glsl"
+#include "common/srgb.glsl"
+
+// What a search reads passes here: to be counted, and read by derivatives where the usual shader's mistake is wanted.
+int heights_read = 0;
+vec4 height_texel(sampler2D heights, vec2 uv, float level) {
+    ++heights_read;
+#ifdef IMPLICIT
+    return texture(heights, uv);
+#else
+    return textureLod(heights, uv, level);
+#endif
+}
+#define textureLod height_texel
+#include "11_parallax_occlusion/task.glsl"
+#undef textureLod
+
+#include "11_parallax_occlusion/bounds.glsl"
+#if defined ERROR || defined MEASURE
+#include "11_parallax_occlusion/exact.glsl"
+#endif
+
+in vec3 v_position;
+in vec3 v_normal;
+in vec4 v_tangent;
+in vec2 v_uv;
+
+uniform sampler2D s_heights;
+uniform sampler2D s_albedo;
+uniform sampler2D s_normals;
+
+uniform vec3 u_eye;
+uniform vec3 u_to_light;  // unit
+uniform vec2 u_depth;     // of the relief, in tiles along u and v
+uniform float u_depth_metres;
+uniform vec2 u_normal_strength;
+
+uniform int u_count;  // 0: u_steps, 1: by angle, 2: by texel
+uniform float u_steps;
+uniform float u_least_steps;
+uniform float u_texels_per_step;
+uniform int u_refine;  // 0: none, 1: linear, then as in the tasks
+uniform int u_rounds;
+uniform float u_level_bias;  // where a pixel stands for a smaller one
+uniform float u_decal;       // how much of the paint on the pane is there
+
+layout(location = 0) out vec4 o_color;
+
+const float least_slant = 0.002;  // a flatter ray would pass more tiles than a float can tell apart
+
+// Whether all of the relief below the march has one height. On the level that is taken a texel is at least as wide as the
+// march, so that it touches two by two of them at most.
+bool is_flat(ReliefRay ray, vec2 size, out float height) {
+    // Cells begin at texel centres; a smaller level of the map is a mean of what is around.
+    float margin = ray.level > 0.0 ? exp2(ceil(ray.level)) : 0.01;
+    vec2 from = ray.uv * size - 0.5, to = from + ray.march * size;
+    vec2 low = min(from, to) - margin, high = max(from, to) + margin;
+    float widest = max(max(high.x - low.x, high.y - low.y), 1.0);
+    int level = min(int(ceil(log2(widest))), highest_level(s_heights));
+    ivec2 texels = bounds_size(s_heights, level);
+    ivec2 a = min(ivec2(fract(low / size) * vec2(texels)), texels - 1);
+    ivec2 b = min(ivec2(fract(high / size) * vec2(texels)), texels - 1);
+    vec2 aa = bounds_at(s_heights, a, level), ab = bounds_at(s_heights, ivec2(a.x, b.y), level);
+    vec2 ba = bounds_at(s_heights, ivec2(b.x, a.y), level), bb = bounds_at(s_heights, b, level);
+    height = max(max(aa.g, ab.g), max(ba.g, bb.g));
+    return min(min(aa.r, ab.r), min(ba.r, bb.r)) == height;
+}
+
+float steps_of(ReliefRay ray, vec2 size) {
+    if (u_count == 1) return steps_by_angle(ray.slant, u_least_steps, u_steps);
+    if (u_count == 2) return steps_by_texel(ray, size, u_texels_per_step);
+    return u_steps;
+}
+
+float marched(ReliefRay ray, vec2 size) {
+    Bracket b = march(s_heights, ray, steps_of(ray, size));
+    if (u_refine == 0) return b.after;
+    b = refined(s_heights, ray, b, u_rounds, u_refine);
+    return mix(b.before, b.after, crossing(b.gap_before, b.gap_after));
+}
+
+// How far along the ray the relief is met; at its entry where there is none.
+float seen(ReliefRay ray, bool has_relief) {
+    if (!has_relief) return 0.0;
+    vec2 size = vec2(textureSize(s_heights, 0));
+#ifdef SKIP
+    // Nothing is marched that cannot be seen: less than half a texel of the level that is read, or level ground.
+    float height;
+    if (length(ray.march * size) * exp2(-ray.level) < 0.5) return 1.0 - height_texel(s_heights, ray.uv, ray.level).r;
+    if (is_flat(ray, size, height)) return 1.0 - height;
+#endif
+    return marched(ray, size);
+}
+
+// A ring and a cross, white paint on a pane of glass.
+float painted(vec2 uv) {
+    vec2 place = fract(uv) - 0.5, pixel = fwidth(uv);
+    float soft = max(max(pixel.x, pixel.y), 1e-4), r = length(place);
+    float ring = clamp((0.035 - abs(r - 0.36)) / soft + 0.5, 0.0, 1.0);
+    float arm = min(abs(place.x), abs(place.y));
+    float cross_ = clamp((0.02 - arm) / soft + 0.5, 0.0, 1.0) * clamp((0.27 - r) / soft + 0.5, 0.0, 1.0);
+    return max(ring, cross_);
+}
+
+void main() {
+    vec3 normal = normalize(v_normal);
+    vec3 bitangent = v_tangent.w * normalize(cross(normal, v_tangent.xyz));
+    vec3 tangent = v_tangent.w * cross(bitangent, normal);
+    float distance_ = distance(u_eye, v_position);
+    vec3 to_eye = distance_ > 0.0 ? (u_eye - v_position) / distance_ : normal;
+    float cosine = dot(to_eye, normal), slant = max(cosine, least_slant);
+    bool has_relief = cosine > 0.0 && u_depth_metres > 0.0;
+
+    // From here to where the view ray meets the plane of the ground, as the texture lies there.
+    vec3 to_ground = -to_eye * (u_depth_metres / slant);
+    vec2 tiles_per_metre = u_depth_metres > 0.0 ? u_depth / u_depth_metres : vec2(0.0);
+    ReliefRay ray = ReliefRay(v_uv, vec2(dot(to_ground, tangent), dot(to_ground, bitangent)) * tiles_per_metre, slant, 0.0);
+#ifdef FOOTPRINT
+    ray.level = max(0.0, textureQueryLod(s_heights, v_uv).y + u_level_bias);
+#endif
+    float t = seen(ray, has_relief);
+    vec2 uv = v_uv + t * ray.march;
+
+#if defined ERROR || defined MEASURE
+    float exact = has_relief ? exact_hit(s_heights, v_uv, ray.march) : 0.0;
+    float off = abs(t - exact) * length(ray.march * vec2(textureSize(s_heights, 0)));  // texels
+#endif
+#if defined PROBE_uv
+    o_color = vec4(uv * vec2(textureSize(s_heights, 0)), 0.0, 0.0);
+#elif defined PROBE_depth
+    o_color = vec4(distance_ + t * u_depth_metres / slant, 0.0, 0.0, 0.0);
+#elif defined PROBE_steps
+    o_color = vec4(float(heights_read), 0.0, 0.0, 0.0);
+#elif defined PROBE_count
+    o_color = vec4(steps_of(ray, vec2(textureSize(s_heights, 0))), 0.0, 0.0, 0.0);
+#elif defined MEASURE
+    o_color = vec4(off, float(heights_read), 0.0, -1.0);
+#elif defined ERROR
+    o_color = finished(vec4(heat((log2(max(off, 1e-6)) / log2(10.0) + 2.0) / 4.0), 1.0), gl_FragCoord.xy);
+#else
+    vec3 stored = on_surface(s_normals, v_uv, uv).xyz * 2.0 - 1.0;
+    vec3 relief = normalize(vec3(stored.xy * u_normal_strength, max(stored.z, 0.01)));
+    vec3 bumped = normalize(mat3(tangent, bitangent, normal) * relief);
+    vec3 albedo = on_surface(s_albedo, v_uv, uv).rgb;
+    vec3 light = albedo * mix(vec3(0.10, 0.09, 0.09), vec3(0.26, 0.29, 0.35), 0.5 + 0.5 * bumped.y) * (1.0 - 0.6 * t);
+    light += vec3(1.5, 1.38, 1.2) * blinn_phong(albedo, 0.04, 24.0, bumped, u_to_light, to_eye);
+    light = mix(light, vec3(0.85, 0.87, 0.82), u_decal * painted(above_surface(v_uv, uv)));
+    o_color = finished(vec4(srgb_from_linear(light), 1.0), gl_FragCoord.xy);
+#endif
+}

@@ -1,0 +1,353 @@
+// Lab 11: the shader marches as its twin in double precision does, and misses what was published for such maps; what
+// must not change the picture does not, and nothing is left that is not a number.
+#include "framework/base/parallel.h"
+#include "framework/image/height_maps.h"
+#include "framework/reference/relief_sight.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+Shot one(std::vector<Knob> knobs, const char* probe = "uv", glm::ivec2 size = {128, 128}) {
+    knobs.emplace(knobs.begin(), "view", "one");
+    return shot_of("11", std::move(knobs), probe, size);
+}
+
+std::vector<Knob> with(std::vector<Knob> knobs, std::vector<Knob> more) {
+    knobs.insert(knobs.end(), more.begin(), more.end());
+    return knobs;
+}
+
+/// The map of the table that is compared with: 256² texels, 20 deep, on a wall that any view fits on.
+const std::vector<Knob> table_map = {{"map", "fbm"}, {"size", "256"}, {"depth", "0.078125"}, {"extent", "64"}};
+constexpr double table_depth = 20.0 / 256;
+
+/// Almost parallel rays that meet the wall at an angle from its normal, in a direction around it; about a tile of it.
+Orbit slanted(double degrees, double around) {
+    const double slant = glm::radians(degrees), turn = glm::radians(around);
+    const glm::dvec3 from(std::sin(slant) * std::cos(turn), std::sin(slant) * std::sin(turn), std::cos(slant));
+    return {.yaw = glm::degrees(std::atan2(from.x, from.z)),
+            .pitch = glm::degrees(std::asin(from.y)),
+            .distance = 30,
+            .target = {0.37, 0.21, 0},
+            .field_of_view = 2};
+}
+
+/// The same rays as the lab's frame has them: exact hits, and what `march` finds of them.
+class Rays {
+public:
+    Rays(const Shot& shot, HeightMap map, bool is_8_bit, double depth) {
+        Image heights = make_height_map(map, 256);
+        field_.emplace(is_8_bit ? with_8_bits(heights) : heights, true);
+        const Mesh wall = make_quad({.width = 64, .height = 64});
+        const ReliefSights sights(wall);
+        const ReliefLay lay{{64, 64}, {0, 0}, glm::vec2(float(depth)), float(depth), 256};
+        const Frame frame{0, shot.size, 0, Camera(shot.camera, double(shot.size.x) / shot.size.y), {}};
+        for (int y = 0; y < shot.size.y; ++y)
+            for (int x = 0; x < shot.size.x; ++x) {
+                const auto sight = sights.look(frame.ray(x, y), lay);
+                if (!sight) throw std::runtime_error("the wall does not fill the picture");
+                rays_.push_back(sight->ray);
+                exact_.push_back(field_->first_hit(sight->ray.in_texels(), 1).value().texel);
+            }
+    }
+
+    struct Figures {
+        double mean = 0, wrong = 0;  ///< texels; share off by more than one
+    };
+    /// Of the places that `found(i)` gives for pixel i.
+    template <class Found>
+    Figures figures(const Found& found) const {
+        Figures sum;
+        for (size_t i = 0; i < exact_.size(); ++i) {
+            const double error = glm::distance(exact_[i], glm::dvec2(found(i)));
+            sum.mean += error, sum.wrong += error > 1;
+        }
+        return {sum.mean / double(exact_.size()), sum.wrong / double(exact_.size())};
+    }
+    Figures of_twin(double steps, Refinement refinement, int rounds) const {
+        return figures([&](size_t i) { return march(*field_, rays_[i], steps, refinement, rounds).texel; });
+    }
+    Figures of(const Image& probe) const {
+        return figures([&](size_t i) { return glm::vec2(probe.values[i * 4], probe.values[i * 4 + 1]); });
+    }
+    size_t count() const { return exact_.size(); }
+
+private:
+    std::optional<HeightField> field_;
+    std::vector<ReliefRay> rays_;
+    std::vector<glm::dvec2> exact_;
+};
+
+struct Search {
+    double steps;
+    Refinement refinement;
+    int rounds;
+    std::vector<Knob> knobs() const {
+        return {{"steps", std::to_string(int(steps))},
+                {"refine", refinement_names[size_t(refinement)]},
+                {"rounds", std::to_string(rounds)},
+                {"skip", "false"}};
+    }
+};
+
+const std::vector<Search> searches = {
+    {8, Refinement::linear, 0},   {16, Refinement::linear, 0},    {32, Refinement::linear, 0},
+    {64, Refinement::linear, 0},  {128, Refinement::linear, 0},   {256, Refinement::linear, 0},
+    {16, Refinement::none, 0},    {16, Refinement::bisection, 5}, {8, Refinement::secant, 2},
+    {4, Refinement::illinois, 4},
+};
+
+void expect_like_the_twin(const char* bits) {
+    for (const double angle : {60.0, 80.0}) {
+        Shot shot = one({});
+        shot.camera = slanted(angle, 25);
+        const Rays rays(shot, HeightMap::fbm, *bits == '8', table_depth);
+        // A ray that grazes an edge falls on one side in floats and on the other in double precision: four of 16,384 at
+        // the most, which may be off by a quarter of the march. Of 8 bits a filter makes 8 bits again: more rays pass
+        // an edge nearer than such a step (41 at 80 degrees), and the others are off by a quarter of it.
+        const bool is_8_bit = *bits == '8';
+        const double reach = 20 * std::tan(glm::radians(angle));
+        const double lone = (is_8_bit ? 60 : 4) / double(rays.count());
+        const double slack = lone * reach / 4 + (is_8_bit ? reach / 255 / 4 : 0);
+        for (const Search& search : searches) {
+            shot.set = with(with(one({}).set, table_map), with(search.knobs(), {{"bits", bits}}));
+            const Rays::Figures gpu = rays.of(drawn("11", shot));
+            const Rays::Figures twin = rays.of_twin(search.steps, search.refinement, search.rounds);
+            EXPECT_NEAR(gpu.mean, twin.mean, 0.05 * twin.mean + slack)
+                << search.steps << " " << refinement_names[size_t(search.refinement)] << " at " << angle;
+            EXPECT_NEAR(gpu.wrong, twin.wrong, 0.05 * twin.wrong + lone)
+                << search.steps << " " << refinement_names[size_t(search.refinement)] << " at " << angle;
+        }
+    }
+}
+
+TEST(ParallaxOcclusion, MissesWhatItsTwinMissesOnFloatHeights) { expect_like_the_twin("float"); }
+
+TEST(ParallaxOcclusion, MissesWhatItsTwinMissesOn8BitHeights) { expect_like_the_twin("8"); }
+
+TEST(ParallaxOcclusion, MissesWhatWasMeasuredOnSuchAMapWithinAFactorOfTwo) {
+    // Linear steps on 256² texels of fBm, 20 deep, at 30, 60, 75 and 85 degrees: share off by more than a texel.
+    const std::vector<std::pair<int, double>> table = {{8, .242},   {16, .145},   {32, .0577},
+                                                       {64, .0097}, {128, .0017}, {256, .0005}};
+    std::vector<double> wrong(table.size());
+    int views = 0;
+    for (const double angle : {30.0, 60.0, 75.0, 85.0})
+        for (const double around : {10.0, 75.0, 160.0}) {
+            Shot shot = one({});
+            shot.camera = slanted(angle, around);
+            const Rays rays(shot, HeightMap::fbm, false, table_depth);
+            ++views;
+            for (size_t i = 0; i < table.size(); ++i) {
+                shot.set = with(with(one({}).set, table_map), {{"steps", std::to_string(table[i].first)}});
+                wrong[i] += rays.of(drawn("11", shot)).wrong;
+            }
+        }
+    for (size_t i = 0; i < table.size(); ++i) {
+        const double share = wrong[i] / views;
+        EXPECT_NEAR(std::log2(share / table[i].second), 0, 1) << table[i].first << " steps: " << share;
+    }
+}
+
+TEST(ParallaxOcclusion, TwiceAsManyStepsAreNeverWorse) {
+    for (const HeightMap map :
+         {HeightMap::smooth, HeightMap::fbm, HeightMap::bricks, HeightMap::stones, HeightMap::posts}) {
+        Shot shot = one({});
+        shot.camera = slanted(70, 30);
+        const Rays rays(shot, map, false, table_depth);
+        double before = 1;
+        for (const char* steps : {"8", "16", "32", "64", "128", "256"}) {
+            shot.set = with(with(one({}).set, table_map), {{"map", height_map_names[size_t(map)]}, {"steps", steps}});
+            const double wrong = rays.of(drawn("11", shot)).wrong;
+            // A handful of 16,384 rays may land well by chance.
+            EXPECT_LE(wrong, before + 8.0 / double(rays.count())) << height_map_names[size_t(map)] << ", " << steps;
+            before = wrong;
+        }
+    }
+}
+
+double mean_of(const Image& probe) {
+    double sum = 0;
+    for (size_t i = 0; i < probe.pixel_count(); ++i) sum += double(probe.values[i * 4]);
+    return sum / double(probe.pixel_count());
+}
+
+TEST(ParallaxOcclusion, WhatIsSkippedMovesNothingByHalfATexelAndReadsFewerHeights) {
+    struct Scene {
+        std::vector<Knob> knobs;
+        Orbit camera;
+    };
+    // Level tops of bricks; a plateau, whose every march has one height; a shallow relief looked straight at.
+    const std::vector<Scene> scenes = {
+        {{{"map", "bricks"}, {"size", "256"}, {"steps", "64"}}, {.yaw = 40, .pitch = 15, .distance = 0.6}},
+        {{{"map", "bricks"}, {"size", "256"}, {"steps", "64"}, {"surface", "column"}},
+         {.yaw = 40, .pitch = 15, .distance = 1, .target = {0, 1, 0}}},
+        {{{"map", "plateau"}, {"size", "256"}}, {.yaw = 40, .pitch = 15, .distance = 0.6}},
+        {{{"map", "fbm"}, {"size", "256"}, {"depth", "0.01"}, {"steps", "128"}},
+         {.yaw = 0, .pitch = 0, .distance = 0.6}}};
+    for (const Scene& scene : scenes) {
+        const auto probe = [&](const char* name, const char* skip) {
+            Shot shot = one(with(scene.knobs, {{"skip", skip}}), name);
+            shot.camera = scene.camera;
+            return drawn("11", shot);
+        };
+        const Difference off = difference(probe("uv", "true"), probe("uv", "false"), 0.5);
+        EXPECT_EQ(off.pixels_over, 0u) << scene.knobs[0].second << ": " << off.largest;
+        EXPECT_LT(mean_of(probe("steps", "true")), mean_of(probe("steps", "false"))) << scene.knobs[0].second;
+    }
+}
+
+TEST(ParallaxOcclusion, WhatIsSkippedOnASmallerLevelIsHalfOneOfItsTexels) {
+    // From here one of them is 16 to 32 of the map's.
+    const auto probe = [&](const char* name, const char* skip) {
+        Shot shot = one({{"map", "stones"},
+                         {"size", "1024"},
+                         {"depth", "0.03"},
+                         {"mip", "footprint"},
+                         {"steps", "64"},
+                         {"skip", skip}},
+                        name);
+        shot.camera = {.yaw = 10, .pitch = 5, .distance = 2.5};
+        return drawn("11", shot);
+    };
+    EXPECT_EQ(difference(probe("uv", "true"), probe("uv", "false"), 16).pixels_over, 0u);
+    EXPECT_LT(mean_of(probe("steps", "true")), 0.8 * mean_of(probe("steps", "false")));
+}
+
+TEST(ParallaxOcclusion, WithoutDepthItIsThePlainPicture) {
+    for (const char* surface : {"wall", "column", "urn"}) {
+        std::vector<Knob> flat = {{"surface", surface}, {"map", "stones"}, {"size", "256"}, {"depth", "0"}};
+        Shot shot = one(flat);
+        shot.camera = {.yaw = 30, .pitch = 20, .distance = 2.5};
+        // Nowhere but where it entered, to the rounding of coordinates of some thousand texels.
+        EXPECT_LT(error_of("11", shot).largest, 0.02) << surface;
+        shot.probe = {};
+        const Image plain = drawn("11", shot);
+        for (const std::vector<Knob>& search :
+             std::vector<std::vector<Knob>>{{{"steps", "1"}},
+                                            {{"steps", "4"}, {"skip", "false"}, {"refine", "none"}},
+                                            {{"count", "texel"}},
+                                            {{"refine", "secant"}}}) {
+            shot.set = with(one(flat).set, search);
+            expect_same_picture(drawn("11", shot), plain, 0, 0);
+        }
+    }
+}
+
+TEST(ParallaxOcclusion, EveryPixelIsFiniteWhateverTheViewTheMapAndTheDepth) {
+    struct Scene {
+        std::vector<Knob> knobs;
+        Orbit camera;
+    };
+    const Orbit near{.yaw = 40, .pitch = 20, .distance = 1};
+    std::vector<Scene> scenes;
+    for (const double yaw : {0.0, 89.9, 90.0, 90.1, 180.0})
+        // Before the wall, on it, within the relief and beyond it.
+        for (const double z : {0.05, 0.0, -0.02, -0.3})
+            scenes.push_back({{{"count", "texel"}}, {.yaw = yaw, .pitch = 0, .distance = 0.5, .target = {0, 0, z}}});
+    for (const char* map : {"low", "high", "plateau", "damaged"})
+        for (const char* size : {"1", "256"}) scenes.push_back({{{"map", map}, {"size", size}}, near});
+    for (const char* depth : {"0", "0.001", "10"})
+        for (const char* count : {"fixed", "angle", "texel"})
+            scenes.push_back({{{"depth", depth}, {"count", count}}, near});
+    scenes.push_back({{{"steps", "1"}}, near});
+    scenes.push_back({{{"steps", "1"}, {"least_steps", "512"}, {"count", "angle"}}, near});
+    scenes.push_back({{{"shift", "10000"}}, near});
+    scenes.push_back({{{"surface", "urn"}, {"depth", "1"}}, {.yaw = 0, .pitch = 89, .distance = 2}});
+    const Scene largest{{{"map", "stones"}, {"size", "4096"}}, near};  // a second and a half to make
+    // One lab for each, so that its programs are compiled once.
+    for (const std::vector<Knob>& search : std::vector<std::vector<Knob>>{
+             {{"view", "one"}, {"refine", "none"}},
+             {{"view", "one"}, {"refine", "illinois"}, {"skip", "false"}, {"mip", "footprint"}},
+             {{"view", "compare"}, {"show", "error"}}}) {
+        const Shot shot = shot_of("11", search, "", {48, 48});
+        const auto lab = make_lab(find_lab("11"), shot);
+        const std::vector<KnobText> before = describe_knobs(*lab);
+        const Target light(TargetKind::light, shot.size), numbers(TargetKind::probe, shot.size);
+        if (search.back().first == "show") scenes.push_back(largest);
+        for (const Scene& scene : scenes) {
+            for (const auto& [name, value] : scene.knobs) set_knob(*lab, name, value);
+            for (const char* probe : {"", "uv", "depth"}) {
+                const Target& target = *probe ? numbers : light;
+                draw_lab(*lab, {target.framebuffer(), shot.size, 0, Camera(scene.camera, 1), {probe}});
+                for (const float value : target.read().values)
+                    ASSERT_TRUE(std::isfinite(value) || (*probe && value == no_surface))
+                        << probe << ": " << scene.knobs[0].first << " = " << scene.knobs[0].second << " from "
+                        << scene.camera.yaw << ", " << scene.camera.target.z;
+            }
+            for (const KnobText& knob : before) set_knob(*lab, knob.name, knob.value);
+        }
+    }
+}
+
+/// Mean distance, and share further than a texel, of two `uv` probes after a shift of the second.
+std::pair<double, double> apart(const Image& a, const Image& b, glm::vec2 shift, bool in_a_mirror = false) {
+    double sum = 0, wrong = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) {
+            const float *const p = a.pixel(x, y), *const q = b.pixel(in_a_mirror ? b.width - 1 - x : x, y);
+            const double off = double(glm::distance(glm::vec2(p[0], p[1]), glm::vec2(q[0], q[1]) + shift));
+            sum += off, wrong += off > 1;
+        }
+    return {sum / double(a.pixel_count()), wrong / double(a.pixel_count())};
+}
+
+const std::vector<Knob> stones = {{"map", "stones"}, {"size", "256"}, {"steps", "64"}};
+
+TEST(ParallaxOcclusion, AShiftOfUpTo16TilesFindsTheSameHits) {
+    Shot shot = one(stones);
+    shot.camera = {.yaw = 50, .pitch = 20, .distance = 0.8};
+    const Image first = drawn("11", shot);
+    for (const int tiles : {1, 5, 16}) {
+        shot.set = with(one(stones).set, {{"shift", std::to_string(tiles)}});
+        const auto [mean, wrong] = apart(first, drawn("11", shot), glm::vec2(-256.0f * float(tiles)));
+        // Coordinates of 20 tiles in floats are 0.0005 texels apart; at an edge that decides.
+        EXPECT_LT(mean, 0.02) << tiles;
+        EXPECT_LT(wrong, 0.002) << tiles;
+    }
+}
+
+TEST(ParallaxOcclusion, HasNoSeamWhereATileEnds) {
+    Shot shot = one({{"map", "smooth"}, {"size", "256"}, {"steps", "256"}});
+    for (const double yaw : {-50.0, 50.0}) {
+        shot.camera = {.yaw = yaw, .pitch = 20, .distance = 0.5, .target = {0, 0, 0}};
+        // Tiles end in the middle of the wall: rays enter on one side and end on the other.
+        const Image hits = drawn("11", shot);
+        shot.set = with(shot.set, {{"depth", "0"}});
+        const Image entries = drawn("11", shot);
+        shot.set.pop_back();
+        size_t crossing = 0;
+        for (size_t i = 0; i < hits.values.size(); i += 4)
+            crossing += std::floor(hits.values[i] / 256) != std::floor(entries.values[i] / 256);
+        EXPECT_GT(crossing, 100u);
+        EXPECT_LT(error_of("11", shot).largest, 0.1);
+    }
+}
+
+TEST(ParallaxOcclusion, AMirroredReliefIsTheReliefInAMirror) {
+    Shot shot = one(stones);
+    shot.camera = {.yaw = 50, .pitch = 20, .distance = 0.8};
+    const Image hits = drawn("11", shot);
+    shot.set = with(one(stones).set, {{"mirror", "true"}});
+    shot.camera.yaw = -50;
+    // The wall's four tiles run from 0 to 4, mirrored from 0 to -4: their right ends meet their left ones.
+    const auto [mean, wrong] = apart(hits, drawn("11", shot), {4 * 256.0f, 0}, true);
+    EXPECT_LT(mean, 0.02);
+    EXPECT_LT(wrong, 0.002);
+
+    const auto picture = [&](const char* mirror, double yaw, const char* light_yaw) {
+        Shot lit = one(with(stones, {{"mirror", mirror}, {"light_yaw", light_yaw}}), "");
+        lit.camera = shot.camera, lit.camera.yaw = yaw;
+        return drawn("11", lit);
+    };
+    const Image straight = picture("false", 50, "-30");
+    Image turned = picture("true", -50, "30"), mirrored = turned;
+    for (int y = 0; y < turned.height; ++y)
+        for (int x = 0; x < turned.width; ++x)
+            std::copy_n(turned.pixel(turned.width - 1 - x, y), 3, mirrored.pixel(x, y));
+    // The levels of a texture are chosen for four pixels at a time, and those are not mirrored.
+    expect_same_picture(straight, mirrored, 12, straight.pixel_count() / 50);
+}
+
+}  // namespace
+}  // namespace relief
