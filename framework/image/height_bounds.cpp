@@ -1,6 +1,11 @@
 #include "framework/image/height_bounds.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
+
+#include "framework/base/error.h"
 
 namespace relief {
 namespace {
@@ -43,6 +48,23 @@ std::vector<Image> min_max_mips(const Image& heights) {
     std::vector<Image> levels{cells_of(heights)};
     while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(half(levels.back()));
     return levels;
+}
+
+Image min_max_atlas(const Image& heights) {
+    const int side = heights.width;
+    if (heights.channels != 1 || heights.height != side || !std::has_single_bit(unsigned(side)))
+        throw Error(
+            fmt::format("the height map of an atlas has one channel and a power of two as its side; this is {}x{}",
+                        heights.width, heights.height));
+    const std::vector<Image> levels = min_max_mips(heights);
+    Image atlas(side + side / 2, side, 2);
+    for (size_t k = 0; k < levels.size(); ++k) {
+        const int left = k == 0 ? 0 : side, bottom = k == 0 ? 0 : side - (side >> (k - 1));
+        const int top = side - bottom - levels[k].height;
+        for (int y = 0; y < levels[k].height; ++y)
+            std::copy_n(levels[k].pixel(0, y), size_t(levels[k].width) * 2, atlas.pixel(left, top + y));
+    }
+    return atlas;
 }
 
 }  // namespace relief

@@ -14,4 +14,10 @@ namespace relief {
 /// corners count, so the surface leaves the bounds nowhere.
 std::vector<Image> min_max_mips(const Image& heights);
 
+/// All those levels in one image, for a texture: level 0 at its lower left, beside it level 1 above level 2 above ...,
+/// so that level k begins W columns to the right and H - H / 2^(k - 1) rows up, where the map is W x H. Four
+/// neighbouring pixels of a shader may want different levels, and of a texture's own levels a renderer may fetch the
+/// same for all four. Throws Error when the map is not square with a power of two as its side.
+Image min_max_atlas(const Image& heights);
+
 }  // namespace relief

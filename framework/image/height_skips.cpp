@@ -233,26 +233,7 @@ CellMap cell_map(const Image& heights) {
     return map;
 }
 
-std::vector<Image> max_mips(const Image& heights) {
-    std::vector<Grid> levels{highest_in_cells(heights)};
-    while (levels.back().width > 1 || levels.back().height > 1) {
-        const Grid& below = levels.back();
-        Grid level(std::max(1, below.width / 2), std::max(1, below.height / 2));
-        for (int y = 0; y < level.height; ++y)
-            for (int x = 0; x < level.width; ++x)
-                level.row(y)[x] =
-                    std::max(std::max(below.wrapped(2 * x, 2 * y), below.wrapped(2 * x + 1, 2 * y)),
-                             std::max(below.wrapped(2 * x, 2 * y + 1), below.wrapped(2 * x + 1, 2 * y + 1)));
-        levels.push_back(std::move(level));
-    }
-    std::vector<Image> images;
-    for (const Grid& level : levels) images.push_back(image_of(level));
-    return images;
-}
-
-Image highest_in_5x5(const Image& heights) {
-    return image_of(highest_in_squares(highest_in_cells(heights), 2, 5));
-}
+Image highest_in_5x5(const Image& heights) { return image_of(highest_in_squares(highest_in_cells(heights), 2, 5)); }
 
 Image cone_map(const Image& heights, unsigned threads) {
     const Grid cells = highest_in_cells(heights);

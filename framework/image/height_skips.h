@@ -38,10 +38,6 @@ struct CellMap {
 };
 CellMap cell_map(const Image& heights);
 
-/// Level k holds the highest height in 2^k x 2^k cells; its first level is the cells themselves (Tevs, Ihrke and Seidel
-/// 2008). Floats, one channel, down to 1 x 1.
-std::vector<Image> max_mips(const Image& heights);
-
 /// The highest height in the 5 x 5 cells around each cell.
 Image highest_in_5x5(const Image& heights);
 

@@ -7,6 +7,7 @@
 #include "framework/image/color.h"
 #include "framework/image/file.h"
 #include "framework/image/height_maps.h"
+#include "framework/image/mips.h"
 #include "framework/mesh/obj.h"
 
 namespace relief {
@@ -87,7 +88,7 @@ void ReliefSurface::renew() const {
     if (made_ && made_->of == of) return;
     Image image;
     if (is_asset())
-        image = read_image(course_root() / "assets" / (map == first_asset ? "bricks_height.png" : "paving_height.png"));
+        image = asset_heights(asset_texels);
     else
         image = make_height_map(HeightMap(map < first_asset ? map : map - 2), texels[size_t(size)]);
     mend_heights(image);
@@ -97,6 +98,17 @@ void ReliefSurface::renew() const {
     made_.emplace(Made{of, std::move(image), Texture("heights", [this] { return made_->heights; }),
                        Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
                        Texture("normals", [this] { return normals(); })});
+}
+
+/// As it is, or the level of its mip chain that has `side` texels.
+Image ReliefSurface::asset_heights(int side) const {
+    Image image =
+        read_image(course_root() / "assets" / (map == first_asset ? "bricks_height.png" : "paving_height.png"));
+    if (image.width <= side) return image;
+    std::vector<Image> levels = mip_chain(std::move(image), ColorSpace::linear);
+    for (Image& level : levels)
+        if (level.width <= side) return std::move(level);
+    return std::move(levels.back());
 }
 
 Image ReliefSurface::albedo() const {
@@ -118,7 +130,7 @@ Image ReliefSurface::albedo() const {
 
 /// At each texel, across the two chords between the points beside it.
 Image ReliefSurface::normals() const {
-    const Image& heights = this->heights();
+    const Image heights = is_asset() ? asset_heights(texels.back()) : this->heights();  // in full detail
     const int side = heights.width;
     const auto point = [&](int x, int y) {  // in texels; row 0 is the top
         const float height = *heights.pixel((x + side) % side, (y + side) % side);

@@ -29,14 +29,16 @@ public:
 
     // The knobs. A lab may begin with others.
     int shape = wall, map = 6, size = 2, bits = 0, repeat = 1;
-    float depth = 0.08f;  ///< of the relief, in tiles along u
-    float stretch = 1;    ///< height of a tile over its width: texels that are not square
-    float extent = 4;     ///< side of the wall, metres
+    int asset_texels = 1024;  ///< no knob: of the wall and the paving, where a lab sees them from far away
+    float depth = 0.08f;      ///< of the relief, in tiles along u
+    float stretch = 1;        ///< height of a tile over its width: texels that are not square
+    float extent = 4;         ///< side of the wall, metres
     bool mirror = false;
     int shift = 0;  ///< tiles
 
 private:
     bool is_asset() const;
+    Image asset_heights(int side) const;
     Image albedo() const;
     Image normals() const;
     void renew() const;

@@ -6,8 +6,8 @@
 
 #include <tuple>
 
-#include "bounds.h"
 #include "framework/gl/target.h"
+#include "framework/image/height_bounds.h"
 #include "framework/lab/lab.h"
 #include "framework/lab/labels.h"
 #include "framework/lab/relief_surface.h"
@@ -78,6 +78,7 @@ private:
     static constexpr std::array views = {"compare", "one"};
     static constexpr std::array shows = {"both", "picture", "error"};
     static constexpr std::array counts = {"fixed", "angle", "texel"};
+    static constexpr std::array count_defines = {"", "BY_ANGLE", "BY_TEXEL"};
     static constexpr std::array refinements = {"none", "linear", "bisection", "secant", "illinois"};
     static constexpr std::array mips = {"base", "footprint"};
     static constexpr std::array lookups = {"fixed-lod", "implicit"};
@@ -116,10 +117,6 @@ private:
             return all(*this) == all(other) && orbit == other.orbit;
         }
     };
-    struct Bounds {
-        int version;
-        TextureName texture;
-    };
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         if (view_ == one) return tiles_of(size, 1);
@@ -144,25 +141,23 @@ private:
     /// The program for one frame and one method, with all that it wants to know.
     const Program& use(const Frame& frame, const Method& method, const Define& purpose, float level_bias = 0) {
         const Program& program =
-            program_.with({purpose, mip_ == 1 ? "FOOTPRINT" : "", lookup_ == 1 ? "IMPLICIT" : "", skip_ ? "SKIP" : ""});
+            program_.with({purpose, mip_ == 1 ? "FOOTPRINT" : "", lookup_ == 1 ? "IMPLICIT" : "", skip_ ? "SKIP" : "",
+                           count_defines[size_t(method.count)], fmt::format("REFINE {}", method.refine)});
         const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         glUseProgram(program);
         surface_.set(program, frame);
-        if (glGetUniformLocation(program, "s_bounds") >= 0) {  // made where this permutation looks at them
-            if (!bounds_ || bounds_->version != surface_.version())
-                bounds_.emplace(Bounds{surface_.version(), occlusion::upload_bounds(surface_.heights())});
-            glActiveTexture(GL_TEXTURE3);
-            glBindTexture(GL_TEXTURE_2D, bounds_->texture);
-            program.set("s_bounds", 3);
+        if (!bounds_ || bounds_version_ != surface_.version()) {
+            bounds_.emplace(
+                "bounds", [this] { return min_max_atlas(surface_.heights()); }, TextureOptions{.mips = false});
+            bounds_version_ = surface_.version();
         }
+        program.set("s_bounds", 3, *bounds_);
         program.set("u_to_light",
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
-        program.set("u_count", method.count);
         program.set("u_steps", method.steps);
         program.set("u_least_steps", method.least_steps);
         program.set("u_texels_per_step", method.texels_per_step);
-        program.set("u_refine", method.refine);
-        program.set("u_rounds", method.refine <= linear ? 0 : method.rounds);
+        program.set("u_rounds", method.rounds);
         program.set("u_level_bias", level_bias);
         program.set("u_decal", decal_ ? 0.9f : 0.0f);
         program.set("u_most_cells", 4 * surface_.heights().width);
@@ -206,7 +201,8 @@ private:
 
     Programs program_{"common/relief.vert", "11_parallax_occlusion/surface.frag"};
     ReliefSurface surface_;
-    std::optional<Bounds> bounds_;
+    std::optional<Texture> bounds_;
+    int bounds_version_ = 0;
     std::array<Measured, comparisons.size()> measured_;
     Labels labels_;
 

@@ -22,9 +22,9 @@ class ReliefExact final : public Lab {
 public:
     ReliefExact() {
         surface_.map = 3, surface_.extent = 3;
-        floor_.map = 7, floor_.extent = 3, floor_.depth = 0.06f;
-        wall_.map = 6, wall_.extent = 2.2f, wall_.depth = 0.07f;
-        column_.shape = ReliefSurface::column, column_.map = 3, column_.depth = 0.12f;
+        floor_.map = 7, floor_.asset_texels = 256, floor_.extent = 3, floor_.depth = 0.06f;
+        wall_.map = 6, wall_.asset_texels = 256, wall_.extent = 2.2f, wall_.depth = 0.07f;
+        column_.shape = ReliefSurface::column, column_.map = 3, column_.size = 1, column_.depth = 0.12f;
     }
 
     void draw(const Frame& frame) override {
@@ -171,7 +171,7 @@ private:
     std::optional<Target> small_;
     Labels labels_;
 
-    int view_ = scene, method_ = windows, show_ = 0, shadow_ = 1;
+    int view_ = scene, method_ = cells, show_ = 0, shadow_ = 1;
     bool write_depth_ = true, outline_ = true, costs_ = false;
     float light_yaw_ = 55, light_pitch_ = 40;
 };

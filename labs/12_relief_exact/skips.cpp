@@ -11,7 +11,7 @@ void Skips::make(Method method) {
     int64_t bytes = 0;
     if (method == coarse) bind(3, around_);
     if (method == windows) windows_ = height_windows(heights_), bind(3, window_texture_);
-    if (method == max_mip) bind(3, max_mips_);
+    if (method == max_mip) bind(3, bounds_);
     if (method == cones) bind(3, cones_);
     if (method == cells) {
         // Whole numbers, in an array of four quadrants: no Texture of the framework is that.
@@ -40,7 +40,7 @@ void Skips::set(const Program& program, Method method) {
     program.set("u_most_turns", 4096);
     program.set("s_around", 3, around_);
     program.set("s_windows", 3, window_texture_);
-    program.set("s_max_mips", 3, max_mips_);
+    program.set("s_bounds", 3, bounds_);
     program.set("s_cones", 3, cones_);
     program.set("s_cells", 3);
     program.set("u_top_level", std::min(4, std::countr_zero(unsigned(heights_.width))));

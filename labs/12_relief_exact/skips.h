@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "framework/gl/counters.h"
+#include "framework/image/height_bounds.h"
 #include "framework/image/height_skips.h"
 #include "framework/lab/lab.h"
 
@@ -46,7 +47,7 @@ private:
     std::optional<TextureName> cells_;
     Texture window_texture_{"windows", [this] { return windows_.clear; }, {.mips = false}};
     Texture around_{"highest in 5 x 5", [this] { return highest_in_5x5(heights_); }, {.mips = false}};
-    Texture max_mips_{"max mips", [this] { return max_mips(heights_); }};
+    Texture bounds_{"bounds", [this] { return min_max_atlas(heights_); }, {.mips = false}};
     Texture cones_{"cones", [this] { return cone_map(heights_); }, {.mips = false}};
 };
 

@@ -39,11 +39,9 @@ uniform vec2 u_depth;     // of the relief, in tiles along u and v
 uniform float u_depth_metres;
 uniform vec2 u_normal_strength;
 
-uniform int u_count;  // 0: u_steps, 1: by angle, 2: by texel
 uniform float u_steps;
 uniform float u_least_steps;
 uniform float u_texels_per_step;
-uniform int u_refine;  // 0: none, 1: linear, then as in the tasks
 uniform int u_rounds;
 uniform float u_level_bias;  // where a pixel stands for a smaller one
 uniform float u_decal;       // how much of the paint on the pane is there
@@ -52,8 +50,8 @@ layout(location = 0) out vec4 o_color;
 
 const float least_slant = 0.002;  // a flatter ray would pass more tiles than a float can tell apart
 
-// Whether all of the relief below the march has one height. On the level that is taken a texel is at least as wide as the
-// march, so that it touches two by two of them at most.
+// Whether all of the relief below the march has one height: one look, at a level whose texels are as wide as the march, or at
+// the whole map where it runs over the border between two of them.
 bool is_flat(ReliefRay ray, vec2 size, out float height) {
     // Cells begin at texel centres; a smaller level of the map is a mean of what is around.
     float margin = ray.level > 0.0 ? exp2(ceil(ray.level)) : 0.01;
@@ -61,26 +59,34 @@ bool is_flat(ReliefRay ray, vec2 size, out float height) {
     vec2 low = min(from, to) - margin, high = max(from, to) + margin;
     float widest = max(max(high.x - low.x, high.y - low.y), 1.0);
     int level = min(int(ceil(log2(widest))), highest_level(s_heights));
-    ivec2 texels = bounds_size(s_heights, level);
-    ivec2 a = min(ivec2(fract(low / size) * vec2(texels)), texels - 1);
-    ivec2 b = min(ivec2(fract(high / size) * vec2(texels)), texels - 1);
-    vec2 aa = bounds_at(s_heights, a, level), ab = bounds_at(s_heights, ivec2(a.x, b.y), level);
-    vec2 ba = bounds_at(s_heights, ivec2(b.x, a.y), level), bb = bounds_at(s_heights, b, level);
-    height = max(max(aa.g, ab.g), max(ba.g, bb.g));
-    return min(min(aa.r, ab.r), min(ba.r, bb.r)) == height;
+    vec2 texels = vec2(bounds_size(s_heights, level)), texel = floor(low / size * texels);
+    bool inside = texel == floor(high / size * texels);
+    vec2 bounds = inside ? bounds_at(s_heights, ivec2(mod(texel, texels)), level)
+                         : bounds_at(s_heights, ivec2(0), highest_level(s_heights));
+    height = bounds.g;
+    return bounds.r == bounds.g;
 }
 
 float steps_of(ReliefRay ray, vec2 size) {
-    if (u_count == 1) return steps_by_angle(ray.slant, u_least_steps, u_steps);
-    if (u_count == 2) return steps_by_texel(ray, size, u_texels_per_step);
+#if defined BY_ANGLE
+    return steps_by_angle(ray.slant, u_least_steps, u_steps);
+#elif defined BY_TEXEL
+    return steps_by_texel(ray, size, u_texels_per_step);
+#else
     return u_steps;
+#endif
 }
 
 float marched(ReliefRay ray, vec2 size) {
     Bracket b = march(s_heights, ray, steps_of(ray, size));
-    if (u_refine == 0) return b.after;
-    b = refined(s_heights, ray, b, u_rounds, u_refine);
+#if REFINE == 0
+    return b.after;
+#else
+#if REFINE > 1
+    b = refined(s_heights, ray, b, u_rounds, REFINE);
+#endif
     return mix(b.before, b.after, crossing(b.gap_before, b.gap_after));
+#endif
 }
 
 // How far along the ray the relief is met; at its entry where there is none.

@@ -15,7 +15,7 @@ uniform int u_block_shift;        // log2 of the cells along a block's side
 uniform sampler2D s_windows;      // a texel a block: for each of four windows, 1 - its highest height
 uniform isampler2DArray s_cells;  // a texel a cell: its corners and its windows, see cell_map()
 uniform sampler2D s_around;       // the highest in 5 x 5 cells
-uniform sampler2D s_max_mips;     // level k: the highest in 2^k x 2^k cells
+uniform sampler2D s_bounds;       // the lowest and the highest in 2^k x 2^k cells, see min_max_atlas()
 uniform int u_top_level;
 uniform sampler2D s_cones;        // over a cell's highest corner, texels of free radius per unit of height
 
@@ -93,7 +93,8 @@ ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end) {
         ivec2 node = ivec2(cell) >> level;
         vec2 out_of_node = leave_square(ray, inverse, vec2(node << level), float(1 << level));
         leaves = min(min(out_of_node.x, out_of_node.y), t_end);
-        float highest = texelFetch(s_max_mips, node & (last >> level), level).r;
+        ivec2 corner = level == 0 ? ivec2(0) : ivec2(last.x + 1, last.y + 1 - ((last.y + 1) >> (level - 1)));
+        float highest = texelFetch(s_bounds, corner + (node & (last >> level)), 0).g;
         if (lowest_between(ray, t, leaves) >= highest) {
             // Over it; and a level up where the ray also leaves the parent.
             t = leaves;

@@ -53,6 +53,19 @@ float light_at(ReliefRay ray) {
 #endif
 }
 
+// The same for a hit, whose place is in tiles and whose height in heights; the light's direction in tangent space.
+float lit_at(vec2 uv, float height, vec3 to_light) {
+#if defined HARD_SHADOW || defined SOFT_SHADOW || defined PROBE_shadow
+    if (to_light.z <= 0.0) return 0.0;
+    if (height >= u_highest - 1e-4) return 1.0;
+    // From a little above the relief, so that a hit does not shade itself.
+    vec2 size = vec2(textureSize(s_heights, 0));
+    return light_at(shadow_ray(vec3(uv * size - 0.5, height + 1e-4), to_light, u_depth * size));
+#else
+    return 1.0;
+#endif
+}
+
 void main() {
     vec3 normal = normalize(v_normal);
     vec3 tangent = normalize(v_tangent.xyz - dot(v_tangent.xyz, normal) * normal);
@@ -85,18 +98,8 @@ void main() {
     gl_FragDepth = window_depth(position, u_clip_from_world);
 #endif
 
-    float lit = 1.0;
-#if defined HARD_SHADOW || defined SOFT_SHADOW || defined PROBE_shadow
-    // From a little above the relief, so that a hit does not shade itself.
-    vec3 to_light = vec3(dot(u_to_light, tangent), dot(u_to_light, bitangent), dot(u_to_light, normal));
-    lit = 0.0;
-    if (to_light.z > 0.0) {
-        float height = height_of(view, hit.t) + 1e-4;
-        ReliefRay ray = shadow_ray(vec3(uv * size - 0.5, min(height, 1.0)), to_light, u_depth * size);
-        lit = height < u_highest ? light_at(ray) : 1.0;
-    }
-#endif
-
+    mat3 frame = mat3(tangent, bitangent, normal);
+    float height = height_of(view, hit.t);
 #if defined PROBE_uv
     o_color = vec4(uv * size, 0.0, 0.0);
 #elif defined PROBE_depth
@@ -104,7 +107,7 @@ void main() {
 #elif defined PROBE_steps
     o_color = vec4(float(hit.turns), hit.turns > u_most_turns ? 1.0 : 0.0, 0.0, 0.0);
 #elif defined PROBE_shadow
-    o_color = vec4(lit, 0.0, 0.0, 0.0);
+    o_color = vec4(lit_at(uv, height, u_to_light * frame), 0.0, 0.0, 0.0);
 #else
     if (gl_FragCoord.x > u_turns_from) {
         o_color = finished(vec4(heat(log2(float(max(hit.turns, 1))) / 8.0), 1.0), gl_FragCoord.xy);
@@ -112,9 +115,11 @@ void main() {
     }
     vec3 albedo = textureGrad(s_albedo, uv, dx, dy).rgb;
     vec3 mapped = textureGrad(s_normals, uv, dx, dy).xyz * 2.0 - 1.0;
-    vec3 n = normalize(mat3(tangent, bitangent, normal) * vec3(mapped.xy * u_normal_strength, mapped.z));
+    vec3 n = normalize(frame * vec3(mapped.xy * u_normal_strength, mapped.z));
     vec3 light = albedo * mix(vec3(0.1, 0.09, 0.08), vec3(0.25, 0.28, 0.34), 0.5 + 0.5 * n.y);
-    light += lit * vec3(1.35, 1.22, 1.02) * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
+    // What is turned away from the light needs no search to be dark.
+    if (dot(n, u_to_light) > 0.0)
+        light += lit_at(uv, height, u_to_light * frame) * vec3(1.35, 1.22, 1.02) * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
     o_color = finished(vec4(srgb_from_linear(light), 1.0), gl_FragCoord.xy);
 #endif
 }

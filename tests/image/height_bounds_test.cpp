@@ -8,6 +8,8 @@
 
 #include "framework/reference/height_field.h"
 
+#include "framework/base/error.h"
+
 namespace relief {
 namespace {
 
@@ -82,6 +84,26 @@ TEST(HeightBounds, AreOneNumberWhereTheMapIsFlat) {
     EXPECT_EQ(cells, 4);
     EXPECT_EQ(levels[1].pixel(3, 0)[0], levels[1].pixel(3, 0)[1]);
     EXPECT_EQ(levels.back().values, (std::vector<float>{0.25f, 1}));
+}
+
+TEST(HeightBounds, StandSideBySideInAnAtlas) {
+    for (const int side : {1, 2, 16}) {
+        const Image heights = noise(side, side);
+        const std::vector<Image> levels = min_max_mips(heights);
+        const Image atlas = min_max_atlas(heights);
+        EXPECT_EQ(atlas.width, side + side / 2);
+        EXPECT_EQ(atlas.height, side);
+        for (size_t k = 0; k < levels.size(); ++k)
+            for (int y = 0; y < levels[k].height; ++y)
+                for (int x = 0; x < levels[k].width; ++x) {
+                    const int left = k == 0 ? 0 : side, up = k == 0 ? 0 : side - (side >> (k - 1));
+                    const float* const here = atlas.pixel(left + x, side - 1 - (up + y));
+                    const float* const level = levels[k].pixel(x, levels[k].height - 1 - y);
+                    EXPECT_EQ(here[0], level[0]) << side << ", " << k;
+                    EXPECT_EQ(here[1], level[1]) << side << ", " << k;
+                }
+    }
+    EXPECT_THROW(min_max_atlas(noise(12, 5)), Error);
 }
 
 }  // namespace

@@ -99,18 +99,9 @@ TEST(HeightSkips, ACellMapHoldsTheCornersAndTheWindowsOfEachCell) {
     }
 }
 
-TEST(HeightSkips, MaxMipsAndTheFiveByFiveHoldTheHighestOfTheirCells) {
+TEST(HeightSkips, TheFiveByFiveHoldsTheHighestOfTheCellsAround) {
     for (const Image& map : maps()) {
         const Cells cells(map);
-        const std::vector<Image> levels = max_mips(map);
-        EXPECT_EQ(levels.back().pixel_count(), 1u);
-        for (size_t level = 0; level < levels.size(); ++level)
-            for (int y = 0; y < levels[level].height; ++y)
-                for (int x = 0; x < levels[level].width; ++x) {
-                    const int width = map.width / levels[level].width, rows = map.height / levels[level].height;
-                    ASSERT_EQ(*levels[level].pixel(x, levels[level].height - 1 - y),
-                              cells.top(x * width, y * rows, width, rows));
-                }
         const Image around = highest_in_5x5(map);
         for (int y = 0; y < map.height; ++y)
             for (int x = 0; x < map.width; ++x)
@@ -149,7 +140,7 @@ TEST(HeightSkips, WindowsFitTheMap) {
 
 TEST(HeightSkips, RefusesASideThatIsNotAPowerOfTwo) {
     EXPECT_THROW(height_windows(Image(3, 4, 1)), Error);
-    EXPECT_THROW(max_mips(Image(4, 6, 1)), Error);
+    EXPECT_THROW(cone_map(Image(4, 6, 1)), Error);
     EXPECT_THROW(cell_map(Image(4, 4, 3)), Error);
 }
 
