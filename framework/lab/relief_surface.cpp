@@ -56,7 +56,7 @@ Mesh make_urn() {
 constexpr ColumnShape column_shape{.bottom_radius = ReliefSurface::column_radius,
                                    .top_radius = ReliefSurface::column_radius,
                                    .height = ReliefSurface::column_height,
-                                   .sides = 64,
+                                   .sides = 96,  // a third of the way around is a tile, and a whole number of them
                                    .rows = 1};
 constexpr float around_column = 2 * glm::pi<float>() * ReliefSurface::column_radius;
 constexpr float around_urn = 3.2f, up_urn = 2.4f;  // metres per unit of uv, at its middle
@@ -68,7 +68,7 @@ void ReliefSurface::knobs(Knobs& knobs) {
     knobs.choice("map", map, maps, "the height map");
     knobs.choice("size", size, sizes, "of the map, texels; wall and paving have 1024");
     knobs.choice("bits", bits, bit_counts, "of a height");
-    knobs.slider("depth", depth, 0, 10, "of the relief, in widths of a tile");
+    knobs.slider("depth", depth, 0, 1, "of the relief, in widths of a tile");
     knobs.steps("repeat", repeat, 1, 8, "how often the tile repeats: a metre of wall, a third of the column");
     knobs.slider("stretch", stretch, 0.25f, 4, "height of a tile over its width: texels that are not square");
     knobs.slider("extent", extent, 0.25f, 64, "side of the wall, metres");

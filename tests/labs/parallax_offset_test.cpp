@@ -205,9 +205,9 @@ TEST(ParallaxOffset, EveryPixelIsFiniteAndNoRayTooLongWhateverTheAngleTheMapOrTh
                                        {{{"map", "plateau"}}},
                                        {{{"map", "damaged"}}},
                                        {{{"map", "stones"}, {"size", "1"}}},
-                                       {{{"map", "low"}, {"size", "4096"}, {"depth", "10"}}, 89.9},
-                                       {{{"depth", "10"}}, 80},
-                                       {{{"depth", "10"}, {"stretch", "0.25"}, {"mirror", "on"}}, 89.9},
+                                       {{{"map", "low"}, {"size", "4096"}, {"depth", "1"}}, 89.9},
+                                       {{{"depth", "1"}}, 80},
+                                       {{{"depth", "1"}, {"stretch", "0.25"}, {"mirror", "on"}}, 89.9},
                                        {{{"shift", "10000"}}},
                                        {{{"steps", "1"}}},
                                        {{}, 210, 0, {0, 0, -0.01}},                 // within the relief
