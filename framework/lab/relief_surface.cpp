@@ -94,7 +94,7 @@ void ReliefSurface::renew() const {
     mend_heights(image);
     if (bits == 1) image = with_8_bits(std::move(image));
     ++version_;
-    made_.reset();
+    made_.reset(), windows_.reset(), window_texture_.reset();
     made_.emplace(Made{of, std::move(image), Texture("heights", [this] { return made_->heights; }),
                        Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
                        Texture("normals", [this] { return normals(); })});
@@ -182,6 +182,18 @@ void ReliefSurface::set(const Program& program, const Frame& frame, const glm::d
     program.set("s_heights", 0, made_->height_texture);
     program.set("s_albedo", 1, made_->albedo_texture);
     program.set("s_normals", 2, made_->normal_texture);
+}
+
+void ReliefSurface::set_exact_hit(const Program& program, int unit) const {
+    if (!windows_) {
+        windows_ = height_windows(heights());
+        window_texture_.emplace(
+            "windows", [this] { return windows_->clear; }, TextureOptions{.mips = false});
+    }
+    const auto& grown = windows_->grown;
+    program.set("s_windows", unit, *window_texture_);
+    program.set("u_grown", glm::vec4(grown[0], grown[1], grown[2], grown[3]));
+    program.set("u_most_turns", 4096);
 }
 
 void ReliefSurface::draw() const {

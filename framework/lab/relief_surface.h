@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "framework/image/height_skips.h"
 #include "framework/lab/lab.h"
 #include "framework/mesh/relief.h"
 
@@ -26,6 +27,8 @@ public:
     /// The program is in use.
     void set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model = glm::dmat4(1)) const;
     void draw() const;
+    /// For exact_hit() of shaders/common/exact_hit.glsl: s_windows on a unit, u_grown and u_most_turns.
+    void set_exact_hit(const Program& program, int unit) const;
 
     // The knobs. A lab may begin with others.
     int shape = wall, map = 6, size = 2, bits = 0, repeat = 1;
@@ -48,6 +51,8 @@ private:
         Image heights;
         Texture height_texture, albedo_texture, normal_texture;
     };
+    mutable std::optional<HeightWindows> windows_;
+    mutable std::optional<Texture> window_texture_;
     mutable std::optional<Made> made_;
     mutable int version_ = 0;
     mutable std::optional<Mesh> meshes_[3];

@@ -9,7 +9,6 @@
 #include "framework/lab/labels.h"
 #include "framework/lab/relief_surface.h"
 #include "framework/lab/tiles.h"
-#include "tops.h"
 #include "truth.h"
 
 namespace relief {
@@ -123,15 +122,6 @@ private:
         return program_.with({fmt::format("METHOD {}", sight.method), sight.frame.probe, purpose});
     }
 
-    const Texture& tops() {
-        if (!tops_ || tops_of_ != surface_.version()) {
-            tops_of_ = surface_.version();
-            const auto make = [this] { return offsets::block_tops(surface_.heights(), 4); };
-            tops_.emplace("tops", make, TextureOptions{.mips = false});
-        }
-        return *tops_;
-    }
-
     void draw_relief(const Sight& sight, const char* purpose) {
         const Program& relief = program(sight, purpose);
         glUseProgram(relief);
@@ -140,8 +130,7 @@ private:
         relief.set("u_to_light", glm::dvec3(std::sin(yaw_rad) * std::cos(pitch_rad), std::sin(pitch_rad),
                                             std::cos(yaw_rad) * std::cos(pitch_rad)));
         relief.set("u_steps", steps_);
-        relief.set("u_most_turns", 4096);
-        relief.set("s_tops", 3, tops());
+        surface_.set_exact_hit(relief, 3);
         surface_.draw();
     }
 
@@ -197,8 +186,6 @@ private:
 
     Programs program_{"common/relief.vert", "10_parallax_offset/surface.frag"};
     ReliefSurface surface_;
-    std::optional<Texture> tops_;  ///< of blocks of the heights: what the exact hit passes over
-    int tops_of_ = 0;              ///< version of the heights
     Labels labels_;
     Measured measured_;
 

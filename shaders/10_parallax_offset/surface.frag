@@ -2,7 +2,7 @@
 // A relief that is guessed by METHOD: lit, or as the ERROR of the guess.
 
 #include "10_parallax_offset/task.glsl"
-#include "10_parallax_offset/exact.glsl"
+#include "common/exact_hit.glsl"
 #include "common/heat.glsl"
 #include "common/light.glsl"
 #include "common/srgb.glsl"
@@ -26,7 +26,8 @@ uniform vec3 u_to_light;
 uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
-uniform sampler2D s_tops;  // of blocks of the heights, for the exact hit
+uniform sampler2D s_windows;  // for the exact hit
+uniform vec4 u_grown;
 uniform int u_most_turns;
 
 layout(location = 0) out vec4 o_color;
@@ -80,7 +81,7 @@ void main() {
 #elif defined PROBE_steps
     o_color = vec4(taps(t), 0.0, 0.0, 0.0);
 #elif defined ERROR || defined MEASURE
-    float exact = cosine > 0.0 ? exact_t(s_heights, s_tops, v_uv, along, u_most_turns) : 0.0;
+    float exact = cosine > 0.0 ? exact_hit(s_heights, s_windows, u_grown, v_uv, along, u_most_turns) : 0.0;
     float texels = abs(t - exact) * length(along * vec2(textureSize(s_heights, 0)));
 #ifdef MEASURE
     o_color = vec4(texels, 0.0, 0.0, 0.0);

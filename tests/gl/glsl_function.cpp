@@ -21,7 +21,8 @@ std::string with_mistake(std::string text, const PlantedMistake& mistake) {
 }
 
 std::string stage_text(const std::string& file, const std::string& expression) {
-    std::string text = "#version 410 core\n#include \"" + file + "\"\nuniform sampler2D s_map;\nout vec4 o_result;\n";
+    std::string text =
+        "#version 410 core\n#include \"" + file + "\"\nuniform sampler2D s_map, s_other;\nout vec4 o_result;\n";
     for (int i = 0; i < 8; ++i) text += "layout(location = " + std::to_string(i) + ") in vec4 " + names[i] + ";\n";
     return text + "void main() { o_result = " + expression + "; }\n";
 }
@@ -51,13 +52,15 @@ ProgramName link(const std::string& text, const std::vector<Place>& lines) {
 
 std::vector<glm::vec4> evaluate_glsl(const std::string& file, const std::string& expression,
                                      std::span<const GlslInput> inputs, const PlantedMistake& mistake,
-                                     const Texture* map) {
+                                     const Texture* map, const Texture* other) {
     const TemporaryFolder folder;
     folder.write(file, with_mistake(read_file(course_root() / "shaders/common" / file), mistake));
     const ShaderSource source = load_shader(folder.write("call.vert", stage_text(file, expression)), {});
     const ProgramName program = link(source.text, source.lines);
     glUseProgram(program);
     if (map) bind(0, *map);
+    if (other) bind(1, *other);
+    glUniform1i(glGetUniformLocation(program, "s_other"), 1);
 
     // Nothing is drawn, but a draw wants a framebuffer, and a context without a surface has none of its own.
     const Target target(TargetKind::probe, {1, 1});

@@ -11,6 +11,8 @@
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/image/color.h"
+#include "framework/image/height_maps.h"
+#include "framework/image/height_skips.h"
 #include "framework/image/visualize.h"
 #include "framework/mesh/frame.h"
 #include "framework/reference/displaced.h"
@@ -371,7 +373,7 @@ TEST(ShaderFunction, WithAMistakeNoLongerAgrees) {
 }
 
 TEST(ShaderFunction, EachOfThemHasATwinHere) {
-    std::set<std::string> tested = {"cell_corners"};  // below: it reads a texture
+    std::set<std::string> tested = {"cell_corners", "exact_hit"};  // below: they read textures
     for (const Twin& twin : all_twins()) tested.insert(twin.function);
     const std::regex definition("(^|\n)(float|bool|int|vec[234]|mat[234]) ([a-z_0-9]+)\\(");
     size_t found = 0;
@@ -403,6 +405,36 @@ TEST(ShaderFunction, CellCornersAreTheTexelsThemselvesOfAnyCell) {
         EXPECT_EQ(corners[i], glm::vec4(texel(x, y + 1), texel(x + 1, y + 1), texel(x + 1, y), texel(x, y)))
             << "cell " << x << ", " << y;
     }
+}
+
+TEST(ShaderFunction, ExactHitsAreThoseOfTheHeightField) {
+    Dice dice{std::mt19937(seed)};
+    Image image = make_height_map(HeightMap::stones, 64);
+    const Texture map("heights", [&] { return image; });
+    const HeightWindows windows = height_windows(image);
+    const Texture other("windows", [&] { return windows.clear; }, {.mips = false});
+    const glm::vec4 grown(windows.grown[0], windows.grown[1], windows.grown[2], windows.grown[3]);
+    std::vector<GlslInput> inputs;
+    for (int i = 0; i < 4000; ++i) {
+        const float reach = i % 50 == 0 ? 0 : dice.between(0, 2);
+        const float turn = dice.between(0, 6.3f);
+        inputs.push_back({grown, glm::vec4(dice.between(-2, 2), dice.between(-2, 2), reach * std::cos(turn),
+                                           reach * std::sin(turn))});
+    }
+    const auto found = evaluate_glsl("exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, 1000))", inputs,
+                                     {}, &map, &other);
+    const HeightField field(image, true);
+    int off = 0;
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const glm::dvec4 ray = glm::dvec4(inputs[i][1]) * 64.0;
+        const auto hit = field.first_hit({{ray.x, ray.y, 1}, {ray.z, ray.w, -1}}, 1);
+        off += std::abs(double(found[i].x) - (hit ? hit->t : 1)) > 1e-4;
+    }
+    EXPECT_LE(off, 4) << "of 4000 a few graze an edge";
+    const PlantedMistake no_look_back{"floor(inside), block", "floor(inside) + 1.0, block"};
+    const auto wrong = evaluate_glsl("exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, 1000))", inputs,
+                                     no_look_back, &map, &other);
+    EXPECT_NE(wrong, found);
 }
 
 TEST(ShaderFunction, DegenerateInputsGiveWhatTheTwinsSay) {

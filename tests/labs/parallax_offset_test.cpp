@@ -6,7 +6,6 @@
 
 #include "framework/lab/relief_surface.h"
 #include "framework/reference/relief_sight.h"
-#include "labs/10_parallax_offset/tops.h"
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -123,7 +122,6 @@ TEST(ParallaxOffset, TheErrorInThePictureIsTheError) {
         Twin twin(shot);
         const Programs programs{"common/relief.vert", "10_parallax_offset/surface.frag"};
         const Program& program = programs.with({"METHOD 0", "MEASURE"});
-        const Texture tops("tops", [&] { return offsets::block_tops(twin.surface.heights(), 4); }, {.mips = false});
         const Target target(TargetKind::probe, shot.size);
         const Frame frame = frame_of(shot, target);
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
@@ -133,8 +131,7 @@ TEST(ParallaxOffset, TheErrorInThePictureIsTheError) {
         glClear(GL_DEPTH_BUFFER_BIT);
         glUseProgram(program);
         twin.surface.set(program, frame);
-        program.set("u_most_turns", 4096);
-        program.set("s_tops", 3, tops);
+        twin.surface.set_exact_hit(program, 3);
         twin.surface.draw();
         const Image shown = target.read(), errors = errors_of(shot);
         size_t off = 0, count = 0;
@@ -146,25 +143,6 @@ TEST(ParallaxOffset, TheErrorInThePictureIsTheError) {
         // Rays that only graze an edge end elsewhere.
         EXPECT_LE(off, count / 200) << surface << " at " << degrees;
     }
-}
-
-TEST(ParallaxOffset, ARayThatPassesOverBlocksMissesNothing) {
-    Image heights(32, 32, 1);
-    std::fill(heights.values.begin(), heights.values.end(), 0.25f);
-    *heights.pixel(12, 31 - 3) = 1;
-    const Image tops = offsets::block_tops(heights, 4);
-    ASSERT_EQ(tops.width, 8);
-    // The post's texel (column 12, row 3 from below) belongs to the cells on both its sides.
-    constexpr std::array reaches = {0, 1, 3, 8};
-    for (int row = 0; row < 8; ++row)
-        for (int column = 0; column < 8; ++column) {
-            const float* const top = tops.pixel(column, 7 - row);
-            const auto apart = [](int a, int b) { return std::min((a - b + 8) % 8, (b - a + 8) % 8); };
-            const int blocks = std::max(std::min(apart(column, 2), apart(column, 3)), apart(row, 0));
-            for (int k = 0; k < 4; ++k)
-                EXPECT_EQ(top[k], blocks <= reaches[size_t(k)] ? 1.0f : 0.25f)
-                    << column << ", " << row << ", channel " << k;
-        }
 }
 
 TEST(ParallaxOffset, AReliefOfNoDepthIsThePlainTexture) {
