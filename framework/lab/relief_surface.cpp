@@ -43,6 +43,14 @@ Palette palette_of(int map) {
     }
 }
 
+/// The largest level of the image's mip chain with `side` texels a side at most.
+Image level_of(Image image, int side) {
+    std::vector<Image> levels = mip_chain(std::move(image), ColorSpace::linear);
+    size_t level = 0;
+    while (levels[level].width > side && level + 1 < levels.size()) ++level;
+    return std::move(levels[level]);
+}
+
 Mesh make_urn() {
     Mesh mesh = read_obj(course_root() / "assets" / "urn.obj").mesh;
     // A surface of revolution knows its tangents by its uv.
@@ -86,29 +94,21 @@ const Image& ReliefSurface::heights() const {
 void ReliefSurface::renew() const {
     const std::array of{map, size, bits};
     if (made_ && made_->of == of) return;
-    Image image;
-    if (is_asset())
-        image = asset_heights(asset_texels);
-    else
+    Image image, full;
+    if (is_asset()) {
+        image = read_image(course_root() / "assets" / (map == first_asset ? "bricks_height.png" : "paving_height.png"));
+        if (image.width > asset_texels || bits == 1) full = image;
+        if (image.width > asset_texels) image = level_of(std::move(image), asset_texels);
+    } else {
         image = make_height_map(HeightMap(map < first_asset ? map : map - 2), texels[size_t(size)]);
+    }
     mend_heights(image);
     if (bits == 1) image = with_8_bits(std::move(image));
     ++version_;
     made_.reset(), windows_.reset(), window_texture_.reset();
-    made_.emplace(Made{of, std::move(image), Texture("heights", [this] { return made_->heights; }),
+    made_.emplace(Made{of, std::move(image), std::move(full), Texture("heights", [this] { return made_->heights; }),
                        Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
                        Texture("normals", [this] { return normals(); })});
-}
-
-/// As it is, or the level of its mip chain that has `side` texels.
-Image ReliefSurface::asset_heights(int side) const {
-    Image image =
-        read_image(course_root() / "assets" / (map == first_asset ? "bricks_height.png" : "paving_height.png"));
-    if (image.width <= side) return image;
-    std::vector<Image> levels = mip_chain(std::move(image), ColorSpace::linear);
-    for (Image& level : levels)
-        if (level.width <= side) return std::move(level);
-    return std::move(levels.back());
 }
 
 Image ReliefSurface::albedo() const {
@@ -130,7 +130,8 @@ Image ReliefSurface::albedo() const {
 
 /// At each texel, across the two chords between the points beside it.
 Image ReliefSurface::normals() const {
-    const Image heights = is_asset() ? asset_heights(texels.back()) : this->heights();  // in full detail
+    // In full detail, also where the search makes do with less.
+    const Image& heights = made_->full.values.empty() ? this->heights() : made_->full;
     const int side = heights.width;
     const auto point = [&](int x, int y) {  // in texels; row 0 is the top
         const float height = *heights.pixel((x + side) % side, (y + side) % side);

@@ -41,14 +41,13 @@ public:
 
 private:
     bool is_asset() const;
-    Image asset_heights(int side) const;
     Image albedo() const;
     Image normals() const;
     void renew() const;
 
     struct Made {
         std::array<int, 3> of;  ///< map, size, bits
-        Image heights;
+        Image heights, full;    ///< full: of an asset that the search has less of; else empty
         Texture height_texture, albedo_texture, normal_texture;
     };
     mutable std::optional<HeightWindows> windows_;

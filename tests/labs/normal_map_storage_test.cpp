@@ -23,7 +23,7 @@ double mean_error(std::vector<Knob> knobs) {
     double sum = 0;
     for (const auto& [yaw, pitch] : {std::pair(0, 0), {90, 0}, {180, 0}, {270, 0}, {0, 89}, {0, -89}}) {
         Shot shot = shot_of("02", knobs, "normal");
-        shot.camera.yaw = yaw, shot.camera.pitch = pitch, shot.size = {700, 700};
+        shot.camera.yaw = yaw, shot.camera.pitch = pitch, shot.size = {331, 331};
         sum += error_of("02", shot).mean / 6;
     }
     return sum;
