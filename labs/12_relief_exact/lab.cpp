@@ -167,7 +167,7 @@ private:
     Programs ball_program_{"12_relief_exact/ball.vert", "12_relief_exact/ball.frag"};
     ReliefSurface surface_, floor_, wall_, column_;
     std::map<const ReliefSurface*, std::pair<int, std::unique_ptr<Skips>>> skips_;
-    GpuMesh ball_ = upload([] { return make_sphere({.radius = float(Ball{}.radius), .sides = 96, .rows = 48}); });
+    GpuMesh ball_ = upload([] { return make_sphere({.radius = float(Ball{}.radius), .sides = 56, .rows = 28}); });
     std::optional<Target> small_;
     Labels labels_;
 
