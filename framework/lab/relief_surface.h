@@ -27,7 +27,8 @@ public:
     /// The program is in use.
     void set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model = glm::dmat4(1)) const;
     void draw() const;
-    /// For exact_hit() of shaders/common/exact_hit.glsl: s_windows on a unit, u_grown and u_most_turns.
+    /// For exact_hit() of shaders/common/exact_hit.glsl: s_windows on a unit, u_grown and u_most_turns; nothing where
+    /// the permutation does not use it.
     void set_exact_hit(const Program& program, int unit) const;
 
     // The knobs. A lab may begin with others.

@@ -1,38 +1,14 @@
 // The exact first hit of a ray and a height map, by view angle: what the truth of the parallax labs costs.
-#include <array>
 #include <cmath>
 #include <memory>
 #include <random>
 
+#include "framework/image/height_maps.h"
 #include "framework/measure/topics.h"
 #include "framework/reference/height_field.h"
 
 namespace relief {
 namespace {
-
-/// A tile of 256² texels, a sum of waves whose amplitudes fall with the square of their frequency, none shorter than 4
-/// texels.
-Image fbm_map() {
-    constexpr int side = 256, longest = 64, waves = 400;
-    std::mt19937 random(1);
-    std::uniform_real_distribution<> share(0, 1);
-    std::vector<double> heights(size_t(side) * side);
-    std::array<double, side> cosine;
-    for (int i = 0; i < side; ++i) cosine[size_t(i)] = std::cos(2 * M_PI * i / side);
-    for (int i = 0; i < waves; ++i) {
-        const double k = std::pow(longest, share(random)), turn = 2 * M_PI * share(random);
-        const int kx = int(std::lround(k * std::cos(turn))), ky = int(std::lround(k * std::sin(turn)));
-        const double strength = 1 / std::pow(std::max(1.0, std::hypot(kx, ky)), 2);
-        const int phase = int(random() % side);
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x)
-                heights[size_t(y) * side + size_t(x)] += strength * cosine[size_t(kx * x + ky * y + phase) % side];
-    }
-    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    Image map(side, side, 1);
-    for (size_t i = 0; i < heights.size(); ++i) map.values[i] = float((heights[i] - *low) / (*high - *low));
-    return map;
-}
 
 struct Work {
     HeightField field;
@@ -43,7 +19,7 @@ struct Work {
 std::vector<BenchMethod> methods(const BenchSettings& settings) {
     const size_t count = settings.quick ? 20'000 : 250'000;
     constexpr double depth = 20;  // texels
-    const auto work = std::make_shared<Work>(Work{HeightField(fbm_map(), true), {}, 0});
+    const auto work = std::make_shared<Work>(Work{HeightField(make_height_map(HeightMap::fbm, 256), true), {}, 0});
     std::mt19937 random(2);
     std::uniform_real_distribution<> share(0, 1);
     std::vector<BenchMethod> result;

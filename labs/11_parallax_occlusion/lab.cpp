@@ -160,7 +160,7 @@ private:
         program.set("u_rounds", method.rounds);
         program.set("u_level_bias", level_bias);
         program.set("u_decal", decal_ ? 0.9f : 0.0f);
-        if (purpose.text == "ERROR" || purpose.text == "MEASURE") surface_.set_exact_hit(program, 4);
+        surface_.set_exact_hit(program, 4);
         return program;
     }
 
