@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "framework/lab/lab.h"
@@ -58,17 +59,19 @@ inline Frame frame_in(const Frame& frame, const Tile& tile) {
     return part;
 }
 
-/// A truth put together from those of its tiles.
-inline Image truth_in_tiles(const Frame& frame, const std::vector<Tile>& tiles,
-                            const std::function<Image(const Frame&, size_t tile)>& truth) {
+/// A truth put together from those of its tiles; nothing where one of them has none.
+inline std::optional<Image> truth_in_tiles(
+    const Frame& frame, const std::vector<Tile>& tiles,
+    const std::function<std::optional<Image>(const Frame&, size_t tile)>& truth) {
     Image whole(frame.size.x, frame.size.y, 4);
     std::fill(whole.values.begin(), whole.values.end(), no_surface);  // where there is no tile
     for (size_t i = 0; i < tiles.size(); ++i) {
         const auto& [corner, size] = tiles[i];
         if (size.x <= 0 || size.y <= 0) continue;
-        const Image part = truth(frame_in(frame, tiles[i]), i);
+        const std::optional<Image> part = truth(frame_in(frame, tiles[i]), i);
+        if (!part) return {};
         for (int y = 0; y < size.y; ++y)
-            std::copy_n(part.pixel(0, y), size_t(size.x) * 4,
+            std::copy_n(part->pixel(0, y), size_t(size.x) * 4,
                         whole.pixel(corner.x, frame.size.y - corner.y - size.y + y));
     }
     return whole;

@@ -46,10 +46,8 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        const auto tiles = tiles_of_view(frame.size);
-        if (!storage::truth(frame, probe, 0)) return {};
-        return truth_in_tiles(frame, tiles,
-                              [&](const Frame& part, size_t i) { return *storage::truth(part, probe, format_of(i)); });
+        return truth_in_tiles(frame, tiles_of_view(frame.size),
+                              [&](const Frame& part, size_t i) { return storage::truth(part, probe, format_of(i)); });
     }
 
 private:

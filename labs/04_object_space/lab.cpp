@@ -36,9 +36,8 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
-        if (!quilt::truth(frame_in(frame, {{0, 0}, {1, 1}}), rate(), world_from_model())) return {};
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
-            return *quilt::truth(part, rate(), world_from_model());
+            return quilt::truth(part, rate(), world_from_model());
         });
     }
 

@@ -49,9 +49,8 @@ public:
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
         if (shape() == basis::Shape::urn || collapsed_) return {};
         const basis::CoarseMesh mesh = coarse();
-        if (!basis::truth(frame_in(frame, {{0, 0}, {1, 1}}), probe, mesh, shape(), shear_)) return {};
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
-            return *basis::truth(part, probe, mesh, shape(), shear_);
+            return basis::truth(part, probe, mesh, shape(), shear_);
         });
     }
 

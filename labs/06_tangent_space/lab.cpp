@@ -52,9 +52,8 @@ public:
         const bool has_map = normals_from_ == 0 && map_ == 0 && trouble_ <= 1;
         const frames::Pose pose{frames::Shape(shape_), world_from_model(), has_map ? double(strength_) : 0.0,
                                 glm::radians(double(turn_))};
-        if (!frames::truth(frame_in(frame, {{0, 0}, {1, 1}}), pose)) return {};
         return truth_in_tiles(frame, tiles_of_view(frame.size),
-                              [&](const Frame& part, size_t) { return *frames::truth(part, pose); });
+                              [&](const Frame& part, size_t) { return frames::truth(part, pose); });
     }
 
 private:

@@ -62,12 +62,9 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        const auto of = [&](const Frame& part) {
+        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
             return occlusion::truth(part, probe, surface_.mesh(), surface_.lay(), surface_.heights());
-        };
-        const Tile pixel{{0, 0}, {1, 1}};
-        if (!of(frame_in(frame, pixel))) return {};
-        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) { return *of(part); });
+        });
     }
 
 private:
