@@ -5,9 +5,13 @@
 
 #include "framework/image/height_skips.h"
 #include "framework/lab/lab.h"
+#include "framework/lab/relief_material.h"
 #include "framework/mesh/relief.h"
 
 namespace relief {
+
+/// assets/urn.obj, with its exact tangents. An urn's uv go once around it, and once up.
+Mesh read_urn();
 
 class ReliefSurface {
 public:
@@ -16,12 +20,10 @@ public:
 
     void knobs(Knobs& knobs);
 
-    /// The heights as every search reads them: finite, in [0, 1], rounded as they are stored.
-    const Image& heights() const;
+    const Image& heights() const { return material.heights(); }
     const Mesh& mesh() const;
     ReliefLay lay() const;
-    /// Counts up when heights() becomes another image, so that what is made from it can be made anew.
-    int version() const { return heights(), version_; }
+    int version() const { return material.version(); }
 
     /// For shaders/common/relief.vert and what follows it; binds s_heights to unit 0, s_albedo to 1, s_normals to 2.
     /// The program is in use.
@@ -32,29 +34,18 @@ public:
     void set_exact_hit(const Program& program, int unit) const;
 
     // The knobs. A lab may begin with others.
-    int shape = wall, map = 6, size = 2, bits = 0, repeat = 1;
-    int asset_texels = 1024;  ///< no knob: of the wall and the paving, where a lab sees them from far away
-    float depth = 0.08f;      ///< of the relief, in tiles along u
-    float stretch = 1;        ///< height of a tile over its width: texels that are not square
-    float extent = 4;         ///< side of the wall, metres
+    ReliefMaterial material;
+    int shape = wall, repeat = 1;
+    float depth = 0.08f;  ///< of the relief, in tiles along u
+    float stretch = 1;    ///< height of a tile over its width: texels that are not square
+    float extent = 4;     ///< side of the wall, metres
     bool mirror = false;
     int shift = 0;  ///< tiles
 
 private:
-    bool is_asset() const;
-    Image albedo() const;
-    Image normals() const;
-    void renew() const;
-
-    struct Made {
-        std::array<int, 3> of;  ///< map, size, bits
-        Image heights, full;    ///< full: of an asset that the search has less of; else empty
-        Texture height_texture, albedo_texture, normal_texture;
-    };
     mutable std::optional<HeightWindows> windows_;
     mutable std::optional<Texture> window_texture_;
-    mutable std::optional<Made> made_;
-    mutable int version_ = 0;
+    mutable int windows_version_ = 0;  ///< of the map that the windows are of
     mutable std::optional<Mesh> meshes_[3];
     mutable float extent_ = 0;  ///< that the wall was made with
     mutable std::optional<GpuMesh> uploaded_[3];

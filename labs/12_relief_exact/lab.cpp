@@ -21,10 +21,11 @@ using namespace exact;
 class ReliefExact final : public Lab {
 public:
     ReliefExact() {
-        surface_.map = 3, surface_.extent = 3;
-        floor_.map = 7, floor_.asset_texels = 256, floor_.extent = 3, floor_.depth = 0.06f;
-        wall_.map = 6, wall_.asset_texels = 256, wall_.extent = 2.2f, wall_.depth = 0.07f;
-        column_.shape = ReliefSurface::column, column_.map = 3, column_.size = 1, column_.depth = 0.12f;
+        surface_.material.map = 3, surface_.extent = 3;
+        floor_.material.map = 7, floor_.material.asset_texels = 256, floor_.extent = 3, floor_.depth = 0.06f;
+        wall_.material.map = 6, wall_.material.asset_texels = 256, wall_.extent = 2.2f, wall_.depth = 0.07f;
+        column_.shape = ReliefSurface::column, column_.material.map = 3, column_.material.size = 1,
+        column_.depth = 0.12f;
     }
 
     void draw(const Frame& frame) override {

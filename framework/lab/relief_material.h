@@ -1,0 +1,46 @@
+// What a relief is made of: a height map, with its colours and its normals.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "framework/lab/lab.h"
+
+namespace relief {
+
+class ReliefMaterial {
+public:
+    void knobs(Knobs& knobs);
+
+    /// Finite, in [0, 1], rounded as they are stored; row 0 at the top.
+    const Image& heights() const;
+    /// Counts up when heights() becomes another image, so that what is made from it can be made anew.
+    int version() const { return heights(), version_; }
+
+    /// Binds s_heights to unit 0, s_albedo to 1, s_normals to 2. The program is in use.
+    void set(const Program& program) const;
+
+    /// The normal map is made for a relief this deep, in widths of a tile; a shader that knows the real depth scales
+    /// its slopes.
+    static constexpr float normals_depth = 0.08f;
+
+    // The knobs. A lab may begin with others.
+    int map = 6, size = 2, bits = 0;
+    int asset_texels = 1024;  ///< no knob: of the wall and the paving, where a lab sees them from far away
+
+private:
+    bool is_asset() const;
+    Image albedo() const;
+    Image normals() const;
+    void renew() const;
+
+    struct Made {
+        std::array<int, 3> of;  ///< map, size, bits
+        Image heights, full;    ///< full: of an asset that the search has less of; else empty
+        Texture height_texture, albedo_texture, normal_texture;
+    };
+    mutable std::optional<Made> made_;
+    mutable int version_ = 0;
+};
+
+}  // namespace relief
