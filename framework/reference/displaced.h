@@ -1,5 +1,5 @@
-// A surface pressed in by a height map: p' = p + scale (h - 1) n, and its normal. The twin of
-// shaders/common/displacement.glsl.
+// A surface pressed in by a height map: p' = p + scale (h - 1) n, and its normal. Twins of the
+// functions in shaders/13_displacement/task.glsl.
 #pragma once
 
 #include "framework/reference/surfaces.h"

@@ -54,8 +54,9 @@ std::vector<glm::vec4> evaluate_glsl(const std::string& file, const std::string&
                                      std::span<const GlslInput> inputs, const PlantedMistake& mistake,
                                      const Texture* map, const Texture* other) {
     const TemporaryFolder folder;
-    folder.write(file, with_mistake(read_file(course_root() / "shaders/common" / file), mistake));
-    const ShaderSource source = load_shader(folder.write("call.vert", stage_text(file, expression)), {});
+    const std::string name = std::filesystem::path(file).filename().string();
+    folder.write(name, with_mistake(read_file(course_root() / "shaders" / file), mistake));
+    const ShaderSource source = load_shader(folder.write("call.vert", stage_text(name, expression)), {});
     const ProgramName program = link(source.text, source.lines);
     glUseProgram(program);
     if (map) bind(0, *map);

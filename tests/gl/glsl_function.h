@@ -20,7 +20,7 @@ struct PlantedMistake {
 };
 
 /// `expression` (a vec4 of GLSL, over a to h and the samplers s_map and s_other) for every input, with
-/// shaders/common/`file` included. `map` and `other` are what they read.
+/// shaders/`file` included. `map` and `other` are what they read.
 std::vector<glm::vec4> evaluate_glsl(const std::string& file, const std::string& expression,
                                      std::span<const GlslInput> inputs, const PlantedMistake& mistake = {},
                                      const Texture* map = nullptr, const Texture* other = nullptr);

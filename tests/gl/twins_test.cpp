@@ -19,6 +19,7 @@
 #include "framework/reference/height_field.h"
 #include "framework/reference/light.h"
 #include "framework/reference/normal_map.h"
+#include "framework/reference/patches.h"
 #include "framework/reference/tangent_space.h"
 #include "framework/reference/tessellation.h"
 #include "tests/gl/glsl_function.h"
@@ -88,7 +89,7 @@ GlslInput random_differences(Dice& dice) {
 std::vector<Twin> light_and_color() {
     return {
         {"blinn_phong",
-         "light.glsl",
+         "common/light.glsl",
          "vec4(blinn_phong(a.xyz, a.w, b.w, b.xyz, c.xyz, d.xyz), 0.0)",
          [](Dice& dice) {
              // Within 60 degrees of the normal: at a right angle a relative error of the cosine has no bound.
@@ -105,7 +106,7 @@ std::vector<Twin> light_and_color() {
          // A power of 256 multiplies the rounding of its base by 256, and llvmpipe's pow is good to some 1e-5 itself.
          1e-4},
         {"srgb_from_linear",
-         "srgb.glsl",
+         "common/srgb.glsl",
          "vec4(srgb_from_linear(a.xyz), 0.0)",
          [](Dice& dice) { return GlslInput{glm::vec4(std::abs(dice.any_size(-5, 0)), dice.between(0, 1), 0, 0)}; },
          [](const GlslInput& in) {
@@ -113,7 +114,7 @@ std::vector<Twin> light_and_color() {
          },
          {"- 0.055;", "+ 0.055;"}},
         {"heat",
-         "heat.glsl",
+         "common/heat.glsl",
          "vec4(heat(a.x), 0.0)",
          [](Dice& dice) { return GlslInput{glm::vec4(dice.between(-0.2f, 1.2f), 0, 0, 0)}; },
          [](const GlslInput& in) { return glm::dvec4(heat_color(in[0].x), 0); },
@@ -126,25 +127,25 @@ std::vector<Twin> normals_and_frames() {
     const auto pair = [](Dice& dice) { return GlslInput{glm::vec4(dice.between(-1, 1), dice.between(-1, 1), 0, 0)}; };
     return {
         {"any_perpendicular",
-         "perpendicular.glsl",
+         "common/perpendicular.glsl",
          "vec4(any_perpendicular(a.xyz), 0.0)",
          [](Dice& dice) { return GlslInput{glm::vec4(dice.unit(), 0)}; },
          [](const GlslInput& in) { return glm::dvec4(any_perpendicular(xyz(in[0])), 0); },
          {"sign_ * unit.x * unit.y", "unit.x * unit.y"}},
         {"decode_normal",
-         "normal_map.glsl",
+         "common/normal_map.glsl",
          "vec4(decode_normal(a.xyz), 0.0)",
          stored,
          [](const GlslInput& in) { return glm::dvec4(decode_normal(xyz(in[0])), 0); },
          {"stored * 2.0 - 1.0", "stored * 2.0 + 1.0"}},
         {"decode_normal_128",
-         "normal_map.glsl",
+         "common/normal_map.glsl",
          "vec4(decode_normal_128(a.xyz), 0.0)",
          stored,
          [](const GlslInput& in) { return glm::dvec4(decode_normal_128(xyz(in[0])), 0); },
          {"- 128.0", "+ 128.0"}},
         {"decode_normal_xy",
-         "normal_map.glsl",
+         "common/normal_map.glsl",
          "vec4(decode_normal_xy(a.xy), 0.0)",
          pair,
          [](const GlslInput& in) {
@@ -154,7 +155,7 @@ std::vector<Twin> normals_and_frames() {
          // At the horizon z is the root of what is left of 1, and that has half of its digits.
          5e-4},
         {"decode_octahedral",
-         "normal_map.glsl",
+         "common/normal_map.glsl",
          "vec4(decode_octahedral(a.xy), 0.0)",
          pair,
          [](const GlslInput& in) {
@@ -162,25 +163,25 @@ std::vector<Twin> normals_and_frames() {
          },
          {"n.y >= 0.0 ? -below", "n.y >= 0.0 ? below"}},
         {"tangent_frame",
-         "tangent_space.glsl",
+         "common/tangent_space.glsl",
          "vec4(tangent_frame(b.xyz, c)[1], 0.0)",
          random_frame,
          [](const GlslInput& in) { return glm::dvec4(tangent_frame(xyz(in[1]), in[2])[1], 0); },
          {"cross(n, t)", "cross(t, n)"}},
         {"from_tangent_space",
-         "tangent_space.glsl",
+         "common/tangent_space.glsl",
          "vec4(from_tangent_space(a.xyz, b.xyz, c), 0.0)",
          random_frame,
          [](const GlslInput& in) { return glm::dvec4(from_tangent_space(xyz(in[0]), xyz(in[1]), in[2]), 0); },
          {"tangent.xyz - dot", "tangent.xyz + dot"}},
         {"to_tangent_space",
-         "tangent_space.glsl",
+         "common/tangent_space.glsl",
          "vec4(to_tangent_space(a.xyz, b.xyz, c), 0.0)",
          random_frame,
          [](const GlslInput& in) { return glm::dvec4(to_tangent_space(xyz(in[0]), xyz(in[1]), in[2]), 0); },
          {"direction * tangent_frame", "-direction * tangent_frame"}},
         {"cotangent_frame",
-         "tangent_space.glsl",
+         "common/tangent_space.glsl",
          "vec4(cotangent_frame(a.xyz, b.xyz, c.xyz, d.xy, d.zw)[0], 0.0)",
          random_differences,
          [](const GlslInput& in) { return column_of_cotangent_frame(in, 0); },
@@ -189,7 +190,7 @@ std::vector<Twin> normals_and_frames() {
          1e-5,
          1},
         {"cotangent_frame",
-         "tangent_space.glsl",
+         "common/tangent_space.glsl",
          "vec4(cotangent_frame(a.xyz, b.xyz, c.xyz, d.xy, d.zw)[1], 0.0)",
          random_differences,
          [](const GlslInput& in) { return column_of_cotangent_frame(in, 1); },
@@ -202,7 +203,7 @@ std::vector<Twin> normals_and_frames() {
 std::vector<Twin> height_cells() {
     return {
         {"height_in_cell",
-         "height_cell.glsl",
+         "common/height_cell.glsl",
          "vec4(height_in_cell(a, b.xy), vec3(0.0))",
          random_cell,
          [](const GlslInput& in) {
@@ -210,7 +211,7 @@ std::vector<Twin> height_cells() {
          },
          {"corners.wz, corners.xy", "corners.zw, corners.yx"}},
         {"slope_in_cell",
-         "height_cell.glsl",
+         "common/height_cell.glsl",
          "vec4(slope_in_cell(a, b.xy), 0.0, 0.0)",
          random_cell,
          [](const GlslInput& in) {
@@ -220,7 +221,7 @@ std::vector<Twin> height_cells() {
          1e-5,
          1},  // a difference of heights: relative to the heights
         {"gap_above_cell",
-         "height_cell.glsl",
+         "common/height_cell.glsl",
          "vec4(gap_above_cell(a, b.xyz, c.xyz), 0.0)",
          random_cell,
          [](const GlslInput& in) {
@@ -231,7 +232,7 @@ std::vector<Twin> height_cells() {
          1e-5,
          1},  // likewise
         {"closes",
-         "height_cell.glsl",
+         "common/height_cell.glsl",
          "vec4(closes(a.xyz), vec3(0.0))",
          [](Dice& dice) {
              for (;;) {  // not nearer to touching than floats can tell
@@ -244,7 +245,7 @@ std::vector<Twin> height_cells() {
          },
          {"gap.y < 0.0", "gap.y > 0.0"}},
         {"first_closing",
-         "height_cell.glsl",
+         "common/height_cell.glsl",
          "vec4(first_closing(a.xyz), vec3(0.0))",
          [](Dice& dice) {
              for (;;) {
@@ -274,19 +275,33 @@ std::vector<Twin> displacement_and_levels() {
                          glm::vec4(dice.inside(-1, 1), dice.between(0, 0.2f)),
                          glm::vec4(dice.between(-2, 2), dice.between(-2, 2), 0, 0)};
     };
+    // On each edge, at each corner, and within.
+    const auto place = [](Dice& dice) {
+        const float x = std::array{0.0f, 1.0f, dice.between(0, 1)}[dice.random() % 3];
+        const float y = std::array{0.0f, 1.0f, dice.between(0, 1)}[dice.random() % 3];
+        glm::vec3 weights = dice.inside(0.1f, 1);
+        if (dice.random() % 2) weights[int(dice.random() % 3)] = 0;
+        return GlslInput{glm::vec4(x, y, 0, 0), glm::vec4(weights, 0),
+                         glm::vec4(dice.inside(-1, 1), dice.between(-1, 1)),
+                         glm::vec4(dice.inside(-1, 1), dice.between(-1, 1))};
+    };
+    const auto directions = [](Dice& dice) {
+        return GlslInput{glm::vec4(dice.between(0.5f, 2) * dice.unit(), 0), glm::vec4(dice.inside(-1, 1), 0),
+                         0.5f * glm::vec4(dice.inside(-1, 1), dice.between(-1, 1))};
+    };
     return {
         {"displaced",
-         "displacement.glsl",
-         "vec4(displaced(a.xyz, c.xyz, d.w, e.w), 0.0)",
+         "13_displacement/task.glsl",
+         "vec4(displaced(a.xyz, 0.7 * c.xyz, d.w, e.w), 0.0)",
          base,
          [](const GlslInput& in) {
              const SurfacePoint point{
                  .position = xyz(in[0]), .normal = xyz(in[2]), .du = {}, .dv = {}, .normal_du = {}, .normal_dv = {}};
              return glm::dvec4(displace(point, {in[3].w, {}}, in[4].w).position, 0);
          },
-         {"height - 1.0) * normal;", "1.0 - height) * normal;"}},
+         {"* (height - 1.0) * normalize(direction)", "* (1.0 - height) * normalize(direction)"}},
         {"displaced_normal",
-         "displacement.glsl",
+         "13_displacement/task.glsl",
          "vec4(displaced_normal(a.xyz, b.xyz + vec3(0.0, 1.0, 0.0), vec3(0.0, 0.0, 1.0), d.xyz, e.xyz, d.w, f.xy, "
          "e.w), 0.0)",
          base,
@@ -301,13 +316,13 @@ std::vector<Twin> displacement_and_levels() {
          },
          {"scale * slope.x * normal, dv", "scale * slope.y * normal, dv"}},
         {"possible_level",
-         "tessellation.glsl",
+         "common/tessellation.glsl",
          "vec4(possible_level(a.x), vec3(0.0))",
          [](Dice& dice) { return GlslInput{glm::vec4(dice.any_size(-3, 3), 0, 0, 0)}; },
          [](const GlslInput& in) { return scalar(possible_level(in[0].x)); },
          {"level > 1.0", "level < 1.0"}},
         {"level_by_distance",
-         "tessellation.glsl",
+         "common/tessellation.glsl",
          "vec4(level_by_distance(a.x, a.y, a.z, b.x, b.y), vec3(0.0))",
          [](Dice& dice) {
              const float nearest = dice.between(0.1f, 10);
@@ -317,7 +332,7 @@ std::vector<Twin> displacement_and_levels() {
          [](const GlslInput& in) { return scalar(level_by_distance(in[0].x, in[0].y, in[0].z, in[1].x, in[1].y)); },
          {"distance - nearest", "distance + nearest"}},
         {"level_by_size",
-         "tessellation.glsl",
+         "common/tessellation.glsl",
          "vec4(level_by_size(a.xyz, b.xyz, c.xyz, d.x, d.y), vec3(0.0))",
          edge,
          [](const GlslInput& in) {
@@ -325,11 +340,77 @@ std::vector<Twin> displacement_and_levels() {
          },
          {"* 0.5 - eye", "* 0.5 + eye"}},
         {"level_by_error",
-         "tessellation.glsl",
+         "common/tessellation.glsl",
          "vec4(level_by_error(c.x, c.y, c.z, d.x, d.y), vec3(0.0))",
          edge,
          [](const GlslInput& in) { return scalar(level_by_error(in[2].x, in[2].y, in[2].z, in[3].x, in[3].y)); },
          {"8.0 * budget", "budget / 8.0"}},
+        {"quad_weights",
+         "common/patch.glsl",
+         "quad_weights(a.xy)",
+         place,
+         [](const GlslInput& in) {
+             return quad_weights({in[0].x, in[0].y});
+         },
+         {"place.x * place.y, rest.x", "place.x * rest.y, rest.x"}},
+        {"blend",
+         "common/patch.glsl",
+         "blend(a, b, c, d, e)",
+         [](Dice& dice) {
+             GlslInput input;
+             for (glm::vec4& value : input) value = glm::vec4(dice.inside(0, 1), dice.between(0, 1));
+             return input;
+         },
+         [](const GlslInput& in) {
+             return blend(glm::dvec4(in[0]), glm::dvec4(in[1]), glm::dvec4(in[2]), glm::dvec4(in[3]),
+                          glm::dvec4(in[4]));
+         },
+         {"weights.z * c", "weights.w * c"}},
+        {"edge_of_triangle",
+         "common/patch.glsl",
+         "vec4(edge_of_triangle(b.xyz), vec3(0.0))",
+         place,
+         [](const GlslInput& in) { return scalar(edge_of_triangle(xyz(in[1]))); },
+         {"weights.x == 0.0 ? 1", "weights.x == 0.0 ? 2"}},
+        {"edge_of_quad",
+         "common/patch.glsl",
+         "vec4(edge_of_quad(a.xy), vec3(0.0))",
+         place,
+         [](const GlslInput& in) {
+             return scalar(edge_of_quad({in[0].x, in[0].y}));
+         },
+         {"place.y == 1.0 ? 2", "place.y == 0.5 ? 2"}},
+        {"uv_on_edge",
+         "common/patch.glsl",
+         "vec4(uv_on_edge(a.x, 1.0 - a.x, c, d.xy, d.zw), 0.0, 0.0)",
+         place,
+         [](const GlslInput& in) {
+             return glm::dvec4(
+                 uv_on_edge(in[0].x, 1 - in[0].x, glm::dvec4(in[2]), {in[3].x, in[3].y}, {in[3].z, in[3].w}), 0, 0);
+         },
+         {"there == 1.0 ? uv_there", "there == 1.0 ? uv_here"}},
+        {"by_uv",
+         "common/patch.glsl",
+         "vec4(by_uv(a.xyz, b.xyz, c.xy + vec2(2.0, 0.0), c.zw + vec2(0.0, 2.0))[0], 0.0)",
+         directions,
+         [](const GlslInput& in) {
+             return glm::dvec4(by_uv(xyz(in[0]), xyz(in[1]), {in[2].x + 2, in[2].y}, {in[2].z, in[2].w + 2})[0], 0);
+         },
+         {"uv_y.y * along_x", "uv_x.x * along_x"}},
+        {"by_uv",
+         "common/patch.glsl",
+         "vec4(by_uv(a.xyz, b.xyz, c.xy + vec2(2.0, 0.0), c.zw + vec2(0.0, 2.0))[1], 0.0)",
+         directions,
+         [](const GlslInput& in) {
+             return glm::dvec4(by_uv(xyz(in[0]), xyz(in[1]), {in[2].x + 2, in[2].y}, {in[2].z, in[2].w + 2})[1], 0);
+         },
+         {"uv_y.x * along_x", "uv_x.y * along_x"}},
+        {"turn_of_unit",
+         "common/patch.glsl",
+         "vec4(turn_of_unit(a.xyz, b.xyz), 0.0)",
+         directions,
+         [](const GlslInput& in) { return glm::dvec4(turn_of_unit(xyz(in[0]), xyz(in[1])), 0); },
+         {"change - vector", "change + vector"}},
     };
 }
 
@@ -374,7 +455,8 @@ TEST(ShaderFunction, WithAMistakeNoLongerAgrees) {
 
 TEST(ShaderFunction, EachOfThemHasATwinHere) {
     std::set<std::string> tested = {"cell_corners", "exact_hit"};  // below: they read textures
-    for (const Twin& twin : all_twins()) tested.insert(twin.function);
+    for (const Twin& twin : all_twins())
+        if (twin.file.starts_with("common/")) tested.insert(twin.function);
     const std::regex definition("(^|\n)(float|bool|int|vec[234]|mat[234]) ([a-z_0-9]+)\\(");
     size_t found = 0;
     for (const auto& file : std::filesystem::directory_iterator(course_root() / "shaders/common")) {
@@ -396,7 +478,7 @@ TEST(ShaderFunction, CellCornersAreTheTexelsThemselvesOfAnyCell) {
     std::vector<GlslInput> inputs;
     for (int row = -1; row < rows; ++row)
         for (int column = -1; column < columns; ++column) inputs.push_back({glm::vec4(column, row, 0, 0)});
-    const auto corners = evaluate_glsl("height_cell.glsl", "cell_corners(s_map, ivec2(a.xy))", inputs, {}, &map);
+    const auto corners = evaluate_glsl("common/height_cell.glsl", "cell_corners(s_map, ivec2(a.xy))", inputs, {}, &map);
     const auto texel = [&](float column, float row) {
         return *image.pixel((int(column) + columns) % columns, rows - 1 - (int(row) + rows) % rows);
     };
@@ -421,8 +503,8 @@ TEST(ShaderFunction, ExactHitsAreThoseOfTheHeightField) {
         inputs.push_back({grown, glm::vec4(dice.between(-2, 2), dice.between(-2, 2), reach * std::cos(turn),
                                            reach * std::sin(turn))});
     }
-    const auto found = evaluate_glsl("exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, 1000))", inputs,
-                                     {}, &map, &other);
+    const auto found = evaluate_glsl("common/exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, 1000))",
+                                     inputs, {}, &map, &other);
     const HeightField field(image, true);
     int off = 0;
     for (size_t i = 0; i < inputs.size(); ++i) {
@@ -432,8 +514,8 @@ TEST(ShaderFunction, ExactHitsAreThoseOfTheHeightField) {
     }
     EXPECT_LE(off, 4) << "of 4000 a few graze an edge";
     const PlantedMistake no_look_back{"floor(inside), block", "floor(inside) + 1.0, block"};
-    const auto wrong = evaluate_glsl("exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, 1000))", inputs,
-                                     no_look_back, &map, &other);
+    const auto wrong = evaluate_glsl("common/exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, 1000))",
+                                     inputs, no_look_back, &map, &other);
     EXPECT_NE(wrong, found);
 }
 
@@ -442,23 +524,26 @@ TEST(ShaderFunction, DegenerateInputsGiveWhatTheTwinsSay) {
     const auto value = [&](const char* file, const char* expression) {
         return evaluate_glsl(file, expression, zero)[0];
     };
-    EXPECT_EQ(value("normal_map.glsl", "vec4(decode_octahedral(vec2(1.0, 1.0)), 0.0)"), glm::vec4(0, 0, -1, 0));
-    EXPECT_EQ(value("normal_map.glsl", "vec4(decode_octahedral(vec2(1.0, 0.0)), 0.0)"), glm::vec4(1, 0, 0, 0));
-    EXPECT_EQ(value("normal_map.glsl", "vec4(decode_normal_xy(vec2(1.0, 0.5)), 0.0)").z, 0) << "too long: no NaN";
-    EXPECT_EQ(value("normal_map.glsl", "vec4(decode_normal_128(vec3(128.0, 128.0, 255.0) / 255.0), 0.0)"),
+    EXPECT_EQ(value("common/normal_map.glsl", "vec4(decode_octahedral(vec2(1.0, 1.0)), 0.0)"), glm::vec4(0, 0, -1, 0));
+    EXPECT_EQ(value("common/normal_map.glsl", "vec4(decode_octahedral(vec2(1.0, 0.0)), 0.0)"), glm::vec4(1, 0, 0, 0));
+    EXPECT_EQ(value("common/normal_map.glsl", "vec4(decode_normal_xy(vec2(1.0, 0.5)), 0.0)").z, 0)
+        << "too long: no NaN";
+    EXPECT_EQ(value("common/normal_map.glsl", "vec4(decode_normal_128(vec3(128.0, 128.0, 255.0) / 255.0), 0.0)"),
               glm::vec4(0, 0, 1, 0));
     EXPECT_EQ(
         value(
-            "tangent_space.glsl",
+            "common/tangent_space.glsl",
             "vec4(cotangent_frame(vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), a.xy, a.xy)[0], 0.0)"),
         glm::vec4(0));
-    EXPECT_EQ(value("displacement.glsl",
+    EXPECT_EQ(value("13_displacement/task.glsl",
                     "vec4(displaced_normal(a.xyz, a.xyz, vec3(0.0, 0.0, 1.0), a.xyz, a.xyz, 0.5, a.xy, 1.0), 0.0)"),
               glm::vec4(0, 0, 1, 0));
-    EXPECT_EQ(value("height_cell.glsl", "vec4(first_closing(vec3(1.0, 1.0, -1e30)), closes(vec3(1.0)), 0.0, 0.0)").y,
-              0);
-    EXPECT_EQ(value("height_cell.glsl", "vec4(first_closing(a.xyz), vec3(0.0))").x, 0);
-    EXPECT_EQ(value("tessellation.glsl", "vec4(level_by_size(a.xyz, a.xyz, a.xyz, 1000.0, 8.0), vec3(0.0))").x, 1)
+    EXPECT_EQ(
+        value("common/height_cell.glsl", "vec4(first_closing(vec3(1.0, 1.0, -1e30)), closes(vec3(1.0)), 0.0, 0.0)").y,
+        0);
+    EXPECT_EQ(value("common/height_cell.glsl", "vec4(first_closing(a.xyz), vec3(0.0))").x, 0);
+    EXPECT_EQ(value("common/tessellation.glsl", "vec4(level_by_size(a.xyz, a.xyz, a.xyz, 1000.0, 8.0), vec3(0.0))").x,
+              1)
         << "0 / 0";
 }
 

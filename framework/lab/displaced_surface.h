@@ -1,0 +1,60 @@
+// What labs 13 and 14 displace: patches of a shape, a height map, and how deep it goes.
+#pragma once
+
+#include <optional>
+
+#include "framework/gl/patches.h"
+#include "framework/lab/lab.h"
+#include "framework/lab/relief_material.h"
+
+namespace relief {
+
+class DisplacedSurface {
+public:
+    enum Shape { wall, ground, sphere, globe, torus, column, box, urn };
+    static constexpr float wall_metres = 2, ground_metres = 16;  ///< sides
+
+    void knobs(Knobs& knobs);
+
+    const PatchMesh& patches() const;
+    const Image& heights() const { return material.heights(); }
+    /// Counts up when patches() or heights() become others.
+    int version() const { return patches(), version_ + material.version(); }
+    /// Per unit of the shape's own uv; those of the patches are in tiles.
+    glm::vec2 tiles() const;
+    /// Of the relief, in metres.
+    float scale() const { return depth * tile(); }
+
+    /// Whether backs are never seen from outside.
+    bool is_one_sided() const { return shape == ground || patches().is_closed; }
+
+    /// Definitions that common/patch_vertex.glsl and the control shader want.
+    Define corners_define() const { return corners() == 4 ? "QUADS" : ""; }
+    int corners() const { return corners_choice == 0 ? 3 : 4; }
+
+    /// u_clip_from_model, u_eye (in the model), u_scale, u_normal_strength, and the material's maps. The program is in
+    /// use.
+    void set(const Program& program, const Frame& frame) const;
+    void draw() const;
+
+    // The knobs. A lab may begin with others.
+    ReliefMaterial material;
+    int shape = sphere, corners_choice = 1, density = 8, repeat = 1;
+    float depth = 0.1f;   ///< of the relief, in widths of a tile
+    glm::dvec3 origin{};  ///< no knob: where the model stands in the world, however far
+
+private:
+    float tile() const;  ///< its width, metres
+    Mesh mesh() const;
+    void renew() const;
+
+    struct Made {
+        std::array<int, 4> of;  ///< shape, corners, density, repeat
+        PatchMesh patches;
+        GpuPatches uploaded;
+    };
+    mutable std::optional<Made> made_;
+    mutable int version_ = 0;
+};
+
+}  // namespace relief

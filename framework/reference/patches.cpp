@@ -1,0 +1,83 @@
+#include "framework/reference/patches.h"
+
+namespace relief {
+
+glm::dvec4 quad_weights(glm::dvec2 place) {
+    const glm::dvec2 rest = 1.0 - place;
+    return {rest.x * rest.y, place.x * rest.y, place.x * place.y, rest.x * place.y};
+}
+
+glm::dvec4 blend(const glm::dvec4& weights, const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c,
+                 const glm::dvec4& d) {
+    return weights.x * a + weights.y * b + (weights.z * c + weights.w * d);
+}
+
+int edge_of_triangle(const glm::dvec3& weights) {
+    return weights.z == 0 ? 0 : weights.x == 0 ? 1 : weights.y == 0 ? 2 : -1;
+}
+
+int edge_of_quad(glm::dvec2 place) {
+    return place.y == 0 ? 0 : place.x == 1 ? 1 : place.y == 1 ? 2 : place.x == 0 ? 3 : -1;
+}
+
+glm::dvec2 uv_on_edge(double here, double there, const glm::dvec4& edge_uv, glm::dvec2 uv_here, glm::dvec2 uv_there) {
+    if (here == 1) return uv_here;
+    if (there == 1) return uv_there;
+    return here * glm::dvec2(edge_uv.x, edge_uv.y) + there * glm::dvec2(edge_uv.z, edge_uv.w);
+}
+
+std::array<glm::dvec3, 2> by_uv(const glm::dvec3& along_x, const glm::dvec3& along_y, glm::dvec2 uv_x,
+                                glm::dvec2 uv_y) {
+    const double area = uv_x.x * uv_y.y - uv_x.y * uv_y.x, scale = area == 0 ? 0 : 1 / area;
+    return {scale * (uv_y.y * along_x - uv_x.y * along_y), scale * (uv_x.x * along_y - uv_y.x * along_x)};
+}
+
+glm::dvec3 turn_of_unit(const glm::dvec3& vector, const glm::dvec3& change) {
+    const double squared = glm::dot(vector, vector);
+    if (squared == 0) return {};
+    return (change - vector * (glm::dot(vector, change) / squared)) / std::sqrt(squared);
+}
+
+DisplacedPoint displaced_on(const PatchMesh& mesh, size_t patch, const PatchPlace& place, const HeightField& heights,
+                            double scale) {
+    const bool is_quad = mesh.corners == 4;
+    const PatchCorner* const corner = mesh.points.data() + patch * size_t(mesh.corners);
+    const glm::dvec4 weights = is_quad ? quad_weights(place) : glm::dvec4(place, 0);
+    const int edge = is_quad ? edge_of_quad(place) : edge_of_triangle(place);
+    const PatchCorner& last = corner[mesh.corners - 1];
+    const auto blended = [&](const auto& member) {
+        return blend(weights, {member(corner[0]), 0}, {member(corner[1]), 0}, {member(corner[2]), 0},
+                     {member(last), 0});
+    };
+    const auto position = [](const PatchCorner& at) { return glm::dvec3(at.vertex.position); };
+    const auto direction = [](const PatchCorner& at) { return glm::dvec3(at.direction); };
+    const auto uv = [](const PatchCorner& at) { return glm::dvec3(at.vertex.uv, 0); };
+    const auto along_x = [&](const auto& member) {
+        const glm::dvec3 near = member(corner[1]) - member(corner[0]);
+        return is_quad ? glm::mix(near, member(corner[2]) - member(last), place.y) : near;
+    };
+    const auto along_y = [&](const auto& member) {
+        return is_quad ? glm::mix(member(last) - member(corner[0]), member(corner[2]) - member(corner[1]), place.x)
+                       : member(corner[2]) - member(corner[0]);
+    };
+
+    const glm::dvec3 long_normal(blended(direction));
+    const auto [du, dv] = by_uv(along_x(position), along_y(position), along_x(uv), along_y(uv));
+    const auto [turn_u, turn_v] = by_uv(along_x(direction), along_y(direction), along_x(uv), along_y(uv));
+    const SurfacePoint base{.position = glm::dvec3(blended(position)),
+                            .normal = glm::normalize(long_normal),
+                            .du = du,
+                            .dv = dv,
+                            .normal_du = turn_of_unit(long_normal, turn_u),
+                            .normal_dv = turn_of_unit(long_normal, turn_v)};
+    glm::dvec2 read_at(blended(uv));
+    if (edge >= 0) {
+        const int next = (edge + 1) % mesh.corners;
+        read_at = uv_on_edge(weights[edge], weights[next], corner[edge].edge_uv, corner[edge].height_uv,
+                             corner[next].height_uv);
+    }
+    const glm::dvec2 size(heights.size()), texel = read_at * size;
+    return displace(base, {heights.height(texel), heights.slope(texel) * size}, scale);
+}
+
+}  // namespace relief

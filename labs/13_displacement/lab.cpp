@@ -1,0 +1,158 @@
+// Lab 13: displacement by tessellation.
+//
+// The tessellator cuts each patch into triangles, and the evaluation shader moves their vertices: the relief is real,
+// to its outline. Yours: shaders/13_displacement/task.glsl
+#include <fmt/format.h>
+
+#include "framework/lab/displaced_surface.h"
+#include "framework/lab/lab.h"
+#include "framework/lab/labels.h"
+#include "framework/lab/tiles.h"
+#include "truth.h"
+
+namespace relief {
+
+class Displacement final : public Lab {
+public:
+    Displacement() { surface_.density = 4, surface_.material.map = 3, surface_.material.size = 1; }
+
+    void draw(const Frame& frame) override {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const bool is_count = frame.probe.name == "winding";
+        if (is_count) begin_count();
+        const auto tiles = tiles_of_view(frame.size);
+        for (size_t i = 0; i < tiles.size(); ++i) {
+            const Method method = method_of(i);
+            const Frame part = frame_in(frame, tiles[i]);
+            glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
+            glPolygonOffset(1, 1);
+            glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines lie in front
+            const int triangles = draw_surface(part, method, frame.probe);
+            glDisable(GL_POLYGON_OFFSET_FILL);
+            if (frame.probe) continue;
+            if (show_ != light) draw_wire(part, tiles[i], method);
+            if (view_ != one) describe(frame.size, tiles[i], method, triangles);
+        }
+        if (is_count) glDisable(GL_BLEND), glEnable(GL_DEPTH_TEST);
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        knobs.choice("view", view_, views, "levels side by side, a normal map beside it, or what the knobs say");
+        knobs.choice("show", show_, shows, "the light, the triangles, or half of each");
+        knobs.slider("level", chosen_.level, 1, 64, "segments of each edge");
+        knobs.slider("inside", inside_, 0, 64, "segments within; 0: as along the edges");
+        knobs.choice("spacing", chosen_.spacing, spacings, "where the vertices stand when a level is not whole");
+        knobs.choice("mip", mip_, mips, "which level of the map a vertex reads");
+        knobs.choice("normals", chosen_.normals, normal_names, "what is lit");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
+        knobs.slider("light_pitch", light_pitch_, -90, 90, "from how high, degrees");
+        surface_.knobs(knobs);
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        return truth_in_tiles(frame, tiles_of_view(frame.size),
+                              [&](const Frame& part, size_t) { return displacement::truth(part, probe, surface_); });
+    }
+
+private:
+    enum View { compare, beside, one };
+    enum Show { light, half, wire };
+    enum Normals { base, map, heights, surface };
+    static constexpr std::array views = {"compare", "beside", "one"};
+    static constexpr std::array shows = {"light", "half-and-half", "wire"};
+    static constexpr std::array spacings = {"equal", "fractional-odd", "fractional-even"};
+    static constexpr std::array spacing_defines = {"SPACING equal_spacing", "SPACING fractional_odd_spacing",
+                                                   "SPACING fractional_even_spacing"};
+    static constexpr std::array mips = {"base", "level"};
+    static constexpr std::array normal_names = {"base", "map", "heights", "surface"};
+
+    struct Method {
+        const char* title;
+        float level;
+        int spacing, normals;
+        bool is_flat;
+    };
+    static constexpr std::array<Method, 6> comparisons = {{{"a normal map", 1, 0, map, true},
+                                                           {"level 1", 1, 0, surface, false},
+                                                           {"level 2", 2, 0, surface, false},
+                                                           {"level 4", 4, 0, surface, false},
+                                                           {"level 8", 8, 0, surface, false},
+                                                           {"level 16", 16, 0, surface, false}}};
+
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
+        return tiles_of(size, view_ == compare ? int(comparisons.size()) : view_ == beside ? 2 : 1);
+    }
+    Method method_of(size_t tile) const {
+        if (view_ == compare) return comparisons[tile];
+        if (view_ == beside && tile == 0) return comparisons[0];
+        Method method = chosen_;
+        method.title = "displaced";
+        return method;
+    }
+
+    /// Each front face adds 1, each back face takes 1 away: seen from outside, a closed surface sums up to 0.
+    static void begin_count() {
+        constexpr float zero[4] = {};
+        glClearBufferfv(GL_COLOR, 0, zero);
+        glDisable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    }
+
+    void draw_wire(const Frame& frame, const Tile& tile, const Method& method) {
+        glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+        glEnable(GL_SCISSOR_TEST);
+        const int left = show_ == half ? tile.size.x / 2 : 0;
+        glScissor(tile.corner.x + left, tile.corner.y, tile.size.x - left, tile.size.y);
+        draw_surface(frame, method, "WIRE");
+        glDisable(GL_SCISSOR_TEST);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    }
+
+    void describe(glm::ivec2 size, const Tile& tile, const Method& method, int triangles) {
+        labels_.caption(size, tile, 0, method.title);
+        labels_.caption(size, tile, -1, fmt::format("{} triangles", triangles), {0.62f, 0.63f, 0.65f});
+    }
+
+    /// How many triangles were drawn.
+    int draw_surface(const Frame& frame, const Method& method, const Define& purpose) {
+        const Program& program =
+            program_.with({purpose, surface_.corners_define(), fmt::format("CORNERS {}", surface_.corners()),
+                           spacing_defines[size_t(method.spacing)], fmt::format("NORMALS {}", method.normals),
+                           mip_ == 1 ? "MIP" : ""});
+        const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
+        glUseProgram(program);
+        surface_.set(program, frame);
+        if (method.is_flat) program.set("u_scale", 0.0f);
+        program.set("u_level", method.level);
+        program.set("u_inside", inside_ > 0 && view_ != compare ? inside_ : method.level);
+        program.set("u_to_light",
+                    glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
+        program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
+        if (surface_.is_one_sided() && purpose.text != "PROBE_winding") glEnable(GL_CULL_FACE);
+        if (!triangles_) triangles_.emplace();
+        glBeginQuery(GL_PRIMITIVES_GENERATED, *triangles_);
+        surface_.draw();
+        glEndQuery(GL_PRIMITIVES_GENERATED);
+        glDisable(GL_CULL_FACE);
+        GLint triangles = 0;
+        glGetQueryObjectiv(*triangles_, GL_QUERY_RESULT, &triangles);
+        return triangles;
+    }
+
+    Programs program_{"common/patch.vert", "13_displacement/patch.tesc", "13_displacement/surface.tese",
+                      "13_displacement/surface.frag"};
+    DisplacedSurface surface_;
+    std::optional<QueryName> triangles_;
+    Labels labels_;
+
+    int view_ = compare, show_ = half, mip_ = 0;
+    Method chosen_{"", 16, 0, surface, false};
+    float inside_ = 0, light_yaw_ = -50, light_pitch_ = 40;
+};
+
+RELIEF_LAB(Displacement);
+
+}  // namespace relief

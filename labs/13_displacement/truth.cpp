@@ -1,0 +1,104 @@
+#include "truth.h"
+
+//[solution
+#include "framework/base/parallel.h"
+#include "framework/reference/displaced.h"
+#include "framework/reference/height_field.h"
+//]
+
+namespace relief::displacement {
+
+//[solution
+namespace {
+
+/// The stretch of a ray, in metres, within a box; empty when it begins behind its end.
+struct Stretch {
+    double begin = 0, end = std::numeric_limits<double>::infinity();
+};
+Stretch within(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high) {
+    Stretch inside;
+    for (int i = 0; i < 3; ++i) {
+        double enters = (low[i] - ray.origin[i]) / ray.direction[i];
+        double leaves = (high[i] - ray.origin[i]) / ray.direction[i];
+        if (enters > leaves) std::swap(enters, leaves);
+        if (ray.direction[i] == 0) {
+            if (ray.origin[i] < low[i] || ray.origin[i] > high[i]) return {1, 0};
+            continue;
+        }
+        inside.begin = std::max(inside.begin, enters), inside.end = std::min(inside.end, leaves);
+    }
+    return inside;
+}
+
+/// A wall of `metres` x `metres` around the origin of z = 0, pressed in by up to `scale`.
+class Wall {
+public:
+    Wall(const Image& heights, double metres, double tiles, double scale)
+        : above_(heights, true),
+          below_(upside_down(heights), true),
+          metres_(metres),
+          scale_(scale),
+          texels_(tiles / metres * glm::dvec2(above_.size())) {}
+
+    struct Seen {
+        double distance;
+        glm::dvec3 normal;
+    };
+    std::optional<Seen> look(const Ray& ray) const {
+        const double half = metres_ / 2;
+        const Stretch stretch = within(ray, {-half, -half, -scale_}, {half, half, 0});
+        if (stretch.begin > stretch.end) return {};
+        if (scale_ == 0) return Seen{stretch.begin, {0, 0, 1}};
+        const glm::dvec3 enters = ray.origin + stretch.begin * ray.direction;
+        const glm::dvec3 unit(texels_, 1 / scale_);  // texels and heights a metre
+        Ray inside{(enters + glm::dvec3(half, half, scale_)) * unit, ray.direction * unit};
+        const bool from_below = inside.origin.z < above_.height(inside.origin);
+        if (from_below) inside.origin.z = 1 - inside.origin.z, inside.direction.z = -inside.direction.z;
+        const auto hit = (from_below ? below_ : above_).first_hit(inside, stretch.end - stretch.begin);
+        if (!hit) return {};
+        // What a fragment takes between its texels is the same central difference.
+        const glm::dvec2 slope = above_.central_slope(hit->texel) * texels_ * scale_;
+        return Seen{stretch.begin + hit->t, glm::normalize(glm::dvec3(-slope, 1))};
+    }
+
+private:
+    static Image upside_down(Image heights) {
+        for (float& value : heights.values) value = 1 - value;
+        return heights;
+    }
+
+    HeightField above_, below_;
+    double metres_, scale_;
+    glm::dvec2 texels_;  ///< a metre
+};
+
+}  // namespace
+//]
+
+std::optional<Image> truth(const Frame& frame, const Probe& probe, const DisplacedSurface& surface) {
+    //[solution
+    Image image(frame.size.x, frame.size.y, 4);
+    if (probe.name == "winding") return surface.patches().is_closed ? std::optional(image) : std::nullopt;
+    if (surface.shape != DisplacedSurface::wall || (probe.name != "depth" && probe.name != "normal")) return {};
+    const Wall wall(surface.heights(), DisplacedSurface::wall_metres, surface.tiles().x, double(surface.scale()));
+    parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
+        for (size_t y = begin; y < end; ++y)
+            for (int x = 0; x < frame.size.x; ++x) {
+                float* const pixel = image.pixel(x, int(y));
+                const auto seen = wall.look(frame.ray(x, int(y)));
+                if (!seen)
+                    std::fill_n(pixel, 4, no_surface);
+                else if (probe.name == "depth")
+                    pixel[0] = float(seen->distance);
+                else
+                    for (int i = 0; i < 3; ++i) pixel[i] = float(seen->normal[i]);
+            }
+    });
+    return image;
+    //]starter
+    //| static_cast<void>(frame), static_cast<void>(probe), static_cast<void>(surface);
+    //| return {};
+    //]
+}
+
+}  // namespace relief::displacement

@@ -1,0 +1,66 @@
+#version 410 core
+// A displaced surface with a normal map, or what became of its patches in colours.
+
+#include "14_adaptive_displacement/task.glsl"
+#include "common/heat.glsl"
+#include "common/light.glsl"
+#include "common/srgb.glsl"
+
+in vec3 v_position;
+in vec3 v_normal;
+in vec4 v_tangent;
+in vec2 v_uv;
+in vec3 v_place;
+in float v_left;
+in float v_level;
+flat in int v_verdict;
+in float v_unfinished;
+
+uniform vec3 u_seen_from;  // may be another camera than the one that levels and culling go by
+uniform vec2 u_normal_strength;
+uniform vec3 u_to_light;
+uniform vec3 u_wire;
+uniform sampler2D s_heights;
+uniform sampler2D s_albedo;
+uniform sampler2D s_normals;
+
+layout(location = 0) out vec4 o_color;
+
+vec3 lit(vec3 albedo) {
+    vec3 normal = normalize(v_normal), bitangent = v_tangent.w * normalize(cross(normal, v_tangent.xyz));
+    vec3 stored = texture(s_normals, v_uv).xyz * 2.0 - 1.0;
+    vec3 bumped = normalize(mat3(v_tangent.w * cross(bitangent, normal), bitangent, normal) *
+                            vec3(stored.xy * u_normal_strength, max(stored.z, 0.01)));
+    if (!gl_FrontFacing) bumped = -bumped;
+    float open = mix(0.45, 1.0, textureLod(s_heights, v_uv, 0.0).r);  // the depths see less of the sky
+    vec3 light = open * albedo * mix(vec3(0.10, 0.09, 0.08), vec3(0.26, 0.30, 0.37), 0.5 + 0.5 * bumped.y);
+    return light + vec3(1.7, 1.56, 1.36) *
+                       blinn_phong(albedo, 0.03, 24.0, bumped, u_to_light, normalize(u_seen_from - v_position));
+}
+
+void main() {
+    is_unfinished = is_unfinished || v_unfinished > 0.0;
+#if defined PROBE_depth
+    o_color = vec4(distance(u_seen_from, v_position), 0.0, 0.0, 0.0);
+#elif defined PROBE_place
+    o_color = vec4(v_place, 0.0);
+#elif defined PROBE_level
+    o_color = vec4(v_level, 0.0, 0.0, 0.0);
+#elif defined PROBE_left
+    o_color = vec4(v_left, 0.0, 0.0, 0.0);
+#elif defined PROBE_winding
+    o_color = vec4(gl_FrontFacing ? 1.0 : -1.0, 0.0, 0.0, 0.0);
+#elif defined WIRE
+    o_color = finished(vec4(u_wire, 1.0), gl_FragCoord.xy);
+#elif defined PATCHES
+    // A verdict is a colour of its own; else the level, and paler the less displacement is left.
+    vec3 light = lit(vec3(0.5));
+    float shade = clamp(dot(light, vec3(0.3, 0.6, 0.1)) * 1.2 + 0.25, 0.0, 1.0);
+    vec3 color = v_verdict == 1   ? vec3(0.16, 0.20, 0.28)
+                 : v_verdict == 2 ? vec3(0.30, 0.14, 0.16)
+                                  : mix(vec3(0.62, 0.70, 0.72), heat(0.15 + 0.8 * log2(v_level) / 6.0), 0.25 + 0.75 * v_left);
+    o_color = finished(vec4(color * shade, 1.0), gl_FragCoord.xy);
+#else
+    o_color = finished(vec4(srgb_from_linear(lit(texture(s_albedo, v_uv).rgb)), 1.0), gl_FragCoord.xy);
+#endif
+}

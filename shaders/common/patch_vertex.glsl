@@ -1,0 +1,51 @@
+// In the evaluation shader: the undisplaced surface at gl_TessCoord.
+
+#include "common/patch.glsl"
+#include "common/patch_corner.glsl"
+
+#ifdef QUADS
+layout(quads, SPACING, ccw) in;
+const int corners = 4;
+#else
+layout(triangles, SPACING, ccw) in;
+const int corners = 3;
+#endif
+
+in PatchCorner c_corner[];
+
+struct PatchVertex {
+    vec3 position;
+    vec3 normal;   // for shading; not unit
+    vec4 tangent;  // the same
+    vec2 uv;
+    vec3 direction;  // of the relief; not unit
+    vec2 height_uv;  // where the height is read
+    vec2 spacing;
+};
+
+#define BLEND(member) \
+    blend(weights, c_corner[0].member, c_corner[1].member, c_corner[2].member, c_corner[corners - 1].member)
+
+PatchVertex patch_vertex() {
+#ifdef QUADS
+    vec4 weights = quad_weights(gl_TessCoord.xy);
+    int edge = edge_of_quad(gl_TessCoord.xy);
+#else
+    vec4 weights = vec4(gl_TessCoord, 0.0);
+    int edge = edge_of_triangle(gl_TessCoord);
+#endif
+    PatchVertex vertex;
+    vertex.position = BLEND(position);
+    vertex.normal = BLEND(normal);
+    vertex.tangent = BLEND(tangent);
+    vertex.uv = BLEND(uv);
+    vertex.direction = BLEND(direction);
+    vertex.spacing = BLEND(spacing);
+    vertex.height_uv = vertex.uv;
+    if (edge >= 0) {
+        int next = (edge + 1) % corners;
+        vertex.height_uv = uv_on_edge(weights[edge], weights[next], c_corner[edge].edge_uv, c_corner[edge].height_uv,
+                                      c_corner[next].height_uv);
+    }
+    return vertex;
+}
