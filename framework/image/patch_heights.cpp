@@ -14,7 +14,9 @@ namespace relief {
 namespace {
 
 constexpr double steepest = 1e6;
-constexpr int fewest_cuts = 16, most_cuts = 128;
+/// Places that are looked at for each texel, along sides that count as 8 texels at least and 64 at most. Edges are
+/// cheap.
+constexpr int dense_on_edges = 8, dense_inside = 2, fewest_texels = 8, most_texels = 64;
 
 /// A box of uv.
 struct Box {
@@ -36,8 +38,8 @@ double height_at(const Image& heights, glm::dvec2 uv) {
                  y = wrapped(uv.y * heights.height - 0.5, heights.height);
     const int left = int(x), right = left + 1 == heights.width ? 0 : left + 1;
     const int below = int(y), above = below + 1 == heights.height ? 0 : below + 1;
-    const float *const lower = heights.pixel(0, heights.height - 1 - below), *const upper = heights.pixel(
-                                                                                 0, heights.height - 1 - above);
+    const float* const lower = heights.pixel(0, heights.height - 1 - below);
+    const float* const upper = heights.pixel(0, heights.height - 1 - above);
     const double s = x - left, t = y - below;
     return (lower[left] * (1 - s) + lower[right] * s) * (1 - t) + (upper[left] * (1 - s) + upper[right] * s) * t;
 }
@@ -121,8 +123,8 @@ private:
         const int width = level.width, height = level.height;
         Blocks cells(width, height);
         for (int y = 0; y < height; ++y) {
-            const float *const lower = level.pixel(0, height - 1 - y), *const upper = level.pixel(
-                                                                           0, height - 1 - (y + 1) % height);
+            const float* const lower = level.pixel(0, height - 1 - y);
+            const float* const upper = level.pixel(0, height - 1 - (y + 1) % height);
             for (int x = 0; x < width; ++x) {
                 const int right = (x + 1) % width;
                 const auto [low, high] = std::minmax({lower[x], lower[right], upper[x], upper[right]});
@@ -147,10 +149,11 @@ private:
     std::vector<Blocks> blocks_;
 };
 
-/// Of what is linear between the uv (bilinear for quads), the largest change per metre. A change between two places is
-/// the one that the derivatives half-way between them give, exactly. There, with the derivatives a and b of the
-/// position and wa and wb of the height, it is at most |wa b - wb a| / |a x b|: above and below the line are bilinear
-/// means of what the corners have, so the quotient is nowhere more than at the worst corner, if all a x b face one way.
+/// The most that a height changes per metre where it changes by up to `slope` per unit of u and of v. What is bilinear
+/// differs between two places by exactly what its derivatives half-way say. There the position has the derivatives a
+/// and b and the height wa and wb, and the most is |wa b - wb a| / |a x b|. Above and below the line are bilinear means
+/// of what the corners have: the quotient is nowhere more than at the worst of them, as long as each a x b, taken along
+/// their mean, is positive.
 double steepest_slope(std::span<const HeightCorner> patch, glm::dvec2 slope) {
     const size_t n = patch.size();
     const auto position = [&](size_t i) { return glm::dvec3(patch[i % n].position); };
@@ -176,11 +179,11 @@ double steepest_slope(std::span<const HeightCorner> patch, glm::dvec2 slope) {
     return largest;
 }
 
-/// Two for each texel along sides of `uv`: a power of two.
-int cuts_for(glm::dvec2 uv, const Image& heights) {
+/// A power of two: `density` or more for each texel of the longer side of `uv`.
+int cuts_for(glm::dvec2 uv, const Image& heights, int density) {
     const double texels = std::max(std::abs(uv.x) * heights.width, std::abs(uv.y) * heights.height);
-    if (!(texels * 2 < most_cuts)) return most_cuts;
-    return std::max(fewest_cuts, int(std::bit_ceil(unsigned(std::ceil(texels * 2)))));
+    if (!(texels < most_texels)) return density * most_texels;
+    return int(std::bit_ceil(unsigned(std::ceil(density * std::max<double>(texels, fewest_texels)))));
 }
 
 /// `error(step)` is that of the level whose vertices are `step` samples apart. One sample between two vertices can miss
@@ -201,18 +204,19 @@ LevelErrors level_errors(int cuts, const Error& error) {
 /// The same bits from either end: floats times dyadic weights are exact in doubles, and a sum has no order.
 LevelErrors edge_errors(const Image& heights, glm::vec4 uv) {
     const glm::dvec2 begin(uv.x, uv.y), end(uv.z, uv.w);
-    const int cuts = cuts_for(end - begin, heights);
-    std::array<float, most_cuts + 1> samples;
+    const int cuts = cuts_for(end - begin, heights, dense_on_edges);
+    std::array<float, dense_on_edges * most_texels + 1> samples;
     for (int i = 0; i <= cuts; ++i) {
         const double t = double(i) / cuts;
         samples[size_t(i)] = float(height_at(heights, begin * (1 - t) + end * t));
     }
     return level_errors(cuts, [&](int step) {
+        const double share = 1.0 / step;
         double worst = 0;
         for (int first = 0; first < cuts; first += step)
             for (int i = 1; i < step; ++i) {
                 const float* const chord = samples.data() + first;
-                const double t = double(i) / step;
+                const double t = i * share;
                 worst = std::max(worst, std::abs(chord[i] - (chord[0] * (1 - t) + chord[step] * t)));
             }
         return worst;
@@ -227,8 +231,8 @@ public:
         const auto uv = [&](size_t i) { return glm::dvec2(patch[i % n].uv); };
         const glm::dvec2 a = uv(1) - uv(0), b = uv(n - 1) - uv(0), twist = n == 4 ? uv(2) - uv(1) - b : glm::dvec2(0);
         is_triangle_ = n == 3;
-        cuts_ = fewest_cuts;
-        for (size_t i = 0; i < n; ++i) cuts_ = std::max(cuts_, cuts_for(uv(i + 1) - uv(i), heights));
+        cuts_ = 0;
+        for (size_t i = 0; i < n; ++i) cuts_ = std::max(cuts_, cuts_for(uv(i + 1) - uv(i), heights, dense_inside));
         for (int j = 0; j <= cuts_; ++j)
             for (int i = 0; i <= (is_triangle_ ? cuts_ - j : cuts_); ++i) {
                 const double s = double(i) / cuts_, t = double(j) / cuts_;
@@ -254,11 +258,12 @@ private:
         const bool is_half = is_triangle_ && i + j + step == cuts_;
         const float low = values_[place(i, j)], right = values_[place(i + step, j)] - low,
                     above = values_[place(i, j + step)] - low;
+        const float share = 1 / float(step);
         const float fold = is_half ? 0 : values_[place(i + step, j + step)] - low - right - above;
         float worst = 0;
         for (int v = 0; v <= step; ++v)
             for (int u = 0; u <= (is_half ? step - v : step); ++u) {
-                const float s = float(u) / float(step), t = float(v) / float(step);
+                const float s = float(u) * share, t = float(v) * share;
                 const float off = values_[place(i + u, j + v)] - (low + s * right + t * above);
                 worst = std::max(worst, std::abs(off - fold * std::max(0.0f, s + t - 1)));
                 if (!is_triangle_) worst = std::max(worst, std::abs(off - fold * std::min(s, t)));
@@ -266,9 +271,10 @@ private:
         return worst;
     }
 
+    static constexpr int longest_row = dense_inside * most_texels + 1;
     int cuts_ = 0;
     bool is_triangle_ = false;
-    std::vector<float> values_ = std::vector<float>(size_t(most_cuts + 1) * (most_cuts + 1));
+    std::vector<float> values_ = std::vector<float>(size_t(longest_row * longest_row));
 };
 
 }  // namespace

@@ -38,9 +38,10 @@ struct PatchHeights {
 
 /// Each `corners` points are a patch, counter-clockwise: 3, or 4 whose places are (0, 0), (1, 0), (1, 1), (0, 1) of the
 /// domain. `heights` has one channel and repeats; its surface is the bilinear one through the texel centres. Errors are
-/// those of mip level 0, looked for at two places a texel: at least 16 along a side, and no more than 128, so that a
-/// relief with sharp features can hide one between them. A level whose vertices are as dense as that is taken to be off
-/// by half as much as the one before. Heights should be finite; what is not a number does not count.
+/// those of mip level 0. They are looked for at two places a texel (eight on edges), at least 16 along a side (64) and
+/// no more than 128 (512), so a relief with sharp features can hide some between. A level whose vertices are as dense
+/// as that is taken to be off by half as much as the one before, or more. Heights should be finite; what is not a
+/// number does not count.
 std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, int corners, const Image& heights);
 
 }  // namespace relief
