@@ -114,7 +114,7 @@ double share_apart(const Image& a, const Image& b) {
 }
 
 void add_levels(Scenes& scenes, bool quick) {
-    const Orbit camera{.yaw = 30, .pitch = 14, .distance = 7, .target = {0, -0.3, 0}};
+    const Orbit camera{.yaw = 30, .pitch = 7, .distance = 7.5, .target = {0, -0.5, 0}};
     DisplacedSurface surface;
     surface.shape = DisplacedSurface::ground, surface.density = 32, surface.depth = 0.1f;
     surface.material.map = int(HeightMap::fbm), surface.material.size = 2;

@@ -58,15 +58,15 @@ private:
         for (size_t i = 0; i < patches.size(); ++i) {
             // Row 0 of an image is the top, that of a texture the lowest.
             float* texel = image.pixel(int(i % patches_a_line) * rows, image.height - 1 - int(i / patches_a_line));
-            const auto [lowest, highest, slope, inside, edges] = patches[i];
+            const auto& [lowest, highest, slope, inside, edge_heights, edges] = patches[i];
             texel[0] = lowest, texel[1] = highest, texel[2] = slope;
-            const auto put = [&](const LevelErrors& errors) {
+            const auto put = [&](const LevelErrors& errors, float last) {
                 texel = std::copy(errors.begin(), errors.end(), texel);
-                ++texel;
+                *texel++ = last;
             };
             texel += 4;
-            put(inside);
-            for (const LevelErrors& errors : edges) put(errors);
+            put(inside, 0);
+            for (size_t k = 0; k < edges.size(); ++k) put(edges[k], edge_heights[k]);
         }
         return image;
     }

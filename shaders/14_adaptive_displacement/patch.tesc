@@ -43,13 +43,13 @@ vec4 known(int row) {
 // The nearest that an edge, or a sphere, with all that is pressed into it can be.
 float nearest(vec3 centre, float radius) { return max(distance(centre, u_eye) - radius, 0.0); }
 
-float level_of(vec3 a, vec3 b, vec4 coarse, vec4 fine) {
+float level_of(vec3 a, vec3 b, vec3 dir, vec4 coarse, vec4 fine) {
 #if METHOD == DISTANCE
     return level_by_distance(a, b, u_eye, u_by_distance.x, u_by_distance.y, u_by_distance.z, u_by_distance.w);
 #elif METHOD == SIZE
     return level_by_size(a, b, u_eye, u_pixels_per_radian, u_pixels_per_segment);
 #elif METHOD == ERROR
-    float away = nearest(0.5 * (a + b), 0.5 * length(a - b) + u_scale);
+    float away = nearest(0.5 * (a + b) + u_scale * (fine.w - 1.0) * normalize(dir), 0.5 * length(a - b));
     return possible_level(level_by_error(coarse, fine, tolerated(away, u_pixels_per_radian, u_budget, u_scale)));
 #else
     return u_level;
@@ -106,21 +106,22 @@ void main() {
     vec4 edges = vec4(1.0);
     float inside = 1.0;
 #if METHOD == ERROR
-    vec3 centre = vec3(0.0);
-    for (int i = 0; i < CORNERS; ++i) centre += v_corner[i].position / float(CORNERS);
-    float radius = 0.0;
-    for (int i = 0; i < CORNERS; ++i) radius = max(radius, distance(centre, v_corner[i].position));
-    float tolerance = tolerated(nearest(centre, radius + u_scale), u_pixels_per_radian, u_budget, u_scale);
+    vec4 heights = known(0), flat_;
+    vec3 axis;
+    float spread, tilt;
+    measure(flat_, axis, spread, tilt);
+    vec4 sphere = relief_bounds(flat_, axis, spread, heights.x, heights.y, u_scale);
+    float tolerance = tolerated(nearest(sphere.xyz, flat_.w), u_pixels_per_radian, u_budget, u_scale);
     inside = possible_level(level_by_error(known(1), known(2), tolerance));
 #endif
 #ifdef LEVELS_OF_PATCH
     // The textbook's: one level, from the patch's middle. Its neighbour has another.
     vec3 half_ = 0.5 * (v_corner[1].position - v_corner[0].position), middle = vec3(0.0);
     for (int i = 0; i < CORNERS; ++i) middle += v_corner[i].position / float(CORNERS);
-    edges = vec4(METHOD == ERROR ? inside : level_of(middle - half_, middle + half_, vec4(0.0), vec4(0.0)));
+    edges = vec4(METHOD == ERROR ? inside : level_of(middle - half_, middle + half_, v_corner[0].direction, vec4(0.0), vec4(0.0)));
 #else
     for (int i = 0; i < CORNERS; ++i)
-        edges[i] = level_of(v_corner[i].position, v_corner[(i + 1) % CORNERS].position, known(3 + 2 * i), known(4 + 2 * i));
+        edges[i] = level_of(v_corner[i].position, v_corner[(i + 1) % CORNERS].position, v_corner[i].direction + v_corner[(i + 1) % CORNERS].direction, known(3 + 2 * i), known(4 + 2 * i));
 #endif
     float most = edges.x, least = edges.x;
     for (int i = 1; i < CORNERS; ++i) {
