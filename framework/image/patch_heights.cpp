@@ -189,7 +189,10 @@ int cuts_for(glm::dvec2 uv, const Image& heights, int density) {
 /// By how much chords are off at many places.
 class Offsets {
 public:
-    void take(double off) { most_ = std::max(most_, off), squares_ += off * off, ++count_; }
+    void take(double off) {
+        if (!(off >= 0)) return;  // not a number
+        most_ = std::max(most_, off), squares_ += off * off, ++count_;
+    }
     double typical() const {
         const double mean_square = squares_ / double(std::max<size_t>(1, count_));
         return std::max(3 * std::sqrt(mean_square), most_ / 2);
