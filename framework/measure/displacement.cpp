@@ -67,10 +67,13 @@ BenchError pixels_off(std::vector<double> errors) {
     return error;
 }
 
-/// A mesh of its own vertices, tessellated beforehand: positions and nothing else.
-class PlainMesh {
+/// Micro-polygons, tessellated beforehand; what is drawn is each pixel's place, as the labs' probe has it.
+class TessellatedMesh {
 public:
-    explicit PlainMesh(const Mesh& mesh) : mesh_(upload([&mesh] { return mesh; })), count_(mesh_.count()) {}
+    TessellatedMesh(const Mesh& mesh, int n)
+        : vertices_a_patch_((n + 1) * (n + 1)), mesh_(upload([&] { return mesh; })) {
+        mesh_.layout();  // while the mesh is there
+    }
 
     void draw(const Target& target, const Camera& camera) const {
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
@@ -82,25 +85,29 @@ public:
         glClear(GL_DEPTH_BUFFER_BIT);
         glUseProgram(program_);
         program_.set("u_clip_from_world", camera.clip_from_world());
+        program_.set("u_vertices_a_patch", vertices_a_patch_);
         glBindVertexArray(mesh_.layout());
-        glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
+        glDrawElements(GL_TRIANGLES, mesh_.count(), GL_UNSIGNED_INT, nullptr);
         glDisable(GL_CULL_FACE);
         glDisable(GL_DEPTH_TEST);
     }
 
 private:
-    static ShaderSource stage(const char* file, const char* text) { return {file, text, {}, {"u_clip_from_world"}}; }
+    static ShaderSource stage(const char* file, const char* text) {
+        return {file, text, {}, {"u_clip_from_world", "u_vertices_a_patch"}};
+    }
 
-    Program program_{{stage("plain.vert",
+    Program program_{{stage("tessellated.vert",
                             "#version 410 core\nlayout(location = 0) in vec3 a_position;\n"
-                            "uniform mat4 u_clip_from_world;\nout vec3 v_position;\nvoid main() {\n"
-                            "    v_position = a_position;\n"
+                            "layout(location = 3) in vec2 a_uv;\nuniform mat4 u_clip_from_world;\n"
+                            "uniform int u_vertices_a_patch;\nout vec3 v_place;\nvoid main() {\n"
+                            "    v_place = vec3(a_uv, gl_VertexID / u_vertices_a_patch);\n"
                             "    gl_Position = u_clip_from_world * vec4(a_position, 1.0);\n}\n"),
-                      stage("plain.frag",
-                            "#version 410 core\nin vec3 v_position;\nlayout(location = 0) out vec4 o_color;\n"
-                            "void main() { o_color = vec4(v_position, 0.0); }\n")}};
+                      stage("tessellated.frag",
+                            "#version 410 core\nin vec3 v_place;\nlayout(location = 0) out vec4 o_color;\n"
+                            "void main() { o_color = vec4(v_place, 0.0); }\n")}};
+    int vertices_a_patch_;
     GpuMesh mesh_;
-    GLsizei count_;
 };
 
 /// Of pixels that one of two pictures covers: how many the other does not.
@@ -146,31 +153,32 @@ void add_levels(Scenes& scenes, bool quick) {
     if (quick) return;
     add("uniform", "level", {"32"});
     for (const int n : {4, 8, 16}) {
-        // Its vertices are those of uniform levels, and so is its error.
-        const auto mesh =
-            std::make_shared<PlainMesh>(micro_polygons(surface.patches(), heights, double(surface.scale()), n));
+        const auto mesh = std::make_shared<TessellatedMesh>(
+            micro_polygons(surface.patches(), heights, double(surface.scale()), n), n);
         const auto target = std::make_shared<Target>(TargetKind::probe, Scenes::size);
-        scenes.add("mesh", {{"squares", fmt::format("{} x {} a patch", n, n)}},
-                   [mesh, target, seen] { mesh->draw(*target, seen); }, {});
+        mesh->draw(*target, seen);
+        scenes.add(
+            "mesh", {{"squares", fmt::format("{} x {} a patch", n, n)}},
+            [mesh, target, seen] { mesh->draw(*target, seen); }, off(target->read()));
     }
 }
 
 void add_culling(Scenes& scenes) {
-    // From just above a corner, a tenth of the patches is in the picture.
-    const Orbit camera{.yaw = 45, .pitch = 8, .distance = 3, .target = {-2, 0, -2}, .field_of_view = 40};
-    for (const char* cull : {"none", "outside", "all"})
-        scenes.add_lab("14", std::string("cull-") + cull,
-                       {{"view", "eye"},
-                        {"surface", "ground"},
-                        {"corners", "4"},
-                        {"patches", "128"},
-                        {"map", "fbm"},
-                        {"size", "1024"},
-                        {"depth", "0.1"},
-                        {"fade", "off"},
-                        {"method", "uniform"},
-                        {"level", "6"}},
-                       {{"cull", cull}}, camera);
+    // A tenth of the patches is in the picture.
+    const Orbit camera{.yaw = 45, .pitch = 8, .distance = 3, .target = {-2, 0, -2}, .field_of_view = 27};
+    for (const Set& levels : {Set{{"method", "uniform"}, {"level", "1"}}, Set{{"method", "uniform"}, {"level", "8"}},
+                              Set{{"method", "uniform"}, {"level", "16"}}, Set{{"method", "error"}, {"budget", "1"}}})
+        for (const char* cull : {"none", "outside", "all"})
+            scenes.add_lab("14", "cull",
+                           {{"view", "eye"},
+                            {"surface", "ground"},
+                            {"corners", "4"},
+                            {"patches", "128"},
+                            {"map", "fbm"},
+                            {"size", "1024"},
+                            {"depth", "0.1"},
+                            {"fade", "off"}},
+                           {levels[0], levels[1], {"cull", cull}}, camera);
 }
 
 void add_outlines(Scenes& scenes) {
@@ -178,8 +186,8 @@ void add_outlines(Scenes& scenes) {
     DisplacedSurface surface;
     surface.shape = DisplacedSurface::torus, surface.density = 4, surface.depth = 0.1f;
     surface.material.map = int(HeightMap::stones), surface.material.size = 1;
-    const PlainMesh truth(
-        micro_polygons(surface.patches(), HeightField(surface.heights(), true), double(surface.scale()), 192));
+    const TessellatedMesh truth(
+        micro_polygons(surface.patches(), HeightField(surface.heights(), true), double(surface.scale()), 192), 192);
     truth.draw(scenes.target(), Camera(camera, 1));
     const Image exact = scenes.target().read();
     for (const char* spacing : {"equal", "fractional-odd", "fractional-even"})
