@@ -76,7 +76,7 @@ void ReliefSurface::set(const Program& program, const Frame& frame, const glm::d
 }
 
 void ReliefSurface::set_exact_hit(const Program& program, int unit) const {
-    if (glGetUniformLocation(program, "s_windows") < 0) return;  // this permutation shows no error
+    if (glGetUniformLocation(program, "u_most_turns") < 0) return;  // this permutation shows no error
     if (!windows_ || windows_version_ != version()) {
         windows_version_ = version();
         windows_ = height_windows(heights());

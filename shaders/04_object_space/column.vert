@@ -19,7 +19,7 @@ out vec3 v_bitangent;
 #endif
 
 void main() {
-    float c = cos(u_rate * a_position.y), s = sin(u_rate * a_position.y);
+    float turn = u_rate * a_position.y, c = cos(turn), s = sin(turn);
     vec3 twisted = vec3(a_position.x * c + a_position.z * s, a_position.y, a_position.z * c - a_position.x * s);
     vec4 world = u_world_from_model * vec4(twisted, 1.0);
     v_world = world.xyz;

@@ -99,7 +99,7 @@ float seen(ReliefRay ray, bool has_relief) {
 #ifdef SKIP
     // Nothing is marched that cannot be seen: less than half a texel of the level that is read, or level ground.
     float height;
-    if (length(ray.march * size) * exp2(-ray.level) < 0.5) return 1.0 - height_texel(s_heights, ray.uv, ray.level).r;
+    if (length(ray.march * size) < 0.5 * exp2(ray.level)) return 1.0 - height_texel(s_heights, ray.uv, ray.level).r;
     if (is_flat(ray, size, height)) return 1.0 - height;
 #endif
     return marched(ray, size);

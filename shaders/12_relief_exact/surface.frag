@@ -68,8 +68,8 @@ float lit_at(vec2 uv, float height, vec3 to_light) {
 
 void main() {
     vec3 normal = normalize(v_normal);
-    vec3 tangent = normalize(v_tangent.xyz - dot(v_tangent.xyz, normal) * normal);
-    vec3 bitangent = v_tangent.w * cross(normal, tangent);
+    vec3 bitangent = v_tangent.w * normalize(cross(normal, v_tangent.xyz));
+    vec3 tangent = v_tangent.w * cross(bitangent, normal);
     vec3 to_eye = normalize(u_eye - v_position);
     bool faces = dot(to_eye, normal) > 0.0;
     float slant = max(dot(to_eye, normal), least_slant);
