@@ -173,8 +173,14 @@ private:
 #if __has_include("framework/measure/bench.h")
     void add_handout() {
         CLI::App* sub = add("handout", "the course for students: starters, no solutions, no hidden checks",
-                            [this] { return make_handout(output_); });
-        sub->add_option("-o", output_, "where to; must be empty or new")->type_name("FOLDER");
+                            [this] { return make_handout(output_, handout_labs_); });
+        sub->add_option("-o", output_,
+                        "where to: new, or a handout, which is brought up to date without touching what its "
+                        "owner changed")
+            ->type_name("FOLDER");
+        sub->add_option("--labs", handout_labs_,
+                        "like 1-5 or 1,3,10-12, added to those that are there [new: all; else those that are there]")
+            ->type_name("LABS");
     }
     void add_bench() {
         CLI::App* sub = add("bench", "run time against error: a table, and a CSV for each topic",
@@ -196,7 +202,7 @@ private:
     CLI::App app_{
         "Relief: surface detail in OpenGL, lab by lab.\n"
         "Without a command: the menu window, or the gallery where there is no display."};
-    std::string only_lab_, run_lab_, golden_lab_, check_lab_, new_name_, output_, context_ = "auto";
+    std::string only_lab_, run_lab_, golden_lab_, check_lab_, new_name_, handout_labs_, output_, context_ = "auto";
     bool verbose_ = false, json_ = false, update_ = false;
     ShotArguments shot_;
     BenchArguments bench_;

@@ -31,7 +31,8 @@ int check_golden(const std::string& lab, bool update, const std::filesystem::pat
 /// A lab's checks on the course's files as they are. 1 when one did not pass.
 int check_own_work(const std::string& lab, bool json);
 
-int make_handout(const std::string& folder);
+/// `labs`: see write_handout(); empty for nothing.
+int make_handout(const std::string& folder, const std::string& labs);
 
 struct BenchArguments {
     std::vector<std::string> topics;

@@ -8,13 +8,29 @@
 
 namespace relief {
 
-int make_handout(const std::string& folder) {
+namespace fs = std::filesystem;
+
+int make_handout(const std::string& folder, const std::string& labs) {
     if (folder.empty()) throw UsageError("handout needs a folder for the students' course: -o FOLDER");
     pin_software_renderer();
     const auto context = open_any_context();
-    const HandoutReport report = write_handout(folder);
-    fmt::print("{}: {} labs, {} tasks, {} files, {} of them expected pictures\n", folder, report.labs, report.tasks,
-               report.files, report.expected);
+    const HandoutReport report =
+        write_handout(folder, labs.empty() ? std::optional<std::string>() : std::optional(labs));
+    const Delivery& done = report.delivery;
+    if (!report.is_new) {  // of a new folder everything is new
+        for (const std::string& file : done.added) fmt::print("new      {}\n", file);
+        for (const std::string& file : done.updated) fmt::print("updated  {}\n", file);
+        for (const std::string& file : done.removed) fmt::print("removed  {}, which the course has no more\n", file);
+        for (const auto& [file, beside] : done.kept)
+            fmt::print("kept     your {}{}\n", file,
+                       beside.empty() ? ", which the course has no more"
+                                      : "; the new one lies beside it as " + fs::path(beside).filename().string());
+        for (const std::string& path : done.not_open)
+            fmt::print("left     {}, which is not a folder: nothing is handed out through a link\n", path);
+        if (done.changed_nothing() && done.not_open.empty()) fmt::print("everything is as it should be\n");
+    }
+    fmt::print("{}: {} labs{}, {} tasks, {} files, {} of them expected pictures\n", folder, report.labs,
+               report.choice == "all" ? "" : " (" + report.choice + ")", report.tasks, report.files, report.expected);
     return 0;
 }
 

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "framework/base/descriptor.h"
 #include "framework/base/error.h"
 
 namespace relief {
@@ -26,26 +27,6 @@ void remove_unfinished_file(int signal) {
     if (has_unfinished_file) unlink(unfinished_file);
     _exit(128 + signal);
 }
-
-/// Owns a file descriptor.
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    operator int() const { return number_; }
-    bool close() {
-        const int number = number_;
-        number_ = -1;
-        return ::close(number) == 0;
-    }
-
-private:
-    int number_;
-};
 
 /// The file beside the target that takes its name once it is whole, and goes away otherwise.
 class UnfinishedFile {

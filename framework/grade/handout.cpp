@@ -24,10 +24,17 @@ constexpr const char* taken_along[] = {"CMakeLists.txt", "CMakePresets.json", "L
                                        ".gitignore",     ".clang-format",     ".editorconfig", "framework",
                                        "labs",           "shaders",           "assets",        "tests/golden"};
 // What makes the truth, measures with it, or hands out.
-constexpr const char* left_out[] = {"framework/reference",         "framework/measure",
-                                    "framework/app/bench.cpp",     "framework/app/handout.cpp",
-                                    "framework/grade/handout.cpp", "framework/grade/overlay.cpp",
-                                    "assets/textures.cpp",         "assets/make.cpp"};
+constexpr const char* left_out[] = {"framework/reference",
+                                    "framework/measure",
+                                    "framework/app/bench.cpp",
+                                    "framework/app/handout.cpp",
+                                    "framework/grade/handout.cpp",
+                                    "framework/grade/handout_readme.md",
+                                    "framework/grade/handout_check.yml",
+                                    "framework/grade/delivery.cpp",
+                                    "framework/grade/overlay.cpp",
+                                    "assets/textures.cpp",
+                                    "assets/make.cpp"};
 constexpr const char* kept_all_the_same[] = {"framework/reference/ray.h"};
 
 bool is_inside(const fs::path& path, const fs::path& folder) {
@@ -48,36 +55,35 @@ std::vector<std::string> includes_of(const std::string& text) {
     return found;
 }
 
-class Handout {
+/// The folder of a lab that a path belongs to, or "": what lies below labs, shaders and tests/golden, but for
+/// shaders/common.
+std::string lab_of(const fs::path& path) {
+    for (const char* folder : {"labs", "shaders", "tests/golden"}) {
+        const fs::path inside = path.lexically_relative(folder);
+        if (is_inside(path, folder) && std::distance(inside.begin(), inside.end()) > 1 && *inside.begin() != "common")
+            return *inside.begin();
+    }
+    return {};
+}
+
+/// What a handout of the whole course has, by path, and from that what a handout of some labs has: a part of it, so
+/// that nothing can be read there that cannot be read in the whole.
+class StudentsCourse {
 public:
-    explicit Handout(fs::path folder) : whole_(std::move(folder)) {
-        std::error_code ignored;
-        if (fs::exists(whole_) && (!fs::is_directory(whole_) || !fs::is_empty(whole_, ignored)))
-            throw Error({whole_}, "is there already and not empty: a handout wants a folder of its own");
-        // Beside it until it is whole: half a course must never be taken for one.
-        if (!whole_.has_filename()) whole_ = whole_.parent_path();
-        folder_ = fs::path(whole_) += ".part";
-        fs::remove_all(folder_, ignored);
-    }
-
-    HandoutReport write() {
-        for (const LabEntry& lab : registry()) {
-            const Manifest manifest = load_manifest(lab);
-            ++report.labs, report.tasks += int(manifest.tasks.size());
-            for (const std::string& path : manifest.keep_back) kept_back_.emplace(path, lab.folder);
-        }
+    StudentsCourse() {
+        for (const LabEntry& lab : registry())
+            for (const std::string& path : load_manifest(lab).keep_back) kept_back_.emplace(path, lab.folder);
         for (const char* path : taken_along) copy(path);
-        const fs::path readme = "framework/grade/handout_readme.md";
-        put("README.md", read_file(course_root() / readme));
-        take_common_shaders();
-        write_expected();
-        std::error_code failure;
-        fs::rename(folder_, whole_, failure);
-        if (failure) throw Error({whole_}, "cannot put the handout here: " + failure.message());
-        return report;
+        common_shaders(whole_);  // for its checks
     }
 
-    HandoutReport report;
+    HandedFiles with(const std::set<std::string>& labs) const {
+        HandedFiles files;
+        for (const auto& [path, file] : whole_)
+            if (const std::string lab = lab_of(path); lab.empty() || labs.contains(lab)) files.emplace(path, file);
+        files.merge(common_shaders(files));
+        return files;
+    }
 
 private:
     bool stays(const fs::path& path) const {
@@ -85,7 +91,7 @@ private:
             if (is_inside(path, kept) || is_inside(kept, path)) return false;
         for (const char* out : left_out)
             if (is_inside(path, out)) return true;
-        if (is_inside(path, "shaders/common") && path.extension() == ".glsl") return true;  // see take_common_shaders
+        if (is_inside(path, "shaders/common") && path.extension() == ".glsl") return true;  // see common_shaders
         return std::any_of(kept_back_.begin(), kept_back_.end(),
                            [&](const auto& back) { return is_inside(path, back.first); });
     }
@@ -103,60 +109,99 @@ private:
             content = public_manifest(content, from);
         else if (is_text(path))
             content = starter_of(content, from);
-        put(path, content);
-        fs::permissions(folder_ / path, fs::status(from).permissions());
-        if (is_inside(path, "shaders")) include(path, content);
+        const bool executable = (fs::status(from).permissions() & fs::perms::owner_exec) != fs::perms::none;
+        whole_[path] = {content, executable};
     }
 
-    void put(const fs::path& path, const std::string& content) {
-        make_folder((folder_ / path).parent_path());
-        write_file(folder_ / path, content);
-        ++report.files;
-    }
-
-    void include(const fs::path& from, const std::string& text) {
-        for (const std::string& name : includes_of(text)) includes_.emplace(fs::path("shaders") / name, from);
-    }
-
-    void take_common_shaders() {
-        while (!includes_.empty()) {
-            const auto [path, from] = *includes_.begin();
-            includes_.erase(includes_.begin());
-            if (!is_inside(path, "shaders/common") || fs::exists(folder_ / path)) continue;
-            for (const auto& [back, lab] : kept_back_)
-                if (is_inside(path, back))
-                    throw Error({from},
-                                fmt::format("includes {}, which holds answers of {}: see keep_back in its lab.toml",
-                                            path.string(), lab));
-            const std::string content = starter_of(read_file(course_root() / path), path);
-            put(path, content);
-            include(path, content);
-        }
-    }
-
-    void write_expected() {
-        Progress progress(report.labs);
-        for (const LabEntry& lab : registry()) {
-            progress.next("expected pictures of " + lab.folder);
-            for (const CheckInfo& check : load_manifest(lab).checks) {
-                if (check.hidden) continue;
-                const std::optional<Image> image = expectation(lab, check);
-                if (!image) continue;
-                const fs::path file = folder_ / expectation_file(lab, check).lexically_relative(course_root());
-                make_folder(file.parent_path());
-                if (fs::exists(file))
-                    throw Error(
-                        fmt::format("labs/{}/lab.toml: two checks have names like '{}'", lab.folder, check.name));
-                write_image(file, *image);
-                ++report.files, ++report.expected;
+    /// Those of shaders/common that the shaders among these files include, and what these include in turn.
+    HandedFiles common_shaders(const HandedFiles& files) const {
+        HandedFiles found;
+        std::vector<std::pair<fs::path, std::string>> to_read;
+        for (const auto& [path, file] : files)
+            if (is_inside(path, "shaders")) to_read.emplace_back(path, file.bytes);
+        while (!to_read.empty()) {
+            const auto [from, text] = to_read.back();
+            to_read.pop_back();
+            for (const std::string& name : includes_of(text)) {
+                const fs::path path = fs::path("shaders") / name;
+                if (files.contains(path) || found.contains(path)) {
+                    if (!lab_of(path).empty() && lab_of(path) != lab_of(from))
+                        throw Error({from}, fmt::format("includes {} of another lab, which may be handed out later: "
+                                                        "what both need belongs in shaders/common",
+                                                        path.string()));
+                    continue;
+                }
+                for (const auto& [back, lab] : kept_back_)
+                    if (is_inside(path, back))
+                        throw Error({from},
+                                    fmt::format("includes {}, which holds answers of {}: see keep_back in its lab.toml",
+                                                path.string(), lab));
+                found[path] = {starter_of(read_file(course_root() / path), path)};
+                to_read.emplace_back(path, found[path].bytes);
             }
         }
+        return found;
     }
 
-    fs::path whole_, folder_;
     std::map<std::string, std::string> kept_back_;  ///< path to lab
-    std::map<fs::path, fs::path> includes_;         ///< a file, and one that includes it
+    HandedFiles whole_;                             ///< without the common shaders
 };
+
+/// "all" for all that there are and may come; else numbers: the labs that were asked for and those that are there
+/// already.
+std::string choice_of(const std::optional<std::string>& asked, const std::optional<std::string>& before) {
+    if (!asked) return before.value_or("all");
+    if (*asked == "all" || before == "all") return "all";
+    std::set<int> numbers;
+    for (const LabEntry* lab : find_labs(*asked)) numbers.insert(lab->number);
+    for (const std::string& word : split(before.value_or(""), ','))
+        if (const auto number = parse_int(word)) numbers.insert(*number);
+    return fmt::format("{}", fmt::join(numbers, ","));
+}
+
+std::vector<const LabEntry*> labs_of(const std::string& choice) {
+    const std::vector<std::string> numbers = split(choice, ',');
+    std::vector<const LabEntry*> labs;
+    for (const LabEntry& lab : registry())  // a lab that was handed out may be gone since
+        if (choice == "all" || std::find(numbers.begin(), numbers.end(), std::to_string(lab.number)) != numbers.end())
+            labs.push_back(&lab);
+    if (labs.empty()) throw Error("there is no lab to hand out");
+    return labs;
+}
+
+std::string readme(const std::vector<const LabEntry*>& labs) {
+    std::string table;
+    for (const LabEntry* lab : labs) {
+        const Manifest manifest = load_manifest(*lab);
+        table += fmt::format("| [{0} {1}](labs/{2}/README.md) | {3} | {4} |\n", lab->two_digits(), lab->name,
+                             lab->folder, manifest.title, manifest.points());
+    }
+    std::string text = read_file(course_root() / "framework/grade/handout_readme.md");
+    for (const auto& [word, with] :
+         {std::pair<std::string, std::string>{"LABS\n", table}, {"NN", labs.front()->two_digits()}})
+        for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + with.size()))
+            text.replace(at, word.size(), with);
+    return text;
+}
+
+/// What the public checks compare with; gives their number.
+int add_expected(const std::vector<const LabEntry*>& labs, HandedFiles& files) {
+    Progress progress(int(labs.size()));
+    int count = 0;
+    for (const LabEntry* lab : labs) {
+        progress.next("expected pictures of " + lab->folder);
+        for (const CheckInfo& check : load_manifest(*lab).checks) {
+            if (check.hidden) continue;
+            const std::optional<Image> image = expectation(*lab, check);
+            if (!image) continue;
+            const fs::path file = expectation_file(*lab, check).lexically_relative(course_root());
+            if (!files.emplace(file, HandedFile{encode_image(*image, format_of(file))}).second)
+                throw Error(fmt::format("labs/{}/lab.toml: two checks have names like '{}'", lab->folder, check.name));
+            ++count;
+        }
+    }
+    return count;
+}
 
 }  // namespace
 
@@ -185,6 +230,22 @@ std::string public_manifest(const std::string& text, const fs::path& file) {
     return result;
 }
 
-HandoutReport write_handout(const fs::path& folder) { return Handout(folder).write(); }
+HandoutReport write_handout(const fs::path& folder, const std::optional<std::string>& asked) {
+    const std::optional<std::string> before = delivered_choice(folder);
+    HandoutReport report{choice_of(asked, before), !before};
+    const std::vector<const LabEntry*> labs = labs_of(report.choice);
+    std::set<std::string> folders;
+    for (const LabEntry* lab : labs) {
+        folders.insert(lab->folder);
+        ++report.labs, report.tasks += int(load_manifest(*lab).tasks.size());
+    }
+    HandedFiles files = StudentsCourse().with(folders);
+    files["README.md"] = {readme(labs)};
+    files[".github/workflows/check.yml"] = {read_file(course_root() / "framework/grade/handout_check.yml")};
+    report.expected = add_expected(labs, files);
+    report.files = int(files.size());
+    report.delivery = deliver(files, report.choice, folder);
+    return report;
+}
 
 }  // namespace relief

@@ -61,4 +61,25 @@ const LabEntry& find_lab(const std::string& text) {
     throw UsageError(line + join(folders, ", "));
 }
 
+std::vector<const LabEntry*> find_labs(const std::string& text) {
+    std::map<int, const LabEntry*> found;
+    for (const std::string& part : split(text, ',')) {
+        const std::vector<std::string> ends = split(part, '-');
+        if (ends.size() != 2) {
+            const LabEntry& lab = find_lab(part);
+            found[lab.number] = &lab;
+            continue;
+        }
+        const auto first = parse_int(ends[0]), last = parse_int(ends[1]);
+        bool any = false;
+        for (const LabEntry& lab : registry())
+            if (first && last && *first <= lab.number && lab.number <= *last) found[lab.number] = &lab, any = true;
+        if (!any)
+            throw UsageError(fmt::format("'{}' names no lab: a range is like 1-5, its smaller number first", part));
+    }
+    std::vector<const LabEntry*> labs;
+    for (const auto& [number, lab] : found) labs.push_back(lab);
+    return labs;
+}
+
 }  // namespace relief

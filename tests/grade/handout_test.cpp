@@ -1,10 +1,14 @@
 // The student's course: what is in it, that it builds, and that a student can earn every point there.
 #include "framework/grade/handout.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
+#include "framework/base/text.h"
 #include "framework/grade/starter.h"
 #include "framework/lab/manifest.h"
 #include "tests/process.h"
@@ -29,13 +33,23 @@ protected:
 
     static fs::path course() { return folder_->path() / "a handout"; }
     static Manifest staff(const std::string& lab) { return load_manifest(course_root() / "labs" / lab / "lab.toml"); }
-    /// Whatever a student could read, by its path.
-    static std::map<std::string, std::string> texts() {
+    /// All files of a folder by their paths.
+    static std::map<std::string, std::string> files_in(const fs::path& folder) {
         std::map<std::string, std::string> all;
-        for (const auto& entry : fs::recursive_directory_iterator(course()))
-            if (entry.is_regular_file() && entry.path().extension() != ".png" && entry.path().extension() != ".exr")
-                all.emplace(entry.path().lexically_relative(course()), read_file(entry.path()));
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            if (entry.is_regular_file()) all.emplace(entry.path().lexically_relative(folder), read_file(entry.path()));
         return all;
+    }
+    /// Whatever a student could read.
+    static std::map<std::string, std::string> texts() {
+        std::map<std::string, std::string> all = files_in(course());
+        std::erase_if(all,
+                      [](const auto& file) { return file.first.ends_with(".png") || file.first.ends_with(".exr"); });
+        return all;
+    }
+    static Result hand_out(const fs::path& folder, std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {relief_program(), "handout", "-o", folder.string()});
+        return run(more);
     }
     static void expect_nowhere(const std::string& secret) {
         for (const auto& [path, text] : *texts_)
@@ -54,7 +68,8 @@ TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeAndNoHiddenCheck) {
         const Manifest manifest = staff(lab);
         for (const TaskInfo& task : manifest.tasks)
             for (const std::string& line : solution_lines(read_file(course_root() / task.file), task.file))
-                if (line.size() >= 24) expect_nowhere(line), ++lines;  // shorter ones are "if (x == 0) return {};"
+                // Shorter ones are "if (x == 0) return {};", and six turns of a loop are no secret.
+                if (line.size() >= 24 && !line.starts_with("for (int i = 0;")) expect_nowhere(line), ++lines;
         for (const CheckInfo& check : manifest.checks)
             if (check.hidden) expect_nowhere('"' + check.name + '"'), ++hidden;
         for (const MistakeInfo& mistake : manifest.mistakes) expect_nowhere(mistake.hint), ++mistakes;
@@ -65,11 +80,92 @@ TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeAndNoHiddenCheck) {
     delete texts_;
 }
 
+/// What stands in code whatever its names are: words that are neither called nor members become '@'; comments, blanks,
+/// namespaces and the suffixes of numbers are gone.
+std::string shape_of(const std::string& text) {
+    static const std::regex dropped("//[^\n]*|\\b(glm|std)::"), word("[A-Za-z_]\\w*|[0-9][\\w.]*|[^\\s\\w]");
+    const std::string code = std::regex_replace(text, dropped, "");
+    std::vector<std::string> words;
+    for (std::sregex_iterator at(code.begin(), code.end(), word), end; at != end; ++at) words.push_back(at->str());
+    std::string shape;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const unsigned char first = static_cast<unsigned char>(words[i][0]);
+        const bool kept = (i + 1 < words.size() && words[i + 1] == "(") || (i > 0 && words[i - 1] == ".");
+        if ((std::isalpha(first) || first == '_') && !kept) words[i] = "@";
+        if (std::isdigit(first)) words[i].erase(words[i].find_last_not_of("fu") + 1);
+        shape += words[i] + ' ';
+    }
+    return shape;
+}
+
+/// The expressions of a solution that are long enough to say something, as shapes: what is returned or assigned.
+std::vector<std::string> expressions_of(const std::vector<std::string>& solution) {
+    static const std::regex dropped("//.*"), value("^\\s*(return\\b|[^=(<>!]*=(?!=))");
+    std::string code;
+    for (const std::string& line : solution) code += std::regex_replace(line, dropped, "") + '\n';
+    std::replace_if(
+        code.begin(), code.end(), [](char c) { return c == '{' || c == '}'; }, ';');
+    std::vector<std::string> shapes;
+    for (const std::string& statement : split(code, ';')) {
+        const std::string shape =
+            shape_of(std::regex_replace(statement, value, "", std::regex_constants::format_first_only));
+        if (std::count(shape.begin(), shape.end(), ' ') >= 14) shapes.push_back(shape);
+    }
+    return shapes;
+}
+
+TEST(Shape, OfCodeDoesNotKnowNamesButKnowsWhatIsDone) {
+    EXPECT_EQ(shape_of("a = max(b.xy, 0.5f) * glm::sin( c );  // why"), "@ = max ( @ . xy , 0.5 ) * sin ( @ ) ; ");
+    EXPECT_EQ(expressions_of({"vec3 a = normalize(b.xyz - dot(b.xyz, c) * c);", "return short_;"}),
+              std::vector<std::string>{"normalize ( @ . xyz - dot ( @ . xyz , @ ) * @ ) "});
+}
+
+TEST_F(StudentsCourse, HoldsNoSolutionUnderOtherNames) {
+    // How far something is between two others is arithmetic that the framework needs too.
+    const std::string ramp = shape_of("clamp((end - at) / (end - begin), 0.0, 1.0)");
+    std::map<std::string, std::string> shapes;
+    for (const auto& [path, text] : texts())
+        if (!path.ends_with(".md") && !path.ends_with(".toml") && !path.ends_with(".obj"))
+            shapes[path] = shape_of(text);
+    size_t looked_for = 0;
+    for (const std::string& lab : *labs_) {
+        std::set<std::string> task_files;
+        for (const TaskInfo& task : staff(lab).tasks) task_files.insert(task.file);
+        for (const std::string& file : task_files)
+            for (const std::string& shape : expressions_of(solution_lines(read_file(course_root() / file), file))) {
+                ++looked_for;
+                if (shape == ramp) continue;
+                for (const auto& [path, text] : shapes)
+                    EXPECT_FALSE(contains(text, shape)) << file << ": '" << shape << "' can be read in " << path;
+            }
+    }
+    EXPECT_GT(looked_for, 30u);
+}
+
+TEST_F(StudentsCourse, HoldsNothingThatAKnownMistakeIsAnEditOf) {
+    size_t looked_for = 0;
+    for (const std::string& lab : *labs_)
+        for (const MistakeInfo& mistake : staff(lab).mistakes)
+            for (const Edit& edit : mistake.edits) {
+                if (!fs::exists(course() / edit.file)) continue;
+                const std::vector<std::string> solution =
+                    solution_lines(read_file(course_root() / edit.file), edit.file);
+                const bool in_solution = std::any_of(solution.begin(), solution.end(), [&](const std::string& line) {
+                    return contains(line, edit.find);
+                });
+                if (!in_solution || edit.find.size() < 12) continue;
+                ++looked_for;
+                EXPECT_FALSE(contains(read_file(course() / edit.file), edit.find)) << edit.file << ": " << edit.find;
+            }
+    EXPECT_GT(looked_for, 30u);
+}
+
 TEST_F(StudentsCourse, BeginsWithAReadmeOfItsOwn) {
     const std::string readme = read_file(course() / "README.md");
     EXPECT_TRUE(readme.starts_with("# Relief: your labs\n\nSurface detail")) << readme.substr(0, 80);
     for (const char* command : {"\n./relief list ", "\n./relief run 01 ", "\n./relief check 01 "})
         EXPECT_TRUE(contains(readme, command)) << command;
+    for (const std::string& lab : *labs_) EXPECT_TRUE(contains(readme, "(labs/" + lab + "/README.md)")) << lab;
     for (const std::string& lab : *labs_) {  // and each lab with its handout, whose pictures came along
         const std::string handout = read_file(course() / "labs" / lab / "README.md");
         size_t pictures = 0;
@@ -102,20 +198,69 @@ TEST_F(StudentsCourse, HoldsNoTruthButAsPictures) {
     }
 }
 
-TEST_F(StudentsCourse, IsNeverWrittenOverWhatIsThere) {
-    const Result again = run({relief_program(), "handout", "-o", course().string()});
-    EXPECT_EQ(again.code, 1);
-    EXPECT_TRUE(contains(again.err, "is there already and not empty")) << again.err;
-    EXPECT_FALSE(fs::exists(course().string() + ".part")) << "what was not whole yet";
-    const Result file = run({relief_program(), "handout", "-o", (course() / "README.md").string()});
+TEST_F(StudentsCourse, IsNeverWrittenOverWhatSomebodyElsePutThere) {
+    const TemporaryFolder other;
+    other.write("thesis.txt", "years");
+    const Result taken = hand_out(other.path());
+    EXPECT_EQ(taken.code, 1);
+    EXPECT_TRUE(contains(taken.err, "is there already, not empty and not a handout")) << taken.err;
+    EXPECT_EQ(files_in(other.path()).size(), 1u);
+    EXPECT_FALSE(fs::exists(other.path().string() + ".part")) << "what was not whole yet";
+    const Result file = hand_out(course() / "README.md");
     EXPECT_EQ(file.code, 1);
     EXPECT_TRUE(contains(file.err, "README.md: is there already")) << file.err;
-    const Result readonly = run({relief_program(), "handout", "-o", "/proc/handout"});
+    const Result readonly = hand_out("/proc/handout");
     EXPECT_EQ(readonly.code, 1);
     EXPECT_TRUE(contains(readonly.err, "/proc/handout.part: cannot make this folder")) << readonly.err;
     const Result nowhere = run({relief_program(), "handout"});
     EXPECT_EQ(nowhere.code, 2);
     EXPECT_TRUE(contains(nowhere.err, "-o FOLDER")) << nowhere.err;
+}
+
+TEST_F(StudentsCourse, OfSomeLabsIsAPartOfTheWholeAndGrowsIntoIt) {
+    const TemporaryFolder outer;
+    const fs::path part = outer.path() / "part";
+    ASSERT_EQ(hand_out(part, {"--labs", "10"}).code, 0);
+    const std::map<std::string, std::string> whole = files_in(course()), some = files_in(part);
+    for (const auto& [path, text] : some)
+        if (path != "README.md" && path != ".relief-handout") {
+            ASSERT_TRUE(whole.contains(path)) << path;
+            EXPECT_TRUE(text == whole.at(path)) << path;
+        }
+    for (const char* folder : {"labs", "tests/golden"})
+        for (const auto& entry : fs::directory_iterator(part / folder))
+            EXPECT_EQ(entry.path().filename(), "10_parallax_offset");
+    const std::string with_10 = "shaders/common/exact_hit.glsl", with_6 = "shaders/common/perpendicular.glsl";
+    EXPECT_TRUE(some.contains(with_10));
+    EXPECT_FALSE(some.contains(with_6));
+    EXPECT_FALSE(contains(some.at("README.md"), "normal_map_storage"));
+    EXPECT_TRUE(contains(some.at("README.md"), "./relief check 10 "));
+    const Result configured =
+        run({"cmake", "-S", part.string(), "-B", (outer.path() / "build").string(), "-G", "Ninja"});
+    EXPECT_EQ(configured.code, 0) << configured.err;
+    const std::string built = read_file(outer.path() / "build/build.ninja");
+    EXPECT_TRUE(contains(built, "\nbuild lab-10:"));
+    EXPECT_FALSE(contains(built, "\nbuild lab-01:"));
+
+    // A student works, and the course goes on.
+    const std::string file = "shaders/10_parallax_offset/task.glsl";
+    write_file(part / file, some.at(file) + "// mine\n");
+    const Result more = hand_out(part, {"--labs", "6,1"});
+    EXPECT_EQ(more.code, 0) << more.err;
+    for (const char* line :
+         {"\nnew      shaders/common/perpendicular.glsl\n", "\nupdated  README.md\n", ": 3 labs (1,6,10), "})
+        EXPECT_TRUE(contains('\n' + more.out, line)) << line << more.out;
+    EXPECT_TRUE(contains(read_file(part / "README.md"), "(labs/06_tangent_space/README.md)"));
+    EXPECT_TRUE(contains(hand_out(part).out, "everything is as it should be\n")) << "no --labs: those that are there";
+    const Result none = hand_out(part, {"--labs", "7-9"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_TRUE(contains(none.err, "'7-9' names no lab")) << none.err;
+
+    ASSERT_EQ(hand_out(part, {"--labs", "all"}).code, 0);
+    std::map<std::string, std::string> grown = files_in(part);
+    EXPECT_EQ(grown[file], some.at(file) + "// mine\n");
+    grown[file] = some.at(file);
+    EXPECT_TRUE(grown == whole);
 }
 
 TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutions) {
@@ -154,6 +299,9 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
         EXPECT_EQ(code, 0) << lab << report.dump(1);
         EXPECT_EQ(report.at("points"), report.at("of")) << lab;
     }
+    // And what was left out or replaced on the way is not missed in any picture.
+    const Result golden = run({(build / "bin/relief").string(), "golden"});
+    EXPECT_EQ(golden.code, 0) << golden.err;
 }
 
 TEST(PublicManifest, LosesHiddenChecksAndMistakesAndKeepsTheRestAsItStands) {

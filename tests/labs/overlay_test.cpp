@@ -49,6 +49,16 @@ TEST(Handout, IsRefusedWhenALabIncludesWhatAnotherKeepsBack) {
     const TemporaryFolder folder;
     const std::string message = message_of([&] { write_handout(folder.path() / "handout"); });
     EXPECT_TRUE(contains(message, "includes shaders/common/normal_map.glsl, which holds answers of")) << message;
+    EXPECT_EQ(message_of([&] { write_handout(folder.path() / "handout", "1"); }), message) << "whichever labs it has";
+}
+
+TEST(Handout, IsRefusedWhenALabIncludesAShaderOfAnother) {
+    const char* const surface = "shaders/06_tangent_space/surface.frag";
+    const CourseOverlay overlay(
+        edited({{surface, "#include \"common/light.glsl\"", "#include \"05_tangent_basis/task.glsl\""}}));
+    const TemporaryFolder folder;
+    const std::string message = message_of([&] { write_handout(folder.path() / "handout"); });
+    EXPECT_TRUE(contains(message, "includes shaders/05_tangent_basis/task.glsl of another lab")) << message;
 }
 
 TEST(Handout, IsRefusedWhenMarksDoNotPair) {

@@ -1,0 +1,31 @@
+// An open file or folder of the system, closed with its owner.
+#pragma once
+
+#include <unistd.h>
+
+namespace relief {
+
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() { close(); }
+    Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        close();
+        number_ = other.release();
+        return *this;
+    }
+    operator int() const { return number_; }
+    /// Whether the system took everything.
+    bool close() { return number_ < 0 || ::close(release()) == 0; }
+
+private:
+    int release() {
+        const int number = number_;
+        number_ = -1;
+        return number;
+    }
+    int number_;
+};
+
+}  // namespace relief

@@ -1,0 +1,37 @@
+// Labs by their numbers and names.
+#include "framework/lab/registry.h"
+
+#include "framework/lab/lab.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+const LabRegistration one("01_shine", nullptr), three("03_bricks", nullptr), ten("10_far_view", nullptr),
+    twelve("12_exact_view", nullptr);
+
+std::vector<int> numbers(const std::string& text) {
+    std::vector<int> found;
+    for (const LabEntry* lab : find_labs(text)) found.push_back(lab->number);
+    return found;
+}
+
+TEST(FindLabs, TakesNumbersNamesAndRangesOnceEachInOrder) {
+    using Numbers = std::vector<int>;
+    EXPECT_EQ(numbers("1"), Numbers{1});
+    EXPECT_EQ(numbers("1-5"), (Numbers{1, 3}));
+    EXPECT_EQ(numbers("10-12,1"), (Numbers{1, 10, 12}));
+    EXPECT_EQ(numbers("3,bricks,2-3,03_bricks"), Numbers{3});
+}
+
+TEST(FindLabs, NamesThePartThatIsNoLab) {
+    const auto message = [](const std::string& text) { return message_of<UsageError>([&] { find_labs(text); }); };
+    EXPECT_TRUE(contains(message("1,4-9"), "'4-9' names no lab"));
+    EXPECT_TRUE(contains(message("3-1"), "'3-1' names no lab"));
+    EXPECT_TRUE(contains(message("1-x"), "'1-x' names no lab"));
+    EXPECT_TRUE(contains(message("1,briks"), "did you mean '03_bricks'?"));
+    for (const char* text : {"", "1,", "2", "-", "1-2-3", "view"}) EXPECT_NE(message(text), "") << text;
+}
+
+}  // namespace
+}  // namespace relief
