@@ -5,15 +5,20 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "framework/app/check_page.h"
 #include "framework/app/commands.h"
+#include "framework/app/page.h"
 #include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/paths.h"
 #include "framework/grade/check.h"
 
 namespace relief {
-namespace {
 
-/// "2", "1.5"
-std::string points_text(double points) { return fmt::format("{:.3g}", points); }
+namespace fs = std::filesystem;
+
+namespace {
 
 std::string colored(Outcome outcome, const std::string& word) {
     static const bool on = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
@@ -23,12 +28,6 @@ std::string colored(Outcome outcome, const std::string& word) {
                        : outcome == Outcome::unfinished ? 33
                                                         : 31,
                        word);
-}
-
-/// What does not draw has not been measured: then the check's own advice would mislead.
-std::string look_at(const CheckResult& result) {
-    return result.outcome == Outcome::broken ? "what the message names; nothing is measured until the lab draws"
-                                             : result.check->look_at;
 }
 
 void print(const CheckResult& result) {
@@ -53,7 +52,9 @@ nlohmann::ordered_json as_json(const TaskResult& task) {
 
 }  // namespace
 
-int check_own_work(const std::string& lab_text, bool json) {
+int check_own_work(const std::string& lab_text, bool json, bool open, fs::path page) {
+    if (!page.empty() && page.extension() != ".html")
+        throw UsageError(fmt::format("-o takes the name of a page, like checks.html, not '{}'", page.string()));
     const LabEntry& lab = find_lab(lab_text);
     const Manifest manifest = load_manifest(lab);
     if (manifest.tasks.empty()) throw Error(fmt::format("lab {} has no tasks", lab.two_digits()));
@@ -80,6 +81,14 @@ int check_own_work(const std::string& lab_text, bool json) {
         fmt::print("{}\n", report.dump(2));
     } else {
         fmt::print("{} of {} points\n", points_text(points), manifest.points());
+    }
+    if (open || !page.empty()) {
+        if (page.empty()) page = course_root() / "build" / "check" / (lab.folder + ".html");
+        make_folder(fs::absolute(page).parent_path());
+        write_file(page, check_page(lab, manifest, tasks));
+        const std::string place = fs::absolute(page).lexically_normal().string();
+        const bool opened = open && open_page(page);
+        print_note((open && !opened ? "nothing to open it with here, so open it yourself: " : "the page: ") + place);
     }
     return all ? 0 : 1;
 }

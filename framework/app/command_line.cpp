@@ -166,9 +166,11 @@ private:
     }
     void add_check() {
         CLI::App* sub = add("check", "your work on a lab: what is wrong, and what to look at next",
-                            [this] { return check_own_work(check_lab_, json_); });
+                            [this] { return check_own_work(check_lab_, json_, open_, output_); });
         add_lab(sub, check_lab_, true);
         sub->add_flag("--json", json_, "for scripts");
+        sub->add_flag("--open", open_, "as a page with the pictures, in the browser");
+        sub->add_option("-o", output_, "the page into a file, and not opened without --open")->type_name("FILE.html");
     }
 #if __has_include("framework/measure/bench.h")
     void add_handout() {
@@ -203,7 +205,7 @@ private:
         "Relief: surface detail in OpenGL, lab by lab.\n"
         "Without a command: the menu window, or the gallery where there is no display."};
     std::string only_lab_, run_lab_, golden_lab_, check_lab_, new_name_, handout_labs_, output_, context_ = "auto";
-    bool verbose_ = false, json_ = false, update_ = false;
+    bool verbose_ = false, json_ = false, update_ = false, open_ = false;
     ShotArguments shot_;
     BenchArguments bench_;
     std::function<int()> command_;

@@ -28,8 +28,9 @@ int make_gallery(std::filesystem::path folder, ContextChoice context);
 /// All labs when `lab` is empty. With `output`, what differs is written there.
 int check_golden(const std::string& lab, bool update, const std::filesystem::path& output);
 
-/// A lab's checks on the course's files as they are. 1 when one did not pass.
-int check_own_work(const std::string& lab, bool json);
+/// A lab's checks on the course's files as they are. 1 when one did not pass. With `open`, or a name for it, also a page
+/// with the pictures, below the course's build folder unless it is named.
+int check_own_work(const std::string& lab, bool json, bool open, std::filesystem::path page);
 
 /// `labs`: see write_handout(); empty for nothing.
 int make_handout(const std::string& folder, const std::string& labs);

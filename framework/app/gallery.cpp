@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "framework/app/commands.h"
+#include "framework/app/page.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
@@ -14,29 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string html(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
-}
-
 std::string card(const LabEntry& entry, const Manifest& manifest) {
     std::string learns;
     for (const std::string& line : manifest.learns) learns += fmt::format("<li>{}</li>", html(line));
     return fmt::format(R"(<article id="lab-{0}">
 <a href="{1}.png"><img src="{1}.png" alt="{2}" width="1280" height="720"></a>
-<div><h2><span>{0}</span> {2}</h2><ul>{3}</ul><code>./relief run {0}</code></div>
+<div><h2><span class="number">{0}</span> {2}</h2><ul>{3}</ul><code>./relief run {0}</code></div>
 </article>
 )",
                        entry.two_digits(), entry.folder, html(manifest.title), learns);
@@ -44,35 +28,22 @@ std::string card(const LabEntry& entry, const Manifest& manifest) {
 
 std::string broken_card(const LabEntry& entry, const std::string& reason) {
     return fmt::format(R"(<article id="lab-{0}" class="broken">
-<div><h2><span>{0}</span> {1}</h2><p>No picture: {2}</p></div>
+<div><h2><span class="number">{0}</span> {1}</h2><p>No picture: {2}</p></div>
 </article>
 )",
                        entry.two_digits(), html(entry.name), html(reason));
 }
 
-constexpr const char* page_head = R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Relief: the labs</title>
-<style>
-:root { color-scheme: dark; }
-* { box-sizing: border-box; }
-body { margin: 0; background: #14161a; color: #e4e2dd; font: 17px/1.5 system-ui, sans-serif; }
-header, main, footer { max-width: 1240px; margin: 0 auto; padding: 0 24px; }
-header { padding-top: 56px; padding-bottom: 20px; }
-h1 { font-size: 44px; line-height: 1.1; margin: 0 0 8px; letter-spacing: -0.02em; }
-header p { margin: 0; color: #b5b2ab; max-width: 42em; }
+constexpr const char* style = R"(
 main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 560px), 1fr)); gap: 28px; }
-article { background: #1d2026; border-radius: 12px; overflow: hidden; }
+article { background: var(--card); border-radius: 12px; overflow: hidden; }
 article img { display: block; width: 100%; height: auto; }
 article div { padding: 16px 22px 22px; }
-h2 { font-size: 22px; margin: 0 0 6px; }
-h2 span { color: #e58a5b; font-variant-numeric: tabular-nums; margin-right: 6px; }
-ul { margin: 0 0 12px; padding-left: 20px; color: #c9c6bf; }
-code { background: #0f1114; padding: 3px 8px; border-radius: 6px; font-size: 14px; }
-.broken { border: 1px solid #b3423a; }
-footer { padding-top: 28px; padding-bottom: 48px; color: #97948d; font-size: 14px; }
-</style></head><body>
-<header><h1>Relief</h1>
+ul { margin: 0 0 12px; padding-left: 20px; color: var(--quiet); }
+.broken { border: 1px solid var(--bad); }
+)";
+
+constexpr const char* page_top = R"(<header><h1>Relief</h1>
 <p>Surface detail in OpenGL, lab by lab: normal maps, tangent spaces, parallax, displacement. Each picture is what the
 lab draws when it opens.</p></header>
 <main>
@@ -105,9 +76,9 @@ int make_gallery(fs::path folder, ContextChoice choice) {
         write_image(folder / (entry.folder + ".png"), picture);  // a folder that cannot be written ends it all
     }
     const std::string footer =
-        fmt::format("</main>\n<footer>Rendered by {}.</footer>\n</body></html>\n", html(describe_context().driver()));
+        fmt::format("</main>\n<footer>Rendered by {}.</footer>\n", html(describe_context().driver()));
     const fs::path page = folder / "index.html";
-    write_file(page, page_head + cards + footer);
+    write_file(page, page_begin("Relief: the labs", style) + page_top + cards + footer + page_end());
     fmt::print("{}\n", fs::absolute(page).lexically_normal().string());
     return failures == 0 ? 0 : 1;
 }

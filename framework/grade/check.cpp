@@ -19,6 +19,11 @@ constexpr double small_difference = 2.0 / 255 + 1e-6, large_difference = 32.0 / 
 constexpr double share_over_small = 0.0005;
 constexpr size_t pixels_over_large = 4;
 
+struct Verdict {
+    Outcome outcome = Outcome::broken;
+    std::string found = {};
+};
+
 /// What was measured, limit by limit, and whether all were kept.
 class Findings {
 public:
@@ -29,9 +34,7 @@ public:
         text_ += fmt::format("{}{} {:.4g}{}{}", text_.empty() ? "" : ", ", what, value, unit,
                              kept ? "" : fmt::format(" (at most {:.4g})", *limit));
     }
-    CheckResult result(const CheckInfo& check) const {
-        return {&check, good_ ? Outcome::passed : Outcome::wrong, text_};
-    }
+    Verdict verdict() const { return {good_ ? Outcome::passed : Outcome::wrong, text_}; }
 
 private:
     bool good_ = true;
@@ -40,12 +43,12 @@ private:
 
 bool is_surface(const Image& image, size_t pixel) { return image.values[pixel * image.channels] != no_surface; }
 
-CheckResult compare_probes(const CheckInfo& check, const ProbeInfo& probe, const Image& drawn, const Image& expected) {
+Verdict compare_probes(const CheckInfo& check, const ProbeInfo& probe, const Image& drawn, const Image& expected) {
     size_t only_one = 0, off = 0;
     for (size_t i = 0; i < drawn.pixel_count(); ++i) only_one += is_surface(drawn, i) != is_surface(expected, i);
     const Image error = error_image(drawn, expected, probe.error);
     const ErrorSummary summary = summarize(error);
-    if (summary.count == 0) return {&check, Outcome::broken, "there is not one pixel to compare"};
+    if (summary.count == 0) return {Outcome::broken, "there is not one pixel to compare"};
     for (const float value : error.values) off += value > 1 && value != no_surface;
     Findings findings;
     const std::string unit = probe.unit.empty() ? "" : " " + probe.unit;
@@ -59,22 +62,33 @@ CheckResult compare_probes(const CheckInfo& check, const ProbeInfo& probe, const
         findings.add("share of pixels where only one has a surface", double(only_one) / double(drawn.pixel_count()),
                      limits.outline, "");
     if (summary.not_finite > 0)
-        return {&check, Outcome::wrong,
-                fmt::format("{} pixels are not a number or have no direction", summary.not_finite)};
-    return findings.result(check);
+        return {Outcome::wrong, fmt::format("{} pixels are not a number or have no direction", summary.not_finite)};
+    return findings.verdict();
 }
 
-CheckResult compare_pictures(const CheckInfo& check, const Image& drawn, const Image& expected) {
+Verdict compare_pictures(const Image& drawn, const Image& expected) {
     const double pixels = double(drawn.pixel_count());
     Findings findings;
     findings.add("share of pixels off by more than 2/255",
                  double(difference(drawn, expected, small_difference).pixels_over) / pixels, share_over_small, "");
     findings.add("pixels off by more than 32/255", double(difference(drawn, expected, large_difference).pixels_over),
                  double(pixels_over_large), "");
-    return findings.result(check);
+    return findings.verdict();
 }
 
 Image draw(const LabEntry& lab, const Shot& shot) { return take(*make_lab(lab, shot), shot); }
+
+/// Draws what is compared into the result's pictures; of those, the expected one only for a relation.
+Verdict judge(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check, bool relation,
+              CheckResult& result) {
+    if (is_unfinished(read_file(course_root() / manifest.task(check.task).file), check.task))
+        return {Outcome::unfinished, "not written yet"};
+    result.drawn = draw(lab, check.shot);
+    if (relation) result.expected = draw(lab, manifest.check(check.against).shot);
+    if (!result.drawn.same_shape(result.expected)) return {Outcome::broken, "the expected picture has another size"};
+    if (!check.shot.probe) return compare_pictures(result.drawn, result.expected);
+    return compare_probes(check, manifest.probe(check.shot.probe.name), result.drawn, result.expected);
+}
 
 }  // namespace
 
@@ -105,17 +119,16 @@ std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check) {
 
 CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                       const std::optional<Image>& expected) {
+    CheckResult result{&check};
+    if (expected) result.expected = *expected;
+    Verdict verdict;
     try {
-        if (is_unfinished(read_file(course_root() / manifest.task(check.task).file), check.task))
-            return {&check, Outcome::unfinished, "not written yet"};
-        const Image drawn = draw(lab, check.shot);
-        const Image other = expected ? *expected : draw(lab, manifest.check(check.against).shot);
-        if (!drawn.same_shape(other)) return {&check, Outcome::broken, "the expected picture has another size"};
-        if (!check.shot.probe) return compare_pictures(check, drawn, other);
-        return compare_probes(check, manifest.probe(check.shot.probe.name), drawn, other);
+        verdict = judge(lab, manifest, check, !expected, result);
     } catch (const Error& error) {
-        return {&check, Outcome::broken, error.what()};
+        verdict = {Outcome::broken, error.what()};
     }
+    result.outcome = verdict.outcome, result.found = verdict.found;
+    return result;
 }
 
 std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest) {

@@ -16,7 +16,8 @@ const char* name_of(Outcome outcome);
 struct CheckResult {
     const CheckInfo* check;
     Outcome outcome = Outcome::broken;
-    std::string found;  ///< what was measured and what is allowed, or what went wrong
+    std::string found = {};           ///< what was measured and what is allowed, or what went wrong
+    Image drawn = {}, expected = {};  ///< what was compared; empty where it did not come to that
 };
 
 struct TaskResult {

@@ -1,7 +1,11 @@
 // The other commands, and a course with something missing or damaged, as users meet them.
 #include <algorithm>
+#include <cstdlib>
+#include <map>
 
+#include "framework/image/compare.h"
 #include "framework/image/file.h"
+#include "framework/lab/manifest.h"
 #include "tests/app/course_copy.h"
 
 namespace relief {
@@ -280,6 +284,124 @@ TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
     course().overwrite(file, "");
     EXPECT_EQ(course().relief({"check", "2"}).code, 1) << "an emptied file is a failed check, and no crash";
     course().overwrite(file, before);
+}
+
+std::string from_base64(const std::string& text) {
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        if (c == '=') break;
+        bits = bits << 6 | uint32_t(letters.find(c));
+        if ((count += 6) >= 8) bytes += char(bits >> (count -= 8) & 255);
+    }
+    return bytes;
+}
+
+/// What stands between two words after `from`, which moves past it; "" and npos where there is no such.
+std::string between(const std::string& text, const std::string& begin, const std::string& end, size_t& from) {
+    const size_t at = text.find(begin, from);
+    if (at == std::string::npos) return from = at, "";
+    from = text.find(end, at + begin.size());
+    return text.substr(at + begin.size(), from - at - begin.size());
+}
+
+/// Each picture of a page as a check's page has it, by the words that stand in for it.
+std::map<std::string, Image> pictures_of(const std::string& page) {
+    std::map<std::string, Image> pictures;
+    for (size_t at = 0;;) {
+        const std::string bytes = from_base64(between(page, "<img src=\"data:image/png;base64,", "\"", at));
+        if (at == std::string::npos) return pictures;
+        pictures[between(page, "alt=\"", "\"", at)] = decode_image(bytes);
+    }
+}
+
+TEST_F(CourseTest, ThePageOfAChecksPicturesHoldsEverythingItself) {
+    const std::string file = "shaders/02_normal_map_storage/task.glsl",
+                      manifest = "labs/02_normal_map_storage/lab.toml";
+    const Restore task(course(), file.c_str()), names(course(), manifest.c_str());
+    course().edit(file, "code / 255.0 * 2.0 - 1.0", "code / 255.0");
+    course().edit(manifest, "name = \"three bytes and back\"", "name = \"'a' </script> & \\\"b\\\"\"");
+    const Result result = course().relief({"check", "2", "-o", "a page/of checks.html"}, no_display);
+    EXPECT_EQ(result.code, 1) << "the exit code is that of the checks";
+    EXPECT_TRUE(contains(result.err, "the page: " + (course().path() / "a page/of checks.html").string()))
+        << result.err;
+    const std::string page = read_all(course().path() / "a page/of checks.html");
+
+    size_t checks = 0;
+    for (const CheckInfo& check : load_manifest(course().path() / manifest).checks) {
+        EXPECT_TRUE(contains(check.name, "<") || contains(page, "<h3>" + check.name + "</h3>")) << check.name;
+        ++checks;
+    }
+    const std::string escaped = "&#39;a&#39; &lt;/script&gt; &amp; &quot;b&quot;";
+    EXPECT_TRUE(contains(page, "<h3>" + escaped + "</h3>"));
+    EXPECT_FALSE(contains(page, "'a' <"));
+    for (const char* part :
+         {"8 of 11 points", "(at most 0.176)", "rounding to 8 bits costs", "decode_unorm8 undoes f", "degree and more",
+          "./relief shot 02 --size 128x128 --set format=unorm8 --set view=one --probe normal"})
+        EXPECT_TRUE(contains(page, part)) << part;
+    for (const char* outside : {"http:", "https:", "src=\"/", "@import", "url("})
+        EXPECT_FALSE(contains(page, outside)) << outside;
+
+    const std::map<std::string, Image> pictures = pictures_of(page);
+    EXPECT_EQ(pictures.size(), 3 * checks) << "each has words of its own";
+    const auto of_it = [&](const std::string& words) {
+        for (const auto& [alt, picture] : pictures)
+            if (alt.starts_with(words) && alt.ends_with(": " + escaped)) return picture;
+        ADD_FAILURE() << "no picture '" << words << "'";
+        return Image(1, 1, 3);
+    };
+    const Image yours = of_it("What your normal is"), expected = of_it("What is expected");
+    EXPECT_EQ(yours.width, 128);
+    EXPECT_GT(difference(yours, expected, 0.1).pixels_over, 1000u) << "a mistake is seen";
+}
+
+TEST_F(CourseTest, ThePageShowsWhatIsExpectedOfAnUnfinishedTaskAndTheMessageOfABrokenOne) {
+    const std::string file = "shaders/02_normal_map_storage/task.glsl";
+    const Restore task(course(), file.c_str());
+    course().edit(file, "code / 255.0 * 2.0 - 1.0", "unfinished(code)");
+    EXPECT_EQ(course().relief({"check", "2", "-o", "open.html"}).code, 1);
+    const std::string unfinished = read_all(course().path() / "open.html");
+    EXPECT_TRUE(contains(unfinished, "not written yet"));
+    EXPECT_TRUE(contains(unfinished, "What is expected of the check: three bytes and back"));
+    EXPECT_FALSE(contains(unfinished, "for the check: three bytes and back"));
+    course().edit(file, "unfinished(code)", "<cde>");
+    EXPECT_EQ(course().relief({"check", "2", "-o", "broken.html"}).code, 1);
+    const std::string broken = read_all(course().path() / "broken.html");
+    EXPECT_TRUE(contains(broken, "nothing is measured until the lab draws"));
+    EXPECT_TRUE(contains(broken, "<dt>message</dt><dd>" + file)) << "with its place";
+}
+
+TEST_F(CourseTest, ThePageOpensInABrowserWhereThereIsADisplay) {
+    const std::filesystem::path page = course().path() / "build/check/01_specular_highlights.html";
+    const Result without = course().relief({"check", "1", "--open"}, no_display);
+    EXPECT_EQ(without.code, 0);
+    EXPECT_TRUE(contains(without.err, "open it yourself: " + page.string())) << without.err;
+    EXPECT_TRUE(std::filesystem::exists(page));
+
+    const TemporaryFolder browser;
+    std::filesystem::permissions(browser.write("xdg-open",
+                                               "#!/bin/sh\nprintf %s \"$1\" >\"$OPENED.part\"; mv \"$OPENED.part\" "
+                                               "\"$OPENED\"; sleep 5; : >\"$OPENED.closed\"\n"),
+                                 std::filesystem::perms::owner_all);
+    const std::filesystem::path opened = browser.path() / "opened";
+    const Result with =
+        course().relief({"check", "1", "--open"}, {{},
+                                                   {{"DISPLAY", ":99"},
+                                                    {"OPENED", opened.string()},
+                                                    {"PATH", browser.path().string() + ":" + std::getenv("PATH")}}});
+    EXPECT_EQ(with.code, 0);
+    EXPECT_FALSE(std::filesystem::exists(opened.string() + ".closed")) << "a browser is not waited for";
+    EXPECT_FALSE(contains(with.err, "yourself")) << with.err;
+    for (int i = 0; i < 500 && !std::filesystem::exists(opened); ++i) usleep(10000);
+    EXPECT_EQ(read_all(opened), page.string());
+}
+
+TEST_F(CourseTest, APageIsNamedLikeOne) {
+    const Result result = course().relief({"check", "1", "-o", "page.png"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.err, "like checks.html, not 'page.png'")) << result.err;
 }
 
 TEST_F(CourseTest, CheckSuggestsTheLabThatWasMeant) {

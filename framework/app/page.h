@@ -1,0 +1,27 @@
+// What the course's web pages share: text made safe, pictures inside the page, a look for light and for dark screens.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "framework/image/image.h"
+
+namespace relief {
+
+/// A text as it may stand in a page, between tags or in a quoted attribute.
+std::string html(const std::string& text);
+
+/// An 8-bit picture as a URI that has all of it, for an attribute.
+std::string picture_uri(const Image& picture);
+
+/// From the doctype to the beginning of the body. `style` is added to the common one, which names the colours:
+/// --ground,
+/// --card, --text, --quiet, --accent, --good, --bad, --open.
+std::string page_begin(const std::string& title, const std::string& style);
+std::string page_end();
+
+/// Shows a page in the browser of whoever sits here, and does not wait for it. False where there is no display, or no
+/// xdg-open.
+bool open_page(const std::filesystem::path& page);
+
+}  // namespace relief
