@@ -92,7 +92,7 @@ private:
                                                    "SPACING fractional_even_spacing"};
     static constexpr std::array culls = {"none", "outside", "all"};
     // As in surface.frag.
-    static constexpr glm::vec3 outside_color{0.16f, 0.20f, 0.28f}, away_color{0.36f, 0.13f, 0.17f},
+    static constexpr glm::vec3 outside_color{0.16f, 0.20f, 0.28f}, away_color{0.34f, 0.27f, 0.25f},
         faded_color{0.62f, 0.70f, 0.72f};
 
     /// Each front face adds 1, each back face takes 1 away: seen from outside, a closed surface sums up to 0.
@@ -133,7 +133,7 @@ private:
         const bool one_sided = surface_.is_one_sided() && purpose.text != "PROBE_winding";
         glUseProgram(program);
         surface_.set(program, seen);
-        known_.set(program, surface_, 3);
+        known_.set(program, surface_, method_ == by_error, 3);
         program.set("u_seen_from", seen.camera.eye() - surface_.origin);
         program.set("u_eye", eye.camera.eye() - surface_.origin);
         const auto planes = planes_of(eye.camera, surface_.origin);
@@ -159,7 +159,7 @@ private:
         labels_.caption(size, tile, 0, fmt::format("{} triangles", triangles));
         if (levels_of_ == 0) return;
         const std::vector<glm::ivec2> found = holes(eye);
-        const float top = float(size.y - tile.corner.y), side = std::max(3.0f, 0.012f * float(tile.size.y));
+        const float top = float(size.y - tile.corner.y), side = std::max(3.0f, 0.009f * float(tile.size.y));
         for (const glm::ivec2 hole : found)
             labels_.rectangle(glm::vec2(float(tile.corner.x + hole.x) + 0.5f, top - float(hole.y) - 0.5f) - side / 2,
                               glm::vec2(side), {1, 0.25f, 0.1f, 0.75f});
@@ -186,7 +186,7 @@ private:
             place.x += line * 1.75f + Labels::width(text, line);
         };
         for (int octave = 0; octave < level_octaves; ++octave)
-            chip(std::to_string(1 << octave), heat_color(0.16 + 0.8 * octave / (level_octaves - 1)));
+            chip(std::to_string(1 << octave), heat_color(0.24 + 0.73 * octave / (level_octaves - 1)));
         place = {float(tile.corner.x) + gap * 2, bottom - line - gap};
         if (cull_ > 0) chip("outside", outside_color);
         if (cull_ > 1 && surface_.is_one_sided()) chip("facing away", away_color);

@@ -135,12 +135,13 @@ Facing facing_of(std::span<const PatchCorner> patch, const PatchHeights& heights
     return facing;
 }
 
-void PatchTexture::set(const Program& program, const DisplacedSurface& surface, int unit) {
-    if (!texture_ || version_ != surface.version() || scale_ != surface.scale()) {
-        if (version_ != surface.version()) known_.clear();
+void PatchTexture::set(const Program& program, const DisplacedSurface& surface, bool with_errors, int unit) {
+    const bool is_old = version_ != surface.version() || (with_errors && !has_errors_);
+    if (!texture_ || is_old || scale_ != surface.scale()) {
+        if (is_old) known_.clear(), has_errors_ = with_errors;
         version_ = surface.version(), scale_ = surface.scale();
         const auto make = [this, &surface] {
-            if (known_.empty()) known_ = known_of(surface);
+            if (known_.empty()) known_ = known_of(surface, has_errors_);
             return image(surface.patches(), known_, double(scale_));
         };
         texture_.emplace("patches", make, TextureOptions{.mips = false});
@@ -148,12 +149,12 @@ void PatchTexture::set(const Program& program, const DisplacedSurface& surface, 
     program.set("s_patches", unit, *texture_);
 }
 
-std::vector<PatchHeights> PatchTexture::known_of(const DisplacedSurface& surface) {
+std::vector<PatchHeights> PatchTexture::known_of(const DisplacedSurface& surface, bool with_errors) {
     std::vector<HeightCorner> corners;
     const std::vector<PatchCorner>& points = surface.patches().points;
     for (const PatchCorner& point : points)
         corners.push_back({point.vertex.position, point.vertex.uv, point.height_uv, point.edge_uv});
-    std::vector<PatchHeights> known = measure_patches(corners, surface.corners(), surface.heights());
+    std::vector<PatchHeights> known = measure_patches(corners, surface.corners(), surface.heights(), with_errors);
     const size_t n = size_t(surface.corners());
     for (size_t i = 0; i < known.size(); ++i) {
         const PatchCorner* const patch = &points[i * n];

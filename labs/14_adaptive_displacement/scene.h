@@ -44,11 +44,11 @@ class PatchTexture {
 public:
     static constexpr int rows = 14, patches_a_line = 64;
 
-    /// Binds s_patches; the program is in use.
-    void set(const Program& program, const DisplacedSurface& surface, int unit);
+    /// Binds s_patches; the program is in use. Errors take a while, and only one method asks for them.
+    void set(const Program& program, const DisplacedSurface& surface, bool with_errors, int unit);
 
     /// Errors are those of what is pressed in along turning directions, too.
-    static std::vector<PatchHeights> known_of(const DisplacedSurface& surface);
+    static std::vector<PatchHeights> known_of(const DisplacedSurface& surface, bool with_errors);
     static Image image(const PatchMesh& patches, const std::vector<PatchHeights>& known, double scale);
 
 private:
@@ -56,6 +56,7 @@ private:
     std::vector<PatchHeights> known_;
     int version_ = 0;
     float scale_ = 0;
+    bool has_errors_ = false;
 };
 
 }  // namespace relief::adaptive

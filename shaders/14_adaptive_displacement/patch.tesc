@@ -66,7 +66,7 @@ float level_of(vec3 a, vec3 b, vec4 coarse, vec4 fine) {
     return level_by_size(a, b, u_eye, u_pixels_per_radian, u_pixels_per_segment);
 #elif METHOD == ERROR
     float away = nearest(middle, half_ + u_scale);
-    return possible_level(level_by_error(coarse, fine, tolerated(away, u_pixels_per_radian, u_budget, u_scale)));
+    return level_by_error(coarse, fine, tolerated(away, u_pixels_per_radian, u_budget, u_scale));
 #else
     return u_level;
 #endif
@@ -77,7 +77,7 @@ float level_of_inside(vec4 flat_) {
 #if METHOD == ERROR
     if (is_faded(flat_.xyz, flat_.w)) return 1.0;
     float away = nearest(flat_.xyz, flat_.w + u_scale);
-    return possible_level(level_by_error(known(4), known(5), tolerated(away, u_pixels_per_radian, u_budget, u_scale)));
+    return level_by_error(known(4), known(5), tolerated(away, u_pixels_per_radian, u_budget, u_scale));
 #else
     return 1.0;
 #endif

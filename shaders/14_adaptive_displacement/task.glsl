@@ -2,12 +2,26 @@
 
 #include "common/unfinished.glsl"
 
-// TASK 14.1 (3 points): the level of an edge by distance. possible_level() keeps a level within 1 and 64, which is what the
-// tessellator can do; one that is not a number becomes 1. level_by_distance() is 2^finest where the middle of the edge from
-// a to b is `nearest` metres from the eye, or nearer; 2^coarsest where it is `farthest` metres, or farther; in between the
-// exponent is a straight line over the distance. The patch on the other side of the edge has a and b the other way round,
-// and must get the very same bits: so nothing may depend on which end is which. `precise` keeps a compiler from fusing a
-// product with one sum and not with another.
+// TASK 14.1 (3 points): the level of an edge by distance: 2^finest where the middle of the edge from a to b is `nearest` metres
+// from the eye, or nearer; 2^coarsest where it is `farthest` metres, or farther; in between the exponent is a straight line
+// over the distance. The patch on the other side of the edge has a and b the other way round, and must get the very same
+// bits: so nothing may depend on which end is which. `precise` keeps a compiler from fusing a product with one sum and not
+// with another.
+float level_by_distance(vec3 a, vec3 b, vec3 eye, float nearest, float farthest, float finest, float coarsest) {
+    //[solution
+    precise float share = clamp((distance(0.5 * (a + b), eye) - nearest) / (farthest - nearest), 0.0, 1.0);
+    precise float level = exp2(mix(finest, coarsest, share));
+    return level;
+    //]starter
+    //| return unfinished(4.0);
+    //]
+}
+
+// TASK 14.2 (3 points): by size. Take the edge as the diameter of a sphere around its middle: so many pixels has that on the
+// screen, and one segment may have `pixels_per_segment` of them. What is seen under an angle of one radian has
+// `pixels_per_radian` pixels. Unlike the edge's own length on the screen, this does not shrink when the edge turns towards
+// the eye. possible_level() keeps a level within 1 and 64, which is what the tessellator can do, and makes 1 of one that is
+// not a number: level 0 would cull the whole patch, and so an edge without length would.
 float possible_level(float level) {
     //[solution
     return level > 1.0 ? min(level, 64.0) : 1.0;
@@ -16,20 +30,6 @@ float possible_level(float level) {
     //]
 }
 
-float level_by_distance(vec3 a, vec3 b, vec3 eye, float nearest, float farthest, float finest, float coarsest) {
-    //[solution
-    precise float share = clamp((distance(0.5 * (a + b), eye) - nearest) / (farthest - nearest), 0.0, 1.0);
-    precise float level = exp2(mix(finest, coarsest, share));
-    return possible_level(level);
-    //]starter
-    //| return unfinished(4.0);
-    //]
-}
-
-// TASK 14.2 (2 points): by size. Take the edge as the diameter of a sphere around its middle: so many pixels has that on the
-// screen, and one segment may have `pixels_per_segment` of them. What is seen under an angle of one radian has
-// `pixels_per_radian` pixels. Unlike the edge's own length on the screen, this does not shrink when the edge turns towards
-// the eye.
 float level_by_size(vec3 a, vec3 b, vec3 eye, float pixels_per_radian, float pixels_per_segment) {
     //[solution
     precise float pixels = distance(a, b) * pixels_per_radian / distance(0.5 * (a + b), eye);
