@@ -21,7 +21,7 @@ double level_by_size(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
 }
 
 double tolerated(double distance, double pixels_per_radian, double budget, double scale) {
-    return budget * distance / (pixels_per_radian * scale);
+    return scale > 0 ? budget * distance / (pixels_per_radian * scale) : 1e30;
 }
 
 double level_by_error(const std::array<double, 7>& errors, double tolerance) {

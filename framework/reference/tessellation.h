@@ -26,11 +26,11 @@ double level_by_size(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3&
                      double pixels_per_segment);
 
 /// By how much a height in [0, 1] may be off, `distance` metres away, where the screen may show `budget` pixels of it.
-/// Infinite or not a number for a relief without depth.
+/// A relief without depth tolerates anything, 1e30.
 double tolerated(double distance, double pixels_per_radian, double budget, double scale);
 
 /// The least level whose error is tolerated, 64 where none is. `errors` are those of levels 1, 2, 4, ... 64 and never
-/// rise; between two levels the error is linear over the exponent of 2. A tolerance that is not a number tolerates all.
+/// rise; between two levels the error is linear over the exponent of 2.
 double level_by_error(const std::array<double, 7>& errors, double tolerance);
 
 /// Edge i goes from corner i to the next: in the order of gl_TessLevelOuter.

@@ -12,7 +12,7 @@ in vec4 v_tangent;
 in vec2 v_uv;
 in vec3 v_place;
 in float v_left;
-in float v_level;
+flat in float v_level;
 flat in int v_verdict;
 in float v_unfinished;
 

@@ -21,7 +21,7 @@ out vec4 v_tangent;
 out vec2 v_uv;
 out vec3 v_place;  // on the patch, and which it is
 out float v_left;  // of the displacement
-out float v_level;
+flat out float v_level;
 flat out int v_verdict;
 out float v_unfinished;
 

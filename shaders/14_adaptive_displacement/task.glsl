@@ -40,12 +40,13 @@ float level_by_size(vec3 a, vec3 b, vec3 eye, float pixels_per_radian, float pix
 }
 
 // TASK 14.3 (4 points): by error. tolerated() says how far a height in [0, 1] may be off where the screen may show `budget`
-// pixels of it: the relief is `scale` metres deep and `distance_` metres away. How far heights are off at the levels 1, 2, 4, 8
-// (coarse) and 16, 32, 64 (the first three of fine) is known, and never rises. level_by_error() is the least level whose error
-// is tolerated, 64 where none is; between two levels the error is a straight line over the exponent of 2.
+// pixels of it: the relief is `scale` metres deep and `distance_` metres away; one without depth tolerates anything, 1e30.
+// How far heights are off at the levels 1, 2, 4, 8 (coarse) and 16, 32, 64 (the first three of fine) is known, and never rises.
+// level_by_error() is the least level whose error is tolerated, 64 where none is; between two levels the error is a straight
+// line over the exponent of 2.
 float tolerated(float distance_, float pixels_per_radian, float budget, float scale) {
     //[solution
-    return budget * distance_ / (pixels_per_radian * scale);
+    return scale > 0.0 ? budget * distance_ / (pixels_per_radian * scale) : 1e30;
     //]starter
     //| return unfinished(1.0);
     //]
