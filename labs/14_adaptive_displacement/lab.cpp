@@ -123,7 +123,7 @@ private:
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     }
 
-    /// Levels and culling go by `eye`, the picture by `seen`. How many triangles were drawn.
+    /// Levels and culling go by `eye`, the picture by `seen`. How many triangles were drawn, but for a probe.
     int draw_surface(const Frame& eye, const Frame& seen, const Define& purpose) {
         const Program& program =
             program_.with({purpose, surface_.corners_define(), fmt::format("CORNERS {}", surface_.corners()),
@@ -150,7 +150,11 @@ private:
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (one_sided) glEnable(GL_CULL_FACE);
-        const int triangles = surface_.draw_and_count();
+        int triangles = 0;
+        if (seen.probe)
+            surface_.draw();
+        else
+            triangles = surface_.draw_and_count();
         glDisable(GL_CULL_FACE);
         return triangles;
     }
