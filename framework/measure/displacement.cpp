@@ -192,9 +192,9 @@ void add_spacings(Scenes& scenes) {
     DisplacedSurface surface;
     surface.shape = DisplacedSurface::torus, surface.density = 4, surface.depth = 0.1f;
     surface.material.map = int(HeightMap::stones), surface.material.size = 1;
-    const TessellatedMesh truth(
+    const TessellatedMesh micro(
         micro_polygons(surface.patches(), HeightField(surface.heights(), true), double(surface.scale()), 192), 192);
-    truth.draw(scenes.target(), Camera(camera, 1));
+    micro.draw(scenes.target(), Camera(camera, 1));
     const Image exact = scenes.target().read();
     const HeightField heights(surface.heights(), true);
     const Camera seen(camera, 1);
