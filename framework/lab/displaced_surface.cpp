@@ -57,13 +57,16 @@ Mesh DisplacedSurface::mesh() const {
         case torus:
             return make_torus(
                 {.ring_radius = 1, .tube_radius = 0.4f, .sides = 3 * density, .rows = density, .repeat = tiles});
-        case column:
-            return make_column({.bottom_radius = 0.5f,
-                                .top_radius = 0.5f,
-                                .height = 2,
-                                .sides = std::max(3, density),
-                                .rows = std::max(1, density / 2),
-                                .repeat = tiles});
+        case column: {
+            Mesh mesh = make_column({.bottom_radius = 0.5f,
+                                     .top_radius = 0.5f,
+                                     .height = 2,
+                                     .sides = std::max(3, density),
+                                     .rows = std::max(1, density / 2),
+                                     .repeat = tiles});
+            for (Vertex& vertex : mesh.vertices) vertex.position.y -= 1;  // around the origin, as all others are
+            return mesh;
+        }
         case box:
             return make_box({.size = glm::vec3(1.5f), .cells = glm::ivec3(std::max(1, density / 2)), .repeat = tiles});
         case urn:
