@@ -32,7 +32,7 @@ public:
             }
             glPolygonOffset(1, 1);
             glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines lie in front
-            const int triangles = draw_surface(part, method, {});
+            const int triangles = draw_surface(part, method, "");
             glDisable(GL_POLYGON_OFFSET_FILL);
             if (show_ != light) draw_wire(part, tiles[i], method, triangles);
             if (view_ != one) describe(frame.size, tiles[i], method, triangles);
