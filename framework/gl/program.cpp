@@ -62,7 +62,7 @@ std::vector<ShaderSource> load_shaders(const std::vector<fs::path>& stages, cons
 Program::Program(const std::vector<fs::path>& stages, const std::vector<std::string>& defines)
     : Program(load_shaders(stages, defines)) {}
 
-Program::Program(const std::vector<ShaderSource>& stages, const std::vector<const char*>& captured) {
+Program::Program(const std::vector<ShaderSource>& stages) {
     std::vector<ShaderName> shaders;
     for (const ShaderSource& source : stages) {
         known_.insert(source.names.begin(), source.names.end());
@@ -71,8 +71,6 @@ Program::Program(const std::vector<ShaderSource>& stages, const std::vector<cons
         glAttachShader(name_, shaders.back());
     }
     label(GL_PROGRAM, name_, title_);
-    if (!captured.empty())
-        glTransformFeedbackVaryings(name_, GLsizei(captured.size()), captured.data(), GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(name_);
     GLint done = GL_FALSE;
     glGetProgramiv(name_, GL_LINK_STATUS, &done);

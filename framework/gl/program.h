@@ -26,9 +26,8 @@ public:
     /// Compiles and links `stages` (paths; the ending says which stage: .vert .tesc .tese .geom .frag).
     /// Throws Error with the file and line of the first mistake, and the whole log as details.
     Program(const std::vector<std::filesystem::path>& stages, const std::vector<std::string>& defines);
-    /// The same from text that is read already. `captured` are outputs of the last stage before the rasteriser that
-    /// transform feedback writes, one after the other.
-    explicit Program(const std::vector<ShaderSource>& stages, const std::vector<const char*>& captured = {});
+    /// The same from text that is read already.
+    explicit Program(const std::vector<ShaderSource>& stages);
 
     operator GLuint() const { return name_; }
 

@@ -44,8 +44,14 @@ bool is_convex(const std::array<glm::dvec3, 4>& quad) {
     return true;
 }
 
-/// The quad that two triangles are, from the first corner of the first; `same[i]` is the vertex that vertex i counts
-/// as.
+/// Two corners in one place: nothing to see, but displaced by what lies between their uv it would be a fin.
+bool is_slit(const Mesh& mesh, const uint32_t* triangle) {
+    const glm::vec3 &a = mesh.vertices[triangle[0]].position, &b = mesh.vertices[triangle[1]].position,
+                    &c = mesh.vertices[triangle[2]].position;
+    return a == b || b == c || c == a;
+}
+
+/// The quad that two triangles are, from the first corner of the first. Vertex i counts as vertex same[i].
 std::optional<std::array<uint32_t, 4>> joined(const Mesh& mesh, const Buffer<uint32_t>& same,
                                               const uint32_t* triangles) {
     const std::array<uint32_t, 3> one = {triangles[0], triangles[1], triangles[2]};
@@ -59,7 +65,7 @@ std::optional<std::array<uint32_t, 4>> joined(const Mesh& mesh, const Buffer<uin
             std::array<glm::dvec3, 4> positions;
             for (size_t m = 0; m < 4; ++m) positions[m] = mesh.vertices[quad[m]].position;
             if (!is_convex(positions)) continue;
-            // As quad, the first corner comes first when it is opposite the shared edge, else second or last.
+            // It has begun opposite the shared edge.
             std::rotate(quad.begin(), quad.begin() + (i == 0 ? 1 : i == 1 ? 0 : 3), quad.end());
             return quad;
         }
@@ -75,6 +81,7 @@ std::optional<std::vector<uint32_t>> paired(const Mesh& mesh) {
     for (size_t i = 0; i < mesh.indices.size(); i += 6) {
         const auto quad = joined(mesh, same, &mesh.indices[i]);
         if (!quad) return {};
+        if (is_slit(mesh, &mesh.indices[i]) && is_slit(mesh, &mesh.indices[i + 3])) continue;
         quads.insert(quads.end(), quad->begin(), quad->end());
     }
     return quads;
@@ -104,27 +111,37 @@ Vertex middle(std::initializer_list<const Vertex*> vertices) {
 
 /// Each triangle as three quads, which meet in its middle.
 Mesh split(const Mesh& mesh) {
-    Mesh result;
-    result.vertices.reserve(mesh.indices.size() / 3 * 7);
+    Mesh result{.vertices = mesh.vertices, .indices = {}};
+    result.vertices.reserve(mesh.vertices.size() + mesh.indices.size() / 3 * 4);
     result.indices.reserve(mesh.indices.size() * 4);
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const Vertex *a = &mesh.vertices[mesh.indices[i]], *b = &mesh.vertices[mesh.indices[i + 1]],
-                     *c = &mesh.vertices[mesh.indices[i + 2]];
-        const auto first = static_cast<uint32_t>(result.vertices.size());
-        for (const Vertex& vertex : {*a, *b, *c, middle({a, b}), middle({b, c}), middle({c, a}), middle({a, b, c})})
-            result.vertices.push_back(vertex);
-        for (const uint32_t corner : {0, 3, 6, 5, 1, 4, 6, 3, 2, 5, 6, 4}) result.indices.push_back(first + corner);
+        const uint32_t *const triangle = &mesh.indices[i], first = uint32_t(result.vertices.size());
+        const Vertex *a = &mesh.vertices[triangle[0]], *b = &mesh.vertices[triangle[1]],
+                     *c = &mesh.vertices[triangle[2]];
+        result.vertices.insert(result.vertices.end(),
+                               {middle({a, b}), middle({b, c}), middle({c, a}), middle({a, b, c})});
+        const uint32_t ab = first, bc = first + 1, ca = first + 2, centre = first + 3;
+        result.indices.insert(result.indices.end(),
+                              {triangle[0], ab, centre, ca, triangle[1], bc, centre, ab, triangle[2], ca, centre, bc});
     }
     return result;
 }
 
 /// The mesh with `corners` indices a patch.
 Mesh cut(Mesh mesh, int corners) {
-    if (corners == 3) return mesh;
-    auto quads = paired(mesh);
-    if (!quads) return split(mesh);
-    mesh.indices = std::move(*quads);
-    return mesh;
+    if (corners == 4)
+        if (auto quads = paired(mesh)) {
+            mesh.indices = std::move(*quads);
+            return mesh;
+        }
+    size_t kept = 0;
+    for (size_t i = 0; i < mesh.indices.size(); i += 3)
+        if (!is_slit(mesh, &mesh.indices[i])) {
+            std::copy_n(&mesh.indices[i], 3, &mesh.indices[kept]);
+            kept += 3;
+        }
+    mesh.indices.resize(kept);
+    return corners == 3 ? mesh : split(mesh);
 }
 
 /// The patches' corners, and where they meet.
@@ -138,7 +155,6 @@ struct Meeting {
         const size_t first = corner - corner % corners;
         return first + (corner - first + steps) % corners;
     }
-    size_t patch(size_t corner) const { return corner / corners; }
 };
 
 /// The angle of its patch at a corner. Where a side has no length the last of the corners that coincide has it.
@@ -186,23 +202,11 @@ void share_places(const Meeting& meeting) {
 }
 
 /// One pair of uv for each edge, and what they say of the spacing in each place. Returns whether the mesh is closed.
-bool share_edges(const Meeting& meeting) {
-    struct Edge {
-        uint64_t places;  ///< the lower one above: a key for both ways
-        uint32_t from;    ///< the corner
-        auto operator<=>(const Edge&) const = default;
-    };
+/// `corners` are those in each place.
+bool share_edges(const Meeting& meeting, const CornerLists& corners) {
     std::vector<PatchCorner>& points = meeting.points;
-    std::vector<Edge> edges;
-    edges.reserve(points.size());
-    for (size_t i = 0; i < points.size(); ++i) {
-        const auto [low, high] = std::minmax({meeting.place[i], meeting.place[meeting.after(i)]});
-        if (low == high)
-            points[i].edge_uv = {points[i].height_uv, points[i].height_uv};
-        else
-            edges.push_back({uint64_t(low) << 32 | high, uint32_t(i)});
-    }
-    std::sort(edges.begin(), edges.end());
+    for (size_t i = 0; i < points.size(); ++i)  // of a side without length, it stays
+        points[i].edge_uv = {points[i].height_uv, points[i].height_uv};
 
     struct Lengths {
         glm::dvec2 sum{0};
@@ -210,34 +214,39 @@ bool share_edges(const Meeting& meeting) {
     };
     std::vector<Lengths> lengths(meeting.places);
     bool is_closed = true;
-    for (size_t begin = 0, end; begin < edges.size(); begin = end) {
-        for (end = begin; end < edges.size() && edges[end].places == edges[begin].places;) ++end;
-        const uint32_t owner = edges[begin].from;
-        const Vertex &here = points[owner].vertex, &there = points[meeting.after(owner)].vertex;
-        const auto is_along = [&](const Edge& edge) { return meeting.place[edge.from] == meeting.place[owner]; };
-        for (size_t i = begin; i < end; ++i)
-            points[edges[i].from].edge_uv =
-                is_along(edges[i]) ? glm::vec4(here.uv, there.uv) : glm::vec4(there.uv, here.uv);
-
-        const glm::dvec2 length(glm::distance(glm::dvec3(here.position), glm::dvec3(there.position)),
-                                glm::distance(glm::dvec2(here.uv), glm::dvec2(there.uv)));
-        if (std::isfinite(length.x) && std::isfinite(length.y))
-            for (const uint32_t corner : {owner, uint32_t(meeting.after(owner))}) {
-                Lengths& at = lengths[meeting.place[corner]];
-                at.sum += length, ++at.count;
-            }
-
-        int along = 0, against = 0;
-        for (size_t i = begin; i < end; ++i) {
-            // A triangle with two corners in one place, as at a pole, runs there and back and closes nothing.
-            const bool turns_back = i + 1 < end && meeting.patch(edges[i].from) == meeting.patch(edges[i + 1].from) &&
-                                    is_along(edges[i]) != is_along(edges[i + 1]);
-            if (turns_back)
-                ++i;
-            else
-                ++(is_along(edges[i]) ? along : against);
+    struct Edge {
+        uint32_t other;  ///< the place at its other end
+        uint32_t from;   ///< the corner
+        auto operator<=>(const Edge&) const = default;
+    };
+    std::vector<Edge> edges;  // of one place, those of one edge in a row
+    for (uint32_t place = 0; place < meeting.places; ++place) {
+        edges.clear();
+        for (const uint32_t corner : corners.at(place)) {
+            const size_t next = meeting.after(corner), before = meeting.after(corner, meeting.corners - 1);
+            if (meeting.place[next] > place) edges.push_back({meeting.place[next], corner});
+            if (meeting.place[before] > place) edges.push_back({meeting.place[before], uint32_t(before)});
         }
-        is_closed = is_closed && along == against && along <= 1;
+        std::sort(edges.begin(), edges.end());
+        for (size_t begin = 0, end; begin < edges.size(); begin = end) {
+            for (end = begin; end < edges.size() && edges[end].other == edges[begin].other;) ++end;
+            const uint32_t owner = edges[begin].from;
+            const Vertex &here = points[owner].vertex, &there = points[meeting.after(owner)].vertex;
+            const auto is_along = [&](const Edge& edge) { return meeting.place[edge.from] == meeting.place[owner]; };
+            for (size_t i = begin; i < end; ++i)
+                points[edges[i].from].edge_uv =
+                    is_along(edges[i]) ? glm::vec4(here.uv, there.uv) : glm::vec4(there.uv, here.uv);
+
+            const glm::dvec2 length(glm::distance(glm::dvec3(here.position), glm::dvec3(there.position)),
+                                    glm::distance(glm::dvec2(here.uv), glm::dvec2(there.uv)));
+            if (std::isfinite(length.x) && std::isfinite(length.y))
+                for (const uint32_t corner : {owner, uint32_t(meeting.after(owner))}) {
+                    Lengths& at = lengths[meeting.place[corner]];
+                    at.sum += length, ++at.count;
+                }
+
+            is_closed = is_closed && end - begin == 2 && !is_along(edges[begin + 1]);
+        }
     }
     for (size_t i = 0; i < points.size(); ++i) {
         const Lengths& at = lengths[meeting.place[i]];
@@ -246,19 +255,22 @@ bool share_edges(const Meeting& meeting) {
     return is_closed;
 }
 
+/// For each vertex the first one in its place.
+Buffer<uint32_t> places_of(const Mesh& mesh) {
+    Mesh positions;
+    positions.vertices.reserve(mesh.vertices.size());
+    for (const Vertex& vertex : mesh.vertices)
+        positions.vertices.push_back({.position = vertex.position, .normal = {}, .tangent = {}, .uv = {}});
+    return welded_vertices(positions);
+}
+
 }  // namespace
 
 PatchMesh make_patches(const Mesh& mesh, int corners) {
     check_indices(mesh);
     if (corners != 3 && corners != 4) throw Error(fmt::format("a patch has 3 or 4 corners, not {}", corners));
     const Mesh pieces = cut(snapped(mesh), corners);
-
-    // A vertex that is nothing but its position is the same as another when both are in one place.
-    Mesh positions;
-    positions.vertices.reserve(pieces.vertices.size());
-    for (const Vertex& vertex : pieces.vertices)
-        positions.vertices.push_back({.position = vertex.position, .normal = {}, .tangent = {}, .uv = {}});
-    const Buffer<uint32_t> place_of = welded_vertices(positions);
+    const Buffer<uint32_t> place_of = places_of(pieces);
 
     PatchMesh patches{.corners = corners, .points = std::vector<PatchCorner>(pieces.indices.size())};
     Buffer<uint32_t> place(pieces.indices.size());
@@ -268,7 +280,7 @@ PatchMesh make_patches(const Mesh& mesh, int corners) {
     }
     const Meeting meeting{patches.points, place, pieces.vertices.size(), size_t(corners)};
     share_places(meeting);
-    patches.is_closed = share_edges(meeting);
+    patches.is_closed = share_edges(meeting, CornerLists(pieces, place_of, 1));
     return patches;
 }
 

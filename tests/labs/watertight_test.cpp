@@ -1,0 +1,163 @@
+// Displaced surfaces that are closed stay closed: whatever the levels, the spacing, the depth and the view.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "tests/labs/feedback.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+constexpr unsigned seed = 20;
+
+/// `./relief test --all` asks for more.
+int view_count() {
+    const char* const wanted = std::getenv("RELIEF_RANDOM_VIEWS");
+    return wanted ? std::max(1, std::atoi(wanted)) : 200;
+}
+
+struct Dice {
+    std::mt19937 random{seed};
+    double between(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
+    /// As often below as above the middle of its octaves.
+    double octaves(double low, double high) { return std::exp2(between(std::log2(low), std::log2(high))); }
+    template <size_t count>
+    const char* one_of(const char* const (&names)[count]) {
+        return names[random() % count];
+    }
+};
+
+/// A closed shape in one of the two labs; what it is compiled with stays, the rest is thrown anew for each view.
+struct Scene {
+    const char* lab;
+    std::string shape;
+    std::vector<Knob> fixed;
+    std::string text() const {
+        std::string all = std::string("lab ") + lab;
+        for (const auto& [name, value] : fixed) all += " " + name + "=" + value;
+        return all;
+    }
+};
+
+Scene random_scene(Dice& dice, bool with_cracks) {
+    Scene scene{with_cracks || dice.random() % 3 ? "14" : "13", dice.one_of({"sphere", "globe", "torus", "box"}), {}};
+    scene.fixed = {{"surface", scene.shape},
+                   {"corners", dice.one_of({"3", "4"})},
+                   {"spacing", dice.one_of({"equal", "fractional-odd", "fractional-even"})},
+                   {"patches", std::to_string(2 + dice.random() % 3)},
+                   {"map", dice.one_of({"smooth", "fbm", "bricks", "stones", "posts"})},
+                   {"size", "256"},
+                   {"bits", dice.one_of({"float", "8"})}};
+    if (*scene.lab == '1' && scene.lab[1] == '3') {
+        scene.fixed.emplace_back("view", "one");
+        scene.fixed.emplace_back("mip", dice.one_of({"base", "level"}));
+    } else {
+        scene.fixed.emplace_back("view", "eye");
+        scene.fixed.emplace_back("method", dice.one_of({"distance", "size", "error"}));
+        scene.fixed.emplace_back("levels_of", with_cracks ? "patch" : "edge");
+    }
+    return scene;
+}
+
+std::vector<Knob> random_levels(Dice& dice, const Scene& scene) {
+    const auto text = [](double value) { return std::to_string(value); };
+    std::vector<Knob> knobs = {{"depth", text(dice.octaves(0.001, 0.2))}};
+    if (scene.lab[1] == '3') {
+        knobs.emplace_back("level", text(dice.octaves(1, 24)));
+        knobs.emplace_back("inside", text(dice.random() % 2 ? dice.octaves(1, 24) : 0));
+        return knobs;
+    }
+    const double nearest = dice.between(0.2, 3);
+    knobs.insert(knobs.end(), {{"nearest", text(nearest)},
+                               {"farthest", text(nearest + dice.between(0.5, 4))},
+                               {"finest", text(dice.between(2, 4.5))},
+                               {"coarsest", text(dice.between(0, 3))},
+                               {"segment", text(dice.octaves(2, 32))},
+                               {"budget", text(dice.octaves(0.25, 8))},
+                               {"fade", dice.random() % 2 ? "true" : "false"},
+                               {"fade_begin", text(dice.between(0, 3))},
+                               {"fade_end", text(dice.between(1, 6))}});
+    return knobs;
+}
+
+/// From outside at any distance, or from the middle of a shape that has one.
+Orbit random_view(Dice& dice, bool is_inside) {
+    Orbit orbit{.yaw = dice.between(0, 360), .pitch = dice.between(-85, 85)};
+    orbit.distance = is_inside ? 0.05 : dice.octaves(2, 8);
+    for (int i = 0; i < 3; ++i) orbit.target[i] = dice.between(-0.2, 0.2);
+    orbit.field_of_view = is_inside ? dice.between(40, 100) : dice.between(5, 60);
+    return orbit;
+}
+
+/// Pixels at which the surface is not entered as often as left; from inside it is left once more.
+size_t holes(const Image& winding, bool is_inside) {
+    size_t count = 0;
+    for (size_t i = 0; i < winding.values.size(); i += 4) count += winding.values[i] != (is_inside ? -1.0f : 0.0f);
+    return count;
+}
+
+struct Holes {
+    size_t pixels = 0, edges = 0;
+    int views = 0, views_with_holes = 0, captures_with_holes = 0;
+};
+
+/// Over random scenes, ten views each; fails the test where something is open, unless cracks are wanted.
+Holes look_for_holes(int views, bool with_cracks) {
+    Dice dice;
+    Holes all;
+    const Target target(TargetKind::probe, {96, 96});
+    while (all.views < views) {
+        const Scene scene = random_scene(dice, with_cracks);
+        Shot shot = shot_of(scene.lab, scene.fixed, "winding", target.size());
+        const auto lab = make_lab(find_lab(scene.lab), shot);
+        for (int i = 0; i < 10; ++i, ++all.views) {
+            const bool is_inside = scene.shape != "torus" && dice.random() % 3 == 0;
+            shot.camera = random_view(dice, is_inside);
+            std::string thrown;
+            for (const auto& [name, value] : random_levels(dice, scene)) {
+                set_knob(*lab, name, value);
+                thrown += " " + name + "=" + value;
+            }
+            const auto here = [&] {
+                return scene.text() + ", view " + std::to_string(all.views) + " of seed " + std::to_string(seed) + ":" +
+                       thrown;
+            };
+            if (i == 0) {
+                // Patches that are not drawn would leave their neighbours' edges open.
+                Shot whole = shot;
+                whole.set.emplace_back("cull", "none");
+                if (scene.lab[1] == '3') whole.set.pop_back();
+                const auto copy = make_lab(find_lab(scene.lab), whole);
+                for (const KnobText& knob : describe_knobs(*lab))
+                    if (knob.name != "cull") set_knob(*copy, knob.name, knob.value);
+                const std::vector<glm::vec3> triangles = triangles_of(*copy, whole);
+                EXPECT_GT(triangles.size(), 3u * 12) << here();
+                const size_t open = open_edges(triangles);
+                all.edges += open, all.captures_with_holes += open > 0;
+                EXPECT_TRUE(with_cracks || open == 0) << open << " open edges: " << here();
+            }
+            draw_lab(*lab, frame_of(shot, target));
+            const size_t open = holes(target.read(), is_inside);
+            all.pixels += open, all.views_with_holes += open > 0;
+            EXPECT_TRUE(with_cracks || open == 0) << open << " pixels: " << here();
+            if (testing::Test::HasFailure()) return all;
+        }
+    }
+    return all;
+}
+
+TEST(Watertight, NoPixelIsSeenThroughAClosedSurfaceAndNoEdgeIsOpen) {
+    std::printf("%d views, seed %u\n", view_count(), seed);
+    look_for_holes(view_count(), false);
+}
+
+TEST(Watertight, LevelsOfThePatchInsteadOfTheEdgeLeaveHoles) {
+    const Holes found = look_for_holes(40, true);
+    EXPECT_GT(found.views_with_holes, 4) << found.pixels << " pixels";
+    EXPECT_GT(found.captures_with_holes, 1) << found.edges << " edges";
+}
+
+}  // namespace
+}  // namespace relief
