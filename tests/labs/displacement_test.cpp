@@ -59,6 +59,16 @@ TEST(Displacement, ApproachesTheExactWallWithTheSquareOfTheLevel) {
         }
 }
 
+TEST(Displacement, IsTheSameWallFromBehindAndAtItsEdge) {
+    for (const double yaw : {155.0, 80.0}) {
+        Shot shot = one(with(smooth_wall, {{"level", "64"}}), "depth");
+        shot.camera = before_the_wall, shot.camera.yaw = yaw;
+        // Where hills hide each other a pixel may see one or the next.
+        EXPECT_LT(error_of("13", shot).mean, 0.001) << yaw;
+        EXPECT_LT(error_of("13", shot).p99, 0.01) << yaw;
+    }
+}
+
 TEST(Displacement, FractionalSpacingsMoveWithTheLevelAndEqualOnesJump) {
     std::vector<double> largest;
     for (const char* spacing : spacings) {
