@@ -111,7 +111,7 @@ private:
     void draw_wire(const Frame& frame, const Tile& tile, const Method& method, int triangles) {
         // Lines fade where they would hide what they are about: half the triangles face the eye on half of the tile.
         const float side = std::sqrt(2 * float(tile.size.x) * float(tile.size.y) / float(std::max(1, triangles)));
-        const float opacity = std::clamp((side - 4) / 10, 0.0f, 1.0f);
+        const float opacity = std::clamp((side - 4) / 10, show_ == wire ? 0.2f : 0.0f, 1.0f);
         if (opacity == 0) return;
         glBlendColor(0, 0, 0, opacity);
         glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
