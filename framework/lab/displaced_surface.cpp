@@ -31,7 +31,7 @@ constexpr std::array<Lay, 8> lays = {{{DisplacedSurface::wall_metres, {2, 2}},
 void DisplacedSurface::knobs(Knobs& knobs) {
     knobs.choice("surface", shape, shapes, "what the relief is pressed into");
     knobs.choice("corners", corners_choice, corner_counts, "of a patch");
-    knobs.steps("patches", density, 1, 128, "along a side, before tessellation; the urn has its own");
+    knobs.steps("patches", density, 1, most_density, "along a side, before tessellation; the urn has its own");
     material.knobs(knobs);
     knobs.slider("depth", depth, 0, 0.5f, "of the relief, in widths of a tile");
     knobs.steps("repeat", repeat, 1, 8, "how often the tile repeats");

@@ -14,7 +14,10 @@ namespace relief {
 
 class Displacement final : public Lab {
 public:
-    Displacement() { surface_.density = 4, surface_.material.map = 3, surface_.material.size = 1; }
+    Displacement() {
+        surface_.density = 4, surface_.material.map = 3, surface_.material.size = 1;
+        surface_.most_density = 32;  // at level 64 a ball of as many is 12 million triangles
+    }
 
     void draw(const Frame& frame) override {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
