@@ -105,4 +105,14 @@ void DisplacedSurface::draw() const {
     draw_patches(made_->uploaded.count(), made_->uploaded.control_points());
 }
 
+int DisplacedSurface::draw_and_count() const {
+    if (!count_) count_.emplace();
+    glBeginQuery(GL_PRIMITIVES_GENERATED, *count_);
+    draw();
+    glEndQuery(GL_PRIMITIVES_GENERATED);
+    GLint triangles = 0;
+    glGetQueryObjectiv(*count_, GL_QUERY_RESULT, &triangles);
+    return triangles;
+}
+
 }  // namespace relief

@@ -36,6 +36,8 @@ public:
     /// use.
     void set(const Program& program, const Frame& frame) const;
     void draw() const;
+    /// The same; how many triangles the tessellator made of it. Waits until they are drawn.
+    int draw_and_count() const;
 
     // The knobs. A lab may begin with others.
     ReliefMaterial material;
@@ -56,6 +58,7 @@ private:
     };
     mutable std::optional<Made> made_;
     mutable int version_ = 0;
+    mutable std::optional<QueryName> count_;
 };
 
 }  // namespace relief

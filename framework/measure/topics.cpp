@@ -4,7 +4,8 @@ namespace relief {
 
 std::span<const BenchTopic> bench_topics() {
     static const std::vector<BenchTopic> topics = {storage_topic(),      normals_topic(),  tangents_topic(),
-                                                   intersection_topic(), parallax_topic(), frames_topic()};
+                                                   intersection_topic(), parallax_topic(), displacement_topic(),
+                                                   frames_topic()};
     return topics;
 }
 

@@ -10,6 +10,7 @@ BenchTopic normals_topic();
 BenchTopic tangents_topic();
 BenchTopic intersection_topic();
 BenchTopic parallax_topic();
+BenchTopic displacement_topic();
 BenchTopic frames_topic();
 
 }  // namespace relief

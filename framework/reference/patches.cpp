@@ -1,5 +1,7 @@
 #include "framework/reference/patches.h"
 
+#include "framework/base/parallel.h"
+
 namespace relief {
 
 glm::dvec4 quad_weights(glm::dvec2 place) {
@@ -78,6 +80,48 @@ DisplacedPoint displaced_on(const PatchMesh& mesh, size_t patch, const PatchPlac
     }
     const glm::dvec2 size(heights.size()), texel = read_at * size;
     return displace(base, {heights.height(texel), heights.slope(texel) * size}, scale);
+}
+
+Mesh micro_polygons(const PatchMesh& mesh, const HeightField& heights, double scale, int n) {
+    const size_t side = size_t(n) + 1, patches = mesh.patches();
+    Mesh result;
+    result.vertices.resize(patches * side * side);
+    result.indices.resize(patches * size_t(n) * size_t(n) * 6);
+    parallel_pieces(patches, 1, 0, [&](size_t begin, size_t end) {
+        for (size_t patch = begin; patch < end; ++patch) {
+            Vertex* vertex = result.vertices.data() + patch * side * side;
+            for (size_t y = 0; y < side; ++y)
+                for (size_t x = 0; x < side; ++x, ++vertex) {
+                    const PatchPlace place{double(x) / n, double(y) / n, 0};
+                    const DisplacedPoint point = displaced_on(mesh, patch, place, heights, scale);
+                    *vertex = {point.position, point.normal, {}, glm::dvec2(place)};
+                }
+            uint32_t* index = result.indices.data() + patch * size_t(n) * size_t(n) * 6;
+            for (size_t y = 0; y < size_t(n); ++y)
+                for (size_t x = 0; x < size_t(n); ++x) {
+                    const auto a = uint32_t(patch * side * side + y * side + x), c = a + uint32_t(side);
+                    for (const uint32_t corner : {a, a + 1, c + 1, a, c + 1, c}) *index++ = corner;
+                }
+        }
+    });
+    return result;
+}
+
+std::vector<double> screen_errors(const Image& places, const PatchMesh& mesh, const HeightField& heights, double scale,
+                                  const glm::dmat4& clip_from_model) {
+    const glm::dvec2 size(places.width, places.height);
+    std::vector<double> errors;
+    for (int y = 0; y < places.height; ++y)
+        for (int x = 0; x < places.width; ++x) {
+            const float* const at = places.pixel(x, y);
+            if (at[0] == no_surface) continue;
+            const glm::dvec3 truth =
+                displaced_on(mesh, size_t(std::lround(at[2])), {at[0], at[1], 0}, heights, scale).position;
+            const glm::dvec4 clip = clip_from_model * glm::dvec4(truth, 1);
+            const glm::dvec2 pixel = (glm::dvec2(clip) / clip.w * glm::dvec2(0.5, -0.5) + 0.5) * size;
+            errors.push_back(glm::distance(pixel, glm::dvec2(x + 0.5, y + 0.5)));
+        }
+    return errors;
 }
 
 }  // namespace relief

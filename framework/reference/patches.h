@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
+#include "framework/image/image.h"
 #include "framework/mesh/patches.h"
 #include "framework/reference/displaced.h"
 #include "framework/reference/height_field.h"
@@ -32,5 +33,15 @@ using PatchPlace = glm::dvec3;
 /// Its normal is that of the inside, also on an edge whose heights are another patch's.
 DisplacedPoint displaced_on(const PatchMesh& mesh, size_t patch, const PatchPlace& place, const HeightField& heights,
                             double scale);
+
+/// That surface as a mesh of n x n squares of two triangles on each patch of four corners, at float positions, with
+/// normals of its own, the places on the patch as uv, and no tangents. Patch i has (n + 1)² vertices from i (n + 1)² on.
+Mesh micro_polygons(const PatchMesh& mesh, const HeightField& heights, double scale, int n);
+
+/// How far each pixel of a picture is, in pixels, from where the place of the surface that it shows should be seen.
+/// `places` holds PatchPlace.x and .y and the number of the patch for each pixel (4 channels), and no_surface
+/// elsewhere. For patches of four corners.
+std::vector<double> screen_errors(const Image& places, const PatchMesh& mesh, const HeightField& heights, double scale,
+                                  const glm::dmat4& clip_from_model);
 
 }  // namespace relief

@@ -27,7 +27,11 @@ out float v_unfinished;
 
 void main() {
     PatchVertex base = patch_vertex();
+#ifdef FADE
     v_left = remaining(distance(base.position, u_eye), u_fade.x, u_fade.y);
+#else
+    v_left = 1.0;
+#endif
     float depth = u_scale * v_left * (1.0 - textureLod(s_heights, base.height_uv, 0.0).r);
     v_position = base.position - depth * normalize(base.direction);
     v_normal = base.normal;
