@@ -137,7 +137,7 @@ private:
         labels_.caption(size, tile, -1, grouped(triangles) + " triangles", {0.62f, 0.63f, 0.65f});
     }
 
-    /// How many triangles were drawn.
+    /// How many triangles were drawn, for a picture.
     int draw_surface(const Frame& frame, const Method& method, const Define& purpose) {
         const Program& program =
             program_.with({purpose, surface_.corners_define(), fmt::format("CORNERS {}", surface_.corners()),
@@ -153,8 +153,8 @@ private:
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (surface_.is_one_sided() && purpose.text != "PROBE_winding") glEnable(GL_CULL_FACE);
-        // A probe has no caption; whoever draws it may count for himself.
-        const int triangles = purpose.text.starts_with("PROBE_") ? (surface_.draw(), 0) : surface_.draw_and_count();
+        // To count is to wait. A probe and lines have no caption; who draws a probe may count for himself.
+        const int triangles = purpose.text.empty() ? surface_.draw_and_count() : (surface_.draw(), 0);
         glDisable(GL_CULL_FACE);
         return triangles;
     }
