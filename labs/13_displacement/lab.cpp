@@ -16,7 +16,7 @@ class Displacement final : public Lab {
 public:
     Displacement() {
         surface_.density = 4, surface_.material.map = 3, surface_.material.size = 1;
-        surface_.most_density = 32;  // at level 64 a ball of as many is 12 million triangles
+        surface_.most_density = 32;  // at level 64 a sphere of as many is 12 million triangles
     }
 
     void draw(const Frame& frame) override {
