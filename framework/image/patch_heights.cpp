@@ -186,6 +186,23 @@ int cuts_for(glm::dvec2 uv, const Image& heights, int density) {
     return int(std::bit_ceil(unsigned(std::ceil(density * std::max<double>(texels, fewest_texels)))));
 }
 
+/// By how much chords are off at many places.
+class Offsets {
+public:
+    void take(double off) {
+        if (!(off >= 0)) return;  // not a number
+        most_ = std::max(most_, off), squares_ += off * off, ++count_;
+    }
+    double typical() const {
+        const double mean_square = squares_ / double(std::max<size_t>(1, count_));
+        return std::max(3 * std::sqrt(mean_square), most_ / 2);
+    }
+
+private:
+    double most_ = 0, squares_ = 0;
+    size_t count_ = 0;
+};
+
 /// `error(step)` is that of the level whose vertices are `step` samples apart. One sample between two vertices can miss
 /// a kink that is near one of them, and no sample sees none: so the error is no less than half of the level before, as
 /// a kink's is.
@@ -202,7 +219,7 @@ LevelErrors level_errors(int cuts, const Error& error) {
 }
 
 /// The same bits from either end: floats times dyadic weights are exact in doubles, and a sum has no order.
-LevelErrors edge_errors(const Image& heights, glm::vec4 uv) {
+LevelErrors edge_errors(const Image& heights, glm::vec4 uv, float& middle) {
     const glm::dvec2 begin(uv.x, uv.y), end(uv.z, uv.w);
     const int cuts = cuts_for(end - begin, heights, dense_on_edges);
     std::array<float, dense_on_edges * most_texels + 1> samples;
@@ -210,16 +227,18 @@ LevelErrors edge_errors(const Image& heights, glm::vec4 uv) {
         const double t = double(i) / cuts;
         samples[size_t(i)] = float(height_at(heights, begin * (1 - t) + end * t));
     }
+    const auto [low, high] = std::minmax_element(samples.begin(), samples.begin() + cuts + 1);
+    middle = 0.5f * (*low + *high);
     return level_errors(cuts, [&](int step) {
         const double share = 1.0 / step;
-        double worst = 0;
+        Offsets off;
         for (int first = 0; first < cuts; first += step)
             for (int i = 1; i < step; ++i) {
                 const float* const chord = samples.data() + first;
                 const double t = i * share;
-                worst = std::max(worst, std::abs(chord[i] - (chord[0] * (1 - t) + chord[step] * t)));
+                off.take(std::abs(chord[i] - (chord[0] * (1 - t) + chord[step] * t)));
             }
-        return worst;
+        return off.typical();
     });
 }
 
@@ -238,37 +257,32 @@ public:
                 const double s = double(i) / cuts_, t = double(j) / cuts_;
                 values_[place(i, j)] = float(height_at(heights, uv(0) + s * a + t * b + s * t * twist));
             }
-        return level_errors(cuts_, [&](int step) { return worst_of_cells(step); });
+        return level_errors(cuts_, [&](int step) {
+            Offsets off;
+            for (int j = 0; j < cuts_; j += step)
+                for (int i = 0; i < (is_triangle_ ? cuts_ - j : cuts_); i += step) take_cell(i, j, step, off);
+            return off.typical();
+        });
     }
 
 private:
     size_t place(int i, int j) const { return size_t(j * (cuts_ + 1) + i); }
 
-    float worst_of_cells(int step) const {
-        float worst = 0;
-        for (int j = 0; j < cuts_; j += step)
-            for (int i = 0; i < (is_triangle_ ? cuts_ - j : cuts_); i += step)
-                worst = std::max(worst, worst_of_cell(i, j, step));
-        return worst;
-    }
-
     /// Chords are the plane through three corners and, beyond a diagonal, a fold that reaches the fourth. Triangles
     /// have the falling diagonal, and along their longest side half cells.
-    float worst_of_cell(int i, int j, int step) const {
+    void take_cell(int i, int j, int step, Offsets& off) const {
         const bool is_half = is_triangle_ && i + j + step == cuts_;
         const float low = values_[place(i, j)], right = values_[place(i + step, j)] - low,
                     above = values_[place(i, j + step)] - low;
         const float share = 1 / float(step);
         const float fold = is_half ? 0 : values_[place(i + step, j + step)] - low - right - above;
-        float worst = 0;
         for (int v = 0; v <= step; ++v)
             for (int u = 0; u <= (is_half ? step - v : step); ++u) {
                 const float s = float(u) * share, t = float(v) * share;
-                const float off = values_[place(i + u, j + v)] - (low + s * right + t * above);
-                worst = std::max(worst, std::abs(off - fold * std::max(0.0f, s + t - 1)));
-                if (!is_triangle_) worst = std::max(worst, std::abs(off - fold * std::min(s, t)));
+                const float over = values_[place(i + u, j + v)] - (low + s * right + t * above);
+                const float one = std::abs(over - fold * std::max(0.0f, s + t - 1));
+                off.take(is_triangle_ ? one : std::max(one, std::abs(over - fold * std::min(s, t))));
             }
-        return worst;
     }
 
     static constexpr int longest_row = dense_inside * most_texels + 1;
@@ -303,7 +317,7 @@ std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, 
             if (with_errors) measured.inside = samples.errors(heights, patch);
             for (size_t k = 0; k < patch.size(); ++k) {
                 const HeightCorner& corner = patch[k];
-                if (with_errors) measured.edges[k] = edge_errors(heights, corner.edge_uv);
+                if (with_errors) measured.edges[k] = edge_errors(heights, corner.edge_uv, measured.edge_heights[k]);
                 const glm::vec2 here(corner.edge_uv), there(corner.edge_uv.z, corner.edge_uv.w);
                 for (const Box& box : {Box(here, there), Box(corner.height_uv, corner.height_uv)})
                     if (!inside.holds(box)) range.take_in(range_within(box));

@@ -22,7 +22,10 @@ struct HeightCorner {
 
 /// Levels 1, 2, 4, ..., 64.
 constexpr int level_octaves = 7;
-/// By how much chords are off at each of those levels, or at any level above it: never rising. In heights.
+/// By how much chords are off at each of those levels, or at any level above it: never rising. In heights. It is three
+/// times the root mean square, or half of the most where that is more: 99 of 100 places are within it, and none is off
+/// by more than twice as much. (With the most itself a rough relief takes 1.4 times the triangles for the same error of
+/// 99 of 100 pixels: patches differ in how rare their worst place is.)
 using LevelErrors = std::array<float, level_octaves>;
 
 struct PatchHeights {
@@ -32,8 +35,9 @@ struct PatchHeights {
     /// The most that the height at `uv` changes per metre of the flat patch, between any two of its places, in any mip
     /// level. Never more than 1e6, which is also what a patch has whose positions collapse and whose heights do not.
     float slope;
-    LevelErrors inside;                ///< of the patch cut evenly; of a quad's cells, with the worse of the diagonals
-    std::array<LevelErrors, 4> edges;  ///< of edge i, from corner i to the next; 3 of a triangle
+    LevelErrors inside;                 ///< of the patch cut evenly; of a quad's cells, with the worse of the diagonals
+    std::array<float, 4> edge_heights;  ///< in the middle between the lowest and the highest of each edge
+    std::array<LevelErrors, 4> edges;   ///< of edge i, from corner i to the next; 3 of a triangle
 };
 
 /// Each `corners` points are a patch, counter-clockwise: 3, or 4 whose places are (0, 0), (1, 0), (1, 1), (0, 1) of the

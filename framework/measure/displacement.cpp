@@ -1,5 +1,6 @@
-// Displacement: levels of lab 14 on a ground of hills, 512 x 512 pixels: time against how far places of the surface are
-// from where they should be on the screen; what culling saves; outlines; and how fast triangles are at all.
+// Displacement, 512 x 512 pixels: levels of lab 14 on a ground of hills, time against how far places of the surface are
+// from where they should be on the screen; what culling saves; lab 13's spacings on a torus of stones, where `wrong` is
+// the share of pixels that are apart from the outline of micro-polygons; and how fast triangles are at all.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -42,13 +43,18 @@ public:
         method.run = [draw] { draw(), glFinish(); };
     }
     void add_lab(const char* number, const std::string& name, const Set& scene, const Set& set, const Orbit& camera,
-                 const std::function<BenchError(const Image& place)>& error_of = {}) {
+                 const std::function<BenchError(const Image& place, const Image& depth)>& error_of = {}) {
         Shot shot{.size = size, .time = 0, .camera = camera, .probe = {"place"}, .set = scene};
         shot.set.insert(shot.set.end(), set.begin(), set.end());
         const std::shared_ptr<Lab> lab = make_lab(find_lab(number), shot);
         const auto draw = [lab, shot, target = target_] { draw_lab(*lab, frame_of(shot, *target)); };
-        draw();
-        add(name, set, draw, error_of ? error_of(target_->read()) : BenchError{});
+        BenchError error;
+        if (error_of) {
+            Shot deep = shot;
+            deep.probe = {"depth"};
+            error = error_of(take(*lab, shot), take(*lab, deep));
+        }
+        add(name, set, draw, error);
     }
 
     static constexpr glm::ivec2 size{512, 512};
@@ -67,10 +73,13 @@ BenchError pixels_off(std::vector<double> errors) {
     return error;
 }
 
-/// A mesh of its own vertices, tessellated beforehand: positions and nothing else.
-class PlainMesh {
+/// Micro-polygons, tessellated beforehand; what is drawn is each pixel's place, as the labs' probe has it.
+class TessellatedMesh {
 public:
-    explicit PlainMesh(const Mesh& mesh) : mesh_(upload([&mesh] { return mesh; })), count_(mesh_.count()) {}
+    TessellatedMesh(const Mesh& mesh, int n)
+        : vertices_a_patch_((n + 1) * (n + 1)), mesh_(upload([&] { return mesh; })) {
+        mesh_.layout();  // while the mesh is there
+    }
 
     void draw(const Target& target, const Camera& camera) const {
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
@@ -82,25 +91,29 @@ public:
         glClear(GL_DEPTH_BUFFER_BIT);
         glUseProgram(program_);
         program_.set("u_clip_from_world", camera.clip_from_world());
+        program_.set("u_vertices_a_patch", vertices_a_patch_);
         glBindVertexArray(mesh_.layout());
-        glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
+        glDrawElements(GL_TRIANGLES, mesh_.count(), GL_UNSIGNED_INT, nullptr);
         glDisable(GL_CULL_FACE);
         glDisable(GL_DEPTH_TEST);
     }
 
 private:
-    static ShaderSource stage(const char* file, const char* text) { return {file, text, {}, {"u_clip_from_world"}}; }
+    static ShaderSource stage(const char* file, const char* text) {
+        return {file, text, {}, {"u_clip_from_world", "u_vertices_a_patch"}};
+    }
 
-    Program program_{{stage("plain.vert",
+    Program program_{{stage("tessellated.vert",
                             "#version 410 core\nlayout(location = 0) in vec3 a_position;\n"
-                            "uniform mat4 u_clip_from_world;\nout vec3 v_position;\nvoid main() {\n"
-                            "    v_position = a_position;\n"
+                            "layout(location = 3) in vec2 a_uv;\nuniform mat4 u_clip_from_world;\n"
+                            "uniform int u_vertices_a_patch;\nout vec3 v_place;\nvoid main() {\n"
+                            "    v_place = vec3(a_uv, gl_VertexID / u_vertices_a_patch);\n"
                             "    gl_Position = u_clip_from_world * vec4(a_position, 1.0);\n}\n"),
-                      stage("plain.frag",
-                            "#version 410 core\nin vec3 v_position;\nlayout(location = 0) out vec4 o_color;\n"
-                            "void main() { o_color = vec4(v_position, 0.0); }\n")}};
+                      stage("tessellated.frag",
+                            "#version 410 core\nin vec3 v_place;\nlayout(location = 0) out vec4 o_color;\n"
+                            "void main() { o_color = vec4(v_place, 0.0); }\n")}};
+    int vertices_a_patch_;
     GpuMesh mesh_;
-    GLsizei count_;
 };
 
 /// Of pixels that one of two pictures covers: how many the other does not.
@@ -114,7 +127,7 @@ double share_apart(const Image& a, const Image& b) {
 }
 
 void add_levels(Scenes& scenes, bool quick) {
-    const Orbit camera{.yaw = 30, .pitch = 14, .distance = 7, .target = {0, -0.3, 0}};
+    const Orbit camera{.yaw = 30, .pitch = 7, .distance = 7.5, .target = {0, -0.5, 0}};
     DisplacedSurface surface;
     surface.shape = DisplacedSurface::ground, surface.density = 32, surface.depth = 0.1f;
     surface.material.map = int(HeightMap::fbm), surface.material.size = 2;
@@ -131,7 +144,7 @@ void add_levels(Scenes& scenes, bool quick) {
                        {"cull", "all"},
                        {"spacing", "fractional-odd"}};
     const Camera seen(camera, 1);
-    const auto off = [&](const Image& place) {
+    const auto off = [&](const Image& place, const Image&) {
         return pixels_off(
             screen_errors(place, surface.patches(), heights, double(surface.scale()), seen.clip_from_world()));
     };
@@ -146,55 +159,81 @@ void add_levels(Scenes& scenes, bool quick) {
     if (quick) return;
     add("uniform", "level", {"32"});
     for (const int n : {4, 8, 16}) {
-        // Its vertices are those of uniform levels, and so is its error.
-        const auto mesh =
-            std::make_shared<PlainMesh>(micro_polygons(surface.patches(), heights, double(surface.scale()), n));
+        const auto mesh = std::make_shared<TessellatedMesh>(
+            micro_polygons(surface.patches(), heights, double(surface.scale()), n), n);
         const auto target = std::make_shared<Target>(TargetKind::probe, Scenes::size);
-        scenes.add("mesh", {{"squares", fmt::format("{} x {} a patch", n, n)}},
-                   [mesh, target, seen] { mesh->draw(*target, seen); }, {});
+        mesh->draw(*target, seen);
+        scenes.add(
+            "mesh", {{"squares", fmt::format("{} x {} a patch", n, n)}},
+            [mesh, target, seen] { mesh->draw(*target, seen); }, off(target->read(), {}));
     }
 }
 
 void add_culling(Scenes& scenes) {
-    // From just above a corner, a tenth of the patches is in the picture.
-    const Orbit camera{.yaw = 45, .pitch = 8, .distance = 3, .target = {-2, 0, -2}, .field_of_view = 40};
-    for (const char* cull : {"none", "outside", "all"})
-        scenes.add_lab("14", std::string("cull-") + cull,
-                       {{"view", "eye"},
-                        {"surface", "ground"},
-                        {"corners", "4"},
-                        {"patches", "128"},
-                        {"map", "fbm"},
-                        {"size", "1024"},
-                        {"depth", "0.1"},
-                        {"fade", "off"},
-                        {"method", "uniform"},
-                        {"level", "6"}},
-                       {{"cull", cull}}, camera);
+    // A tenth of the patches is in the picture.
+    const Orbit camera{.yaw = 45, .pitch = 8, .distance = 3, .target = {-2, 0, -2}, .field_of_view = 27};
+    for (const Set& levels : {Set{{"method", "uniform"}, {"level", "1"}}, Set{{"method", "uniform"}, {"level", "8"}},
+                              Set{{"method", "uniform"}, {"level", "16"}}, Set{{"method", "error"}, {"budget", "1"}}})
+        for (const char* cull : {"none", "outside", "all"})
+            scenes.add_lab("14", "cull",
+                           {{"view", "eye"},
+                            {"surface", "ground"},
+                            {"corners", "4"},
+                            {"patches", "128"},
+                            {"map", "fbm"},
+                            {"size", "1024"},
+                            {"depth", "0.1"},
+                            {"fade", "off"}},
+                           {levels[0], levels[1], {"cull", cull}}, camera);
 }
 
-void add_outlines(Scenes& scenes) {
+void add_spacings(Scenes& scenes) {
     const Orbit camera{.yaw = 35, .pitch = 25, .distance = 3.4};
     DisplacedSurface surface;
     surface.shape = DisplacedSurface::torus, surface.density = 4, surface.depth = 0.1f;
     surface.material.map = int(HeightMap::stones), surface.material.size = 1;
-    const PlainMesh truth(
-        micro_polygons(surface.patches(), HeightField(surface.heights(), true), double(surface.scale()), 192));
-    truth.draw(scenes.target(), Camera(camera, 1));
+    const TessellatedMesh micro(
+        micro_polygons(surface.patches(), HeightField(surface.heights(), true), double(surface.scale()), 192), 192);
+    micro.draw(scenes.target(), Camera(camera, 1));
     const Image exact = scenes.target().read();
-    for (const char* spacing : {"equal", "fractional-odd", "fractional-even"})
-        for (const char* level : {"2", "4", "8", "16", "32", "64"})
-            scenes.add_lab("13", "outline",
-                           {{"view", "one"},
-                            {"surface", "torus"},
-                            {"corners", "4"},
-                            {"patches", "4"},
-                            {"map", "stones"},
-                            {"size", "256"},
-                            {"depth", "0.1"}},
-                           {{"spacing", spacing}, {"level", level}}, camera, [&](const Image& place) {
-                               return BenchError{.mean = 100 * share_apart(place, exact), .unit = "percent"};
-                           });
+    const HeightField heights(surface.heights(), true);
+    const Camera seen(camera, 1);
+    const auto pixels = [&](const Image& place, const Image&) {
+        BenchError error = pixels_off(
+            screen_errors(place, surface.patches(), heights, double(surface.scale()), seen.clip_from_world()));
+        error.wrong = share_apart(place, exact);
+        return error;
+    };
+    const auto metres = [&](const Image& place, const Image& depth) {
+        std::vector<double> errors;
+        const Frame frame{0, Scenes::size, 0, seen, {}};
+        for (int y = 0; y < place.height; ++y)
+            for (int x = 0; x < place.width; ++x) {
+                const float* const at = place.pixel(x, y);
+                if (at[0] == no_surface) continue;
+                const glm::dvec3 truth = displaced_on(surface.patches(), size_t(std::lround(at[2])), {at[0], at[1], 0},
+                                                      heights, double(surface.scale()))
+                                             .position;
+                const Ray ray = frame.ray(x, y);
+                errors.push_back(glm::distance(truth, ray.origin + double(*depth.pixel(x, y)) * ray.direction));
+            }
+        return error_figures(std::move(errors), "metre");
+    };
+    const auto add = [&](const char* name, const auto& error_of) {
+        for (const char* spacing : {"equal", "fractional-odd", "fractional-even"})
+            for (const char* level : {"2", "4", "8", "16", "32", "64"})
+                scenes.add_lab("13", name,
+                               {{"view", "one"},
+                                {"surface", "torus"},
+                                {"corners", "4"},
+                                {"patches", "4"},
+                                {"map", "stones"},
+                                {"size", "256"},
+                                {"depth", "0.1"}},
+                               {{"spacing", spacing}, {"level", level}}, camera, error_of);
+    };
+    add("torus", pixels);
+    add("torus-metres", metres);
 }
 
 std::vector<BenchMethod> methods(const BenchSettings& settings) {
@@ -203,7 +242,7 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
     add_levels(scenes, settings.quick);
     add_culling(scenes);
     if (settings.quick) return result;
-    add_outlines(scenes);
+    add_spacings(scenes);
     scenes.add_lab(
         "13", "most",
         {{"view", "one"}, {"surface", "wall"}, {"corners", "4"}, {"patches", "16"}, {"map", "fbm"}, {"size", "512"}},

@@ -94,7 +94,7 @@ Mesh micro_polygons(const PatchMesh& mesh, const HeightField& heights, double sc
                 for (size_t x = 0; x < side; ++x, ++vertex) {
                     const PatchPlace place{double(x) / n, double(y) / n, 0};
                     const DisplacedPoint point = displaced_on(mesh, patch, place, heights, scale);
-                    *vertex = {point.position, point.normal, {}, {}};
+                    *vertex = {point.position, point.normal, {}, glm::dvec2(place)};
                 }
             uint32_t* index = result.indices.data() + patch * size_t(n) * size_t(n) * 6;
             for (size_t y = 0; y < size_t(n); ++y)

@@ -35,7 +35,7 @@ DisplacedPoint displaced_on(const PatchMesh& mesh, size_t patch, const PatchPlac
                             double scale);
 
 /// That surface as a mesh of n x n squares of two triangles on each patch of four corners, at float positions, with
-/// normals of its own; no tangents and uv.
+/// normals of its own, the places on the patch as uv, and no tangents. Patch i has (n + 1)² vertices from i (n + 1)² on.
 Mesh micro_polygons(const PatchMesh& mesh, const HeightField& heights, double scale, int n);
 
 /// How far each pixel of a picture is, in pixels, from where the place of the surface that it shows should be seen.

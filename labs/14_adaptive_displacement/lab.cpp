@@ -150,11 +150,8 @@ private:
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (one_sided) glEnable(GL_CULL_FACE);
-        int triangles = 0;
-        if (seen.probe)
-            surface_.draw();
-        else
-            triangles = surface_.draw_and_count();
+        // A probe has no caption; whoever draws it may count for himself.
+        const int triangles = purpose.text.starts_with("PROBE_") ? (surface_.draw(), 0) : surface_.draw_and_count();
         glDisable(GL_CULL_FACE);
         return triangles;
     }

@@ -181,12 +181,12 @@ Image PatchTexture::image(const PatchMesh& patches, const std::vector<PatchHeigh
         put({facing.sphere.x, facing.sphere.y, facing.sphere.z, facing.sphere.w});
         put({facing.axis.x, facing.axis.y, facing.axis.z, facing.flat_rise});
         put({facing.rise, facing.shift, facing.skew, facing.length});
-        const auto put_errors = [&](const LevelErrors& errors) {
+        const auto put_errors = [&](const LevelErrors& errors, float height) {
             texel = std::copy(errors.begin(), errors.end(), texel);
-            ++texel;
+            *texel++ = height;
         };
-        put_errors(known[i].inside);
-        for (const LevelErrors& errors : known[i].edges) put_errors(errors);
+        put_errors(known[i].inside, (known[i].lowest + known[i].highest) / 2);
+        for (size_t k = 0; k < known[i].edges.size(); ++k) put_errors(known[i].edges[k], known[i].edge_heights[k]);
     }
     return image;
 }

@@ -38,8 +38,8 @@ struct Facing {
 Facing facing_of(std::span<const PatchCorner> patch, const PatchHeights& heights, double scale);
 
 /// All of that as texels of four floats, `rows` a patch, 64 patches a line: lowest, highest, spread; sphere; axis and
-/// flat_rise; rise, shift, skew, length; the errors of the inside, of levels 1 to 8 and of 16 to 64; those of edges 0
-/// to 3.
+/// flat_rise; rise, shift, skew, length; the errors of the inside, of levels 1 to 8 and of 16 to 64 with the middle of
+/// its heights; the same of edges 0 to 3.
 class PatchTexture {
 public:
     static constexpr int rows = 14, patches_a_line = 64;

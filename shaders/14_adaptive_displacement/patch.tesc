@@ -41,7 +41,7 @@ vec4 known(int row) {
     return texelFetch(s_patches, ivec2(number % patches_a_line * rows + row, number / patches_a_line), 0);
 }
 
-// The nearest that an edge, or a sphere, with all that is pressed into it can be.
+// The nearest that an edge, or a sphere, can be.
 float nearest(vec3 centre, float radius) {
     precise float away = max(distance(centre, u_eye) - radius, 0.0);
     return away;
@@ -56,7 +56,15 @@ bool is_faded(vec3 centre, float radius) {
 #endif
 }
 
-float level_of(vec3 a, vec3 b, vec4 coarse, vec4 fine) {
+// By what is known of a stretch of the relief with a middle and half a length, which `direction` (not unit) presses in: how far
+// each level is off, and in fine.w which height is in the middle of it all.
+float level_by_errors(vec3 middle, float half_, vec3 direction, vec4 coarse, vec4 fine) {
+    precise vec3 pressed = middle + u_scale * (fine.w - 1.0) * normalize(direction);
+    float tolerance = tolerated(nearest(pressed, half_), u_pixels_per_radian, u_budget, u_scale);
+    return level_by_error(coarse, fine, tolerance);
+}
+
+float level_of(vec3 a, vec3 b, vec3 direction, vec4 coarse, vec4 fine) {
     precise vec3 middle = 0.5 * (a + b);
     precise float half_ = 0.5 * distance(a, b);
     if (is_faded(middle, half_)) return 1.0;
@@ -65,8 +73,7 @@ float level_of(vec3 a, vec3 b, vec4 coarse, vec4 fine) {
 #elif METHOD == SIZE
     return level_by_size(a, b, u_eye, u_pixels_per_radian, u_pixels_per_segment);
 #elif METHOD == ERROR
-    float away = nearest(middle, half_ + u_scale);
-    return level_by_error(coarse, fine, tolerated(away, u_pixels_per_radian, u_budget, u_scale));
+    return level_by_errors(middle, half_, direction, coarse, fine);
 #else
     return u_level;
 #endif
@@ -75,9 +82,7 @@ float level_of(vec3 a, vec3 b, vec4 coarse, vec4 fine) {
 // Of the inside, by itself. `flat_` is a sphere around the corners.
 float level_of_inside(vec4 flat_) {
 #if METHOD == ERROR
-    if (is_faded(flat_.xyz, flat_.w)) return 1.0;
-    float away = nearest(flat_.xyz, flat_.w + u_scale);
-    return level_by_error(known(4), known(5), tolerated(away, u_pixels_per_radian, u_budget, u_scale));
+    return is_faded(flat_.xyz, flat_.w) ? 1.0 : level_by_errors(flat_.xyz, flat_.w, known(2).xyz, known(4), known(5));
 #else
     return 1.0;
 #endif
@@ -94,53 +99,73 @@ float steepest(vec4 flat_, float flat_rise, vec4 facing, float inside, float lea
     return rest > 0.0 ? facing.x * stretch / rest : 1e30;
 }
 
-int verdict(vec4 flat_, float inside, float least) {
-    if (u_cull == 0) return 0;
-    vec4 heights = known(0), axis = known(2), facing = known(3);
-    float most_left = 1.0, least_left = 1.0;
+// What is left of the displacement on a patch: the most and the least.
+vec2 left_on(vec4 flat_) {
 #ifdef FADE
-    most_left = remaining(nearest(flat_.xyz, flat_.w), u_fade.x, u_fade.y);
-    least_left = remaining(distance(flat_.xyz, u_eye) + flat_.w, u_fade.x, u_fade.y);
+    return vec2(remaining(nearest(flat_.xyz, flat_.w), u_fade.x, u_fade.y),
+                remaining(distance(flat_.xyz, u_eye) + flat_.w, u_fade.x, u_fade.y));
+#else
+    return vec2(1.0);
 #endif
-    float lowest = 1.0 + most_left * (heights.x - 1.0);
-    float highest = 1.0 + (heights.y > 1.0 ? most_left : least_left) * (heights.y - 1.0);
-    vec4 sphere = relief_bounds(flat_, axis.xyz, heights.z, lowest, highest, u_scale);
-    if (is_outside(u_planes, sphere)) return 1;
+}
+
+// Around all that the relief makes of a patch.
+vec4 bounds_of(vec4 flat_, vec2 left) {
+    vec4 heights = known(0);
+    float lowest = 1.0 + left.x * (heights.x - 1.0);
+    float highest = 1.0 + (heights.y > 1.0 ? left.x : left.y) * (heights.y - 1.0);
+    return relief_bounds(flat_, known(2).xyz, heights.z, lowest, highest, u_scale);
+}
+
+bool shows_its_back(vec4 flat_, vec2 left, vec4 sphere, float inside, float least) {
     // Where the relief is fading it is steeper than the map says.
-    bool is_flat = most_left == 0.0, is_whole = least_left == 1.0;
-    if (u_cull == 1 || !(is_flat || is_whole)) return 0;
-    return faces_away(axis.xyz, steepest(flat_, axis.w, facing, inside, least, is_flat), sphere, u_eye) ? 2 : 0;
+    bool is_flat = left.x == 0.0, is_whole = left.y == 1.0;
+    if (u_cull < 2 || !(is_flat || is_whole)) return false;
+    vec4 axis = known(2);
+    return faces_away(axis.xyz, steepest(flat_, axis.w, known(3), inside, least, is_flat), sphere, u_eye);
 }
 
 void main() {
-    c_corner[gl_InvocationID] = v_corner[gl_InvocationID];
+    // A patch that is out of the picture is asked nothing else.
+    vec4 flat_ = known(1);
+    vec2 left = left_on(flat_);
+    vec4 sphere = bounds_of(flat_, left);
+    bool is_out = u_cull > 0 && is_outside(u_planes, sphere);
+    if (!is_out || u_show_culled) c_corner[gl_InvocationID] = v_corner[gl_InvocationID];
     if (gl_InvocationID != 0) return;
-    vec4 flat_ = known(1), edges = vec4(1.0);
-    float inside = level_of_inside(flat_);
-#ifdef LEVELS_OF_PATCH
-    // The textbook's: one level, from the patch's middle. Its neighbour has another.
-    vec3 half_ = 0.5 * (v_corner[1].position - v_corner[0].position);
-    edges = vec4(METHOD == ERROR ? inside : level_of(flat_.xyz - half_, flat_.xyz + half_, vec4(0.0), vec4(0.0)));
-#else
-    for (int i = 0; i < CORNERS; ++i)
-        edges[i] = level_of(v_corner[i].position, v_corner[(i + 1) % CORNERS].position, known(6 + 2 * i), known(7 + 2 * i));
-#endif
-    float least = 64.0;
-    for (int i = 0; i < CORNERS; ++i) {
-        // An inside that is coarser than its edges is joined to them by slivers as steep as walls.
-        inside = max(inside, edges[i]);
-        least = min(least, edges[i]);
-    }
+    vec4 edges = vec4(1.0);
+    float inside = 1.0, least = 64.0;
     c_patch = v_vertex[0] / CORNERS;
+    c_verdict = int(is_out);
+    if (!is_out) {
+        inside = level_of_inside(flat_);
+#ifdef LEVELS_OF_PATCH
+        // The textbook's: one level, from the patch's middle. Its neighbour has another.
+        vec3 half_ = 0.5 * (v_corner[1].position - v_corner[0].position);
+        edges = vec4(METHOD == ERROR ? inside
+                                     : level_of(flat_.xyz - half_, flat_.xyz + half_, known(2).xyz, vec4(0.0), vec4(0.0)));
+#else
+        for (int i = 0; i < CORNERS; ++i) {
+            int next = (i + 1) % CORNERS;
+            edges[i] = level_of(v_corner[i].position, v_corner[next].position,
+                                v_corner[i].direction + v_corner[next].direction, known(6 + 2 * i), known(7 + 2 * i));
+        }
+#endif
+        for (int i = 0; i < CORNERS; ++i) {
+            // An inside that is coarser than its edges is joined to them by slivers as steep as walls.
+            inside = max(inside, edges[i]);
+            least = min(least, edges[i]);
+        }
+        if (shows_its_back(flat_, left, sphere, inside, least)) c_verdict = 2;
+    }
     c_level = inside;
-    c_verdict = verdict(flat_, inside, least);
+    c_unfinished = float(is_unfinished);
     if (c_verdict != 0) edges = vec4(inside = u_show_culled ? 1.0 : 0.0);
 #if CORNERS == 4
     vec4 outer = outer_levels_of_quad(edges);
 #else
     vec4 outer = outer_levels_of_triangle(edges.xyz);
 #endif
-    c_unfinished = float(is_unfinished);
     for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = outer[i];
     for (int i = 0; i < 2; ++i) gl_TessLevelInner[i] = inside;
 }

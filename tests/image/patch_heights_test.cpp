@@ -226,14 +226,15 @@ TEST(PatchHeights, APlaneHasNoErrors) {
 }
 
 TEST(PatchHeights, ErrorsAreThoseOfChords) {
-    // (L / n)² |h''| / 8, with the largest |h''| in the middle of the patch. From 4 texels a chord on.
+    // Chords are off by (L / n)² |h''| / 8 at the most, and the root mean square of a parabola is sqrt(8 / 15) of its
+    // top; over the patch that of |h''| is 0.905 of the largest, which is in its middle. From 4 texels a chord on.
     const double side = 0.25, bend = 2 * M_PI * M_PI;
     const Image waves = map_of(256, 16, [](double u, double) { return 0.5 + 0.5 * std::sin(2 * M_PI * u); });
     const Patch corners = square({0.125f, 0.3f}, float(side));
     const PatchHeights quad = measured(corners, waves);
     const PatchHeights triangle = measured({corners[0], corners[1], corners[2]}, waves);
     for (int k = 0; k < 5; ++k) {
-        const double n = 1 << k, expected = side * side / (n * n) * bend / 8;
+        const double n = 1 << k, expected = 3 * 0.905 * std::sqrt(8.0 / 15) * side * side / (n * n) * bend / 8;
         const size_t i = size_t(k);
         for (const float error :
              {quad.inside[i], quad.edges[0][i], quad.edges[2][i], triangle.inside[i], triangle.edges[0][i]})
@@ -250,7 +251,7 @@ TEST(PatchHeights, AQuadsCellsMayHaveTheWorseDiagonal) {
             map_of(256, 256, [&](double u, double v) { return std::abs(rises ? u - v : u + v - 1.25); });
         const PatchHeights heights = measured(square({0.5f, 0.5f}, side), valley);
         for (int k = 0; k < 4; ++k)
-            EXPECT_NEAR(heights.inside[size_t(k)], side / float(1 << k), 0.002f) << rises << ", octave " << k;
+            EXPECT_GE(heights.inside[size_t(k)], side / float(2 << k) - 0.002f) << rises << ", octave " << k;
     }
 }
 
@@ -279,12 +280,13 @@ double chord_at(const Height& height, glm::dvec2 place, double n, bool is_fallin
     return corner(0, 0) * (1 - at.y) + corner(0, 1) * (at.y - at.x) + corner(1, 1) * at.x;
 }
 
-TEST(PatchHeights, NoChordIsOffByMoreOnASmoothRelief) {
+TEST(PatchHeights, NoChordIsOffByMoreThanTwiceThatAndOneInAHundredByMore) {
     Random random;
     const double missed = 1.5e-4;  // of kinks between two samples, on patches of a few texels
     for (const auto& [map, slack] : {std::pair(HeightMap::smooth, 1.2), {HeightMap::fbm, 1.3}}) {
         const Image heights = make_height_map(map, 64);
         const Levels levels(heights);
+        size_t count = 0, beyond = 0;
         for (int i = 0; i < 300; ++i) {
             const Patch patch = random_patch(random, 3 + i % 2);
             const PatchHeights said = measured(patch, heights);
@@ -300,14 +302,16 @@ TEST(PatchHeights, NoChordIsOffByMoreOnASmoothRelief) {
                 const double n = 1 << octave;
                 const glm::dvec2 place = random_place(random, patch);
                 const bool is_falling = patch.size() == 3 || random.below(2);
-                EXPECT_LE(std::abs(chord_at(in_patch, place, n, is_falling) - in_patch(place)),
-                          said.inside[octave] * slack + missed)
+                const double inside_off = std::abs(chord_at(in_patch, place, n, is_falling) - in_patch(place));
+                const double edge_off = std::abs(chord_at(on_edge, {place.x, 0}, n, true) - on_edge(place));
+                EXPECT_LE(inside_off, 2 * said.inside[octave] * slack + missed)
                     << height_map_names[size_t(map)] << ", patch " << i << ", level " << n;
-                EXPECT_LE(std::abs(chord_at(on_edge, {place.x, 0}, n, true) - on_edge(place)),
-                          said.edges[2][octave] * slack + missed)
+                EXPECT_LE(edge_off, 2 * said.edges[2][octave] * slack + missed)
                     << height_map_names[size_t(map)] << ", edge of patch " << i << ", level " << n;
+                ++count, beyond += inside_off > said.inside[octave] + missed;
             }
         }
+        EXPECT_LT(beyond, count / 100) << height_map_names[size_t(map)];
     }
 }
 
@@ -318,7 +322,9 @@ TEST(PatchHeights, AnEdgeHasTheSameBitsFromBothSides) {
         Patch patch = random_patch(random, 3), other = random_patch(random, 4);
         const glm::vec4 uv = patch[0].edge_uv;
         other[2].edge_uv = {uv.z, uv.w, uv.x, uv.y};
-        EXPECT_EQ(measured(patch, heights).edges[0], measured(other, heights).edges[2]) << i;
+        const PatchHeights here = measured(patch, heights), there = measured(other, heights);
+        EXPECT_EQ(here.edges[0], there.edges[2]) << i;
+        EXPECT_EQ(here.edge_heights[0], there.edge_heights[2]) << i;
     }
 }
 

@@ -136,8 +136,13 @@ public:
         const auto place = [&](size_t i) {
             return glm::dvec3(surface_.patches().points[patch * n + i % n].vertex.position);
         };
-        const auto by_error = [&](const LevelErrors& errors, const glm::dvec3& centre, double radius) {
-            const double away = std::max(glm::distance(centre, eye) - radius - scale, 0.0);
+        const auto direction = [&](size_t i) {
+            return glm::dvec3(surface_.patches().points[patch * n + i % n].direction);
+        };
+        const auto by_error = [&](const LevelErrors& errors, float height, const glm::dvec3& middle,
+                                  const glm::dvec3& way, double half) {
+            const glm::dvec3 pressed = middle + scale * (double(height) - 1) * glm::normalize(way);
+            const double away = std::max(glm::distance(pressed, eye) - half, 0.0);
             std::array<double, 7> all;
             std::copy(errors.begin(), errors.end(), all.begin());
             return level_by_error(all, tolerated(away, adaptive::most_pixels_per_radian(frame_), 2, scale));
@@ -148,12 +153,18 @@ public:
         for (size_t i = 0; i < n; ++i) {
             const glm::dvec3 a = place(i), b = place(i + 1);
             radius = std::max(radius, glm::distance(centre, a));
-            highest = std::max(highest, method == "distance" ? level_by_distance(a, b, eye, 2, 9, 4, 0.5)
-                                        : method == "size"   ? level_by_size(a, b, eye, pixels, 3)
-                                                             : by_error(known_[patch].edges[i], 0.5 * (a + b),
-                                                                        0.5 * glm::distance(a, b)));
+            highest =
+                std::max(highest, method == "distance" ? level_by_distance(a, b, eye, 2, 9, 4, 0.5)
+                                  : method == "size"
+                                      ? level_by_size(a, b, eye, pixels, 3)
+                                      : by_error(known_[patch].edges[i], known_[patch].edge_heights[i], 0.5 * (a + b),
+                                                 direction(i) + direction(i + 1), 0.5 * glm::distance(a, b)));
         }
-        return method == "error" ? std::max(highest, by_error(known_[patch].inside, centre, radius)) : highest;
+        if (method != "error") return highest;
+        const PatchHeights& known = known_[patch];
+        const glm::dvec3 axis = n == 4 ? glm::cross(place(2) - place(0), place(3) - place(1))
+                                       : glm::cross(place(1) - place(0), place(2) - place(0));
+        return std::max(highest, by_error(known.inside, (known.lowest + known.highest) / 2, centre, axis, radius));
     }
 
 private:
