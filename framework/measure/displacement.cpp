@@ -225,6 +225,7 @@ void add_spacings(Scenes& scenes) {
                 scenes.add_lab("13", name,
                                {{"view", "one"},
                                 {"surface", "torus"},
+                                {"mip", "base"},
                                 {"corners", "4"},
                                 {"patches", "4"},
                                 {"map", "stones"},
@@ -243,10 +244,15 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
     add_culling(scenes);
     if (settings.quick) return result;
     add_spacings(scenes);
-    scenes.add_lab(
-        "13", "most",
-        {{"view", "one"}, {"surface", "wall"}, {"corners", "4"}, {"patches", "16"}, {"map", "fbm"}, {"size", "512"}},
-        {{"level", "64"}}, {.yaw = 20, .pitch = 10, .distance = 3});
+    scenes.add_lab("13", "most",
+                   {{"view", "one"},
+                    {"surface", "wall"},
+                    {"mip", "base"},
+                    {"corners", "4"},
+                    {"patches", "16"},
+                    {"map", "fbm"},
+                    {"size", "512"}},
+                   {{"level", "64"}}, {.yaw = 20, .pitch = 10, .distance = 3});
     return result;
 }
 
