@@ -40,9 +40,12 @@ std::string mistake(const std::string& file, const std::string& include) {
     if (from == "labs") {
         if (to == "lab")
             return include == "framework/lab/lab.h" || include == "framework/lab/labels.h" ||
-                           include == "framework/lab/tiles.h" || include == "framework/lab/relief_surface.h"
+                           include == "framework/lab/tiles.h" || include == "framework/lab/relief_surface.h" ||
+                           include == "framework/lab/displaced_surface.h" ||
+                           include == "framework/lab/relief_material.h"
                        ? ""
-                       : "a lab includes lab.h, labels.h, tiles.h or relief_surface.h, and what lies below";
+                       : "a lab includes lab.h, labels.h, tiles.h, relief_surface.h, relief_material.h or "
+                         "displaced_surface.h, and what lies below";
         return floors.at(to) < floors.at("context") ? "" : "a lab does not know of contexts or what is above labs";
     }
     if (from == "assets") return floors.at(to) < floors.at("gl") ? "" : "the textures are made without GL";

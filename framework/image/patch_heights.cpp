@@ -293,7 +293,8 @@ private:
 
 }  // namespace
 
-std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, int corners, const Image& heights) {
+std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, int corners, const Image& heights,
+                                          bool with_errors) {
     std::vector<Ranges> levels;
     for (Image& level : mip_chain(heights, ColorSpace::linear)) levels.emplace_back(std::move(level));
     const auto range_within = [&](const Box& box) {
@@ -313,10 +314,10 @@ std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, 
 
             PatchHeights& measured = result[i];
             measured.slope = float(steepest_slope(patch, range.slope));
-            measured.inside = samples.errors(heights, patch);
+            if (with_errors) measured.inside = samples.errors(heights, patch);
             for (size_t k = 0; k < patch.size(); ++k) {
                 const HeightCorner& corner = patch[k];
-                measured.edges[k] = edge_errors(heights, corner.edge_uv, measured.edge_heights[k]);
+                if (with_errors) measured.edges[k] = edge_errors(heights, corner.edge_uv, measured.edge_heights[k]);
                 const glm::vec2 here(corner.edge_uv), there(corner.edge_uv.z, corner.edge_uv.w);
                 for (const Box& box : {Box(here, there), Box(corner.height_uv, corner.height_uv)})
                     if (!inside.holds(box)) range.take_in(range_within(box));

@@ -45,7 +45,8 @@ struct PatchHeights {
 /// those of mip level 0. They are looked for at two places a texel (eight on edges), at least 16 along a side (64) and
 /// no more than 128 (512), so a relief with sharp features can hide some between. A level whose vertices are as dense
 /// as that is taken to be off by half as much as the one before, or more. Heights should be finite; what is not a
-/// number does not count.
-std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, int corners, const Image& heights);
+/// number does not count. Most of the time goes into errors: without `with_errors` they are 0.
+std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, int corners, const Image& heights,
+                                          bool with_errors = true);
 
 }  // namespace relief

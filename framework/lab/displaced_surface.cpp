@@ -31,7 +31,7 @@ constexpr std::array<Lay, 8> lays = {{{DisplacedSurface::wall_metres, {2, 2}},
 void DisplacedSurface::knobs(Knobs& knobs) {
     knobs.choice("surface", shape, shapes, "what the relief is pressed into");
     knobs.choice("corners", corners_choice, corner_counts, "of a patch");
-    knobs.steps("patches", density, 1, 128, "along a side, before tessellation; the urn has its own");
+    knobs.steps("patches", density, 1, most_density, "along a side, before tessellation; the urn has its own");
     material.knobs(knobs);
     knobs.slider("depth", depth, 0, 0.5f, "of the relief, in widths of a tile");
     knobs.steps("repeat", repeat, 1, 8, "how often the tile repeats");
@@ -57,13 +57,16 @@ Mesh DisplacedSurface::mesh() const {
         case torus:
             return make_torus(
                 {.ring_radius = 1, .tube_radius = 0.4f, .sides = 3 * density, .rows = density, .repeat = tiles});
-        case column:
-            return make_column({.bottom_radius = 0.5f,
-                                .top_radius = 0.5f,
-                                .height = 2,
-                                .sides = std::max(3, density),
-                                .rows = std::max(1, density / 2),
-                                .repeat = tiles});
+        case column: {
+            Mesh mesh = make_column({.bottom_radius = 0.5f,
+                                     .top_radius = 0.5f,
+                                     .height = 2,
+                                     .sides = std::max(3, density),
+                                     .rows = std::max(1, density / 2),
+                                     .repeat = tiles});
+            for (Vertex& vertex : mesh.vertices) vertex.position.y -= 1;  // around the origin, as all others are
+            return mesh;
+        }
         case box:
             return make_box({.size = glm::vec3(1.5f), .cells = glm::ivec3(std::max(1, density / 2)), .repeat = tiles});
         case urn:

@@ -42,8 +42,9 @@ public:
     // The knobs. A lab may begin with others.
     ReliefMaterial material;
     int shape = sphere, corners_choice = 1, density = 8, repeat = 1;
-    float depth = 0.1f;   ///< of the relief, in widths of a tile
-    glm::dvec3 origin{};  ///< no knob: where the model stands in the world, however far
+    int most_density = 128;  ///< that the knob offers; no knob
+    float depth = 0.1f;      ///< of the relief, in widths of a tile
+    glm::dvec3 origin{};     ///< no knob: where the model stands in the world, however far
 
 private:
     float tile() const;  ///< its width, metres

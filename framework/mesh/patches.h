@@ -10,7 +10,7 @@ namespace relief {
 
 /// Where two patches meet, their uv and normals may differ (at a seam, a hard edge), and each would displace the shared
 /// place elsewhere. So places and edges have an owner, the first corner or patch that has them, whose uv all read their
-/// height at (McDonald and Kilgard 2008), and one direction. Where nothing differs it is what the vertex has.
+/// height at (McDonald and Kilgard 2010), and one direction. Where nothing differs it is what the vertex has.
 struct PatchCorner {
     Vertex vertex;        ///< for shading: the mesh's own; its position the same bits in all corners that meet here
     glm::vec3 direction;  ///< unit, outwards: what the relief is pressed in along; one for all corners that meet here

@@ -14,7 +14,10 @@ namespace relief {
 
 class Displacement final : public Lab {
 public:
-    Displacement() { surface_.density = 4, surface_.material.map = 3, surface_.material.size = 1; }
+    Displacement() {
+        surface_.density = 4, surface_.material.map = 3, surface_.material.size = 1;
+        surface_.most_density = 32;  // at level 64 a sphere of as many is 12 million triangles
+    }
 
     void draw(const Frame& frame) override {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
@@ -26,12 +29,15 @@ public:
             const Method method = method_of(i);
             const Frame part = frame_in(frame, tiles[i]);
             glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
+            if (frame.probe) {
+                draw_surface(part, method, frame.probe);
+                continue;
+            }
             glPolygonOffset(1, 1);
             glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines lie in front
-            const int triangles = draw_surface(part, method, frame.probe);
+            const int triangles = draw_surface(part, method, "");
             glDisable(GL_POLYGON_OFFSET_FILL);
-            if (frame.probe) continue;
-            if (show_ != light) draw_wire(part, tiles[i], method);
+            if (show_ != light) draw_wire(part, tiles[i], method, triangles);
             if (view_ != one) describe(frame.size, tiles[i], method, triangles);
         }
         if (is_count) glDisable(GL_BLEND), glEnable(GL_DEPTH_TEST);
@@ -39,12 +45,13 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.choice("view", view_, views, "levels side by side, a normal map beside it, or what the knobs say");
+        knobs.choice("view", view_, views,
+                     "levels side by side, a normal map beside what the knobs say, its spacings, or that alone");
         knobs.choice("show", show_, shows, "the light, the triangles, or half of each");
         knobs.slider("level", chosen_.level, 1, 64, "segments of each edge");
         knobs.slider("inside", inside_, 0, 64, "segments within; 0: as along the edges");
         knobs.choice("spacing", chosen_.spacing, spacings, "where the vertices stand when a level is not whole");
-        knobs.choice("mip", mip_, mips, "which level of the map a vertex reads");
+        knobs.choice("mip", chosen_.mip, mips, "which level of the map a vertex reads");
         knobs.choice("normals", chosen_.normals, normal_names, "what is lit");
         knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
         knobs.slider("light_pitch", light_pitch_, -90, 90, "from how high, degrees");
@@ -57,10 +64,11 @@ public:
     }
 
 private:
-    enum View { compare, beside, one };
+    enum View { compare, beside, spacing, one };
     enum Show { light, half, wire };
+    enum Mip { level_0, by_level };
     enum Normals { base, map, heights, surface };
-    static constexpr std::array views = {"compare", "beside", "one"};
+    static constexpr std::array views = {"compare", "beside", "spacings", "one"};
     static constexpr std::array shows = {"light", "half-and-half", "wire"};
     static constexpr std::array spacings = {"equal", "fractional-odd", "fractional-even"};
     static constexpr std::array spacing_defines = {"SPACING equal_spacing", "SPACING fractional_odd_spacing",
@@ -71,24 +79,26 @@ private:
     struct Method {
         const char* title;
         float level;
-        int spacing, normals;
+        int spacing, mip, normals;
         bool is_flat;
     };
-    static constexpr std::array<Method, 6> comparisons = {{{"a normal map", 1, 0, map, true},
-                                                           {"level 1", 1, 0, surface, false},
-                                                           {"level 2", 2, 0, surface, false},
-                                                           {"level 4", 4, 0, surface, false},
-                                                           {"level 8", 8, 0, surface, false},
-                                                           {"level 16", 16, 0, surface, false}}};
+    static constexpr std::array<Method, 6> comparisons = {{{"a normal map", 1, 0, by_level, map, true},
+                                                           {"level 4", 4, 0, by_level, surface, false},
+                                                           {"level 8", 8, 0, by_level, surface, false},
+                                                           {"level 16", 16, 0, by_level, surface, false},
+                                                           {"8, map level 0", 8, 0, level_0, surface, false},
+                                                           {"16, base normals", 16, 0, by_level, base, false}}};
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        return tiles_of(size, view_ == compare ? int(comparisons.size()) : view_ == beside ? 2 : 1);
+        constexpr std::array counts = {int(comparisons.size()), 2, int(spacings.size()), 1};
+        return tiles_of(size, counts[size_t(view_)]);
     }
     Method method_of(size_t tile) const {
         if (view_ == compare) return comparisons[tile];
         if (view_ == beside && tile == 0) return comparisons[0];
         Method method = chosen_;
         method.title = "displaced";
+        if (view_ == spacing) method.spacing = int(tile), method.title = spacings[tile];
         return method;
     }
 
@@ -101,7 +111,14 @@ private:
         glBlendFunc(GL_ONE, GL_ONE);
     }
 
-    void draw_wire(const Frame& frame, const Tile& tile, const Method& method) {
+    void draw_wire(const Frame& frame, const Tile& tile, const Method& method, int triangles) {
+        // Lines fade where they would hide what they are about: half the triangles face the eye on half of the tile.
+        const float side = std::sqrt(2 * float(tile.size.x) * float(tile.size.y) / float(std::max(1, triangles)));
+        const float opacity = std::clamp((side - 4) / 10, show_ == wire ? 0.2f : 0.0f, 1.0f);
+        if (opacity == 0) return;
+        glBlendColor(0, 0, 0, opacity);
+        glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+        glEnable(GL_BLEND);
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
         glEnable(GL_SCISSOR_TEST);
         const int left = show_ == half ? tile.size.x / 2 : 0;
@@ -109,31 +126,35 @@ private:
         draw_surface(frame, method, "WIRE");
         glDisable(GL_SCISSOR_TEST);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+        glDisable(GL_BLEND);
     }
 
+    static std::string grouped(int count) {
+        return count < 10000 ? fmt::format("{}", count) : fmt::format("{},{:03}", count / 1000, count % 1000);
+    }
     void describe(glm::ivec2 size, const Tile& tile, const Method& method, int triangles) {
         labels_.caption(size, tile, 0, method.title);
-        labels_.caption(size, tile, -1, fmt::format("{} triangles", triangles), {0.62f, 0.63f, 0.65f});
+        labels_.caption(size, tile, -1, grouped(triangles) + " triangles", {0.62f, 0.63f, 0.65f});
     }
 
-    /// How many triangles were drawn.
+    /// How many triangles were drawn, for a picture.
     int draw_surface(const Frame& frame, const Method& method, const Define& purpose) {
         const Program& program =
             program_.with({purpose, surface_.corners_define(), fmt::format("CORNERS {}", surface_.corners()),
                            spacing_defines[size_t(method.spacing)], fmt::format("NORMALS {}", method.normals),
-                           mip_ == 1 ? "MIP" : ""});
+                           method.mip == by_level ? "MIP" : ""});
         const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         glUseProgram(program);
         surface_.set(program, frame);
         if (method.is_flat) program.set("u_scale", 0.0f);
         program.set("u_level", method.level);
-        program.set("u_inside", inside_ > 0 && view_ != compare ? inside_ : method.level);
+        program.set("u_inside", inside_ > 0 && view_ != compare && !method.is_flat ? inside_ : method.level);
         program.set("u_to_light",
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (surface_.is_one_sided() && purpose.text != "PROBE_winding") glEnable(GL_CULL_FACE);
-        // A probe has no caption; whoever draws it may count for himself.
-        const int triangles = purpose.text.starts_with("PROBE_") ? (surface_.draw(), 0) : surface_.draw_and_count();
+        // To count is to wait. A probe and lines have no caption; who draws a probe may count for himself.
+        const int triangles = purpose.text.empty() ? surface_.draw_and_count() : (surface_.draw(), 0);
         glDisable(GL_CULL_FACE);
         return triangles;
     }
@@ -143,8 +164,8 @@ private:
     DisplacedSurface surface_;
     Labels labels_;
 
-    int view_ = compare, show_ = half, mip_ = 0;
-    Method chosen_{"", 16, 0, surface, false};
+    int view_ = compare, show_ = half;
+    Method chosen_{"", 16, 0, by_level, surface, false};
     float inside_ = 0, light_yaw_ = -50, light_pitch_ = 40;
 };
 

@@ -38,17 +38,19 @@ public:
           below_(upside_down(heights), true),
           metres_(metres),
           scale_(scale),
+          tiles_(tiles / metres),
           texels_(tiles / metres * glm::dvec2(above_.size())) {}
 
     struct Seen {
         double distance;
+        glm::dvec2 slope;  ///< heights per tile
         glm::dvec3 normal;
     };
     std::optional<Seen> look(const Ray& ray) const {
         const double half = metres_ / 2;
         const Stretch stretch = within(ray, {-half, -half, -scale_}, {half, half, 0});
         if (stretch.begin > stretch.end) return {};
-        if (scale_ == 0) return Seen{stretch.begin, {0, 0, 1}};
+        if (scale_ == 0) return seen(stretch.begin, at_texel(ray, stretch.begin));
         const glm::dvec3 enters = ray.origin + stretch.begin * ray.direction;
         const glm::dvec3 unit(texels_, 1 / scale_);  // texels and heights a metre
         Ray inside{(enters + glm::dvec3(half, half, scale_)) * unit, ray.direction * unit};
@@ -56,20 +58,26 @@ public:
         if (from_below) inside.origin.z = 1 - inside.origin.z, inside.direction.z = -inside.direction.z;
         const auto hit = (from_below ? below_ : above_).first_hit(inside, stretch.end - stretch.begin);
         if (!hit) return {};
-        // What a fragment takes between its texels is the same central difference.
-        const glm::dvec2 slope = above_.central_slope(hit->texel) * texels_ * scale_;
-        return Seen{stretch.begin + hit->t, glm::normalize(glm::dvec3(-slope, 1))};
+        return seen(stretch.begin + hit->t, hit->texel);
     }
 
 private:
+    glm::dvec2 at_texel(const Ray& ray, double t) const {
+        return (glm::dvec2(ray.origin + t * ray.direction) + metres_ / 2) * texels_;
+    }
+    Seen seen(double t, glm::dvec2 texel) const {
+        // What a fragment takes between its texels is the same central difference.
+        const glm::dvec2 slope = above_.central_slope(texel) * glm::dvec2(above_.size());
+        return {t, slope, glm::normalize(glm::dvec3(-slope * tiles_ * scale_, 1))};
+    }
     static Image upside_down(Image heights) {
         for (float& value : heights.values) value = 1 - value;
         return heights;
     }
 
     HeightField above_, below_;
-    double metres_, scale_;
-    glm::dvec2 texels_;  ///< a metre
+    double metres_, scale_, tiles_;  ///< tiles a metre
+    glm::dvec2 texels_;              ///< a metre
 };
 
 }  // namespace
@@ -79,7 +87,7 @@ std::optional<Image> truth(const Frame& frame, const Probe& probe, const Displac
     //[solution
     Image image(frame.size.x, frame.size.y, 4);
     if (probe.name == "winding") return surface.patches().is_closed ? std::optional(image) : std::nullopt;
-    if (surface.shape != DisplacedSurface::wall || (probe.name != "depth" && probe.name != "normal")) return {};
+    if (surface.shape != DisplacedSurface::wall || probe.name == "mip" || probe.name == "place") return {};
     const Wall wall(surface.heights(), DisplacedSurface::wall_metres, surface.tiles().x, double(surface.scale()));
     parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
         for (size_t y = begin; y < end; ++y)
@@ -90,6 +98,8 @@ std::optional<Image> truth(const Frame& frame, const Probe& probe, const Displac
                     std::fill_n(pixel, 4, no_surface);
                 else if (probe.name == "depth")
                     pixel[0] = float(seen->distance);
+                else if (probe.name == "slope")
+                    pixel[0] = float(seen->slope.x), pixel[1] = float(seen->slope.y);
                 else
                     for (int i = 0; i < 3; ++i) pixel[i] = float(seen->normal[i]);
             }

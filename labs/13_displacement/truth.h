@@ -7,8 +7,8 @@
 
 namespace relief::displacement {
 
-/// `depth` and `normal` of the displaced wall, where each view ray meets the bilinear surface first, from either side;
-/// `winding` of whatever is closed. Nothing else is known.
+/// `depth`, `slope` and `normal` of the displaced wall, where each view ray meets the bilinear surface first, from
+/// either side; `winding` of whatever is closed. Nothing else is known.
 std::optional<Image> truth(const Frame& frame, const Probe& probe, const DisplacedSurface& surface);
 
 }  // namespace relief::displacement

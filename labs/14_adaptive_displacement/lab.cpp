@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "framework/gl/target.h"
+#include "framework/image/visualize.h"
 #include "framework/lab/displaced_surface.h"
 #include "framework/lab/lab.h"
 #include "framework/lab/labels.h"
@@ -18,7 +19,7 @@ using namespace adaptive;
 class AdaptiveDisplacement final : public Lab {
 public:
     AdaptiveDisplacement() {
-        surface_.shape = DisplacedSurface::ground, surface_.density = 32;
+        surface_.shape = DisplacedSurface::ground, surface_.density = 36;
         surface_.material.map = 1, surface_.material.size = 2;
     }
 
@@ -28,21 +29,25 @@ public:
         const bool is_count = frame.probe.name == "winding";
         if (is_count) begin_count();
         const auto tiles = tiles_of(frame.size, view_ == both ? 2 : 1);
+        int by_eye = 0;
         for (size_t i = 0; i < tiles.size(); ++i) {
             const Frame eye = frame_in(frame, tiles[i]);
             const bool is_above = view_ == above || (view_ == both && i == 1);
             Frame seen = eye;
             if (is_above) seen.camera = camera_above(eye);
-            glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
-            if (wire_ && !frame.probe) glPolygonOffset(1, 1), glEnable(GL_POLYGON_OFFSET_FILL);  // lines lie in front
-            const int triangles = draw_surface(eye, seen,
-                                               frame.probe ? Define(frame.probe)
-                                               : is_above  ? "PATCHES"
-                                                           : "");
+            set_viewport(tiles[i]);
+            if (frame.probe) {
+                draw_surface(eye, seen, frame.probe);
+                continue;
+            }
+            if (wire_) glPolygonOffset(1, 1), glEnable(GL_POLYGON_OFFSET_FILL);  // lines lie in front
+            const int triangles = draw_surface(eye, seen, is_above ? "PATCHES" : "");
             glDisable(GL_POLYGON_OFFSET_FILL);
-            if (frame.probe) continue;
             if (wire_) draw_wire(eye, seen);
-            describe(frame.size, tiles[i], eye, is_above, triangles);
+            if (is_above)
+                describe_patches(frame.size, tiles[i], eye, seen, view_ == both ? triangles - by_eye : -1);
+            else
+                describe_picture(frame.size, tiles[i], eye, by_eye = triangles);
         }
         if (is_count) glDisable(GL_BLEND), glEnable(GL_DEPTH_TEST);
         labels_.draw(frame);
@@ -78,6 +83,7 @@ public:
 
 private:
     enum View { both, eye_only, above };
+    enum Method { uniform, by_distance, by_size, by_error };
     static constexpr std::array views = {"both", "eye", "above"};
     static constexpr std::array methods = {"uniform", "distance", "size", "error"};
     static constexpr std::array levels_ofs = {"edge", "patch"};
@@ -85,6 +91,9 @@ private:
     static constexpr std::array spacing_defines = {"SPACING equal_spacing", "SPACING fractional_odd_spacing",
                                                    "SPACING fractional_even_spacing"};
     static constexpr std::array culls = {"none", "outside", "all"};
+    // As in surface.frag.
+    static constexpr glm::vec3 outside_color{0.16f, 0.20f, 0.28f}, away_color{0.34f, 0.27f, 0.25f},
+        faded_color{0.62f, 0.70f, 0.72f};
 
     /// Each front face adds 1, each back face takes 1 away: seen from outside, a closed surface sums up to 0.
     static void begin_count() {
@@ -95,11 +104,16 @@ private:
         glBlendFunc(GL_ONE, GL_ONE);
     }
 
-    /// Over the whole scene, from behind the eye.
+    static void set_viewport(const Tile& tile) { glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y); }
+
+    /// Over the ground from behind the eye; beside anything else, so that what faces away is seen.
     Camera camera_above(const Frame& eye) const {
         Orbit orbit = eye.camera.orbit();
-        orbit.pitch = 52, orbit.distance = surface_.shape == DisplacedSurface::ground ? 21 : 5,
-        orbit.target = {0, 0, 0};
+        orbit.field_of_view = 40, orbit.target = {0, -0.6, 0};
+        if (surface_.shape == DisplacedSurface::ground)
+            orbit.pitch = 50, orbit.distance = 19;
+        else
+            orbit.yaw += 105, orbit.pitch = 25, orbit.distance = 5, orbit.target = {0, 0, 0};
         return Camera(orbit, double(eye.size.x) / std::max(1, eye.size.y));
     }
 
@@ -109,30 +123,29 @@ private:
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     }
 
-    /// Levels and culling go by `eye`, the picture by `seen`. How many triangles were drawn.
+    /// Levels and culling go by `eye`, the picture by `seen`. How many triangles were drawn, but for a probe.
     int draw_surface(const Frame& eye, const Frame& seen, const Define& purpose) {
         const Program& program =
             program_.with({purpose, surface_.corners_define(), fmt::format("CORNERS {}", surface_.corners()),
                            spacing_defines[size_t(spacing_)], fmt::format("METHOD {}", method_),
-                           levels_of_ == 1 ? "LEVELS_OF_PATCH" : ""});
+                           levels_of_ == 1 ? "LEVELS_OF_PATCH" : "", fade_ ? "FADE" : ""});
         const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
-        const bool one_sided = surface_.is_one_sided() && !is_count_of(purpose);
+        const bool one_sided = surface_.is_one_sided() && purpose.text != "PROBE_winding";
         glUseProgram(program);
         surface_.set(program, seen);
-        known_.set(program, surface_, 3);
+        known_.set(program, surface_, method_ == by_error, 3);
         program.set("u_seen_from", seen.camera.eye() - surface_.origin);
         program.set("u_eye", eye.camera.eye() - surface_.origin);
         const auto planes = planes_of(eye.camera, surface_.origin);
         for (size_t i = 0; i < planes.size(); ++i) program.set(fmt::format("u_planes[{}]", i).c_str(), planes[i]);
         program.set("u_level", level_);
         program.set("u_by_distance", glm::vec4(nearest_, std::max(farthest_, nearest_ + 1e-3f), finest_, coarsest_));
-        program.set("u_pixels_per_radian", pixels_per_radian(eye));
+        program.set("u_pixels_per_radian", method_ == by_error ? most_pixels_per_radian(eye) : pixels_per_radian(eye));
         program.set("u_pixels_per_segment", segment_);
         program.set("u_budget", budget_);
         program.set("u_cull", one_sided ? cull_ : std::min(cull_, 1));
         program.set("u_show_culled", eye.camera.eye() != seen.camera.eye());
-        program.set("u_fade",
-                    fade_ ? glm::vec2(fade_begin_, std::max(fade_end_, fade_begin_ + 1e-3f)) : glm::vec2(1e30f, 2e30f));
+        program.set("u_fade", glm::vec2(fade_begin_, std::max(fade_end_, fade_begin_ + 1e-3f)));
         program.set("u_to_light",
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
@@ -142,42 +155,111 @@ private:
         glDisable(GL_CULL_FACE);
         return triangles;
     }
-    static bool is_count_of(const Define& purpose) { return purpose.text == "PROBE_winding"; }
 
-    void describe(glm::ivec2 size, const Tile& tile, const Frame& eye, bool is_above, int triangles) {
-        if (is_above) return;
+    void describe_picture(glm::ivec2 size, const Tile& tile, const Frame& eye, int triangles) {
         labels_.caption(size, tile, 0, fmt::format("{} triangles", triangles));
-        if (levels_of_ == 1 && surface_.patches().is_closed)
-            labels_.caption(size, tile, -1, fmt::format("{} pixels are holes", holes(eye)), {0.95f, 0.5f, 0.4f});
+        if (levels_of_ == 0) return;
+        const std::vector<glm::ivec2> found = holes(eye);
+        const float top = float(size.y - tile.corner.y), side = std::max(3.0f, 0.009f * float(tile.size.y));
+        for (const glm::ivec2 hole : found)
+            labels_.rectangle(glm::vec2(float(tile.corner.x + hole.x) + 0.5f, top - float(hole.y) - 0.5f) - side / 2,
+                              glm::vec2(side), {1, 0.25f, 0.1f, 0.75f});
+        labels_.caption(size, tile, -1, fmt::format("{} pixels are holes", found.size()), {1.0f, 0.55f, 0.4f});
     }
 
-    /// Pixels where a closed surface is entered more often than left, or less.
-    size_t holes(Frame frame) {
+    /// `more` triangles than from the eye are those of patches that are not drawn there; -1: who knows.
+    void describe_patches(glm::ivec2 size, const Tile& tile, const Frame& eye, const Frame& seen, int more) {
+        draw_sight(eye, seen);
+        const bool is_even = spacing_ == 2, is_quad = surface_.corners() == 4;  // then 1 is taken for 2
+        const int each = is_quad ? (is_even ? 8 : 2) : (is_even ? 6 : 1);
+        if (more >= 0 && cull_ > 0)
+            labels_.caption(size, tile, 0,
+                            fmt::format("{:.0f} % of {} patches culled",
+                                        100.0 * more / each / double(std::max<size_t>(1, surface_.patches().patches())),
+                                        surface_.patches().patches()));
+        // Levels as in surface.frag, then what else a colour can mean.
+        const float line = std::min(Labels::line_height(size) * 0.75f, 0.06f * float(tile.size.y)), gap = line * 0.25f;
+        const float bottom = float(size.y - tile.corner.y) - line - gap;
+        glm::vec2 place(float(tile.corner.x) + gap * 2, bottom);
+        const auto chip = [&](const std::string& text, glm::vec3 color) {
+            labels_.rectangle(place, {line, line}, glm::vec4(color, 1));
+            labels_.text(text, place + glm::vec2(line * 1.25f, 0), line);
+            place.x += line * 1.75f + Labels::width(text, line);
+        };
+        for (int octave = 0; octave < level_octaves; ++octave)
+            chip(std::to_string(1 << octave), heat_color(0.24 + 0.73 * octave / (level_octaves - 1)));
+        place = {float(tile.corner.x) + gap * 2, bottom - line - gap};
+        if (cull_ > 0) chip("outside", outside_color);
+        if (cull_ > 1 && surface_.is_one_sided()) chip("facing away", away_color);
+        if (fade_) chip("faded", faded_color);
+    }
+
+    /// The eye, and what it sees, as lines.
+    void draw_sight(const Frame& eye, const Frame& seen) {
+        const double reach = surface_.shape == DisplacedSurface::ground ? 15 : 3.5;
+        const Program& program = sight_.with();
+        glUseProgram(program);
+        program.set("u_clip_from_world", seen.camera.clip_from_world());
+        program.set("u_places[0]", eye.camera.eye());
+        for (int i = 0; i < 4; ++i)
+            program.set(
+                fmt::format("u_places[{}]", i + 1).c_str(),
+                eye.camera.eye() + reach * eye.camera.ray({i == 0 || i == 3 ? -1 : 1, i < 2 ? -1 : 1}).direction);
+        program.set("u_color", glm::vec4(0.85f, 0.92f, 1.0f, 0.55f));
+        if (!no_corners_) no_corners_.emplace();
+        glBindVertexArray(*no_corners_);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        glDrawArrays(GL_LINES, 0, 16);
+        glDisable(GL_BLEND);
+    }
+
+    /// Pixels where a closed surface is entered more often than left, or less; from the lower left corner. Elsewhere
+    /// specks: pixels of background between others.
+    std::vector<glm::ivec2> holes(Frame frame) {
         if (!small_ || small_->size() != frame.size) small_.emplace(TargetKind::probe, frame.size);
-        glBindFramebuffer(GL_FRAMEBUFFER, small_->framebuffer());
         GLint viewport[4];
         glGetIntegerv(GL_VIEWPORT, viewport);
+        glBindFramebuffer(GL_FRAMEBUFFER, small_->framebuffer());
         glViewport(0, 0, frame.size.x, frame.size.y);
         begin_count();
         draw_surface(frame, frame, "PROBE_winding");
         glDisable(GL_BLEND), glEnable(GL_DEPTH_TEST);
         const Image sums = small_->read();
-        size_t count = 0;
-        for (size_t i = 0; i < sums.values.size(); i += 4) count += sums.values[i] != 0;
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-        return count;
+
+        const bool is_closed = surface_.patches().is_closed;
+        const auto sum = [&](int x, int y) {
+            return *sums.pixel(std::clamp(x, 0, sums.width - 1), std::clamp(y, 0, sums.height - 1));
+        };
+        const auto covered = [&](int x, int y, int dx, int dy) {
+            for (int i = 1; i <= 3; ++i)
+                if (sum(x + i * dx, y + i * dy) != 0) return true;
+            return false;
+        };
+        std::vector<glm::ivec2> found;
+        for (int y = 0; y < sums.height; ++y)
+            for (int x = 0; x < sums.width; ++x) {
+                const bool is_hole = is_closed ? sum(x, y) != 0
+                                               : sum(x, y) == 0 && covered(x, y, -1, 0) && covered(x, y, 1, 0) &&
+                                                     covered(x, y, 0, -1) && covered(x, y, 0, 1);
+                if (is_hole) found.emplace_back(x, sums.height - 1 - y);
+            }
+        return found;
     }
 
     Programs program_{"common/patch.vert", "14_adaptive_displacement/patch.tesc",
                       "14_adaptive_displacement/surface.tese", "14_adaptive_displacement/surface.frag"};
+    Programs sight_{"14_adaptive_displacement/sight.vert", "14_adaptive_displacement/sight.frag"};
     DisplacedSurface surface_;
     PatchTexture known_;
     std::optional<Target> small_;
+    std::optional<VertexArrayName> no_corners_;
     Labels labels_;
 
-    int view_ = both, method_ = 3, levels_of_ = 0, spacing_ = 1, cull_ = 2;
-    float level_ = 8, nearest_ = 1, farthest_ = 16, finest_ = 5, coarsest_ = 0, segment_ = 8, budget_ = 1;
+    int view_ = both, method_ = by_error, levels_of_ = 0, spacing_ = 1, cull_ = 2;
+    float level_ = 8, nearest_ = 1, farthest_ = 16, finest_ = 5, coarsest_ = 0, segment_ = 8, budget_ = 4;
     bool fade_ = false, wire_ = false;
     float fade_begin_ = 6, fade_end_ = 12;
     float light_yaw_ = -60, light_pitch_ = 30;

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <array>
-#include <glm/gtc/matrix_access.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <optional>
+#include <span>
 
 #include "framework/image/patch_heights.h"
 #include "framework/lab/displaced_surface.h"
@@ -12,67 +11,52 @@
 namespace relief::adaptive {
 
 /// The sides of what a camera sees, as planes in a model that stands at `origin`: xyz is unit and points inwards.
-inline std::array<glm::vec4, 6> planes_of(const Camera& camera, const glm::dvec3& origin) {
-    const glm::dmat4 clip_from_model = camera.clip_from_world() * glm::translate(glm::dmat4(1), origin);
-    const glm::dvec4 w = glm::row(clip_from_model, 3);
-    std::array<glm::vec4, 6> planes;
-    for (int i = 0; i < 6; ++i) {
-        const glm::dvec4 plane = w + (i % 2 ? -1.0 : 1.0) * glm::row(clip_from_model, i / 2);
-        planes[size_t(i)] = glm::vec4(plane / glm::length(glm::dvec3(plane)));
-    }
-    return planes;
-}
+std::array<glm::vec4, 6> planes_of(const Camera& camera, const glm::dvec3& origin);
 
-/// What an angle of one radian is wide at the middle of the picture.
-inline double pixels_per_radian(const Frame& frame) {
-    return frame.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2));
-}
+/// What an angle of one radian is wide in the middle of the picture, in pixels.
+double pixels_per_radian(const Frame& frame);
+/// The same in its corners, where that is the most: sideways and along the line of sight a metre grows there.
+double most_pixels_per_radian(const Frame& frame);
 
-/// PatchHeights as texels of four floats, `rows` of them a patch, 64 patches a line: bounds and slope; the errors of
-/// the inside, of levels 1 to 8 and of 16 to 64; those of edges 0 to 3.
+/// Which way the triangles of a patch can face.
+struct Facing {
+    glm::dvec4 sphere;    ///< around the corners: centre and radius
+    glm::dvec3 axis;      ///< unit: what a flat patch faces
+    double spread;        ///< the longest difference between a direction of the relief and the axis
+    double flat_rise;     ///< undisplaced, of a chord along the axis: metres per metre across it
+    double rise, shift;   ///< displaced: the same beside what it is without the relief's unevenness; and how far across
+    double skew, length;  ///< of the patch: what a triangle may make of a slope
+};
+
+/// Heights change by up to `heights.slope` per metre, and lie between lowest and highest. With the middle of these, E,
+/// and the directions D (linear between the corners) the displaced patch is the patch p - E D, which is bilinear, and a
+/// rest that changes by a known part of what one goes along that patch. What is bilinear changes between two places as
+/// its derivatives half-way say; seen along the axis those are quotients of bilinear means, and so nowhere worse than
+/// at the worst corner. A triangle's plane through three such places is steeper than its sides when these lie almost in
+/// a line: the shader knows from the levels how thin triangles are, and `skew` and `length` what the patch's shape
+/// adds. A patch that folds over as seen along its axis has an infinite rise.
+Facing facing_of(std::span<const PatchCorner> patch, const PatchHeights& heights, double scale);
+
+/// All of that as texels of four floats, `rows` a patch, 64 patches a line: lowest, highest, spread; sphere; axis and
+/// flat_rise; rise, shift, skew, length; the errors of the inside, of levels 1 to 8 and of 16 to 64 with the middle of
+/// its heights; the same of edges 0 to 3.
 class PatchTexture {
 public:
-    static constexpr int rows = 12, patches_a_line = 64;
+    static constexpr int rows = 14, patches_a_line = 64;
 
-    /// Binds s_patches; the program is in use.
-    void set(const Program& program, const DisplacedSurface& surface, int unit) {
-        if (!texture_ || version_ != surface.version()) {
-            version_ = surface.version();
-            texture_.emplace(
-                "patches", [&surface] { return image(known_of(surface)); }, TextureOptions{.mips = false});
-        }
-        program.set("s_patches", unit, *texture_);
-    }
+    /// Binds s_patches; the program is in use. Errors take a while, and only one method asks for them.
+    void set(const Program& program, const DisplacedSurface& surface, bool with_errors, int unit);
+
+    /// Errors are those of what is pressed in along turning directions, too.
+    static std::vector<PatchHeights> known_of(const DisplacedSurface& surface, bool with_errors);
+    static Image image(const PatchMesh& patches, const std::vector<PatchHeights>& known, double scale);
 
 private:
-    static std::vector<PatchHeights> known_of(const DisplacedSurface& surface) {
-        std::vector<HeightCorner> corners;
-        for (const PatchCorner& point : surface.patches().points)
-            corners.push_back({point.vertex.position, point.vertex.uv, point.height_uv, point.edge_uv});
-        return measure_patches(corners, surface.corners(), surface.heights());
-    }
-
-    static Image image(const std::vector<PatchHeights>& patches) {
-        const int lines = int((patches.size() + patches_a_line - 1) / patches_a_line);
-        Image image(rows * patches_a_line, std::max(1, lines), 4);
-        for (size_t i = 0; i < patches.size(); ++i) {
-            // Row 0 of an image is the top, that of a texture the lowest.
-            float* texel = image.pixel(int(i % patches_a_line) * rows, image.height - 1 - int(i / patches_a_line));
-            const auto& [lowest, highest, slope, inside, edge_heights, edges] = patches[i];
-            texel[0] = lowest, texel[1] = highest, texel[2] = slope;
-            const auto put = [&](const LevelErrors& errors, float last) {
-                texel = std::copy(errors.begin(), errors.end(), texel);
-                *texel++ = last;
-            };
-            texel += 4;
-            put(inside, 0);
-            for (size_t k = 0; k < edges.size(); ++k) put(edges[k], edge_heights[k]);
-        }
-        return image;
-    }
-
     std::optional<Texture> texture_;
+    std::vector<PatchHeights> known_;
     int version_ = 0;
+    float scale_ = 0;
+    bool has_errors_ = false;
 };
 
 }  // namespace relief::adaptive

@@ -67,6 +67,9 @@ void main() {
     o_color = vec4(v_place, 0.0);
 #elif defined PROBE_mip
     o_color = vec4(v_mip, 0.0, 0.0, 0.0);
+#elif defined PROBE_slope
+    float level = max(textureQueryLod(s_heights, v_uv).y, 0.0);
+    o_color = vec4(height_slope(s_heights, v_uv, level, vec2(textureSize(s_heights, 0))), 0.0, 0.0);
 #elif defined PROBE_winding
     o_color = vec4(gl_FrontFacing ? 1.0 : -1.0, 0.0, 0.0, 0.0);
 #elif defined WIRE

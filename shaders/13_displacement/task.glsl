@@ -4,7 +4,16 @@
 
 // TASK 13.1 (3 points): where a vertex goes. Height 1 stays on the base, height 0 lies `scale` metres inside:
 // p' = p + scale (h - 1) n. `direction` is what interpolation leaves of the unit normals at the corners: it points outwards,
-// but is no longer of length 1.
+// but is no longer of length 1. read_height() reads the red channel of the map at a level; the stage that makes vertices
+// has no neighbours to derive one from, so it must be named (textureLod).
+float read_height(sampler2D heights, vec2 uv, float level) {
+    //[solution
+    return textureLod(heights, uv, level).r;
+    //]starter
+    //| return unfinished(1.0);
+    //]
+}
+
 vec3 displaced(vec3 position, vec3 direction, float height, float scale) {
     //[solution
     return position + scale * (height - 1.0) * normalize(direction);
@@ -13,22 +22,14 @@ vec3 displaced(vec3 position, vec3 direction, float height, float scale) {
     //]
 }
 
-// TASK 13.2 (3 points): which mip level a vertex reads. Where an edge of `texels` texels is cut into `segments`, a vertex
-// stands for texels / segments of them, and level k has texels that are 2^k wide. Level 0 is the largest that there is.
-// read_height() reads the red channel at that level: in this stage nothing can be derived from neighbours.
+// TASK 13.2 (3 points): which mip level a vertex reads. Where an edge that is `texels` long is cut into `segments`, a vertex
+// stands for texels / segments of them: read the level whose texels are that wide. Level k has texels of 2^k; between two
+// whole levels the texture unit blends, so fractions stay. Level 0 is the largest that there is.
 float height_level(float texels, float segments) {
     //[solution
     return max(log2(texels / segments), 0.0);
     //]starter
     //| return unfinished(0.0);
-    //]
-}
-
-float read_height(sampler2D heights, vec2 uv, float level) {
-    //[solution
-    return textureLod(heights, uv, level).r;
-    //]starter
-    //| return unfinished(1.0);
     //]
 }
 
@@ -45,10 +46,11 @@ vec2 height_slope(sampler2D heights, vec2 uv, float level, vec2 size) {
     //]
 }
 
-// TASK 13.4 (4 points): the unit normal of the displaced surface p'(u, v) = p + d n with d = scale (h - 1): across dp'/du and
-// dp'/dv. du and dv are dp/du and dp/dv; `normal` is unit, and turns by normal_du and normal_dv as u and v grow; slope is
-// dh/du and dh/dv. So dp'/du = du + d normal_du + scale slope.u normal. Where the surface has no normal it is `normal`, and
-// it never points inwards.
+// TASK 13.4 (4 points): the unit normal of the displaced surface p'(u, v) = p + d n with d = scale (h - 1): at right angles to
+// both dp'/du and dp'/dv. By the product rule dp'/du = du + d normal_du + scale slope.x normal, and the same along v: du and
+// dv are dp/du and dp/dv of the base, `normal` is its unit normal, which turns by normal_du and normal_dv as u and v grow,
+// and slope is dh/du, dh/dv. Where the uv are mirrored (or the relief reaches past the centre that the base bends around)
+// the cross product points inwards: turn it. Where it is 0 there is no such normal: take `normal`.
 vec3 displaced_normal(vec3 du, vec3 dv, vec3 normal, vec3 normal_du, vec3 normal_dv, float height, vec2 slope,
                       float scale) {
     //[solution

@@ -17,8 +17,8 @@ in int v_vertex[];
 
 out PatchCorner c_corner[];
 patch out int c_patch;
-patch out float c_level;   // the highest
-patch out int c_verdict;   // 0 drawn, 1 outside of the picture, 2 seen from its back
+patch out float c_level;  // the highest
+patch out int c_verdict;  // 0 drawn, 1 outside of the picture, 2 seen from its back
 patch out float c_unfinished;
 
 uniform vec3 u_eye;
@@ -29,111 +29,136 @@ uniform vec4 u_by_distance;         // nearest, farthest, exponents there
 uniform float u_pixels_per_radian;
 uniform float u_pixels_per_segment;
 uniform float u_budget;             // pixels
+uniform vec2 u_fade;                // where it begins and ends, metres from the eye
 uniform int u_cull;                 // 1 what is outside, 2 what faces away, too
 uniform bool u_show_culled;
 uniform sampler2D s_patches;        // see PatchTexture in scene.h
 
-const int rows = 12, patches_a_line = 64;
+const int rows = 14, patches_a_line = 64;
 
 vec4 known(int row) {
     int number = v_vertex[0] / CORNERS;
     return texelFetch(s_patches, ivec2(number % patches_a_line * rows + row, number / patches_a_line), 0);
 }
 
-// The nearest that an edge, or a sphere, with all that is pressed into it can be.
-float nearest(vec3 centre, float radius) { return max(distance(centre, u_eye) - radius, 0.0); }
+// The nearest that an edge, or a sphere, can be.
+float nearest(vec3 centre, float radius) {
+    precise float away = max(distance(centre, u_eye) - radius, 0.0);
+    return away;
+}
 
-float level_of(vec3 a, vec3 b, vec3 dir, vec4 coarse, vec4 fine) {
+// Whether the displacement has faded away in all of a sphere.
+bool is_faded(vec3 centre, float radius) {
+#ifdef FADE
+    return remaining(nearest(centre, radius), u_fade.x, u_fade.y) == 0.0;
+#else
+    return false;
+#endif
+}
+
+// By what is known of a stretch of the relief with a middle and half a length, which `direction` (not unit) presses in: how far
+// each level is off, and in fine.w which height is in the middle of it all.
+float level_by_errors(vec3 middle, float half_, vec3 direction, vec4 coarse, vec4 fine) {
+    precise vec3 pressed = middle + u_scale * (fine.w - 1.0) * normalize(direction);
+    float tolerance = tolerated(nearest(pressed, half_), u_pixels_per_radian, u_budget, u_scale);
+    return level_by_error(coarse, fine, tolerance);
+}
+
+float level_of(vec3 a, vec3 b, vec3 direction, vec4 coarse, vec4 fine) {
+    precise vec3 middle = 0.5 * (a + b);
+    precise float half_ = 0.5 * distance(a, b);
+    if (is_faded(middle, half_)) return 1.0;
 #if METHOD == DISTANCE
     return level_by_distance(a, b, u_eye, u_by_distance.x, u_by_distance.y, u_by_distance.z, u_by_distance.w);
 #elif METHOD == SIZE
     return level_by_size(a, b, u_eye, u_pixels_per_radian, u_pixels_per_segment);
 #elif METHOD == ERROR
-    float away = nearest(0.5 * (a + b) + u_scale * (fine.w - 1.0) * normalize(dir), 0.5 * length(a - b));
-    return possible_level(level_by_error(coarse, fine, tolerated(away, u_pixels_per_radian, u_budget, u_scale)));
+    return level_by_errors(middle, half_, direction, coarse, fine);
 #else
     return u_level;
 #endif
 }
 
-// Of the flat patch: the sphere around its corners, its axis, and how far the relief's directions stray from that.
-void measure(out vec4 sphere, out vec3 axis, out float spread, out float tilt) {
-    vec3 centre = vec3(0.0);
-    for (int i = 0; i < CORNERS; ++i) centre += v_corner[i].position / float(CORNERS);
-#if CORNERS == 4
-    vec3 across = cross(v_corner[2].position - v_corner[0].position, v_corner[3].position - v_corner[1].position);
+// Of the inside, by itself. `flat_` is a sphere around the corners.
+float level_of_inside(vec4 flat_) {
+#if METHOD == ERROR
+    return is_faded(flat_.xyz, flat_.w) ? 1.0 : level_by_errors(flat_.xyz, flat_.w, known(2).xyz, known(4), known(5));
 #else
-    vec3 across = cross(v_corner[1].position - v_corner[0].position, v_corner[2].position - v_corner[0].position);
+    return 1.0;
 #endif
-    float area = length(across);
-    axis = area > 0.0 ? across / area : v_corner[0].direction;
-    sphere = vec4(centre, 0.0);
-    spread = tilt = 0.0;
-    float turn = 0.0, shortest = 1e30;
-    for (int i = 0; i < CORNERS; ++i) {
-        int next = (i + 1) % CORNERS;
-        vec3 edge = v_corner[next].position - v_corner[i].position;
-        sphere.w = max(sphere.w, distance(centre, v_corner[i].position));
-        spread = max(spread, distance(axis, v_corner[i].direction));
-        turn = max(turn, distance(v_corner[i].direction, v_corner[next].direction));
-        shortest = min(shortest, length(edge));
-        tilt = max(tilt, abs(dot(axis, edge)) / max(length(edge), 1e-30));
-    }
-    // A flat patch is steeper by how its corners leave their plane, and by how its directions turn over its width.
-    tilt += u_scale * turn / max(0.5 * shortest, 1e-30);
 }
 
-int verdict(float most, float least) {
-    if (u_cull == 0) return 0;
-    vec4 heights = known(0), flat_;
-    vec3 axis;
-    float spread, tilt;
-    measure(flat_, axis, spread, tilt);
-    vec4 sphere = relief_bounds(flat_, axis, spread, heights.x, heights.y, u_scale);
-    if (is_outside(u_planes, sphere)) return 1;
-    if (u_cull == 1) return 0;
-    // A chord is no steeper than the relief; a triangle can be, where its corners lie almost in a line: a segment of the
-    // inside beside one of an edge.
-    float chord = tilt + u_scale * heights.z, rest = 1.0 - tilt - u_scale * heights.z * spread;
-    if (rest <= 0.1) return 0;
-    float lean = 1.0 + 2.0 * most / least;
-    return faces_away(axis, chord / rest * sqrt(1.0 + lean * lean), sphere, u_eye) ? 2 : 0;
+// The relief's steepest triangle leans no further than this from the patch's axis, as a tangent: see facing_of() in scene.h.
+// A triangle may be thin, and is then steeper than the relief. With one level all have right angles in the domain of a quad, and
+// nearly so in that of a triangle; else the corner beside an edge may lie off by as much as the inside is finer than the edge.
+float steepest(vec4 flat_, float flat_rise, vec4 facing, float inside, float least, bool is_flat) {
+    float off = inside == least ? (CORNERS == 4 ? 0.0 : 0.5) : inside / least, lean = 1.0 + 2.0 * facing.w * off;
+    float stretch = facing.z * sqrt(1.0 + lean * lean);
+    if (is_flat) return flat_rise * stretch;
+    float rest = 1.0 - facing.y * stretch;
+    return rest > 0.0 ? facing.x * stretch / rest : 1e30;
+}
+
+// What is left of the displacement on a patch: the most and the least.
+vec2 left_on(vec4 flat_) {
+#ifdef FADE
+    return vec2(remaining(nearest(flat_.xyz, flat_.w), u_fade.x, u_fade.y),
+                remaining(distance(flat_.xyz, u_eye) + flat_.w, u_fade.x, u_fade.y));
+#else
+    return vec2(1.0);
+#endif
+}
+
+// Around all that the relief makes of a patch.
+vec4 bounds_of(vec4 flat_, vec2 left) {
+    vec4 heights = known(0);
+    float lowest = 1.0 + left.x * (heights.x - 1.0);
+    float highest = 1.0 + (heights.y > 1.0 ? left.x : left.y) * (heights.y - 1.0);
+    return relief_bounds(flat_, known(2).xyz, heights.z, lowest, highest, u_scale);
+}
+
+bool shows_its_back(vec4 flat_, vec2 left, vec4 sphere, float inside, float least) {
+    // Where the relief is fading it is steeper than the map says.
+    bool is_flat = left.x == 0.0, is_whole = left.y == 1.0;
+    if (u_cull < 2 || !(is_flat || is_whole)) return false;
+    vec4 axis = known(2);
+    return faces_away(axis.xyz, steepest(flat_, axis.w, known(3), inside, least, is_flat), sphere, u_eye);
 }
 
 void main() {
-    c_corner[gl_InvocationID] = v_corner[gl_InvocationID];
+    // A patch that is out of the picture is asked nothing else.
+    vec4 flat_ = known(1);
+    vec2 left = left_on(flat_);
+    vec4 sphere = bounds_of(flat_, left);
+    bool is_out = u_cull > 0 && is_outside(u_planes, sphere);
+    if (!is_out || u_show_culled) c_corner[gl_InvocationID] = v_corner[gl_InvocationID];
     if (gl_InvocationID != 0) return;
     vec4 edges = vec4(1.0);
-    float inside = 1.0;
-#if METHOD == ERROR
-    vec4 heights = known(0), flat_;
-    vec3 axis;
-    float spread, tilt;
-    measure(flat_, axis, spread, tilt);
-    vec4 sphere = relief_bounds(flat_, axis, spread, heights.x, heights.y, u_scale);
-    float tolerance = tolerated(nearest(sphere.xyz, flat_.w), u_pixels_per_radian, u_budget, u_scale);
-    inside = possible_level(level_by_error(known(1), known(2), tolerance));
-#endif
-#ifdef LEVELS_OF_PATCH
-    // The textbook's: one level, from the patch's middle. Its neighbour has another.
-    vec3 half_ = 0.5 * (v_corner[1].position - v_corner[0].position), middle = vec3(0.0);
-    for (int i = 0; i < CORNERS; ++i) middle += v_corner[i].position / float(CORNERS);
-    edges = vec4(METHOD == ERROR ? inside : level_of(middle - half_, middle + half_, v_corner[0].direction, vec4(0.0), vec4(0.0)));
-#else
-    for (int i = 0; i < CORNERS; ++i)
-        edges[i] = level_of(v_corner[i].position, v_corner[(i + 1) % CORNERS].position, v_corner[i].direction + v_corner[(i + 1) % CORNERS].direction, known(3 + 2 * i), known(4 + 2 * i));
-#endif
-    float most = edges.x, least = edges.x;
-    for (int i = 1; i < CORNERS; ++i) {
-        most = max(most, edges[i]);
-        least = min(least, edges[i]);
-    }
-#if METHOD != ERROR
-    inside = most;
-#endif
+    float inside = 1.0, least = 64.0;
     c_patch = v_vertex[0] / CORNERS;
-    c_level = max(most, inside);
-    c_verdict = verdict(c_level, min(least, inside));
+    c_verdict = int(is_out);
+    if (!is_out) {
+        inside = level_of_inside(flat_);
+#ifdef LEVELS_OF_PATCH
+        // The textbook's: one level, from the patch's middle. Its neighbour has another.
+        vec3 half_ = 0.5 * (v_corner[1].position - v_corner[0].position);
+        edges = vec4(METHOD == ERROR ? inside
+                                     : level_of(flat_.xyz - half_, flat_.xyz + half_, known(2).xyz, vec4(0.0), vec4(0.0)));
+#else
+        for (int i = 0; i < CORNERS; ++i) {
+            int next = (i + 1) % CORNERS;
+            edges[i] = level_of(v_corner[i].position, v_corner[next].position,
+                                v_corner[i].direction + v_corner[next].direction, known(6 + 2 * i), known(7 + 2 * i));
+        }
+#endif
+        for (int i = 0; i < CORNERS; ++i) {
+            // An inside that is coarser than its edges is joined to them by slivers as steep as walls.
+            inside = max(inside, edges[i]);
+            least = min(least, edges[i]);
+        }
+        if (shows_its_back(flat_, left, sphere, inside, least)) c_verdict = 2;
+    }
+    c_level = inside;
     c_unfinished = float(is_unfinished);
     if (c_verdict != 0) edges = vec4(inside = u_show_culled ? 1.0 : 0.0);
 #if CORNERS == 4

@@ -12,7 +12,7 @@ in vec4 v_tangent;
 in vec2 v_uv;
 in vec3 v_place;
 in float v_left;
-in float v_level;
+flat in float v_level;
 flat in int v_verdict;
 in float v_unfinished;
 
@@ -53,12 +53,12 @@ void main() {
 #elif defined WIRE
     o_color = finished(vec4(u_wire, 1.0), gl_FragCoord.xy);
 #elif defined PATCHES
-    // A verdict is a colour of its own; else the level, and paler the less displacement is left.
-    vec3 light = lit(vec3(0.5));
-    float shade = clamp(dot(light, vec3(0.3, 0.6, 0.1)) * 1.2 + 0.25, 0.0, 1.0);
+    // A verdict is a colour of its own; else the level, and paler the less displacement is left. Lit as cut.
+    vec3 normal = normalize(cross(dFdx(v_position), dFdy(v_position)));
+    float shade = 0.62 + 0.5 * max(dot(normal, u_to_light), 0.0);
     vec3 color = v_verdict == 1   ? vec3(0.16, 0.20, 0.28)
-                 : v_verdict == 2 ? vec3(0.30, 0.14, 0.16)
-                                  : mix(vec3(0.62, 0.70, 0.72), heat(0.15 + 0.8 * log2(v_level) / 6.0), 0.25 + 0.75 * v_left);
+                 : v_verdict == 2 ? vec3(0.34, 0.27, 0.25)
+                                  : mix(vec3(0.62, 0.70, 0.72), heat(0.24 + 0.73 * log2(v_level) / 6.0), v_left);
     o_color = finished(vec4(color * shade, 1.0), gl_FragCoord.xy);
 #else
     o_color = finished(vec4(srgb_from_linear(lit(texture(s_albedo, v_uv).rgb)), 1.0), gl_FragCoord.xy);

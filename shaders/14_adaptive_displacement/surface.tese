@@ -21,13 +21,17 @@ out vec4 v_tangent;
 out vec2 v_uv;
 out vec3 v_place;  // on the patch, and which it is
 out float v_left;  // of the displacement
-out float v_level;
+flat out float v_level;
 flat out int v_verdict;
 out float v_unfinished;
 
 void main() {
     PatchVertex base = patch_vertex();
+#ifdef FADE
     v_left = remaining(distance(base.position, u_eye), u_fade.x, u_fade.y);
+#else
+    v_left = 1.0;
+#endif
     float depth = u_scale * v_left * (1.0 - textureLod(s_heights, base.height_uv, 0.0).r);
     v_position = base.position - depth * normalize(base.direction);
     v_normal = base.normal;

@@ -2,10 +2,26 @@
 
 #include "common/unfinished.glsl"
 
-// TASK 14.1 (3 points): the level of an edge by distance. possible_level() keeps a level within 1 and 64, what the tessellator
-// can do; one that is not a number becomes 1. level_by_distance() is 2^finest segments at `nearest` metres from the eye or
-// nearer, 2^coarsest at `farthest` or farther, and the exponent linear in between. The distance is that of the middle of the
-// edge from a to b. The patch on the other side has a and b the other way round, and must get the very same bits.
+// TASK 14.1 (3 points): the level of an edge by distance: 2^finest where the middle of the edge from a to b is `nearest` metres
+// from the eye, or nearer; 2^coarsest where it is `farthest` metres, or farther; in between the exponent is a straight line
+// over the distance. The patch on the other side of the edge has a and b the other way round, and must get the very same
+// bits: so nothing may depend on which end is which. `precise` keeps a compiler from fusing a product with one sum and not
+// with another.
+float level_by_distance(vec3 a, vec3 b, vec3 eye, float nearest, float farthest, float finest, float coarsest) {
+    //[solution
+    precise float share = clamp((distance(0.5 * (a + b), eye) - nearest) / (farthest - nearest), 0.0, 1.0);
+    precise float level = exp2(mix(finest, coarsest, share));
+    return level;
+    //]starter
+    //| return unfinished(4.0);
+    //]
+}
+
+// TASK 14.2 (3 points): by size. Take the edge as the diameter of a sphere around its middle: so many pixels has that on the
+// screen, and one segment may have `pixels_per_segment` of them. What is seen under an angle of one radian has
+// `pixels_per_radian` pixels. Unlike the edge's own length on the screen, this does not shrink when the edge turns towards
+// the eye. possible_level() keeps a level within 1 and 64, which is what the tessellator can do, and makes 1 of one that is
+// not a number: level 0 would cull the whole patch, and so an edge without length would.
 float possible_level(float level) {
     //[solution
     return level > 1.0 ? min(level, 64.0) : 1.0;
@@ -14,34 +30,23 @@ float possible_level(float level) {
     //]
 }
 
-float level_by_distance(vec3 a, vec3 b, vec3 eye, float nearest, float farthest, float finest, float coarsest) {
-    //[solution
-    float share = clamp((distance(0.5 * (a + b), eye) - nearest) / (farthest - nearest), 0.0, 1.0);
-    return possible_level(exp2(mix(finest, coarsest, share)));
-    //]starter
-    //| return unfinished(4.0);
-    //]
-}
-
-// TASK 14.2 (2 points): by size. The edge as the diameter of a sphere around its middle is so many pixels on the screen; one
-// segment may have `pixels_per_segment` of them. What is a radian wide at its distance has `pixels_per_radian` pixels.
-// Unlike the edge's own length on the screen, this does not shrink when the edge turns towards the eye.
 float level_by_size(vec3 a, vec3 b, vec3 eye, float pixels_per_radian, float pixels_per_segment) {
     //[solution
-    float pixels = length(a - b) * pixels_per_radian / distance(0.5 * (a + b), eye);
+    precise float pixels = distance(a, b) * pixels_per_radian / distance(0.5 * (a + b), eye);
     return possible_level(pixels / pixels_per_segment);
     //]starter
     //| return unfinished(4.0);
     //]
 }
 
-// TASK 14.3 (4 points): by error. tolerated() says how far a height may be off where the screen may show `budget` pixels of it:
-// the relief is `scale` metres deep, and `distance_` metres away. The errors of levels 1, 2, 4, 8 (coarse) and 16, 32, 64 (the
-// first three of fine) are known, and never rise. level_by_error() is the least level whose error is tolerated, where between
-// two of them the error is a straight line over the exponent of 2; and 64 where none is.
+// TASK 14.3 (4 points): by error. tolerated() says how far a height in [0, 1] may be off where the screen may show `budget`
+// pixels of it: the relief is `scale` metres deep and `distance_` metres away; one without depth tolerates anything, 1e30.
+// How far heights are off at the levels 1, 2, 4, 8 (coarse) and 16, 32, 64 (the first three of fine) is known, and never rises.
+// level_by_error() is the least level whose error is tolerated, 64 where none is; between two levels the error is a straight
+// line over the exponent of 2.
 float tolerated(float distance_, float pixels_per_radian, float budget, float scale) {
     //[solution
-    return budget * distance_ / (pixels_per_radian * scale);
+    return scale > 0.0 ? budget * distance_ / (pixels_per_radian * scale) : 1e30;
     //]starter
     //| return unfinished(1.0);
     //]
@@ -53,7 +58,7 @@ float level_by_error(vec4 coarse, vec4 fine, float tolerance) {
     int octave = 0;
     while (octave < 6 && errors[octave] > tolerance) ++octave;
     if (octave == 0 || !(errors[octave] <= tolerance)) return exp2(float(octave));
-    float share = (errors[octave - 1] - tolerance) / (errors[octave - 1] - errors[octave]);
+    precise float share = (errors[octave - 1] - tolerance) / (errors[octave - 1] - errors[octave]);
     return exp2(float(octave - 1) + share);
     //]starter
     //| return unfinished(4.0);
@@ -80,10 +85,11 @@ vec4 outer_levels_of_quad(vec4 edges) {
 }
 
 // TASK 14.5 (4 points): what is not in the picture. A flat patch lies within a sphere (centre, radius). Each of its places is
-// moved by scale (h - 1), h from `lowest` to `highest`, along a unit vector that differs from the unit vector `axis` by
-// `spread` at most. relief_bounds() is a sphere (centre, radius) around all that can come of it: move the centre along the axis
-// to the middle of that, and grow. is_outside() says whether a sphere is wholly behind one of six planes; xyz is unit and points
-// into the picture, dot(plane.xyz, p) + plane.w is how far p is in front of it.
+// moved by scale (h - 1), h from `lowest` to `highest`, along a unit vector whose difference from the unit vector `axis` is
+// `spread` long at most. relief_bounds() is a sphere around all that can come of it: its centre moves along the axis to the
+// middle of the relief, and its radius grows by half of what lies between lowest and highest, and by what `spread` can do to
+// the longest way. is_outside() says whether a sphere is wholly behind one of six planes; xyz is unit and points into the
+// picture, dot(plane.xyz, p) + plane.w is how far p is in front of it.
 vec4 relief_bounds(vec4 flat_, vec3 axis, float spread, float lowest, float highest, float scale) {
     //[solution
     float low = scale * (lowest - 1.0), high = scale * (highest - 1.0);
@@ -105,8 +111,9 @@ bool is_outside(vec4 planes[6], vec4 sphere) {
 }
 
 // TASK 14.6 (3 points): what only shows its back. All triangles of a patch have normals within an angle of `axis` whose tangent
-// is `slope`, and lie in a sphere. From the eye the sphere is seen within an angle, too; the patch faces away when no sum of
-// the two brings a normal to 90 degrees of the line of sight. It never does while the eye is in the sphere.
+// is `slope`, and lie in a sphere; lines of sight to it differ by an angle from the one to its centre, too. The patch faces
+// away when even both angles together leave less than 90 degrees between a normal and the way that a line of sight goes on.
+// It never does while the eye is in the sphere.
 bool faces_away(vec3 axis, float slope, vec4 sphere, vec3 eye) {
     //[solution
     vec3 away = sphere.xyz - eye;

@@ -104,5 +104,13 @@ TEST_F(Patches, BeginWhereTheyAreToldAndEndThere) {
     EXPECT_TRUE(is_one_color(drawn(4, [] { draw_patches(0, 4); })));
 }
 
+TEST_F(Patches, HaveLevelsFrom1To64AndWithoutOneTheyAreNotDrawn) {
+    const auto all = [] { draw_patches(patch_count, 4); };
+    EXPECT_EQ(drawn(65, all).values, drawn(64, all).values);
+    EXPECT_EQ(drawn(1e30f, all).values, drawn(64, all).values);
+    EXPECT_EQ(drawn(0.5f, all).values, drawn(1, all).values);
+    for (const float nothing : {0.0f, -1.0f, -INFINITY, NAN}) EXPECT_TRUE(is_one_color(drawn(nothing, all))) << nothing;
+}
+
 }  // namespace
 }  // namespace relief

@@ -2,6 +2,7 @@
 // mistake planted in the shader, which must be seen.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -267,6 +268,12 @@ std::vector<Twin> displacement_and_levels() {
                          glm::vec4(dice.inside(2, 9), 0),
                          glm::vec4(dice.between(300, 3000), dice.between(4, 64), 0, 0)};
     };
+    const auto bounds = [](Dice& dice) {
+        const float lowest = dice.between(0, 1);
+        return GlslInput{glm::vec4(dice.inside(-1, 1), dice.between(0.1f, 1)),
+                         glm::vec4(dice.unit(), dice.between(0, 0.5f)),
+                         glm::vec4(lowest, dice.between(lowest, 1), dice.between(0, 1), 0)};
+    };
     const auto base = [](Dice& dice) {
         return GlslInput{glm::vec4(1, 0.1f * dice.inside(-1, 1)),
                          glm::vec4(0.1f * dice.inside(-1, 1), 0),
@@ -316,35 +323,122 @@ std::vector<Twin> displacement_and_levels() {
          },
          {"scale * slope.x * normal, dv", "scale * slope.y * normal, dv"}},
         {"possible_level",
-         "common/tessellation.glsl",
+         "14_adaptive_displacement/task.glsl",
          "vec4(possible_level(a.x), vec3(0.0))",
          [](Dice& dice) { return GlslInput{glm::vec4(dice.any_size(-3, 3), 0, 0, 0)}; },
          [](const GlslInput& in) { return scalar(possible_level(in[0].x)); },
-         {"level > 1.0", "level < 1.0"}},
+         {"return level > 1.0", "return level < 1.0"}},
         {"level_by_distance",
-         "common/tessellation.glsl",
-         "vec4(level_by_distance(a.x, a.y, a.z, b.x, b.y), vec3(0.0))",
-         [](Dice& dice) {
-             const float nearest = dice.between(0.1f, 10);
-             return GlslInput{glm::vec4(dice.between(0, 100), nearest, nearest * dice.between(2, 10), 0),
-                              glm::vec4(dice.between(3, 6), dice.between(0, 3), 0, 0)};
+         "14_adaptive_displacement/task.glsl",
+         "vec4(level_by_distance(a.xyz, b.xyz, c.xyz, d.z, d.w, e.x, e.y), vec3(0.0))",
+         [edge](Dice& dice) {
+             GlslInput in = edge(dice);
+             in[3].z = dice.between(0.1f, 10), in[3].w = in[3].z * dice.between(2, 10);
+             in[4] = glm::vec4(dice.between(3, 6), dice.between(0, 3), 0, 0);
+             return in;
          },
-         [](const GlslInput& in) { return scalar(level_by_distance(in[0].x, in[0].y, in[0].z, in[1].x, in[1].y)); },
-         {"distance - nearest", "distance + nearest"}},
+         [](const GlslInput& in) {
+             return scalar(level_by_distance(xyz(in[0]), xyz(in[1]), xyz(in[2]), in[3].z, in[3].w, in[4].x, in[4].y));
+         },
+         {"eye) - nearest", "eye) + nearest"}},
         {"level_by_size",
-         "common/tessellation.glsl",
+         "14_adaptive_displacement/task.glsl",
          "vec4(level_by_size(a.xyz, b.xyz, c.xyz, d.x, d.y), vec3(0.0))",
          edge,
          [](const GlslInput& in) {
              return scalar(level_by_size(xyz(in[0]), xyz(in[1]), xyz(in[2]), in[3].x, in[3].y));
          },
-         {"* 0.5 - eye", "* 0.5 + eye"}},
+         {"pixels_per_radian / distance(0.5", "pixels_per_radian / distance(0.7"}},
+        {"tolerated",
+         "14_adaptive_displacement/task.glsl",
+         "vec4(tolerated(c.x, d.x, d.y, a.w), vec3(0.0))",
+         [edge](Dice& dice) {
+             GlslInput in = edge(dice);
+             in[0].w = dice.between(0.01f, 2);
+             return in;
+         },
+         [](const GlslInput& in) { return scalar(tolerated(in[2].x, in[3].x, in[3].y, in[0].w)); },
+         {"(pixels_per_radian * scale)", "pixels_per_radian * scale"}},
         {"level_by_error",
-         "common/tessellation.glsl",
-         "vec4(level_by_error(c.x, c.y, c.z, d.x, d.y), vec3(0.0))",
+         "14_adaptive_displacement/task.glsl",
+         "vec4(level_by_error(a, vec4(b.xyz, 0.0), b.w), vec3(0.0))",
+         [](Dice& dice) {
+             std::array<float, 7> errors;
+             for (float& error : errors) error = dice.between(0.001f, 1);
+             std::sort(errors.begin(), errors.end(), std::greater<>());
+             return GlslInput{glm::vec4(errors[0], errors[1], errors[2], errors[3]),
+                              glm::vec4(errors[4], errors[5], errors[6], dice.between(0, 1.2f))};
+         },
+         [](const GlslInput& in) {
+             return scalar(level_by_error({in[0].x, in[0].y, in[0].z, in[0].w, in[1].x, in[1].y, in[1].z}, in[1].w));
+         },
+         {"float(octave - 1) + share", "float(octave) - share"},
+         // A difference of two errors that happen to be 1000 times nearer to each other than to 0.
+         1e-3},
+        {"outer_levels_of_triangle",
+         "14_adaptive_displacement/task.glsl",
+         "outer_levels_of_triangle(a.xyz)",
          edge,
-         [](const GlslInput& in) { return scalar(level_by_error(in[2].x, in[2].y, in[2].z, in[3].x, in[3].y)); },
-         {"8.0 * budget", "budget / 8.0"}},
+         [](const GlslInput& in) { return outer_levels_of_triangle(xyz(in[0])); },
+         {"edges.yzx", "edges.xyz"}},
+        {"outer_levels_of_quad",
+         "14_adaptive_displacement/task.glsl",
+         "outer_levels_of_quad(c)",
+         edge,
+         [](const GlslInput& in) { return outer_levels_of_quad(in[2]); },
+         {"edges.wxyz", "edges.yzwx"}},
+        {"relief_bounds",
+         "14_adaptive_displacement/task.glsl",
+         "relief_bounds(a, b.xyz, b.w, c.x, c.y, c.z)",
+         bounds,
+         [](const GlslInput& in) { return relief_bounds(in[0], xyz(in[1]), in[1].w, in[2].x, in[2].y, in[2].z); },
+         {"(highest - 1.0)", "(1.0 - highest)"}},
+        {"is_outside",
+         "14_adaptive_displacement/task.glsl",
+         "vec4(is_outside(vec4[](a, b, c, d, e, f), g), vec3(0.0))",
+         [](Dice& dice) {
+             for (;;) {  // not nearer to touching than floats can tell
+                 GlslInput in;
+                 for (int i = 0; i < 6; ++i) in[size_t(i)] = glm::vec4(dice.unit(), dice.between(-0.5f, 2));
+                 in[6] = glm::vec4(dice.inside(-1, 1), dice.between(0, 1));
+                 bool is_clear = true;
+                 for (size_t i = 0; i < 6; ++i)
+                     is_clear = is_clear && std::abs(glm::dot(in[i], {xyz(in[6]), 1}) + in[6].w) > 1e-4;
+                 if (is_clear) return in;
+             }
+         },
+         [](const GlslInput& in) {
+             const std::vector<glm::dvec4> planes(in.begin(), in.begin() + 6);
+             return scalar(is_outside(planes, in[6]));
+         },
+         {"< -sphere.w", "< sphere.w"}},
+        {"faces_away",
+         "14_adaptive_displacement/task.glsl",
+         "vec4(faces_away(b.xyz, c.w, a, d.xyz), vec3(0.0))",
+         [bounds](Dice& dice) {
+             for (;;) {  // the same
+                 GlslInput in = bounds(dice);
+                 in[2].w = std::abs(dice.any_size(-2, 1)), in[3] = glm::vec4(dice.inside(-3, 3), 0);
+                 const auto faces = [&](double slope) {
+                     return faces_away(xyz(in[1]), in[2].w * slope, in[0], xyz(in[3]));
+                 };
+                 if (faces(0.999) == faces(1.001)) return in;
+             }
+         },
+         [](const GlslInput& in) { return scalar(faces_away(xyz(in[1]), in[2].w, in[0], xyz(in[3]))); },
+         {"atan(slope) + asin", "atan(slope) - asin"}},
+        {"remaining",
+         "14_adaptive_displacement/task.glsl",
+         "vec4(remaining(c.x, d.z, d.w), vec3(0.0))",
+         [edge](Dice& dice) {
+             GlslInput in = edge(dice);
+             in[3].z = dice.between(0, 10), in[3].w = in[3].z + dice.between(1, 10);
+             return in;
+         },
+         [](const GlslInput& in) { return scalar(remaining(in[2].x, in[3].z, in[3].w)); },
+         {"(end - distance_)", "(distance_ - begin)"},
+         1e-5,
+         0.1},  // a difference that may be nearly 0
         {"quad_weights",
          "common/patch.glsl",
          "quad_weights(a.xy)",
@@ -542,8 +636,10 @@ TEST(ShaderFunction, DegenerateInputsGiveWhatTheTwinsSay) {
         value("common/height_cell.glsl", "vec4(first_closing(vec3(1.0, 1.0, -1e30)), closes(vec3(1.0)), 0.0, 0.0)").y,
         0);
     EXPECT_EQ(value("common/height_cell.glsl", "vec4(first_closing(a.xyz), vec3(0.0))").x, 0);
-    EXPECT_EQ(value("common/tessellation.glsl", "vec4(level_by_size(a.xyz, a.xyz, a.xyz, 1000.0, 8.0), vec3(0.0))").x,
-              1)
+    EXPECT_EQ(
+        value("14_adaptive_displacement/task.glsl", "vec4(level_by_size(a.xyz, a.xyz, a.xyz, 1000.0, 8.0), vec3(0.0))")
+            .x,
+        1)
         << "0 / 0";
 }
 

@@ -121,6 +121,7 @@ TEST(Outline, ApproachesThatOfMicroPolygonsAsTheLevelRises) {
     Shot shot = shot_of("13",
                         {{"view", "one"},
                          {"surface", "torus"},
+                         {"mip", "base"},
                          {"corners", "4"},
                          {"patches", "4"},
                          {"map", "stones"},

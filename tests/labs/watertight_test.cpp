@@ -133,7 +133,7 @@ Holes look_for_holes(int views, bool with_cracks) {
                 for (const KnobText& knob : describe_knobs(*lab))
                     if (knob.name != "cull") set_knob(*copy, knob.name, knob.value);
                 const std::vector<glm::vec3> triangles = triangles_of(*copy, whole);
-                EXPECT_GT(triangles.size(), 3u * 12) << here();
+                EXPECT_GE(triangles.size(), 3u * 12) << here();
                 const size_t open = open_edges(triangles);
                 all.edges += open, all.captures_with_holes += open > 0;
                 EXPECT_TRUE(with_cracks || open == 0) << open << " open edges: " << here();

@@ -103,17 +103,49 @@ TEST(BlinnPhong, IsLambertAndTheScaledHighlightAtItsPeak) {
 }
 
 TEST(TessellationLevel, FollowsDistanceSizeAndErrorWithinWhatGlTakes) {
-    EXPECT_EQ(level_by_distance(1, 2, 10, 6, 0), 64);
-    EXPECT_EQ(level_by_distance(6, 2, 10, 6, 0), 8) << "half way in the exponent";
-    EXPECT_EQ(level_by_distance(99, 2, 10, 6, 0), 1);
+    const auto by_distance = [](double away) {
+        return level_by_distance({-1, 0, 0}, {1, 0, 0}, {0, away, 0}, 2, 10, 6, 0);
+    };
+    EXPECT_EQ(by_distance(1), 64);
+    EXPECT_EQ(by_distance(6), 8) << "half way in the exponent";
+    EXPECT_EQ(by_distance(99), 1);
     // 1 m at 10 m with 1000 pixels to the radian is 100 pixels: 10 segments of 10.
     EXPECT_NEAR(level_by_size({-0.5, 0, 0}, {0.5, 0, 0}, {0, 0, 10}, 1000, 10), 10, 1e-12);
     EXPECT_NEAR(level_by_size({0, 0, -0.5}, {0, 0, 0.5}, {0, 0, 10}, 1000, 10), 10, 1e-12) << "end-on as well";
     EXPECT_EQ(level_by_size({0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1000, 10), 1) << "0 / 0";
     EXPECT_EQ(level_by_size({-1, 0, 0}, {1, 0, 0}, {0, 0, 0}, 1000, 10), 64) << "the eye in its middle";
-    // n chords over a parabola h = c x² / 2 of length 1 leave c / (8 n²): 1 m away, in pixels, half a pixel at n = 10.
-    EXPECT_NEAR(level_by_error(1, 0.4, 1, 1000, 0.5), 10, 1e-12);
-    EXPECT_EQ(level_by_error(1, 0, 1, 1000, 0.5), 1) << "flat";
+    // Half a pixel of 1000 to the radian, 2 m away, is 1 mm: 0.01 of a relief 0.1 m deep.
+    EXPECT_NEAR(tolerated(2, 1000, 0.5, 0.1), 0.01, 1e-15);
+    const std::array<double, 7> errors = {0.64, 0.32, 0.16, 0.08, 0.04, 0.02, 0.01};
+    EXPECT_EQ(level_by_error(errors, 0.7), 1);
+    EXPECT_EQ(level_by_error(errors, 0.16), 4);
+    EXPECT_NEAR(level_by_error(errors, 0.12), std::exp2(2.5), 1e-12) << "half way in error, half way in the exponent";
+    EXPECT_EQ(level_by_error(errors, 0.001), 64) << "none is tolerated";
+    EXPECT_EQ(level_by_error({}, 0), 1) << "flat";
+    EXPECT_EQ(level_by_error(errors, tolerated(0, 1000, 1, 0)), 1) << "nothing is pressed in";
+}
+
+TEST(ReliefBounds, HoldTheReliefAndNothingIsFurtherIn) {
+    // A wall's piece facing +z, half of it deep: from 0.3 to 0.1 below the wall, all along the axis.
+    const glm::dvec4 sphere = relief_bounds({1, 2, 3, 0.5}, {0, 0, 1}, 0, 0.4, 0.8, 0.5);
+    EXPECT_LT(glm::distance(sphere, glm::dvec4(1, 2, 3 - 0.2, 0.6)), 1e-15);
+    // Half a metre along a direction that is 0.1 off goes 0.05 astray.
+    EXPECT_NEAR(relief_bounds({0, 0, 0, 1}, {0, 0, 1}, 0.1, 0, 0, 0.5).w, 1.05, 1e-15);
+}
+
+TEST(FacesAway, FromWhereConeAndSphereLeaveOff) {
+    const auto from = [](double degrees, double slope, double radius) {
+        const double angle = glm::radians(degrees);
+        return faces_away({0, 0, 1}, slope, {0, 0, 0, radius}, {10 * std::sin(angle), 0, 10 * std::cos(angle)});
+    };
+    EXPECT_FALSE(from(89, 0, 0));
+    EXPECT_TRUE(from(91, 0, 0));
+    EXPECT_FALSE(from(134, 1, 0)) << "45 degrees of slope";
+    EXPECT_TRUE(from(136, 1, 0));
+    EXPECT_FALSE(from(119, 0, 5)) << "a sphere seen within 30 degrees";
+    EXPECT_TRUE(from(121, 0, 5));
+    EXPECT_FALSE(from(180, 0, 10)) << "the eye in the sphere";
+    EXPECT_FALSE(from(180, 1e30, 0));
 }
 
 TEST(StoredNormals, GiveBackTheFlatTexelExactlyWhereTheFormatCan) {

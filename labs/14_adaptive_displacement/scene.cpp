@@ -1,0 +1,194 @@
+// Planes, cones and errors for the control shader of lab 14.
+#include "scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+namespace relief::adaptive {
+namespace {
+
+/// The most that a matrix of these two columns makes of a unit vector.
+double most_of(const glm::dvec3& u, const glm::dvec3& v) {
+    const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v);
+    return std::sqrt((uu + vv + std::hypot(uu - vv, 2 * uv)) / 2);
+}
+
+/// A corner of a patch as seen along an axis: a and b to its neighbours, `area` what they span.
+struct Span {
+    glm::dvec3 a, b;
+    double area;
+};
+
+/// Whether an edge reads its heights elsewhere on the map than the inside, which then says nothing of the steps
+/// between.
+bool has_jump(std::span<const PatchCorner> patch) {
+    const auto is_whole = [](glm::vec2 tiles) { return tiles == glm::round(tiles); };
+    for (size_t i = 0; i < patch.size(); ++i) {
+        const PatchCorner &here = patch[i], &there = patch[(i + 1) % patch.size()];
+        const glm::vec2 begin = glm::vec2(here.edge_uv) - here.vertex.uv,
+                        end = glm::vec2(here.edge_uv.z, here.edge_uv.w) - there.vertex.uv;
+        if (begin != end || !is_whole(begin) || !is_whole(here.height_uv - here.vertex.uv)) return true;
+    }
+    return false;
+}
+
+/// Heights and errors are per metre of scale; a direction that turns leaves its chord, too.
+void add_turn(LevelErrors& errors, const glm::vec3& from, const glm::vec3& to) {
+    // Of a circle's arc the chord is off by angle²/8, and a relief of any depth up to 1 by that much of it. The ends
+    // either way round: squares of differences are the same.
+    const glm::dvec3 turn = glm::dvec3(from) - glm::dvec3(to);
+    double bend = std::min(1.0, glm::dot(turn, turn) / 8 * 1.2);
+    for (float& error : errors) error += float(bend), bend /= 4;
+}
+
+}  // namespace
+
+std::array<glm::vec4, 6> planes_of(const Camera& camera, const glm::dvec3& origin) {
+    const glm::dmat4 clip_from_model = camera.clip_from_world() * glm::translate(glm::dmat4(1), origin);
+    const glm::dvec4 w = glm::row(clip_from_model, 3);
+    std::array<glm::vec4, 6> planes;
+    for (int i = 0; i < 6; ++i) {
+        const glm::dvec4 plane = w + (i % 2 ? -1.0 : 1.0) * glm::row(clip_from_model, i / 2);
+        planes[size_t(i)] = glm::vec4(plane / glm::length(glm::dvec3(plane)));
+    }
+    return planes;
+}
+
+double pixels_per_radian(const Frame& frame) {
+    return frame.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2));
+}
+
+double most_pixels_per_radian(const Frame& frame) {
+    const double up = std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2),
+                 across = up * frame.size.x / std::max(1, frame.size.y);
+    return pixels_per_radian(frame) * (1 + up * up + across * across);
+}
+
+Facing facing_of(std::span<const PatchCorner> patch, const PatchHeights& heights, double scale) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const size_t n = patch.size();
+    const auto position = [&](size_t i) { return glm::dvec3(patch[i % n].vertex.position); };
+    const auto direction = [&](size_t i) { return glm::dvec3(patch[i % n].direction); };
+
+    Facing facing{};
+    glm::dvec3 centre(0);
+    for (size_t i = 0; i < n; ++i) centre += position(i) / double(n);
+    double radius = 0;
+    for (size_t i = 0; i < n; ++i) radius = std::max(radius, glm::distance(centre, position(i)));
+    facing.sphere = {centre, radius * (1 + 1e-5)};  // as floats are rounded
+    const glm::dvec3 across = n == 4 ? glm::cross(position(2) - position(0), position(3) - position(1))
+                                     : glm::cross(position(1) - position(0), position(2) - position(0));
+    const glm::dvec3 axis = facing.axis = glm::length(across) > 0 ? glm::normalize(across) : direction(0);
+    for (size_t i = 0; i < n; ++i) facing.spread = std::max(facing.spread, glm::distance(axis, direction(i)));
+    facing.flat_rise = facing.rise = infinite, facing.skew = facing.length = 1;
+    // Between directions further apart than a right angle anything may lie.
+    if (!(facing.spread < std::sqrt(2.0))) facing.spread = 2;
+    const double shortest = 1 - facing.spread * facing.spread / 2;  // of a direction between them
+    if (shortest <= 0) return facing;
+
+    const double middle = scale * (1 - (double(heights.lowest) + double(heights.highest)) / 2),
+                 uneven = scale * (double(heights.highest) - double(heights.lowest)) / 2;
+    const glm::dvec3 e = glm::normalize(
+                         glm::cross(axis, std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0))),
+                     f = glm::cross(axis, e);
+    const auto spans = [&](size_t i, double depth) {
+        const auto place = [&](size_t k) { return position(k) - depth * direction(k); };
+        Span span{place(i + 1) - place(i), place(i + n - 1) - place(i), 0};
+        span.area = glm::dot(axis, glm::cross(span.a, span.b));
+        return span;
+    };
+    // Where something changes by da along a and by db along b: by how much along e, times the area.
+    const auto change = [&](const Span& span, const glm::dvec3& da, const glm::dvec3& db, const glm::dvec3& way) {
+        return da * glm::dot(axis, glm::cross(way, span.b)) + db * glm::dot(axis, glm::cross(span.a, way));
+    };
+    const auto rate = [&](const Span& span, const glm::dvec3& da, const glm::dvec3& db) {
+        return most_of(change(span, da, db, e), change(span, da, db, f)) / span.area;
+    };
+    double flat_rise = 0, rise = 0, stretch = 0, turn = 0, longest = 0, area = infinite, cosine = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const Span flat = spans(i, 0), inner = spans(i, middle);
+        if (!(flat.area > 0 && inner.area > 0)) return facing;
+        flat_rise = std::max(flat_rise, rate(flat, axis * glm::dot(axis, flat.a), axis * glm::dot(axis, flat.b)));
+        rise = std::max(rise, rate(inner, axis * glm::dot(axis, inner.a), axis * glm::dot(axis, inner.b)));
+        stretch = std::max(stretch, rate(inner, flat.a, flat.b));
+        turn = std::max(turn, rate(inner, direction(i + 1) - direction(i), direction(i + n - 1) - direction(i)));
+        for (const Span& span : {flat, inner}) {
+            const glm::dvec3 a = span.a - axis * glm::dot(axis, span.a), b = span.b - axis * glm::dot(axis, span.b);
+            longest = std::max({longest, glm::dot(a, a), glm::dot(b, b)}), area = std::min(area, span.area);
+            cosine = std::max(cosine, std::abs(glm::dot(a, b)) / (glm::length(a) * glm::length(b)));
+        }
+    }
+    facing.flat_rise = flat_rise;
+    facing.length = longest / area;
+    facing.skew = 1 / std::sqrt(std::max(1 - cosine, 1e-12));
+    if (has_jump(patch)) return facing;
+    // What is left of p - depth d when p - middle D is taken away: (depth - middle) d, and middle (d - D) since D is
+    // not unit.
+    const double deeper = scale * double(heights.slope) * stretch;
+    const double turned = uneven * turn / shortest +
+                          std::abs(middle) * turn * (facing.spread * facing.spread / 2 + 2 * facing.spread) / shortest;
+    facing.rise = rise + deeper + turned;
+    facing.shift = deeper * facing.spread + turned;
+    return facing;
+}
+
+void PatchTexture::set(const Program& program, const DisplacedSurface& surface, bool with_errors, int unit) {
+    const bool is_old = version_ != surface.version() || (with_errors && !has_errors_);
+    if (!texture_ || is_old || scale_ != surface.scale()) {
+        if (is_old) known_.clear(), has_errors_ = with_errors;
+        version_ = surface.version(), scale_ = surface.scale();
+        const auto make = [this, &surface] {
+            if (known_.empty()) known_ = known_of(surface, has_errors_);
+            return image(surface.patches(), known_, double(scale_));
+        };
+        texture_.emplace("patches", make, TextureOptions{.mips = false});
+    }
+    program.set("s_patches", unit, *texture_);
+}
+
+std::vector<PatchHeights> PatchTexture::known_of(const DisplacedSurface& surface, bool with_errors) {
+    std::vector<HeightCorner> corners;
+    const std::vector<PatchCorner>& points = surface.patches().points;
+    for (const PatchCorner& point : points)
+        corners.push_back({point.vertex.position, point.vertex.uv, point.height_uv, point.edge_uv});
+    std::vector<PatchHeights> known = measure_patches(corners, surface.corners(), surface.heights(), with_errors);
+    const size_t n = size_t(surface.corners());
+    for (size_t i = 0; i < known.size(); ++i) {
+        const PatchCorner* const patch = &points[i * n];
+        for (size_t k = 0; k < n; ++k) add_turn(known[i].edges[k], patch[k].direction, patch[(k + 1) % n].direction);
+        add_turn(known[i].inside, patch[0].direction, patch[n / 2].direction);
+        add_turn(known[i].inside, patch[1].direction, patch[n - 1].direction);
+    }
+    return known;
+}
+
+Image PatchTexture::image(const PatchMesh& patches, const std::vector<PatchHeights>& known, double scale) {
+    const size_t n = size_t(patches.corners);
+    const int lines = int((known.size() + patches_a_line - 1) / patches_a_line);
+    Image image(rows * patches_a_line, std::max(1, lines), 4);
+    for (size_t i = 0; i < known.size(); ++i) {
+        // Row 0 of an image is the top, that of a texture the lowest.
+        float* texel = image.pixel(int(i % patches_a_line) * rows, image.height - 1 - int(i / patches_a_line));
+        const auto put = [&](std::initializer_list<double> values) {
+            // What is infinite stays a number.
+            for (const double value : values) *texel++ = float(std::min(value, 1e30));
+        };
+        const Facing facing = facing_of({&patches.points[i * n], n}, known[i], scale);
+        put({double(known[i].lowest), double(known[i].highest), facing.spread, 0});
+        put({facing.sphere.x, facing.sphere.y, facing.sphere.z, facing.sphere.w});
+        put({facing.axis.x, facing.axis.y, facing.axis.z, facing.flat_rise});
+        put({facing.rise, facing.shift, facing.skew, facing.length});
+        const auto put_errors = [&](const LevelErrors& errors, float height) {
+            texel = std::copy(errors.begin(), errors.end(), texel);
+            *texel++ = height;
+        };
+        put_errors(known[i].inside, (known[i].lowest + known[i].highest) / 2);
+        for (size_t k = 0; k < known[i].edges.size(); ++k) put_errors(known[i].edges[k], known[i].edge_heights[k]);
+    }
+    return image;
+}
+
+}  // namespace relief::adaptive

@@ -1,0 +1,410 @@
+// Lab 14: levels are those of the twins, at every place and from everywhere; edges agree where patches do not; nothing
+// that is seen is culled; and nothing is left that is not a number.
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+#include "framework/lab/displaced_surface.h"
+#include "framework/reference/tessellation.h"
+#include "labs/14_adaptive_displacement/scene.h"
+#include "tests/labs/feedback.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+constexpr unsigned seed = 14;
+
+struct Dice {
+    std::mt19937 random{seed};
+    double between(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
+    template <size_t count>
+    const char* one_of(const char* const (&names)[count]) {
+        return names[random() % count];
+    }
+    /// At a place where it sees the surface, or a part of it, or nothing.
+    Orbit view(double nearest, double farthest) {
+        return {.yaw = between(0, 360),
+                .pitch = between(-89, 89),
+                .distance = nearest * std::pow(farthest / nearest, between(0, 1)),
+                .target = {between(-0.4, 0.4), between(-0.4, 0.4), between(-0.4, 0.4)},
+                .field_of_view = between(5, 80)};
+    }
+};
+
+Shot eye(std::vector<Knob> knobs, const char* probe = "", glm::ivec2 size = {128, 128}) {
+    knobs.emplace(knobs.begin(), "view", "eye");
+    return shot_of("14", std::move(knobs), probe, size);
+}
+
+using Triangle = std::array<float, 9>;
+
+std::multiset<Triangle> triangles(Lab& lab, const Shot& shot, const char* cull) {
+    set_knob(lab, "cull", cull);
+    const std::vector<glm::vec3> corners = triangles_of(lab, shot);
+    std::multiset<Triangle> result;
+    for (size_t i = 0; i < corners.size(); i += 3) {
+        Triangle triangle;
+        for (size_t k = 0; k < 9; ++k) triangle[k] = corners[i + k / 3][int(k % 3)];
+        result.insert(triangle);
+    }
+    return result;
+}
+
+/// Whether it is nowhere in front of one of the planes of the picture, or seen from behind.
+bool is_rightly_culled(const Triangle& triangle, const Camera& camera) {
+    std::array<glm::dvec3, 3> place;
+    for (int i = 0; i < 3; ++i)
+        place[size_t(i)] = {triangle[size_t(3 * i)], triangle[size_t(3 * i + 1)], triangle[size_t(3 * i + 2)]};
+    const glm::dvec3 across = glm::cross(place[1] - place[0], place[2] - place[0]);
+    // What has no area but that of rounding, some 1e-7 of a metre across, has no side.
+    const double longest = std::max(
+        {glm::distance(place[0], place[1]), glm::distance(place[1], place[2]), glm::distance(place[2], place[0])});
+    if (glm::dot(across, camera.eye() - place[0]) <= 3e-7 * longest * glm::distance(camera.eye(), place[0]))
+        return true;
+    const glm::dmat4 clip_from_world = camera.clip_from_world();
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            bool is_behind = true;
+            for (const glm::dvec3& corner : place) {
+                const glm::dvec4 clip = clip_from_world * glm::dvec4(corner, 1);
+                is_behind = is_behind && sign * clip[axis] + clip.w < 1e-9;
+            }
+            if (is_behind) return true;
+        }
+    return false;
+}
+
+TEST(AdaptiveDisplacement, OnlyTrianglesThatNobodySeesAreCulled) {
+    Dice dice;
+    std::printf("seed %u\n", seed);
+    size_t all = 0, wrong = 0, culled = 0;
+    for (int scene = 0; scene < 12; ++scene) {
+        const char* const surface = dice.one_of({"sphere", "globe", "torus", "box", "urn", "ground", "column"});
+        const bool fades = dice.random() % 3 == 0;
+        std::vector<Knob> knobs = {{"surface", surface},
+                                   {"corners", dice.one_of({"3", "4"})},
+                                   {"patches", dice.one_of({"2", "5", "8", "12"})},
+                                   {"map", dice.one_of({"smooth", "fbm", "stones"})},
+                                   {"size", "256"},
+                                   {"depth", dice.one_of({"0", "0.01", "0.05", "0.2"})},
+                                   {"method", dice.one_of({"uniform", "distance", "size", "error"})},
+                                   {"level", dice.one_of({"1", "1.3", "2.4", "5.2"})},
+                                   {"finest", "2.5"},
+                                   {"segment", dice.one_of({"6", "12"})},
+                                   {"spacing", dice.one_of({"equal", "fractional-odd", "fractional-even"})},
+                                   {"fade", fades ? "true" : "false"},
+                                   {"fade_begin", "2"},
+                                   {"fade_end", "4"}};
+        Shot shot = eye(knobs, "place", {64, 64});
+        const auto lab = make_lab(find_lab("14"), shot);
+        size_t here = 0, gone = 0;
+        for (int i = 0; i < 3; ++i) {
+            shot.camera = dice.view(0.5, 8);
+            const Camera camera(shot.camera, 1);
+            const auto drawn = triangles(*lab, shot, "none");
+            auto left = drawn;
+            for (const Triangle& triangle : triangles(*lab, shot, "all")) {
+                const auto at = left.find(triangle);
+                ASSERT_NE(at, left.end()) << "culling made a triangle";
+                left.erase(at);
+            }
+            here += drawn.size(), gone += left.size();
+            for (const Triangle& triangle : left) wrong += !is_rightly_culled(triangle, camera);
+        }
+        all += here, culled += gone;
+        std::string text;
+        for (const auto& [name, value] : knobs) text += name + "=" + value + " ";
+        ASSERT_EQ(wrong, 0u) << text;
+    }
+    EXPECT_GT(culled, all / 4) << culled << " of " << all;
+}
+
+/// The level that each patch should have, with the figures that the lab is given.
+class Twin {
+public:
+    Twin(DisplacedSurface& surface, const Shot& shot, bool by_error)
+        : surface_(surface),
+          known_(adaptive::PatchTexture::known_of(surface, by_error)),
+          frame_{0, shot.size, 0, Camera(shot.camera, double(shot.size.x) / shot.size.y), {}} {}
+
+    double level(const std::string& method, size_t patch) const {
+        const size_t n = size_t(surface_.corners());
+        const glm::dvec3 eye = frame_.camera.eye();
+        const double pixels = adaptive::pixels_per_radian(frame_), scale = double(surface_.scale());
+        const auto place = [&](size_t i) {
+            return glm::dvec3(surface_.patches().points[patch * n + i % n].vertex.position);
+        };
+        const auto direction = [&](size_t i) {
+            return glm::dvec3(surface_.patches().points[patch * n + i % n].direction);
+        };
+        const auto by_error = [&](const LevelErrors& errors, float height, const glm::dvec3& middle,
+                                  const glm::dvec3& way, double half) {
+            const glm::dvec3 pressed = middle + scale * (double(height) - 1) * glm::normalize(way);
+            const double away = std::max(glm::distance(pressed, eye) - half, 0.0);
+            std::array<double, 7> all;
+            std::copy(errors.begin(), errors.end(), all.begin());
+            return level_by_error(all, tolerated(away, adaptive::most_pixels_per_radian(frame_), 2, scale));
+        };
+        glm::dvec3 centre(0);
+        for (size_t i = 0; i < n; ++i) centre += place(i) / double(n);
+        double radius = 0, highest = 1;
+        for (size_t i = 0; i < n; ++i) {
+            const glm::dvec3 a = place(i), b = place(i + 1);
+            radius = std::max(radius, glm::distance(centre, a));
+            highest =
+                std::max(highest, method == "distance" ? level_by_distance(a, b, eye, 2, 9, 4, 0.5)
+                                  : method == "size"
+                                      ? level_by_size(a, b, eye, pixels, 3)
+                                      : by_error(known_[patch].edges[i], known_[patch].edge_heights[i], 0.5 * (a + b),
+                                                 direction(i) + direction(i + 1), 0.5 * glm::distance(a, b)));
+        }
+        if (method != "error") return highest;
+        const PatchHeights& known = known_[patch];
+        const glm::dvec3 axis = n == 4 ? glm::cross(place(2) - place(0), place(3) - place(1))
+                                       : glm::cross(place(1) - place(0), place(2) - place(0));
+        return std::max(highest, by_error(known.inside, (known.lowest + known.highest) / 2, centre, axis, radius));
+    }
+
+private:
+    const DisplacedSurface& surface_;
+    std::vector<PatchHeights> known_;
+    Frame frame_;
+};
+
+TEST(AdaptiveDisplacement, LevelsAreThoseOfTheTwins) {
+    struct Scene {
+        const char* name;
+        DisplacedSurface::Shape shape;
+        int patches, corners;
+    };
+    // One patch, more than a line of the texture holds, and more than two.
+    for (const auto& [name, shape, patches, corners] : {Scene{"ground", DisplacedSurface::ground, 1, 4},
+                                                        {"ground", DisplacedSurface::ground, 9, 4},
+                                                        {"ground", DisplacedSurface::ground, 7, 3},
+                                                        {"torus", DisplacedSurface::torus, 6, 4},
+                                                        {"box", DisplacedSurface::box, 4, 3}})
+        for (const std::string method : {"distance", "size", "error"}) {
+            Shot shot = eye({{"surface", name},
+                             {"patches", std::to_string(patches)},
+                             {"corners", std::to_string(corners)},
+                             {"map", "smooth"},
+                             {"size", "256"},
+                             {"depth", "0.1"},
+                             {"method", method},
+                             {"nearest", "2"},
+                             {"farthest", "9"},
+                             {"finest", "4"},
+                             {"coarsest", "0.5"},
+                             {"segment", "3"},
+                             {"budget", "2"}},
+                            "place", {64, 48});
+            shot.camera = {.yaw = 40, .pitch = 30, .distance = shape == DisplacedSurface::ground ? 9.0 : 4.0};
+            DisplacedSurface surface;
+            surface.shape = shape, surface.density = patches, surface.corners_choice = corners - 3;
+            surface.material.map = 0, surface.material.size = 1, surface.depth = 0.1f;
+            const Twin twin(surface, shot, method == "error");
+            const auto lab = make_lab(find_lab("14"), shot);
+            const Image places = take(*lab, shot);
+            shot.probe = {"level"};
+            const Image levels = take(*lab, shot);
+            size_t seen = 0;
+            for (size_t i = 0; i < places.values.size(); i += 4) {
+                if (places.values[i] == no_surface) continue;
+                ++seen;
+                const double expected = twin.level(method, size_t(std::lround(places.values[i + 2])));
+                ASSERT_NEAR(double(levels.values[i]), expected, 1e-3 * expected)
+                    << name << ", " << patches << " patches of " << corners << ", " << method;
+            }
+            EXPECT_GT(seen, 300u) << name << ", " << method;
+        }
+}
+
+TEST(AdaptiveDisplacement, AnEdgeIsAsUnevenFromBothSides) {
+    for (const int shape : {DisplacedSurface::sphere, DisplacedSurface::torus, DisplacedSurface::box})
+        for (const int corners : {3, 4}) {
+            DisplacedSurface surface;
+            surface.shape = shape, surface.density = 4, surface.corners_choice = corners - 3;
+            surface.material.map = 1, surface.material.size = 1;
+            const auto known = adaptive::PatchTexture::known_of(surface, true);
+            const auto& points = surface.patches().points;
+            std::map<std::array<float, 6>, LevelErrors> first;
+            size_t pairs = 0;
+            for (size_t i = 0; i < points.size(); ++i) {
+                const size_t patch = i / size_t(corners), edge = i % size_t(corners);
+                glm::vec3 a = points[i].vertex.position,
+                          b = points[patch * size_t(corners) + (edge + 1) % size_t(corners)].vertex.position;
+                const std::array<float, 6> there = {b.x, b.y, b.z, a.x, a.y, a.z};
+                if (const auto other = first.find(there); other != first.end()) {
+                    EXPECT_EQ(other->second, known[patch].edges[edge]);
+                    ++pairs;
+                }
+                first[{a.x, a.y, a.z, b.x, b.y, b.z}] = known[patch].edges[edge];
+            }
+            EXPECT_EQ(pairs * 2, points.size());
+        }
+}
+
+/// Over the picture: the least and the most of a probe's first channel, where there is surface.
+std::pair<float, float> range_of(const Image& probe) {
+    std::pair<float, float> range{no_surface, -no_surface};
+    for (size_t i = 0; i < probe.values.size(); i += 4)
+        if (probe.values[i] != no_surface)
+            range = {std::min(range.first, probe.values[i]), std::max(range.second, probe.values[i])};
+    return range;
+}
+
+TEST(AdaptiveDisplacement, LevelsAreWithinWhatGlTakesFromAnywhere) {
+    // In the middle of a patch, of an edge, on a vertex; below the ground, far away, straight from above.
+    const std::vector<Orbit> cameras = {{.yaw = 0, .pitch = 0, .distance = 1, .target = {0.5, 0, -0.5}},
+                                        {.yaw = 0, .pitch = 0, .distance = 1, .target = {2, 0, 0}},
+                                        {.yaw = 0, .pitch = 0, .distance = 1, .target = {0, 0, -1}},
+                                        {.yaw = 10, .pitch = -40, .distance = 3},
+                                        {.yaw = 10, .pitch = 30, .distance = 500},
+                                        {.yaw = 0, .pitch = 89, .distance = 9}};
+    for (const char* method : {"distance", "size", "error"}) {
+        // From above all patches are drawn, with the levels that they have for the eye.
+        Shot shot = shot_of("14",
+                            {{"view", "above"},
+                             {"patches", "8"},
+                             {"map", "fbm"},
+                             {"size", "256"},
+                             {"method", method},
+                             {"farthest", "2"},
+                             {"finest", "6"},
+                             {"coarsest", "0"},
+                             {"segment", "1"},
+                             {"budget", "0.125"},
+                             {"cull", "none"}},
+                            "level", {32, 32});
+        const auto lab = make_lab(find_lab("14"), shot);
+        for (const char* depth : {"0", "0.3"})
+            for (const Orbit& camera : cameras) {
+                set_knob(*lab, "depth", depth);
+                shot.camera = camera;
+                const auto [least, most] = range_of(take(*lab, shot));
+                EXPECT_GE(least, 1) << method << " " << camera.pitch;
+                EXPECT_LE(most, 64.0001f) << method << " " << camera.pitch;
+                if (std::string(depth) == "0" && *method == 'e') {
+                    EXPECT_EQ(most, 1) << "nothing can be off";
+                }
+            }
+    }
+}
+
+size_t holes_of(const Image& winding) {
+    size_t count = 0;
+    for (size_t i = 0; i < winding.values.size(); i += 4) count += winding.values[i] != 0;
+    return count;
+}
+
+TEST(AdaptiveDisplacement, LevelsOfPatchesCrackAndThoseOfEdgesDoNot) {
+    for (const char* surface : {"sphere", "torus", "globe", "box"})
+        for (const char* method : {"distance", "size", "error"}) {
+            Shot shot = eye({{"surface", surface},
+                             {"patches", "4"},
+                             {"map", "fbm"},
+                             {"size", "256"},
+                             {"method", method},
+                             {"nearest", "1.5"},
+                             {"farthest", "4"},
+                             {"finest", "4"},
+                             {"coarsest", "1"},
+                             {"segment", "4"},
+                             {"budget", "0.5"},
+                             {"fade", "true"},
+                             {"fade_begin", "2"},
+                             {"fade_end", "9"}},
+                            "winding");
+            shot.camera = {.yaw = 25, .pitch = 30, .distance = 3.2};
+            EXPECT_EQ(holes_of(drawn("14", shot)), 0u) << surface << ", " << method;
+            shot.set.emplace_back("levels_of", "patch");
+            if (*surface == 's' || *surface == 't') {
+                EXPECT_GT(holes_of(drawn("14", shot)), 3u) << surface << ", " << method;
+            }
+        }
+}
+
+TEST(AdaptiveDisplacement, ASmoothShallowGlobeShowsLittleOfItsBack) {
+    // A sphere is seen from 4 radii to a cosine of 1/4: five eighths of it face away.
+    Shot shot = eye({{"surface", "sphere"},
+                     {"patches", "32"},
+                     {"map", "smooth"},
+                     {"size", "256"},
+                     {"depth", "0.01"},
+                     {"method", "uniform"},
+                     {"level", "1"}},
+                    "place", {64, 64});
+    shot.camera = {.yaw = 20, .pitch = 15, .distance = 4};
+    const auto lab = make_lab(find_lab("14"), shot);
+    const double all = double(triangles(*lab, shot, "none").size()), left = double(triangles(*lab, shot, "all").size());
+    EXPECT_LT(left / all, 0.375 + 0.2) << "culled of the five eighths: " << (1 - left / all) / 0.625;
+    EXPECT_GT(left / all, 0.375);
+}
+
+TEST(AdaptiveDisplacement, WithoutDepthOrBeyondTheFadeItIsTheFlatMesh) {
+    for (const char* surface : {"ground", "box"}) {
+        const auto depths = [&](std::vector<Knob> knobs) {
+            knobs.insert(knobs.begin(), {{"surface", surface}, {"patches", "6"}, {"map", "fbm"}, {"size", "256"}});
+            Shot shot = eye(knobs, "depth");
+            shot.camera = {.yaw = 30, .pitch = 25, .distance = 5};
+            return drawn("14", shot);
+        };
+        const Image flat = depths({{"depth", "0"}, {"method", "uniform"}, {"level", "1"}});
+        for (const auto& knobs : std::vector<std::vector<Knob>>{
+                 {{"depth", "0"}, {"method", "distance"}},
+                 {{"depth", "0"}, {"method", "error"}},
+                 {{"fade", "true"}, {"fade_begin", "0"}, {"fade_end", "0.5"}, {"method", "size"}},
+                 {{"fade", "true"}, {"fade_begin", "0.5"}, {"fade_end", "0"}, {"method", "error"}}}) {
+            // Metres, in floats of up to 16.
+            EXPECT_EQ(difference(depths(knobs), flat, 2e-5).pixels_over, 0u) << surface << " " << knobs[0].second;
+        }
+        EXPECT_GT(difference(depths({{"method", "size"}}), flat, 1e-3).pixels_over, 1000u);
+    }
+}
+
+TEST(AdaptiveDisplacement, EveryPixelIsFiniteWhateverTheMapTheSurfaceAndTheView) {
+    struct Scene {
+        std::vector<Knob> knobs;
+        Orbit camera;
+    };
+    const Orbit near{.yaw = 40, .pitch = 20, .distance = 2.5};
+    std::vector<Scene> scenes;
+    for (const char* map : {"low", "high", "plateau", "damaged", "fbm"})
+        for (const char* size : {"1", "256"}) scenes.push_back({{{"map", map}, {"size", size}}, near});
+    for (const char* surface : {"globe", "urn", "column", "wall"})
+        for (const double pitch : {89.0, -89.0})
+            scenes.push_back({{{"surface", surface}, {"depth", "0.5"}}, {.yaw = 0, .pitch = pitch, .distance = 2.5}});
+    // In the relief, below it, in a sphere, on a pole.
+    scenes.push_back({{{"depth", "0.5"}}, {.yaw = 0, .pitch = 0, .distance = 0.5, .target = {0, -1, 0}}});
+    scenes.push_back({{{"depth", "0.5"}}, {.yaw = 0, .pitch = -30, .distance = 12}});
+    scenes.push_back({{{"surface", "globe"}}, {.yaw = 0, .pitch = 10, .distance = 0.01}});
+    scenes.push_back({{{"surface", "globe"}}, {.yaw = 0, .pitch = 0, .distance = 1, .target = {0, 1, -1}}});
+    scenes.push_back({{{"fade", "true"}, {"fade_begin", "0"}, {"fade_end", "0"}}, near});
+    for (const std::vector<Knob>& method : std::vector<std::vector<Knob>>{
+             {{"view", "both"}, {"method", "error"}, {"budget", "8"}},
+             {{"view", "eye"}, {"method", "size"}, {"corners", "3"}, {"segment", "64"}, {"spacing", "fractional-even"}},
+             {{"view", "eye"}, {"method", "distance"}, {"levels_of", "patch"}, {"finest", "2"}}}) {
+        Shot shot = shot_of("14", method, "", {32, 32});
+        shot.set.insert(shot.set.end(), {{"patches", "3"}, {"map", "smooth"}, {"size", "256"}});
+        const auto lab = make_lab(find_lab("14"), shot);
+        const std::vector<KnobText> before = describe_knobs(*lab);
+        const Target light(TargetKind::light, shot.size), numbers(TargetKind::probe, shot.size);
+        for (const Scene& scene : scenes) {
+            for (const auto& [name, value] : scene.knobs) set_knob(*lab, name, value);
+            for (const char* probe : {"", "depth"}) {
+                const Target& target = *probe ? numbers : light;
+                draw_lab(*lab, {target.framebuffer(), shot.size, 0, Camera(scene.camera, 1), {probe}});
+                for (const float value : target.read().values)
+                    ASSERT_TRUE(std::isfinite(value) || (*probe && value == no_surface))
+                        << probe << ": " << scene.knobs[0].first << " = " << scene.knobs[0].second << " from "
+                        << scene.camera.pitch << ", " << scene.camera.distance;
+            }
+            for (const KnobText& knob : before) set_knob(*lab, knob.name, knob.value);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace relief
