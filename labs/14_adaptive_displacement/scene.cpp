@@ -50,9 +50,9 @@ std::array<glm::vec4, 6> planes_of(const Camera& camera, const glm::dvec3& origi
     const glm::dmat4 clip_from_model = camera.clip_from_world() * glm::translate(glm::dmat4(1), origin);
     const glm::dvec4 w = glm::row(clip_from_model, 3);
     std::array<glm::vec4, 6> planes;
-    for (int i = 0; i < 6; ++i) {
-        const glm::dvec4 plane = w + (i % 2 ? -1.0 : 1.0) * glm::row(clip_from_model, i / 2);
-        planes[size_t(i)] = glm::vec4(plane / glm::length(glm::dvec3(plane)));
+    for (size_t i = 0; i < planes.size(); ++i) {
+        const glm::dvec4 plane = w + (i % 2 ? -1.0 : 1.0) * glm::row(clip_from_model, int(i / 2));
+        planes[i] = glm::vec4(plane / glm::length(glm::dvec3(plane)));
     }
     return planes;
 }

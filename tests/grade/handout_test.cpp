@@ -185,7 +185,8 @@ TEST_F(StudentsCourse, HoldsNoTruthButAsPictures) {
           "shaders/common/tangent_space.glsl", "shaders/common/normal_map.glsl", ".git", "CONTRIBUTING.md"})
         EXPECT_FALSE(fs::exists(course() / left_out)) << left_out;
     for (const std::string& lab : *labs_) {
-        const std::string truth = read_file(course() / "labs" / lab / "truth.cpp");
+        const fs::path folder = course() / "labs" / lab;  // a truth of two lines stands in the lab itself
+        const std::string truth = read_file(folder / (fs::exists(folder / "truth.cpp") ? "truth.cpp" : "lab.cpp"));
         for (const char* word : {"first_hit", "HeightField", "point_on", "encode_normal", "with_tangents("})
             EXPECT_FALSE(contains(truth, word)) << lab << ": " << word;
         size_t pictures = 0;
