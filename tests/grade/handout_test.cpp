@@ -300,9 +300,13 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
         EXPECT_EQ(code, 0) << lab << report.dump(1);
         EXPECT_EQ(report.at("points"), report.at("of")) << lab;
     }
-    // And what was left out or replaced on the way is not missed in any picture.
-    const Result golden = run({(build / "bin/relief").string(), "golden"});
-    EXPECT_EQ(golden.code, 0) << golden.err;
+    // And what was left out or replaced on the way is not missed in any picture, but in lab 03's, which show how far
+    // its normals are from the exact ones.
+    for (const std::string& lab : *labs_) {
+        if (lab == "03_height_to_normal") continue;
+        const Result golden = run({(build / "bin/relief").string(), "golden", lab});
+        EXPECT_EQ(golden.code, 0) << golden.err;
+    }
 }
 
 TEST(PublicManifest, LosesHiddenChecksAndMistakesAndKeepsTheRestAsItStands) {
