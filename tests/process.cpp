@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include <atomic>
 #include <chrono>
@@ -68,8 +69,10 @@ bool Process::running() {
     return pid_ > 0;
 }
 
-Result Process::wait() {
-    for (int i = 0; running() && i < 3000; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5 + i / 50));
+Result Process::wait(std::chrono::minutes most) {
+    const auto end = std::chrono::steady_clock::now() + most;
+    for (int i = 0; running() && std::chrono::steady_clock::now() < end; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5 + std::min(i / 50, 55)));
     if (running()) {
         signal(SIGKILL);
         waitpid(pid_, &status_, 0);

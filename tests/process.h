@@ -1,6 +1,7 @@
 // Programs run by the tests as a user runs them.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -30,8 +31,8 @@ public:
     /// What it has written to standard error so far.
     std::string err() const;
     bool running();
-    /// Waits for the end, two minutes at the most; then kills it.
-    Result wait();
+    /// Waits for the end, but no longer than that; then kills it.
+    Result wait(std::chrono::minutes most = std::chrono::minutes(2));
 
 private:
     std::filesystem::path out_, err_;
@@ -41,6 +42,10 @@ private:
 
 inline Result run(const std::vector<std::string>& command, const Circumstances& where = {}) {
     return Process(command, where).wait();
+}
+/// The same for what compiles a course, beside other tests on a slow machine.
+inline Result run_build(const std::vector<std::string>& command) {
+    return Process(command).wait(std::chrono::minutes(15));
 }
 
 /// The executable of this build.

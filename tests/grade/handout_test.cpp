@@ -267,7 +267,7 @@ TEST_F(StudentsCourse, OfSomeLabsIsAPartOfTheWholeAndGrowsIntoIt) {
 TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutions) {
     const fs::path build = course() / "build";
     const auto ninja = [&](const char* target) {
-        const Result built = run({"ninja", "-C", build.string(), target});
+        const Result built = run_build({"ninja", "-C", build.string(), target});
         ASSERT_EQ(built.code, 0) << built.out.substr(built.out.size() > 4000 ? built.out.size() - 4000 : 0);
     };
     const Result configured = run({"cmake", "-S", course().string(), "-B", build.string(), "-G", "Ninja",
