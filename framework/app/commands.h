@@ -33,6 +33,14 @@ int check_own_work(const std::string& lab, bool json);
 
 int make_handout(const std::string& folder);
 
+struct GradeArguments {
+    std::vector<std::string> paths, labs;
+    std::string output, jobs, seconds = "20";
+    bool trust = false, fresh = false;
+};
+/// 1 when the machine failed a submission.
+int grade_submissions(const GradeArguments& arguments);
+
 struct BenchArguments {
     std::vector<std::string> topics;
     std::string output, repeats = "15", context = "auto";

@@ -103,6 +103,17 @@ std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check) {
     return truth_of(*make_lab(lab, check.shot), check.shot);
 }
 
+CheckResult judge(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected) {
+    try {
+        refuse_unusable(drawn, check.shot);
+    } catch (const Error& error) {
+        return {&check, Outcome::broken, error.what()};
+    }
+    if (!drawn.same_shape(expected)) return {&check, Outcome::broken, "the expected picture has another size"};
+    if (!check.shot.probe) return compare_pictures(check, drawn, expected);
+    return compare_probes(check, manifest.probe(check.shot.probe.name), drawn, expected);
+}
+
 CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                       const std::optional<Image>& expected) {
     try {
@@ -110,9 +121,7 @@ CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const Check
             return {&check, Outcome::unfinished, "not written yet"};
         const Image drawn = draw(lab, check.shot);
         const Image other = expected ? *expected : draw(lab, manifest.check(check.against).shot);
-        if (!drawn.same_shape(other)) return {&check, Outcome::broken, "the expected picture has another size"};
-        if (!check.shot.probe) return compare_pictures(check, drawn, other);
-        return compare_probes(check, manifest.probe(check.shot.probe.name), drawn, other);
+        return judge(manifest, check, drawn, other);
     } catch (const Error& error) {
         return {&check, Outcome::broken, error.what()};
     }

@@ -32,6 +32,10 @@ std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check);
 /// The file of it, whether it is there or not.
 std::filesystem::path expectation_file(const LabEntry& lab, const CheckInfo& check);
 
+/// What a check says of a picture, whoever has drawn it: first whether it is one at all, then how far it is from what
+/// is expected. `drawn` need not be trusted. Wants no context.
+CheckResult judge(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected);
+
 /// Draws and compares, in the current context. Never throws for what a student's file does.
 CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                       const std::optional<Image>& expected);

@@ -56,4 +56,7 @@ constexpr int out_of_memory_code = 97;
 /// Runs it to its end, or ends it with all the processes it has made. Does not throw for what the command does.
 SandboxResult run_sandboxed(const SandboxJob& job, Isolation isolation);
 
+/// The same by limits alone and as the user that we are: for commands that are our own.
+SandboxResult run_trusted(const SandboxJob& job);
+
 }  // namespace relief
