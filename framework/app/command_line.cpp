@@ -187,8 +187,10 @@ private:
             ->type_name("LAB")
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
         sub->add_option("--jobs", grade_.jobs, "submissions at a time [one for each processor]")->type_name("N");
-        sub->add_option("--seconds", grade_.seconds, "for drawing a lab once [20]")->type_name("S");
+        sub->add_option("--seconds", grade_.seconds, "for drawing a lab once [20, more where the solution is slow]")
+            ->type_name("S");
         sub->add_flag("--trust", grade_.trust, "also where submissions can be kept from nothing");
+        sub->add_flag("--self-test", grade_.self_test, "no submissions: solutions, starters and known mistakes");
         sub->add_flag("--fresh", grade_.fresh, "everything anew");
     }
     void add_bench() {

@@ -35,8 +35,8 @@ int make_handout(const std::string& folder);
 
 struct GradeArguments {
     std::vector<std::string> paths, labs;
-    std::string output, jobs, seconds = "20";
-    bool trust = false, fresh = false;
+    std::string output, jobs, seconds;
+    bool trust = false, fresh = false, self_test = false;
 };
 /// 1 when the machine failed a submission.
 int grade_submissions(const GradeArguments& arguments);

@@ -7,6 +7,7 @@
 #include "framework/base/parallel.h"
 #include "framework/base/text.h"
 #include "framework/grade/class.h"
+#include "framework/grade/self_test.h"
 
 namespace relief {
 namespace {
@@ -23,7 +24,7 @@ int whole_number(const std::string& text, const char* option, int low, int high)
 ClassOptions options_of(const GradeArguments& arguments) {
     ClassOptions options;
     options.jobs = arguments.jobs.empty() ? int(hardware_threads()) : whole_number(arguments.jobs, "--jobs", 1, 256);
-    options.limits.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
+    if (!arguments.seconds.empty()) options.limits.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
     options.trust = arguments.trust, options.fresh = arguments.fresh;
     for (const std::string& lab : arguments.labs) {
         const LabEntry& entry = find_lab(lab);
@@ -39,10 +40,32 @@ void print_isolation(const IsolationReport& isolation) {
                            isolation.reason.empty() ? "" : "; " + isolation.reason));
 }
 
+int test_the_grader(ClassOptions& options) {
+    if (options.labs.empty())
+        for (const LabEntry& lab : registry())
+            if (!load_manifest(lab).checks.empty()) options.labs.push_back(&lab);
+    const IsolationReport isolation = isolation_for(options.trust);
+    print_isolation(isolation);
+    SelfTest sum;
+    for (const LabEntry* lab : options.labs) {
+        const SelfTest test = test_grader(*lab, isolation.level, options.limits, options.jobs);
+        sum.mistakes += test.mistakes, sum.caught += test.caught, sum.named += test.named;
+        for (const std::string& wrong : test.wrong) sum.wrong.push_back("lab " + lab->two_digits() + ": " + wrong);
+        fmt::print("lab {}: {} of {} known mistakes caught, {} named; {:.1f} s\n", lab->two_digits(), test.caught,
+                   test.mistakes, test.named, test.seconds);
+        std::fflush(stdout);
+    }
+    for (const std::string& wrong : sum.wrong) print_error(wrong);
+    fmt::print("kill rate {:.4g} %, {} wrong verdicts\n", sum.mistakes ? 100.0 * sum.caught / sum.mistakes : 100.0,
+               sum.wrong.size());
+    return sum.wrong.empty() ? 0 : 1;
+}
+
 }  // namespace
 
 int grade_submissions(const GradeArguments& arguments) {
     ClassOptions options = options_of(arguments);
+    if (arguments.self_test) return test_the_grader(options);
     if (arguments.paths.empty()) throw UsageError("grade needs submissions: folders or archives of task files");
     if (arguments.output.empty()) throw UsageError("grade needs a folder for what it finds: -o FOLDER");
     options.output = arguments.output;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <cstring>
 #include <mutex>
 
@@ -69,25 +70,6 @@ constexpr size_t failure_weight = 1000;
 /// The share of what differs from the solution that must be the mistake's.
 constexpr double agreement = 0.9;
 
-/// Some pixels of a picture, evenly spread, or the failure that came in its place.
-struct Sampled {
-    std::vector<float> values;
-    std::string error;
-    bool drawn = false;
-};
-
-Sampled sampled(const std::optional<Image>& image, const std::string& error) {
-    Sampled result;
-    result.drawn = image.has_value();
-    result.error = first_line(error);
-    if (!image) return result;
-    const size_t step = (image->pixel_count() + samples - 1) / samples;
-    for (size_t i = 0; i < image->pixel_count(); i += step)
-        for (int c = 0; c < image->channels; ++c)
-            result.values.push_back(image->values[i * size_t(image->channels) + size_t(c)]);
-    return result;
-}
-
 /// Near, or both of one kind that is no number.
 bool is_near(float a, float b, double tolerance) {
     if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
@@ -95,6 +77,7 @@ bool is_near(float a, float b, double tolerance) {
 }
 
 /// A fiftieth of what the mistake costs on average: in any unit less than another mistake costs. Pictures: 2 steps.
+template <class Sampled>
 double tolerance_of(const Sampled& mistake, const Sampled& solution, bool probe) {
     if (!probe) return 2.0 / 255 + 1e-6;
     double sum = 0;
@@ -111,6 +94,7 @@ struct Likeness {
     size_t agree = 0;   ///< of those, in which the two are the same
 };
 
+template <class Sampled>
 void compare(const Sampled& drawn, const Sampled& mistake, const Sampled& solution, bool probe, Likeness& likeness) {
     if (!drawn.drawn || !mistake.drawn) {
         likeness.differ += failure_weight;
@@ -134,11 +118,31 @@ struct LabGrader::Pictures {
         std::optional<Image> image;
         Verdict verdict = Verdict::broken;  ///< where there is no image
         std::string error;
+        bool told = false;  ///< the error came from the lab as it drew
     };
     std::vector<One> of;  ///< by check
     double compile = 0, draw = 0;
     std::string log;
 };
+
+/// Some pixels of a picture, evenly spread, or the failure that came in its place.
+struct LabGrader::Sampled {
+    std::vector<float> values;
+    std::string error;
+    bool drawn = false;
+
+    Sampled() = default;
+    Sampled(const std::optional<Image>& image, const std::string& failure);
+};
+
+LabGrader::Sampled::Sampled(const std::optional<Image>& image, const std::string& failure)
+    : error(first_line(failure)), drawn(image.has_value()) {
+    if (!image) return;
+    const size_t step = (image->pixel_count() + samples - 1) / samples;
+    for (size_t i = 0; i < image->pixel_count(); i += step)
+        for (int c = 0; c < image->channels; ++c)
+            values.push_back(image->values[i * size_t(image->channels) + size_t(c)]);
+}
 
 struct LabGrader::Signature {
     const MistakeInfo* mistake;
@@ -148,7 +152,12 @@ struct LabGrader::Signature {
 struct LabGrader::Lazy {
     std::vector<Sampled> solution;  ///< by check
     std::mutex mutex;
-    std::map<std::string, std::vector<Signature>> of_task;
+    struct OfTask {
+        std::vector<Signature> list;
+        size_t next = 0, done = 0;
+        std::condition_variable one_more;
+    };
+    std::map<std::string, OfTask> of_task;
 };
 
 const char* name_of(Verdict verdict) { return verdict_names[int(verdict)]; }
@@ -186,13 +195,14 @@ LabGrader::LabGrader(const LabEntry& lab, const Stage& stage, Isolation isolatio
     if (manifest_.checks.empty()) throw Error(fmt::format("labs/{}/lab.toml: there is no [[check]]", lab.folder));
     CourseFiles solution;
     for (const std::string& file : task_files(manifest_)) solution[file] = read_file(course_root() / file);
+    const bool as_it_takes = limits_.seconds == 0;
+    if (as_it_takes) limits_.seconds = 120;
     Pictures pictures = draw(solution, std::vector<bool>(manifest_.checks.size(), true));
     solution_seconds_ = pictures.draw;
-    // Another machine, or a busy one: what takes the solution long may take a student's work longer.
-    limits_.seconds = std::max(limits_.seconds, 10 * solution_seconds_);
+    if (as_it_takes) limits_.seconds = std::max(20.0, 10 * solution_seconds_);
     for (size_t i = 0; i < manifest_.checks.size(); ++i) {
         const CheckInfo& check = manifest_.checks[i];
-        lazy_->solution.push_back(sampled(pictures.of[i].image, pictures.of[i].error));
+        lazy_->solution.push_back(Sampled(pictures.of[i].image, pictures.of[i].error));
         if (check.against == "truth")
             expected_.push_back(truth_of(*make_lab(lab, check.shot), check.shot));
         else if (check.against == "solution")
@@ -216,7 +226,7 @@ LabGrader::Pictures LabGrader::draw(const CourseFiles& files, const std::vector<
         if (wanted[i]) which.push_back(i);
     if (which.empty()) return pictures;
     StagedCourse course = stage_.course(lab_, files);
-    const Compiled compiled = stage_.compile(lab_, course);
+    const Compiled compiled = stage_.compile(lab_, course, 3 * limits_.seconds);
     pictures.compile = compiled.seconds;
     if (compiled.message.empty()) {
         draw_on(course, pictures, which);
@@ -260,7 +270,7 @@ void LabGrader::draw_on(const StagedCourse& course, Pictures& pictures, const st
         left -= result.wall, pictures.draw += result.wall;
         for (size_t i = 0; i < drawn.shots.size(); ++i) {
             Pictures::One& one = pictures.of[which[from + i]];
-            one.image = std::move(drawn.shots[i].image), one.error = first_line(drawn.shots[i].error);
+            one.image = std::move(drawn.shots[i].image), one.error = first_line(drawn.shots[i].error), one.told = true;
             if (drawn.shots[i].error != one.error && pictures.log.empty()) pictures.log = drawn.shots[i].error;
         }
         from += drawn.shots.size();
@@ -275,7 +285,7 @@ void LabGrader::draw_on(const StagedCourse& course, Pictures& pictures, const st
             }
             return fail_rest(from, which.size(), {Verdict::machine, "the machine failed: " + why.found});
         }
-        if (!drawn.ready) return fail_rest(from, which.size(), why);
+        if (!drawn.ready || !drawn.problem.empty()) return fail_rest(from, which.size(), why);
         fail_rest(from, from + 1, why);
         ++from;
     }
@@ -320,35 +330,57 @@ std::vector<bool> LabGrader::wanted_checks(const std::set<std::string>& tasks) c
     return wanted;
 }
 
+/// Whoever needs them first draws them; who comes meanwhile helps.
 const std::vector<LabGrader::Signature>& LabGrader::signatures(const std::string& task) const {
-    const std::lock_guard lock(lazy_->mutex);
-    if (const auto known = lazy_->of_task.find(task); known != lazy_->of_task.end()) return known->second;
-    std::vector<Signature> found;
-    for (const MistakeInfo& mistake : manifest_.mistakes) {
-        if (mistake.task != task || !mistake.same_as.empty()) continue;
-        CourseFiles files = edited(mistake.edits);
-        for (const std::string& file : task_files(manifest_)) files.try_emplace(file, read_file(course_root() / file));
-        const std::vector<bool> wanted = wanted_checks({task});
-        const Pictures pictures = draw(files, wanted);
-        Signature& signature = found.emplace_back(Signature{&mistake, {}});
-        for (size_t i = 0; i < wanted.size(); ++i)
-            if (wanted[i] && manifest_.checks[i].task == task)
-                signature.pictures[i] = sampled(pictures.of[i].image, pictures.of[i].error);
+    std::unique_lock lock(lazy_->mutex);
+    Lazy::OfTask& known = lazy_->of_task[task];
+    if (known.list.empty())
+        for (const MistakeInfo& mistake : manifest_.mistakes)
+            if (mistake.task == task && mistake.same_as.empty()) known.list.push_back({&mistake, {}});
+    while (known.next < known.list.size()) {
+        Signature& signature = known.list[known.next++];
+        lock.unlock();
+        signature.pictures = pictures_of(*signature.mistake);
+        lock.lock();
+        ++known.done;
+        known.one_more.notify_all();
     }
-    return lazy_->of_task[task] = std::move(found);
+    known.one_more.wait(lock, [&] { return known.done == known.list.size(); });
+    return known.list;
+}
+
+std::map<size_t, LabGrader::Sampled> LabGrader::pictures_of(const MistakeInfo& mistake) const {
+    CourseFiles files = edited(mistake.edits);
+    for (const std::string& file : task_files(manifest_)) files.try_emplace(file, read_file(course_root() / file));
+    const std::vector<bool> wanted = wanted_checks({mistake.task});
+    const Pictures pictures = draw(files, wanted);
+    std::map<size_t, Sampled> result;
+    for (size_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i] && manifest_.checks[i].task == mistake.task)
+            result[i] = Sampled(pictures.of[i].image, pictures.of[i].error);
+    return result;
 }
 
 void LabGrader::name_mistake(TaskMark& task, const Pictures& pictures) const {
+    // Only what was drawn, or what the lab itself has complained of, can be like a mistake.
+    bool any = false;
+    for (size_t i = 0; i < manifest_.checks.size(); ++i) {
+        const Pictures::One& one = pictures.of[i];
+        any |= manifest_.checks[i].task == task.id && one.told;
+    }
+    if (!any) return;
     double best = agreement;
     for (const Signature& signature : signatures(task.id)) {
         Likeness likeness;
         for (const auto& [check, picture] : signature.pictures)
-            compare(sampled(pictures.of[check].image, pictures.of[check].error), picture, lazy_->solution[check],
+            compare(Sampled(pictures.of[check].image, pictures.of[check].error), picture, lazy_->solution[check],
                     bool(manifest_.checks[check].shot.probe), likeness);
         const double share = likeness.differ > 0 ? double(likeness.agree) / double(likeness.differ) : 0;
         if (share <= best) continue;
         best = share;
         task.mistake = signature.mistake->id, task.hint = signature.mistake->hint;
+        for (const MistakeInfo& same : manifest_.mistakes)
+            if (same.same_as == task.mistake) task.hint += " Or: " + same.hint;
     }
 }
 

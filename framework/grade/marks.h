@@ -54,7 +54,9 @@ struct LabMark {
 };
 
 struct GradeLimits {
-    double seconds = 20;              ///< for drawing a lab once, and twice that in all
+    /// For drawing a lab once, twice that in all, and three times that for compiling. 0: twenty, or ten times what the
+    /// solution takes when that is more.
+    double seconds = 0;
     size_t memory = size_t{2} << 30;  ///< bytes of addresses
 };
 
@@ -74,12 +76,14 @@ public:
 
 private:
     struct Pictures;
+    struct Sampled;
     struct Signature;
 
     Pictures draw(const CourseFiles& files, const std::vector<bool>& wanted) const;
     void draw_on(const StagedCourse& course, Pictures& pictures, const std::vector<size_t>& which) const;
     CheckMark judge_one(size_t check, const Pictures& pictures) const;
     void name_mistake(TaskMark& task, const Pictures& pictures) const;
+    std::map<size_t, Sampled> pictures_of(const MistakeInfo& mistake) const;
     const std::vector<Signature>& signatures(const std::string& task) const;
     std::vector<bool> wanted_checks(const std::set<std::string>& tasks) const;
 

@@ -19,7 +19,8 @@ struct IsolationReport {
     Isolation level = Isolation::limits;
     std::string reason;  ///< why it is no better, or empty
 };
-/// Tries it. Takes a few milliseconds.
+/// Tries it, in a few milliseconds. The environment's RELIEF_NO_NAMESPACES has it say that there are none (for tests:
+/// less can be asked for, never more).
 IsolationReport probe_isolation();
 
 struct SandboxLimits {

@@ -272,7 +272,7 @@ StagedCourse Stage::course(const LabEntry& lab, const CourseFiles& files) const 
     return course;
 }
 
-Compiled Stage::compile(const LabEntry& lab, StagedCourse& course) const {
+Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double seconds) const {
     const LabPart& part = labs_.at(lab.folder);
     if (part.sources.empty()) return {};
     const fs::path& root = course.folder->path();
@@ -291,8 +291,8 @@ Compiled Stage::compile(const LabEntry& lab, StagedCourse& course) const {
                                               .readable = course.readable,
                                               .environment = {{"LC_ALL", "C.UTF-8"}, {"TMPDIR", "/tmp"}},
                                               .input = {},
-                                              .limits = {.wall = 60,
-                                                         .cpu = 40,
+                                              .limits = {.wall = seconds,
+                                                         .cpu = seconds,
                                                          .memory = compiler_memory,
                                                          .output = size_t{32} << 20,
                                                          .scratch = size_t{128} << 20,
@@ -304,6 +304,9 @@ Compiled Stage::compile(const LabEntry& lab, StagedCourse& course) const {
         put(course.program, done.output, true);
         return compiled;
     }
+    if (done.errors.find("virtual memory exhausted") != std::string::npos ||
+        done.errors.find("out of memory allocating") != std::string::npos)
+        compiled.ending = Ending::out_of_memory;
     compiled.message = done.errors.empty() ? "the compiler says nothing" : done.errors;
     return compiled;
 }

@@ -58,7 +58,7 @@ public:
     StagedCourse course(const LabEntry& lab, const CourseFiles& files) const;
 
     /// Compiles the C++ tasks of a course, when the lab has any, into a program that becomes the course's.
-    Compiled compile(const LabEntry& lab, StagedCourse& course) const;
+    Compiled compile(const LabEntry& lab, StagedCourse& course, double seconds) const;
 
     /// SHA-256 of all that a mark depends on beside the submission.
     std::string hash() const;
