@@ -13,6 +13,7 @@
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
+#include "framework/grade/report.h"
 
 namespace relief {
 namespace {
@@ -202,6 +203,7 @@ private:
         }
         write_file(options_.output / "results.csv", to_csv(report_.marks));
         write_file(options_.output / "junit.xml", to_junit(report_.marks));
+        write_file(options_.output / "report.html", to_html(report_));
     }
 
     const ClassOptions& options_;

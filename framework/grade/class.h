@@ -30,7 +30,8 @@ struct ClassReport {
 /// How submissions may be run here. Throws Error where they can be kept from nothing and `trust` is not given.
 IsolationReport isolation_for(bool trust);
 
-/// Writes into `output`: results/NAME.json as each is done, then results.csv, junit.xml, gradescope/NAME.json. Throws
+/// Writes into `output`: results/NAME.json as each is done, then results.csv, junit.xml, report.html,
+/// gradescope/NAME.json. Throws
 /// UsageError for two submissions of one name and for none, Error where the solutions themselves do not pass here.
 ClassReport grade_class(const ClassOptions& options);
 

@@ -261,6 +261,8 @@ void LabGrader::draw_on(const StagedCourse& course, Pictures& pictures, const st
         job.command = {course.program.string(), "draw-checks", "--course", course.folder->path().string()};
         job.readable = course.readable;
         job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course.libraries.string()}};
+        // In the sandbox's own memory, gone with it: the next shot need not compile the same shader again.
+        if (isolation_ == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
         job.input = drawing_request(lab_, shots);
         job.limits.wall = std::min(left, limits_.seconds), job.limits.cpu = std::ceil(job.limits.wall);
         job.limits.memory = limits_.memory, job.limits.output = drawings_size(shots);

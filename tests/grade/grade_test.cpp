@@ -141,6 +141,10 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
     EXPECT_EQ(odd_ones, 1);
     EXPECT_TRUE(contains(read_file(output / "results.csv"), "\"o'd \"\"d\"\"\\x0a<b>\",graded,11,"));
     EXPECT_TRUE(contains(read_file(output / "junit.xml"), "o'd &quot;d&quot;\\x0a&lt;b&gt;"));
+    const std::string page = read_file(output / "report.html");
+    EXPECT_TRUE(contains(page, ">o&#39;d &quot;d&quot;\\x0a&lt;b&gt;</a>"));
+    EXPECT_FALSE(contains(page, "<b>\"")) << "a name has become markup";
+    EXPECT_TRUE(contains(page, "As in the known mistake <b>truncated</b>"));
     const json scope = json::parse(read_file(output / "gradescope/good.json"));
     EXPECT_EQ(scope["score"], 11);
     bool some_hidden = false;
