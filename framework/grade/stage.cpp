@@ -10,8 +10,10 @@
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
+#include "framework/base/parallel.h"
 #include "framework/base/paths.h"
 #include "framework/base/sha256.h"
+#include "framework/base/text.h"
 #include "framework/grade/starter.h"
 #include "framework/image/file.h"
 
@@ -20,6 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
+
+constexpr const char* precompiled = "included_by_tasks.h";
 
 bool is_cpp(const std::string& file) { return file.ends_with(".cpp"); }
 bool is_source(const fs::path& file) { return file.extension() == ".cpp" || file.extension() == ".h"; }
@@ -220,16 +224,29 @@ void Stage::build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& pa
         "namespace relief { [[noreturn]] void draw_request(const char* course); }\n"
         "int main(int, char** words) { relief::draw_request(words[3]); }\n");
 
-    std::vector<std::string> sources = {"main.cpp"};
+    // What the tasks' starters include, compiled once: nine tenths of the time that a task takes.
+    std::string includes;
+    for (const auto& [name, text] : part.sources)
+        for (const std::string& line : split(text, '\n'))
+            if (line.starts_with("#include")) includes += line + '\n';
+    put(include / precompiled, includes);
+
+    std::vector<std::string> sources = {precompiled, "main.cpp"};
     for (const std::string& file : files_below("labs/" + lab.folder))
         if (is_cpp(file) && !part.sources.contains(file)) sources.push_back(file);
-    for (const std::string& source : sources) {
-        const fs::path object = here / (fs::path(source).stem().string() + ".o");
-        Words command = compiler(lab);
-        command.insert(command.end(), {"-c", (include / source).string(), "-o", object.string()});
-        must(command, "compile the lab for its C++ tasks");
-        part.objects.push_back(object);
-    }
+    parallel_pieces(sources.size(), 1, 0, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const bool header = !is_cpp(sources[i]);
+            const std::string object = header ? (include / sources[i]).string() + ".gch"
+                                              : (here / (fs::path(sources[i]).stem().string() + ".o")).string();
+            Words command = compiler(lab);
+            if (header) command.insert(command.end(), {"-x", "c++-header"});
+            command.insert(command.end(), {"-c", (include / sources[i]).string(), "-o", object});
+            must(command, "compile the lab for its C++ tasks");
+        }
+    });
+    for (size_t i = 1; i < sources.size(); ++i)
+        part.objects.push_back(here / (fs::path(sources[i]).stem().string() + ".o"));
 
     // The build's own objects. What is left out is called by nothing that draws, so nobody looks for it: -z lazy.
     Words link = {RELIEF_COMPILER,           "-shared", "-Wl,-z,lazy", "-o", (here / "librelief.so").string(),
@@ -281,6 +298,7 @@ Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double second
     Words command = {"/bin/sh", "-c", "cd \"$1\" && shift && \"$@\" -o /tmp/program && cat /tmp/program", "sh",
                      root.string()};
     for (const std::string& word : compiler(lab)) command.push_back(word);
+    command.insert(command.end(), {"-include", (library / "include" / precompiled).string()});
     for (const auto& [source, starter] : part.sources) command.push_back(source);
     for (const fs::path& object : part.objects) command.push_back(object.string());
     for (const std::string& word :
