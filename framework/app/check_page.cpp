@@ -234,8 +234,6 @@ Outcome worst(const TaskResult& task) {
 
 }  // namespace
 
-std::string points_text(double points) { return fmt::format("{:.3g}", points); }
-
 std::string look_at(const CheckResult& result) {
     return result.outcome == Outcome::broken ? "what the message names; nothing is measured until the lab draws"
                                              : result.check->look_at;

@@ -8,9 +8,6 @@
 
 namespace relief {
 
-/// "2", "1.5"
-std::string points_text(double points);
-
 /// What the student is to look at next. What does not draw has not been measured: then the check's own advice would
 /// mislead.
 std::string look_at(const CheckResult& result);

@@ -15,6 +15,9 @@
 #include "framework/context/backends.h"
 #include "framework/lab/knobs.h"
 #include "framework/lab/manifest.h"
+#if __has_include("framework/measure/bench.h")  // not in a student's course
+#include "framework/grade/drawing.h"
+#endif
 
 namespace relief {
 namespace {
@@ -83,8 +86,8 @@ public:
         app_.set_help_flag("-h,--help", "this text");
         app_.get_formatter()->column_width(34);
         add_list(), add_info(), add_run(), add_shot(), add_gallery(), add_check(), add_golden(), add_new_lab();
-#if __has_include("framework/measure/bench.h")  // not in a student's course
-        add_bench(), add_handout();
+#if __has_include("framework/measure/bench.h")
+        add_bench(), add_handout(), add_grade();
 #endif
         // An empty word is most often a script's variable that was never set; it must not mean "all" or "as usual".
         const CLI::Validator not_empty([](std::string& word) { return word.empty() ? "must not be empty" : ""; }, "");
@@ -184,6 +187,22 @@ private:
                         "like 1-5 or 1,3,10-12, added to those that are there [new: all; else those that are there]")
             ->type_name("LABS");
     }
+    void add_grade() {
+        CLI::App* sub = add("grade", "marks for a class: submissions are folders or archives of task files",
+                            [this] { return grade_submissions(grade_); });
+        sub->add_option("PATH", grade_.paths, "submissions")->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        sub->add_option("-o", grade_.output, "where to; what is there and unchanged is not graded again")
+            ->type_name("FOLDER");
+        sub->add_option("--lab", grade_.labs, "only this lab; may be given several times [those handed in]")
+            ->type_name("LAB")
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        sub->add_option("--jobs", grade_.jobs, "submissions at a time [one for each processor]")->type_name("N");
+        sub->add_option("--seconds", grade_.seconds, "for drawing a lab once [20, more where the solution is slow]")
+            ->type_name("S");
+        sub->add_flag("--trust", grade_.trust, "also where submissions can be kept from nothing");
+        sub->add_flag("--self-test", grade_.self_test, "no submissions: solutions, starters and known mistakes");
+        sub->add_flag("--fresh", grade_.fresh, "everything anew");
+    }
     void add_bench() {
         CLI::App* sub = add("bench", "run time against error: a table, and a CSV for each topic",
                             [this] { return run_bench(bench_); });
@@ -208,6 +227,7 @@ private:
     bool verbose_ = false, json_ = false, update_ = false, open_ = false;
     ShotArguments shot_;
     BenchArguments bench_;
+    GradeArguments grade_;
     std::function<int()> command_;
 };
 
@@ -216,6 +236,10 @@ private:
 int run_command_line(int argc, char** argv) {
     clean_up_when_interrupted();
     try {
+#if __has_include("framework/measure/bench.h")
+        // How `grade` starts itself in a sandbox: not for people, and not in --help.
+        if (argc == 4 && std::string_view(argv[1]) == "draw-checks") draw_request(argv[3]);
+#endif
         const std::string program = std::filesystem::path(argc > 0 ? argv[0] : "").filename().string();
         const int code = CommandLine(program).run(argc, argv);
         // A script must not take half an answer, or none, for a whole one.

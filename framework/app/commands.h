@@ -35,6 +35,14 @@ int check_own_work(const std::string& lab, bool json, bool open, std::filesystem
 /// `labs`: see write_handout(); empty for nothing.
 int make_handout(const std::string& folder, const std::string& labs);
 
+struct GradeArguments {
+    std::vector<std::string> paths, labs;
+    std::string output, jobs, seconds;
+    bool trust = false, fresh = false, self_test = false;
+};
+/// 1 when the machine failed a submission.
+int grade_submissions(const GradeArguments& arguments);
+
 struct BenchArguments {
     std::vector<std::string> topics;
     std::string output, repeats = "15", context = "auto";

@@ -92,7 +92,9 @@ std::string read_file(const fs::path& path, size_t limit) {
     return bytes;
 }
 
-void write_file(const fs::path& named, std::string_view bytes) {
+namespace {
+
+void write_whole(const fs::path& named, std::string_view bytes, bool to_disk) {
     // A link stays a link: what it points to is written.
     std::error_code ignored;
     const fs::path path = fs::is_symlink(named, ignored) ? fs::weakly_canonical(named, ignored) : named;
@@ -106,8 +108,18 @@ void write_file(const fs::path& named, std::string_view bytes) {
     }
     UnfinishedFile unfinished(path);
     Descriptor file(open(unfinished.name(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (file < 0 || !write_all(file, bytes) || !file.close() || !unfinished.rename_to(path)) fail(named, "write");
+    if (file < 0 || !write_all(file, bytes) || (to_disk && fsync(file) != 0) || !file.close() ||
+        !unfinished.rename_to(path))
+        fail(named, "write");
+    if (!to_disk) return;
+    const Descriptor folder(open((path.parent_path() / ".").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder < 0 || fsync(folder) != 0) fail(named, "write");
 }
+
+}  // namespace
+
+void write_file(const fs::path& path, std::string_view bytes) { write_whole(path, bytes, false); }
+void write_file_to_disk(const fs::path& path, std::string_view bytes) { write_whole(path, bytes, true); }
 
 void write_standard_output(std::string_view bytes) {
     if (!write_all(STDOUT_FILENO, bytes))

@@ -14,6 +14,9 @@ std::string read_file(const std::filesystem::path& path, size_t limit = size_t{1
 /// Throws Error that names the file and the reason.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// The same, and returns when it is on the disk: what must be there even when the machine loses its power now.
+void write_file_to_disk(const std::filesystem::path& path, std::string_view bytes);
+
 /// Writes everything to standard output. Throws Error when the reader went away or the disk is full.
 void write_standard_output(std::string_view bytes);
 

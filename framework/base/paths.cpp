@@ -1,5 +1,7 @@
 #include "framework/base/paths.h"
 
+#include <sys/auxv.h>
+
 #include <optional>
 
 #include "framework/base/error.h"
@@ -30,10 +32,16 @@ std::optional<fs::path>& found_course() {
 
 }  // namespace
 
-fs::path executable_folder() {
-    static const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-    return folder;
+const fs::path& executable_path() {
+    static const fs::path path = [] {
+        std::error_code no_proc;  // a sandbox has none: there the system's own word counts, what was started
+        const fs::path link = fs::read_symlink("/proc/self/exe", no_proc);
+        return no_proc ? fs::weakly_canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN))) : link;
+    }();
+    return path;
 }
+
+fs::path executable_folder() { return executable_path().parent_path(); }
 
 const fs::path& course_root() {
     if (!found_course())
@@ -42,7 +50,7 @@ const fs::path& course_root() {
     return *found_course();
 }
 
-CourseElsewhere::CourseElsewhere(const fs::path& root) : before_(course_root()) {
+CourseElsewhere::CourseElsewhere(const fs::path& root) : before_(found_course()) {
     if (!is_course(root)) throw Error({root}, "is not a course: there is no labs/ or no shaders/ in it");
     found_course() = root;
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace relief {
 
-/// The folder of the running executable, links resolved.
+/// The running executable and its folder, links resolved.
+const std::filesystem::path& executable_path();
 std::filesystem::path executable_folder();
 
 /// The course's top folder: the nearest one above the executable that has `labs` and `shaders` in it, else
@@ -14,7 +16,7 @@ std::filesystem::path executable_folder();
 const std::filesystem::path& course_root();
 
 /// While this is alive, course_root() is another folder with `labs` and `shaders`: a course with a student's files in
-/// it. One at a time, and on the thread that reads the course.
+/// it; there need be no other. One at a time, and on the thread that reads the course.
 class CourseElsewhere {
 public:
     explicit CourseElsewhere(const std::filesystem::path& root);
@@ -23,7 +25,7 @@ public:
     CourseElsewhere& operator=(const CourseElsewhere&) = delete;
 
 private:
-    std::filesystem::path before_;
+    std::optional<std::filesystem::path> before_;
 };
 
 /// How a path is shown to a person: relative to the course's top folder when inside it, else as it is.

@@ -19,10 +19,8 @@ constexpr double small_difference = 2.0 / 255 + 1e-6, large_difference = 32.0 / 
 constexpr double share_over_small = 0.0005;
 constexpr size_t pixels_over_large = 4;
 
-struct Verdict {
-    Outcome outcome = Outcome::broken;
-    std::string found = {};
-};
+constexpr const char* outcome_names[] = {"passed",  "wrong",       "unfinished",    "broken",
+                                         "crashed", "out_of_time", "out_of_memory", "machine"};
 
 /// What was measured, limit by limit, and whether all were kept.
 class Findings {
@@ -34,7 +32,7 @@ public:
         text_ += fmt::format("{}{} {:.4g}{}{}", text_.empty() ? "" : ", ", what, value, unit,
                              kept ? "" : fmt::format(" (at most {:.4g})", *limit));
     }
-    Verdict verdict() const { return {good_ ? Outcome::passed : Outcome::wrong, text_}; }
+    Judgement judgement() const { return {good_ ? Outcome::passed : Outcome::wrong, text_}; }
 
 private:
     bool good_ = true;
@@ -43,7 +41,7 @@ private:
 
 bool is_surface(const Image& image, size_t pixel) { return image.values[pixel * image.channels] != no_surface; }
 
-Verdict compare_probes(const CheckInfo& check, const ProbeInfo& probe, const Image& drawn, const Image& expected) {
+Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const Image& drawn, const Image& expected) {
     size_t only_one = 0, off = 0;
     for (size_t i = 0; i < drawn.pixel_count(); ++i) only_one += is_surface(drawn, i) != is_surface(expected, i);
     const Image error = error_image(drawn, expected, probe.error);
@@ -63,38 +61,31 @@ Verdict compare_probes(const CheckInfo& check, const ProbeInfo& probe, const Ima
                      limits.outline, "");
     if (summary.not_finite > 0)
         return {Outcome::wrong, fmt::format("{} pixels are not a number or have no direction", summary.not_finite)};
-    return findings.verdict();
+    return findings.judgement();
 }
 
-Verdict compare_pictures(const Image& drawn, const Image& expected) {
+Judgement compare_pictures(const Image& drawn, const Image& expected) {
     const double pixels = double(drawn.pixel_count());
     Findings findings;
     findings.add("share of pixels off by more than 2/255",
                  double(difference(drawn, expected, small_difference).pixels_over) / pixels, share_over_small, "");
     findings.add("pixels off by more than 32/255", double(difference(drawn, expected, large_difference).pixels_over),
                  double(pixels_over_large), "");
-    return findings.verdict();
+    return findings.judgement();
 }
 
 Image draw(const LabEntry& lab, const Shot& shot) { return take(*make_lab(lab, shot), shot); }
 
-/// Draws what is compared into the result's pictures; of those, the expected one only for a relation.
-Verdict judge(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check, bool relation,
-              CheckResult& result) {
-    if (is_unfinished(read_file(course_root() / manifest.task(check.task).file), check.task))
-        return {Outcome::unfinished, "not written yet"};
-    result.drawn = draw(lab, check.shot);
-    if (relation) result.expected = draw(lab, manifest.check(check.against).shot);
-    if (!result.drawn.same_shape(result.expected)) return {Outcome::broken, "the expected picture has another size"};
-    if (!check.shot.probe) return compare_pictures(result.drawn, result.expected);
-    return compare_probes(check, manifest.probe(check.shot.probe.name), result.drawn, result.expected);
-}
-
 }  // namespace
 
 const char* name_of(Outcome outcome) {
-    constexpr const char* names[] = {"passed", "wrong", "unfinished", "broken"};
-    return names[int(outcome)];
+    return outcome_names[int(outcome)];
+}
+
+Outcome outcome_of(const std::string& name) {
+    for (int i = 0; i < int(std::size(outcome_names)); ++i)
+        if (name == outcome_names[i]) return Outcome(i);
+    throw Error("unknown outcome '" + name + "'");
 }
 
 double TaskResult::points() const {
@@ -102,6 +93,8 @@ double TaskResult::points() const {
     for (const CheckResult& result : checks) passed += result.outcome == Outcome::passed;
     return task->points * passed / double(checks.size());
 }
+
+std::string points_text(double points) { return fmt::format("{:.4g}", points); }
 
 fs::path expectation_file(const LabEntry& lab, const CheckInfo& check) {
     std::string name;
@@ -117,17 +110,34 @@ std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check) {
     return truth_of(*make_lab(lab, check.shot), check.shot);
 }
 
+Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected) {
+    try {
+        refuse_unusable(drawn, check.shot);
+    } catch (const Error& error) {
+        return {Outcome::broken, error.what()};
+    }
+    if (!drawn.same_shape(expected)) return {Outcome::broken, "the expected picture has another size"};
+    if (!check.shot.probe) return compare_pictures(drawn, expected);
+    return compare_probes(check, manifest.probe(check.shot.probe.name), drawn, expected);
+}
+
 CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                       const std::optional<Image>& expected) {
     CheckResult result{&check};
     if (expected) result.expected = *expected;
-    Verdict verdict;
+    Judgement said;
     try {
-        verdict = judge(lab, manifest, check, !expected, result);
+        if (is_unfinished(read_file(course_root() / manifest.task(check.task).file), check.task)) {
+            said = {Outcome::unfinished, "not written yet"};
+        } else {
+            result.drawn = draw(lab, check.shot);
+            if (!expected) result.expected = draw(lab, manifest.check(check.against).shot);
+            said = judge(manifest, check, result.drawn, result.expected);
+        }
     } catch (const Error& error) {
-        verdict = {Outcome::broken, error.what()};
+        said = {Outcome::broken, error.what()};
     }
-    result.outcome = verdict.outcome, result.found = verdict.found;
+    result.outcome = said.outcome, result.found = said.found;
     return result;
 }
 

@@ -9,14 +9,23 @@
 
 namespace relief {
 
-/// `unfinished`: the task still calls unfinished(). `broken`: it does not compile, throws, or draws nothing.
-enum class Outcome { passed, wrong, unfinished, broken };
+/// `unfinished`: the task still calls unfinished(). `broken`: it does not compile, throws, or draws nothing. The rest can
+/// only be said of a process of its own; `machine`: the grader or the machine failed, and a student loses nothing by it.
+enum class Outcome { passed, wrong, unfinished, broken, crashed, out_of_time, out_of_memory, machine };
 const char* name_of(Outcome outcome);
+/// Throws Error for another word.
+Outcome outcome_of(const std::string& name);
+
+/// What a check says.
+struct Judgement {
+    Outcome outcome = Outcome::broken;
+    std::string found = {};  ///< what was measured and what is allowed, or what went wrong
+};
 
 struct CheckResult {
     const CheckInfo* check;
     Outcome outcome = Outcome::broken;
-    std::string found = {};           ///< what was measured and what is allowed, or what went wrong
+    std::string found = {};
     Image drawn = {}, expected = {};  ///< what was compared; empty where it did not come to that
 };
 
@@ -27,11 +36,18 @@ struct TaskResult {
     double points() const;
 };
 
+/// "2", "1.5"
+std::string points_text(double points);
+
 /// What a check compares with, from the lab's folder `expected` where a handout has left it, else the truth or the
 /// solution of this course itself. Nothing for a check against another. Wants a context for a solution.
 std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check);
 /// The file of it, whether it is there or not.
 std::filesystem::path expectation_file(const LabEntry& lab, const CheckInfo& check);
+
+/// What is said of a picture, whoever has drawn it: first whether it is one at all, then how far it is from what is
+/// expected. `drawn` need not be trusted. Wants no context.
+Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected);
 
 /// Draws and compares, in the current context. Never throws for what a student's file does.
 CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,

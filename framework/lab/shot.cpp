@@ -104,17 +104,26 @@ Image read_picture(const Target& target) {
     return result;
 }
 
-Image take(Lab& lab, const Shot& shot, bool light) {
+Image draw_shot(Lab& lab, const Shot& shot, bool light) {
     const TargetKind kind = shot.probe ? TargetKind::probe : light ? TargetKind::light : TargetKind::picture;
     const Target target(kind, shot.size);
     draw_lab(lab, frame_of(shot, target));
     Image image = shot.probe ? target.read() : read_picture(target);
     const std::string errors = take_gl_errors();
     if (!errors.empty()) throw Error("OpenGL: " + errors);
+    return image;
+}
+
+void refuse_unusable(const Image& image, const Shot& shot) {
     if (shot.probe)
         refuse_broken_probe(image, shot.probe);
     else if (image.pixel_count() > 1 && is_one_color(image))
         throw Error("the picture has one colour: nothing was drawn, or the camera looks past it");
+}
+
+Image take(Lab& lab, const Shot& shot, bool light) {
+    Image image = draw_shot(lab, shot, light);
+    refuse_unusable(image, shot);
     return image;
 }
 

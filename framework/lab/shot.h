@@ -36,6 +36,11 @@ Image read_picture(const Target& target);
 /// one colour, a probe without a surface) or a probe has a pixel that is neither finite nor background.
 Image take(Lab& lab, const Shot& shot, bool light = false);
 
+/// The two halves of take(), for whom the first must not be trusted with the second. draw_shot() throws for what GL
+/// complains of only.
+Image draw_shot(Lab& lab, const Shot& shot, bool light = false);
+void refuse_unusable(const Image& image, const Shot& shot);
+
 /// The truth of the shot's probe. Throws UsageError when the lab has none. Needs no context.
 Image truth_of(const Lab& lab, const Shot& shot);
 

@@ -1,0 +1,90 @@
+// relief grade: a class marked on one machine.
+#include <fmt/format.h>
+
+#include "framework/app/commands.h"
+#include "framework/base/error.h"
+#include "framework/base/log.h"
+#include "framework/base/parallel.h"
+#include "framework/base/text.h"
+#include "framework/grade/class.h"
+#include "framework/grade/self_test.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+int whole_number(const std::string& text, const char* option, int low, int high) {
+    const auto value = parse_int(text);
+    if (!value || *value < low || *value > high)
+        throw UsageError(fmt::format("{} takes a whole number from {} to {}, not '{}'", option, low, high, text));
+    return *value;
+}
+
+ClassOptions options_of(const GradeArguments& arguments) {
+    ClassOptions options;
+    options.jobs = arguments.jobs.empty() ? int(hardware_threads()) : whole_number(arguments.jobs, "--jobs", 1, 256);
+    if (!arguments.seconds.empty()) options.limits.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
+    options.trust = arguments.trust, options.fresh = arguments.fresh;
+    for (const std::string& lab : arguments.labs) {
+        const LabEntry& entry = find_lab(lab);
+        if (load_manifest(entry).tasks.empty())
+            throw UsageError(fmt::format("lab {} has no tasks", entry.two_digits()));
+        options.labs.push_back(&entry);
+    }
+    return options;
+}
+
+void print_isolation(const IsolationReport& isolation) {
+    print_note(fmt::format("isolation: {}{}", name_of(isolation.level),
+                           isolation.reason.empty() ? "" : "; " + isolation.reason));
+}
+
+int test_the_grader(ClassOptions& options) {
+    if (options.labs.empty())
+        for (const LabEntry& lab : registry())
+            if (!load_manifest(lab).checks.empty()) options.labs.push_back(&lab);
+    const IsolationReport isolation = isolation_for(options.trust);
+    print_isolation(isolation);
+    SelfTest sum;
+    for (const LabEntry* lab : options.labs) {
+        const SelfTest test = test_grader(*lab, isolation.level, options.limits, options.jobs);
+        sum.mistakes += test.mistakes, sum.caught += test.caught, sum.named += test.named;
+        for (const std::string& wrong : test.wrong) sum.wrong.push_back("lab " + lab->two_digits() + ": " + wrong);
+        fmt::print("lab {}: {} of {} known mistakes caught, {} named; {:.1f} s\n", lab->two_digits(), test.caught,
+                   test.mistakes, test.named, test.seconds);
+        std::fflush(stdout);
+    }
+    for (const std::string& wrong : sum.wrong) print_error(wrong);
+    fmt::print("kill rate {:.4g} %, {} wrong verdicts\n", sum.mistakes ? 100.0 * sum.caught / sum.mistakes : 100.0,
+               sum.wrong.size());
+    return sum.wrong.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int grade_submissions(const GradeArguments& arguments) {
+    ClassOptions options = options_of(arguments);
+    if (arguments.self_test) return test_the_grader(options);
+    if (arguments.paths.empty()) throw UsageError("grade needs submissions: folders or archives of task files");
+    if (arguments.output.empty()) throw UsageError("grade needs a folder for what it finds: -o FOLDER");
+    options.output = arguments.output;
+    for (const std::string& path : arguments.paths) {
+        if (!fs::exists(path)) throw UsageError(fmt::format("there is no '{}'", printable(path)));
+        options.submissions.emplace_back(path);
+    }
+    const ClassReport report = grade_class(options);
+    print_isolation(report.isolation);
+    fmt::print("{}", to_table(report.marks));
+    size_t failed = 0;
+    for (const SubmissionMark& mark : report.marks) failed += !mark.graded();
+    fmt::print("{}: {} graded, {} as before, {} not graded; {:.1f} s, of them {:.1f} for the solutions\n",
+               arguments.output, report.marks.size() - report.taken_over - failed, report.taken_over, failed,
+               report.seconds, report.prepared);
+    fmt::print("all jobs together: {:.1f} s compiling, {:.1f} s drawing, {:.1f} s comparing\n", report.times.compile,
+               report.times.draw, report.times.compare);
+    if (failed > 0) print_error("the machine failed some submissions: grade again, and only those are done");
+    return failed == 0 ? 0 : 1;
+}
+
+}  // namespace relief

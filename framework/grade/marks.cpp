@@ -1,0 +1,420 @@
+#include "framework/grade/marks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstring>
+#include <mutex>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/grade/starter.h"
+
+namespace relief {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// The line of a compiler's output that says what is wrong.
+std::string first_error(const std::string& output) {
+    const size_t error = output.find("error:");
+    const size_t begin = error == std::string::npos ? 0 : output.rfind('\n', error) + 1;
+    return first_line(output.substr(begin));
+}
+
+/// What a process' ending says of the student's code in it.
+Judgement blame(const SandboxResult& result, const std::string& problem) {
+    switch (result.ending) {
+        case Ending::out_of_time:
+            return {Outcome::out_of_time, fmt::format("not done after {:.0f} seconds", result.wall)};
+        case Ending::out_of_memory:
+            return {Outcome::out_of_memory, "it asks for more memory than there is"};
+        case Ending::crashed:
+            return {Outcome::crashed,
+                    fmt::format("the program ends with signal {} ({})", result.code, strsignal(result.code))};
+        case Ending::too_much_output:
+            return {Outcome::broken, "it prints without end"};
+        case Ending::failed:
+            return {Outcome::machine, first_line(result.errors)};
+        case Ending::exited:
+            break;
+    }
+    if (!problem.empty()) return {Outcome::broken, problem};
+    const std::string said = result.errors.empty() ? "" : ": " + printable(first_line(result.errors));
+    return {Outcome::crashed, fmt::format("the program ends in the middle, with exit code {}{}", result.code, said)};
+}
+
+// ---- which known mistake a picture shows ----
+
+constexpr size_t samples = 16384;
+/// What a failure in place of a picture weighs, as many samples.
+constexpr size_t failure_weight = 1000;
+/// The share of what differs from the solution that must be the mistake's.
+constexpr double agreement = 0.9;
+
+/// Near, or both of one kind that is no number.
+bool is_near(float a, float b, double tolerance) {
+    if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+    return a == b || std::abs(double(a) - b) <= tolerance;
+}
+
+/// A fiftieth of what the mistake costs on average: in any unit less than another mistake costs. Pictures: 2 steps.
+template <class Sampled>
+double tolerance_of(const Sampled& mistake, const Sampled& solution, bool probe) {
+    if (!probe) return 2.0 / 255 + 1e-6;
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < mistake.values.size(); ++i) {
+        const double off = std::abs(double(mistake.values[i]) - solution.values[i]);
+        if (std::isfinite(off) && off > 0) sum += off, ++count;
+    }
+    return count > 0 ? 0.02 * sum / double(count) : 1e-6;
+}
+
+struct Likeness {
+    size_t differ = 0;  ///< samples in which the picture or the mistake's differs from the solution's
+    size_t agree = 0;   ///< of those, in which the two are the same
+};
+
+template <class Sampled>
+void compare(const Sampled& drawn, const Sampled& mistake, const Sampled& solution, bool probe, Likeness& likeness) {
+    if (!drawn.drawn || !mistake.drawn) {
+        likeness.differ += failure_weight;
+        if (!drawn.drawn && !mistake.drawn && drawn.error == mistake.error) likeness.agree += failure_weight;
+        return;
+    }
+    const double tolerance = tolerance_of(mistake, solution, probe);
+    for (size_t i = 0; i < drawn.values.size(); ++i) {
+        const float d = drawn.values[i], m = mistake.values[i], s = solution.values[i];
+        if (is_near(d, s, tolerance) && is_near(m, s, tolerance)) continue;
+        ++likeness.differ;
+        likeness.agree += is_near(d, m, tolerance);
+    }
+}
+
+}  // namespace
+
+/// What came of each check's shot.
+struct LabGrader::Pictures {
+    struct One {
+        std::optional<Image> image;
+        Outcome outcome = Outcome::broken;  ///< where there is no image
+        std::string error;
+        bool told = false;  ///< the error came from the lab as it drew
+    };
+    std::vector<One> of;  ///< by check
+    double compile = 0, draw = 0;
+    std::string log;
+};
+
+/// Some pixels of a picture, evenly spread, or the failure that came in its place.
+struct LabGrader::Sampled {
+    std::vector<float> values;
+    std::string error;
+    bool drawn = false;
+
+    Sampled() = default;
+    Sampled(const std::optional<Image>& image, const std::string& failure);
+};
+
+LabGrader::Sampled::Sampled(const std::optional<Image>& image, const std::string& failure)
+    : error(first_line(failure)), drawn(image.has_value()) {
+    if (!image) return;
+    const size_t step = (image->pixel_count() + samples - 1) / samples;
+    for (size_t i = 0; i < image->pixel_count(); i += step)
+        for (int c = 0; c < image->channels; ++c)
+            values.push_back(image->values[i * size_t(image->channels) + size_t(c)]);
+}
+
+struct LabGrader::Signature {
+    const MistakeInfo* mistake;
+    std::map<size_t, Sampled> pictures;  ///< by check, of its task
+};
+
+struct LabGrader::Lazy {
+    std::vector<Sampled> solution;  ///< by check
+    std::mutex mutex;
+    struct OfTask {
+        std::vector<Signature> list;
+        size_t next = 0, done = 0;
+        std::condition_variable one_more;
+    };
+    std::map<std::string, OfTask> of_task;
+};
+
+double LabMark::points() const {
+    double sum = 0;
+    for (const TaskMark& task : tasks) sum += task.points;
+    return sum;
+}
+int LabMark::of() const {
+    int sum = 0;
+    for (const TaskMark& task : tasks) sum += task.of;
+    return sum;
+}
+bool LabMark::graded() const {
+    for (const TaskMark& task : tasks)
+        for (const CheckMark& check : task.checks)
+            if (check.outcome == Outcome::machine) return false;
+    return true;
+}
+
+LabGrader::LabGrader(const LabEntry& lab, const Stage& stage, Isolation isolation, GradeLimits limits)
+    : lab_(lab),
+      stage_(stage),
+      isolation_(isolation),
+      limits_(limits),
+      manifest_(load_manifest(lab)),
+      lazy_(std::make_unique<Lazy>()) {
+    if (manifest_.checks.empty()) throw Error(fmt::format("labs/{}/lab.toml: there is no [[check]]", lab.folder));
+    CourseFiles solution;
+    for (const std::string& file : task_files(manifest_)) solution[file] = read_file(course_root() / file);
+    const bool as_it_takes = limits_.seconds == 0;
+    if (as_it_takes) limits_.seconds = 120;
+    Pictures pictures = draw(solution, std::vector<bool>(manifest_.checks.size(), true));
+    solution_seconds_ = pictures.draw;
+    if (as_it_takes) limits_.seconds = std::max(20.0, 10 * solution_seconds_);
+    for (size_t i = 0; i < manifest_.checks.size(); ++i) {
+        const CheckInfo& check = manifest_.checks[i];
+        lazy_->solution.push_back(Sampled(pictures.of[i].image, pictures.of[i].error));
+        if (check.against == "truth")
+            expected_.push_back(truth_of(*make_lab(lab, check.shot), check.shot));
+        else if (check.against == "solution")
+            expected_.push_back(pictures.of[i].image);
+        else
+            expected_.push_back({});
+    }
+    for (size_t i = 0; i < manifest_.checks.size(); ++i)
+        if (const CheckMark mark = judge_one(i, pictures); mark.outcome != Outcome::passed)
+            throw Error(fmt::format("lab {}: nothing can be graded here: its own solution does not pass '{}' ({}: {})",
+                                    lab.two_digits(), mark.name, name_of(mark.outcome), mark.found));
+}
+
+LabGrader::~LabGrader() = default;
+
+LabGrader::Pictures LabGrader::draw(const CourseFiles& files, const std::vector<bool>& wanted) const {
+    Pictures pictures;
+    pictures.of.resize(manifest_.checks.size());
+    std::vector<size_t> which;
+    for (size_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i]) which.push_back(i);
+    if (which.empty()) return pictures;
+    StagedCourse course = stage_.course(lab_, files);
+    const Compiled compiled = stage_.compile(lab_, course, 3 * limits_.seconds);
+    pictures.compile = compiled.seconds;
+    if (compiled.message.empty()) {
+        draw_on(course, pictures, which);
+        return pictures;
+    }
+    pictures.log = compiled.message;
+    const SandboxResult ended{
+        .ending = compiled.ending, .code = 1, .output = {}, .errors = {}, .wall = compiled.seconds};
+    const Judgement why =
+        compiled.ending == Ending::exited ? Judgement{Outcome::broken, first_error(compiled.message)} : blame(ended, {});
+    for (const size_t i : which) {
+        pictures.of[i].outcome = why.outcome;
+        pictures.of[i].error = "it does not compile: " + (why.found.empty() ? compiled.message : why.found);
+    }
+    return pictures;
+}
+
+void LabGrader::draw_on(const StagedCourse& course, Pictures& pictures, const std::vector<size_t>& which) const {
+    const bool own_program = course.program.parent_path() == course.folder->path();
+    double left = 2 * limits_.seconds;
+    bool tried_again = false;
+    for (size_t from = 0; from < which.size();) {
+        const auto fail_rest = [&](size_t begin, size_t end, const Judgement& why) {
+            for (size_t i = begin; i < end; ++i)
+                pictures.of[which[i]].outcome = why.outcome, pictures.of[which[i]].error = why.found;
+        };
+        if (left <= 0)
+            return fail_rest(from, which.size(), {Outcome::out_of_time, "the checks before it took all the time"});
+        std::vector<Shot> shots;
+        for (size_t i = from; i < which.size(); ++i) shots.push_back(manifest_.checks[which[i]].shot);
+        SandboxJob job;
+        job.command = {course.program.string(), "draw-checks", "--course", course.folder->path().string()};
+        job.readable = course.readable;
+        job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course.libraries.string()}};
+        // In the sandbox's own memory, gone with it: the next shot need not compile the same shader again.
+        if (isolation_ == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
+        job.input = drawing_request(lab_, shots);
+        job.limits.wall = std::min(left, limits_.seconds), job.limits.cpu = std::ceil(job.limits.wall);
+        job.limits.memory = limits_.memory, job.limits.output = drawings_size(shots);
+        job.limits.processes = 32;
+        const SandboxResult result = run_sandboxed(job, isolation_);
+        DrawnShots drawn = read_drawings(result.output, shots);
+        left -= result.wall, pictures.draw += result.wall;
+        for (size_t i = 0; i < drawn.shots.size(); ++i) {
+            Pictures::One& one = pictures.of[which[from + i]];
+            one.image = std::move(drawn.shots[i].image), one.error = first_line(drawn.shots[i].error), one.told = true;
+            if (drawn.shots[i].error != one.error && pictures.log.empty()) pictures.log = drawn.shots[i].error;
+        }
+        from += drawn.shots.size();
+        if (drawn.done || from == which.size()) return;
+        const Judgement why = blame(result, drawn.problem);
+        // Before there is a context none of a shader has run: then it is not the student's doing. A program of his own
+        // may have done anything.
+        if (why.outcome == Outcome::machine || (!drawn.ready && !own_program)) {
+            if (!tried_again) {
+                tried_again = true;
+                continue;
+            }
+            return fail_rest(from, which.size(), {Outcome::machine, "the machine failed: " + why.found});
+        }
+        if (!drawn.ready || !drawn.problem.empty()) return fail_rest(from, which.size(), why);
+        fail_rest(from, from + 1, why);
+        ++from;
+    }
+}
+
+CheckMark LabGrader::judge_one(size_t index, const Pictures& pictures) const {
+    const CheckInfo& check = manifest_.checks[index];
+    CheckMark mark{.name = check.name, .outcome = Outcome::broken, .found = {}, .look_at = {}, .hidden = check.hidden};
+    const auto failed = [&](const Pictures::One& one) {
+        mark.outcome = one.outcome, mark.found = one.error;
+        return mark;
+    };
+    const Pictures::One& drawn = pictures.of[index];
+    if (!drawn.image) return failed(drawn);
+    const Image* expected = expected_[index] ? &*expected_[index] : nullptr;
+    if (!expected) {
+        const size_t other = size_t(&manifest_.check(check.against) - manifest_.checks.data());
+        if (!pictures.of[other].image) return failed(pictures.of[other]);
+        expected = &*pictures.of[other].image;
+        try {
+            refuse_unusable(*expected, manifest_.checks[other].shot);
+        } catch (const Error& error) {
+            mark.found = fmt::format("'{}': {}", check.against, error.what());
+            return mark;
+        }
+    }
+    const Judgement said = judge(manifest_, check, *drawn.image, *expected);
+    mark.outcome = said.outcome, mark.found = said.found;
+    if (mark.outcome == Outcome::wrong) mark.look_at = check.look_at;
+    return mark;
+}
+
+std::vector<bool> LabGrader::wanted_checks(const std::set<std::string>& tasks) const {
+    std::vector<bool> wanted(manifest_.checks.size());
+    for (size_t i = 0; i < wanted.size(); ++i) {
+        const CheckInfo& check = manifest_.checks[i];
+        if (!tasks.contains(check.task)) continue;
+        wanted[i] = true;
+        if (!expected_.empty() && !expected_[i])
+            wanted[size_t(&manifest_.check(check.against) - manifest_.checks.data())] = true;
+    }
+    return wanted;
+}
+
+/// Whoever needs them first draws them; who comes meanwhile helps.
+const std::vector<LabGrader::Signature>& LabGrader::signatures(const std::string& task) const {
+    std::unique_lock lock(lazy_->mutex);
+    Lazy::OfTask& known = lazy_->of_task[task];
+    if (known.list.empty())
+        for (const MistakeInfo& mistake : manifest_.mistakes)
+            if (mistake.task == task && mistake.same_as.empty()) known.list.push_back({&mistake, {}});
+    while (known.next < known.list.size()) {
+        Signature& signature = known.list[known.next++];
+        lock.unlock();
+        signature.pictures = pictures_of(*signature.mistake);
+        lock.lock();
+        ++known.done;
+        known.one_more.notify_all();
+    }
+    known.one_more.wait(lock, [&] { return known.done == known.list.size(); });
+    return known.list;
+}
+
+std::map<size_t, LabGrader::Sampled> LabGrader::pictures_of(const MistakeInfo& mistake) const {
+    CourseFiles files = edited(mistake.edits);
+    for (const std::string& file : task_files(manifest_)) files.try_emplace(file, read_file(course_root() / file));
+    const std::vector<bool> wanted = wanted_checks({mistake.task});
+    const Pictures pictures = draw(files, wanted);
+    std::map<size_t, Sampled> result;
+    for (size_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i] && manifest_.checks[i].task == mistake.task)
+            result[i] = Sampled(pictures.of[i].image, pictures.of[i].error);
+    return result;
+}
+
+void LabGrader::name_mistake(TaskMark& task, const Pictures& pictures) const {
+    // Only what was drawn, or what the lab itself has complained of, can be like a mistake.
+    bool any = false;
+    for (size_t i = 0; i < manifest_.checks.size(); ++i) {
+        const Pictures::One& one = pictures.of[i];
+        any |= manifest_.checks[i].task == task.id && one.told;
+    }
+    if (!any) return;
+    double best = agreement;
+    for (const Signature& signature : signatures(task.id)) {
+        Likeness likeness;
+        for (const auto& [check, picture] : signature.pictures)
+            compare(Sampled(pictures.of[check].image, pictures.of[check].error), picture, lazy_->solution[check],
+                    bool(manifest_.checks[check].shot.probe), likeness);
+        const double share = likeness.differ > 0 ? double(likeness.agree) / double(likeness.differ) : 0;
+        if (share <= best) continue;
+        best = share;
+        task.mistake = signature.mistake->id, task.hint = signature.mistake->hint;
+        for (const MistakeInfo& same : manifest_.mistakes)
+            if (same.same_as == task.mistake) task.hint += " Or: " + same.hint;
+    }
+}
+
+LabMark LabGrader::mark(const Submission& submission) const {
+    LabMark lab{.lab = lab_.folder, .tasks = {}, .log = {}, .times = {}};
+    // Why a task cannot be looked at, if so.
+    std::map<std::string, Judgement> given_up;
+    std::set<std::string> tasks;
+    for (const TaskInfo& task : manifest_.tasks) {
+        const auto file = submission.files.find(task.file);
+        const auto refused = submission.refused.find(task.file);
+        if (refused != submission.refused.end())
+            given_up[task.id] = {Outcome::broken, fmt::format("{} is {}", task.file, refused->second)};
+        else if (file == submission.files.end())
+            given_up[task.id] = {Outcome::unfinished, fmt::format("there is no {}", task.file)};
+        else if (is_unfinished(file->second, task.id))
+            given_up[task.id] = {Outcome::unfinished, "not written yet"};
+        else
+            tasks.insert(task.id);
+    }
+    CourseFiles files;
+    for (const auto& [name, text] : submission.files)
+        if (task_files(manifest_).contains(name)) files[name] = text;
+    const Pictures pictures = draw(files, wanted_checks(tasks));
+    lab.log = pictures.log, lab.times.compile = pictures.compile, lab.times.draw = pictures.draw;
+    const auto begin = Clock::now();
+    for (const TaskInfo& info : manifest_.tasks) {
+        TaskMark& task = lab.tasks.emplace_back();
+        task.id = info.id, task.title = info.title, task.file = info.file, task.of = info.points;
+        size_t passed = 0;
+        for (size_t i = 0; i < manifest_.checks.size(); ++i) {
+            const CheckInfo& check = manifest_.checks[i];
+            if (check.task != info.id) continue;
+            CheckMark mark{
+                .name = check.name, .outcome = Outcome::unfinished, .found = {}, .look_at = {}, .hidden = check.hidden};
+            if (const auto why = given_up.find(info.id); why != given_up.end())
+                mark.outcome = why->second.outcome, mark.found = why->second.found;
+            else
+                mark = judge_one(i, pictures);
+            passed += mark.outcome == Outcome::passed;
+            task.checks.push_back(std::move(mark));
+        }
+        if (task.checks.empty())
+            throw Error(fmt::format("labs/{}/lab.toml: task {} has no check", lab_.folder, info.id));
+        task.points = info.points * double(passed) / double(task.checks.size());
+    }
+    lab.times.compare = seconds_since(begin);
+    for (TaskMark& task : lab.tasks)
+        if (task.points < task.of && tasks.contains(task.id) && lab.graded()) name_mistake(task, pictures);
+    return lab;
+}
+
+}  // namespace relief

@@ -1,0 +1,37 @@
+// What a student hands in: a folder or an archive, of which only the task files count.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace relief {
+
+/// A task file is a page or two; nobody types a million characters.
+constexpr size_t max_task_bytes = size_t{1} << 20;
+
+struct Submission {
+    std::string name;                            ///< of the folder, or of the archive without its ending
+    std::map<std::string, std::string> files;    ///< task files, by their names in the course
+    std::map<std::string, std::string> refused;  ///< task files that were not taken, and why
+    std::vector<std::string> ignored;            ///< names of all else, printable; a hundred at most
+    size_t ignored_count = 0;                    ///< how many there are
+    std::string problem;                         ///< why nothing could be read, or empty
+    /// SHA-256 of all that a mark can depend on. Empty where nothing could be read.
+    std::string hash;
+};
+
+/// The name of a submission: "a/b/jane.tar.gz" is jane's.
+std::string submission_name(const std::filesystem::path& path);
+
+/// Takes the files that end in one of `wanted` ("shaders/02_x/task.glsl"), in whatever folders they lie; of several,
+/// the one in the fewest folders, and of those the first by name. Never throws for what is in the submission, follows
+/// no link in it and writes nothing.
+Submission read_submission(const std::filesystem::path& path, const std::set<std::string>& wanted);
+
+/// A stranger's text on one line of a terminal or a page: control characters as \xNN, cut at 200 bytes.
+std::string printable(const std::string& text);
+
+}  // namespace relief

@@ -1,0 +1,312 @@
+// `relief grade` as an instructor runs it: a class in which some are careless and some hostile. Where this machine has
+// no namespaces the class is graded with --trust, and what only namespaces keep is left out; the first lines say so.
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/grade/sandbox.h"
+#include "framework/grade/starter.h"
+#include "tests/process.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* shader = "shaders/02_normal_map_storage/task.glsl";
+constexpr const char* cpp = "labs/05_tangent_basis/task.cpp";
+
+bool has_namespaces() {
+    static const IsolationReport isolation = [] {
+        const IsolationReport report = probe_isolation();
+        std::printf("isolation: %s %s\n", name_of(report.level), report.reason.c_str());
+        return report;
+    }();
+    return isolation.level == Isolation::namespaces;
+}
+
+std::vector<std::string> grade(std::vector<std::string> words) {
+    words.insert(words.begin(), {relief_program(), "grade"});
+    if (!has_namespaces()) words.push_back("--trust");
+    return words;
+}
+
+std::string course_file(const std::string& name) { return read_file(course_root() / name); }
+
+std::string replaced(std::string text, const std::string& find, const std::string& by) {
+    const size_t at = text.find(find);
+    EXPECT_NE(at, std::string::npos) << find;
+    return at == std::string::npos ? text : text.replace(at, find.size(), by);
+}
+
+/// The solution of the C++ tasks, but for what task 5.2's function does first.
+std::string cpp_that(const std::string& lines, const std::string& top = "") {
+    const std::string text = replaced(course_file(cpp), "    const auto& p = triangle.position;\n",
+                                      lines + "\n    const auto& p = triangle.position;\n");
+    return "#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n#include <csignal>\n#include "
+           "<fstream>\n#include <string>\n"
+           "#include <sys/socket.h>\n#include <unistd.h>\n" +
+           top + text;
+}
+
+json result_of(const fs::path& output, const std::string& name) {
+    try {
+        return json::parse(read_file(output / "results" / (name + ".json")));
+    } catch (const std::exception& error) {
+        ADD_FAILURE() << name << ": " << error.what();
+        return {};
+    }
+}
+
+/// The outcomes of a submission's checks, each once.
+std::set<std::string> outcomes(const json& result, const std::string& task = "") {
+    std::set<std::string> all;
+    for (const json& lab : result.value("labs", json::array()))
+        for (const json& one : lab["tasks"])
+            if (task.empty() || one["id"] == task)
+                for (const json& check : one["checks"]) all.insert(check["outcome"]);
+    return all;
+}
+
+std::string found(const json& result, const std::string& outcome) {
+    for (const json& lab : result.value("labs", json::array()))
+        for (const json& task : lab["tasks"])
+            for (const json& check : task["checks"])
+                if (check["outcome"] == outcome) return check["found"];
+    return "nothing of that kind";
+}
+
+using Outcomes = std::set<std::string>;
+
+TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    const std::string solution = course_file(shader);
+    const std::string odd = "o'd \"d\"\n<b>";
+    std::map<std::string, std::string> works = {
+        {"good", solution},
+        {odd, solution},
+        {"untouched", starter_of(solution, shader)},
+        {"truncated", replaced(solution, "(0.5 * normal + 0.5) + 0.5)", "(0.5 * normal + 0.5))")},
+        {"misspelt", replaced(solution, "return code / 255.0", "retrun code / 255.0")},
+        {"nan", replaced(solution, "return code / 255.0 * 2.0 - 1.0;", "return sqrt(code - 1e9);")},
+        {"loops", replaced(solution, "return code / 255.0 * 2.0 - 1.0;",
+                           "float x = 0.0; for (int i = 0; i < 60000; ++i) for (int j = 0; j < 60000; ++j) x += "
+                           "sin(x + float(j)); return code / 255.0 * 2.0 - 1.0 + x;")},
+        {"huge", solution + std::string(10 << 20, ' ')},
+        {"binary", std::string("\0\xff\xfe\x01", 4)},
+    };
+    std::vector<std::string> words;
+    for (const auto& [name, text] : works) {
+        folder.write(name + "/" + shader, text);
+        words.push_back((folder.path() / name).string());
+    }
+    folder.write("nothing/readme.txt", "sorry");
+    folder.write("damaged.zip", "PK\x03\x04 no more");
+    words.insert(words.end(), {(folder.path() / "nothing").string(), (folder.path() / "damaged.zip").string(), "-o",
+                               output.string(), "--seconds", "4"});
+    const Result graded = run(grade(words));
+    EXPECT_EQ(graded.code, 0) << graded.err;
+
+    EXPECT_EQ(outcomes(result_of(output, "good")), Outcomes{"passed"});
+    EXPECT_EQ(result_of(output, "good")["points"], 11);
+    EXPECT_EQ(outcomes(result_of(output, "untouched")), Outcomes{"unfinished"});
+    EXPECT_EQ(result_of(output, "untouched")["points"], 0);
+    const json truncated = result_of(output, "truncated");
+    EXPECT_EQ(truncated["labs"][0]["tasks"][0]["mistake"], "truncated");
+    EXPECT_LT(truncated["labs"][0]["tasks"][0]["points"], 3);
+    EXPECT_EQ(truncated["labs"][0]["tasks"][3]["points"], 4);
+    EXPECT_EQ(outcomes(result_of(output, "misspelt")), Outcomes{"broken"});
+    EXPECT_TRUE(contains(found(result_of(output, "misspelt"), "broken"), "task.glsl:17"))
+        << found(result_of(output, "misspelt"), "broken");
+    EXPECT_TRUE(contains(found(result_of(output, "nan"), "broken"), "not finite")) << result_of(output, "nan").dump(1);
+    EXPECT_TRUE(outcomes(result_of(output, "loops"), "2.1").contains("out_of_time"));
+    EXPECT_EQ(outcomes(result_of(output, "huge")), Outcomes{"broken"});
+    EXPECT_TRUE(contains(found(result_of(output, "huge"), "broken"), "larger than 1 MiB"));
+    EXPECT_FALSE(outcomes(result_of(output, "binary")).contains("passed"));
+    EXPECT_EQ(result_of(output, "nothing")["problem"], "there is no task file in it");
+    EXPECT_TRUE(contains(std::string(result_of(output, "damaged")["problem"]), "damaged"));
+
+    // What a stranger calls himself is data in every file, and a plain file name.
+    int odd_ones = 0;
+    for (const auto& entry : fs::directory_iterator(output / "results"))
+        odd_ones += json::parse(read_file(entry.path()))["name"] == odd &&
+                    entry.path().filename().string().starts_with("o-d--d");
+    EXPECT_EQ(odd_ones, 1);
+    EXPECT_TRUE(contains(read_file(output / "results.csv"), "\"o'd \"\"d\"\"\\x0a<b>\",graded,11,"));
+    EXPECT_TRUE(contains(read_file(output / "junit.xml"), "o'd &quot;d&quot;\\x0a&lt;b&gt;"));
+    const std::string page = read_file(output / "report.html");
+    EXPECT_TRUE(contains(page, ">o&#39;d &quot;d&quot;\\x0a&lt;b&gt;</a>"));
+    EXPECT_FALSE(contains(page, "<b>\"")) << "a name has become markup";
+    EXPECT_TRUE(contains(page, "As in the known mistake <b>truncated</b>"));
+    const json scope = json::parse(read_file(output / "gradescope/good.json"));
+    EXPECT_EQ(scope["score"], 11);
+    bool some_hidden = false;
+    for (const json& test : scope["tests"]) some_hidden |= test["visibility"] == "hidden";
+    EXPECT_TRUE(some_hidden) << "a hidden check must not be shown to its student";
+}
+
+TEST(Grade, HostileProgramsAreToldApartAndHarmNobody) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    const fs::path secret = folder.write("secret.txt", "the answer is 42");
+    const std::string forged =
+        "char frame[16] = \"1RLF\"; for (int i = 0; i < 1000; ++i) fwrite(frame, 1, 16, stdout);";
+    std::map<std::string, std::string> works = {
+        {"good", course_file(cpp)},
+        {"loops", cpp_that("for (volatile int i = 0;; i = i + 1) {}")},
+        {"exits", cpp_that("std::exit(0);")},
+        {"crashes", cpp_that("*(volatile int*)nullptr = 1;")},
+        {"eats", cpp_that("for (;;) { volatile char* more = new char[100 << 20]; more[0] = 1; }")},
+        {"prints", cpp_that("for (;;) std::puts(\"much\");")},
+        {"forges", cpp_that("", "static const int before = [] { " + forged + " std::fflush(stdout); return 0; }();\n")},
+        {"never-compiles", cpp_that("", "template <int n> struct A : A<n - 1>, B<n> {};\n")},
+        {"compiles-forever",
+         "template <int depth, long n> struct T { T<depth - 1, 2 * n> a; T<depth - 1, 2 * n + 1> b; };\n"
+         "template <long n> struct T<0, n> {};\nT<60, 1> tree;\n"},
+    };
+    if (has_namespaces()) {  // without them these would do what they mean to
+        works["bombs"] = cpp_that("for (;;) fork();");
+        works["reads"] =
+            cpp_that("std::ifstream file(\"" + secret.string() +
+                     "\"); std::string text; std::getline(file, text); throw std::runtime_error(\"read \" + text "
+                     "+ (socket(AF_INET, SOCK_STREAM, 0) < 0 || system(\"ls / /tmp\") < 0 ? \"\" : \".\"));");
+        works["refers"] = cpp_that("relief::generate_tangents_of_the_course();",
+                                   "namespace relief { void generate_tangents_of_the_course(); }\n");
+    }
+    std::vector<std::string> words;
+    for (const auto& [name, text] : works) {
+        folder.write(name + "/" + cpp, text);
+        words.push_back((folder.path() / name).string());
+    }
+    words.insert(words.end(), {"-o", output.string(), "--seconds", "3"});
+    const Result graded = run(grade(words));
+    EXPECT_EQ(graded.code, 0) << graded.err;
+    const auto of = [&](const std::string& name) { return outcomes(result_of(output, name), "5.2"); };
+    EXPECT_EQ(of("good"), Outcomes{"passed"});
+    EXPECT_EQ(of("loops"), Outcomes{"out_of_time"});
+    EXPECT_EQ(of("exits"), Outcomes{"crashed"});
+    EXPECT_EQ(of("crashes"), Outcomes{"crashed"});
+    EXPECT_EQ(of("eats"), Outcomes{"out_of_memory"});
+    EXPECT_FALSE(of("prints").contains("passed"));
+    EXPECT_EQ(of("forges"), Outcomes{"broken"});
+    EXPECT_EQ(of("never-compiles"), Outcomes{"broken"});
+    EXPECT_TRUE(contains(found(result_of(output, "never-compiles"), "broken"),
+                         "does not compile: labs/05_tangent_basis/task.cpp:"))
+        << found(result_of(output, "never-compiles"), "broken");
+    EXPECT_TRUE(of("compiles-forever") == Outcomes{"out_of_time"} ||
+                of("compiles-forever") == Outcomes{"out_of_memory"});
+    if (!has_namespaces()) {
+        std::printf("not looked at without namespaces: a fork bomb, and what a submission can read\n");
+        return;
+    }
+    EXPECT_FALSE(of("bombs").contains("passed"));
+    EXPECT_TRUE(contains(found(result_of(output, "reads"), "broken"), "it throws: read "))
+        << found(result_of(output, "reads"), "broken");
+    EXPECT_FALSE(contains(result_of(output, "reads").dump(), "the answer is"))
+        << "a submission has read a file of ours";
+    EXPECT_FALSE(of("refers").contains("passed"));
+    // The task that is only in the shader is not there, and every other task of the good one is whole.
+    EXPECT_EQ(outcomes(result_of(output, "good"), "5.4"), Outcomes{"unfinished"});
+}
+
+TEST(Grade, KilledHalfWayItGoesOnWhereItWas) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    std::vector<std::string> words;
+    constexpr int count = 5;
+    for (int i = 0; i < count; ++i) {
+        const std::string name = "s" + std::to_string(i);
+        folder.write(name + "/" + shader, course_file(shader) + "// " + name + "\n");
+        words.push_back((folder.path() / name).string());
+    }
+    words.insert(words.end(), {"-o", output.string(), "--jobs", "1"});
+    const auto results = [&] {
+        std::vector<fs::path> files;
+        std::error_code ignored;
+        for (const auto& entry : fs::directory_iterator(output / "results", ignored))
+            if (entry.path().extension() == ".json") files.push_back(entry.path());
+        return files;
+    };
+    {
+        Process first(grade(words));
+        for (int i = 0; i < 6000 && results().empty() && first.running(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        first.signal(SIGKILL);
+        first.wait();
+    }
+    const std::vector<fs::path> before = results();
+    ASSERT_GE(before.size(), 1u);
+    ASSERT_LT(before.size(), size_t(count)) << "it was too fast to be killed";
+    const std::string kept = read_file(before[0]);
+    const auto written = fs::last_write_time(before[0]);
+    const Result second = run(grade(words));
+    EXPECT_EQ(second.code, 0) << second.err;
+    EXPECT_EQ(results().size(), size_t(count));
+    EXPECT_EQ(read_file(before[0]), kept);
+    EXPECT_EQ(fs::last_write_time(before[0]), written) << "it was graded twice";
+    EXPECT_TRUE(contains(second.out, std::to_string(before.size()) + " as before")) << second.out;
+    // A changed one is graded again, and half a result counts for none.
+    folder.write(std::string("s1/") + shader, starter_of(course_file(shader), shader));
+    fs::resize_file(output / "results/s2.json", 100);
+    const Result third = run(grade(words));
+    EXPECT_TRUE(contains(third.out, std::to_string(count - 2) + " as before")) << third.out;
+    EXPECT_EQ(result_of(output, "s1")["points"], 0);
+    EXPECT_EQ(result_of(output, "s2")["points"], 11);
+}
+
+TEST(Grade, RefusesWhereNothingKeepsASubmissionFromTheMachine) {
+    const TemporaryFolder folder;
+    folder.write(std::string("jane/") + shader, course_file(shader));
+    const std::string jane = (folder.path() / "jane").string(), output = (folder.path() / "out").string();
+    const Circumstances without{.folder = {}, .environment = {{"RELIEF_NO_NAMESPACES", "1"}}};
+    const Result refused = run({relief_program(), "grade", jane, "-o", output}, without);
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_TRUE(contains(refused.err, "--trust")) << refused.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "out/results/jane.json"));
+    const Result trusted = run({relief_program(), "grade", jane, "-o", output, "--trust"}, without);
+    EXPECT_EQ(trusted.code, 0) << trusted.err;
+    EXPECT_TRUE(contains(trusted.err, "isolation: limits")) << trusted.err;
+    EXPECT_EQ(result_of(output, "jane")["isolation"], "limits");
+    EXPECT_EQ(result_of(output, "jane")["points"], 11);
+}
+
+TEST(Grade, WrongUseIsOneClearLine) {
+    const TemporaryFolder folder;
+    folder.write(std::string("a/jane/") + shader, "");
+    folder.write(std::string("b/jane/") + shader, "");
+    const std::string a = (folder.path() / "a/jane").string(), b = (folder.path() / "b/jane").string(),
+                      output = (folder.path() / "out").string();
+    const struct {
+        std::vector<std::string> words;
+        const char* said;
+    } cases[] = {{{"-o", output}, "grade needs submissions"},
+                 {{a}, "-o FOLDER"},
+                 {{a, "-o", output, "--jobs", "0"}, "--jobs takes a whole number from 1 to 256, not '0'"},
+                 {{a, "-o", output, "--lab", "99"}, "unknown lab"},
+                 {{a + "x", "-o", output}, "there is no '"},
+                 {{a, b, "-o", output}, "two submissions are named 'jane'"}};
+    for (const auto& [words, said] : cases) {
+        const Result result = run(grade(words));
+        EXPECT_EQ(result.code, 2) << said;
+        EXPECT_TRUE(contains(result.err, said)) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+}
+
+TEST(Grade, TestsItself) {
+    std::vector<std::string> words = {"--self-test", "--lab", "2"};
+    const Result tested = run(grade(words));
+    EXPECT_EQ(tested.code, 0) << tested.err;
+    EXPECT_TRUE(contains(tested.out, "lab 02: 12 of 12 known mistakes caught, 12 named")) << tested.out;
+    EXPECT_TRUE(contains(tested.out, "kill rate 100 %, 0 wrong verdicts")) << tested.out;
+}
+
+}  // namespace
+}  // namespace relief
