@@ -199,6 +199,18 @@ private:
         sub->add_option("--jobs", grade_.jobs, "submissions at a time [one for each processor]")->type_name("N");
         sub->add_option("--seconds", grade_.seconds, "for drawing a lab once [20, more where the solution is slow]")
             ->type_name("S");
+        sub->add_option("--seed", grade_.seed, "of the hidden views [a new folder: chosen by chance; else the folder's]")
+            ->type_name("WORD");
+        sub->add_option("--shard", grade_.shard,
+                        "the i-th of n parts of the class [a Slurm array's, TEST_SHARD_INDEX or GTEST_SHARD_INDEX]")
+            ->type_name("I/N");
+        sub->add_option("--merge", grade_.merge, "no submissions: put the parts together that lie in this folder")
+            ->type_name("FOLDER");
+        sub->add_flag("--resume", grade_.resume, "the submissions of the last run into the folder, where it ended");
+        sub->add_option("--context", grade_.context, "auto (osmesa, then egl), osmesa or egl")->type_name("NAME");
+        sub->add_option("--threads", grade_.threads, "of the software renderer, for each submission [0]")
+            ->type_name("N");
+        sub->add_flag("--unpinned", grade_.unpinned, "by all that this processor can do: marks hold on it only");
         sub->add_flag("--trust", grade_.trust, "also where submissions can be kept from nothing");
         sub->add_flag("--self-test", grade_.self_test, "no submissions: solutions, starters and known mistakes");
         sub->add_flag("--fresh", grade_.fresh, "everything anew");

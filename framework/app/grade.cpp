@@ -3,10 +3,12 @@
 
 #include "framework/app/commands.h"
 #include "framework/base/error.h"
+#include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/parallel.h"
 #include "framework/base/text.h"
 #include "framework/grade/class.h"
+#include "framework/grade/report.h"
 #include "framework/grade/self_test.h"
 
 namespace relief {
@@ -24,7 +26,12 @@ int whole_number(const std::string& text, const char* option, int low, int high)
 ClassOptions options_of(const GradeArguments& arguments) {
     ClassOptions options;
     options.jobs = arguments.jobs.empty() ? int(hardware_threads()) : whole_number(arguments.jobs, "--jobs", 1, 256);
-    if (!arguments.seconds.empty()) options.limits.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
+    GradeSetup& setup = options.setup;
+    if (!arguments.seconds.empty()) setup.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
+    setup.seed = arguments.seed;
+    setup.renderer = {context_kind(arguments.context), whole_number(arguments.threads, "--threads", 0, 16),
+                      !arguments.unpinned};
+    if (setup.renderer.context == ContextKind::window) throw UsageError("grade draws without a window: osmesa or egl");
     options.trust = arguments.trust, options.fresh = arguments.fresh;
     for (const std::string& lab : arguments.labs) {
         const LabEntry& entry = find_lab(lab);
@@ -45,14 +52,17 @@ int test_the_grader(ClassOptions& options) {
         for (const LabEntry& lab : registry())
             if (!load_manifest(lab).checks.empty()) options.labs.push_back(&lab);
     const IsolationReport isolation = isolation_for(options.trust);
+    options.setup.isolation = isolation.level;
     print_isolation(isolation);
     SelfTest sum;
     for (const LabEntry* lab : options.labs) {
-        const SelfTest test = test_grader(*lab, isolation.level, options.limits, options.jobs);
+        const SelfTest test = test_grader(*lab, options.setup, options.jobs);
         sum.mistakes += test.mistakes, sum.caught += test.caught, sum.named += test.named;
         for (const std::string& wrong : test.wrong) sum.wrong.push_back("lab " + lab->two_digits() + ": " + wrong);
         fmt::print("lab {}: {} of {} known mistakes caught, {} named; {:.1f} s\n", lab->two_digits(), test.caught,
                    test.mistakes, test.named, test.seconds);
+        if (!options.setup.seed.empty())
+            fmt::print("        hidden views of {} of {} checks\n", test.hidden_views, test.checks);
         std::fflush(stdout);
     }
     for (const std::string& wrong : sum.wrong) print_error(wrong);
@@ -61,30 +71,66 @@ int test_the_grader(ClassOptions& options) {
     return sum.wrong.empty() ? 0 : 1;
 }
 
-}  // namespace
+/// What others read of the results: the whole of it anew each time.
+void write_summaries(const ClassReport& report, const fs::path& folder) {
+    make_folder(folder / "gradescope");
+    for (const SubmissionMark& mark : report.marks)
+        write_file(folder / "gradescope" / (file_name_of(mark.name) + ".json"), to_gradescope(mark));
+    write_file(folder / "results.csv", to_csv(report.marks));
+    write_file(folder / "junit.xml", to_junit(report.marks));
+    write_file(folder / "report.html", to_html(report));
+}
 
-int grade_submissions(const GradeArguments& arguments) {
-    ClassOptions options = options_of(arguments);
-    if (arguments.self_test) return test_the_grader(options);
-    if (arguments.paths.empty()) throw UsageError("grade needs submissions: folders or archives of task files");
-    if (arguments.output.empty()) throw UsageError("grade needs a folder for what it finds: -o FOLDER");
-    options.output = arguments.output;
-    for (const std::string& path : arguments.paths) {
-        if (!fs::exists(path)) throw UsageError(fmt::format("there is no '{}'", printable(path)));
-        options.submissions.emplace_back(path);
+/// What was asked for, or what the last run into the folder was.
+void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
+    if (arguments.resume) {
+        if (!arguments.paths.empty()) throw UsageError("--resume takes the submissions of the last run: name none");
+        const auto roster = read_roster(options.output);
+        if (!roster) throw UsageError(fmt::format("there is nothing to resume in '{}'", options.output.string()));
+        for (const std::string& lab : roster->labs) options.labs.push_back(&find_lab(lab));
+        for (const Roster::One& one : roster->submissions) options.submissions.push_back(one.path);
+    } else {
+        if (arguments.paths.empty()) throw UsageError("grade needs submissions: folders or archives of task files");
+        options.submissions.assign(arguments.paths.begin(), arguments.paths.end());
     }
-    const ClassReport report = grade_class(options);
+    for (const fs::path& path : options.submissions)
+        if (!fs::exists(path)) throw UsageError(fmt::format("there is no '{}'", printable(path)));
+}
+
+int print(const ClassReport& report, const std::string& folder, const Shard& shard) {
     print_isolation(report.isolation);
     fmt::print("{}", to_table(report.marks));
     size_t failed = 0;
     for (const SubmissionMark& mark : report.marks) failed += !mark.graded();
-    fmt::print("{}: {} graded, {} as before, {} not graded; {:.1f} s, of them {:.1f} for the solutions\n",
-               arguments.output, report.marks.size() - report.taken_over - failed, report.taken_over, failed,
-               report.seconds, report.prepared);
+    fmt::print("{}: {} graded, {} as before, {} not graded; {:.1f} s, of them {:.1f} for the solutions; seed {}\n", folder,
+               report.marks.size() - report.taken_over - failed, report.taken_over, failed, report.seconds,
+               report.prepared, report.seed);
     fmt::print("all jobs together: {:.1f} s compiling, {:.1f} s drawing, {:.1f} s comparing\n", report.times.compile,
                report.times.draw, report.times.compare);
+    if (!shard.whole())
+        print_note(fmt::format("part {} of {} ({}); when all are done: relief grade --merge {}", shard.index + 1,
+                               shard.count, shard.from, folder));
     if (failed > 0) print_error("the machine failed some submissions: grade again, and only those are done");
     return failed == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int grade_submissions(const GradeArguments& arguments) {
+    if (!arguments.merge.empty()) {
+        const ClassReport report = merge_class(arguments.merge);
+        write_summaries(report, arguments.merge);
+        return print(report, arguments.merge, {});
+    }
+    ClassOptions options = options_of(arguments);
+    if (arguments.self_test) return test_the_grader(options);
+    if (arguments.output.empty()) throw UsageError("grade needs a folder for what it finds: -o FOLDER");
+    options.output = arguments.output;
+    name_submissions(arguments, options);
+    options.shard = shard_of(arguments.shard);
+    const ClassReport report = grade_class(options);
+    if (options.shard.whole()) write_summaries(report, options.output);
+    return print(report, arguments.output, options.shard);
 }
 
 }  // namespace relief

@@ -7,13 +7,15 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <random>
 #include <set>
 #include <thread>
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
-#include "framework/grade/report.h"
+#include "framework/base/sha256.h"
+#include "framework/base/text.h"
 
 namespace relief {
 namespace {
@@ -39,21 +41,32 @@ public:
     ClassReport run() {
         const auto begin = Clock::now();
         report_.isolation = isolation_for(options_.trust);
-        stage_.emplace(report_.isolation.level);
-        course_ = stage_->hash();
+        setup_ = options_.setup;
+        setup_.isolation = report_.isolation.level;
+        find_seed();
+        stage_.emplace(setup_.isolation);
+        course_ = sha256(stage_->hash() + setup_.seed + (setup_.renderer.pinned ? "" : " unpinned"));
         for (const LabEntry& lab : registry()) manifests_.emplace(lab.folder, load_manifest(lab));
         make_folder(options_.output / "results");
-        make_folder(options_.output / "gradescope");
         look_through();
         prepare();
         report_.prepared = seconds_since(begin);
         grade_all();
         report_.seconds = seconds_since(begin);
-        write_summaries();
+        for (Entry& entry : entries_) report_.marks.push_back(std::move(entry.mark));
         return std::move(report_);
     }
 
 private:
+    void find_seed() {
+        const std::optional<Roster> before = read_roster(options_.output);
+        if (setup_.seed.empty() && before) setup_.seed = before->seed;
+        if (setup_.seed.empty() && !options_.shard.whole())
+            throw UsageError("parts of a class need the same hidden views: give each the same --seed WORD");
+        if (setup_.seed.empty()) setup_.seed = fmt::format("{:08x}", std::random_device()());
+        report_.seed = setup_.seed;
+    }
+
     /// With --labs those; else those of which a submission has a file. Theirs are the files that are taken.
     std::vector<const LabEntry*> candidates() const {
         if (!options_.labs.empty()) return options_.labs;
@@ -70,23 +83,29 @@ private:
 
     void look_through() {
         std::set<std::string> names;
+        Roster roster{.course = course_, .seed = setup_.seed, .labs = {}, .submissions = {}};
+        for (const LabEntry* lab : options_.labs) roster.labs.push_back(lab->folder);
         const std::set<std::string> files = wanted();
         Progress progress(int(options_.submissions.size()));
         for (const fs::path& path : options_.submissions) {
             progress.next("reading");
             const Submission submission = read_submission(path, files);
-            Entry& entry = entries_.emplace_back();
-            entry.path = path, entry.name = submission.name, entry.hash = submission.hash;
-            if (!names.insert(file_name_of(entry.name)).second)
+            if (!names.insert(file_name_of(submission.name)).second)
                 throw UsageError(
                     fmt::format("two submissions are named '{}': rename one, or grade them into folders of "
                                 "their own",
-                                printable(entry.name)));
+                                printable(submission.name)));
+            const int place = int(roster.submissions.size());
+            roster.submissions.push_back({submission.name, submission.hash, fs::absolute(path).lexically_normal()});
+            if (place % options_.shard.count != options_.shard.index) continue;
+            Entry& entry = entries_.emplace_back();
+            entry.path = path, entry.name = submission.name, entry.hash = submission.hash;
             for (const LabEntry* lab : candidates())
                 if (!options_.labs.empty() || has_file_of(submission, *lab)) entry.labs.push_back(lab);
             entry.done = take_over(entry);
             report_.taken_over += entry.done;
         }
+        write_roster(options_.output, roster);
     }
 
     bool has_file_of(const Submission& submission, const LabEntry& lab) const {
@@ -128,7 +147,7 @@ private:
             progress.next("the solution of lab " + lab->two_digits());
             stage_->add(*lab);
             graders_.emplace(lab->folder,
-                             std::make_unique<LabGrader>(*lab, *stage_, report_.isolation.level, options_.limits));
+                             std::make_unique<LabGrader>(*lab, *stage_, setup_));
         }
     }
 
@@ -172,10 +191,7 @@ private:
         mark.seconds = seconds_since(begin);
         entry.done = true;
         const std::lock_guard lock(mutex_);
-        for (const LabMark& lab : mark.labs) {
-            report_.times.compile += lab.times.compile, report_.times.draw += lab.times.draw;
-            report_.times.compare += lab.times.compare;
-        }
+        for (const LabMark& lab : mark.labs) report_.times.add(lab.times);
         write_file_to_disk(result_file(entry), to_json(mark));
     }
 
@@ -195,18 +211,8 @@ private:
         }
     }
 
-    void write_summaries() {
-        for (Entry& entry : entries_) {
-            write_file(options_.output / "gradescope" / (file_name_of(entry.name) + ".json"),
-                       to_gradescope(entry.mark));
-            report_.marks.push_back(std::move(entry.mark));
-        }
-        write_file(options_.output / "results.csv", to_csv(report_.marks));
-        write_file(options_.output / "junit.xml", to_junit(report_.marks));
-        write_file(options_.output / "report.html", to_html(report_));
-    }
-
     const ClassOptions& options_;
+    GradeSetup setup_;
     ClassReport report_;
     std::optional<Stage> stage_;
     std::string course_;
@@ -231,6 +237,85 @@ IsolationReport isolation_for(bool trust) {
 ClassReport grade_class(const ClassOptions& options) {
     if (options.submissions.empty()) throw UsageError("grade needs submissions: folders or archives");
     return Grading(options).run();
+}
+
+namespace {
+
+/// `folder` and what lies in it, where a part of a class was graded.
+std::vector<fs::path> parts_in(const fs::path& folder) {
+    std::vector<fs::path> parts;
+    const auto add = [&](const fs::path& one) {
+        if (fs::exists(one / "class.json")) parts.push_back(one);
+    };
+    add(folder);
+    if (fs::is_directory(folder))
+        for (const auto& entry : fs::directory_iterator(folder)) add(entry.path());
+    std::sort(parts.begin(), parts.end());
+    if (parts.empty()) throw UsageError(fmt::format("there is no class.json in '{}' or a folder in it", folder.string()));
+    return parts;
+}
+
+/// "3 submissions have no result: jane, joe, jim"
+std::string some_of(const std::string& what, const std::vector<std::string>& names) {
+    constexpr size_t shown = 5;
+    std::vector<std::string> first;
+    for (const std::string& name : names)
+        if (first.size() < shown) first.push_back(printable(name));
+    return fmt::format("{}: {}{}", what, join(first, ", "),
+                       names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "");
+}
+
+}  // namespace
+
+ClassReport merge_class(const fs::path& folder) {
+    const std::vector<fs::path> parts = parts_in(folder);
+    const Roster roster = *read_roster(parts.front());
+    std::map<std::string, std::vector<SubmissionMark>> found;
+    for (const fs::path& part : parts) {
+        const Roster other = *read_roster(part);
+        if (other.course != roster.course || other.seed != roster.seed || other.labs != roster.labs)
+            throw Error({part / "class.json"}, "is of another course, seed or choice of labs than " +
+                                                   (parts.front() / "class.json").string());
+        if (!std::equal(other.submissions.begin(), other.submissions.end(), roster.submissions.begin(),
+                        roster.submissions.end(),
+                        [](const auto& a, const auto& b) { return a.name == b.name && a.hash == b.hash; }))
+            throw Error({part / "class.json"}, "names other submissions than " + (parts.front() / "class.json").string());
+        if (!fs::is_directory(part / "results")) continue;
+        for (const auto& entry : fs::directory_iterator(part / "results"))
+            if (entry.path().extension() == ".json") {
+                SubmissionMark mark = from_json(read_file(entry.path(), size_t{1} << 26));
+                found[mark.name].push_back(std::move(mark));
+            }
+    }
+    ClassReport report;
+    report.seed = roster.seed;
+    report.isolation.level = Isolation::namespaces;
+    std::vector<std::string> missing, twice, stale;
+    for (const Roster::One& one : roster.submissions) {
+        const auto results = found.find(one.name);
+        if (results == found.end()) {
+            missing.push_back(one.name);
+        } else if (results->second.size() > 1) {
+            twice.push_back(one.name);
+        } else if (SubmissionMark& mark = results->second.front(); mark.hash != one.hash || mark.course != roster.course) {
+            stale.push_back(one.name);
+        } else {
+            for (const LabMark& lab : mark.labs) report.times.add(lab.times);
+            if (mark.isolation != name_of(report.isolation.level)) report.isolation = {Isolation::limits, "in a part of it"};
+            report.seconds += mark.seconds;
+            report.marks.push_back(std::move(mark));
+        }
+        found.erase(one.name);
+    }
+    std::vector<std::string> problems, strangers;
+    for (const auto& [name, marks] : found) strangers.push_back(name);
+    if (!missing.empty()) problems.push_back(some_of(fmt::format("{} without a result", missing.size()), missing));
+    if (!twice.empty()) problems.push_back(some_of(fmt::format("{} with several results", twice.size()), twice));
+    if (!stale.empty()) problems.push_back(some_of(fmt::format("{} with a result of other files", stale.size()), stale));
+    if (!strangers.empty()) problems.push_back(some_of(fmt::format("{} not of this class", strangers.size()), strangers));
+    if (!problems.empty())
+        throw Error(fmt::format("of {} submissions {}", roster.submissions.size(), join(problems, "; ")));
+    return report;
 }
 
 }  // namespace relief

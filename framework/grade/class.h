@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "framework/grade/results.h"
+#include "framework/grade/roster.h"
 
 namespace relief {
 
@@ -16,23 +17,29 @@ struct ClassOptions {
     int jobs = 1;
     bool trust = false;  ///< grade also where a submission cannot be kept from the rest of the machine
     bool fresh = false;  ///< grade everything anew
-    GradeLimits limits;
+    /// Its isolation is found out. Without a seed: that of an earlier run into `output`, or one that nobody could know.
+    GradeSetup setup;
+    Shard shard;  ///< only these submissions
 };
 
 struct ClassReport {
     std::vector<SubmissionMark> marks;  ///< in the order of the submissions
     IsolationReport isolation;
+    std::string seed;
     size_t taken_over = 0;             ///< not graded again, since nothing has changed
     double prepared = 0, seconds = 0;  ///< for the solutions, and in all
     MarkTimes times;
 };
 
+/// What a folder, or the folders in it, hold of a class that was graded in parts. Throws Error unless every submission
+/// of the class has exactly one result, and all are of the same course and seed.
+ClassReport merge_class(const std::filesystem::path& folder);
+
 /// How submissions may be run here. Throws Error where they can be kept from nothing and `trust` is not given.
 IsolationReport isolation_for(bool trust);
 
-/// Writes into `output`: results/NAME.json as each is done, then results.csv, junit.xml, report.html,
-/// gradescope/NAME.json. Throws
-/// UsageError for two submissions of one name and for none, Error where the solutions themselves do not pass here.
+/// Writes into `output`: class.json, and results/NAME.json as each is done. Throws UsageError for two submissions of one
+/// name, for none, and for a shard without a seed; Error where the solutions themselves do not pass here.
 ClassReport grade_class(const ClassOptions& options);
 
 }  // namespace relief

@@ -13,7 +13,6 @@
 
 #include "framework/base/error.h"
 #include "framework/base/paths.h"
-#include "framework/context/context.h"
 #include "framework/grade/sandbox.h"
 #include "framework/lab/registry.h"
 
@@ -123,8 +122,12 @@ std::string error_of(Call call) {
 
 }  // namespace
 
-std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots) {
-    json request = {{"lab", lab.folder}, {"shots", json::array()}};
+std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer) {
+    json request = {{"lab", lab.folder},
+                    {"context", renderer.context ? name_of(*renderer.context) : "auto"},
+                    {"threads", renderer.threads},
+                    {"pinned", renderer.pinned},
+                    {"shots", json::array()}};
     for (const Shot& shot : shots) request["shots"].push_back(as_json(shot));
     return request.dump();
 }
@@ -138,11 +141,11 @@ void draw_request(const char* course) {
     const LabEntry& lab = find_lab(request.at("lab"));
     std::vector<Shot> shots;
     for (const json& one : request.at("shots")) shots.push_back(shot_of(one));
-    pin_software_renderer();
-    setenv("LP_NUM_THREADS", "0", 1);
+    if (request.at("pinned")) pin_software_renderer();
+    setenv("LP_NUM_THREADS", std::to_string(request.at("threads").get<int>()).c_str(), 1);
     // What one submission leaves in a shared cache another would read; a folder of its own is asked for by name.
     if (!std::getenv("MESA_SHADER_CACHE_DIR")) setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-    const auto context = open_any_context();
+    const auto context = open_context(context_kind(request.at("context")));
     stream.send(Kind::ready, 0, {});
     for (size_t i = 0; i < shots.size(); ++i) {
         std::string pixels;

@@ -6,14 +6,22 @@
 #include <string>
 #include <vector>
 
+#include "framework/context/context.h"
 #include "framework/lab/shot.h"
 
 namespace relief {
 
 struct LabEntry;
 
+/// Who draws, and how: the solution and every submission alike.
+struct Renderer {
+    std::optional<ContextKind> context = {};  ///< nothing: OSMesa, then EGL
+    int threads = 0;                          ///< of the software renderer, beside the one that draws
+    bool pinned = true;                       ///< the same bits on every machine, see pin_software_renderer()
+};
+
 /// What is written to the standard input of the process that draws.
-std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots);
+std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer);
 
 /// That process: reads a request from standard input, and writes to standard output a message "ready" once there is a
 /// context, then each shot's pixels or what went wrong, then "done". `course` is the course to draw. Does not return.

@@ -13,6 +13,7 @@
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/grade/starter.h"
+#include "framework/grade/variation.h"
 
 namespace relief {
 namespace {
@@ -167,48 +168,86 @@ bool LabMark::graded() const {
     return true;
 }
 
-LabGrader::LabGrader(const LabEntry& lab, const Stage& stage, Isolation isolation, GradeLimits limits)
+LabGrader::LabGrader(const LabEntry& lab, const Stage& stage, GradeSetup setup)
     : lab_(lab),
       stage_(stage),
-      isolation_(isolation),
-      limits_(limits),
+      setup_(std::move(setup)),
       manifest_(load_manifest(lab)),
       lazy_(std::make_unique<Lazy>()) {
     if (manifest_.checks.empty()) throw Error(fmt::format("labs/{}/lab.toml: there is no [[check]]", lab.folder));
     CourseFiles solution;
     for (const std::string& file : task_files(manifest_)) solution[file] = read_file(course_root() / file);
-    const bool as_it_takes = limits_.seconds == 0;
-    if (as_it_takes) limits_.seconds = 120;
-    Pictures pictures = draw(solution, std::vector<bool>(manifest_.checks.size(), true));
-    solution_seconds_ = pictures.draw;
-    if (as_it_takes) limits_.seconds = std::max(20.0, 10 * solution_seconds_);
-    for (size_t i = 0; i < manifest_.checks.size(); ++i) {
-        const CheckInfo& check = manifest_.checks[i];
+    const bool as_it_takes = setup_.seconds == 0;
+    if (as_it_takes) setup_.seconds = 120;
+    for (size_t i = 0; i < manifest_.checks.size(); ++i) views_.push_back({i, manifest_.checks[i].shot});
+    const Pictures pictures = draw(solution, std::vector<bool>(views_.size(), true));
+    for (size_t i = 0; i < views_.size(); ++i) {
         lazy_->solution.push_back(Sampled(pictures.of[i].image, pictures.of[i].error));
-        if (check.against == "truth")
-            expected_.push_back(truth_of(*make_lab(lab, check.shot), check.shot));
-        else if (check.against == "solution")
-            expected_.push_back(pictures.of[i].image);
-        else
-            expected_.push_back({});
-    }
-    for (size_t i = 0; i < manifest_.checks.size(); ++i)
-        if (const CheckMark mark = judge_one(i, pictures); mark.outcome != Outcome::passed)
+        expect(views_[i], pictures, 0);
+        if (const Judgement said = judge_view(i, pictures); said.outcome != Outcome::passed)
             throw Error(fmt::format("lab {}: nothing can be graded here: its own solution does not pass '{}' ({}: {})",
-                                    lab.two_digits(), mark.name, name_of(mark.outcome), mark.found));
+                                    lab.two_digits(), manifest_.checks[i].name, name_of(said.outcome), said.found));
+    }
+    if (!setup_.seed.empty()) look_from_hidden_views(solution);
+    if (as_it_takes) {
+        const double share = double(views_.size()) / double(manifest_.checks.size());
+        setup_.seconds = std::max(20.0, 10 * share * pictures.draw);
+    }
+}
+
+/// `first`: the index of the first of the views that are looked at in the same way.
+void LabGrader::expect(View& view, const Pictures& solution, size_t first) const {
+    const CheckInfo& check = manifest_.checks[view.check];
+    if (check.against == "truth")
+        view.expected = truth_of(*make_lab(lab_, view.shot), view.shot);
+    else if (check.against == "solution")
+        view.expected = solution.of[first + view.check].image;
+    else
+        view.against = first + size_t(&manifest_.check(check.against) - manifest_.checks.data());
+}
+
+void LabGrader::look_from_hidden_views(const CourseFiles& solution) {
+    constexpr int attempts = 4;
+    const size_t count = manifest_.checks.size();
+    std::vector<View> best;
+    for (int attempt = 0; attempt < attempts && best.size() < count; ++attempt) {
+        const Variation variation(manifest_, lab_.folder, setup_.seed, attempt);
+        std::vector<bool> wanted(2 * count);
+        for (size_t i = 0; i < count; ++i)
+            views_.push_back({i, variation.of(manifest_.checks[i].shot)}), wanted[count + i] = true;
+        const Pictures pictures = draw(solution, wanted);
+        std::vector<bool> good(count);
+        for (size_t i = 0; i < count; ++i) {
+            expect(views_[count + i], pictures, count);
+            good[i] = judge_view(count + i, pictures).outcome == Outcome::passed;
+        }
+        std::vector<View> kept;
+        std::vector<size_t> place(2 * count);
+        for (size_t i = 0; i < count; ++i) {
+            const size_t against = views_[count + i].against;
+            if (!good[i] || (against > 0 && !good[against - count])) continue;
+            place[count + i] = count + kept.size();
+            kept.push_back(std::move(views_[count + i]));
+        }
+        for (View& view : kept)
+            if (view.against > 0) view.against = place[view.against];
+        views_.resize(count);
+        if (kept.size() > best.size()) best = std::move(kept);
+    }
+    std::move(best.begin(), best.end(), std::back_inserter(views_));
 }
 
 LabGrader::~LabGrader() = default;
 
 LabGrader::Pictures LabGrader::draw(const CourseFiles& files, const std::vector<bool>& wanted) const {
     Pictures pictures;
-    pictures.of.resize(manifest_.checks.size());
+    pictures.of.resize(views_.size());
     std::vector<size_t> which;
     for (size_t i = 0; i < wanted.size(); ++i)
         if (wanted[i]) which.push_back(i);
     if (which.empty()) return pictures;
     StagedCourse course = stage_.course(lab_, files);
-    const Compiled compiled = stage_.compile(lab_, course, 3 * limits_.seconds);
+    const Compiled compiled = stage_.compile(lab_, course, 3 * setup_.seconds);
     pictures.compile = compiled.seconds;
     if (compiled.message.empty()) {
         draw_on(course, pictures, which);
@@ -228,7 +267,7 @@ LabGrader::Pictures LabGrader::draw(const CourseFiles& files, const std::vector<
 
 void LabGrader::draw_on(const StagedCourse& course, Pictures& pictures, const std::vector<size_t>& which) const {
     const bool own_program = course.program.parent_path() == course.folder->path();
-    double left = 2 * limits_.seconds;
+    double left = 2 * setup_.seconds;
     bool tried_again = false;
     for (size_t from = 0; from < which.size();) {
         const auto fail_rest = [&](size_t begin, size_t end, const Judgement& why) {
@@ -238,18 +277,18 @@ void LabGrader::draw_on(const StagedCourse& course, Pictures& pictures, const st
         if (left <= 0)
             return fail_rest(from, which.size(), {Outcome::out_of_time, "the checks before it took all the time"});
         std::vector<Shot> shots;
-        for (size_t i = from; i < which.size(); ++i) shots.push_back(manifest_.checks[which[i]].shot);
+        for (size_t i = from; i < which.size(); ++i) shots.push_back(views_[which[i]].shot);
         SandboxJob job;
         job.command = {course.program.string(), "draw-checks", "--course", course.folder->path().string()};
         job.readable = course.readable;
         job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course.libraries.string()}};
         // In the sandbox's own memory, gone with it: the next shot need not compile the same shader again.
-        if (isolation_ == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
-        job.input = drawing_request(lab_, shots);
-        job.limits.wall = std::min(left, limits_.seconds), job.limits.cpu = std::ceil(job.limits.wall);
-        job.limits.memory = limits_.memory, job.limits.output = drawings_size(shots);
+        if (setup_.isolation == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
+        job.input = drawing_request(lab_, shots, setup_.renderer);
+        job.limits.wall = std::min(left, setup_.seconds), job.limits.cpu = std::ceil(job.limits.wall);
+        job.limits.memory = setup_.memory, job.limits.output = drawings_size(shots);
         job.limits.processes = 32;
-        const SandboxResult result = run_sandboxed(job, isolation_);
+        const SandboxResult result = run_sandboxed(job, setup_.isolation);
         DrawnShots drawn = read_drawings(result.output, shots);
         left -= result.wall, pictures.draw += result.wall;
         for (size_t i = 0; i < drawn.shots.size(); ++i) {
@@ -275,41 +314,44 @@ void LabGrader::draw_on(const StagedCourse& course, Pictures& pictures, const st
     }
 }
 
-CheckMark LabGrader::judge_one(size_t index, const Pictures& pictures) const {
-    const CheckInfo& check = manifest_.checks[index];
-    CheckMark mark{.name = check.name, .outcome = Outcome::broken, .found = {}, .look_at = {}, .hidden = check.hidden};
-    const auto failed = [&](const Pictures::One& one) {
-        mark.outcome = one.outcome, mark.found = one.error;
-        return mark;
-    };
+Judgement LabGrader::judge_view(size_t index, const Pictures& pictures) const {
+    const View& view = views_[index];
+    const CheckInfo& check = manifest_.checks[view.check];
+    const auto failed = [](const Pictures::One& one) { return Judgement{one.outcome, one.error}; };
     const Pictures::One& drawn = pictures.of[index];
     if (!drawn.image) return failed(drawn);
-    const Image* expected = expected_[index] ? &*expected_[index] : nullptr;
-    if (!expected) {
-        const size_t other = size_t(&manifest_.check(check.against) - manifest_.checks.data());
-        if (!pictures.of[other].image) return failed(pictures.of[other]);
-        expected = &*pictures.of[other].image;
-        try {
-            refuse_unusable(*expected, manifest_.checks[other].shot);
-        } catch (const Error& error) {
-            mark.found = fmt::format("'{}': {}", check.against, error.what());
-            return mark;
-        }
+    if (view.expected) return judge(manifest_, check, *drawn.image, *view.expected);
+    const Pictures::One& other = pictures.of[view.against];
+    if (!other.image) return failed(other);
+    try {
+        refuse_unusable(*other.image, views_[view.against].shot);
+    } catch (const Error& error) {
+        return {Outcome::broken, fmt::format("'{}': {}", check.against, error.what())};
     }
-    const Judgement said = judge(manifest_, check, *drawn.image, *expected);
-    mark.outcome = said.outcome, mark.found = said.found;
+    return judge(manifest_, check, *drawn.image, *other.image);
+}
+
+CheckMark LabGrader::judge_check(size_t index, const Pictures& pictures) const {
+    const CheckInfo& check = manifest_.checks[index];
+    Judgement said = judge_view(index, pictures);
+    for (size_t i = manifest_.checks.size(); i < views_.size() && said.outcome == Outcome::passed; ++i) {
+        if (views_[i].check != index) continue;
+        const Judgement hidden = judge_view(i, pictures);
+        if (hidden.outcome == Outcome::passed) continue;
+        said = {hidden.outcome, fmt::format("right in the check's own view, not in a hidden one ({}): {}",
+                                            view_text(views_[i].shot), hidden.found)};
+    }
+    CheckMark mark{.name = check.name, .outcome = said.outcome, .found = said.found, .hidden = check.hidden};
     if (mark.outcome == Outcome::wrong) mark.look_at = check.look_at;
     return mark;
 }
 
-std::vector<bool> LabGrader::wanted_checks(const std::set<std::string>& tasks) const {
-    std::vector<bool> wanted(manifest_.checks.size());
-    for (size_t i = 0; i < wanted.size(); ++i) {
-        const CheckInfo& check = manifest_.checks[i];
-        if (!tasks.contains(check.task)) continue;
+std::vector<bool> LabGrader::views_of(const std::set<std::string>& tasks, bool with_hidden) const {
+    std::vector<bool> wanted(views_.size());
+    for (size_t i = 0; i < (with_hidden ? views_.size() : manifest_.checks.size()); ++i) {
+        if (!tasks.contains(manifest_.checks[views_[i].check].task)) continue;
         wanted[i] = true;
-        if (!expected_.empty() && !expected_[i])
-            wanted[size_t(&manifest_.check(check.against) - manifest_.checks.data())] = true;
+        if (!views_[i].expected) wanted[views_[i].against] = true;
     }
     return wanted;
 }
@@ -336,10 +378,10 @@ const std::vector<LabGrader::Signature>& LabGrader::signatures(const std::string
 std::map<size_t, LabGrader::Sampled> LabGrader::pictures_of(const MistakeInfo& mistake) const {
     CourseFiles files = edited(mistake.edits);
     for (const std::string& file : task_files(manifest_)) files.try_emplace(file, read_file(course_root() / file));
-    const std::vector<bool> wanted = wanted_checks({mistake.task});
+    const std::vector<bool> wanted = views_of({mistake.task}, false);
     const Pictures pictures = draw(files, wanted);
     std::map<size_t, Sampled> result;
-    for (size_t i = 0; i < wanted.size(); ++i)
+    for (size_t i = 0; i < manifest_.checks.size(); ++i)
         if (wanted[i] && manifest_.checks[i].task == mistake.task)
             result[i] = Sampled(pictures.of[i].image, pictures.of[i].error);
     return result;
@@ -388,7 +430,7 @@ LabMark LabGrader::mark(const Submission& submission) const {
     CourseFiles files;
     for (const auto& [name, text] : submission.files)
         if (task_files(manifest_).contains(name)) files[name] = text;
-    const Pictures pictures = draw(files, wanted_checks(tasks));
+    const Pictures pictures = draw(files, views_of(tasks, true));
     lab.log = pictures.log, lab.times.compile = pictures.compile, lab.times.draw = pictures.draw;
     const auto begin = Clock::now();
     for (const TaskInfo& info : manifest_.tasks) {
@@ -403,7 +445,7 @@ LabMark LabGrader::mark(const Submission& submission) const {
             if (const auto why = given_up.find(info.id); why != given_up.end())
                 mark.outcome = why->second.outcome, mark.found = why->second.found;
             else
-                mark = judge_one(i, pictures);
+                mark = judge_check(i, pictures);
             passed += mark.outcome == Outcome::passed;
             task.checks.push_back(std::move(mark));
         }

@@ -17,8 +17,8 @@ namespace relief {
 struct CheckMark {
     std::string name;
     Outcome outcome = Outcome::machine;
-    std::string found;    ///< what was measured, or what went wrong
-    std::string look_at;  ///< what to look at next; empty when it passed
+    std::string found;         ///< what was measured, or what went wrong
+    std::string look_at = {};  ///< what to look at next; empty when it passed
     bool hidden = false;
 };
 
@@ -33,6 +33,7 @@ struct TaskMark {
 /// Seconds; those of several processes are added up.
 struct MarkTimes {
     double compile = 0, draw = 0, compare = 0;
+    void add(const MarkTimes& more) { compile += more.compile, draw += more.draw, compare += more.compare; }
 };
 
 struct LabMark {
@@ -46,47 +47,61 @@ struct LabMark {
     bool graded() const;  ///< nothing in it failed for the machine's sake
 };
 
-struct GradeLimits {
+/// How submissions are drawn.
+struct GradeSetup {
+    Isolation isolation = Isolation::namespaces;
     /// For drawing a lab once, twice that in all, and three times that for compiling. 0: twenty, or ten times what the
     /// solution takes when that is more.
     double seconds = 0;
     size_t memory = size_t{2} << 30;  ///< bytes of addresses
+    std::string seed = {};            ///< of the hidden views; none without
+    Renderer renderer = {};
 };
 
 /// One lab with what its checks expect and its known mistakes' pictures: made once, then used by many threads.
 class LabGrader {
 public:
     /// Draws the solution in the sandbox first: throws Error when it does not get all points there, because then no
-    /// mark of this machine can be trusted.
-    LabGrader(const LabEntry& lab, const Stage& stage, Isolation isolation, GradeLimits limits);
+    /// mark of this machine can be trusted. With a seed each check also looks from a hidden view drawn from it (see
+    /// Variation), but for those whose limits the solution itself does not keep there.
+    LabGrader(const LabEntry& lab, const Stage& stage, GradeSetup setup);
     ~LabGrader();
 
     const LabEntry& lab() const { return lab_; }
     const Manifest& manifest() const { return manifest_; }
     LabMark mark(const Submission& submission) const;
-    /// Seconds that the solution took to draw.
-    double solution_seconds() const { return solution_seconds_; }
+    /// How many checks have a hidden view.
+    size_t hidden_views() const { return views_.size() - manifest_.checks.size(); }
 
 private:
     struct Pictures;
     struct Sampled;
     struct Signature;
 
+    /// What is drawn for a check: its own shot, or that of the hidden view.
+    struct View {
+        size_t check;
+        Shot shot;
+        std::optional<Image> expected = {};  ///< nothing for a check against another
+        size_t against = 0;                  ///< for those: the view that is looked at in the same way
+    };
+
+    void look_from_hidden_views(const CourseFiles& solution);
+    void expect(View& view, const Pictures& solution, size_t first) const;
     Pictures draw(const CourseFiles& files, const std::vector<bool>& wanted) const;
     void draw_on(const StagedCourse& course, Pictures& pictures, const std::vector<size_t>& which) const;
-    CheckMark judge_one(size_t check, const Pictures& pictures) const;
+    Judgement judge_view(size_t view, const Pictures& pictures) const;
+    CheckMark judge_check(size_t check, const Pictures& pictures) const;
     void name_mistake(TaskMark& task, const Pictures& pictures) const;
     std::map<size_t, Sampled> pictures_of(const MistakeInfo& mistake) const;
     const std::vector<Signature>& signatures(const std::string& task) const;
-    std::vector<bool> wanted_checks(const std::set<std::string>& tasks) const;
+    std::vector<bool> views_of(const std::set<std::string>& tasks, bool with_hidden) const;
 
     const LabEntry& lab_;
     const Stage& stage_;
-    Isolation isolation_;
-    GradeLimits limits_;
+    GradeSetup setup_;
     Manifest manifest_;
-    std::vector<std::optional<Image>> expected_;  ///< of each check, but of those against another
-    double solution_seconds_ = 0;
+    std::vector<View> views_;  ///< one of each check, in order, and then the hidden ones
     struct Lazy;
     std::unique_ptr<Lazy> lazy_;
 };

@@ -54,6 +54,7 @@ public:
             for (int i = 1; i < jobs; ++i) threads.emplace_back(work);
             work();
         }
+        result_.checks = grader_.manifest().checks.size(), result_.hidden_views = grader_.hidden_views();
         result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result_;
     }
@@ -103,10 +104,10 @@ private:
 
 }  // namespace
 
-SelfTest test_grader(const LabEntry& lab, Isolation isolation, GradeLimits limits, int jobs) {
-    Stage stage(isolation);
+SelfTest test_grader(const LabEntry& lab, const GradeSetup& setup, int jobs) {
+    Stage stage(setup.isolation);
     stage.add(lab);
-    const LabGrader grader(lab, stage, isolation, limits);
+    const LabGrader grader(lab, stage, setup);
     return Test(lab, grader).run(jobs);
 }
 

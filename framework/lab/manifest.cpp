@@ -180,6 +180,23 @@ MistakeInfo read_mistake(Table& table, const Manifest& manifest) {
     return mistake;
 }
 
+/// Two numbers are a range, texts are choices.
+std::vector<VaryInfo> read_vary(Table table) {
+    std::vector<VaryInfo> all;
+    for (const std::string& knob : table.keys()) {
+        VaryInfo& vary = all.emplace_back(VaryInfo{.knob = knob});
+        if (table.is_texts(knob.c_str())) {
+            table.read(knob.c_str(), vary.choices);
+        } else {
+            std::array<double, 2> range{};
+            table.read<2>(knob.c_str(), range, -any, any);
+            vary.low = range[0], vary.high = range[1];
+            if (!(vary.low < vary.high)) table.fail(knob.c_str(), fmt::format("'{}' must be a range, low to high", knob));
+        }
+    }
+    return all;
+}
+
 GoldenInfo read_golden(Table& table, const Manifest& manifest) {
     GoldenInfo golden;
     golden.name = table.text("name");
@@ -262,6 +279,7 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
     for (size_t i = 0; i < mistakes.size(); ++i)
         if (const std::string& other = manifest.mistakes[i].same_as; !other.empty())
             require(mistakes[i], "same_as", [&] { find_named(manifest.mistakes, &MistakeInfo::id, "mistake", other); });
+    if (auto vary = root.table("vary")) manifest.vary = read_vary(*vary);
     for (Table& table : root.tables("golden")) {
         GoldenInfo golden = read_golden(table, manifest);
         refuse_second(table, "name", "golden pictures", manifest.goldens, &GoldenInfo::name, golden.name);

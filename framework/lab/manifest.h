@@ -59,6 +59,13 @@ struct MistakeInfo {
     std::string same_as;  ///< another mistake that no check can tell from this one, or empty
 };
 
+/// A knob that differs in hidden views: within a range, or one of several values.
+struct VaryInfo {
+    std::string knob;
+    double low = 0, high = 0;
+    std::vector<std::string> choices = {};
+};
+
 /// A reference screenshot, tests/golden/<lab's folder>/<name>.png; of a probe, what visualize_probe() makes of it.
 struct GoldenInfo {
     std::string name;
@@ -74,6 +81,7 @@ struct Manifest {
     std::vector<TaskInfo> tasks;
     std::vector<CheckInfo> checks;
     std::vector<MistakeInfo> mistakes;
+    std::vector<VaryInfo> vary;
     std::vector<GoldenInfo> goldens;
     /// Files and folders, relative to the course's top folder, that hold answers to this lab's tasks.
     std::vector<std::string> keep_back;

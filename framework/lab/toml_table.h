@@ -109,6 +109,17 @@ public:
         return result;
     }
 
+    std::vector<std::string> keys() const {
+        std::vector<std::string> result;
+        for (const auto& [key, node] : table_) result.emplace_back(key.str());
+        return result;
+    }
+    /// Whether there is a list of texts, of one at least.
+    bool is_texts(const char* key) const {
+        const toml::array* const array = table_[key].as_array();
+        return array && !array->empty() && array->is_homogeneous<std::string>();
+    }
+
     /// Call last: throws for a key that nothing has asked for.
     void finish() const {
         for (const auto& [key, node] : table_)
