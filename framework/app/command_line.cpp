@@ -206,6 +206,7 @@ private:
             ->type_name("I/N");
         sub->add_option("--merge", grade_.merge, "no submissions: put the parts together that lie in this folder")
             ->type_name("FOLDER");
+        sub->add_flag("--gradescope", grade_.gradescope, "no submissions: an autograder for Gradescope into -o FOLDER");
         sub->add_flag("--resume", grade_.resume, "the submissions of the last run into the folder, where it ended");
         sub->add_option("--context", grade_.context, "auto (osmesa, then egl), osmesa or egl")->type_name("NAME");
         sub->add_option("--threads", grade_.threads, "of the software renderer, for each submission [0]")

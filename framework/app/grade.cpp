@@ -8,6 +8,7 @@
 #include "framework/base/parallel.h"
 #include "framework/base/text.h"
 #include "framework/grade/class.h"
+#include "framework/grade/gradescope.h"
 #include "framework/grade/report.h"
 #include "framework/grade/self_test.h"
 
@@ -81,6 +82,15 @@ void write_summaries(const ClassReport& report, const fs::path& folder) {
     write_file(folder / "report.html", to_html(report));
 }
 
+int make_gradescope(const ClassOptions& options) {
+    const std::string seed = options.setup.seed.empty() ? new_seed() : options.setup.seed;
+    write_gradescope(options.output, options.labs, seed);
+    fmt::print("{}: setup.sh, run_autograder and the course with its solutions; seed {}\n", options.output.string(), seed);
+    fmt::print("zip what is in it and give that to Gradescope, with an image of Debian 12: cd '{}' && zip -r "
+               "../autograder.zip .\n", options.output.string());
+    return 0;
+}
+
 /// What was asked for, or what the last run into the folder was.
 void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
     if (arguments.resume) {
@@ -126,6 +136,7 @@ int grade_submissions(const GradeArguments& arguments) {
     if (arguments.self_test) return test_the_grader(options);
     if (arguments.output.empty()) throw UsageError("grade needs a folder for what it finds: -o FOLDER");
     options.output = arguments.output;
+    if (arguments.gradescope) return make_gradescope(options);
     name_submissions(arguments, options);
     options.shard = shard_of(arguments.shard);
     const ClassReport report = grade_class(options);

@@ -63,7 +63,7 @@ private:
         if (setup_.seed.empty() && before) setup_.seed = before->seed;
         if (setup_.seed.empty() && !options_.shard.whole())
             throw UsageError("parts of a class need the same hidden views: give each the same --seed WORD");
-        if (setup_.seed.empty()) setup_.seed = fmt::format("{:08x}", std::random_device()());
+        if (setup_.seed.empty()) setup_.seed = new_seed();
         report_.seed = setup_.seed;
     }
 
@@ -223,6 +223,8 @@ private:
 };
 
 }  // namespace
+
+std::string new_seed() { return fmt::format("{:08x}", std::random_device()()); }
 
 IsolationReport isolation_for(bool trust) {
     const IsolationReport isolation = probe_isolation();

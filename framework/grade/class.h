@@ -35,6 +35,9 @@ struct ClassReport {
 /// of the class has exactly one result, and all are of the same course and seed.
 ClassReport merge_class(const std::filesystem::path& folder);
 
+/// A seed that nobody could know.
+std::string new_seed();
+
 /// How submissions may be run here. Throws Error where they can be kept from nothing and `trust` is not given.
 IsolationReport isolation_for(bool trust);
 

@@ -97,8 +97,8 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
         {"misspelt", replaced(solution, "return code / 255.0", "retrun code / 255.0")},
         {"nan", replaced(solution, "return code / 255.0 * 2.0 - 1.0;", "return sqrt(code - 1e9);")},
         {"loops", replaced(solution, "return code / 255.0 * 2.0 - 1.0;",
-                           "float x = 0.0; for (int i = 0; i < 60000; ++i) for (int j = 0; j < 60000; ++j) x += "
-                           "sin(x + float(j)); return code / 255.0 * 2.0 - 1.0 + x;")},
+                           "float x = 0.0; for (int i = 0; i < 60000; ++i) for (int j = 0; j < 60000; ++j) "
+                           "x += sin(cos(sin(cos(x + float(j))))); return code / 255.0 * 2.0 - 1.0 + x;")},
         {"huge", solution + std::string(10 << 20, ' ')},
         {"binary", std::string("\0\xff\xfe\x01", 4)},
     };
@@ -261,6 +261,115 @@ TEST(Grade, KilledHalfWayItGoesOnWhereItWas) {
     EXPECT_EQ(result_of(output, "s2")["points"], 11);
 }
 
+TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    const char* const file = "shaders/03_height_to_normal/task.glsl";
+    folder.write(std::string("honest/") + file, course_file(file));
+    folder.write(std::string("tuned/") + file,
+                 replaced(course_file(file), "return normalize(vec3(-slope * texels, 1.0));",
+                          "return normalize(vec3(-slope * (texels.x == texels.y ? vec2(14.0) : texels), 1.0));"));
+    const std::vector<std::string> words = {(folder.path() / "honest").string(), (folder.path() / "tuned").string(),
+                                            "-o", output.string()};
+    std::vector<std::string> seeded = words;
+    seeded.insert(seeded.end(), {"--seed", "midterm"});
+    const Result graded = run(grade(seeded));
+    ASSERT_EQ(graded.code, 0) << graded.err;
+    EXPECT_EQ(outcomes(result_of(output, "honest")), Outcomes{"passed"});
+    const json tuned = result_of(output, "tuned");
+    EXPECT_EQ(outcomes(tuned, "3.2"), (Outcomes{"passed", "wrong"}));
+    EXPECT_TRUE(contains(found(tuned, "wrong"), "right in the check's own view, not in a hidden one (camera "))
+        << found(tuned, "wrong");
+    EXPECT_TRUE(contains(found(tuned, "wrong"), "; depth 1")) << found(tuned, "wrong");
+    EXPECT_LT(tuned["points"], 9);
+
+    // The seed stays the folder's, and another one asks for other marks.
+    const Result again = run(grade(words));
+    EXPECT_TRUE(contains(again.out, "0 graded, 2 as before") && contains(again.out, "seed midterm")) << again.out;
+    std::vector<std::string> other = words;
+    other.insert(other.end(), {"--seed", "final"});
+    EXPECT_TRUE(contains(run(grade(other)).out, "2 graded, 0 as before"));
+}
+
+TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
+    const TemporaryFolder folder;
+    std::vector<std::string> paths;
+    for (int i = 0; i < 5; ++i) {
+        const std::string name = "s" + std::to_string(i);
+        folder.write(name + "/" + shader, course_file(shader) + "// " + name + "\n");
+        paths.push_back((folder.path() / name).string());
+    }
+    const fs::path output = folder.path() / "out";
+    const auto part = [&](const fs::path& into, std::vector<std::string> more, const Circumstances& where = {}) {
+        std::vector<std::string> words = paths;
+        words.insert(words.end(), {"-o", into.string()});
+        words.insert(words.end(), more.begin(), more.end());
+        return run(grade(words), where);
+    };
+    const auto merged = [&] { return run({relief_program(), "grade", "--merge", output.string()}); };
+    const Result seedless = part(output, {"--shard", "1/2"});
+    EXPECT_EQ(seedless.code, 2);
+    EXPECT_TRUE(contains(seedless.err, "--seed WORD")) << seedless.err;
+
+    const Result first = part(output / "one", {"--shard", "1/2", "--seed", "x"});
+    EXPECT_EQ(first.code, 0) << first.err;
+    EXPECT_TRUE(contains(first.out, "3 graded")) << first.out;
+    EXPECT_FALSE(fs::exists(output / "one/results.csv")) << "a part is not the class";
+    const Result early = merged();
+    EXPECT_EQ(early.code, 1);
+    EXPECT_TRUE(contains(early.err, "of 5 submissions 2 without a result: s1, s3")) << early.err;
+
+    const Result second =
+        part(output / "two", {"--seed", "x"}, {.folder = {}, .environment = {{"SLURM_ARRAY_TASK_ID", "8"},
+                                                                            {"SLURM_ARRAY_TASK_MIN", "7"},
+                                                                            {"SLURM_ARRAY_TASK_COUNT", "2"}}});
+    EXPECT_TRUE(contains(second.out, "2 graded")) << second.out << second.err;
+    const Result whole = merged();
+    EXPECT_EQ(whole.code, 0) << whole.err;
+    EXPECT_TRUE(contains(whole.out, "5 graded")) << whole.out;
+    const std::string csv = read_file(output / "results.csv");
+    for (int i = 0; i < 5; ++i) EXPECT_TRUE(contains(csv, "\ns" + std::to_string(i) + ",graded,11,")) << csv;
+    EXPECT_TRUE(fs::exists(output / "report.html"));
+
+    fs::copy_file(output / "one/results/s0.json", output / "two/results/s0.json");
+    EXPECT_TRUE(contains(merged().err, "1 with several results: s0"));
+    fs::remove(output / "two/results/s0.json");
+    folder.write(std::string("s1/") + shader, course_file(shader));
+    part(output / "two", {"--shard", "1/2", "--seed", "x"});
+    EXPECT_TRUE(contains(merged().err, "names other submissions"));
+}
+
+TEST(Grade, WhenTheMachineFailsNobodyLosesAMark) {
+    if (!has_namespaces()) GTEST_SKIP() << "without namespaces a removed program cannot be told from one that crashed";
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out", temporary = folder.path() / "tmp";
+    fs::create_directory(temporary);
+    fs::permissions(folder.path(), fs::perms(0755)), fs::permissions(temporary, fs::perms(0755));
+    std::vector<std::string> words;
+    for (const char* name : {"a", "b", "c"}) {
+        folder.write(std::string(name) + "/" + shader, course_file(shader) + "// " + name + "\n");
+        words.push_back((folder.path() / name).string());
+    }
+    words.insert(words.end(), {"-o", output.string(), "--jobs", "1"});
+    {
+        Process grader(grade(words), {.folder = {}, .environment = {{"TMPDIR", temporary.string()}}});
+        for (int i = 0; i < 6000 && !fs::exists(output / "results/a.json") && grader.running(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        // Somebody tidies up.
+        for (const auto& entry : fs::directory_iterator(temporary)) fs::remove_all(entry.path() / "bin");
+        const Result failed = grader.wait();
+        EXPECT_EQ(failed.code, 1);
+        EXPECT_TRUE(contains(failed.err, "grade again")) << failed.err;
+    }
+    EXPECT_EQ(outcomes(result_of(output, "a")), Outcomes{"passed"});
+    EXPECT_TRUE(outcomes(result_of(output, "c")).contains("machine"));
+    EXPECT_TRUE(contains(read_file(output / "results.csv"), "c,not graded: the machine failed,,"))
+        << read_file(output / "results.csv");
+    const Result again = run({relief_program(), "grade", "--resume", "-o", output.string()});
+    EXPECT_EQ(again.code, 0) << again.err;
+    for (const char* name : {"a", "b", "c"}) EXPECT_EQ(result_of(output, name)["points"], 11) << name;
+}
+
 TEST(Grade, RefusesWhereNothingKeepsASubmissionFromTheMachine) {
     const TemporaryFolder folder;
     folder.write(std::string("jane/") + shader, course_file(shader));
@@ -291,7 +400,12 @@ TEST(Grade, WrongUseIsOneClearLine) {
                  {{a, "-o", output, "--jobs", "0"}, "--jobs takes a whole number from 1 to 256, not '0'"},
                  {{a, "-o", output, "--lab", "99"}, "unknown lab"},
                  {{a + "x", "-o", output}, "there is no '"},
-                 {{a, b, "-o", output}, "two submissions are named 'jane'"}};
+                 {{a, b, "-o", output}, "two submissions are named 'jane'"},
+                 {{a, "-o", output, "--shard", "3/2"}, "--shard asks for part 3 of 2"},
+                 {{a, "-o", output, "--shard", "2"}, "--shard takes i/n, like 2/8, not '2'"},
+                 {{"--resume", "-o", output + "/nowhere"}, "there is nothing to resume"},
+                 {{"--merge", output + "/nowhere"}, "there is no class.json"},
+                 {{a, "-o", output, "--context", "window"}, "grade draws without a window"}};
     for (const auto& [words, said] : cases) {
         const Result result = run(grade(words));
         EXPECT_EQ(result.code, 2) << said;
