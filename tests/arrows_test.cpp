@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
 
 // From the ground up. Parts on one floor do not include each other.
-const std::map<std::string, int> floors = {{"base", 0},    {"image", 1}, {"mesh", 1},    {"reference", 2}, {"gl", 3},
-                                           {"context", 4}, {"lab", 5},   {"measure", 6}, {"grade", 6},     {"app", 7}};
+const std::map<std::string, int> floors = {{"base", 0},    {"image", 1}, {"mesh", 1},  {"reference", 2}, {"gl", 3},
+                                           {"context", 4}, {"lab", 5},   {"grade", 6}, {"measure", 7},   {"app", 8}};
 
 /// What a file includes, by "" or <>.
 Lines includes_of(const std::string& text) {

@@ -85,9 +85,12 @@ void write_summaries(const ClassReport& report, const fs::path& folder) {
 int make_gradescope(const ClassOptions& options) {
     const std::string seed = options.setup.seed.empty() ? new_seed() : options.setup.seed;
     write_gradescope(options.output, options.labs, seed);
-    fmt::print("{}: setup.sh, run_autograder and the course with its solutions; seed {}\n", options.output.string(), seed);
-    fmt::print("zip what is in it and give that to Gradescope, with an image of Debian 12: cd '{}' && zip -r "
-               "../autograder.zip .\n", options.output.string());
+    fmt::print("{}: setup.sh, run_autograder and the course with its solutions; seed {}\n", options.output.string(),
+               seed);
+    fmt::print(
+        "zip what is in it and give that to Gradescope, with an image of Debian 12: cd '{}' && zip -r "
+        "../autograder.zip .\n",
+        options.output.string());
     return 0;
 }
 
@@ -112,8 +115,8 @@ int print(const ClassReport& report, const std::string& folder, const Shard& sha
     fmt::print("{}", to_table(report.marks));
     size_t failed = 0;
     for (const SubmissionMark& mark : report.marks) failed += !mark.graded();
-    fmt::print("{}: {} graded, {} as before, {} not graded; {:.1f} s, of them {:.1f} for the solutions; seed {}\n", folder,
-               report.marks.size() - report.taken_over - failed, report.taken_over, failed, report.seconds,
+    fmt::print("{}: {} graded, {} as before, {} not graded; {:.1f} s, of them {:.1f} for the solutions; seed {}\n",
+               folder, report.marks.size() - report.taken_over - failed, report.taken_over, failed, report.seconds,
                report.prepared, report.seed);
     fmt::print("all jobs together: {:.1f} s compiling, {:.1f} s drawing, {:.1f} s comparing\n", report.times.compile,
                report.times.draw, report.times.compare);

@@ -1,6 +1,7 @@
 #include "framework/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <system_error>
 #include <thread>
@@ -37,6 +38,20 @@ void parallel_pieces(size_t count, size_t smallest, unsigned threads,
     }
     for (const std::exception_ptr& failure : failures)
         if (failure) std::rethrow_exception(failure);
+}
+
+void parallel_each(size_t count, unsigned threads, const std::function<void(size_t)>& one) {
+    if (threads == 0) threads = hardware_threads();
+    std::atomic<size_t> next = 0;
+    // A piece for each thread, and in each whatever is next.
+    parallel_pieces(std::min(count, size_t{threads}), 1, threads, [&](size_t, size_t) {
+        try {
+            for (size_t i = next++; i < count; i = next++) one(i);
+        } catch (...) {
+            next = count;
+            throw;
+        }
+    });
 }
 
 }  // namespace relief

@@ -78,9 +78,7 @@ Image draw(const LabEntry& lab, const Shot& shot) { return take(*make_lab(lab, s
 
 }  // namespace
 
-const char* name_of(Outcome outcome) {
-    return outcome_names[int(outcome)];
-}
+const char* name_of(Outcome outcome) { return outcome_names[int(outcome)]; }
 
 Outcome outcome_of(const std::string& name) {
     for (int i = 0; i < int(std::size(outcome_names)); ++i)

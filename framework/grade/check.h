@@ -9,8 +9,9 @@
 
 namespace relief {
 
-/// `unfinished`: the task still calls unfinished(). `broken`: it does not compile, throws, or draws nothing. The rest can
-/// only be said of a process of its own; `machine`: the grader or the machine failed, and a student loses nothing by it.
+/// `unfinished`: the task still calls unfinished(). `broken`: it does not compile, throws, or draws nothing. The rest
+/// can only be said of a process of its own; `machine`: the grader or the machine failed, and a student loses nothing
+/// by it.
 enum class Outcome { passed, wrong, unfinished, broken, crashed, out_of_time, out_of_memory, machine };
 const char* name_of(Outcome outcome);
 /// Throws Error for another word.

@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <exception>
 #include <mutex>
 #include <random>
 #include <set>
-#include <thread>
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
+#include "framework/base/parallel.h"
 #include "framework/base/sha256.h"
 #include "framework/base/text.h"
 
@@ -146,8 +144,7 @@ private:
         for (const LabEntry* lab : needed) {
             progress.next("the solution of lab " + lab->two_digits());
             stage_->add(*lab);
-            graders_.emplace(lab->folder,
-                             std::make_unique<LabGrader>(*lab, *stage_, setup_));
+            graders_.emplace(lab->folder, std::make_unique<LabGrader>(*lab, *stage_, setup_));
         }
     }
 
@@ -156,26 +153,13 @@ private:
         for (Entry& entry : entries_)
             if (!entry.done) waiting.push_back(&entry);
         Progress progress(int(waiting.size()));
-        std::atomic<size_t> next = 0;
-        std::exception_ptr failure;
-        const auto work = [&] {
-            for (size_t i = next++; i < waiting.size(); i = next++) try {
-                    {
-                        const std::lock_guard lock(mutex_);
-                        progress.next(printable(waiting[i]->name));
-                    }
-                    grade(*waiting[i]);
-                } catch (...) {  // nothing can be written: go no further
-                    const std::lock_guard lock(mutex_);
-                    failure = std::current_exception();
-                    next = waiting.size();
-                }
-        };
-        std::vector<std::jthread> threads;
-        for (int i = 1; i < std::min(options_.jobs, int(waiting.size())); ++i) threads.emplace_back(work);
-        work();
-        threads.clear();
-        if (failure) std::rethrow_exception(failure);
+        parallel_each(waiting.size(), unsigned(options_.jobs), [&](size_t i) {
+            {
+                const std::lock_guard lock(mutex_);
+                progress.next(printable(waiting[i]->name));
+            }
+            grade(*waiting[i]);
+        });
     }
 
     void grade(Entry& entry) {
@@ -253,7 +237,8 @@ std::vector<fs::path> parts_in(const fs::path& folder) {
     if (fs::is_directory(folder))
         for (const auto& entry : fs::directory_iterator(folder)) add(entry.path());
     std::sort(parts.begin(), parts.end());
-    if (parts.empty()) throw UsageError(fmt::format("there is no class.json in '{}' or a folder in it", folder.string()));
+    if (parts.empty())
+        throw UsageError(fmt::format("there is no class.json in '{}' or a folder in it", folder.string()));
     return parts;
 }
 
@@ -276,12 +261,13 @@ ClassReport merge_class(const fs::path& folder) {
     for (const fs::path& part : parts) {
         const Roster other = *read_roster(part);
         if (other.course != roster.course || other.seed != roster.seed || other.labs != roster.labs)
-            throw Error({part / "class.json"}, "is of another course, seed or choice of labs than " +
-                                                   (parts.front() / "class.json").string());
+            throw Error({part / "class.json"},
+                        "is of another course, seed or choice of labs than " + (parts.front() / "class.json").string());
         if (!std::equal(other.submissions.begin(), other.submissions.end(), roster.submissions.begin(),
                         roster.submissions.end(),
                         [](const auto& a, const auto& b) { return a.name == b.name && a.hash == b.hash; }))
-            throw Error({part / "class.json"}, "names other submissions than " + (parts.front() / "class.json").string());
+            throw Error({part / "class.json"},
+                        "names other submissions than " + (parts.front() / "class.json").string());
         if (!fs::is_directory(part / "results")) continue;
         for (const auto& entry : fs::directory_iterator(part / "results"))
             if (entry.path().extension() == ".json") {
@@ -299,11 +285,13 @@ ClassReport merge_class(const fs::path& folder) {
             missing.push_back(one.name);
         } else if (results->second.size() > 1) {
             twice.push_back(one.name);
-        } else if (SubmissionMark& mark = results->second.front(); mark.hash != one.hash || mark.course != roster.course) {
+        } else if (SubmissionMark& mark = results->second.front();
+                   mark.hash != one.hash || mark.course != roster.course) {
             stale.push_back(one.name);
         } else {
             for (const LabMark& lab : mark.labs) report.times.add(lab.times);
-            if (mark.isolation != name_of(report.isolation.level)) report.isolation = {Isolation::limits, "in a part of it"};
+            if (mark.isolation != name_of(report.isolation.level))
+                report.isolation = {Isolation::limits, "in a part of it"};
             report.seconds += mark.seconds;
             report.marks.push_back(std::move(mark));
         }
@@ -313,8 +301,10 @@ ClassReport merge_class(const fs::path& folder) {
     for (const auto& [name, marks] : found) strangers.push_back(name);
     if (!missing.empty()) problems.push_back(some_of(fmt::format("{} without a result", missing.size()), missing));
     if (!twice.empty()) problems.push_back(some_of(fmt::format("{} with several results", twice.size()), twice));
-    if (!stale.empty()) problems.push_back(some_of(fmt::format("{} with a result of other files", stale.size()), stale));
-    if (!strangers.empty()) problems.push_back(some_of(fmt::format("{} not of this class", strangers.size()), strangers));
+    if (!stale.empty())
+        problems.push_back(some_of(fmt::format("{} with a result of other files", stale.size()), stale));
+    if (!strangers.empty())
+        problems.push_back(some_of(fmt::format("{} not of this class", strangers.size()), strangers));
     if (!problems.empty())
         throw Error(fmt::format("of {} submissions {}", roster.submissions.size(), join(problems, "; ")));
     return report;

@@ -41,8 +41,8 @@ std::string new_seed();
 /// How submissions may be run here. Throws Error where they can be kept from nothing and `trust` is not given.
 IsolationReport isolation_for(bool trust);
 
-/// Writes into `output`: class.json, and results/NAME.json as each is done. Throws UsageError for two submissions of one
-/// name, for none, and for a shard without a seed; Error where the solutions themselves do not pass here.
+/// Writes into `output`: class.json, and results/NAME.json as each is done. Throws UsageError for two submissions of
+/// one name, for none, and for a shard without a seed; Error where the solutions themselves do not pass here.
 ClassReport grade_class(const ClassOptions& options);
 
 }  // namespace relief

@@ -13,7 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What building and grading take; tests, slides and pages stay here.
-constexpr const char* course_parts[] = {"CMakeLists.txt", "LICENSE", "relief", "assets", "framework", "labs", "shaders"};
+constexpr const char* course_parts[] = {"CMakeLists.txt", "LICENSE", "relief", "assets",
+                                        "framework",      "labs",    "shaders"};
 
 void write_script(const fs::path& file, const std::string& text) {
     write_file(file, text);

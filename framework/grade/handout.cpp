@@ -24,14 +24,9 @@ constexpr const char* taken_along[] = {"CMakeLists.txt", "CMakePresets.json", "L
                                        ".gitignore",     ".clang-format",     ".editorconfig", "framework",
                                        "labs",           "shaders",           "assets",        "tests/golden"};
 // What makes the truth, measures with it, or hands out.
-constexpr const char* left_out[] = {"framework/reference",
-                                    "framework/measure",
-                                    "framework/app/bench.cpp",
-                                    "framework/app/grade.cpp",
-                                    "framework/app/handout.cpp",
-                                    "framework/grade",
-                                    "assets/textures.cpp",
-                                    "assets/make.cpp"};
+constexpr const char* left_out[] = {
+    "framework/reference",       "framework/measure", "framework/app/bench.cpp", "framework/app/grade.cpp",
+    "framework/app/handout.cpp", "framework/grade",   "assets/textures.cpp",     "assets/make.cpp"};
 constexpr const char* kept_all_the_same[] = {"framework/reference/ray.h", "framework/grade/check.h",
                                              "framework/grade/check.cpp", "framework/grade/starter.h",
                                              "framework/grade/starter.cpp"};
@@ -224,8 +219,9 @@ std::string public_manifest(const std::string& text, const fs::path& file) {
     const Manifest left = parse_manifest(result, file);  // also finds a public check that leans on a hidden one
     if (!left.mistakes.empty() || !left.vary.empty() ||
         std::any_of(left.checks.begin(), left.checks.end(), [](const CheckInfo& check) { return check.hidden; }))
-        throw Error({file},
-                    "write [[check]], [[mistake]] and [vary] at the beginning of their lines: a handout cuts them out there");
+        throw Error(
+            {file},
+            "write [[check]], [[mistake]] and [vary] at the beginning of their lines: a handout cuts them out there");
     return result;
 }
 

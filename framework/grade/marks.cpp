@@ -256,8 +256,8 @@ LabGrader::Pictures LabGrader::draw(const CourseFiles& files, const std::vector<
     pictures.log = compiled.message;
     const SandboxResult ended{
         .ending = compiled.ending, .code = 1, .output = {}, .errors = {}, .wall = compiled.seconds};
-    const Judgement why =
-        compiled.ending == Ending::exited ? Judgement{Outcome::broken, first_error(compiled.message)} : blame(ended, {});
+    const Judgement why = compiled.ending == Ending::exited ? Judgement{Outcome::broken, first_error(compiled.message)}
+                                                            : blame(ended, {});
     for (const size_t i : which) {
         pictures.of[i].outcome = why.outcome;
         pictures.of[i].error = "it does not compile: " + (why.found.empty() ? compiled.message : why.found);

@@ -33,8 +33,8 @@ struct Shard {
 };
 
 /// "2/8" is the second of eight. When `text` is empty the environment decides: a task of a Slurm array
-/// (SLURM_ARRAY_TASK_ID with _MIN, _STEP and _COUNT), TEST_SHARD_INDEX with TEST_TOTAL_SHARDS, or GTEST_SHARD_INDEX with
-/// GTEST_TOTAL_SHARDS. Throws UsageError for what is neither.
+/// (SLURM_ARRAY_TASK_ID with _MIN, _STEP and _COUNT), TEST_SHARD_INDEX with TEST_TOTAL_SHARDS, or GTEST_SHARD_INDEX
+/// with GTEST_TOTAL_SHARDS. Throws UsageError for what is neither.
 Shard shard_of(const std::string& text);
 
 }  // namespace relief

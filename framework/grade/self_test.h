@@ -9,10 +9,10 @@
 namespace relief {
 
 struct SelfTest {
-    int mistakes = 0, caught = 0;    ///< caught: its task loses points
-    int named = 0;                   ///< its id is told, or that of the one it is `same_as`
+    int mistakes = 0, caught = 0;         ///< caught: its task loses points
+    int named = 0;                        ///< its id is told, or that of the one it is `same_as`
     size_t checks = 0, hidden_views = 0;  ///< views: with a seed
-    std::vector<std::string> wrong;  ///< every wrong verdict, a line each
+    std::vector<std::string> wrong;       ///< every wrong verdict, a line each
     double seconds = 0;
 };
 

@@ -45,7 +45,8 @@ Shot Variation::of(Shot shot) const {
 }
 
 std::string view_text(const Shot& shot) {
-    std::string text = fmt::format("camera {:.4g},{:.4g},{:.4g}", shot.camera.yaw, shot.camera.pitch, shot.camera.distance);
+    std::string text =
+        fmt::format("camera {:.4g},{:.4g},{:.4g}", shot.camera.yaw, shot.camera.pitch, shot.camera.distance);
     for (const auto& [knob, value] : shot.set) text += fmt::format("; {} {}", knob, value);
     return text;
 }

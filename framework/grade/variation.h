@@ -8,8 +8,8 @@
 
 namespace relief {
 
-/// Another camera, and other values for the knobs under the manifest's `[vary]`: the same for every check of the lab, so
-/// that two that are held against each other still can be.
+/// Another camera, and other values for the knobs under the manifest's `[vary]`: the same for every check of the lab,
+/// so that two that are held against each other still can be.
 class Variation {
 public:
     /// The same seed and attempt give the same view on every machine. `attempt`: another one, when the solution itself

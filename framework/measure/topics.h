@@ -12,5 +12,6 @@ BenchTopic intersection_topic();
 BenchTopic parallax_topic();
 BenchTopic displacement_topic();
 BenchTopic frames_topic();
+BenchTopic grade_topic();
 
 }  // namespace relief

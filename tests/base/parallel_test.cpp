@@ -44,5 +44,24 @@ TEST(Parallel, ThrowsWhatAPieceThrowsAfterTheOthersAreDone) {
     EXPECT_EQ(done, 4u);
 }
 
+TEST(Parallel, GivesEachToWhoeverIsFree) {
+    for (const unsigned threads : {0u, 1u, 3u, 200u}) {
+        std::vector<std::atomic<int>> done(100);
+        parallel_each(done.size(), threads, [&](size_t i) { ++done[i]; });
+        for (const auto& times : done) EXPECT_EQ(times, 1) << threads;
+    }
+}
+
+TEST(Parallel, BeginsNoneAfterAFailure) {
+    std::atomic<size_t> begun = 0;
+    EXPECT_THROW(parallel_each(1000, 1,
+                               [&](size_t i) {
+                                   ++begun;
+                                   if (i == 2) throw std::runtime_error("two");
+                               }),
+                 std::runtime_error);
+    EXPECT_EQ(begun, 3u);
+}
+
 }  // namespace
 }  // namespace relief

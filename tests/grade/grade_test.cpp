@@ -320,9 +320,10 @@ TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
     EXPECT_TRUE(contains(early.err, "of 5 submissions 2 without a result: s1, s3")) << early.err;
 
     const Result second =
-        part(output / "two", {"--seed", "x"}, {.folder = {}, .environment = {{"SLURM_ARRAY_TASK_ID", "8"},
-                                                                            {"SLURM_ARRAY_TASK_MIN", "7"},
-                                                                            {"SLURM_ARRAY_TASK_COUNT", "2"}}});
+        part(output / "two", {"--seed", "x"},
+             {.folder = {},
+              .environment = {
+                  {"SLURM_ARRAY_TASK_ID", "8"}, {"SLURM_ARRAY_TASK_MIN", "7"}, {"SLURM_ARRAY_TASK_COUNT", "2"}}});
     EXPECT_TRUE(contains(second.out, "2 graded")) << second.out << second.err;
     const Result whole = merged();
     EXPECT_EQ(whole.code, 0) << whole.err;
