@@ -28,8 +28,8 @@ public:
     /// Whether backs are never seen from outside.
     bool is_one_sided() const { return shape == ground || patches().is_closed; }
 
-    /// Definitions that common/patch_vertex.glsl and the control shader want.
-    Define corners_define() const { return corners() == 4 ? "QUADS" : ""; }
+    /// What common/patch_vertex.glsl and the control shader are compiled for: "CORNERS 3" or "CORNERS 4".
+    Define corners_define() const { return "CORNERS " + std::to_string(corners()); }
     int corners() const { return corners_choice == 0 ? 3 : 4; }
 
     /// u_clip_from_model, u_eye (in the model), u_scale, u_normal_strength, and the material's maps. The program is in

@@ -140,9 +140,8 @@ private:
     /// How many triangles were drawn, for a picture.
     int draw_surface(const Frame& frame, const Method& method, const Define& purpose) {
         const Program& program =
-            program_.with({purpose, surface_.corners_define(), fmt::format("CORNERS {}", surface_.corners()),
-                           spacing_defines[size_t(method.spacing)], fmt::format("NORMALS {}", method.normals),
-                           method.mip == by_level ? "MIP" : ""});
+            program_.with({purpose, surface_.corners_define(), spacing_defines[size_t(method.spacing)],
+                           fmt::format("NORMALS {}", method.normals), method.mip == by_level ? "MIP" : ""});
         const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         glUseProgram(program);
         surface_.set(program, frame);

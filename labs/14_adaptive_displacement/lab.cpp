@@ -125,10 +125,9 @@ private:
 
     /// Levels and culling go by `eye`, the picture by `seen`. How many triangles were drawn, but for a probe.
     int draw_surface(const Frame& eye, const Frame& seen, const Define& purpose) {
-        const Program& program =
-            program_.with({purpose, surface_.corners_define(), fmt::format("CORNERS {}", surface_.corners()),
-                           spacing_defines[size_t(spacing_)], fmt::format("METHOD {}", method_),
-                           levels_of_ == 1 ? "LEVELS_OF_PATCH" : "", fade_ ? "FADE" : ""});
+        const Program& program = program_.with({purpose, surface_.corners_define(), spacing_defines[size_t(spacing_)],
+                                                fmt::format("METHOD {}", method_),
+                                                levels_of_ == 1 ? "LEVELS_OF_PATCH" : "", fade_ ? "FADE" : ""});
         const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         const bool one_sided = surface_.is_one_sided() && purpose.text != "PROBE_winding";
         glUseProgram(program);
