@@ -220,7 +220,7 @@ void add_spacings(Scenes& scenes) {
         return error_figures(std::move(errors), "metre");
     };
     const auto add = [&](const char* name, const auto& error_of) {
-        for (const char* spacing : {"equal", "fractional-odd", "fractional-even"})
+        for (const char* spacing : DisplacedSurface::spacings)
             for (const char* level : {"2", "4", "8", "16", "32", "64"})
                 scenes.add_lab("13", name,
                                {{"view", "one"},
