@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::array shapes = {"wall", "ground", "sphere", "globe", "torus", "column", "box", "urn"};
 constexpr std::array corner_counts = {"3", "4"};
+constexpr std::array spacing_defines = {"SPACING equal_spacing", "SPACING fractional_odd_spacing",
+                                        "SPACING fractional_even_spacing"};  // in the order of spacings
 constexpr float around = 2 * glm::pi<float>();
 
 /// Metres per unit of uv, along u at the middle; tiles per unit of uv where `repeat` is 1.
@@ -36,6 +38,8 @@ void DisplacedSurface::knobs(Knobs& knobs) {
     knobs.slider("depth", depth, 0, 0.5f, "of the relief, in widths of a tile");
     knobs.steps("repeat", repeat, 1, 8, "how often the tile repeats");
 }
+
+Define DisplacedSurface::spacing_define(int spacing) { return spacing_defines[size_t(spacing)]; }
 
 glm::vec2 DisplacedSurface::tiles() const { return lays[size_t(shape)].tiles * float(repeat); }
 
@@ -113,6 +117,19 @@ int DisplacedSurface::draw_and_count() const {
     GLint triangles = 0;
     glGetQueryObjectiv(*count_, GL_QUERY_RESULT, &triangles);
     return triangles;
+}
+
+void DisplacedSurface::begin_winding() {
+    constexpr float zero[4] = {};
+    glClearBufferfv(GL_COLOR, 0, zero);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+}
+
+void DisplacedSurface::end_winding() {
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace relief

@@ -14,6 +14,9 @@ public:
     enum Shape { wall, ground, sphere, globe, torus, column, box, urn };
     static constexpr float wall_metres = 2, ground_metres = 16;  ///< sides
 
+    /// Where vertices stand when a level is not whole: the choices of a lab's knob.
+    static constexpr std::array spacings = {"equal", "fractional-odd", "fractional-even"};
+
     void knobs(Knobs& knobs);
 
     const PatchMesh& patches() const;
@@ -28,8 +31,10 @@ public:
     /// Whether backs are never seen from outside.
     bool is_one_sided() const { return shape == ground || patches().is_closed; }
 
-    /// Definitions that common/patch_vertex.glsl and the control shader want.
-    Define corners_define() const { return corners() == 4 ? "QUADS" : ""; }
+    /// What common/patch_vertex.glsl and the control shader are compiled for: "CORNERS 3" or "CORNERS 4".
+    Define corners_define() const { return "CORNERS " + std::to_string(corners()); }
+    /// What common/patch_vertex.glsl is compiled for; `spacing` is a place in spacings.
+    static Define spacing_define(int spacing);
     int corners() const { return corners_choice == 0 ? 3 : 4; }
 
     /// u_clip_from_model, u_eye (in the model), u_scale, u_normal_strength, and the material's maps. The program is in
@@ -38,6 +43,12 @@ public:
     void draw() const;
     /// The same; how many triangles the tessellator made of it. Waits until they are drawn.
     int draw_and_count() const;
+
+    /// For the probe `winding`: what is drawn in between is added up from 0 on in the bound framebuffer, whatever its
+    /// depth. Each front face adds 1, each back face takes 1 away: seen from outside, a closed surface sums up to 0.
+    /// Afterwards there is a depth test and no blending, as a lab finds them.
+    static void begin_winding();
+    static void end_winding();
 
     // The knobs. A lab may begin with others.
     ReliefMaterial material;

@@ -207,20 +207,14 @@ void add_spacings(Scenes& scenes) {
     const auto metres = [&](const Image& place, const Image& depth) {
         std::vector<double> errors;
         const Frame frame{0, Scenes::size, 0, seen, {}};
-        for (int y = 0; y < place.height; ++y)
-            for (int x = 0; x < place.width; ++x) {
-                const float* const at = place.pixel(x, y);
-                if (at[0] == no_surface) continue;
-                const glm::dvec3 truth = displaced_on(surface.patches(), size_t(std::lround(at[2])), {at[0], at[1], 0},
-                                                      heights, double(surface.scale()))
-                                             .position;
-                const Ray ray = frame.ray(x, y);
-                errors.push_back(glm::distance(truth, ray.origin + double(*depth.pixel(x, y)) * ray.direction));
-            }
+        for (const auto& [pixel, truth] : shown_places(place, surface.patches(), heights, double(surface.scale()))) {
+            const Ray ray = frame.ray(pixel.x, pixel.y);
+            errors.push_back(glm::distance(truth, ray.origin + double(*depth.pixel(pixel.x, pixel.y)) * ray.direction));
+        }
         return error_figures(std::move(errors), "metre");
     };
     const auto add = [&](const char* name, const auto& error_of) {
-        for (const char* spacing : {"equal", "fractional-odd", "fractional-even"})
+        for (const char* spacing : DisplacedSurface::spacings)
             for (const char* level : {"2", "4", "8", "16", "32", "64"})
                 scenes.add_lab("13", name,
                                {{"view", "one"},

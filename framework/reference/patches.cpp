@@ -107,20 +107,28 @@ Mesh micro_polygons(const PatchMesh& mesh, const HeightField& heights, double sc
     return result;
 }
 
-std::vector<double> screen_errors(const Image& places, const PatchMesh& mesh, const HeightField& heights, double scale,
-                                  const glm::dmat4& clip_from_model) {
-    const glm::dvec2 size(places.width, places.height);
-    std::vector<double> errors;
+std::vector<ShownPlace> shown_places(const Image& places, const PatchMesh& mesh, const HeightField& heights,
+                                     double scale) {
+    std::vector<ShownPlace> shown;
     for (int y = 0; y < places.height; ++y)
         for (int x = 0; x < places.width; ++x) {
             const float* const at = places.pixel(x, y);
             if (at[0] == no_surface) continue;
-            const glm::dvec3 truth =
-                displaced_on(mesh, size_t(std::lround(at[2])), {at[0], at[1], 0}, heights, scale).position;
-            const glm::dvec4 clip = clip_from_model * glm::dvec4(truth, 1);
-            const glm::dvec2 pixel = (glm::dvec2(clip) / clip.w * glm::dvec2(0.5, -0.5) + 0.5) * size;
-            errors.push_back(glm::distance(pixel, glm::dvec2(x + 0.5, y + 0.5)));
+            const size_t patch = size_t(std::lround(at[2]));
+            shown.push_back({{x, y}, displaced_on(mesh, patch, {at[0], at[1], 0}, heights, scale).position});
         }
+    return shown;
+}
+
+std::vector<double> screen_errors(const Image& places, const PatchMesh& mesh, const HeightField& heights, double scale,
+                                  const glm::dmat4& clip_from_model) {
+    const glm::dvec2 size(places.width, places.height);
+    std::vector<double> errors;
+    for (const auto& [pixel, truth] : shown_places(places, mesh, heights, scale)) {
+        const glm::dvec4 clip = clip_from_model * glm::dvec4(truth, 1);
+        const glm::dvec2 wanted = (glm::dvec2(clip) / clip.w * glm::dvec2(0.5, -0.5) + 0.5) * size;
+        errors.push_back(glm::distance(wanted, glm::dvec2(pixel) + 0.5));
+    }
     return errors;
 }
 

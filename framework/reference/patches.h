@@ -38,9 +38,18 @@ DisplacedPoint displaced_on(const PatchMesh& mesh, size_t patch, const PatchPlac
 /// normals of its own, the places on the patch as uv, and no tangents. Patch i has (n + 1)² vertices from i (n + 1)² on.
 Mesh micro_polygons(const PatchMesh& mesh, const HeightField& heights, double scale, int n);
 
-/// How far each pixel of a picture is, in pixels, from where the place of the surface that it shows should be seen.
-/// `places` holds PatchPlace.x and .y and the number of the patch for each pixel (4 channels), and no_surface
-/// elsewhere. For patches of four corners.
+/// A pixel, and the place of that surface which it shows.
+struct ShownPlace {
+    glm::ivec2 pixel;     ///< from the upper left corner
+    glm::dvec3 position;  ///< in the model, metres
+};
+
+/// Of each pixel that shows a surface, row by row. `places` holds PatchPlace.x and .y and the number of the patch for
+/// each pixel (4 channels), and no_surface elsewhere. For patches of four corners.
+std::vector<ShownPlace> shown_places(const Image& places, const PatchMesh& mesh, const HeightField& heights,
+                                     double scale);
+
+/// How far each of these pixels is, in pixels, from where its place should be seen.
 std::vector<double> screen_errors(const Image& places, const PatchMesh& mesh, const HeightField& heights, double scale,
                                   const glm::dmat4& clip_from_model);
 

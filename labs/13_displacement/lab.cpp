@@ -23,7 +23,7 @@ public:
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         const bool is_count = frame.probe.name == "winding";
-        if (is_count) begin_count();
+        if (is_count) DisplacedSurface::begin_winding();
         const auto tiles = tiles_of_view(frame.size);
         for (size_t i = 0; i < tiles.size(); ++i) {
             const Method method = method_of(i);
@@ -40,7 +40,7 @@ public:
             if (show_ != light) draw_wire(part, tiles[i], method, triangles);
             if (view_ != one) describe(frame.size, tiles[i], method, triangles);
         }
-        if (is_count) glDisable(GL_BLEND), glEnable(GL_DEPTH_TEST);
+        if (is_count) DisplacedSurface::end_winding();
         labels_.draw(frame);
     }
 
@@ -50,7 +50,8 @@ public:
         knobs.choice("show", show_, shows, "the light, the triangles, or half of each");
         knobs.slider("level", chosen_.level, 1, 64, "segments of each edge");
         knobs.slider("inside", inside_, 0, 64, "segments within; 0: as along the edges");
-        knobs.choice("spacing", chosen_.spacing, spacings, "where the vertices stand when a level is not whole");
+        knobs.choice("spacing", chosen_.spacing, DisplacedSurface::spacings,
+                     "where the vertices stand when a level is not whole");
         knobs.choice("mip", chosen_.mip, mips, "which level of the map a vertex reads");
         knobs.choice("normals", chosen_.normals, normal_names, "what is lit");
         knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
@@ -70,9 +71,6 @@ private:
     enum Normals { base, map, heights, surface };
     static constexpr std::array views = {"compare", "beside", "spacings", "one"};
     static constexpr std::array shows = {"light", "half-and-half", "wire"};
-    static constexpr std::array spacings = {"equal", "fractional-odd", "fractional-even"};
-    static constexpr std::array spacing_defines = {"SPACING equal_spacing", "SPACING fractional_odd_spacing",
-                                                   "SPACING fractional_even_spacing"};
     static constexpr std::array mips = {"base", "level"};
     static constexpr std::array normal_names = {"base", "map", "heights", "surface"};
 
@@ -90,7 +88,7 @@ private:
                                                            {"16, base normals", 16, 0, by_level, base, false}}};
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        constexpr std::array counts = {int(comparisons.size()), 2, int(spacings.size()), 1};
+        constexpr std::array counts = {int(comparisons.size()), 2, int(DisplacedSurface::spacings.size()), 1};
         return tiles_of(size, counts[size_t(view_)]);
     }
     Method method_of(size_t tile) const {
@@ -98,17 +96,8 @@ private:
         if (view_ == beside && tile == 0) return comparisons[0];
         Method method = chosen_;
         method.title = "displaced";
-        if (view_ == spacing) method.spacing = int(tile), method.title = spacings[tile];
+        if (view_ == spacing) method.spacing = int(tile), method.title = DisplacedSurface::spacings[tile];
         return method;
-    }
-
-    /// Each front face adds 1, each back face takes 1 away: seen from outside, a closed surface sums up to 0.
-    static void begin_count() {
-        constexpr float zero[4] = {};
-        glClearBufferfv(GL_COLOR, 0, zero);
-        glDisable(GL_DEPTH_TEST);
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE);
     }
 
     void draw_wire(const Frame& frame, const Tile& tile, const Method& method, int triangles) {
@@ -140,9 +129,8 @@ private:
     /// How many triangles were drawn, for a picture.
     int draw_surface(const Frame& frame, const Method& method, const Define& purpose) {
         const Program& program =
-            program_.with({purpose, surface_.corners_define(), fmt::format("CORNERS {}", surface_.corners()),
-                           spacing_defines[size_t(method.spacing)], fmt::format("NORMALS {}", method.normals),
-                           method.mip == by_level ? "MIP" : ""});
+            program_.with({purpose, surface_.corners_define(), DisplacedSurface::spacing_define(method.spacing),
+                           fmt::format("NORMALS {}", method.normals), method.mip == by_level ? "MIP" : ""});
         const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         glUseProgram(program);
         surface_.set(program, frame);

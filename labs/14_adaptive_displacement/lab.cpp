@@ -27,7 +27,7 @@ public:
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         const bool is_count = frame.probe.name == "winding";
-        if (is_count) begin_count();
+        if (is_count) DisplacedSurface::begin_winding();
         const auto tiles = tiles_of(frame.size, view_ == both ? 2 : 1);
         int by_eye = 0;
         for (size_t i = 0; i < tiles.size(); ++i) {
@@ -49,7 +49,7 @@ public:
             else
                 describe_picture(frame.size, tiles[i], eye, by_eye = triangles);
         }
-        if (is_count) glDisable(GL_BLEND), glEnable(GL_DEPTH_TEST);
+        if (is_count) DisplacedSurface::end_winding();
         labels_.draw(frame);
     }
 
@@ -64,7 +64,8 @@ public:
         knobs.slider("coarsest", coarsest_, 0, 6, "for distance: exponent of 2");
         knobs.slider("segment", segment_, 1, 64, "for size: pixels that a segment may have");
         knobs.slider("budget", budget_, 0.125f, 8, "for error: pixels that a vertex may be off");
-        knobs.choice("spacing", spacing_, spacings, "where the vertices stand when a level is not whole");
+        knobs.choice("spacing", spacing_, DisplacedSurface::spacings,
+                     "where the vertices stand when a level is not whole");
         knobs.choice("cull", cull_, culls, "patches that are not drawn: outside of the picture, and facing away");
         knobs.toggle("fade", fade_, "let the displacement fade into the normal map");
         knobs.slider("fade_begin", fade_begin_, 0, 64, "metres from the eye");
@@ -87,22 +88,10 @@ private:
     static constexpr std::array views = {"both", "eye", "above"};
     static constexpr std::array methods = {"uniform", "distance", "size", "error"};
     static constexpr std::array levels_ofs = {"edge", "patch"};
-    static constexpr std::array spacings = {"equal", "fractional-odd", "fractional-even"};
-    static constexpr std::array spacing_defines = {"SPACING equal_spacing", "SPACING fractional_odd_spacing",
-                                                   "SPACING fractional_even_spacing"};
     static constexpr std::array culls = {"none", "outside", "all"};
     // As in surface.frag.
     static constexpr glm::vec3 outside_color{0.16f, 0.20f, 0.28f}, away_color{0.34f, 0.27f, 0.25f},
         faded_color{0.62f, 0.70f, 0.72f};
-
-    /// Each front face adds 1, each back face takes 1 away: seen from outside, a closed surface sums up to 0.
-    static void begin_count() {
-        constexpr float zero[4] = {};
-        glClearBufferfv(GL_COLOR, 0, zero);
-        glDisable(GL_DEPTH_TEST);
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE);
-    }
 
     static void set_viewport(const Tile& tile) { glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y); }
 
@@ -125,10 +114,9 @@ private:
 
     /// Levels and culling go by `eye`, the picture by `seen`. How many triangles were drawn, but for a probe.
     int draw_surface(const Frame& eye, const Frame& seen, const Define& purpose) {
-        const Program& program =
-            program_.with({purpose, surface_.corners_define(), fmt::format("CORNERS {}", surface_.corners()),
-                           spacing_defines[size_t(spacing_)], fmt::format("METHOD {}", method_),
-                           levels_of_ == 1 ? "LEVELS_OF_PATCH" : "", fade_ ? "FADE" : ""});
+        const Program& program = program_.with(
+            {purpose, surface_.corners_define(), DisplacedSurface::spacing_define(spacing_),
+             fmt::format("METHOD {}", method_), levels_of_ == 1 ? "LEVELS_OF_PATCH" : "", fade_ ? "FADE" : ""});
         const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         const bool one_sided = surface_.is_one_sided() && purpose.text != "PROBE_winding";
         glUseProgram(program);
@@ -222,9 +210,9 @@ private:
         glGetIntegerv(GL_VIEWPORT, viewport);
         glBindFramebuffer(GL_FRAMEBUFFER, small_->framebuffer());
         glViewport(0, 0, frame.size.x, frame.size.y);
-        begin_count();
+        DisplacedSurface::begin_winding();
         draw_surface(frame, frame, "PROBE_winding");
-        glDisable(GL_BLEND), glEnable(GL_DEPTH_TEST);
+        DisplacedSurface::end_winding();
         const Image sums = small_->read();
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);

@@ -1,14 +1,12 @@
-// In the evaluation shader: the undisplaced surface at gl_TessCoord.
+// In the evaluation shader: the undisplaced surface at gl_TessCoord. CORNERS is 3 or 4, SPACING what layout() takes.
 
 #include "common/patch.glsl"
 #include "common/patch_corner.glsl"
 
-#ifdef QUADS
+#if CORNERS == 4
 layout(quads, SPACING, ccw) in;
-const int corners = 4;
 #else
 layout(triangles, SPACING, ccw) in;
-const int corners = 3;
 #endif
 
 in PatchCorner c_corner[];
@@ -24,10 +22,10 @@ struct PatchVertex {
 };
 
 #define BLEND(member) \
-    blend(weights, c_corner[0].member, c_corner[1].member, c_corner[2].member, c_corner[corners - 1].member)
+    blend(weights, c_corner[0].member, c_corner[1].member, c_corner[2].member, c_corner[CORNERS - 1].member)
 
 PatchVertex patch_vertex() {
-#ifdef QUADS
+#if CORNERS == 4
     vec4 weights = quad_weights(gl_TessCoord.xy);
     int edge = edge_of_quad(gl_TessCoord.xy);
 #else
@@ -43,7 +41,7 @@ PatchVertex patch_vertex() {
     vertex.spacing = BLEND(spacing);
     vertex.height_uv = vertex.uv;
     if (edge >= 0) {
-        int next = (edge + 1) % corners;
+        int next = (edge + 1) % CORNERS;
         vertex.height_uv = uv_on_edge(weights[edge], weights[next], c_corner[edge].edge_uv, c_corner[edge].height_uv,
                                       c_corner[next].height_uv);
     }

@@ -166,7 +166,6 @@ public:
         glClearColor(no_surface, no_surface, no_surface, no_surface);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         const Program& program = programs_.with({std::string("PROBE_") + name, surface.corners_define(),
-                                                 "CORNERS " + std::to_string(surface.corners()),
                                                  "SPACING equal_spacing", "NORMALS " + std::to_string(normals)});
         glUseProgram(program);
         surface.set(program, {target.framebuffer(), size, 0, Camera(orbit, double(size.x) / size.y), {name}});
