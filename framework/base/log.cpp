@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -36,9 +37,17 @@ void print_event(std::string_view message) {
 }
 
 void Progress::next(std::string_view what) {
-    ++done_;
-    if (!isatty(STDERR_FILENO) || std::chrono::steady_clock::now() - begin_ < std::chrono::seconds(2)) return;
-    say(fmt::format("\r\x1b[K{} of {}: {}", done_, total_, what));
+    const int done = begun_++;
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
+    if (!isatty(STDERR_FILENO) || passed < std::chrono::seconds(2)) return;
+    constexpr int width = 20;
+    const int full = std::clamp(done * width / std::max(total_, 1), 0, width);
+    const double left = done > 0 ? passed.count() / done * (total_ - done) : 0;
+    const std::string time = done == 0     ? ""
+                             : left < 90   ? fmt::format(", {:.0f} s left", left)
+                             : left < 5400 ? fmt::format(", {:.0f} min left", left / 60)
+                                           : fmt::format(", {:.1f} h left", left / 3600);
+    say(fmt::format("\r\x1b[K[{:<{}}] {} of {}{}: {}", std::string(size_t(full), '#'), width, begun_, total_, time, what));
     shown_ = true;
 }
 

@@ -18,7 +18,7 @@ void print_note(std::string_view message);
 void set_verbose(bool on);
 void print_event(std::string_view message);
 
-/// "3 of 17: lab 03" on a terminal's last line, from the third second on; nothing when standard error is not
+/// "[###       ] 3 of 17, 20 s left: lab 03" on a terminal's last line, from the third second on; nothing when standard error is not
 /// a terminal. The line is gone when the object is.
 class Progress {
 public:
@@ -31,7 +31,7 @@ public:
     void next(std::string_view what);
 
 private:
-    int total_, done_ = 0;
+    int total_, begun_ = 0;
     bool shown_ = false;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
