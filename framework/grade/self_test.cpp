@@ -57,12 +57,17 @@ public:
             std::string name;
             std::function<void()> take;
         };
-        std::vector<Step> steps = {{"solution", [this] { solution(); }}, {"starter", [this] { starter(); }}};
-        for (const size_t i : sample_of(manifest.mistakes.size(), options_.sample))
+        std::vector<Step> steps = {{"starter", [this] { starter(); }}};
+        // Whoever made the grader has seen the solution get all points: a sample needs no more of it.
+        if (options_.sample == 0) steps.insert(steps.begin(), {"solution", [this] { solution(); }});
+        const std::vector<size_t> mistakes = sample_of(manifest.mistakes.size(), options_.sample);
+        const std::vector<size_t> equivalents = sample_of(manifest.equivalents.size(), options_.sample);
+        for (const size_t i : mistakes)
             steps.push_back({manifest.mistakes[i].id, [&, i] { mistake(manifest.mistakes[i]); }});
-        for (const size_t i : sample_of(manifest.equivalents.size(), options_.sample))
+        for (const size_t i : equivalents)
             steps.push_back({manifest.equivalents[i].id, [&, i] { equivalent(manifest.equivalents[i]); }});
-        result_.left_out = int(2 + manifest.mistakes.size() + manifest.equivalents.size() - steps.size());
+        result_.left_out =
+            int(manifest.mistakes.size() + manifest.equivalents.size()) - int(mistakes.size() + equivalents.size());
         std::atomic<size_t> next = 0;
         Progress progress(int(steps.size()));
         const auto work = [&] {

@@ -85,7 +85,8 @@ TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeNoVariantAndNoHiddenCheck) {
             expect_nowhere(equivalent.why), ++variants;
             for (const Edit& edit : equivalent.edits)
                 for (const std::string& line : trimmed_lines(edit.replace))
-                    if (line.size() >= 24 && !line.starts_with("for (int i = 0;")) expect_nowhere(line);
+                    if (line.size() >= 24 && !line.starts_with("for (int ") && !contains(edit.find, line))
+                        expect_nowhere(line);
         }
     }
     EXPECT_GT(lines, 30u);
