@@ -212,7 +212,9 @@ std::string public_manifest(const std::string& text, const fs::path& file) {
     bool dropping = false;
     for (const std::string& line : split(text, '\n')) {
         if (std::regex_match(line, header)) {
-            dropping = line.starts_with("[[mistake]]") || line.starts_with("[[equivalent]]") || line.starts_with("[vary]");
+            dropping = false;
+            for (const char* kept_back : {"[[mistake]]", "[[equivalent]]", "[vary]"})
+                dropping |= line.starts_with(kept_back);
             if (line.starts_with("[[check]]")) dropping = manifest.checks.at(checks++).hidden;
             if (dropping)
                 while (!kept.empty() && (kept.back().starts_with("#") || kept.back().empty())) kept.pop_back();
@@ -225,8 +227,8 @@ std::string public_manifest(const std::string& text, const fs::path& file) {
     if (!left.mistakes.empty() || !left.equivalents.empty() || !left.vary.empty() ||
         std::any_of(left.checks.begin(), left.checks.end(), [](const CheckInfo& check) { return check.hidden; }))
         throw Error({file},
-                    "write [[check]], [[mistake]], [[equivalent]] and [vary] at the beginning of their lines: a handout "
-                    "cuts them out there");
+                    "write [[check]], [[mistake]], [[equivalent]] and [vary] at the beginning of their lines: "
+                    "a handout cuts them out there");
     return result;
 }
 

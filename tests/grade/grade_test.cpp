@@ -430,7 +430,8 @@ TEST(Grade, TestsItselfOnAWholeLab) {
 
 TEST(Grade, TestsItselfOnASampleOfEveryLab) {
     // Less than a minute where nothing else runs.
-    const Result tested = Process(grade({"--self-test", "--sample", "2", "--jobs", "2"})).wait(std::chrono::minutes(15));
+    const Result tested =
+        Process(grade({"--self-test", "--sample", "2", "--jobs", "2"})).wait(std::chrono::minutes(15));
     EXPECT_EQ(tested.code, 0) << tested.err;
     for (const auto& folder : fs::directory_iterator(course_root() / "labs")) {
         const std::string number = folder.path().filename().string().substr(0, 2);
