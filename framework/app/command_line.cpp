@@ -213,7 +213,10 @@ private:
             ->type_name("N");
         sub->add_flag("--unpinned", grade_.unpinned, "by all that this processor can do: marks hold on it only");
         sub->add_flag("--trust", grade_.trust, "also where submissions can be kept from nothing");
-        sub->add_flag("--self-test", grade_.self_test, "no submissions: solutions, starters and known mistakes");
+        sub->add_flag("--self-test", grade_.self_test,
+                      "no submissions: solutions, starters, known mistakes and correct variants");
+        sub->add_option("--sample", grade_.sample, "of each lab so many mistakes and variants, for a quick self-test")
+            ->type_name("N");
         sub->add_flag("--fresh", grade_.fresh, "everything anew");
     }
     void add_bench() {

@@ -37,7 +37,7 @@ int make_handout(const std::string& folder, const std::string& labs);
 
 struct GradeArguments {
     std::vector<std::string> paths, labs;
-    std::string output, jobs, seconds, seed, shard, merge, context = "auto", threads = "0";
+    std::string output, jobs, seconds, sample, seed, shard, merge, context = "auto", threads = "0";
     bool trust = false, fresh = false, self_test = false, resume = false, unpinned = false, gradescope = false;
 };
 /// 1 when the machine failed a submission, a part of the class is missing, or the self-test finds a wrong mark.

@@ -48,7 +48,7 @@ void print_isolation(const IsolationReport& isolation) {
                            isolation.reason.empty() ? "" : "; " + isolation.reason));
 }
 
-int test_the_grader(ClassOptions& options) {
+int test_the_grader(ClassOptions& options, int sample) {
     if (options.labs.empty())
         for (const LabEntry& lab : registry())
             if (!load_manifest(lab).checks.empty()) options.labs.push_back(&lab);
@@ -57,18 +57,24 @@ int test_the_grader(ClassOptions& options) {
     print_isolation(isolation);
     SelfTest sum;
     for (const LabEntry* lab : options.labs) {
-        const SelfTest test = test_grader(*lab, options.setup, options.jobs);
-        sum.mistakes += test.mistakes, sum.caught += test.caught, sum.named += test.named;
+        const SelfTest test = test_grader(*lab, options.setup, {options.jobs, sample});
+        sum.mistakes += test.mistakes, sum.caught += test.caught, sum.left_out += test.left_out;
+        sum.equivalents += test.equivalents, sum.right += test.right;
         for (const std::string& wrong : test.wrong) sum.wrong.push_back("lab " + lab->two_digits() + ": " + wrong);
-        fmt::print("lab {}: {} of {} known mistakes caught, {} named; {:.1f} s\n", lab->two_digits(), test.caught,
-                   test.mistakes, test.named, test.seconds);
+        fmt::print("lab {}: {} of {} known mistakes caught, {}; {} of {} correct variants get all points; {:.1f} s\n",
+                   lab->two_digits(), test.caught, test.mistakes,
+                   sample > 0 ? "names not asked" : fmt::format("{} named", test.named), test.right, test.equivalents,
+                   test.seconds);
         if (!options.setup.seed.empty())
             fmt::print("        hidden views of {} of {} checks\n", test.hidden_views, test.checks);
         std::fflush(stdout);
     }
     for (const std::string& wrong : sum.wrong) print_error(wrong);
-    fmt::print("kill rate {:.4g} %, {} wrong verdicts\n", sum.mistakes ? 100.0 * sum.caught / sum.mistakes : 100.0,
-               sum.wrong.size());
+    fmt::print("kill rate {:.4g} %, {} of {} correct variants get all points, {} wrong verdicts\n",
+               sum.mistakes ? 100.0 * sum.caught / sum.mistakes : 100.0, sum.right, sum.equivalents, sum.wrong.size());
+    if (sum.left_out > 0)
+        fmt::print("a sample: {} mistakes and variants were left out, and no mistake was asked for its name\n",
+                   sum.left_out);
     return sum.wrong.empty() ? 0 : 1;
 }
 
@@ -136,7 +142,9 @@ int grade_submissions(const GradeArguments& arguments) {
         return print(report, arguments.merge, {});
     }
     ClassOptions options = options_of(arguments);
-    if (arguments.self_test) return test_the_grader(options);
+    const int sample = arguments.sample.empty() ? 0 : whole_number(arguments.sample, "--sample", 1, 1000);
+    if (arguments.self_test) return test_the_grader(options, sample);
+    if (sample > 0) throw UsageError("--sample is of a self-test: --self-test --sample N");
     if (arguments.output.empty()) throw UsageError("grade needs a folder for what it finds: -o FOLDER");
     options.output = arguments.output;
     if (arguments.gradescope) return make_gradescope(options);

@@ -207,7 +207,9 @@ std::string public_manifest(const std::string& text, const fs::path& file) {
     bool dropping = false;
     for (const std::string& line : split(text, '\n')) {
         if (std::regex_match(line, header)) {
-            dropping = line.starts_with("[[mistake]]") || line.starts_with("[vary]");
+            dropping = false;
+            for (const char* kept_back : {"[[mistake]]", "[[equivalent]]", "[vary]"})
+                dropping |= line.starts_with(kept_back);
             if (line.starts_with("[[check]]")) dropping = manifest.checks.at(checks++).hidden;
             if (dropping)
                 while (!kept.empty() && (kept.back().starts_with("#") || kept.back().empty())) kept.pop_back();
@@ -217,11 +219,11 @@ std::string public_manifest(const std::string& text, const fs::path& file) {
     while (!kept.empty() && kept.back().empty()) kept.pop_back();
     const std::string result = join(kept, "\n") + "\n";
     const Manifest left = parse_manifest(result, file);  // also finds a public check that leans on a hidden one
-    if (!left.mistakes.empty() || !left.vary.empty() ||
+    if (!left.mistakes.empty() || !left.equivalents.empty() || !left.vary.empty() ||
         std::any_of(left.checks.begin(), left.checks.end(), [](const CheckInfo& check) { return check.hidden; }))
-        throw Error(
-            {file},
-            "write [[check]], [[mistake]] and [vary] at the beginning of their lines: a handout cuts them out there");
+        throw Error({file},
+                    "write [[check]], [[mistake]], [[equivalent]] and [vary] at the beginning of their lines: "
+                    "a handout cuts them out there");
     return result;
 }
 

@@ -1,4 +1,5 @@
-// The student's course: starters in place of solutions, no hidden checks, no mistakes, and the truth as pictures.
+// The student's course: starters in place of solutions, no hidden checks, no mistakes or variants, and the truth as
+// pictures.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +27,8 @@ struct HandoutReport {
 /// when that is not possible, also when any lab of the course includes what another keeps back, or a shader of another.
 HandoutReport write_handout(const std::filesystem::path& folder, const std::optional<std::string>& labs = {});
 
-/// A manifest's text without its hidden checks and its mistakes, and without the comments right above them.
+/// A manifest's text without its hidden checks, its mistakes and its correct variants, and without the comments right
+/// above them.
 std::string public_manifest(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace relief

@@ -410,7 +410,7 @@ void LabGrader::name_mistake(TaskMark& task, const Pictures& pictures) const {
     }
 }
 
-LabMark LabGrader::mark(const Submission& submission) const {
+LabMark LabGrader::mark(const Submission& submission, bool name_mistakes) const {
     LabMark lab{.lab = lab_.folder, .tasks = {}, .log = {}, .times = {}};
     // Why a task cannot be looked at, if so.
     std::map<std::string, Judgement> given_up;
@@ -455,7 +455,8 @@ LabMark LabGrader::mark(const Submission& submission) const {
     }
     lab.times.compare = seconds_since(begin);
     for (TaskMark& task : lab.tasks)
-        if (task.points < task.of && tasks.contains(task.id) && lab.graded()) name_mistake(task, pictures);
+        if (name_mistakes && task.points < task.of && tasks.contains(task.id) && lab.graded())
+            name_mistake(task, pictures);
     return lab;
 }
 

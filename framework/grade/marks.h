@@ -69,7 +69,8 @@ public:
 
     const LabEntry& lab() const { return lab_; }
     const Manifest& manifest() const { return manifest_; }
-    LabMark mark(const Submission& submission) const;
+    /// Naming a known mistake draws all those of its task, once.
+    LabMark mark(const Submission& submission, bool name_mistakes = true) const;
     /// How many checks have a hidden view.
     size_t hidden_views() const { return views_.size() - manifest_.checks.size(); }
 

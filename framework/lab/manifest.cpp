@@ -163,19 +163,26 @@ CheckInfo read_check(Table& table, const Manifest& manifest) {
     return check;
 }
 
+std::vector<Edit> read_edits(Table& table, const char* kind) {
+    std::vector<Edit> edits;
+    for (Table& edit : table.inline_tables("edits")) {
+        edits.push_back({edit.text("file"), edit.text("find"), edit.text("replace")});
+        edit.finish();
+        if (!is_course_path(edits.back().file)) edit.fail("file", "'file' is a path inside the course");
+        if (edits.back().find == edits.back().replace) edit.fail("replace", "'replace' is what stands there");
+    }
+    if (edits.empty()) table.fail("id", fmt::format("{} has 'edits' = [{{ file, find, replace }}]", kind));
+    return edits;
+}
+
 MistakeInfo read_mistake(Table& table, const Manifest& manifest) {
     MistakeInfo mistake;
     mistake.id = table.text("id");
     mistake.task = table.text("task");
     mistake.hint = table.text("hint");
-    for (Table& edit : table.inline_tables("edits")) {
-        mistake.edits.push_back({edit.text("file"), edit.text("find"), edit.text("replace")});
-        edit.finish();
-        if (!is_course_path(mistake.edits.back().file)) edit.fail("file", "'file' is a path inside the course");
-    }
+    mistake.edits = read_edits(table, "a mistake");
     table.read("same_as", mistake.same_as);
     table.finish();
-    if (mistake.edits.empty()) table.fail("id", "a mistake has 'edits' = [{ file, find, replace }]");
     require(table, "task", [&] { manifest.task(mistake.task); });
     return mistake;
 }
@@ -195,6 +202,22 @@ std::vector<VaryInfo> read_vary(Table table) {
         }
     }
     return all;
+}
+
+EquivalentInfo read_equivalent(Table& table, const Manifest& manifest) {
+    EquivalentInfo equivalent;
+    equivalent.id = table.text("id");
+    equivalent.task = table.text("task");
+    equivalent.why = table.text("why");
+    equivalent.edits = read_edits(table, "an equivalent");
+    table.finish();
+    require(table, "task", [&] { manifest.task(equivalent.task); });
+    for (const Edit& edit : equivalent.edits)
+        if (std::none_of(manifest.tasks.begin(), manifest.tasks.end(),
+                         [&](const TaskInfo& task) { return task.file == edit.file; }))
+            table.fail("edits",
+                       fmt::format("'{}' is no task's file: an equivalent is what a student writes", edit.file));
+    return equivalent;
 }
 
 GoldenInfo read_golden(Table& table, const Manifest& manifest) {
@@ -280,6 +303,11 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
         if (const std::string& other = manifest.mistakes[i].same_as; !other.empty())
             require(mistakes[i], "same_as", [&] { find_named(manifest.mistakes, &MistakeInfo::id, "mistake", other); });
     if (auto vary = root.table("vary")) manifest.vary = read_vary(*vary);
+    for (Table& table : root.tables("equivalent")) {
+        EquivalentInfo equivalent = read_equivalent(table, manifest);
+        refuse_second(table, "id", "equivalents", manifest.equivalents, &EquivalentInfo::id, equivalent.id);
+        manifest.equivalents.push_back(std::move(equivalent));
+    }
     for (Table& table : root.tables("golden")) {
         GoldenInfo golden = read_golden(table, manifest);
         refuse_second(table, "name", "golden pictures", manifest.goldens, &GoldenInfo::name, golden.name);

@@ -66,6 +66,13 @@ struct VaryInfo {
     std::vector<std::string> choices = {};
 };
 
+/// Another right way to do a task, as edits of the solution: with them every task of the lab has all its points.
+struct EquivalentInfo {
+    std::string id, task;
+    std::string why;          ///< what it does in another way
+    std::vector<Edit> edits;  ///< of files that tasks name: no other is taken from a submission
+};
+
 /// A reference screenshot, tests/golden/<lab's folder>/<name>.png; of a probe, what visualize_probe() makes of it.
 struct GoldenInfo {
     std::string name;
@@ -82,6 +89,7 @@ struct Manifest {
     std::vector<CheckInfo> checks;
     std::vector<MistakeInfo> mistakes;
     std::vector<VaryInfo> vary;
+    std::vector<EquivalentInfo> equivalents;
     std::vector<GoldenInfo> goldens;
     /// Files and folders, relative to the course's top folder, that hold answers to this lab's tasks.
     std::vector<std::string> keep_back;

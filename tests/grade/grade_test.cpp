@@ -406,7 +406,9 @@ TEST(Grade, WrongUseIsOneClearLine) {
                  {{a, "-o", output, "--shard", "2"}, "--shard takes i/n, like 2/8, not '2'"},
                  {{"--resume", "-o", output + "/nowhere"}, "there is nothing to resume"},
                  {{"--merge", output + "/nowhere"}, "there is no class.json"},
-                 {{a, "-o", output, "--context", "window"}, "grade draws without a window"}};
+                 {{a, "-o", output, "--context", "window"}, "grade draws without a window"},
+                 {{a, "-o", output, "--sample", "2"}, "--sample is of a self-test"},
+                 {{"--self-test", "--sample", "0"}, "--sample takes a whole number from 1 to 1000, not '0'"}};
     for (const auto& [words, said] : cases) {
         const Result result = run(grade(words));
         EXPECT_EQ(result.code, 2) << said;
@@ -415,12 +417,34 @@ TEST(Grade, WrongUseIsOneClearLine) {
     }
 }
 
-TEST(Grade, TestsItself) {
-    std::vector<std::string> words = {"--self-test", "--lab", "2"};
-    const Result tested = run(grade(words));
+TEST(Grade, TestsItselfOnAWholeLab) {
+    const Result tested = run(grade({"--self-test", "--lab", "2"}));
     EXPECT_EQ(tested.code, 0) << tested.err;
-    EXPECT_TRUE(contains(tested.out, "lab 02: 12 of 12 known mistakes caught, 12 named")) << tested.out;
-    EXPECT_TRUE(contains(tested.out, "kill rate 100 %, 0 wrong verdicts")) << tested.out;
+    EXPECT_TRUE(contains(tested.out,
+                         "lab 02: 12 of 12 known mistakes caught, 12 named; 8 of 8 correct variants get "
+                         "all points"))
+        << tested.out;
+    EXPECT_TRUE(contains(tested.out, "kill rate 100 %, 8 of 8 correct variants get all points, 0 wrong verdicts"))
+        << tested.out;
+    EXPECT_FALSE(contains(tested.out, "a sample")) << tested.out;
+}
+
+TEST(Grade, TestsItselfOnASampleOfEveryLab) {
+    // Less than a minute where nothing else runs.
+    const Result tested =
+        Process(grade({"--self-test", "--sample", "2", "--jobs", "2"})).wait(std::chrono::minutes(15));
+    EXPECT_EQ(tested.code, 0) << tested.err;
+    for (const auto& folder : fs::directory_iterator(course_root() / "labs")) {
+        const std::string number = folder.path().filename().string().substr(0, 2);
+        if (!fs::exists(folder.path() / "lab.toml") || number > "19") continue;
+        EXPECT_TRUE(contains(tested.out, "lab " + number +
+                                             ": 2 of 2 known mistakes caught, names not asked; 2 of 2 "
+                                             "correct variants get all points"))
+            << number << '\n'
+            << tested.out;
+    }
+    EXPECT_TRUE(contains(tested.out, "0 wrong verdicts")) << tested.out;
+    EXPECT_TRUE(contains(tested.out, "\na sample: ")) << tested.out;
 }
 
 }  // namespace

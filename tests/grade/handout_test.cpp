@@ -19,6 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::vector<std::string> trimmed_lines(const std::string& text) {
+    std::vector<std::string> lines;
+    for (const std::string& line : split(text, '\n'))
+        if (const size_t begin = line.find_first_not_of(' '); begin != std::string::npos)
+            lines.push_back(line.substr(begin));
+    return lines;
+}
+
 class StudentsCourse : public testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -61,9 +69,9 @@ protected:
     static inline std::map<std::string, std::string>* texts_ = nullptr;
 };
 
-TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeAndNoHiddenCheck) {
+TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeNoVariantAndNoHiddenCheck) {
     texts_ = new std::map(texts());
-    size_t lines = 0, hidden = 0, mistakes = 0;
+    size_t lines = 0, hidden = 0, mistakes = 0, variants = 0;
     for (const std::string& lab : *labs_) {
         const Manifest manifest = staff(lab);
         for (const TaskInfo& task : manifest.tasks)
@@ -73,10 +81,18 @@ TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeAndNoHiddenCheck) {
         for (const CheckInfo& check : manifest.checks)
             if (check.hidden) expect_nowhere('"' + check.name + '"'), ++hidden;
         for (const MistakeInfo& mistake : manifest.mistakes) expect_nowhere(mistake.hint), ++mistakes;
+        for (const EquivalentInfo& equivalent : manifest.equivalents) {
+            expect_nowhere(equivalent.why), ++variants;
+            for (const Edit& edit : equivalent.edits)
+                for (const std::string& line : trimmed_lines(edit.replace))
+                    if (line.size() >= 24 && !line.starts_with("for (int ") && !contains(edit.find, line))
+                        expect_nowhere(line);
+        }
     }
     EXPECT_GT(lines, 30u);
     EXPECT_GT(hidden, 8u);
     EXPECT_GT(mistakes, 60u);
+    EXPECT_GT(variants, 54u);
     delete texts_;
 }
 
@@ -142,22 +158,28 @@ TEST_F(StudentsCourse, HoldsNoSolutionUnderOtherNames) {
     EXPECT_GT(looked_for, 30u);
 }
 
-TEST_F(StudentsCourse, HoldsNothingThatAKnownMistakeIsAnEditOf) {
+TEST_F(StudentsCourse, HoldsNothingThatAKnownMistakeOrAVariantIsAnEditOf) {
     size_t looked_for = 0;
-    for (const std::string& lab : *labs_)
-        for (const MistakeInfo& mistake : staff(lab).mistakes)
-            for (const Edit& edit : mistake.edits) {
-                if (!fs::exists(course() / edit.file)) continue;
-                const std::vector<std::string> solution =
-                    solution_lines(read_file(course_root() / edit.file), edit.file);
-                const bool in_solution = std::any_of(solution.begin(), solution.end(), [&](const std::string& line) {
-                    return contains(line, edit.find);
-                });
-                if (!in_solution || edit.find.size() < 12) continue;
-                ++looked_for;
-                EXPECT_FALSE(contains(read_file(course() / edit.file), edit.find)) << edit.file << ": " << edit.find;
-            }
-    EXPECT_GT(looked_for, 30u);
+    const auto look_for = [&](const Edit& edit) {
+        if (!fs::exists(course() / edit.file)) return;
+        const std::string handed_out = read_file(course() / edit.file);
+        const std::vector<std::string> solution = solution_lines(read_file(course_root() / edit.file), edit.file);
+        for (const std::string& find : trimmed_lines(edit.find)) {
+            const bool in_solution = std::any_of(solution.begin(), solution.end(),
+                                                 [&](const std::string& line) { return contains(line, find); });
+            if (!in_solution || find.size() < 12) continue;
+            ++looked_for;
+            EXPECT_FALSE(contains(handed_out, find)) << edit.file << ": " << find;
+        }
+    };
+    for (const std::string& lab : *labs_) {
+        const Manifest manifest = staff(lab);
+        for (const MistakeInfo& mistake : manifest.mistakes)
+            for (const Edit& edit : mistake.edits) look_for(edit);
+        for (const EquivalentInfo& equivalent : manifest.equivalents)
+            for (const Edit& edit : equivalent.edits) look_for(edit);
+    }
+    EXPECT_GT(looked_for, 100u);
 }
 
 TEST_F(StudentsCourse, BeginsWithAReadmeOfItsOwn) {
@@ -309,7 +331,7 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
     }
 }
 
-TEST(PublicManifest, LosesHiddenChecksAndMistakesAndKeepsTheRestAsItStands) {
+TEST(PublicManifest, LosesHiddenChecksMistakesAndVariantsAndKeepsTheRestAsItStands) {
     const std::string text = R"(title = "A"  # why
 [[task]]
 id = "1.1"
@@ -335,6 +357,15 @@ hint = "h"
 edits = [
   { file = "f.glsl", find = "a", replace = "b" },
 ]
+
+# Right as well.
+[[equivalent]]
+id = "e"
+task = "1.1"
+why = "w"
+edits = [{ file = "f.glsl", find = "a", replace = '''
+c
+d''' }]
 # The last.
 [[golden]]
 name = "g"

@@ -145,7 +145,7 @@ title = "T"
 file = "shaders/x/task.glsl"
 )";
 
-TEST(Manifest, ChecksAndMistakesAreReadWhole) {
+TEST(Manifest, ChecksMistakesAndEquivalentsAreReadWhole) {
     const Manifest manifest = load(std::string(with_task) + R"(
 [[check]]
 task = "1.1"
@@ -176,6 +176,13 @@ task = "1.1"
 hint = "The other sign."
 edits = [{ file = "shaders/x/task.glsl", find = "c", replace = "d" }]
 same_as = "flipped"
+[[equivalent]]
+id = "by-hand"
+task = "1.1"
+why = "Without the library."
+edits = [{ file = "shaders/x/task.glsl", find = "a", replace = '''
+two
+lines''' }]
 )");
     ASSERT_EQ(manifest.checks.size(), 2u);
     const CheckInfo& check = manifest.check("near");
@@ -196,11 +203,18 @@ same_as = "flipped"
     EXPECT_EQ(manifest.mistakes[0].edits.at(1).file, "labs/x/task.cpp");
     EXPECT_EQ(manifest.mistakes[0].edits.at(1).replace, "");
     EXPECT_EQ(manifest.mistakes[1].same_as, "flipped");
+    ASSERT_EQ(manifest.equivalents.size(), 1u);
+    EXPECT_EQ(manifest.equivalents[0].id, "by-hand");
+    EXPECT_EQ(manifest.equivalents[0].task, "1.1");
+    EXPECT_EQ(manifest.equivalents[0].why, "Without the library.");
+    EXPECT_EQ(manifest.equivalents[0].edits.at(0).replace, "two\nlines");
 }
 
-TEST(Manifest, ACheckOrAMistakeThatCannotWorkIsNamedWithItsLine) {
+TEST(Manifest, ACheckAMistakeOrAnEquivalentThatCannotWorkIsNamedWithItsLine) {
     const std::string check = "[[check]]\ntask = \"1.1\"\nname = \"a\"\nlook_at = \"x\"\n";
     const std::string mistake = "[[mistake]]\nid = \"m\"\ntask = \"1.1\"\nhint = \"h\"\n";
+    const std::string equivalent = "[[equivalent]]\nid = \"e\"\ntask = \"1.1\"\nwhy = \"w\"\n";
+    const std::string edits = "edits = [{ file = \"shaders/x/task.glsl\", find = \"a\", replace = \"b\" }]\n";
     const std::pair<std::string, const char*> texts[] = {
         {check, "lab.toml:8: [[check]] must have a 'against'"},
         {check + "against = \"truht\"\n", "lab.toml:12: unknown check 'truht'"},
@@ -223,6 +237,17 @@ TEST(Manifest, ACheckOrAMistakeThatCannotWorkIsNamedWithItsLine) {
         {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\n" + mistake +
              "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\n",
          "lab.toml:14: two mistakes are named 'm'"},
+        {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"a\" }]\n",
+         "lab.toml:12: 'replace' is what stands there"},
+        {equivalent, "lab.toml:9: an equivalent has 'edits'"},
+        {"[[equivalent]]\nid = \"e\"\ntask = \"1.1\"\n" + edits, "lab.toml:8: [[equivalent]] must have a 'why'"},
+        {equivalent + "hint = \"h\"\n" + edits, "lab.toml:12: unknown key of [[equivalent]], 'hint'"},
+        {equivalent + "edits = [{ file = \"shaders/x/task.glsl\", fnid = \"a\", find = \"a\", replace = \"b\" }]\n",
+         "lab.toml:12: unknown key of [[equivalent]].edits, 'fnid'"},
+        {equivalent + "edits = [{ file = \"shaders/x/lab.frag\", find = \"a\", replace = \"b\" }]\n",
+         "lab.toml:12: 'shaders/x/lab.frag' is no task's file"},
+        {"[[equivalent]]\nid = \"e\"\ntask = \"1.2\"\nwhy = \"w\"\n" + edits, "lab.toml:10: unknown task '1.2'"},
+        {equivalent + edits + equivalent + edits, "lab.toml:14: two equivalents are named 'e'"},
     };
     for (const auto& [text, message] : texts) {
         const std::string found = refusal(with_task + text);

@@ -1,7 +1,9 @@
-// Every lab as a course: solutions pass, starters say that they are unfinished, and each known mistake is caught.
+// Every lab as a course: solutions pass, starters say that they are unfinished, and each known mistake is caught. That
+// correct variants pass is `relief grade --self-test`.
 #include <gtest/gtest.h>
 
 #include <map>
+#include <regex>
 
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
@@ -49,6 +51,28 @@ TEST_P(Course, HasTasksChecksAndMistakes) {
         bool is_public = false;
         for (const CheckInfo& check : manifest_.checks) is_public |= check.task == task.id && !check.hidden;
         EXPECT_TRUE(is_public) << "a student cannot check task " << task.id;
+    }
+}
+
+TEST_P(Course, HasCorrectVariantsOfEachTaskThatAreOtherPrograms) {
+    if (!is_of_the_course()) GTEST_SKIP() << "a lab of someone's own";
+    EXPECT_GE(manifest_.equivalents.size(), 5u);
+    for (const TaskInfo& task : manifest_.tasks)
+        EXPECT_TRUE(std::any_of(manifest_.equivalents.begin(), manifest_.equivalents.end(),
+                                [&](const EquivalentInfo& equivalent) { return equivalent.task == task.id; }))
+            << task.id;
+    const auto code_of = [](const std::string& text) {
+        static const std::regex no_code("//[^\n]*|\\s+");
+        return std::regex_replace(text, no_code, "");
+    };
+    std::map<CourseFiles, std::string> seen;
+    for (const std::string& file : task_files())
+        seen[{{file, code_of(read_file(course_root() / file))}}] = "the solution";
+    for (const EquivalentInfo& equivalent : manifest_.equivalents) {
+        CourseFiles code;
+        for (const auto& [file, text] : edited(equivalent.edits)) code[file] = code_of(text);
+        const auto [same, is_new] = seen.emplace(code, equivalent.id);
+        EXPECT_TRUE(is_new) << equivalent.id << " is the same program as " << same->second;
     }
 }
 
