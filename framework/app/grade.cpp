@@ -1,7 +1,11 @@
 // relief grade: a class marked on one machine.
+#include "framework/app/grade.h"
+
 #include <fmt/format.h>
 
 #include "framework/app/commands.h"
+#include "framework/app/grade_page.h"
+#include "framework/app/student_page.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
@@ -9,7 +13,6 @@
 #include "framework/base/text.h"
 #include "framework/grade/class.h"
 #include "framework/grade/gradescope.h"
-#include "framework/grade/report.h"
 #include "framework/grade/self_test.h"
 
 namespace relief {
@@ -78,16 +81,6 @@ int test_the_grader(ClassOptions& options, int sample) {
     return sum.wrong.empty() ? 0 : 1;
 }
 
-/// What others read of the results: the whole of it anew each time.
-void write_summaries(const ClassReport& report, const fs::path& folder) {
-    make_folder(folder / "gradescope");
-    for (const SubmissionMark& mark : report.marks)
-        write_file(folder / "gradescope" / (file_name_of(mark.name) + ".json"), to_gradescope(mark));
-    write_file(folder / "results.csv", to_csv(report.marks));
-    write_file(folder / "junit.xml", to_junit(report.marks));
-    write_file(folder / "report.html", to_html(report));
-}
-
 int make_gradescope(const ClassOptions& options) {
     const std::string seed = options.setup.seed.empty() ? new_seed() : options.setup.seed;
     write_gradescope(options.output, options.labs, seed);
@@ -133,7 +126,35 @@ int print(const ClassReport& report, const std::string& folder, const Shard& sha
     return failed == 0 ? 0 : 1;
 }
 
+/// Where parts of a class were graded into folders of this one, their pages are the class's.
+void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
+    std::vector<fs::path> parts;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (fs::exists(entry.path() / "class.json")) parts.push_back(entry.path());
+    for (const fs::path& part : parts)
+        for (const SubmissionMark& mark : report.marks)
+            if (const fs::path page = student_page_file(mark.name);
+                fs::exists(part / page) && fs::exists(part / "results" / (file_name_of(mark.name) + ".json")))
+                write_file(folder / page, read_file(part / page));
+}
+
 }  // namespace
+
+fs::path student_page_file(const std::string& name) { return fs::path("students") / (file_name_of(name) + ".html"); }
+
+void write_summaries(const ClassReport& report, const fs::path& folder) {
+    make_folder(folder / "gradescope");
+    make_folder(folder / "students");
+    bring_pages_of_parts(report, folder);
+    for (const SubmissionMark& mark : report.marks) {
+        write_file(folder / "gradescope" / (file_name_of(mark.name) + ".json"), to_gradescope(mark));
+        if (const fs::path page = folder / student_page_file(mark.name); !fs::exists(page))
+            write_file(page, student_page(mark, {}));
+    }
+    write_file(folder / "results.csv", to_csv(report.marks));
+    write_file(folder / "junit.xml", to_junit(report.marks));
+    write_file(folder / "report.html", class_page(report));
+}
 
 int grade_submissions(const GradeArguments& arguments) {
     if (!arguments.merge.empty()) {
@@ -150,7 +171,12 @@ int grade_submissions(const GradeArguments& arguments) {
     if (arguments.gradescope) return make_gradescope(options);
     name_submissions(arguments, options);
     options.shard = shard_of(arguments.shard);
-    const ClassReport report = grade_class(options);
+    make_folder(options.output / "students");
+    // Before its result: a run that is killed leaves none without its page.
+    const ClassReport report =
+        grade_class(options, [&](const SubmissionMark& mark, const std::vector<CheckPictures>& pictures) {
+            write_file(options.output / student_page_file(mark.name), student_page(mark, pictures));
+        });
     if (options.shard.whole()) write_summaries(report, options.output);
     return print(report, arguments.output, options.shard);
 }

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "framework/base/sha256.h"
 #include "framework/image/file.h"
 
 extern char** environ;
@@ -44,7 +45,25 @@ h1 .number, h2 .number { color: var(--accent); font-variant-numeric: tabular-num
 code { background: var(--code); padding: 3px 8px; border-radius: 6px; font-size: 14px; overflow-wrap: anywhere; }
 :focus-visible { outline: 3px solid var(--accent); outline-offset: 3px; }
 footer { padding-top: 28px; padding-bottom: 48px; color: var(--quiet); font-size: 14px; }
+@media print { :root { color-scheme: light; --ground: #fff; --card: #fff; --text: #000; --quiet: #444; --line: #bbb; --code: #f2f2f2;
+  --accent: #a34a16; --good: #1d6b3a; --bad: #b02a20; --open: #7a5a00; }
+  body { font-size: 11pt; print-color-adjust: exact; -webkit-print-color-adjust: exact; } header { padding-top: 0; } }
 )";
+
+std::string head(const std::string& title, const std::string& style, const std::string& policy = {}) {
+    return R"(<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+)" + policy +
+           "<title>" + html(title) + "</title>\n<style>" + common_style + style + "</style></head><body>\n";
+}
+
+/// As a content security policy names a script.
+std::string fingerprint(const std::string& script) {
+    const std::string digits = sha256(script);
+    std::string bytes;
+    for (size_t i = 0; i < digits.size(); i += 2) bytes += char(std::stoi(digits.substr(i, 2), nullptr, 16));
+    return "'sha256-" + base64(bytes) + "'";
+}
 
 }  // namespace
 
@@ -71,14 +90,19 @@ std::string picture_uri(const Image& picture) {
     return "data:image/png;base64," + base64(encode_image(picture, ImageFormat::png));
 }
 
-std::string page_begin(const std::string& title, const std::string& style) {
-    return R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>)" + html(title) +
-           "</title>\n<style>" + common_style + style + "</style></head><body>\n";
-}
+std::string page_begin(const std::string& title, const std::string& style) { return head(title, style); }
 
 std::string page_end() { return "</body></html>\n"; }
+
+std::string closed_page(const std::string& title, const std::string& style, const std::string& body,
+                        const std::string& script) {
+    const std::string policy = fmt::format(
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; form-action "
+        "'none'; "
+        "img-src data:; style-src 'unsafe-inline'; script-src {}\">\n",
+        fingerprint(script));
+    return head(title, style, policy) + body + "<script>" + script + "</script>\n" + page_end();
+}
 
 bool open_page(const fs::path& page) {
     const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };

@@ -34,7 +34,7 @@ struct Entry {
 
 class Grading {
 public:
-    explicit Grading(const ClassOptions& options) : options_(options) {}
+    Grading(const ClassOptions& options, const SubmissionDone& done) : options_(options), done_(done) {}
 
     ClassReport run() {
         const auto begin = Clock::now();
@@ -171,8 +171,11 @@ private:
         mark.problem = submission.problem;
         if (mark.problem.empty() && entry.labs.empty()) mark.problem = "there is no task file in it";
         mark.ignored = submission.ignored, mark.ignored_count = submission.ignored_count;
-        for (const LabEntry* lab : entry.labs) mark.labs.push_back(mark_lab(*graders_.at(lab->folder), submission));
+        std::vector<CheckPictures> pictures;
+        for (const LabEntry* lab : entry.labs)
+            mark.labs.push_back(mark_lab(*graders_.at(lab->folder), submission, pictures));
         mark.seconds = seconds_since(begin);
+        if (done_) done_(mark, pictures);
         entry.done = true;
         const std::lock_guard lock(mutex_);
         for (const LabMark& lab : mark.labs) report_.times.add(lab.times);
@@ -180,9 +183,10 @@ private:
     }
 
     /// Whatever goes wrong in here is the grader's fault and costs nobody a mark.
-    static LabMark mark_lab(const LabGrader& grader, const Submission& submission) {
+    static LabMark mark_lab(const LabGrader& grader, const Submission& submission,
+                            std::vector<CheckPictures>& pictures) {
         try {
-            return grader.mark(submission);
+            return grader.mark(submission, &pictures);
         } catch (const std::exception& error) {
             LabMark lab{.lab = grader.lab().folder, .tasks = {}, .log = {}, .times = {}};
             for (const TaskInfo& info : grader.manifest().tasks) {
@@ -197,6 +201,7 @@ private:
 
     const ClassOptions& options_;
     GradeSetup setup_;
+    const SubmissionDone& done_;
     ClassReport report_;
     std::optional<Stage> stage_;
     std::string course_;
@@ -220,9 +225,9 @@ IsolationReport isolation_for(bool trust) {
     return isolation;
 }
 
-ClassReport grade_class(const ClassOptions& options) {
+ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done) {
     if (options.submissions.empty()) throw UsageError("grade needs submissions: folders or archives");
-    return Grading(options).run();
+    return Grading(options, done).run();
 }
 
 namespace {

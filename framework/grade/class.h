@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,13 @@ std::string new_seed();
 /// How submissions may be run here. Throws Error where they can be kept from nothing and `trust` is not given.
 IsolationReport isolation_for(bool trust);
 
-/// Writes into `output`: class.json, and results/NAME.json as each is done. Throws UsageError for two submissions of
-/// one name, for none, and for a shard without a seed; Error where the solutions themselves do not pass here.
-ClassReport grade_class(const ClassOptions& options);
+/// Called when a submission has its mark, by the thread that graded it, several at a time; the pictures are gone after
+/// it.
+using SubmissionDone = std::function<void(const SubmissionMark&, const std::vector<CheckPictures>&)>;
+
+/// Writes into `output`: class.json, and results/NAME.json as each is done, when `done` has returned. Throws UsageError
+/// for two submissions of one name, for none, and for a shard without a seed; Error where the solutions themselves do
+/// not pass here; and what `done` throws.
+ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done = {});
 
 }  // namespace relief

@@ -331,13 +331,15 @@ Judgement LabGrader::judge_view(size_t index, const Pictures& pictures) const {
     return judge(manifest_, check, *drawn.image, *other.image);
 }
 
-CheckMark LabGrader::judge_check(size_t index, const Pictures& pictures) const {
+CheckMark LabGrader::judge_check(size_t index, const Pictures& pictures, size_t& view) const {
     const CheckInfo& check = manifest_.checks[index];
+    view = index;
     Judgement said = judge_view(index, pictures);
     for (size_t i = manifest_.checks.size(); i < views_.size() && said.outcome == Outcome::passed; ++i) {
         if (views_[i].check != index) continue;
         const Judgement hidden = judge_view(i, pictures);
         if (hidden.outcome == Outcome::passed) continue;
+        view = i;
         said = {hidden.outcome, fmt::format("right in the check's own view, not in a hidden one ({}): {}",
                                             view_text(views_[i].shot), hidden.found)};
     }
@@ -410,7 +412,17 @@ void LabGrader::name_mistake(TaskMark& task, const Pictures& pictures) const {
     }
 }
 
-LabMark LabGrader::mark(const Submission& submission, bool name_mistakes) const {
+void LabGrader::keep_pictures(size_t index, const Pictures& pictures, std::vector<CheckPictures>& kept) const {
+    const View& view = views_[index];
+    const std::optional<Image>& drawn = pictures.of[index].image;
+    const std::optional<Image>& expected = view.expected ? view.expected : pictures.of[view.against].image;
+    if (!drawn || !expected || !drawn->same_shape(*expected)) return;
+    CheckInfo check = manifest_.checks[view.check];
+    check.shot = view.shot;
+    kept.push_back({lab_.folder, &manifest_, std::move(check), index >= manifest_.checks.size(), *drawn, *expected});
+}
+
+LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>* kept, bool name_mistakes) const {
     LabMark lab{.lab = lab_.folder, .tasks = {}, .log = {}, .times = {}};
     // Why a task cannot be looked at, if so.
     std::map<std::string, Judgement> given_up;
@@ -440,13 +452,15 @@ LabMark LabGrader::mark(const Submission& submission, bool name_mistakes) const 
         for (size_t i = 0; i < manifest_.checks.size(); ++i) {
             const CheckInfo& check = manifest_.checks[i];
             if (check.task != info.id) continue;
+            size_t view = i;
             CheckMark mark{
                 .name = check.name, .outcome = Outcome::unfinished, .found = {}, .look_at = {}, .hidden = check.hidden};
             if (const auto why = given_up.find(info.id); why != given_up.end())
                 mark.outcome = why->second.outcome, mark.found = why->second.found;
             else
-                mark = judge_check(i, pictures);
+                mark = judge_check(i, pictures, view);
             passed += mark.outcome == Outcome::passed;
+            if (kept && mark.outcome != Outcome::passed) keep_pictures(view, pictures, *kept);
             task.checks.push_back(std::move(mark));
         }
         if (task.checks.empty())

@@ -30,6 +30,16 @@ struct TaskMark {
     std::string mistake, hint;  ///< the known mistake whose pictures these are, or empty
 };
 
+/// What a check that did not pass has compared: both are there, of one shape. `drawn` is as it came from the
+/// submission.
+struct CheckPictures {
+    std::string lab;  ///< folder
+    const Manifest* manifest;
+    CheckInfo check;           ///< with the shot that was drawn
+    bool hidden_view = false;  ///< that shot is not the manifest's
+    Image drawn, expected;
+};
+
 /// Seconds; those of several processes are added up.
 struct MarkTimes {
     double compile = 0, draw = 0, compare = 0;
@@ -69,8 +79,9 @@ public:
 
     const LabEntry& lab() const { return lab_; }
     const Manifest& manifest() const { return manifest_; }
-    /// Naming a known mistake draws all those of its task, once.
-    LabMark mark(const Submission& submission, bool name_mistakes = true) const;
+    /// Adds to `pictures`; their manifest is this grader's. Naming a known mistake draws all those of its task, once.
+    LabMark mark(const Submission& submission, std::vector<CheckPictures>* pictures = nullptr,
+                 bool name_mistakes = true) const;
     /// How many checks have a hidden view.
     size_t hidden_views() const { return views_.size() - manifest_.checks.size(); }
 
@@ -92,7 +103,9 @@ private:
     Pictures draw(const CourseFiles& files, const std::vector<bool>& wanted) const;
     void draw_on(const StagedCourse& course, Pictures& pictures, const std::vector<size_t>& which) const;
     Judgement judge_view(size_t view, const Pictures& pictures) const;
-    CheckMark judge_check(size_t check, const Pictures& pictures) const;
+    /// `view` becomes the one that the mark speaks of.
+    CheckMark judge_check(size_t check, const Pictures& pictures, size_t& view) const;
+    void keep_pictures(size_t view, const Pictures& pictures, std::vector<CheckPictures>& kept) const;
     void name_mistake(TaskMark& task, const Pictures& pictures) const;
     std::map<size_t, Sampled> pictures_of(const MistakeInfo& mistake) const;
     const std::vector<Signature>& signatures(const std::string& task) const;

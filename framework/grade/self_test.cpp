@@ -88,7 +88,7 @@ private:
     LabMark mark_with(const std::vector<Edit>& edits) {
         auto files = solution_;
         for (const auto& [name, text] : edited(edits)) files[name] = text;
-        return grader_.mark(submission_of(files), options_.sample == 0);
+        return grader_.mark(submission_of(files), nullptr, options_.sample == 0);
     }
 
     void solution() {

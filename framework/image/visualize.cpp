@@ -15,6 +15,13 @@ void put(Image& image, size_t i, const Color& color) {
     std::copy(color.begin(), color.end(), image.values.begin() + std::ptrdiff_t(i * 3));
 }
 
+/// Of a value that no colour can stand for, or nothing.
+const Color* special_color(const float* value, int channels) {
+    if (std::any_of(value, value + channels, [](float v) { return std::isnan(v); })) return &not_a_number;
+    if (std::any_of(value, value + channels, [](float v) { return std::isinf(v); })) return &nothing;
+    return nullptr;
+}
+
 Color heat(double share) {
     // Lightness rises steadily along the scale, so that it can be read without colour too.
     constexpr std::array<Color, 6> scale = {{{0.00f, 0.00f, 0.02f},
@@ -53,17 +60,31 @@ Image visualize_probe(const Image& probe, ErrorMetric metric) {
         Color color{};
         for (int c = 0; c < channels; ++c) {
             const double bands = value[c] / band;
-            color[size_t(c)] = metric == ErrorMetric::angle ? 0.5f * value[c] + 0.5f : float(bands - std::floor(bands));
+            color[size_t(c)] = metric == ErrorMetric::angle ? std::clamp(0.5f * value[c] + 0.5f, 0.0f, 1.0f)
+                                                            : float(bands - std::floor(bands));
         }
         return color;
     };
     Image picture(probe.width, probe.height, 3, 8);
     for (size_t i = 0; i < probe.pixel_count(); ++i) {
         const float* const value = probe.values.data() + i * probe.channels;
-        const bool broken = std::any_of(value, value + channels, [](float v) { return std::isnan(v); });
-        put(picture, i, broken ? not_a_number : std::isinf(value[0]) ? nothing : color_of(value));
+        const Color* const special = special_color(value, channels);
+        put(picture, i, special ? *special : color_of(value));
     }
     return picture;
+}
+
+Image visualize_picture(const Image& picture) {
+    Image result(picture.width, picture.height, 3, 8);
+    const int channels = std::min(picture.channels, 3);
+    for (size_t i = 0; i < picture.pixel_count(); ++i) {
+        const float* const value = picture.values.data() + i * picture.channels;
+        const Color* const special = special_color(value, channels);
+        Color color{};
+        for (int c = 0; c < 3; ++c) color[size_t(c)] = std::clamp(value[std::min(c, channels - 1)], 0.0f, 1.0f);
+        put(result, i, special ? *special : color);
+    }
+    return result;
 }
 
 Image visualize_error(const Image& error, double largest) {

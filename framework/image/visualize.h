@@ -13,8 +13,13 @@ glm::dvec3 heat_color(double share);
 
 /// A probe as an 8-bit picture: directions (compared by angle) as 0.5 v + 0.5; vectors (by distance) in bands, each
 /// channel rising from 0 to 1 again and again, a power of two wide; single numbers as a heat map, the largest being the
-/// last colour. Dark grey where there is no surface, magenta where it is not a number.
+/// last colour. Dark grey where there is no surface (a value is infinite), magenta where it is not a number. Values can
+/// be anything.
 Image visualize_probe(const Image& probe, ErrorMetric metric);
+
+/// A picture whose values can be anything, as an 8-bit one: what is below 0 or above 1 is cut, and colours are those of
+/// visualize_probe() where a value is infinite or not a number.
+Image visualize_picture(const Image& picture);
 
 /// An error image as an 8-bit heat map from black over purple and orange to pale yellow, `largest` and more
 /// being the last.

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <set>
 
 #include "framework/image/compare.h"
 #include "framework/image/file.h"
 #include "framework/lab/manifest.h"
 #include "tests/app/course_copy.h"
+#include "tests/browser.h"
 
 namespace relief {
 namespace {
@@ -355,6 +357,28 @@ TEST_F(CourseTest, ThePageOfAChecksPicturesHoldsEverythingItself) {
     const Image yours = of_it("What your normal is"), expected = of_it("What is expected");
     EXPECT_EQ(yours.width, 128);
     EXPECT_GT(difference(yours, expected, 0.1).pixels_over, 1000u) << "a mistake is seen";
+}
+
+TEST_F(CourseTest, ThePageOfAChecksPicturesHasAWipeForEach) {
+    ASSERT_EQ(course().relief({"check", "2", "-o", "wiped.html"}, no_display).code, 0);
+    Browser browser;
+    browser.open(course().path() / "wiped.html");
+    const size_t checks = load_manifest(course().path() / "labs/02_normal_map_storage/lab.toml").checks.size();
+    EXPECT_EQ(browser.eval("document.querySelectorAll('.laid').length"), checks);
+    EXPECT_EQ(browser.eval("document.querySelectorAll('.wipe').length"), checks);
+    std::set<std::string> names;
+    browser.eval("document.querySelectorAll('details').forEach(check => check.open = true)");
+    for (const Browser::Control& control : browser.controls()) {
+        EXPECT_NE(control.name, "") << control.role;
+        if (control.role == "slider") names.insert(control.name);
+    }
+    EXPECT_EQ(names.size(), checks) << "each says what it wipes";
+    EXPECT_TRUE(names.contains("wipe to the expected: three bytes and back"));
+    ASSERT_TRUE(browser.tab_to(".wipe input"));
+    browser.press("ArrowRight", 3);
+    EXPECT_EQ(browser.eval("getComputedStyle(document.querySelector('.laid img + img')).clipPath"),
+              "inset(0px 97% 0px 0px)");
+    EXPECT_EQ(browser.complaints(), std::vector<std::string>{});
 }
 
 TEST_F(CourseTest, ThePageShowsWhatIsExpectedOfAnUnfinishedTaskAndTheMessageOfABrokenOne) {

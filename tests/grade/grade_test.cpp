@@ -142,9 +142,26 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
     EXPECT_TRUE(contains(read_file(output / "results.csv"), "\"o'd \"\"d\"\"\\x0a<b>\",graded,11,"));
     EXPECT_TRUE(contains(read_file(output / "junit.xml"), "o'd &quot;d&quot;\\x0a&lt;b&gt;"));
     const std::string page = read_file(output / "report.html");
-    EXPECT_TRUE(contains(page, ">o&#39;d &quot;d&quot;\\x0a&lt;b&gt;</a>"));
-    EXPECT_FALSE(contains(page, "<b>\"")) << "a name has become markup";
-    EXPECT_TRUE(contains(page, "As in the known mistake <b>truncated</b>"));
+    EXPECT_TRUE(contains(page, "<bdi>o&#39;d &quot;d&quot;\\x0a&lt;b&gt;</bdi></a>"));
+    EXPECT_FALSE(contains(page, "\n<b>")) << "a name has become markup";
+    EXPECT_TRUE(contains(page, "<code>2.1\u00a0truncated</code>"));
+    EXPECT_FALSE(contains(page, "<img")) << "the class's page must stay small";
+    // Each has a page, with pictures of what did not pass where something was drawn, and of nothing else.
+    // Three a check: what is cut off is seen in 2.1 and at the rim of 2.3.
+    const std::map<std::string, size_t> figures = {
+        {"good", 0}, {"untouched", 0}, {"truncated", 12}, {"misspelt", 0}, {"nan", 9}};
+    for (const auto& [name, count] : figures) {
+        const std::string own = read_file(output / "students" / (name + ".html"));
+        size_t found = 0;
+        for (size_t at = 0; (at = own.find("src=\"data:image/png;base64,", at)) != std::string::npos; ++at) ++found;
+        EXPECT_EQ(found, count) << name;
+        EXPECT_TRUE(contains(page, "href=\"students/" + name + ".html\"")) << name;
+    }
+    const std::string truncated_page = read_file(output / "students/truncated.html");
+    EXPECT_TRUE(contains(truncated_page, "You cut the fraction off"));
+    EXPECT_TRUE(contains(truncated_page, "<span class=\"hidden\">hidden check</span>"));
+    EXPECT_TRUE(contains(read_file(output / "students/misspelt.html"), "task.glsl:17"));
+    EXPECT_EQ(size_t(std::distance(fs::directory_iterator(output / "students"), {})), works.size() + 2);
     const json scope = json::parse(read_file(output / "gradescope/good.json"));
     EXPECT_EQ(scope["score"], 11);
     bool some_hidden = false;
@@ -244,13 +261,18 @@ TEST(Grade, KilledHalfWayItGoesOnWhereItWas) {
     const std::vector<fs::path> before = results();
     ASSERT_GE(before.size(), 1u);
     ASSERT_LT(before.size(), size_t(count)) << "it was too fast to be killed";
+    const auto page_of = [&](const fs::path& result) {
+        return output / "students" / result.filename().replace_extension(".html");
+    };
+    for (const fs::path& result : before) EXPECT_TRUE(fs::exists(page_of(result))) << "a result without its page";
     const std::string kept = read_file(before[0]);
-    const auto written = fs::last_write_time(before[0]);
+    const auto written = fs::last_write_time(before[0]), page_written = fs::last_write_time(page_of(before[0]));
     const Result second = run(grade(words));
     EXPECT_EQ(second.code, 0) << second.err;
     EXPECT_EQ(results().size(), size_t(count));
     EXPECT_EQ(read_file(before[0]), kept);
     EXPECT_EQ(fs::last_write_time(before[0]), written) << "it was graded twice";
+    EXPECT_EQ(fs::last_write_time(page_of(before[0])), page_written) << "its pictures are lost";
     EXPECT_TRUE(contains(second.out, std::to_string(before.size()) + " as before")) << second.out;
     // A changed one is graded again, and half a result counts for none.
     folder.write(std::string("s1/") + shader, starter_of(course_file(shader), shader));
@@ -259,6 +281,17 @@ TEST(Grade, KilledHalfWayItGoesOnWhereItWas) {
     EXPECT_TRUE(contains(third.out, std::to_string(count - 2) + " as before")) << third.out;
     EXPECT_EQ(result_of(output, "s1")["points"], 0);
     EXPECT_EQ(result_of(output, "s2")["points"], 11);
+}
+
+TEST(Grade, AResultIsNeverThereWithoutItsPage) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    folder.write(std::string("jane/") + shader, starter_of(course_file(shader), shader));
+    folder.write("out/students/jane.html/in the way", "");
+    const Result graded = run(grade({(folder.path() / "jane").string(), "-o", output.string()}));
+    EXPECT_EQ(graded.code, 1);
+    EXPECT_TRUE(contains(graded.err, "students/jane.html")) << graded.err;
+    EXPECT_FALSE(fs::exists(output / "results/jane.json"));
 }
 
 TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
@@ -282,6 +315,9 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
         << found(tuned, "wrong");
     EXPECT_TRUE(contains(found(tuned, "wrong"), "; depth 1")) << found(tuned, "wrong");
     EXPECT_LT(tuned["points"], 9);
+    const std::string page = read_file(output / "students/tuned.html");
+    EXPECT_TRUE(contains(page, "hidden view</span>")) << "its pictures are of the view that is right";
+    EXPECT_TRUE(contains(page, "src=\"data:image/png;base64,"));
 
     // The seed stays the folder's, and another one asks for other marks.
     const Result again = run(grade(words));
@@ -331,6 +367,11 @@ TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
     const std::string csv = read_file(output / "results.csv");
     for (int i = 0; i < 5; ++i) EXPECT_TRUE(contains(csv, "\ns" + std::to_string(i) + ",graded,11,")) << csv;
     EXPECT_TRUE(fs::exists(output / "report.html"));
+    for (int i = 0; i < 5; ++i) {
+        const std::string page = "students/s" + std::to_string(i) + ".html";
+        EXPECT_EQ(read_file(output / page), read_file(output / (i % 2 == 0 ? "one" : "two") / page));
+        EXPECT_TRUE(contains(read_file(output / "report.html"), "href=\"" + page));
+    }
 
     fs::copy_file(output / "one/results/s0.json", output / "two/results/s0.json");
     EXPECT_TRUE(contains(merged().err, "1 with several results: s0"));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -50,6 +51,24 @@ TEST(Visualize, NoSurfaceIsDarkGrey) {
     EXPECT_EQ(error_color(no_surface, 1), probe);
     EXPECT_LT(luminance(probe), 0.02);
     for (const float channel : probe) EXPECT_NEAR(channel, 0.125f, 0.02f);
+}
+
+TEST(Visualize, APicturesValuesMayBeAnything) {
+    const std::vector<float> strange = {nan, INFINITY, -INFINITY, 1e38f, -1e38f, 1e-45f, 0.25f};
+    for (const float a : strange)
+        for (const float b : strange) {
+            Image image(1, 1, 3);
+            image.values = {a, b, 0.5f};
+            const Color color = {visualize_picture(image).values[0], visualize_picture(image).values[1], 0.5f};
+            const Color magenta{1, 0, 0.5f},
+                grey = {error_color(no_surface, 1)[0], error_color(no_surface, 1)[1], 0.5f};
+            EXPECT_EQ(color, std::isnan(a) || std::isnan(b) ? magenta
+                             : std::isinf(a) || std::isinf(b)
+                                 ? grey
+                                 : (Color{std::clamp(a, 0.0f, 1.0f), std::clamp(b, 0.0f, 1.0f), 0.5f}));
+            for (const ErrorMetric metric : {ErrorMetric::distance, ErrorMetric::angle, ErrorMetric::absolute})
+                for (const float channel : probe_color({a, b, 0.5f}, metric)) EXPECT_TRUE(channel >= 0 && channel <= 1);
+        }
 }
 
 TEST(Visualize, DirectionsLookLikeANormalMap) {

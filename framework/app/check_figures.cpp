@@ -1,0 +1,221 @@
+#include "framework/app/check_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "framework/app/page.h"
+#include "framework/image/visualize.h"
+
+namespace relief {
+namespace {
+
+/// Where a difference between pictures has the last colour of the map: eight times what a pixel may be off.
+constexpr double picture_scale = 16.0 / 255;
+
+const char* sign_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::passed:
+            return "✓";
+        case Outcome::wrong:
+            return "✗";
+        case Outcome::unfinished:
+            return "…";
+        case Outcome::machine:
+            return "?";
+        default:
+            return "!";
+    }
+}
+
+/// Both probes in the same colours: bands and heat are chosen by what is in a picture, so they are one for a moment.
+std::pair<Image, Image> visualize_both(const Image& drawn, const Image& expected, ErrorMetric metric) {
+    Image both(drawn.width, 2 * drawn.height, drawn.channels);
+    const auto middle = std::copy(drawn.values.begin(), drawn.values.end(), both.values.begin());
+    std::copy(expected.values.begin(), expected.values.end(), middle);
+    const Image picture = visualize_probe(both, metric);
+    Image first(drawn.width, drawn.height, picture.channels, 8), second = first;
+    const auto half = picture.values.begin() + std::ptrdiff_t(first.values.size());
+    std::copy(picture.values.begin(), half, first.values.begin());
+    std::copy(half, picture.values.end(), second.values.begin());
+    return {first, second};
+}
+
+std::string how_to_read(ErrorMetric metric) {
+    switch (metric) {
+        case ErrorMetric::angle:
+            return "A direction's x, y and z are red, green and blue, 0 being half of each.";
+        case ErrorMetric::distance:
+            return "Each channel rises from dark to bright again and again: compare the bands.";
+        case ErrorMetric::absolute:
+            return "From dark, 0, to bright, the largest value in either picture.";
+    }
+    return {};
+}
+
+std::string expected_caption(const CheckInfo& check) {
+    if (check.against == "truth") return "expected: the truth";
+    if (check.against == "solution") return "expected: the solution";
+    return "expected: the same as in “" + check.against + "”";
+}
+
+std::string figure(const Image& picture, const std::string& caption, const std::string& alt, const char* kind,
+                   const std::string& more = {}) {
+    if (picture.pixel_count() == 0) return {};
+    return fmt::format(
+        R"(<figure class="{}"><img src="{}" width="{}" height="{}" alt="{}"><figcaption>{}</figcaption>{}</figure>
+)",
+        kind, picture_uri(picture), picture.width, picture.height, html(alt), html(caption), more);
+}
+
+std::string difference_figure(const CheckInfo& check, const ProbeInfo* probe, const Image& drawn,
+                              const Image& expected) {
+    const Image error = error_image(drawn, expected, probe ? probe->error : ErrorMetric::distance);
+    const ErrorSummary summary = summarize(error);
+    const Limits& limits = check.limits;
+    // The limit is on the scale too: what passes stays dark, however small its own differences are.
+    const double allowed = std::max(
+        {limits.mean.value_or(0), limits.p99.value_or(0), limits.largest.value_or(0), limits.wrong ? 1.0 : 0.0});
+    double largest = probe ? std::max(summary.p99, allowed) : picture_scale;
+    if (largest <= 0) largest = 1;
+    const std::string end = probe ? fmt::format("{:.3g} {}", largest, probe->unit) : "16/255";
+    const std::string scale = fmt::format(
+        R"(<div class="scale" aria-hidden="true"><div></div><span>0</span><span>{} and more</span></div>)", html(end));
+    const std::string alt = fmt::format(
+        "Where they differ in the check: {}. {} of {} pixels do; the mean is {:.3g} {}, the largest {:.3g}", check.name,
+        std::count_if(error.values.begin(), error.values.end(),
+                      [](float value) { return value != 0 && value != no_surface; }),
+        error.pixel_count(), probe ? summary.mean : summary.mean * 255, probe ? probe->unit : "255ths",
+        probe ? summary.largest : summary.largest * 255);
+    return figure(visualize_error(error, largest), "where they differ", alt, "difference", scale);
+}
+
+/// The colours of visualize_error(), which are linear in between.
+std::string heat_gradient() {
+    std::string stops;
+    for (int i = 0; i <= 5; ++i) {
+        const glm::dvec3 color = 255.0 * heat_color(i / 5.0);
+        stops += fmt::format(", rgb({:.0f} {:.0f} {:.0f})", color.r, color.g, color.b);
+    }
+    return "linear-gradient(to right" + stops + ")";
+}
+
+constexpr const char* style = R"(
+.quiet { color: var(--quiet); margin: 0 0 14px; font-size: 15px; }
+.check { background: var(--card); border: 1px solid var(--line); border-radius: 12px; margin: 0 0 14px; padding: 0 22px; }
+.check[open] { padding-bottom: 18px; }
+.check summary { cursor: pointer; padding: 14px 0; display: flex; gap: 14px; align-items: baseline; justify-content: space-between; }
+summary::-webkit-details-marker { display: none; }
+.check summary :is(h3, h4) { font-size: 18px; margin: 0; display: inline; }
+.check summary :is(h3, h4)::before { content: "▸"; display: inline-block; width: 1.2em; color: var(--quiet); }
+.check[open] > summary :is(h3, h4)::before { content: "▾"; }
+.check dl { display: grid; grid-template-columns: max-content 1fr; gap: 6px 18px; margin: 0 0 18px; }
+.check dt { color: var(--quiet); } .check dd { margin: 0; overflow-wrap: anywhere; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 300px), 1fr)); gap: 18px; margin: 0 0 10px; }
+figure { margin: 0; max-width: 512px; position: relative; break-inside: avoid; }
+figure img { display: block; width: 100%; height: auto; border-radius: 6px; image-rendering: pixelated; box-shadow: 0 0 0 1px var(--line); }
+.laid { position: relative; overflow: hidden; border-radius: 6px; box-shadow: 0 0 0 1px var(--line); cursor: ew-resize; touch-action: pan-y; }
+.laid img + img { position: absolute; inset: 0; }
+.laid i { position: absolute; top: 0; bottom: 0; width: 2px; margin-left: -1px; background: #fff; box-shadow: 0 0 0 1px #000; }
+figcaption { color: var(--quiet); font-size: 15px; margin-top: 6px; }
+.scale { display: flex; flex-wrap: wrap; justify-content: space-between; font-size: 14px; color: var(--quiet); }
+.scale div { flex: 0 0 100%; height: 10px; border-radius: 5px; border: 1px solid var(--line); margin: 4px 0; background: HEAT; }
+.wipe { display: flex; gap: 10px; align-items: center; font-size: 15px; color: var(--quiet); }
+.wipe span { white-space: nowrap; } .wipe input { flex: 1; min-width: 0; height: 24px; accent-color: var(--accent); }
+.points { font-size: 26px; color: var(--text); } meter { width: min(100%, 320px); height: 18px; }
+@media (max-width: 600px) { .check { padding: 0 14px; } .check dl { grid-template-columns: 1fr; gap: 0; } .check dd { margin-bottom: 8px; } }
+@media print { .wipe, .laid i { display: none; } .laid img + img { visibility: hidden; } .check { break-inside: avoid-page; } .pictures { grid-template-columns: 1fr 1fr 1fr; } }
+)";
+
+}  // namespace
+
+const char* const badge_style = R"(
+.badge { font-weight: 600; white-space: nowrap; }
+.badge.passed { color: var(--good); } .badge.unfinished { color: var(--open); } .badge.machine { color: var(--accent); }
+.badge:is(.wrong, .broken, .crashed, .out_of_time, .out_of_memory) { color: var(--bad); }
+)";
+
+std::string outcome_words(Outcome outcome) {
+    if (outcome == Outcome::machine) return "not graded";
+    std::string words = name_of(outcome);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
+std::string outcome_badge(Outcome outcome, size_t count) {
+    return fmt::format(R"(<span class="badge {}"><span aria-hidden="true">{}</span> {}{}</span>)", name_of(outcome),
+                       sign_of(outcome), count > 0 ? fmt::format("{} ", count) : "", outcome_words(outcome));
+}
+
+std::string check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
+                          DrawnBy who) {
+    const bool both = drawn.same_shape(expected) && drawn.pixel_count() > 0;
+    const ProbeInfo* const probe = check.shot.probe ? &manifest.probe(check.shot.probe.name) : nullptr;
+    std::pair<Image, Image> shown;
+    if (probe && both) {
+        shown = visualize_both(drawn, expected, probe->error);
+    } else {
+        const auto show = [&](const Image& image) {
+            return image.pixel_count() == 0 ? Image()
+                   : probe                  ? visualize_probe(image, probe->error)
+                                            : visualize_picture(image);
+        };
+        shown = {show(drawn), show(expected)};
+    }
+    const std::string whose = who == DrawnBy::reader ? "your" : "the submission's",
+                      what = probe ? probe->name + " is" : "lab draws";
+    std::string text = fmt::format(R"(<div class="pictures" data-check="{}">)", html(check.name));
+    text += figure(shown.first, who == DrawnBy::reader ? "yours" : "submitted",
+                   fmt::format("What {} {} for the check: {}", whose, what, check.name), "mine");
+    text += figure(shown.second, expected_caption(check), "What is expected of the check: " + check.name, "expected");
+    if (both) text += difference_figure(check, probe, drawn, expected);
+    text += "</div>\n";
+    if (probe && expected.pixel_count() > 0)
+        text += fmt::format("<p class=\"quiet\">The pictures show “{}” as colours. {}</p>\n", html(probe->name),
+                            how_to_read(probe->error));
+    return text;
+}
+
+std::string check_style() {
+    std::string all = badge_style + std::string(style);
+    return all.replace(all.find("HEAT"), 4, heat_gradient());
+}
+
+const char* const wipe_script = R"(
+for (const pictures of document.querySelectorAll(".pictures")) {
+  const mine = pictures.querySelector(".mine img"), expected = pictures.querySelector(".expected img");
+  if (!mine || !expected) continue;
+  const make = (tag, name = "") => Object.assign(document.createElement(tag), {className: name});
+  const laid = make("div", "laid"), over = expected.cloneNode(), edge = make("i"), label = make("label", "wipe");
+  const words = make("span"), slider = make("input");
+  mine.replaceWith(laid);
+  over.alt = "";  // its words stand at the expected picture itself
+  laid.append(mine, over, edge);
+  words.textContent = "wipe to the expected";
+  Object.assign(slider, {type: "range", min: 0, max: 100, value: 0, autocomplete: "off"});
+  slider.setAttribute("aria-label", `${words.textContent}: ${pictures.dataset.check}`);
+  label.append(words, slider);
+  const slide = () => {
+    over.style.clipPath = `inset(0 ${100 - slider.value}% 0 0)`;
+    edge.style.left = slider.value + "%";
+    edge.hidden = slider.value % 100 == 0;
+    slider.setAttribute("aria-valuetext", `${slider.value} % expected`);
+  };
+  const drag = event => {
+    if (!event.buttons) return;
+    const box = laid.getBoundingClientRect();
+    slider.value = 100 * (event.clientX - box.left) / box.width;
+    slide();
+  };
+  laid.addEventListener("pointerdown", drag);
+  laid.addEventListener("pointermove", drag);
+  laid.addEventListener("dragstart", event => event.preventDefault());
+  slider.addEventListener("input", slide);
+  slide();
+  pictures.querySelector(".mine").append(label);
+}
+)";
+
+}  // namespace relief

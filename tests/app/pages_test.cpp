@@ -1,0 +1,418 @@
+// The pages of `relief grade`, in a browser, by keyboard and by what a screen reader is told.
+#include <cmath>
+#include <regex>
+#include <set>
+
+#include "framework/app/grade.h"
+#include "framework/app/grade_page.h"
+#include "framework/app/page.h"
+#include "framework/app/student_page.h"
+#include "framework/base/file.h"
+#include "tests/browser.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Names = std::vector<std::string>;
+
+constexpr const char* lab_02 = "02_normal_map_storage";
+constexpr const char* lab_05 = "05_tangent_basis";
+
+Browser& browser() {
+    static Browser one;
+    return one;
+}
+
+TaskMark task(const std::string& id, int of, const std::vector<Outcome>& outcomes, const std::string& mistake = "") {
+    TaskMark mark{
+        .id = id, .title = "A task", .file = "shaders/task.glsl", .of = of, .checks = {}, .mistake = {}, .hint = {}};
+    double passed = 0;
+    for (const Outcome outcome : outcomes) {
+        const size_t number = mark.checks.size() + 1;
+        mark.checks.push_back({.name = "check " + std::to_string(number),
+                               .outcome = outcome,
+                               .found = "found " + std::to_string(number),
+                               .look_at = outcome == Outcome::wrong ? "look here" : "",
+                               .hidden = number == 3});
+        passed += outcome == Outcome::passed;
+    }
+    mark.points = of * passed / double(outcomes.size());
+    if (!mistake.empty()) mark.mistake = mistake, mark.hint = "The hint of " + mistake;
+    return mark;
+}
+
+SubmissionMark submission(const std::string& name, std::vector<std::pair<const char*, TaskMark>> tasks) {
+    SubmissionMark mark;
+    mark.name = name, mark.isolation = "namespaces", mark.seconds = 4;
+    for (auto& [lab, one] : tasks)
+        mark.labs.push_back(
+            {.lab = lab, .tasks = {one}, .log = "", .times = {.compile = 0.5, .draw = 1, .compare = 0.25}});
+    return mark;
+}
+
+constexpr Outcome passed = Outcome::passed, wrong = Outcome::wrong, unfinished = Outcome::unfinished;
+
+/// What a class is made of: points 11, 7, 2, 9 and none; one is not graded, one cannot be read.
+ClassReport some_class() {
+    ClassReport report;
+    report.isolation.level = Isolation::namespaces, report.taken_over = 2, report.seconds = 12.5,
+    report.prepared = 3.25;
+    report.marks = {
+        submission("s10", {{lab_02, task("2.1", 3, {passed, passed, passed})}, {lab_05, task("5.1", 8, {passed})}}),
+        submission("s9",
+                   {{lab_02, task("2.1", 3, {wrong, wrong, passed}, "truncated")}, {lab_05, task("5.1", 6, {passed})}}),
+        submission("Anna", {{lab_02, task("2.1", 3, {passed, wrong, passed}, "truncated")}}),
+        submission("o'd \"d\"\n<b>", {{lab_02, task("2.1", 9, {passed})}}),
+        submission("zoe", {{lab_02, task("2.1", 3, {unfinished, unfinished, unfinished})}}),
+        submission("machine", {{lab_02, task("2.1", 3, {Outcome::machine, Outcome::machine, Outcome::machine})}}),
+        submission("empty", {})};
+    report.marks[1].labs[0].tasks[0].points = 1;
+    report.marks.back().problem = "there is no task file in it";
+    report.marks[4].ignored = {"<i>notes</i>.txt"}, report.marks[4].ignored_count = 3;
+    report.marks[4].labs[0].log = "task.glsl:3: error: '<vec3>' & more";
+    return report;
+}
+
+/// A folder as `relief grade` leaves it.
+struct Graded {
+    TemporaryFolder folder;
+    ClassReport report = some_class();
+    fs::path page = folder.path() / "a folder" / "report.html";
+    Graded() { write_summaries(report, page.parent_path()); }
+};
+
+Names names_shown() {
+    return browser().eval(
+        "[...document.querySelectorAll('#marks tbody tr')].filter(row => row.checkVisibility()).map(row "
+        "=> row.cells[0].textContent)");
+}
+
+std::string text_of(const std::string& selector) {
+    return browser().eval("document.querySelector(" + json(selector).dump() + ").textContent");
+}
+
+/// A sphere's normals, or those of one that is off by so much.
+Image sphere(float tilt) {
+    Image image(24, 24, 3);
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x) {
+            const float u = float(x - 12) / 12 + tilt, v = float(y - 12) / 12, w = 1 - u * u - v * v;
+            const float inside[] = {u, v, std::sqrt(std::max(w, 0.0f))};
+            for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = w > 0 ? inside[c] : no_surface;
+        }
+    return image;
+}
+
+const Manifest& manifest() {
+    static const Manifest one = [] {
+        Manifest made;
+        made.probes.push_back({.name = "normal", .unit = "degree", .error = ErrorMetric::angle});
+        return made;
+    }();
+    return one;
+}
+
+/// The pictures of checks 1 (a probe) and 2 (a picture) of a submission.
+std::vector<CheckPictures> two_pictures() {
+    CheckInfo probe, picture;
+    probe.task = picture.task = "2.1", probe.against = "truth", picture.against = "solution";
+    probe.name = "check 1", picture.name = "check 2", probe.reason = "rounding", probe.limits.mean = 0.5;
+    probe.shot.probe.name = "normal";
+    std::vector<CheckPictures> two{{lab_02, &manifest(), probe, false, sphere(0.2f), sphere(0)},
+                                   {lab_02, &manifest(), picture, true, sphere(0.1f), sphere(0)}};
+    // Whatever a submission can send.
+    const float strange[] = {NAN, INFINITY, -INFINITY, 1e38f, -1e38f, 1e-45f};
+    for (CheckPictures& one : two) std::copy(std::begin(strange), std::end(strange), one.drawn.pixel(3, 12));
+    return two;
+}
+
+// ---- the class ----
+
+TEST(ClassPage, IsSortedByItsHeadersWithTheKeyboard) {
+    const Graded graded;
+    browser().open(graded.page);
+    const Names as_graded = {"s10", "s9", "Anna", "o'd \"d\"\\x0a<b>", "zoe", "machine", "empty"};
+    EXPECT_EQ(names_shown(), as_graded);
+    ASSERT_TRUE(browser().tab_to("th:nth-child(1) button"));
+    browser().press("Enter");
+    EXPECT_EQ(names_shown(), (Names{"Anna", "empty", "machine", "o'd \"d\"\\x0a<b>", "s9", "s10", "zoe"}));
+    EXPECT_EQ(browser().eval("document.activeElement.closest('th').ariaSort"), "ascending");
+    browser().press("Space");
+    EXPECT_EQ(names_shown(), (Names{"zoe", "s10", "s9", "o'd \"d\"\\x0a<b>", "machine", "empty", "Anna"}));
+    EXPECT_EQ(browser().eval("document.activeElement.closest('th').ariaSort"), "descending");
+    // By points: 0, 2, 7, 9, 11, and last, in either order, those who have none.
+    browser().press("Tab");
+    browser().press("Enter");
+    EXPECT_EQ(names_shown(), (Names{"zoe", "Anna", "s9", "o'd \"d\"\\x0a<b>", "s10", "machine", "empty"}));
+    browser().press("Enter");
+    EXPECT_EQ(names_shown(), (Names{"s10", "o'd \"d\"\\x0a<b>", "s9", "Anna", "zoe", "machine", "empty"}));
+    EXPECT_EQ(browser().eval("[...document.querySelectorAll('[aria-sort]')].map(head => head.ariaSort).join()"),
+              "none,descending,none,none");
+    // By lab 05, which two have: 6 and 8.
+    ASSERT_TRUE(browser().tab_to("th:nth-child(4) button"));
+    browser().press("Enter");
+    EXPECT_EQ((Names{names_shown().at(0), names_shown().at(1)}), (Names{"s9", "s10"}));
+    EXPECT_EQ(browser().complaints(), Names{});
+}
+
+TEST(ClassPage, IsFilteredByNameOutcomeAndMistake) {
+    const Graded graded;
+    browser().open(graded.page);
+    EXPECT_EQ(text_of("#shown"), "7 of 7 shown");
+    ASSERT_TRUE(browser().tab_to("#filter"));
+    const struct {
+        const char* typed;
+        Names left;
+    } cases[] = {{"ANNA", {"Anna"}},          {"wrong", {"s9", "Anna"}},   {"trunc", {"s9", "Anna"}},
+                 {"truncated  S9", {"s9"}},   {"unfinished", {"zoe"}},     {"all passed", {"s10", "o'd \"d\"\\x0a<b>"}},
+                 {"not graded", {"machine"}}, {"no task file", {"empty"}}, {"nobody", {}}};
+    for (const auto& [typed, left] : cases) {
+        browser().eval("filter.select()");
+        browser().type(typed);
+        EXPECT_EQ(names_shown(), left) << typed;
+        EXPECT_EQ(text_of("#shown"), std::to_string(left.size()) + " of 7 shown");
+    }
+    EXPECT_EQ(browser().eval("told.role || told.localName"), "output") << "a screen reader is told of changes";
+    // A known mistake's button asks for it.
+    ASSERT_TRUE(browser().tab_to(".pick"));
+    browser().press("Enter");
+    EXPECT_EQ(names_shown(), (Names{"s9", "Anna"}));
+    EXPECT_EQ(browser().eval("document.activeElement.id"), "filter");
+}
+
+TEST(ClassPage, CountsTheOutcomesOfEachCheck) {
+    const Graded graded;
+    browser().open(graded.page);
+    const std::string list = text_of("#checks ul");
+    for (const char* part : {"2.1 check 13 passed · 1 wrong · 1 unfinished · 1 not graded",
+                             "2.1 check 21 passed · 2 wrong · 1 unfinished · 1 not graded",
+                             "2.1 check 3 hidden3 passed · 1 unfinished · 1 not graded"})
+        EXPECT_TRUE(contains(list, part)) << part << "\n" << list;
+    // Its bar is as wide as it says: of 6 submissions 3 have passed.
+    EXPECT_NEAR(double(browser().eval("(() => { const bar = document.querySelector('#checks .bar'); return "
+                                      "bar.querySelector('.passed').offsetWidth / bar.offsetWidth; })()")),
+                0.5, 0.02);
+    EXPECT_TRUE(contains(text_of("#checks p"), "Fewest pass 2.1 check 2 (1 of 5)")) << text_of("#checks p");
+    EXPECT_TRUE(contains(text_of("#mistakes tbody"), "2.1\u00a0truncatedThe hint of truncatedshow 2"));
+}
+
+TEST(ClassPage, SaysWhereTheTimeWentAndWhatCameFromBefore) {
+    const Graded graded;
+    browser().open(graded.page);
+    // 8 labs at 0.5, 1 and 0.25 seconds; 7 submissions at 4 seconds each, less what is named.
+    const std::string time = text_of("#time");
+    for (const char* part :
+         {"compiling 14 % (4.0 s)", "drawing 29 % (8.0 s)", "comparing 7 % (2.0 s)",
+          "waiting, reading and telling known mistakes apart 50 % (14.0 s)", "took 12.5 seconds, 3.2"})
+        EXPECT_TRUE(contains(time, part)) << part << "\n" << time;
+    EXPECT_EQ(browser().eval("[...document.querySelectorAll('.numbers div')].map(card => "
+                             "[...card.children].map(part => part.textContent).join(': ')).join('; ')"),
+              "submissions: 7; median: 4.5 points; not graded: grade again: 1; taken over from before: 2; isolation: "
+              "namespaces");
+}
+
+TEST(ClassPage, IsMadeOfWhatTheResultsHold) {
+    const ClassReport report = some_class();
+    ClassReport read;  // and the run's own numbers
+    read.taken_over = report.taken_over, read.seconds = report.seconds, read.prepared = report.prepared;
+    for (const SubmissionMark& mark : report.marks) read.marks.push_back(from_json(to_json(mark)));
+    EXPECT_EQ(class_page(read), class_page(report));
+    EXPECT_EQ(student_page(read.marks[4], {}), student_page(report.marks[4], {}));
+}
+
+TEST(ClassPage, IsSmallWithAThousandSubmissions) {
+    ClassReport report;
+    const std::vector<SubmissionMark> some = some_class().marks;
+    for (int i = 0; i < 1000; ++i) {
+        report.marks.push_back(some[size_t(i) % some.size()]);
+        report.marks.back().name = "student-" + std::to_string(i);
+    }
+    const TemporaryFolder folder;
+    const std::string page = class_page(report);
+    EXPECT_LT(page.size(), 700'000u);
+    EXPECT_FALSE(contains(page, "<img"));
+    browser().open(folder.write("report.html", page));
+    EXPECT_EQ(text_of("#shown"), "1000 of 1000 shown");
+    ASSERT_TRUE(browser().tab_to("th:nth-child(1) button"));
+    browser().press("Enter", 2);
+    EXPECT_EQ(names_shown().at(0), "student-999");
+    // The table does not push the rest of the page out of reach.
+    EXPECT_LT(int(browser().eval("document.documentElement.scrollHeight")), 4000);
+}
+
+// ---- a submission ----
+
+/// Pages of Anna (wrong, with pictures) and zoe (unfinished) beside the class's.
+struct GradedWithPictures : Graded {
+    fs::path student(const std::string& name) const { return page.parent_path() / student_page_file(name); }
+    GradedWithPictures() {
+        report.marks[2].labs[0].tasks[0] = task("2.1", 3, {wrong, Outcome::broken, passed, unfinished}, "truncated");
+        write_file(student("Anna"), student_page(report.marks[2], two_pictures()));
+    }
+};
+
+TEST(StudentPage, AWipeFollowsTheKeyboard) {
+    const GradedWithPictures graded;
+    browser().open(graded.student("Anna"));
+    const auto clip = [](int which) {
+        return browser().eval("getComputedStyle(document.querySelectorAll('.laid img + img')[" + std::to_string(which) +
+                              "]).clipPath");
+    };
+    EXPECT_EQ(clip(0), "inset(0px 100% 0px 0px)") << "first only what was submitted is seen";
+    ASSERT_TRUE(browser().tab_to(".wipe input"));
+    browser().press("ArrowRight", 10);
+    EXPECT_EQ(clip(0), "inset(0px 90% 0px 0px)");
+    EXPECT_EQ(clip(1), "inset(0px 100% 0px 0px)") << "each has its own";
+    browser().press("End");
+    EXPECT_EQ(clip(0), "inset(0px 0% 0px 0px)");
+    browser().press("ArrowLeft");
+    EXPECT_EQ(clip(0), "inset(0px 1% 0px 0px)");
+    EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-valuetext')"), "99 % expected");
+    EXPECT_EQ(browser().eval("document.activeElement.labels[0].textContent"), "wipe to the expected");
+    EXPECT_EQ(
+        browser().eval("(() => { const [mine, over] = document.querySelectorAll('.laid img'), a = "
+                       "mine.getBoundingClientRect(), b = over.getBoundingClientRect(); return a.left == b.left && "
+                       "a.top == b.top && a.width == b.width && a.height == b.height && a.width > 100; })()"),
+        true)
+        << "one lies upon the other";
+    EXPECT_EQ(browser().complaints(), Names{});
+}
+
+TEST(StudentPage, WithoutScriptsThePicturesLieSideBySide) {
+    const GradedWithPictures graded;
+    browser().scripts(false);
+    browser().open(graded.student("Anna"));
+    browser().scripts(true);
+    EXPECT_EQ(browser().eval("document.querySelectorAll('input').length"), 0) << "a slider that would do nothing";
+    EXPECT_EQ(
+        browser().eval("(() => { const box = kind => document.querySelector(kind).getBoundingClientRect(), a = "
+                       "box('.mine img'), b = box('.expected img'), c = box('.difference img'); return a.right <= "
+                       "b.left && b.right <= c.left && a.top == b.top && b.top == c.top; })()"),
+        true);
+}
+
+TEST(StudentPage, HasAllThatWasFoundAndPicturesOnlyOfWhatDidNotPass) {
+    const GradedWithPictures graded;
+    browser().open(graded.student("Anna"));
+    EXPECT_EQ(text_of(".hint"), "It looks like a known mistake: truncatedThe hint of truncated");
+    const std::string all = text_of("main");
+    for (const char* part :
+         {"found 1", "rounding", "check 2 hidden view", "look here", "found 3", "hidden check", "0.75 of 3 points"})
+        EXPECT_TRUE(contains(all, part)) << part;
+    EXPECT_EQ(browser().eval("document.querySelectorAll('figure').length"), 6);
+    EXPECT_EQ(browser().eval("[...document.images].every(image => image.complete && image.naturalWidth == 24)"), true);
+    EXPECT_EQ(browser().eval("document.querySelectorAll('.difference .scale').length"), 2);
+    EXPECT_EQ(browser().eval("document.querySelector('.kept').querySelectorAll('img').length"), 0);
+    EXPECT_EQ(text_of("h1"), "Anna");
+    browser().open(graded.student("zoe"));
+    const std::string zoe = text_of("main");
+    for (const char* part : {"not looked at", "<i>notes</i>.txt", "and 2 more", "error: '<vec3>' & more"})
+        EXPECT_TRUE(contains(zoe, part)) << part;
+    browser().open(graded.student("empty"));
+    EXPECT_TRUE(contains(text_of("header"), "there is no task file in it"));
+    browser().open(graded.student("machine"));
+    EXPECT_TRUE(contains(text_of("header"), "This costs nobody a point"));
+}
+
+TEST(StudentPage, IsThereWithoutPicturesWhereTheyWereNotKept) {
+    const GradedWithPictures graded;
+    const std::string kept = read_file(graded.student("Anna"));
+    fs::remove(graded.student("s9"));
+    write_summaries(graded.report, graded.page.parent_path());
+    EXPECT_EQ(read_file(graded.student("Anna")), kept) << "its pictures are lost";
+    browser().open(graded.student("s9"));
+    EXPECT_TRUE(contains(text_of("footer"), "The pictures were not kept"));
+}
+
+// ---- both ----
+
+TEST(Pages, AStrangersNameIsTextAndNoScriptButOurs) {
+    const TemporaryFolder folder;
+    const std::string name =
+        "</title><script>document.title = 'ran'</script><img src=x onerror=\"document.title='ran'\">";
+    ClassReport report;
+    report.marks = {submission(name, {{lab_02, task("2.1", 3, {wrong, wrong, wrong})}})};
+    report.marks[0].problem = name, report.marks[0].ignored = {name}, report.marks[0].ignored_count = 1;
+    report.marks[0].labs[0].log = report.marks[0].labs[0].tasks[0].checks[0].found = name;
+    report.marks[0].labs[0].tasks[0].mistake = report.marks[0].labs[0].tasks[0].hint = name;
+    write_summaries(report, folder.path());
+    for (const fs::path& page : {folder.path() / "report.html", folder.path() / student_page_file(name)}) {
+        browser().open(page);
+        EXPECT_NE(browser().eval("document.title"), "ran");
+        EXPECT_EQ(browser().eval("document.images.length"), 0);
+        EXPECT_EQ(browser().eval("document.scripts.length"), 1);
+        EXPECT_EQ(text_of("bdi"), name);
+    }
+    // And were it markup after all, the browser would not run it, nor ask anybody for anything.
+    browser().open(
+        folder.write("closed.html", closed_page("closed", "", name + "<h1>here</h1>", "document.title += '!'")));
+    EXPECT_EQ(browser().eval("document.title"), "closed!");
+    EXPECT_FALSE(browser().complaints().empty()) << "the picture at 'x' is not refused";
+}
+
+TEST(Pages, EveryControlHasANameAndEveryLinkAnEnd) {
+    const GradedWithPictures graded;
+    for (const fs::path& page : {graded.page, graded.student("Anna"), graded.student("zoe"), graded.student("s10")}) {
+        browser().open(page);
+        std::multiset<std::string> named;
+        for (const Browser::Control& control : browser().controls()) {
+            EXPECT_NE(control.name, "") << page << ": a " << control.role;
+            if (control.role == "slider" || control.role == "button") named.insert(control.name);
+        }
+        EXPECT_EQ(std::set<std::string>(named.begin(), named.end()).size(), named.size()) << "two of one name";
+        const std::vector<std::string> links = browser().eval("[...document.links].map(link => link.href)");
+        EXPECT_FALSE(links.empty());
+        for (const std::string& link : links) {
+            const size_t hash = link.find('#');
+            const std::string file = std::regex_replace(link.substr(7, hash - 7), std::regex("%20"), " ");
+            EXPECT_TRUE(fs::exists(file)) << link;
+            if (hash == std::string::npos) continue;
+            const std::string end = "document.getElementById(" + json(link.substr(hash + 1)).dump() + ")";
+            EXPECT_EQ(browser().eval(end + " != null"), true) << link;
+        }
+    }
+}
+
+/// Texts whose colour is too near to what lies behind: AA asks for 4.5.
+constexpr const char* faint_texts = R"js((() => {
+  const numbers = color => color.match(/[\d.]+/g).map(Number);
+  const light = color => {
+    const linear = v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
+    const [r, g, b] = numbers(color).map(v => linear(v / 255));
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const behind = element => {
+    for (; element; element = element.parentElement) {
+      const color = getComputedStyle(element).backgroundColor;
+      if ((numbers(color)[3] ?? 1) == 1) return color;
+    }
+    return "rgb(255, 255, 255)";
+  };
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), found = new Set();
+  let texts = 0;
+  while (walker.nextNode()) {
+    const text = walker.currentNode.textContent.trim(), element = walker.currentNode.parentElement;
+    if (!text || !element.checkVisibility() || element.localName == "script") continue;
+    ++texts;
+    const [a, b] = [light(getComputedStyle(element).color), light(behind(element))].sort((a, b) => b - a);
+    if ((a + 0.05) / (b + 0.05) < 4.5) found.add(text);
+  }
+  return texts > 10 ? [...found] : ["there is no text"];
+})())js";
+
+TEST(Pages, EveryTextStandsOutInLightAndInDark) {
+    const GradedWithPictures graded;
+    for (const bool dark : {false, true}) {
+        browser().dark(dark);
+        for (const fs::path& page : {graded.page, graded.student("Anna"), graded.student("zoe")}) {
+            browser().open(page);
+            EXPECT_EQ(Names(browser().eval(faint_texts)), Names{}) << page << (dark ? " in the dark" : " in light");
+        }
+    }
+    browser().dark(false);
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,173 @@
+#include "tests/browser.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <map>
+#include <stdexcept>
+
+namespace relief {
+namespace {
+
+using nlohmann::json;
+
+/// A browser that shares two cores with other tests takes its time to start.
+constexpr int patience_ms = 120'000;
+
+void set_up_and_become_chromium(int reads, int writes, const std::string& profile) {
+    setpgid(0, 0);  // its many processes end together
+    const int null = open("/dev/null", O_RDWR);
+    for (const int descriptor : {0, 1, 2}) dup2(null, descriptor);
+    // Away from 3 and 4 first: they may be the very ones.
+    const int in = fcntl(reads, F_DUPFD, 10), out = fcntl(writes, F_DUPFD, 10);
+    dup2(in, 3), dup2(out, 4);
+    const std::string folder = "--user-data-dir=" + profile;
+    execlp("chromium", "chromium", "--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--disable-gpu",
+           "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-dev-shm-usage",
+           folder.c_str(), "about:blank", nullptr);
+    _exit(127);
+}
+
+}  // namespace
+
+Browser::Browser() {
+    int there[2], back[2];
+    if (pipe2(there, O_CLOEXEC) != 0 || pipe2(back, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    pid_ = fork();
+    if (pid_ < 0) throw std::runtime_error("fork failed");
+    if (pid_ == 0) set_up_and_become_chromium(there[0], back[1], profile_.path().string());
+    close(there[0]), close(back[1]);
+    to_ = there[1], from_ = back[0];
+    std::signal(SIGPIPE, SIG_IGN);
+    std::string page;
+    const json targets = call("Target.getTargets");
+    for (const json& target : targets["targetInfos"])
+        if (target["type"] == "page") page = target["targetId"];
+    session_ = call("Target.attachToTarget", {{"targetId", page}, {"flatten", true}})["sessionId"];
+    for (const char* part : {"Page", "Runtime", "Log", "Accessibility"}) call(std::string(part) + ".enable");
+    call("Emulation.setFocusEmulationEnabled", {{"enabled", true}});
+    call("Emulation.setDeviceMetricsOverride",
+         {{"width", 1280}, {"height", 900}, {"deviceScaleFactor", 1}, {"mobile", false}});
+}
+
+Browser::~Browser() {
+    kill(-pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+    close(to_), close(from_);
+}
+
+json Browser::next_message() {
+    size_t end = 0;
+    while ((end = buffer_.find('\0')) == std::string::npos) {
+        pollfd ready{.fd = from_, .events = POLLIN, .revents = 0};
+        char bytes[65536];
+        const ssize_t count = poll(&ready, 1, patience_ms) == 1 ? read(from_, bytes, sizeof bytes) : -1;
+        if (count <= 0)
+            throw std::runtime_error("chromium does not answer: is it installed? see framework/cmake/packages.txt");
+        buffer_.append(bytes, size_t(count));
+    }
+    json message = json::parse(buffer_.substr(0, end));
+    buffer_.erase(0, end + 1);
+    return message;
+}
+
+json Browser::call(const std::string& method, const json& parameters) {
+    json request = {{"id", ++id_}, {"method", method}, {"params", parameters}};
+    if (!session_.empty()) request["sessionId"] = session_;
+    const std::string text = request.dump() + '\0';
+    for (size_t sent = 0; sent < text.size();) {
+        const ssize_t count = write(to_, text.data() + sent, text.size() - sent);
+        if (count <= 0) break;  // the answer that does not come says it
+        sent += size_t(count);
+    }
+    for (;;) {
+        json message = next_message();
+        if (message.value("id", 0) != id_) {
+            events_.push_back(std::move(message));
+            continue;
+        }
+        if (message.contains("error")) throw std::runtime_error(method + ": " + message["error"].dump());
+        return message["result"];
+    }
+}
+
+void Browser::open(const std::filesystem::path& page) {
+    events_.clear();
+    std::string address = "file://";
+    for (const char c : page.string()) address += c == ' ' ? "%20" : std::string(1, c);
+    call("Page.navigate", {{"url", address}});
+    const auto loaded = [&] {
+        return std::any_of(events_.begin(), events_.end(),
+                           [](const json& event) { return event["method"] == "Page.loadEventFired"; });
+    };
+    while (!loaded()) events_.push_back(next_message());
+}
+
+json Browser::eval(const std::string& expression) {
+    const json answer = call("Runtime.evaluate", {{"expression", expression}, {"returnByValue", true}});
+    if (answer.contains("exceptionDetails")) throw std::runtime_error(answer["exceptionDetails"].dump(1));
+    return answer["result"].value("value", json());
+}
+
+void Browser::press(const std::string& key, int times) {
+    const struct {
+        int code;
+        const char *name, *text;
+    } keys[] = {{9, "Tab", ""},   {13, "Enter", "\r"},   {32, "Space", " "},    {35, "End", ""},
+                {36, "Home", ""}, {37, "ArrowLeft", ""}, {39, "ArrowRight", ""}};
+    for (const auto& one : keys) {
+        if (key != one.name) continue;
+        json event = {{"key", key == "Space" ? " " : key}, {"code", key}, {"windowsVirtualKeyCode", one.code}};
+        for (int i = 0; i < times; ++i) {
+            event["type"] = "keyDown", event["text"] = one.text;
+            call("Input.dispatchKeyEvent", event);
+            event["type"] = "keyUp", event.erase("text");
+            call("Input.dispatchKeyEvent", event);
+        }
+        return;
+    }
+    throw std::logic_error("no key " + key);
+}
+
+bool Browser::tab_to(const std::string& selector) {
+    for (int i = 0; i < 500; ++i) {
+        press("Tab");
+        if (eval("document.activeElement.matches(" + json(selector).dump() + ")") == true) return true;
+    }
+    return false;
+}
+
+void Browser::type(const std::string& text) { call("Input.insertText", {{"text", text}}); }
+
+void Browser::dark(bool on) {
+    call("Emulation.setEmulatedMedia",
+         {{"features", {{{"name", "prefers-color-scheme"}, {"value", on ? "dark" : "light"}}}}});
+}
+
+void Browser::scripts(bool on) { call("Emulation.setScriptExecutionDisabled", {{"value", !on}}); }
+
+std::vector<Browser::Control> Browser::controls() {
+    std::vector<Control> found;
+    const json tree = call("Accessibility.getFullAXTree");
+    for (const json& node : tree["nodes"]) {
+        if (node.value("ignored", false)) continue;
+        for (const json& property : node.value("properties", json::array()))
+            if (property["name"] == "focusable" && property["value"]["value"] == true)
+                found.push_back(
+                    {node["role"].value("value", ""), node.contains("name") ? node["name"].value("value", "") : ""});
+    }
+    return found;
+}
+
+std::vector<std::string> Browser::complaints() {
+    std::vector<std::string> found;
+    for (const json& event : events_)
+        if (event["method"] == "Runtime.exceptionThrown" || event["method"] == "Log.entryAdded")
+            found.push_back(event["params"].dump());
+    return found;
+}
+
+}  // namespace relief
