@@ -218,8 +218,11 @@ void LabGrader::look_from_hidden_views(const CourseFiles& solution) {
         const Pictures pictures = draw(solution, wanted);
         std::vector<bool> good(count);
         for (size_t i = 0; i < count; ++i) {
-            expect(views_[count + i], pictures, count);
-            good[i] = judge_view(count + i, pictures).outcome == Outcome::passed;
+            try {
+                expect(views_[count + i], pictures, count);
+                good[i] = judge_view(count + i, pictures).outcome == Outcome::passed;
+            } catch (const Error&) {  // no truth is known from there
+            }
         }
         std::vector<View> kept;
         std::vector<size_t> place(2 * count);

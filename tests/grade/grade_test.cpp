@@ -412,6 +412,44 @@ TEST(Grade, WhenTheMachineFailsNobodyLosesAMark) {
     for (const char* name : {"a", "b", "c"}) EXPECT_EQ(result_of(output, name)["points"], 11) << name;
 }
 
+TEST(Grade, AnAutograderForGradescopeHasTheCourseAndTwoScripts) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "autograder/source";
+    const Result made =
+        run({relief_program(), "grade", "--gradescope", "-o", output.string(), "--lab", "2", "--seed", "o'x"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(read_file(output / "course" / shader), course_file(shader)) << "it grades with the solutions";
+    EXPECT_FALSE(fs::exists(output / "course/build"));
+    for (const char* script : {"setup.sh", "run_autograder"}) {
+        EXPECT_NE(fs::status(output / script).permissions() & fs::perms::owner_exec, fs::perms::none);
+        EXPECT_EQ(run({"/bin/bash", "-n", (output / script).string()}).code, 0) << script;
+    }
+    EXPECT_EQ(run({relief_program(), "grade", "--gradescope", "-o", output.string()}).code, 0) << "made anew";
+    folder.write("taken/thesis.txt", "years of work");
+    const Result refused = run({relief_program(), "grade", "--gradescope", "-o", (folder.path() / "taken").string()});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(contains(refused.err, "holds something else")) << refused.err;
+
+    // What Gradescope runs, with a grader that only says how it was called.
+    run({relief_program(), "grade", "--gradescope", "-o", output.string(), "--lab", "2", "--seed", "o'x"});
+    folder.write("autograder/source/course/relief",
+                 "#!/bin/sh\nprintf '%s\\n' \"$@\" > called\n[ -e fail ] && exit 1\n"
+                 "mkdir -p marks/gradescope && echo graded > marks/gradescope/submission.json\n");
+    const Circumstances here{.folder = folder.path(),
+                             .environment = {{"AUTOGRADER", (folder.path() / "autograder").string()}}};
+    const std::string script = (output / "run_autograder").string();
+    EXPECT_EQ(run({script}, here).code, 0);
+    EXPECT_EQ(read_file(folder.path() / "autograder/results/results.json"), "graded\n");
+    EXPECT_TRUE(contains(read_file(folder.path() / "autograder/called"), "--trust\n--seed\no'x\n--lab\n02\n"));
+    EXPECT_EQ(fs::status(script).permissions() & (fs::perms::group_all | fs::perms::others_all), fs::perms::none)
+        << "a submission could read the seed";
+    fs::remove_all(folder.path() / "autograder/results");
+    folder.write("autograder/fail", "");
+    EXPECT_NE(run({script}, here).code, 0);
+    EXPECT_FALSE(fs::exists(folder.path() / "autograder/results/results.json"))
+        << "when the machine fails there is no mark";
+}
+
 TEST(Grade, RefusesWhereNothingKeepsASubmissionFromTheMachine) {
     const TemporaryFolder folder;
     folder.write(std::string("jane/") + shader, course_file(shader));
