@@ -136,7 +136,7 @@ struct Graded {
 
 std::vector<BenchMethod> methods(const BenchSettings& settings) {
     std::vector<BenchMethod> result;
-    const int count = int(hardware_threads()) * (settings.quick ? 1 : 4);
+    const int count = int(hardware_threads()) * (settings.quick ? 1 : 2);
     const Isolation isolation = isolation_for(true).level;
     const bool has_idiff = fs::exists("/usr/bin/idiff");
     if (!has_idiff) print_note("the plain loop is left out: there is no idiff (Debian package openimageio-tools)");
