@@ -96,7 +96,8 @@ int make_gradescope(const ClassOptions& options) {
 /// What was asked for, or what the last run into the folder was.
 void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
     if (arguments.resume) {
-        if (!arguments.paths.empty()) throw UsageError("--resume takes the submissions of the last run: name none");
+        if (!arguments.paths.empty() || !arguments.labs.empty())
+            throw UsageError("--resume takes submissions and labs of the last run: name none");
         const auto roster = read_roster(options.output);
         if (!roster) throw UsageError(fmt::format("there is nothing to resume in '{}'", options.output.string()));
         for (const std::string& lab : roster->labs) options.labs.push_back(&find_lab(lab));
