@@ -199,7 +199,7 @@ private:
         sub->add_option("--jobs", grade_.jobs, "submissions at a time [one for each processor]")->type_name("N");
         sub->add_option("--seconds", grade_.seconds, "for drawing a lab once [20, more where the solution is slow]")
             ->type_name("S");
-        sub->add_option("--seed", grade_.seed, "of the hidden views [a new folder: chosen by chance; else the folder's]")
+        sub->add_option("--seed", grade_.seed, "of the hidden views [RELIEF_SEED; the folder's; by chance]")
             ->type_name("WORD");
         sub->add_option("--shard", grade_.shard,
                         "the i-th of n parts of the class [a Slurm array's, TEST_SHARD_INDEX or GTEST_SHARD_INDEX]")

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "framework/app/commands.h"
 #include "framework/app/grade_page.h"
 #include "framework/app/student_page.h"
@@ -32,7 +34,8 @@ ClassOptions options_of(const GradeArguments& arguments) {
     options.jobs = arguments.jobs.empty() ? int(hardware_threads()) : whole_number(arguments.jobs, "--jobs", 1, 256);
     GradeSetup& setup = options.setup;
     if (!arguments.seconds.empty()) setup.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
-    setup.seed = arguments.seed;
+    const char* const seed = std::getenv("RELIEF_SEED");  // a command line is for every process to read
+    setup.seed = arguments.seed.empty() && seed ? seed : arguments.seed;
     setup.renderer = {context_kind(arguments.context), whole_number(arguments.threads, "--threads", 0, 16),
                       !arguments.unpinned};
     if (setup.renderer.context == ContextKind::window) throw UsageError("grade draws without a window: osmesa or egl");
@@ -107,7 +110,8 @@ void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
         options.submissions.assign(arguments.paths.begin(), arguments.paths.end());
     }
     for (const fs::path& path : options.submissions)
-        if (!fs::exists(path)) throw UsageError(fmt::format("there is no '{}'", printable(path)));
+        if (std::error_code unknown; !fs::exists(path, unknown))
+            throw UsageError(fmt::format("there is no '{}'", printable(path)));
 }
 
 int print(const ClassReport& report, const std::string& folder, const Shard& shard) {
@@ -131,7 +135,7 @@ int print(const ClassReport& report, const std::string& folder, const Shard& sha
 void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
     std::vector<fs::path> parts;
     for (const auto& entry : fs::directory_iterator(folder))
-        if (fs::exists(entry.path() / "class.json")) parts.push_back(entry.path());
+        if (std::error_code unknown; fs::exists(entry.path() / "class.json", unknown)) parts.push_back(entry.path());
     for (const fs::path& part : parts)
         for (const SubmissionMark& mark : report.marks)
             if (const fs::path page = student_page_file(mark.name);

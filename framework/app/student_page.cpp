@@ -119,6 +119,7 @@ private:
             fmt::format("<details class=\"check\" open><summary><h4>{}{}</h4>{}</summary>\n<dl>", name,
                         hidden_view ? " <span class=\"hidden\">hidden view</span>" : "", outcome_badge(check.outcome));
         line(check.outcome == Outcome::wrong ? "found" : "message", check.found);
+        if (!check.view.empty()) line("view", check.view);
         if (check.outcome == Outcome::wrong && shown) line("allowed", shown->check.reason);
         line("look at", check.look_at);
         body_ += "</dl>\n";

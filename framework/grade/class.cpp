@@ -169,7 +169,8 @@ private:
         mark.name = submission.name, mark.hash = submission.hash, mark.course = course_;
         mark.isolation = name_of(report_.isolation.level);
         mark.problem = submission.problem;
-        if (mark.problem.empty() && entry.labs.empty()) mark.problem = "there is no task file in it";
+        if (mark.problem.empty() && submission.files.empty() && submission.refused.empty())
+            mark.problem = "there is no task file in it";
         mark.ignored = submission.ignored, mark.ignored_count = submission.ignored_count;
         std::vector<CheckPictures> pictures;
         for (const LabEntry* lab : entry.labs)
@@ -236,15 +237,25 @@ namespace {
 std::vector<fs::path> parts_in(const fs::path& folder) {
     std::vector<fs::path> parts;
     const auto add = [&](const fs::path& one) {
-        if (fs::exists(one / "class.json")) parts.push_back(one);
+        std::error_code unknown;
+        if (fs::exists(one / "class.json", unknown)) parts.push_back(one);
     };
     add(folder);
-    if (fs::is_directory(folder))
+    std::error_code unknown;
+    if (fs::is_directory(folder, unknown))
         for (const auto& entry : fs::directory_iterator(folder)) add(entry.path());
     std::sort(parts.begin(), parts.end());
     if (parts.empty())
         throw UsageError(fmt::format("there is no class.json in '{}' or a folder in it", folder.string()));
     return parts;
+}
+
+SubmissionMark read_result(const fs::path& file) {
+    try {
+        return from_json(read_file(file, size_t{1} << 26));
+    } catch (const Error& error) {
+        throw Error({file}, error.what());
+    }
 }
 
 /// "3 submissions have no result: jane, joe, jim"
@@ -276,7 +287,7 @@ ClassReport merge_class(const fs::path& folder) {
         if (!fs::is_directory(part / "results")) continue;
         for (const auto& entry : fs::directory_iterator(part / "results"))
             if (entry.path().extension() == ".json") {
-                SubmissionMark mark = from_json(read_file(entry.path(), size_t{1} << 26));
+                SubmissionMark mark = read_result(entry.path());
                 found[mark.name].push_back(std::move(mark));
             }
     }

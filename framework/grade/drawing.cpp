@@ -1,5 +1,6 @@
 #include "framework/grade/drawing.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -137,6 +138,7 @@ void draw_request(const char* course) {
     std::set_new_handler([] { _exit(out_of_memory_code); });
     const CourseElsewhere elsewhere(course);
     std::string text(std::istreambuf_iterator<char>(std::cin), {});
+    if (const int nothing = open("/dev/null", O_RDONLY); nothing >= 0) dup2(nothing, STDIN_FILENO);  // read once, by us
     const json request = json::parse(text.substr(0, longest_request));
     const LabEntry& lab = find_lab(request.at("lab"));
     std::vector<Shot> shots;

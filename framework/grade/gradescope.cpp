@@ -44,11 +44,12 @@ void write_gradescope(const fs::path& folder, const std::vector<const LabEntry*>
     } catch (const fs::filesystem_error& error) {
         throw Error({course}, "cannot copy the course: " + error.code().message());
     }
-    std::string arguments = "--seed " + quoted(seed);
-    for (const LabEntry* lab : labs) arguments += " --lab " + lab->two_digits();
+    std::string lab_words;
+    for (const LabEntry* lab : labs) lab_words += " --lab " + lab->two_digits();
     std::string text = read_file(templates / "run_autograder.in");
-    const std::string mark = "@ARGUMENTS@";
-    text.replace(text.find(mark), mark.size(), arguments);
+    for (const auto& [mark, words] :
+         {std::pair<std::string, std::string>{"@SEED@", quoted(seed)}, {"@LABS@", lab_words}})
+        text.replace(text.find(mark), mark.size(), words);
     write_script(folder / "setup.sh", read_file(templates / "setup.sh"));
     write_script(run, text);
 }

@@ -2,6 +2,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <fmt/format.h>
+#include <locale.h>
 
 #include <memory>
 
@@ -54,6 +55,21 @@ void read_content(archive* reader, ArchiveEntry& entry, bool keep, size_t larges
     }
 }
 
+/// libarchive gives names in this thread's encoding, and none at all where they do not fit into it.
+class Utf8Names {
+public:
+    Utf8Names() : locale_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)), before_(uselocale(locale_)) {}
+    ~Utf8Names() {
+        uselocale(before_);
+        if (locale_) freelocale(locale_);
+    }
+    Utf8Names(const Utf8Names&) = delete;
+    Utf8Names& operator=(const Utf8Names&) = delete;
+
+private:
+    locale_t locale_, before_;
+};
+
 }  // namespace
 }  // namespace relief
 
@@ -61,6 +77,7 @@ extern "C" [[gnu::visibility("default")]] void relief_read_archive(
     int descriptor, size_t largest, const std::function<bool(const std::string&)>& wanted,
     std::vector<relief::ArchiveEntry>& entries) {
     using namespace relief;
+    const Utf8Names utf8;
     const Reader reader = open(descriptor);
     size_t unpacked = 0;
     archive_entry* found = nullptr;
@@ -71,7 +88,8 @@ extern "C" [[gnu::visibility("default")]] void relief_read_archive(
         if (entries.size() == max_entries) throw Error(fmt::format("has more than {} entries", max_entries));
         ArchiveEntry& entry = entries.emplace_back();
         const char* const name = archive_entry_pathname(found);
-        entry.name = name ? name : "";
+        if (!name) throw Error("has a file whose name cannot be read: pack it anew, as zip or tar");
+        entry.name = name;
         const bool linked = archive_entry_hardlink(found) || archive_entry_symlink(found);
         entry.is_file = archive_entry_filetype(found) == AE_IFREG && !linked;
         const bool keep = entry.is_file && wanted(entry.name);

@@ -297,6 +297,8 @@ void LabGrader::draw_on(const StagedCourse& course, Pictures& pictures, const st
         for (size_t i = 0; i < drawn.shots.size(); ++i) {
             Pictures::One& one = pictures.of[which[from + i]];
             one.image = std::move(drawn.shots[i].image), one.error = first_line(drawn.shots[i].error), one.told = true;
+            // A program of the student's may say what it likes, to him as well: let it be short.
+            if (own_program) one.error = printable(one.error);
             if (drawn.shots[i].error != one.error && pictures.log.empty()) pictures.log = drawn.shots[i].error;
         }
         from += drawn.shots.size();
@@ -343,11 +345,11 @@ CheckMark LabGrader::judge_check(size_t index, const Pictures& pictures, size_t&
         const Judgement hidden = judge_view(i, pictures);
         if (hidden.outcome == Outcome::passed) continue;
         view = i;
-        said = {hidden.outcome, fmt::format("right in the check's own view, not in a hidden one ({}): {}",
-                                            view_text(views_[i].shot), hidden.found)};
+        said = {hidden.outcome, "right in the check's own view, not in a hidden one: " + hidden.found};
     }
     CheckMark mark{.name = check.name, .outcome = said.outcome, .found = said.found, .hidden = check.hidden};
     if (mark.outcome == Outcome::wrong) mark.look_at = check.look_at;
+    if (view != index) mark.view = view_text(views_[view].shot);
     return mark;
 }
 

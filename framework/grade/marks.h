@@ -19,6 +19,7 @@ struct CheckMark {
     Outcome outcome = Outcome::machine;
     std::string found;         ///< what was measured, or what went wrong
     std::string look_at = {};  ///< what to look at next; empty when it passed
+    std::string view = {};     ///< the hidden view in which it did not pass, when it is that; never for students
     bool hidden = false;
 };
 

@@ -25,6 +25,7 @@ ordered_json as_json(const CheckMark& check) {
             {"outcome", name_of(check.outcome)},
             {"found", check.found},
             {"look_at", check.look_at},
+            {"view", check.view},
             {"hidden", check.hidden}};
 }
 CheckMark check_from(const ordered_json& json) {
@@ -32,6 +33,7 @@ CheckMark check_from(const ordered_json& json) {
             .outcome = outcome_of(json.at("outcome").get<std::string>()),
             .found = json.at("found"),
             .look_at = json.at("look_at"),
+            .view = json.at("view"),
             .hidden = json.at("hidden")};
 }
 
@@ -76,9 +78,14 @@ LabMark lab_from(const ordered_json& json) {
     return lab;
 }
 
+/// What strangers wrote need not be UTF-8; for nlohmann's JSON and for XML it must.
+std::string valid_utf8(const std::string& text) {
+    return ordered_json::parse(ordered_json(text).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+}
+
 std::string xml(const std::string& text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : valid_utf8(text)) {
         const auto code = static_cast<unsigned char>(c);
         if (c == '&')
             result += "&amp;";

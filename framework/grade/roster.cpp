@@ -54,6 +54,8 @@ std::optional<Roster> read_roster(const fs::path& folder) {
         const ordered_json json = ordered_json::parse(read_file(file, size_t{1} << 28));
         if (json.at("schema") != schema) throw Error({file}, "was written by another version: use a new folder");
         Roster roster{.course = json.at("course"), .seed = json.at("seed"), .labs = json.at("labs"), .submissions = {}};
+        if (!json.at("submissions").is_array())
+            throw Error({file}, "has no list of submissions: remove it, or use a new folder");
         for (const ordered_json& one : json.at("submissions"))
             roster.submissions.push_back({one.at("name"), one.at("hash"), one.at("path").get<std::string>()});
         return roster;

@@ -131,6 +131,11 @@ void limit(int resource, rlim_t value, rlim_t more = 0) {
     if (s.status >= 0) dup2(s.status, status_descriptor);
     // Whatever else is open here is none of its business.
     syscall(SYS_close_range, s.status >= 0 ? status_descriptor + 1 : 3, ~0U, 0);
+    // When the machine has no memory left, it is this that goes, and no neighbour.
+    if (const int score = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); score >= 0) {
+        [[maybe_unused]] const ssize_t written = write(score, "1000", 4);
+        close(score);
+    }
     limit(RLIMIT_CPU, s.cpu, 1);  // SIGXCPU, and SIGKILL for who does not listen
     limit(RLIMIT_AS, s.memory);
     limit(RLIMIT_FSIZE, s.file);

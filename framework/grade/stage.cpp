@@ -1,13 +1,16 @@
 #include "framework/grade/stage.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <csignal>
 #include <regex>
 
+#include "framework/base/descriptor.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/parallel.h"
@@ -99,14 +102,16 @@ namespace {
 
 const std::string prefix = "relief-grade-";
 
-/// The folders of runs that were killed: their names tell whose they were.
+/// The folders of runs that were killed. A run that lives holds a lock on its own, on whichever machine it is; one that
+/// has just begun may not hold it yet.
 void remove_abandoned() {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), ignored)) {
-        const std::string name = entry.path().filename();
-        if (!name.starts_with(prefix)) continue;
-        const int process = std::atoi(name.c_str() + prefix.size());
-        if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), ignored);
+        if (!entry.path().filename().string().starts_with(prefix)) continue;
+        const auto age = fs::file_time_type::clock::now() - entry.last_write_time(ignored);
+        const Descriptor folder(open(entry.path().c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+        if (folder >= 0 && age > std::chrono::seconds(10) && flock(folder, LOCK_EX | LOCK_NB) == 0)
+            fs::remove_all(entry.path(), ignored);
     }
 }
 
@@ -116,7 +121,7 @@ PublicFolder::PublicFolder(const fs::path& parent, const std::string& name) {
     std::string path = (parent / (name + "-XXXXXX")).string();
     if (!mkdtemp(path.data())) throw Error({path}, "cannot make this folder");
     path_ = path;
-    fs::permissions(path_, fs::perms(0755));
+    if (geteuid() == 0) fs::permissions(path_, fs::perms(0755));  // only then is the sandbox's user another
 }
 PublicFolder::~PublicFolder() {
     std::error_code ignored;  // it lies among the system's temporary files
@@ -124,8 +129,14 @@ PublicFolder::~PublicFolder() {
 }
 
 Stage::Stage(Isolation isolation)
-    : isolation_(isolation), folder_(fs::temp_directory_path(), prefix + std::to_string(getpid())) {
+    : isolation_(isolation),
+      folder_(fs::temp_directory_path(), prefix + std::to_string(getpid())),
+      lock_(open(folder_.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    flock(lock_, LOCK_SH);
     remove_abandoned();
+    // A submission sees all of /usr, and the library that it runs with.
+    if (is_inside(fs::weakly_canonical(course_root()).string(), "/usr"))
+        throw Error("the course lies below /usr, which every submission can read: move it to another folder");
     copy_programs();
     convert_assets();
     make_public(folder_.path() / "courses");

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/base/descriptor.h"
 #include "framework/grade/overlay.h"
 #include "framework/grade/sandbox.h"
 #include "framework/lab/manifest.h"
@@ -17,7 +18,7 @@ namespace relief {
 /// The files that a lab's students write.
 std::set<std::string> task_files(const Manifest& manifest);
 
-/// A temporary folder that everybody may read, gone with the object.
+/// A temporary folder that the sandbox's user may read, gone with the object.
 class PublicFolder {
 public:
     explicit PublicFolder(const std::filesystem::path& parent, const std::string& name);
@@ -78,6 +79,7 @@ private:
 
     Isolation isolation_;
     PublicFolder folder_;
+    Descriptor lock_;  ///< on the folder, as long as it is wanted
     std::map<std::string, LabPart> labs_;  ///< by folder
 };
 

@@ -63,7 +63,7 @@ public:
             std::count_if(entry.name.begin(), entry.name.end(), [](char c) { return c == '/' || c == '\\'; });
         const auto place = std::pair(depth, entry.name);
         if (const auto before = places_.find(*file); before != places_.end()) {
-            if (before->second <= place) return ignore(entry.name);
+            if (before->second < place) return ignore(entry.name);
             ignore(before->second.second);
         }
         places_[*file] = place;
@@ -124,7 +124,8 @@ void gather_folder(const fs::path& path, const std::set<std::string>& wanted, Ga
     for (fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied), end; entry != end;
          ++entry) {
         if (names.size() == max_entries) throw Error(fmt::format("has more than {} files", max_entries));
-        if (entry->is_directory() && !entry->is_symlink()) continue;
+        std::error_code unknown;  // a link that leads to itself is a name like any other
+        if (!entry->is_symlink(unknown) && entry->is_directory(unknown)) continue;
         names.push_back(entry->path().lexically_relative(path).string());
     }
     std::sort(names.begin(), names.end());
@@ -158,7 +159,8 @@ std::string submission_name(const fs::path& path) {
     const fs::path plain = path.lexically_normal();
     std::string name = (plain.has_filename() ? plain : plain.parent_path()).filename().string();
     if (name.empty() || name == "." || name == "..") name = fs::absolute(path).lexically_normal().filename().string();
-    if (fs::is_directory(path)) return name;
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown)) return name;
     for (const char* ending : {".zip", ".tar", ".tgz", ".gz", ".bz2", ".xz", ".zst", ".tar"})
         if (name.size() > std::strlen(ending) && name.ends_with(ending)) name.resize(name.size() - std::strlen(ending));
     return name;

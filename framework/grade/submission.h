@@ -27,7 +27,7 @@ struct Submission {
 std::string submission_name(const std::filesystem::path& path);
 
 /// Takes the files that end in one of `wanted` ("shaders/02_x/task.glsl"), in whatever folders they lie; of several,
-/// the one in the fewest folders, and of those the first by name. Never throws for what is in the submission, follows
+/// the one in the fewest folders, of those the first by name, and where an archive has it twice the last. Never throws for what is in the submission, follows
 /// no link in it and writes nothing.
 Submission read_submission(const std::filesystem::path& path, const std::set<std::string>& wanted);
 

@@ -68,6 +68,45 @@ with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as z:
     EXPECT_NE(read_submission(folder.path() / "jane", wanted).hash, plain.hash);
 }
 
+TEST(Submission, MayBePackedInAFolderOfAnyName) {
+    const TemporaryFolder folder;
+    const char* const place =
+        "\xc3\x9c"
+        "bung f\xc3\xbcr J\xc3\xb6rg/shaders/01_a/task.glsl";
+    const std::string name = std::string("'") + place + "'";
+    const fs::path zip =
+        python(folder, "a.zip", "z = zipfile.ZipFile(path, 'w'); z.writestr(" + name + ", 'mine'); z.close()");
+    const fs::path pax = python(folder, "b.tar",
+                                "t = tarfile.open(path, 'w', format=tarfile.PAX_FORMAT); i = tarfile.TarInfo(" + name +
+                                    "); i.size = 4; t.addfile(i, io.BytesIO(b'mine')); t.close()");
+    for (const fs::path& archive : {zip, pax}) {
+        const Submission found = read_submission(archive, wanted);
+        EXPECT_EQ(found.problem, "") << archive;
+        EXPECT_EQ(found.files, (std::map<std::string, std::string>{{shader, "mine"}})) << archive;
+    }
+}
+
+TEST(Submission, OfAFileThatAnArchiveHasTwiceIsTheLast) {
+    const TemporaryFolder folder;
+    const fs::path tar = python(folder, "a.tar", R"(
+with tarfile.open(path, "w") as t:
+    for text in (b"older", b"newer"):
+        i = tarfile.TarInfo("shaders/01_a/task.glsl"); i.size = 5; t.addfile(i, io.BytesIO(text)))");
+    EXPECT_EQ(read_submission(tar, wanted).files.at(shader), "newer");
+}
+
+TEST(Submission, IsReadWhateverLinksLieInIt) {
+    const TemporaryFolder folder;
+    folder.write("jane/shaders/01_a/task.glsl", "mine");
+    fs::create_symlink("loop", folder.path() / "jane/loop");
+    fs::create_symlink("nowhere", folder.path() / "jane/dangling");
+    fs::create_directory_symlink("..", folder.path() / "jane/up");
+    const Submission found = read_submission(folder.path() / "jane", wanted);
+    EXPECT_EQ(found.problem, "");
+    EXPECT_EQ(found.files.at(shader), "mine");
+    EXPECT_EQ(found.ignored_count, 3u);
+}
+
 TEST(Submission, TakesNothingThroughALinkOrFromOutside) {
     const TemporaryFolder folder;
     const fs::path secret = folder.write("secret/01_a/task.glsl", "secret");
