@@ -141,6 +141,7 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
     const bool has_idiff = fs::exists("/usr/bin/idiff");
     if (!has_idiff) print_note("the plain loop is left out: there is no idiff (Debian package openimageio-tools)");
     for (const auto& [number, kind] : {std::pair{"02", "shaders"}, {"05", "C++"}}) {
+        if (settings.quick && kind == std::string("C++")) continue;  // a compiler takes its time
         const LabEntry& lab = find_lab(number);
         const auto add = [&](const std::string& name, const std::string& seed, std::function<void(size_t)> grade) {
             BenchMethod& method = result.emplace_back();

@@ -535,8 +535,8 @@ TEST(Grade, IsTimedByABenchmarkWhoseWorkIsRight) {
         run({relief_program(), "bench", "grade", "--quick", "--repeats", "1", "-o", folder.path().string()});
     EXPECT_EQ(timed.code, 0) << timed.err;
     const std::string csv = read_file(folder.path() / "grade.csv");
-    for (const char* kind : {"tasks=shaders", "tasks=C++"}) EXPECT_TRUE(contains(csv, kind)) << csv;
-    EXPECT_TRUE(contains(csv, "submission")) << csv;
+    for (const char* hidden : {"no", "yes"})
+        EXPECT_TRUE(contains(csv, std::string("tasks=shaders hidden views=") + hidden + ",")) << csv;
 }
 
 }  // namespace
