@@ -23,6 +23,8 @@ uniform sampler2D s_normals;
 
 layout(location = 0) out vec4 o_color;
 
+// A probe shows what the task has made, and must not be able to call the truth.
+#if !defined PROBE_tangent && !defined PROBE_bitangent
 // dP/du of the surface that the mesh stands for.
 vec3 exact_tangent() {
 #if defined QUAD
@@ -38,6 +40,7 @@ vec3 exact_tangent() {
     return vec3(cos(turn), 0.0, -sin(turn));
 #endif
 }
+#endif
 
 vec4 tangent_here(vec3 normal) {
 #ifdef DERIVATIVES

@@ -2,7 +2,9 @@
 // A relief that is guessed by METHOD: lit, or as the ERROR of the guess.
 
 #include "10_parallax_offset/task.glsl"
+#if defined ERROR || defined MEASURE
 #include "common/exact_hit.glsl"
+#endif
 #include "common/heat.glsl"
 #include "common/light.glsl"
 #include "common/srgb.glsl"
