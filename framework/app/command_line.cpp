@@ -16,7 +16,7 @@
 #include "framework/lab/knobs.h"
 #include "framework/lab/manifest.h"
 #if __has_include("framework/measure/bench.h")  // not in a student's course
-#include "framework/grade/drawing.h"
+    #include "framework/grade/drawing.h"
 #endif
 
 namespace relief {

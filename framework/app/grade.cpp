@@ -133,14 +133,13 @@ int print(const ClassReport& report, const std::string& folder, const Shard& sha
 
 /// Where parts of a class were graded into folders of this one, their pages are the class's.
 void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
-    std::vector<fs::path> parts;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (std::error_code unknown; fs::exists(entry.path() / "class.json", unknown)) parts.push_back(entry.path());
-    for (const fs::path& part : parts)
-        for (const SubmissionMark& mark : report.marks)
-            if (const fs::path page = student_page_file(mark.name);
-                fs::exists(part / page) && fs::exists(part / "results" / (file_name_of(mark.name) + ".json")))
-                write_file(folder / page, read_file(part / page));
+    make_folder(folder / "students");
+    for (const fs::path& part : class_parts(folder))
+        if (part != folder)
+            for (const SubmissionMark& mark : report.marks)
+                if (const fs::path page = student_page_file(mark.name);
+                    fs::exists(part / page) && fs::exists(part / "results" / (file_name_of(mark.name) + ".json")))
+                    write_file(folder / page, read_file(part / page));
 }
 
 }  // namespace
@@ -150,7 +149,6 @@ fs::path student_page_file(const std::string& name) { return fs::path("students"
 void write_summaries(const ClassReport& report, const fs::path& folder) {
     make_folder(folder / "gradescope");
     make_folder(folder / "students");
-    bring_pages_of_parts(report, folder);
     for (const SubmissionMark& mark : report.marks) {
         write_file(folder / "gradescope" / (file_name_of(mark.name) + ".json"), to_gradescope(mark));
         if (const fs::path page = folder / student_page_file(mark.name); !fs::exists(page))
@@ -164,6 +162,7 @@ void write_summaries(const ClassReport& report, const fs::path& folder) {
 int grade_submissions(const GradeArguments& arguments) {
     if (!arguments.merge.empty()) {
         const ClassReport report = merge_class(arguments.merge);
+        bring_pages_of_parts(report, arguments.merge);
         write_summaries(report, arguments.merge);
         return print(report, arguments.merge, {});
     }

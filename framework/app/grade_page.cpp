@@ -42,7 +42,8 @@ public:
     std::map<std::string, std::vector<OfCheck>> checks;  ///< by lab, in the order of its tasks
     std::map<std::string, OfMistake> mistakes;           ///< by named()
     std::set<std::string> isolations;
-    double compile = 0, draw = 0, compare = 0, waiting = 0;
+    MarkTimes times;
+    double waiting = 0;
     size_t not_graded = 0;
     std::vector<double> points;
 
@@ -64,8 +65,8 @@ private:
         if (!mark.isolation.empty()) isolations.insert(mark.isolation);
         double busy = 0;
         for (const LabMark& lab : mark.labs) {
-            compile += lab.times.compile, draw += lab.times.draw, compare += lab.times.compare;
-            busy += lab.times.compile + lab.times.draw + lab.times.compare;
+            times.add(lab.times);
+            busy += lab.times.sum();
             for (const TaskMark& task : lab.tasks) add(lab.lab, task);
         }
         waiting += std::max(0.0, mark.seconds - busy);
@@ -327,7 +328,7 @@ std::string mistake_table(const ClassCounts& counts) {
 }
 
 std::string time_part(const ClassReport& report, const ClassCounts& counts) {
-    const double all = counts.compile + counts.draw + counts.compare + counts.waiting;
+    const double all = counts.times.sum() + counts.waiting;
     std::string text = "<section id=\"time\" aria-labelledby=\"time-title\"><h2 id=\"time-title\">Time</h2>\n";
     if (report.prepared > 0)
         text += fmt::format(
@@ -336,9 +337,9 @@ std::string time_part(const ClassReport& report, const ClassCounts& counts) {
             report.seconds, report.prepared);
     if (all <= 0) return text + "</section>\n";
     const std::tuple<const char*, double, const char*> parts[] = {
-        {"compile", counts.compile, "compiling"},
-        {"draw", counts.draw, "drawing"},
-        {"compare", counts.compare, "comparing"},
+        {"compile", counts.times.compile, "compiling"},
+        {"draw", counts.times.draw, "drawing"},
+        {"compare", counts.times.compare, "comparing"},
         {"waiting", counts.waiting, "waiting, reading and telling known mistakes apart"}};
     std::string bar, key;
     for (const auto& [kind, seconds, words] : parts) {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "framework/base/sha256.h"
+#include "framework/base/text.h"
 #include "framework/image/file.h"
 
 extern char** environ;
@@ -69,20 +70,7 @@ std::string fingerprint(const std::string& script) {
 
 std::string html(const std::string& text) {
     std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else if (c == '\'')
-            result += "&#39;";
-        else
-            result += c;
-    }
+    for (const char c : escaped_markup(text)) result += c == '\'' ? "&#39;" : std::string(1, c);
     return result;
 }
 

@@ -19,16 +19,6 @@ namespace fs = std::filesystem;
 constexpr const char* unfinished_name = ".relief-unfinished";
 constexpr int folder_flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 
-bool write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        bytes.remove_prefix(size_t(written));
-    }
-    return true;
-}
-
 bool read_all(int descriptor, std::string& bytes) {
     char buffer[1 << 16];
     for (;;) {

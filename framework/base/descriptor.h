@@ -3,6 +3,8 @@
 
 #include <unistd.h>
 
+#include <string_view>
+
 namespace relief {
 
 class Descriptor {
@@ -27,5 +29,8 @@ private:
     }
     int number_;
 };
+
+/// Everything, whatever signals come between. False when the system does not take it; errno says why.
+bool write_all(int descriptor, std::string_view bytes);
 
 }  // namespace relief

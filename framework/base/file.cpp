@@ -56,16 +56,6 @@ private:
     bool finished_ = false;
 };
 
-bool write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        bytes.remove_prefix(static_cast<size_t>(written));
-    }
-    return true;
-}
-
 [[noreturn]] void fail(const fs::path& path, const char* action) {
     throw Error({path}, fmt::format("cannot {}: {}", action, std::strerror(errno)));
 }

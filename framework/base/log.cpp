@@ -47,7 +47,8 @@ void Progress::next(std::string_view what) {
                              : left < 90   ? fmt::format(", {:.0f} s left", left)
                              : left < 5400 ? fmt::format(", {:.0f} min left", left / 60)
                                            : fmt::format(", {:.1f} h left", left / 3600);
-    say(fmt::format("\r\x1b[K[{:<{}}] {} of {}{}: {}", std::string(size_t(full), '#'), width, begun_, total_, time, what));
+    say(fmt::format("\r\x1b[K[{:<{}}] {} of {}{}: {}", std::string(size_t(full), '#'), width, begun_, total_, time,
+                    what));
     shown_ = true;
 }
 

@@ -18,8 +18,8 @@ void print_note(std::string_view message);
 void set_verbose(bool on);
 void print_event(std::string_view message);
 
-/// "[###       ] 3 of 17, 20 s left: lab 03" on a terminal's last line, from the third second on; nothing when standard error is not
-/// a terminal. The line is gone when the object is.
+/// "[###       ] 3 of 17, 20 s left: lab 03" on a terminal's last line, from the third second on; nothing when standard
+/// error is not a terminal. The line is gone when the object is.
 class Progress {
 public:
     explicit Progress(int total) : total_(total) {}

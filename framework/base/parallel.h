@@ -15,8 +15,8 @@ unsigned hardware_threads();
 void parallel_pieces(size_t count, size_t smallest, unsigned threads,
                      const std::function<void(size_t begin, size_t end)>& work);
 
-/// Calls `one(i)` for each of [0, count), each when a thread is free for it: for work of unequal length. After a failure
-/// none is begun, and what has failed first is thrown. `threads` 0 means hardware_threads().
+/// Calls `one(i)` for each of [0, count), each when a thread is free for it: for work of unequal length. After a
+/// failure none is begun, and what has failed first is thrown. `threads` 0 means hardware_threads().
 void parallel_each(size_t count, unsigned threads, const std::function<void(size_t)>& one);
 
 }  // namespace relief

@@ -38,6 +38,23 @@ std::string join(std::span<const std::string> words, std::string_view separator)
     return fmt::format("{}", fmt::join(words, separator));
 }
 
+std::string escaped_markup(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
+    }
+    return result;
+}
+
 std::string plain(double number) { return fmt::format("{:.6g}", number); }
 
 int edit_distance(std::string_view a, std::string_view b) {

@@ -1,4 +1,4 @@
-// Small helpers for text: numbers that must be whole, the nearest known word for a mistyped one.
+// Small helpers for text: numbers that must be whole, markup made safe, the nearest known word for a mistyped one.
 #pragma once
 
 #include <optional>
@@ -18,6 +18,9 @@ std::optional<int> parse_int(std::string_view text);
 
 std::vector<std::string> split(std::string_view text, char separator);
 std::string join(std::span<const std::string> words, std::string_view separator);
+
+/// A text as it may stand in XML or HTML, between tags or in an attribute with double quotes.
+std::string escaped_markup(std::string_view text);
 
 /// The number as a person would type it: "0.5", "32".
 std::string plain(double number);

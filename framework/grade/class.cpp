@@ -233,23 +233,6 @@ ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done)
 
 namespace {
 
-/// `folder` and what lies in it, where a part of a class was graded.
-std::vector<fs::path> parts_in(const fs::path& folder) {
-    std::vector<fs::path> parts;
-    const auto add = [&](const fs::path& one) {
-        std::error_code unknown;
-        if (fs::exists(one / "class.json", unknown)) parts.push_back(one);
-    };
-    add(folder);
-    std::error_code unknown;
-    if (fs::is_directory(folder, unknown))
-        for (const auto& entry : fs::directory_iterator(folder)) add(entry.path());
-    std::sort(parts.begin(), parts.end());
-    if (parts.empty())
-        throw UsageError(fmt::format("there is no class.json in '{}' or a folder in it", folder.string()));
-    return parts;
-}
-
 SubmissionMark read_result(const fs::path& file) {
     try {
         return from_json(read_file(file, size_t{1} << 26));
@@ -270,8 +253,24 @@ std::string some_of(const std::string& what, const std::vector<std::string>& nam
 
 }  // namespace
 
+std::vector<fs::path> class_parts(const fs::path& folder) {
+    std::vector<fs::path> parts;
+    const auto add = [&](const fs::path& one) {
+        std::error_code unknown;
+        if (fs::exists(one / "class.json", unknown)) parts.push_back(one);
+    };
+    add(folder);
+    std::error_code unknown;
+    if (fs::is_directory(folder, unknown))
+        for (const auto& entry : fs::directory_iterator(folder)) add(entry.path());
+    std::sort(parts.begin(), parts.end());
+    if (parts.empty())
+        throw UsageError(fmt::format("there is no class.json in '{}' or a folder in it", folder.string()));
+    return parts;
+}
+
 ClassReport merge_class(const fs::path& folder) {
-    const std::vector<fs::path> parts = parts_in(folder);
+    const std::vector<fs::path> parts = class_parts(folder);
     const Roster roster = *read_roster(parts.front());
     std::map<std::string, std::vector<SubmissionMark>> found;
     for (const fs::path& part : parts) {

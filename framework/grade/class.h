@@ -32,6 +32,9 @@ struct ClassReport {
     MarkTimes times;
 };
 
+/// `folder` and what lies in it, where a part of a class was graded. Throws UsageError when there is none.
+std::vector<std::filesystem::path> class_parts(const std::filesystem::path& folder);
+
 /// What a folder, or the folders in it, hold of a class that was graded in parts. Throws Error unless every submission
 /// of the class has exactly one result, and all are of the same course and seed.
 ClassReport merge_class(const std::filesystem::path& folder);

@@ -12,6 +12,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "framework/base/descriptor.h"
 #include "framework/base/error.h"
 #include "framework/base/paths.h"
 #include "framework/grade/sandbox.h"
@@ -90,17 +91,12 @@ public:
 
     void send(Kind kind, size_t shot, const std::string& bytes) const {
         const Header header{.kind = kind, .shot = uint32_t(shot), .size = uint32_t(bytes.size())};
-        write_all(reinterpret_cast<const char*>(&header), sizeof header);
-        write_all(bytes.data(), bytes.size());
+        if (!write_all(descriptor_, {reinterpret_cast<const char*>(&header), sizeof header}) ||
+            !write_all(descriptor_, bytes))
+            _exit(1);  // nobody reads any more
     }
 
 private:
-    void write_all(const char* bytes, size_t size) const {
-        for (ssize_t written = 0; size > 0; bytes += written, size -= size_t(written)) {
-            written = write(descriptor_, bytes, size);
-            if (written <= 0) _exit(1);  // nobody reads any more
-        }
-    }
     int descriptor_;
 };
 

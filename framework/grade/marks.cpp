@@ -224,11 +224,19 @@ void LabGrader::look_from_hidden_views(const CourseFiles& solution) {
             } catch (const Error&) {  // no truth is known from there
             }
         }
+        // Of two that are held against each other neither is right without the other, however long the chain.
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (size_t i = 0; i < count; ++i) {
+                const size_t against = views_[count + i].against;
+                if (!good[i] || against == 0 || good[against - count]) continue;
+                good[i] = false, changed = true;
+            }
+        }
         std::vector<View> kept;
         std::vector<size_t> place(2 * count);
         for (size_t i = 0; i < count; ++i) {
-            const size_t against = views_[count + i].against;
-            if (!good[i] || (against > 0 && !good[against - count])) continue;
+            if (!good[i]) continue;
             place[count + i] = count + kept.size();
             kept.push_back(std::move(views_[count + i]));
         }

@@ -44,6 +44,7 @@ struct CheckPictures {
 /// Seconds; those of several processes are added up.
 struct MarkTimes {
     double compile = 0, draw = 0, compare = 0;
+    double sum() const { return compile + draw + compare; }
     void add(const MarkTimes& more) { compile += more.compile, draw += more.draw, compare += more.compare; }
 };
 

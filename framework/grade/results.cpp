@@ -7,6 +7,7 @@
 
 #include "framework/base/error.h"
 #include "framework/base/sha256.h"
+#include "framework/base/text.h"
 
 namespace relief {
 namespace {
@@ -21,12 +22,9 @@ std::string dump(const ordered_json& json) {
 }
 
 ordered_json as_json(const CheckMark& check) {
-    return {{"name", check.name},
-            {"outcome", name_of(check.outcome)},
-            {"found", check.found},
-            {"look_at", check.look_at},
-            {"view", check.view},
-            {"hidden", check.hidden}};
+    return {{"name", check.name},   {"outcome", name_of(check.outcome)},
+            {"found", check.found}, {"look_at", check.look_at},
+            {"view", check.view},   {"hidden", check.hidden}};
 }
 CheckMark check_from(const ordered_json& json) {
     return {.name = json.at("name"),
@@ -84,23 +82,10 @@ std::string valid_utf8(const std::string& text) {
 }
 
 std::string xml(const std::string& text) {
-    std::string result;
-    for (const char c : valid_utf8(text)) {
-        const auto code = static_cast<unsigned char>(c);
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '"')
-            result += "&quot;";
-        else if (code < ' ' || code == 0x7f)
-            result += ' ';  // XML has no word for them
-        else
-            result += c;
-    }
-    return result;
+    std::string result = valid_utf8(text);
+    for (char& c : result)
+        if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = ' ';  // XML has no word for them
+    return escaped_markup(result);
 }
 
 /// A spreadsheet takes what begins like this for a formula.

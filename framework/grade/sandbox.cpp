@@ -16,7 +16,7 @@
 #include <csignal>
 #include <cstring>
 
-#include "framework/base/file.h"
+#include "framework/base/descriptor.h"
 
 namespace relief {
 namespace {
@@ -30,43 +30,19 @@ constexpr size_t errors_kept = size_t{64} << 10;
 constexpr size_t errors_taken = size_t{16} << 20;
 constexpr unsigned nobody = 65534;
 
-/// One end of a pipe, closed with the object.
-class End {
-public:
-    explicit End(int number = -1) : number_(number) {}
-    ~End() { close(); }
-    End(const End&) = delete;
-    End& operator=(const End&) = delete;
-    void open(int number) { close(), number_ = number; }
-    void close() {
-        if (number_ >= 0) ::close(number_);
-        number_ = -1;
-    }
-    int number() const { return number_; }
-
-private:
-    int number_;
-};
-
 struct Pipe {
-    End read, write;
+    Descriptor read{-1}, write{-1};
     Pipe() {
         int ends[2];
-        if (pipe2(ends, O_CLOEXEC) == 0) read.open(ends[0]), write.open(ends[1]);
+        if (pipe2(ends, O_CLOEXEC) == 0) read = Descriptor(ends[0]), write = Descriptor(ends[1]);
     }
-    bool good() const { return read.number() >= 0; }
+    bool good() const { return read >= 0; }
 };
 
 /// A file in memory that holds the input, so that nobody waits for a reader.
-int input_file(const std::string& input) {
-    const int file = memfd_create("input", MFD_CLOEXEC);
-    size_t done = 0;
-    while (file >= 0 && done < input.size()) {
-        const ssize_t written = write(file, input.data() + done, input.size() - done);
-        if (written <= 0) break;
-        done += size_t(written);
-    }
-    if (file >= 0) lseek(file, 0, SEEK_SET);
+Descriptor input_file(const std::string& input) {
+    Descriptor file(memfd_create("input", MFD_CLOEXEC));
+    if (file >= 0 && (!write_all(file, input) || lseek(file, 0, SEEK_SET) != 0)) file.close();
     return file;
 }
 
@@ -210,8 +186,8 @@ private:
     }
 
     bool launch() {
-        const End in(input_file(job_.input));
-        if (in.number() < 0) return false;
+        const Descriptor in = input_file(job_.input);
+        if (in < 0) return false;
         const bool wrapped = isolation_ == Isolation::namespaces;
         const Words words = wrapped ? bubblewrap(job_) : job_.command;
         Words environment;
@@ -223,8 +199,8 @@ private:
         for (const std::string& word : words) s.words.push_back(word.c_str());
         for (const std::string& word : environment) s.environment.push_back(word.c_str());
         s.words.push_back(nullptr), s.environment.push_back(nullptr);
-        s.in = in.number(), s.out = out_.write.number(), s.err = err_.write.number();
-        if (wrapped) s.status = status_.write.number();
+        s.in = in, s.out = out_.write, s.err = err_.write;
+        if (wrapped) s.status = status_.write;
         s.cpu = rlim_t(job_.limits.cpu), s.memory = job_.limits.memory, s.file = job_.limits.scratch;
         s.drop = drop_;
         if (!wrapped) s.processes = tasks_of(s.drop ? nobody : getuid()) + rlim_t(job_.limits.processes);
@@ -245,19 +221,18 @@ private:
         while (out_open || err_open || status_open) {
             const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
             if (left <= 0) return stop(Ending::out_of_time);
-            pollfd ends[3] = {{out_open ? out_.read.number() : -1, POLLIN, 0},
-                              {err_open ? err_.read.number() : -1, POLLIN, 0},
-                              {status_open ? status_.read.number() : -1, POLLIN, 0}};
+            pollfd ends[3] = {{out_open ? out_.read : -1, POLLIN, 0},
+                              {err_open ? err_.read : -1, POLLIN, 0},
+                              {status_open ? status_.read : -1, POLLIN, 0}};
             if (poll(ends, 3, int(std::min<int64_t>(left, 1000))) < 0 && errno != EINTR) return;
-            if (ends[0].revents)
-                out_open = take_from(out_.read.number(), result_.output, job_.limits.output, out_taken);
-            if (ends[1].revents) err_open = take_from(err_.read.number(), result_.errors, errors_kept, err_taken);
-            if (ends[2].revents) status_open = take_from(status_.read.number(), status_text_, 1 << 12, status_taken);
+            if (ends[0].revents) out_open = take_from(out_.read, result_.output, job_.limits.output, out_taken);
+            if (ends[1].revents) err_open = take_from(err_.read, result_.errors, errors_kept, err_taken);
+            if (ends[2].revents) status_open = take_from(status_.read, status_text_, 1 << 12, status_taken);
             if (out_taken > job_.limits.output || err_taken > errors_taken) return stop(Ending::too_much_output);
             // Without namespaces a process that was left behind may hold the pipes: the command itself decides.
             if (isolation_ == Isolation::limits && has_ended()) {
-                while (out_open && readable(out_.read.number()) && out_taken <= job_.limits.output)
-                    out_open = take_from(out_.read.number(), result_.output, job_.limits.output, out_taken);
+                while (out_open && readable(out_.read) && out_taken <= job_.limits.output)
+                    out_open = take_from(out_.read, result_.output, job_.limits.output, out_taken);
                 return;
             }
         }

@@ -79,7 +79,7 @@ private:
 
     Isolation isolation_;
     PublicFolder folder_;
-    Descriptor lock_;  ///< on the folder, as long as it is wanted
+    Descriptor lock_;                      ///< on the folder, as long as it is wanted
     std::map<std::string, LabPart> labs_;  ///< by folder
 };
 

@@ -27,8 +27,8 @@ struct Submission {
 std::string submission_name(const std::filesystem::path& path);
 
 /// Takes the files that end in one of `wanted` ("shaders/02_x/task.glsl"), in whatever folders they lie; of several,
-/// the one in the fewest folders, of those the first by name, and where an archive has it twice the last. Never throws for what is in the submission, follows
-/// no link in it and writes nothing.
+/// the one in the fewest folders, of those the first by name, and where an archive has it twice the last. Never
+/// throws for what is in the submission, follows no link in it and writes nothing.
 Submission read_submission(const std::filesystem::path& path, const std::set<std::string>& wanted);
 
 /// A stranger's text on one line of a terminal or a page: control characters as \xNN, cut at 200 bytes.

@@ -198,7 +198,8 @@ std::vector<VaryInfo> read_vary(Table table) {
             std::array<double, 2> range{};
             table.read<2>(knob.c_str(), range, -any, any);
             vary.low = range[0], vary.high = range[1];
-            if (!(vary.low < vary.high)) table.fail(knob.c_str(), fmt::format("'{}' must be a range, low to high", knob));
+            if (!(vary.low < vary.high))
+                table.fail(knob.c_str(), fmt::format("'{}' must be a range, low to high", knob));
         }
     }
     return all;
