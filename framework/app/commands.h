@@ -44,10 +44,11 @@ struct GradeArguments {
 int grade_submissions(const GradeArguments& arguments);
 
 struct BenchArguments {
-    std::vector<std::string> topics;
-    std::string output, repeats = "15", context = "auto";
-    bool quick = false;
+    std::vector<std::string> topics, set;
+    std::string output, repeats, context = "auto";
+    bool quick = false, work = false, update = false;
 };
+/// 1 when a method failed or, with `work`, when work or error has grown.
 int run_bench(const BenchArguments& arguments);
 /// A line for each topic, for --help.
 std::string bench_topics_text();

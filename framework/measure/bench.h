@@ -8,39 +8,69 @@
 #include <utility>
 #include <vector>
 
+#include "framework/image/image.h"
+
 namespace relief {
 
-/// How far a method is from the truth. Of a peer that computes nothing: no unit.
+/// How far a method is from the truth. Of one that computes nothing: no unit.
 struct BenchError {
     double mean = 0, p99 = 0, largest = 0;
     std::string unit = {};             ///< "degree", "texel"
     std::optional<double> wrong = {};  ///< share off by more than one unit, where that is a kind of its own
 };
 
-/// One way of doing it, ready to run: what it needs lives in its closures.
+/// What no clock can move: {"taps", 7.2}, {"triangles", 2048}. An item's, or the frame's.
+using BenchWork = std::vector<std::pair<std::string, double>>;
+using BenchKnobs = std::vector<std::pair<std::string, std::string>>;
+
+/// A method that is ready to run: what it needs lives in its closure.
+struct BenchSubject {
+    size_t items = 1;           ///< that one run works on
+    double bytes_per_item = 0;  ///< what it reads and writes, or stores; 0 where it is no claim
+    BenchWork work = {};
+    BenchError error = {};
+    std::function<void()> run;
+    Image picture = {}, error_map = {};  ///< to look at, 8 bits; empty where there is nothing to see
+    double error_map_most = 0;           ///< what its brightest colour stands for, in the error's unit
+};
+
+/// One way of doing it. Made by a topic without any work; `prepare` does it, with a context where the topic draws.
 struct BenchMethod {
     std::string name;
-    std::vector<std::pair<std::string, std::string>> knobs;  ///< what is swept: {"threads", "2"}
-    size_t items = 1;                                        ///< that one run works on
-    std::string item = "item";                               ///< "texel", "triangle": times are a nanosecond each
-    double bytes_per_item = 0;        ///< what it reads and writes, or stores; 0 where it is no claim
-    std::optional<double> work = {};  ///< what an item takes and no clock can move: heights read, cells looked at
-    std::function<void()> run;
-    BenchError error = {};
+    BenchKnobs knobs = {};  ///< how it is tuned: {"threads", "2"}
+    std::function<BenchSubject()> prepare;
+    bool peer = false;  ///< not of this course: another library, or what is commonly done
+};
+
+/// Methods that are compared with each other: one panel of a topic's plot.
+struct BenchScene {
+    BenchKnobs knobs = {};  ///< what they are all given: {"map", "bricks"}
+    std::string item;       ///< "texel", "triangle": times are a nanosecond each
+    std::vector<BenchMethod> methods = {};
 };
 
 struct BenchSettings {
-    int repeats = 15;    ///< samples of each method, at least 1
-    bool quick = false;  ///< small sizes, for a first look
+    int repeats = 15;       ///< samples of each method; 0 for work and error alone
+    bool quick = false;     ///< few scenes and small sizes, for a first look
+    bool pictures = false;  ///< wants something to look at, where there is something
 };
 
-/// Makes the methods of one topic; that may take seconds.
 struct BenchTopic {
     std::string name, help;
-    std::function<std::vector<BenchMethod>(const BenchSettings&)> methods;
-    bool draws = false;  ///< wants a context, in which its methods are made, run and dropped
+    std::function<std::vector<BenchScene>(const BenchSettings&)> scenes;
+    bool draws = false;      ///< wants a context, in which its methods are made, run and dropped
+    bool only_time = false;  ///< knows of no work and no error
 };
 std::span<const BenchTopic> bench_topics();
+
+/// Keeps what agrees with all of `wanted`, each a knob of a scene or of a method with the values it may have, or
+/// "method" with names of methods. Throws UsageError, with what there is, for a knob or a value that is nowhere in the
+/// topic.
+std::vector<BenchScene> only(const BenchTopic& topic, std::vector<BenchScene> scenes,
+                             std::span<const std::pair<std::string, std::vector<std::string>>> wanted);
+
+/// "a=1 b=2".
+std::string knob_text(const BenchKnobs& knobs);
 
 /// A method's times, in nanoseconds an item.
 struct BenchTimes {
@@ -53,24 +83,34 @@ double quantile(std::vector<double> values, double share);
 /// The figures over a sample of errors; all zero when it is empty.
 BenchError error_figures(std::vector<double> errors, std::string unit);
 
-/// Runs every method once to warm up, then all of them `repeats` times, in a new order each time: whatever else the
-/// machine does meets them all alike. Runs shorter than a millisecond are repeated within one sample. `clock` gives
-/// seconds; `round` is called before each round.
-std::vector<BenchTimes> time_in_turns(std::span<const BenchMethod> methods, int repeats,
-                                      const std::function<double()>& clock, const std::function<void()>& round = {});
+/// Seconds that so many runs take.
+using Stopwatch = std::function<double(const std::function<void()>& run, size_t times)>;
+/// By the wall's clock. What is run must end with what it does: glFinish.
+double by_wall_clock(const std::function<void()>& run, size_t times);
 
-/// What is known of the machine and the build, for each line of the CSV.
-struct BenchMachine {
-    std::string cpu, compiler, commit;
-    std::string renderer = "none";  ///< what drew; "none" when only the CPU worked
+/// Subjects that are timed in turns: each round runs every one of them once, in a new order, so that whatever else the
+/// machine does meets them all alike. Runs shorter than a millisecond are repeated within one sample.
+class BenchTurns {
+public:
+    /// Runs each subject to warm up; `begin` is told of each run before it, by its place. What a run throws, it throws.
+    BenchTurns(std::span<const BenchSubject> subjects, Stopwatch stopwatch, std::function<void(size_t)> begin = {});
+    void round();
+    /// At least one round must have been.
+    std::vector<BenchTimes> times() const;
+
+private:
+    double take(size_t subject, size_t times);
+
+    std::span<const BenchSubject> subjects_;
+    Stopwatch stopwatch_;
+    std::function<void(size_t)> begin_;
+    std::vector<size_t> order_, runs_;
+    std::vector<std::vector<double>> samples_;
+    unsigned seed_ = 1;
 };
-/// The CPU's name as the system has it.
-std::string cpu_name();
 
-/// A table for people, and the same as CSV (RFC 4180) with a header line.
-std::string bench_table(const BenchTopic& topic, std::span<const BenchMethod> methods,
-                        std::span<const BenchTimes> times);
-std::string bench_csv(const BenchTopic& topic, std::span<const BenchMethod> methods, std::span<const BenchTimes> times,
-                      const BenchSettings& settings, const BenchMachine& machine);
+/// Which methods no other is better than, in time and in error both. `points` are pairs of the two; a point that is
+/// equal to another is on the front with it.
+std::vector<bool> pareto_front(std::span<const std::pair<double, double>> points);
 
 }  // namespace relief

@@ -10,60 +10,52 @@
 #include "framework/image/height_maps.h"
 #include "framework/lab/displaced_surface.h"
 #include "framework/lab/manifest.h"
+#include "framework/measure/drawing.h"
 #include "framework/measure/topics.h"
 #include "framework/reference/patches.h"
 
 namespace relief {
 namespace {
 
-using Set = std::vector<std::pair<std::string, std::string>>;
+constexpr glm::ivec2 size{512, 512};
 
-/// Draws, and counts the triangles that came of it.
-double triangles_of(const std::function<void()>& draw) {
-    const QueryName query;
-    glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-    draw();
-    glEndQuery(GL_PRIMITIVES_GENERATED);
-    GLuint count = 0;
-    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
-    return count;
+/// The errors of a shot of the probe `place`, one for each pixel that shows something, from the top left;
+/// the shot of `depth` is taken when it is asked for.
+using ErrorsOf = std::function<std::vector<double>(const Image& place, const std::function<Image()>& depth)>;
+using FiguresOf = std::function<BenchError(const Image& place, std::vector<double> errors)>;
+
+Image map_of(const std::vector<double>& errors, const Image& place) {
+    Image map(place.width, place.height, 1);
+    size_t next = 0;
+    for (size_t i = 0; i < map.values.size(); ++i)
+        map.values[i] = place.values[4 * i] == no_surface ? no_surface : float(errors.at(next++));
+    return map;
 }
 
-/// What the scenes share: where they are drawn, and what the methods are added to.
-class Scenes {
-public:
-    explicit Scenes(std::vector<BenchMethod>& methods) : methods_(methods) {}
-
-    /// One way of drawing: timed as it writes `place`, of which the error is taken, too.
-    void add(const std::string& name, const Set& knobs, const std::function<void()>& draw, const BenchError& error) {
-        BenchMethod& method = methods_.emplace_back();
-        method.name = name, method.knobs = knobs, method.item = "frame";
-        method.work = triangles_of(draw);
-        method.error = error;
-        method.run = [draw] { draw(), glFinish(); };
-    }
-    void add_lab(const char* number, const std::string& name, const Set& scene, const Set& set, const Orbit& camera,
-                 const std::function<BenchError(const Image& place, const Image& depth)>& error_of = {}) {
-        Shot shot{.size = size, .time = 0, .camera = camera, .probe = {"place"}, .set = scene};
-        shot.set.insert(shot.set.end(), set.begin(), set.end());
-        const std::shared_ptr<Lab> lab = make_lab(find_lab(number), shot);
-        const auto draw = [lab, shot, target = target_] { draw_lab(*lab, frame_of(shot, *target)); };
-        BenchError error;
-        if (error_of) {
-            Shot deep = shot;
-            deep.probe = {"depth"};
-            error = error_of(take(*lab, shot), take(*lab, deep));
-        }
-        add(name, set, draw, error);
-    }
-
-    static constexpr glm::ivec2 size{512, 512};
-    const Target& target() const { return *target_; }
-
-private:
-    std::vector<BenchMethod>& methods_;
-    std::shared_ptr<Target> target_ = std::make_shared<Target>(TargetKind::probe, size);
-};
+/// A lab's way of drawing: timed as it writes `place`, of which the error is taken, too.
+BenchMethod of_lab(const char* number, const std::string& name, const BenchKnobs& knobs, const BenchKnobs& set,
+                   const Orbit& camera, const ErrorsOf& errors_of, const FiguresOf& figures_of,
+                   const BenchSettings& settings) {
+    const Shot shot{.size = size, .time = 0, .camera = camera, .probe = {"place"}, .set = together(set, knobs)};
+    return {name, knobs, [=] {
+                const std::shared_ptr<Lab> lab = make_lab(find_lab(number), shot);
+                BenchSubject subject = drawn(lab, shot);
+                const auto depth = [&] {
+                    Shot deep = shot;
+                    deep.probe = {"depth"};
+                    return take(*lab, deep);
+                };
+                Image errors(size.x, size.y, 1);
+                if (errors_of) {
+                    const Image place = take(*lab, shot);
+                    const std::vector<double> all = errors_of(place, depth);
+                    subject.error = figures_of(place, all), errors = map_of(all, place);
+                }
+                if (settings.pictures) show(subject, *lab, shot, errors, subject.error.unit == "metre" ? 0.05 : 2);
+                if (!errors_of) subject.error_map = {};
+                return subject;
+            }};
+}
 
 BenchError pixels_off(std::vector<double> errors) {
     const auto wrong = std::count_if(errors.begin(), errors.end(), [](double error) { return error > 1; });
@@ -126,127 +118,155 @@ double share_apart(const Image& a, const Image& b) {
     return apart / std::max(1.0, covered);
 }
 
-void add_levels(Scenes& scenes, bool quick) {
-    const Orbit camera{.yaw = 30, .pitch = 7, .distance = 7.5, .target = {0, -0.5, 0}};
+/// A ground of hills that runs to the horizon.
+struct Ground {
     DisplacedSurface surface;
-    surface.shape = DisplacedSurface::ground, surface.density = 32, surface.depth = 0.1f;
-    surface.material.map = int(HeightMap::fbm), surface.material.size = 2;
-    const HeightField heights(surface.heights(), true);
-    const Set scene = {{"view", "eye"},
-                       {"surface", "ground"},
-                       {"corners", "4"},
-                       {"patches", "32"},
-                       {"map", "fbm"},
-                       {"size", "512"},
-                       {"depth", "0.1"},
-                       {"repeat", "1"},
-                       {"fade", "off"},
-                       {"cull", "all"},
-                       {"spacing", "fractional-odd"}};
-    const Camera seen(camera, 1);
-    const auto off = [&](const Image& place, const Image&) {
-        return pixels_off(
-            screen_errors(place, surface.patches(), heights, double(surface.scale()), seen.clip_from_world()));
-    };
+    Orbit camera{.yaw = 30, .pitch = 7, .distance = 7.5, .target = {0, -0.5, 0}};
+    std::optional<HeightField> heights;
+
+    Ground() {
+        surface.shape = DisplacedSurface::ground, surface.density = 32, surface.depth = 0.1f;
+        surface.material.map = int(HeightMap::fbm), surface.material.size = 2;
+    }
+    const HeightField& field() {
+        if (!heights) heights.emplace(surface.heights(), true);
+        return *heights;
+    }
+    /// Pixels, of places as they are shown.
+    std::vector<double> off(const Image& place) {
+        return screen_errors(place, surface.patches(), field(), double(surface.scale()),
+                             Camera(camera, 1).clip_from_world());
+    }
+};
+
+BenchScene levels(const BenchSettings& settings) {
+    const auto ground = std::make_shared<Ground>();
+    const BenchKnobs set = {{"view", "eye"},     {"surface", "ground"}, {"corners", "4"},
+                            {"patches", "32"},   {"map", "fbm"},        {"size", "512"},
+                            {"depth", "0.1"},    {"repeat", "1"},       {"fade", "off"},
+                            {"cull", "all"},     {"spacing", "fractional-odd"}};
+    const ErrorsOf off = [ground](const Image& place, const auto&) { return ground->off(place); };
+    const FiguresOf figures = [](const Image&, std::vector<double> errors) { return pixels_off(std::move(errors)); };
+    BenchScene scene{{{"surface", "ground"}}, "frame"};
     const auto add = [&](const char* method, const char* knob, std::initializer_list<const char*> values) {
         for (const char* value : values)
-            scenes.add_lab("14", method, scene, {{"method", method}, {knob, value}}, camera, off);
+            scene.methods.push_back(of_lab("14", method, {{knob, value}}, together(set, {{"method", method}}),
+                                           ground->camera, off, figures, settings));
     };
+    // As the tutorials have it: 64 near the eye, 4 far from it, by distance alone.
+    BenchMethod& usual = scene.methods.emplace_back(of_lab(
+        "14", "usual", {},
+        together(set, {{"method", "distance"}, {"nearest", "0.8"}, {"farthest", "20"}, {"finest", "6"}, {"coarsest", "2"}}),
+        ground->camera, off, figures, settings));
+    usual.peer = true;
     add("uniform", "level", {"1", "2", "4", "8", "16"});
     add("distance", "finest", {"3", "4", "5", "6"});
     add("size", "segment", {"32", "16", "8", "4"});
     add("error", "budget", {"8", "4", "2", "1", "0.5"});
-    if (quick) return;
+    if (settings.quick) return scene;
     add("uniform", "level", {"32"});
-    for (const int n : {4, 8, 16}) {
-        const auto mesh = std::make_shared<TessellatedMesh>(
-            micro_polygons(surface.patches(), heights, double(surface.scale()), n), n);
-        const auto target = std::make_shared<Target>(TargetKind::probe, Scenes::size);
-        mesh->draw(*target, seen);
-        scenes.add(
-            "mesh", {{"squares", fmt::format("{} x {} a patch", n, n)}},
-            [mesh, target, seen] { mesh->draw(*target, seen); }, off(target->read(), {}));
+    for (const int n : {4, 8, 16})
+        scene.methods.push_back({"mesh", {{"squares", fmt::format("{0}x{0}", n)}}, [ground, n] {
+            const DisplacedSurface& surface = ground->surface;
+            const auto mesh = std::make_shared<TessellatedMesh>(
+                micro_polygons(surface.patches(), ground->field(), double(surface.scale()), n), n);
+            const auto draw = [mesh, ground](const Target& target) { mesh->draw(target, Camera(ground->camera, 1)); };
+            BenchSubject subject = drawn(TargetKind::probe, size, draw);
+            const Target target(TargetKind::probe, size);
+            draw(target);
+            subject.error = pixels_off(ground->off(target.read()));
+            return subject;
+        }});
+    return scene;
+}
+
+/// A tenth of the patches is in the picture.
+void add_culling(std::vector<BenchScene>& scenes, const BenchSettings& settings) {
+    const Orbit camera{.yaw = 45, .pitch = 8, .distance = 3, .target = {-2, 0, -2}, .field_of_view = 27};
+    const BenchKnobs set = {{"view", "eye"}, {"surface", "ground"}, {"corners", "4"}, {"patches", "128"},
+                            {"map", "fbm"},  {"size", "1024"},      {"depth", "0.1"}, {"fade", "off"}};
+    for (const BenchKnobs& levels :
+         {BenchKnobs{{"method", "uniform"}, {"level", "1"}}, BenchKnobs{{"method", "uniform"}, {"level", "8"}},
+          BenchKnobs{{"method", "uniform"}, {"level", "16"}}, BenchKnobs{{"method", "error"}, {"budget", "1"}}}) {
+        BenchScene& scene = scenes.emplace_back();
+        scene.knobs = {{"levels", levels[0].second}, levels[1]}, scene.item = "frame";
+        for (const char* cull : {"none", "outside", "all"})
+            scene.methods.push_back(
+                of_lab("14", "cull", {{"cull", cull}}, together(set, levels), camera, {}, {}, settings));
     }
 }
 
-void add_culling(Scenes& scenes) {
-    // A tenth of the patches is in the picture.
-    const Orbit camera{.yaw = 45, .pitch = 8, .distance = 3, .target = {-2, 0, -2}, .field_of_view = 27};
-    for (const Set& levels : {Set{{"method", "uniform"}, {"level", "1"}}, Set{{"method", "uniform"}, {"level", "8"}},
-                              Set{{"method", "uniform"}, {"level", "16"}}, Set{{"method", "error"}, {"budget", "1"}}})
-        for (const char* cull : {"none", "outside", "all"})
-            scenes.add_lab("14", "cull",
-                           {{"view", "eye"},
-                            {"surface", "ground"},
-                            {"corners", "4"},
-                            {"patches", "128"},
-                            {"map", "fbm"},
-                            {"size", "1024"},
-                            {"depth", "0.1"},
-                            {"fade", "off"}},
-                           {levels[0], levels[1], {"cull", cull}}, camera);
-}
-
-void add_spacings(Scenes& scenes) {
-    const Orbit camera{.yaw = 35, .pitch = 25, .distance = 3.4};
+/// What lab 13's torus of stones truly looks like.
+struct Torus {
     DisplacedSurface surface;
-    surface.shape = DisplacedSurface::torus, surface.density = 4, surface.depth = 0.1f;
-    surface.material.map = int(HeightMap::stones), surface.material.size = 1;
-    const TessellatedMesh micro(
-        micro_polygons(surface.patches(), HeightField(surface.heights(), true), double(surface.scale()), 192), 192);
-    micro.draw(scenes.target(), Camera(camera, 1));
-    const Image exact = scenes.target().read();
-    const HeightField heights(surface.heights(), true);
-    const Camera seen(camera, 1);
-    const auto pixels = [&](const Image& place, const Image&) {
-        BenchError error = pixels_off(
-            screen_errors(place, surface.patches(), heights, double(surface.scale()), seen.clip_from_world()));
-        error.wrong = share_apart(place, exact);
-        return error;
-    };
-    const auto metres = [&](const Image& place, const Image& depth) {
+    Orbit camera{.yaw = 35, .pitch = 25, .distance = 3.4};
+    std::optional<HeightField> heights;
+    Image exact;  // the places of micro-polygons
+
+    Torus() {
+        surface.shape = DisplacedSurface::torus, surface.density = 4, surface.depth = 0.1f;
+        surface.material.map = int(HeightMap::stones), surface.material.size = 1;
+    }
+    void look() {
+        if (heights) return;
+        heights.emplace(surface.heights(), true);
+        const TessellatedMesh micro(micro_polygons(surface.patches(), *heights, double(surface.scale()), 192), 192);
+        const Target target(TargetKind::probe, size);
+        micro.draw(target, Camera(camera, 1));
+        exact = target.read();
+    }
+    std::vector<double> pixels(const Image& place) {
+        look();
+        return screen_errors(place, surface.patches(), *heights, double(surface.scale()),
+                             Camera(camera, 1).clip_from_world());
+    }
+    std::vector<double> metres(const Image& place, const Image& depth) {
+        look();
         std::vector<double> errors;
-        const Frame frame{0, Scenes::size, 0, seen, {}};
-        for (const auto& [pixel, truth] : shown_places(place, surface.patches(), heights, double(surface.scale()))) {
+        const Frame frame{0, size, 0, Camera(camera, 1), {}};
+        for (const auto& [pixel, truth] : shown_places(place, surface.patches(), *heights, double(surface.scale()))) {
             const Ray ray = frame.ray(pixel.x, pixel.y);
             errors.push_back(glm::distance(truth, ray.origin + double(*depth.pixel(pixel.x, pixel.y)) * ray.direction));
         }
+        return errors;
+    }
+};
+
+void add_spacings(std::vector<BenchScene>& scenes, const BenchSettings& settings) {
+    const auto torus = std::make_shared<Torus>();
+    const BenchKnobs set = {{"view", "one"},  {"surface", "torus"}, {"mip", "base"}, {"corners", "4"},
+                            {"patches", "4"}, {"map", "stones"},    {"size", "256"}, {"depth", "0.1"}};
+    const ErrorsOf pixels = [torus](const Image& place, const auto&) { return torus->pixels(place); };
+    const ErrorsOf metres = [torus](const Image& place, const auto& depth) { return torus->metres(place, depth()); };
+    const FiguresOf of_pixels = [torus](const Image& place, std::vector<double> errors) {
+        BenchError error = pixels_off(std::move(errors));
+        error.wrong = share_apart(place, torus->exact);
+        return error;
+    };
+    const FiguresOf of_metres = [](const Image&, std::vector<double> errors) {
         return error_figures(std::move(errors), "metre");
     };
-    const auto add = [&](const char* name, const auto& error_of) {
+    for (const auto& [unit, errors_of, figures_of] :
+         {std::tuple{"pixels", pixels, of_pixels}, {"metres", metres, of_metres}}) {
+        BenchScene& scene = scenes.emplace_back();
+        scene.knobs = {{"surface", "torus"}, {"error_in", unit}}, scene.item = "frame";
         for (const char* spacing : DisplacedSurface::spacings)
             for (const char* level : {"2", "4", "8", "16", "32", "64"})
-                scenes.add_lab("13", name,
-                               {{"view", "one"},
-                                {"surface", "torus"},
-                                {"mip", "base"},
-                                {"corners", "4"},
-                                {"patches", "4"},
-                                {"map", "stones"},
-                                {"size", "256"},
-                                {"depth", "0.1"}},
-                               {{"spacing", spacing}, {"level", level}}, camera, error_of);
-    };
-    add("torus", pixels);
-    add("torus-metres", metres);
+                scene.methods.push_back(of_lab("13", spacing, {{"level", level}}, together(set, {{"spacing", spacing}}),
+                                               torus->camera, errors_of, figures_of, settings));
+    }
 }
 
-std::vector<BenchMethod> methods(const BenchSettings& settings) {
-    std::vector<BenchMethod> result;
-    Scenes scenes(result);
-    add_levels(scenes, settings.quick);
-    add_culling(scenes);
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    std::vector<BenchScene> result = {levels(settings)};
+    add_culling(result, settings);
     if (settings.quick) return result;
-    add_spacings(scenes);
-    scenes.add_lab("13", "most",
-                   {{"view", "one"},
-                    {"surface", "wall"},
-                    {"mip", "base"},
-                    {"corners", "4"},
-                    {"patches", "16"},
-                    {"map", "fbm"},
-                    {"size", "512"}},
-                   {{"level", "64"}}, {.yaw = 20, .pitch = 10, .distance = 3});
+    add_spacings(result, settings);
+    result.push_back({{{"surface", "wall"}}, "frame",
+                      {of_lab("13", "most", {{"level", "64"}},
+                              {{"view", "one"}, {"surface", "wall"}, {"mip", "base"}, {"corners", "4"},
+                               {"patches", "16"}, {"map", "fbm"}, {"size", "512"}},
+                              {.yaw = 20, .pitch = 10, .distance = 3}, {}, {}, settings)}});
     return result;
 }
 
@@ -254,8 +274,8 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
 
 BenchTopic displacement_topic() {
     return {"displacement",
-            "levels of tessellation, 512 x 512 pixels: work is triangles, a tenth of a ground culled, outlines",
-            methods, true};
+            "levels of tessellation, 512 x 512 pixels; a tenth of a ground culled; spacings, wrong: apart from the true outline",
+            scenes, true};
 }
 
 }  // namespace relief

@@ -1,13 +1,11 @@
 // Frames of each lab, as its manifest shows it and as its reference screenshots do, at 512 x 512, to their end on the
 // renderer.
-#include "framework/image/compare.h"
 #include "framework/lab/manifest.h"
+#include "framework/measure/drawing.h"
 #include "framework/measure/topics.h"
 
 namespace relief {
 namespace {
-
-constexpr glm::ivec2 size{512, 512};
 
 /// Of the first probe that has a truth, as the tests hold it to.
 BenchError error_of(const LabEntry& entry, const Manifest& manifest) {
@@ -22,35 +20,35 @@ BenchError error_of(const LabEntry& entry, const Manifest& manifest) {
     return {};
 }
 
-std::vector<BenchMethod> methods(const BenchSettings&) {
-    std::vector<BenchMethod> result;
-    const auto target = std::make_shared<Target>(TargetKind::picture, size);
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    BenchScene scene{{}, "frame"};
     for (const LabEntry& entry : registry()) {
         const Manifest manifest = load_manifest(entry);
-        const auto add = [&](const std::string& name, Shot shot, const BenchError& error) {
-            shot.size = size;
-            const std::shared_ptr<Lab> lab = make_lab(entry, shot);
-            BenchMethod& method = result.emplace_back();
-            method.name = entry.folder, method.item = "frame", method.knobs = {{"picture", name}}, method.error = error;
-            method.run = [lab, target, shot] {
-                draw_lab(*lab, frame_of(shot, *target));
-                target->resolve();
-                glFinish();
-            };
+        const auto add = [&](const std::string& name, Shot shot, const std::function<BenchError()>& error) {
+            shot.size = glm::ivec2(settings.quick ? 256 : 512);
+            scene.methods.push_back({entry.folder, {{"picture", name}}, [&entry, shot, error, settings] {
+                const std::shared_ptr<Lab> lab = make_lab(entry, shot);
+                BenchSubject subject = drawn(lab, shot);
+                if (error) subject.error = error();
+                Shot small = shot;
+                small.size = {128, 128};
+                if (settings.pictures) subject.picture = take(*lab, small);
+                return subject;
+            }});
         };
         Shot first;
         first.camera = manifest.camera;
-        add("manifest", first, error_of(entry, manifest));
+        add("manifest", first, [&entry, manifest] { return error_of(entry, manifest); });
         for (const GoldenInfo& golden : manifest.goldens)
-            if (!golden.shot.probe) add(golden.name, golden.shot, {});
+            if (!settings.quick && !golden.shot.probe) add(golden.name, golden.shot, {});
     }
-    return result;
+    return {scene};
 }
 
 }  // namespace
 
 BenchTopic frames_topic() {
-    return {"frames", "frames of each lab at 512 x 512, and the error of its probe", methods, true};
+    return {"frames", "frames of each lab at 512 x 512, and the error of its probe", scenes, true};
 }
 
 }  // namespace relief

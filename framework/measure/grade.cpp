@@ -134,8 +134,8 @@ struct Graded {
     }
 };
 
-std::vector<BenchMethod> methods(const BenchSettings& settings) {
-    std::vector<BenchMethod> result;
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    std::vector<BenchScene> result;
     const int count = int(hardware_threads()) * (settings.quick ? 1 : 2);
     const Isolation isolation = isolation_for(true).level;
     const bool has_idiff = fs::exists("/usr/bin/idiff");
@@ -143,22 +143,26 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
     for (const auto& [number, kind] : {std::pair{"02", "shaders"}, {"05", "C++"}}) {
         if (settings.quick && kind == std::string("C++")) continue;  // a compiler takes its time
         const LabEntry& lab = find_lab(number);
-        const auto add = [&](const std::string& name, const std::string& seed, std::function<void(size_t)> grade) {
-            BenchMethod& method = result.emplace_back();
-            method.name = name, method.items = size_t(count), method.item = "submission";
-            method.knobs = {{"lab", lab.folder}, {"tasks", kind}, {"hidden views", seed.empty() ? "no" : "yes"}};
-            method.run = [count, grade = std::move(grade)] { parallel_each(size_t(count), 0, grade); };
+        BenchScene& scene = result.emplace_back();
+        scene.knobs = {{"lab", lab.folder}, {"tasks", kind}}, scene.item = "submission";
+        const auto subject = [count](const std::function<void(size_t)>& grade) {
+            return BenchSubject{.items = size_t(count),
+                                .run = [count, grade] { parallel_each(size_t(count), 0, grade); }};
         };
-        for (const std::string seed : {"", "bench"}) {
-            const auto graded = std::make_shared<Graded>(lab, GradeSetup{.isolation = isolation, .seed = seed}, count);
-            add("relief", seed, [graded](size_t i) {
-                const LabMark mark = graded->grader->mark(graded->submissions[i]);
-                if (mark.points() != mark.of()) throw Error("right work does not get all points");
-            });
-        }
+        for (const std::string seed : {"", "bench"})
+            scene.methods.push_back({"relief", {{"hidden_views", seed.empty() ? "no" : "yes"}}, [=, &lab] {
+                const auto graded = std::make_shared<Graded>(lab, GradeSetup{.isolation = isolation, .seed = seed}, count);
+                return subject([graded](size_t i) {
+                    const LabMark mark = graded->grader->mark(graded->submissions[i]);
+                    if (mark.points() != mark.of()) throw Error("right work does not get all points");
+                });
+            }});
         if (!has_idiff) continue;
-        const auto plain = std::make_shared<PlainLoop>(lab, count);
-        add("plain loop", "", [plain](size_t i) { plain->grade(i); });
+        const auto plain = [=, &lab] {
+            const auto loop = std::make_shared<PlainLoop>(lab, count);
+            return subject([loop](size_t i) { loop->grade(i); });
+        };
+        scene.methods.push_back({"plain-loop", {{"hidden_views", "no"}}, plain, true});
     }
     return result;
 }
@@ -166,7 +170,7 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic grade_topic() {
-    return {"grade", "submissions marked, against a plain loop of build, draw, idiff", methods};
+    return {"grade", "submissions marked, against a plain loop of build, draw, idiff", scenes, false, true};
 }
 
 }  // namespace relief

@@ -5,6 +5,7 @@
 
 #include "framework/base/parallel.h"
 #include "framework/image/normals.h"
+#include "framework/measure/peers.h"
 #include "framework/measure/topics.h"
 
 #include <glm/glm.hpp>
@@ -32,9 +33,8 @@ Image wave_map(int bits) {
     return map;
 }
 
-BenchError error_of(SlopeFilter filter, int bits) {
-    const Image normals =
-        normals_from_heights(wave_map(bits), {.texels_u = amplitude, .texels_v = amplitude, .filter = filter});
+/// Of stored normals of wave_map().
+BenchError error_of(const Image& normals) {
     const double w = 2 * pi / wavelength;
     std::vector<double> errors;
     for (int y = 0; y < error_side; ++y)
@@ -50,34 +50,68 @@ BenchError error_of(SlopeFilter filter, int bits) {
     return error_figures(std::move(errors), "degree");
 }
 
+/// As it is copied: Sobel's weights in a loop over the texels, each neighbour asked for by a function that wraps it.
+void usual_normals(const Image& heights, double texels, Image& normals) {
+    const auto height = [&](int x, int y) {
+        return *heights.pixel((x + heights.width) % heights.width, (y + heights.height) % heights.height);
+    };
+    for (int y = 0; y < heights.height; ++y)
+        for (int x = 0; x < heights.width; ++x) {
+            const float left = height(x - 1, y - 1) + 2 * height(x - 1, y) + height(x - 1, y + 1);
+            const float right = height(x + 1, y - 1) + 2 * height(x + 1, y) + height(x + 1, y + 1);
+            const float above = height(x - 1, y - 1) + 2 * height(x, y - 1) + height(x + 1, y - 1);
+            const float below = height(x - 1, y + 1) + 2 * height(x, y + 1) + height(x + 1, y + 1);
+            const glm::vec3 normal =
+                glm::normalize(glm::vec3((left - right) * float(texels) / 8, (below - above) * float(texels) / 8, 1));
+            for (int i = 0; i < 3; ++i) normals.pixel(x, y)[i] = 0.5f * normal[i] + 0.5f;
+        }
+}
+
+/// Normals of slopes, as OpenImageIO gives them: dh/du and dh/dv a texel, v downwards.
+Image normals_of_slopes(const Image& slopes, double texels) {
+    Image normals(slopes.width, slopes.height, 3);
+    for (int y = 0; y < slopes.height; ++y)
+        for (int x = 0; x < slopes.width; ++x) {
+            const float* const slope = slopes.pixel(x, y);
+            const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope[0] * texels, slope[1] * texels, 1));
+            for (int i = 0; i < 3; ++i) normals.pixel(x, y)[i] = float(0.5 * normal[i] + 0.5);
+        }
+    return normals;
+}
+
 struct Maps {
+    int side;
     Image heights, normals;
     std::vector<char> from, to;
+
+    void make() {
+        if (heights.width > 0) return;
+        heights = Image(side, side, 1), normals = Image(side, side, 3);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) *heights.pixel(x, y) = float(wave(x, y));
+    }
 };
 
-std::vector<BenchMethod> methods(const BenchSettings& settings) {
-    const int side = settings.quick ? 512 : 4096;
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
     const auto maps = std::make_shared<Maps>();
-    maps->heights = Image(side, side, 1);
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) *maps->heights.pixel(x, y) = float(wave(x, y));
-    const size_t texels = maps->heights.pixel_count();
+    maps->side = settings.quick ? 512 : 4096;
+    const size_t texels = size_t(maps->side) * size_t(maps->side);
     constexpr double bytes = 16;  // 4 read, 12 written
-    maps->from.assign(texels * size_t(bytes) / 2, 1), maps->to.assign(texels * size_t(bytes) / 2, 2);
 
     std::vector<unsigned> thread_counts = {1};
     if (hardware_threads() > 1) thread_counts.push_back(2);
-    std::vector<BenchMethod> result;
-    const auto add = [&](const char* name, int bits, unsigned threads, auto run, BenchError error) {
-        std::vector<std::pair<std::string, std::string>> knobs = {{"threads", std::to_string(threads)}};
+    BenchScene scene{{}, "texel"};
+    const auto add = [&](const char* name, int bits, unsigned threads, auto run, std::function<BenchError()> error,
+                         bool peer = false) {
+        BenchKnobs knobs = {{"threads", std::to_string(threads)}};
         if (bits > 0) knobs.emplace_back("bits", std::to_string(bits));
-        result.push_back({.name = name,
-                          .knobs = knobs,
-                          .items = texels,
-                          .item = "texel",
-                          .bytes_per_item = bytes,
-                          .run = run,
-                          .error = std::move(error)});
+        scene.methods.push_back({name, knobs, [=] {
+                                     maps->make();
+                                     return BenchSubject{.items = texels,
+                                                         .bytes_per_item = bytes,
+                                                         .error = error ? error() : BenchError{},
+                                                         .run = run};
+                                 }, peer});
     };
     const std::pair<const char*, SlopeFilter> filters[] = {{"forward", SlopeFilter::forward},
                                                            {"central", SlopeFilter::central},
@@ -87,7 +121,8 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
                                                            {"spline", SlopeFilter::spline}};
     for (const unsigned threads : thread_counts) {
         add("memcpy", 0, threads,
-            [maps, threads] {
+            [maps, threads, size = texels * size_t(bytes) / 2] {
+                if (maps->from.empty()) maps->from.assign(size, 1), maps->to.assign(size, 2);
                 parallel_pieces(maps->from.size(), 1, threads, [&](size_t begin, size_t end) {
                     std::memcpy(maps->to.data() + begin, maps->from.data() + begin, end - begin);
                 });
@@ -102,15 +137,30 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
                         normals_from_heights(maps->heights, {.texels_u = 4, .texels_v = 4, .filter = kind},
                                              maps->normals, threads);
                     },
-                    error_of(filter, bits));
+                    [kind = filter, bits = bits] {
+                        return error_of(normals_from_heights(
+                            wave_map(bits), {.texels_u = amplitude, .texels_v = amplitude, .filter = kind}));
+                    });
     }
-    return result;
+    add(
+        "usual", 32, 1, [maps] { usual_normals(maps->heights, 4, maps->normals); },
+        [] {
+            Image normals(error_side, error_side, 3);
+            usual_normals(wave_map(32), amplitude, normals);
+            return error_of(normals);
+        },
+        true);
+    if (has_peers())
+        add(
+            "OpenImageIO", 32, hardware_threads(), [maps] { openimageio_slopes(maps->heights); },
+            [] { return error_of(normals_of_slopes(openimageio_slopes(wave_map(32)), amplitude)); }, true);
+    return {scene};
 }
 
 }  // namespace
 
 BenchTopic normals_topic() {
-    return {"normals", "height map to normal map; errors on waves of 16 texels with slopes up to 1", methods};
+    return {"normals", "height map to normal map; errors on waves of 16 texels with slopes up to 1", scenes};
 }
 
 }  // namespace relief

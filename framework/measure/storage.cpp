@@ -29,42 +29,79 @@ std::vector<glm::dvec3> hemisphere(size_t count) {
     return normals;
 }
 
-std::vector<BenchMethod> methods(const BenchSettings& settings) {
+/// A format's vectors, encoded and decoded once; its scenes share them.
+std::shared_ptr<Vectors> vectors_of(NormalFormat format, size_t count) {
+    const auto data = std::make_shared<Vectors>();
+    data->normals = hemisphere(count);
+    for (const glm::dvec3& normal : data->normals) {
+        data->codes.push_back(encode_normal(format, normal));
+        data->decoded.push_back(decode_normal(format, data->codes.back()));
+    }
+    return data;
+}
+
+BenchSubject subject_of(const std::shared_ptr<Vectors>& data, double bits, std::function<void()> run) {
+    std::vector<double> errors;
+    for (size_t i = 0; i < data->normals.size(); ++i)
+        errors.push_back(degrees_between(data->decoded[i], data->normals[i]));
+    return {.items = data->normals.size(),
+            .work = {{"bits", bits}},
+            .error = error_figures(std::move(errors), "degree"),
+            .run = std::move(run)};
+}
+
+/// The line that is copied: half of 255 times the number and one, cut off, and its inverse.
+NormalCode cut_off(const glm::dvec3& normal) {
+    NormalCode code{};
+    for (int i = 0; i < 3; ++i) code.channel[size_t(i)] = uint16_t((0.5 * normal[i] + 0.5) * 255);
+    return code;
+}
+glm::dvec3 put_back(const NormalCode& code) {
+    return glm::normalize(glm::dvec3(code.channel[0], code.channel[1], code.channel[2]) / 255.0 * 2.0 - 1.0);
+}
+
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
     const size_t count = settings.quick ? 20'000 : 200'000;
-    std::vector<BenchMethod> result;
+    BenchScene encoding{{{"do", "encode"}}, "vector"}, decoding{{{"do", "decode"}}, "vector"};
     for (const NormalFormatInfo& info : normal_formats()) {
-        const auto data = std::make_shared<Vectors>();
-        data->normals = hemisphere(count);
-        data->decoded.resize(count), data->codes.resize(count);
-        std::vector<double> errors;
-        for (size_t i = 0; i < count; ++i) {
-            data->codes[i] = encode_normal(info.format, data->normals[i]);
-            errors.push_back(degrees_between(decode_normal(info.format, data->codes[i]), data->normals[i]));
-        }
-        const BenchError error = error_figures(std::move(errors), "degree");
-        const auto add = [&](const char* work, auto run) {
-            result.push_back({.name = std::string(info.name),
-                              .knobs = {{"do", work}, {"bits", std::to_string(info.channels * info.bits)}},
-                              .items = count,
-                              .item = "vector",
-                              .run = run,
-                              .error = error});
-        };
         const NormalFormat format = info.format;
-        add("encode", [data, format] {
-            for (size_t i = 0; i < data->normals.size(); ++i) data->codes[i] = encode_normal(format, data->normals[i]);
+        const int bits = info.channels * info.bits;
+        const auto add = [&](BenchScene& scene, auto run) {
+            scene.methods.push_back({std::string(info.name), {{"bits", std::to_string(bits)}}, [=] {
+                                         const auto data = vectors_of(format, count);
+                                         return subject_of(data, bits, [=] { run(*data); });
+                                     }});
+        };
+        add(encoding, [format](Vectors& data) {
+            for (size_t i = 0; i < data.normals.size(); ++i) data.codes[i] = encode_normal(format, data.normals[i]);
         });
-        add("decode", [data, format] {
-            for (size_t i = 0; i < data->codes.size(); ++i) data->decoded[i] = decode_normal(format, data->codes[i]);
+        add(decoding, [format](Vectors& data) {
+            for (size_t i = 0; i < data.codes.size(); ++i) data.decoded[i] = decode_normal(format, data.codes[i]);
         });
     }
-    return result;
+    const auto add_usual = [&](BenchScene& scene, auto run) {
+        const auto prepare = [=] {
+            const auto data = std::make_shared<Vectors>();
+            data->normals = hemisphere(count);
+            for (const glm::dvec3& normal : data->normals)
+                data->codes.push_back(cut_off(normal)), data->decoded.push_back(put_back(data->codes.back()));
+            return subject_of(data, 24, [=] { run(*data); });
+        };
+        scene.methods.push_back({"usual", {{"bits", "24"}}, prepare, true});
+    };
+    add_usual(encoding, [](Vectors& data) {
+        for (size_t i = 0; i < data.normals.size(); ++i) data.codes[i] = cut_off(data.normals[i]);
+    });
+    add_usual(decoding, [](Vectors& data) {
+        for (size_t i = 0; i < data.codes.size(); ++i) data.decoded[i] = put_back(data.codes[i]);
+    });
+    return {encoding, decoding};
 }
 
 }  // namespace
 
 BenchTopic storage_topic() {
-    return {"storage", "normal-map formats on the CPU, in double precision, over the upper hemisphere", methods};
+    return {"storage", "normal-map formats on the CPU, in double precision, over the upper hemisphere", scenes};
 }
 
 }  // namespace relief
