@@ -116,8 +116,8 @@ void Browser::press(const std::string& key, int times) {
     const struct {
         int code;
         const char *name, *text;
-    } keys[] = {{9, "Tab", ""},   {13, "Enter", "\r"},   {32, "Space", " "},    {35, "End", ""},
-                {36, "Home", ""}, {37, "ArrowLeft", ""}, {39, "ArrowRight", ""}};
+    } keys[] = {{9, "Tab", ""},  {13, "Enter", "\r"}, {27, "Escape", ""},    {32, "Space", " "},
+                {35, "End", ""}, {36, "Home", ""},    {37, "ArrowLeft", ""}, {39, "ArrowRight", ""}};
     for (const auto& one : keys) {
         if (key != one.name) continue;
         json event = {{"key", key == "Space" ? " " : key}, {"code", key}, {"windowsVirtualKeyCode", one.code}};

@@ -22,7 +22,7 @@ public:
     void open(const std::filesystem::path& page);
     /// The value of a JavaScript expression. Throws what it throws.
     nlohmann::json eval(const std::string& expression);
-    /// A key on a keyboard, as often: Tab, Enter, Space, ArrowLeft, ArrowRight, Home, End.
+    /// A key on a keyboard, as often: Tab, Enter, Escape, Space, ArrowLeft, ArrowRight, Home, End.
     void press(const std::string& key, int times = 1);
     /// Tab until what has the focus matches a CSS selector. False when nothing does.
     bool tab_to(const std::string& selector);

@@ -50,8 +50,10 @@ td.looks img { display: inline-block; margin-left: 4px; }
 #look button { position: absolute; top: 8px; right: 10px; border: 0; background: none; color: var(--text); font-size: 20px;
   cursor: pointer; }
 #look[hidden] { display: none; }
-@media print { #look, nav { display: none; } section { break-before: page; } section:first-of-type { break-before: auto; }
-  figure { border: 0; padding: 0; } table { font-size: 8pt; } tr, figure { break-inside: avoid; } td img { width: 32px; height: 32px; } }
+@page { size: A4 landscape; margin: 12mm; }
+@media print { #look, nav { display: none; } .wide { overflow: visible; } th, td { padding: 2px 6px; }
+  header, main, footer { padding: 0; } section { break-before: page; } section:first-of-type { break-before: auto; }
+  figure { border: 0; padding: 0; } figure svg { max-height: 118mm; } table { font-size: 7.5pt; } tr, figure { break-inside: avoid; } td img { width: 26px; height: 26px; } }
 @media (max-width: 600px) { h1 { font-size: 32px; } #look { left: 10px; right: 10px; bottom: 10px; } }
 )";
 

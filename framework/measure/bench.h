@@ -38,7 +38,7 @@ struct BenchSubject {
 struct BenchMethod {
     std::string name;
     BenchKnobs knobs = {};  ///< how it is tuned: {"threads", "2"}
-    std::function<BenchSubject()> prepare;
+    std::function<BenchSubject()> prepare = {};
     bool peer = false;  ///< not of this course: another library, or what is commonly done
 };
 

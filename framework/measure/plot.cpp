@@ -17,7 +17,7 @@ namespace {
 
 // Colours of the course's pages.
 constexpr const char *front_color = "#a34a16", *pale_color = "#c2bbae", *peer_color = "#23629b", *text_color = "#23211d";
-constexpr int panel_width = 440, panel_height = 340, title_height = 44, most_columns = 2;
+constexpr int panel_width = 440, panel_height = 340, title_height = 44;
 
 bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
 
@@ -195,8 +195,9 @@ std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, c
         if (std::string panel = Panel(rows, scene, panels.size()).script(); !panel.empty())
             panels.push_back(std::move(panel));
     if (panels.empty()) return {};
-    const int columns = std::min(most_columns, int(panels.size()));
-    const int lines = (int(panels.size()) + columns - 1) / columns;
+    const int count = int(panels.size());
+    const int columns = std::min(count, count <= 4 ? 2 : count <= 9 ? 3 : 4);
+    const int lines = (count + columns - 1) / columns;
     const int width = std::max(columns, 2) * panel_width, height = lines * panel_height + title_height;
     const std::string by = machine.renderer == "none" ? machine.cpu : machine.renderer + ", " + machine.cpu;
     std::string script = fmt::format(

@@ -34,7 +34,7 @@ std::vector<BenchRow> open_rows(const BenchTopic& topic, const BenchScene& scene
 
 /// What is known of the machine and the build, for each line of the CSV.
 struct BenchMachine {
-    std::string cpu, compiler, commit;
+    std::string cpu = {}, compiler = {}, commit = {};
     std::string renderer = "none";  ///< what drew; "none" when only the CPU worked
     std::string clock = "wall";     ///< "wall", around glFinish where something draws; "gpu" by timer queries
 };

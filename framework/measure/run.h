@@ -12,8 +12,8 @@ namespace relief {
 
 struct BenchRun {
     BenchSettings settings;
-    std::optional<ContextKind> context;  ///< for topics that draw; nothing: whichever opens
-    bool pinned = false;                 ///< the same bits on every machine, at the cost of time
+    std::optional<ContextKind> context = {};  ///< for topics that draw; nothing: whichever opens
+    bool pinned = false;                      ///< the same bits on every machine, at the cost of time
     /// Told of every step: what is known by then, and what is done next ("linear-32, error", "round 3").
     std::function<void(const std::vector<BenchRow>& rows, const std::string& next)> report = {};
 };

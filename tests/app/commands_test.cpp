@@ -434,23 +434,5 @@ TEST_F(CourseTest, CheckSuggestsTheLabThatWasMeant) {
     EXPECT_TRUE(contains(result.err, "did you mean")) << result.err;
 }
 
-TEST_F(CourseTest, BenchPrintsATableAndWritesACsvForEachTopic) {
-    const Result result = course().relief({"bench", "storage", "--quick", "--repeats", "1", "-o", "measured"});
-    EXPECT_EQ(result.code, 0) << result.err;
-    EXPECT_TRUE(contains(result.out, "oct8-precise")) << result.out;
-    const std::string csv = read_all(course().path() / "measured" / "storage.csv");
-    EXPECT_TRUE(csv.starts_with("topic,method,")) << csv;
-    EXPECT_EQ(lines(csv), 1 + 26) << "a header, then encoding and decoding of 13 formats";
-}
-
-TEST_F(CourseTest, BenchSuggestsTheTopicThatWasMeant) {
-    const Result topic = course().relief({"bench", "tangent"});
-    EXPECT_EQ(topic.code, 2);
-    EXPECT_TRUE(contains(topic.err, "did you mean 'tangents'")) << topic.err;
-    const Result repeats = course().relief({"bench", "--repeats", "0"});
-    EXPECT_EQ(repeats.code, 2);
-    EXPECT_TRUE(contains(repeats.err, "from 1 to 1000")) << repeats.err;
-}
-
 }  // namespace
 }  // namespace relief

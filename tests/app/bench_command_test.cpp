@@ -1,0 +1,188 @@
+// relief bench as its users run it, and its page in a browser.
+#include <algorithm>
+#include <csignal>
+#include <thread>
+
+#include "framework/app/bench_page.h"
+#include "framework/base/file.h"
+#include "framework/measure/plot.h"
+#include "tests/app/course_copy.h"
+#include "tests/browser.h"
+
+namespace relief {
+namespace {
+
+int lines(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
+
+class BenchCommand : public testing::Test {
+protected:
+    static void SetUpTestSuite() { course_ = std::make_unique<CourseCopy>(); }
+    static void TearDownTestSuite() { course_.reset(); }
+    static const CourseCopy& course() { return *course_; }
+
+private:
+    static inline std::unique_ptr<CourseCopy> course_;
+};
+
+TEST_F(BenchCommand, BenchWritesATableACsvAPlotAndAPage) {
+    const Result result = course().relief({"bench", "storage", "--quick", "--repeats", "1", "-o", "measured"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(contains(result.out, "oct8-precise")) << result.out;
+    const auto folder = course().path() / "measured";
+    const std::string csv = read_all(folder / "storage.csv");
+    EXPECT_TRUE(csv.starts_with("topic,scene,method,")) << csv;
+    EXPECT_EQ(lines(csv), 1 + 28) << "a header, then encoding and decoding of 13 formats and of what is usual";
+    EXPECT_TRUE(contains(read_all(folder / "storage.svg"), "</svg>"));
+    EXPECT_TRUE(contains(read_all(folder / "index.html"), "</html>"));
+}
+
+TEST_F(BenchCommand, BenchMeasuresOnlyWhatIsAskedFor) {
+    const Result result = course().relief(
+        {"bench", "storage", "--quick", "--repeats", "1", "-o", "part", "--set", "do=decode", "--set", "bits=16,48"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(lines(read_all(course().path() / "part" / "storage.csv")), 1 + 4);
+}
+
+TEST_F(BenchCommand, BenchSuggestsWhatWasMeant) {
+    const auto said = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "bench");
+        const Result result = course().relief(arguments);
+        EXPECT_EQ(result.code, 2) << result.err;
+        EXPECT_EQ(lines(result.err), 1) << result.err;
+        return result.err;
+    };
+    EXPECT_TRUE(contains(said({"tangent"}), "did you mean 'tangents'"));
+    EXPECT_TRUE(contains(said({"--repeats", "9"}), "from 10 to 1000"));
+    EXPECT_TRUE(contains(said({"--quick", "--repeats", "0"}), "from 1 to 1000"));
+    EXPECT_TRUE(contains(said({"parallax", "--set", "map=brick"}), "there is bricks, stones, posts"));
+    EXPECT_TRUE(contains(said({"parallax", "--set", "maps=bricks"}), "did you mean 'map'"));
+    EXPECT_TRUE(contains(said({"parallax", "--set", "bricks"}), "knob=value"));
+    EXPECT_TRUE(contains(said({"--update"}), "--work"));
+    EXPECT_TRUE(contains(said({"storage", "--work", "--update"}), "all of the baseline"));
+}
+
+TEST_F(BenchCommand, ASweepKilledHalfWayLeavesATableThatCanBeRead) {
+    const auto csv = course().path() / "killed" / "parallax.csv";
+    {
+        Process sweep({(course().path() / "bin/relief").string(), "bench", "parallax", "--quick", "--repeats", "1000",
+                       "-o", csv.parent_path().string()});
+        for (int i = 0; i < 600 && sweep.running(); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            if (std::filesystem::exists(csv) && contains(read_all(csv), "measured")) break;
+        }
+        ASSERT_TRUE(sweep.running()) << sweep.wait().err;
+        sweep.signal(SIGKILL);
+        sweep.wait();
+    }
+    const std::vector<BenchRow> rows = read_bench_csv(read_all(csv));
+    ASSERT_EQ(rows.size(), 2u * 19u) << "those that are still open have their lines, too";
+    size_t measured = 0;
+    for (const BenchRow& row : rows) measured += row.is_measured();
+    EXPECT_GT(measured, 0u);
+    EXPECT_LT(measured, rows.size());
+}
+
+TEST_F(BenchCommand, BenchHoldsWorkToTheBaseline) {
+    // Storage knows of errors alone: with one that is smaller in the file than it is, the run fails and says so.
+    const auto file = course().path() / "tests/measure/baseline.csv";
+    make_folder(file.parent_path());
+    const std::string baseline = read_all(std::filesystem::path(RELIEF_SOURCE_FOLDER) / "tests/measure/baseline.csv");
+    write_file(file, baseline);
+    const Result same = course().relief({"bench", "storage", "--work"});
+    EXPECT_EQ(same.code, 0) << same.err;
+    std::vector<BenchRow> rows = read_bench_csv(baseline);
+    for (BenchRow& row : rows)
+        if (row.topic == "storage" && row.method == "oct8") row.error.mean *= 0.9;
+    write_file(file, bench_csv(rows, {}));
+    const Result grown = course().relief({"bench", "storage", "--work"});
+    EXPECT_EQ(grown.code, 1);
+    EXPECT_TRUE(contains(grown.err, "storage, do=encode, oct8, bits=16: mean error")) << grown.err;
+    write_file(file, "nonsense\n");
+    const Result broken = course().relief({"bench", "storage", "--work"});
+    EXPECT_EQ(broken.code, 1);
+    EXPECT_TRUE(contains(broken.err, "baseline.csv:1: ")) << broken.err;
+}
+
+// ---- the page ----
+
+/// A topic of two scenes: one of four methods, with a picture and an error map each, and one of times alone with a method
+/// that has crashed.
+struct Page {
+    TemporaryFolder folder;
+    std::filesystem::path file = folder.path() / "index.html";
+    const BenchTopic topic{"parallax", "searches & more", {}};
+
+    Page() {
+        TopicResult result;
+        result.topic = &topic, result.machine = {.cpu = "<b>CPU</b>", .renderer = "llvmpipe"};
+        for (const auto& [method, time, error] :
+             {std::tuple{"quick", 1e6, 1.}, {"good", 4e6, 0.01}, {"dominated", 5e6, 0.5}, {"<exact>", 9e6, 0.}}) {
+            BenchRow& row = result.rows.emplace_back();
+            row.topic = "parallax", row.scene = {{"map", "bricks"}}, row.method = method, row.item = "frame";
+            row.state = "measured", row.times = {time, time * 0.9, time * 1.2}, row.repeats = 10;
+            row.error = {error, error, error, "texel", 0.25}, row.work = {{"taps", time / 1e6}, {"draws", 1}};
+            row.picture = Image(8, 8, 3, 8), row.error_map = Image(8, 8, 3, 8), row.error_map_most = 4;
+        }
+        for (const char* state : {"measured", "crashed: Segmentation fault"}) {
+            BenchRow row = result.rows.back();
+            row.scene = {{"map", "posts"}}, row.method = "cells", row.state = state, row.error = {};
+            row.picture = row.error_map = {}, row.repeats = row.is_measured() ? 10 : 0;
+            result.rows.push_back(row);
+        }
+        result.plot = bench_plot(topic, result.rows, result.machine).value();
+        write_file(file, bench_page(std::vector{std::move(result)}));
+    }
+};
+
+Browser& browser() {
+    static Browser one;
+    return one;
+}
+std::string words() { return browser().eval("document.querySelector('#look p').textContent"); }
+const char* const is_shown = "!document.getElementById('look').hidden";
+
+TEST(BenchPage, ShowsThePicturesBehindAPointAndBehindItsLine) {
+    const Page page;
+    browser().open(page.file);
+    EXPECT_EQ(browser().eval("document.querySelectorAll('figure .point').length"), 5) << "what has crashed has none";
+    EXPECT_EQ(browser().eval(is_shown), false);
+    browser().eval("document.querySelector('.point[data-row=\"1\"]').dispatchEvent(new MouseEvent('mouseenter')), 0");
+    EXPECT_EQ(browser().eval(is_shown), true);
+    EXPECT_EQ(browser().eval("document.querySelectorAll('#look img').length"), 2);
+    EXPECT_TRUE(contains(words(), "good"));
+    EXPECT_EQ(browser().eval("document.querySelectorAll('tr.chosen').length"), 1);
+    // By keyboard, from the table.
+    ASSERT_TRUE(browser().tab_to("tr[data-row=\"3\"]"));
+    browser().press("Enter");
+    EXPECT_TRUE(contains(words(), "<exact>"));
+    browser().press("Escape");
+    EXPECT_EQ(browser().eval(is_shown), false);
+    EXPECT_TRUE(browser().complaints().empty());
+}
+
+TEST(BenchPage, SaysWhatIsOnTheFrontWhatIsTheSameForAllAndWhatHasNoResult) {
+    const Page page;
+    browser().open(page.file);
+    EXPECT_EQ(browser().eval("[...document.querySelectorAll('tr.front td:first-child')].map(e => e.textContent)"),
+              (nlohmann::json{"quick", "good", "<exact>"}));
+    const std::string text = browser().eval("document.body.textContent");
+    EXPECT_TRUE(contains(text, "All: 1 draws"));
+    EXPECT_TRUE(contains(text, "crashed: Segmentation fault"));
+    EXPECT_TRUE(contains(text, "<b>CPU</b>"));
+    EXPECT_EQ(browser().eval("[...document.querySelectorAll('[id]')].map(e => e.id).filter((id, i, all) => "
+                             "all.indexOf(id) !== i).length"),
+              0)
+        << "names are there once";
+}
+
+TEST(BenchPage, LeavesNothingOutOfAPhone) {
+    const Page page;
+    browser().open(page.file);
+    browser().call("Emulation.setDeviceMetricsOverride",
+                   {{"width", 380}, {"height", 800}, {"deviceScaleFactor", 1}, {"mobile", true}});
+    EXPECT_LE(browser().eval("document.documentElement.scrollWidth").get<int>(), 380) << "tables scroll by themselves";
+    browser().call("Emulation.clearDeviceMetricsOverride");
+}
+
+}  // namespace
+}  // namespace relief
