@@ -53,9 +53,9 @@ BenchSettings settings_of(const BenchArguments& arguments) {
     const int fewest = arguments.quick ? 1 : 10;
     const std::optional<int> repeats = parse_int(arguments.repeats);
     if (!repeats || *repeats < fewest || *repeats > 1000)
-        throw UsageError(fmt::format("--repeats takes a whole number from {} to 1000, not '{}'{}", fewest,
-                                     arguments.repeats,
-                                     arguments.quick ? "" : ": a median of fewer than 10 says little (--quick takes 1)"));
+        throw UsageError(
+            fmt::format("--repeats takes a whole number from {} to 1000, not '{}'{}", fewest, arguments.repeats,
+                        arguments.quick ? "" : ": a median of fewer than 10 says little (--quick takes 1)"));
     settings.repeats = *repeats;
     return settings;
 }

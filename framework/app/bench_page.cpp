@@ -122,7 +122,8 @@ public:
         const BenchTopic& topic = *result_.topic;
         const BenchMachine& machine = result_.machine;
         std::string text = fmt::format(
-            "<section id=\"{0}\" aria-labelledby=\"{0}-title\"><h2 id=\"{0}-title\">{0}</h2>\n<p class=\"quiet\">{1}</p>\n"
+            "<section id=\"{0}\" aria-labelledby=\"{0}-title\"><h2 id=\"{0}-title\">{0}</h2>\n<p "
+            "class=\"quiet\">{1}</p>\n"
             "<p class=\"quiet\">Drawn by {2} on {3}; time by the {4} clock; {5}, {6}. "
             "<a href=\"{0}.csv\">{0}.csv</a></p>\n",
             html(topic.name), html(topic.help), html(machine.renderer), html(machine.cpu), html(machine.clock),
@@ -171,25 +172,29 @@ private:
         for (const size_t place : scene) {
             const BenchRow& row = result_.rows[place];
             const bool is_front = std::find(front.begin(), front.end(), place) != front.end();
-            text += fmt::format("<tr class=\"{}\" data-row=\"{}\" data-key=\"{}-{}\" data-words=\"{}\"><td>{}</td><td>{}</td>",
-                                is_front   ? "front"
-                                : row.peer ? "peer"
-                                           : "other",
-                                place, html(row.topic), place, html(words(row)), html(row.method),
-                                html(knob_text(row.knobs)));
+            text += fmt::format(
+                "<tr class=\"{}\" data-row=\"{}\" data-key=\"{}-{}\" data-words=\"{}\"><td>{}</td><td>{}</td>",
+                is_front   ? "front"
+                : row.peer ? "peer"
+                           : "other",
+                place, html(row.topic), place, html(words(row)), html(row.method), html(knob_text(row.knobs)));
             if (!row.is_measured()) {
                 const int columns = 2 * any_time + 3 * !unit.empty() + any_wrong + int(works.size()) + any_picture;
-                text += fmt::format("<td class=\"why\" colspan=\"{}\">{}</td></tr>\n", std::max(1, columns), html(row.state));
+                text += fmt::format("<td class=\"why\" colspan=\"{}\">{}</td></tr>\n", std::max(1, columns),
+                                    html(row.state));
                 continue;
             }
             const bool timed = row.repeats > 0, known = !row.error.unit.empty();
-            const auto cell = [&](bool has, const std::string& value) { text += "<td>" + (has ? value : "") + "</td>"; };
+            const auto cell = [&](bool has, const std::string& value) {
+                text += "<td>" + (has ? value : "") + "</td>";
+            };
             if (any_time) {
                 cell(timed, amount(row.times.median * scale_));
                 cell(timed, amount(row.times.p10 * scale_) + " to " + amount(row.times.p90 * scale_));
             }
             if (!unit.empty())
-                for (const double value : {row.error.mean, row.error.p99, row.error.largest}) cell(known, amount(value) + (unit == several ? " " + html(row.error.unit) : ""));
+                for (const double value : {row.error.mean, row.error.p99, row.error.largest})
+                    cell(known, amount(value) + (unit == several ? " " + html(row.error.unit) : ""));
             if (any_wrong) cell(row.error.wrong.has_value(), amount(row.error.wrong.value_or(0) * 100) + " %");
             for (const std::string& name : works) {
                 const std::optional<double> amount = work_of(row, name);

@@ -220,19 +220,23 @@ private:
         sub->add_flag("--fresh", grade_.fresh, "everything anew");
     }
     void add_bench() {
-        CLI::App* sub = add("bench", "run time against error: tables, a CSV and a plot for each topic, a page of them all",
-                            [this] { return run_bench(bench_); });
+        CLI::App* sub =
+            add("bench", "run time against error: tables, a CSV and a plot for each topic, a page of them all",
+                [this] { return run_bench(bench_); });
         sub->add_option("TOPIC", bench_.topics, "all of them when none is named");
         sub->add_option("-o", bench_.output, "where they go [the course's build/bench]")->type_name("FOLDER");
-        sub->add_option("--set", bench_.set, "of what is swept only this: map=bricks,posts or method=linear; may be repeated")
+        sub->add_option("--set", bench_.set,
+                        "of what is swept only this: map=bricks,posts or method=linear; may be repeated")
             ->type_name("KNOB=VALUE,...")
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-        sub->add_option("--repeats", bench_.repeats, "samples of each method, in turns, 10 or more [15; with --quick 3]")
+        sub->add_option("--repeats", bench_.repeats,
+                        "samples of each method, in turns, 10 or more [15; with --quick 3]")
             ->type_name("N");
         sub->add_option("--context", bench_.context, context_help)->type_name("NAME");
         sub->add_flag("--quick", bench_.quick, "few scenes and small sizes, for a first look");
-        sub->add_flag("--work", bench_.work, "no times: hold work and error of the quick sweep to tests/measure/baseline.csv");
+        sub->add_flag("--work", bench_.work,
+                      "no times: hold work and error of the quick sweep to tests/measure/baseline.csv");
         sub->add_flag("--update", bench_.update, "with --work: renew what they are held to");
         sub->footer([] { return bench_topics_text(); });
     }

@@ -27,6 +27,8 @@ constexpr const char* taken_along[] = {"CMakeLists.txt", "CMakePresets.json", "L
 constexpr const char* left_out[] = {"framework/reference",
                                     "framework/measure",
                                     "framework/app/bench.cpp",
+                                    "framework/app/bench_page.cpp",
+                                    "framework/app/bench_page.h",
                                     "framework/app/grade.cpp",
                                     "framework/app/grade.h",
                                     "framework/app/grade_page.cpp",

@@ -52,7 +52,8 @@ BaselineReport compare_with_baseline(std::span<const BenchRow> now, std::span<co
             if (value < old->second - slack) report.better.push_back(line);
         }
         for (const auto& [figure, value] : was)
-            if (!is.contains(figure)) report.worse.push_back(fmt::format("{}: {} is not counted any more", name, figure));
+            if (!is.contains(figure))
+                report.worse.push_back(fmt::format("{}: {} is not counted any more", name, figure));
     }
     for (const auto& [name, row] : before) report.worse.push_back(name + ": is in the baseline and not measured");
     return report;

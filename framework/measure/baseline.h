@@ -10,14 +10,15 @@
 namespace relief {
 
 struct BaselineReport {
-    /// A line for each that is worse: work or error that grew, a method that fails or is gone, a new one that nobody holds.
+    /// A line for each that is worse: work or error that grew, a method that fails or is gone, a new one that nobody
+    /// holds.
     std::vector<std::string> worse;
     /// A line for each figure that fell: fit to be kept.
     std::vector<std::string> better;
 };
 
-/// `tolerance`: by what share a figure may grow. Figures of rows that are the same in topic, scene, method and knobs are
-/// compared.
+/// `tolerance`: by what share a figure may grow. Figures of rows that are the same in topic, scene, method and knobs
+/// are compared.
 BaselineReport compare_with_baseline(std::span<const BenchRow> now, std::span<const BenchRow> baseline,
                                      double tolerance);
 

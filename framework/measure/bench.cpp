@@ -61,7 +61,8 @@ std::vector<BenchScene> only(const BenchTopic& topic, std::vector<BenchScene> sc
     for (const auto& [knob, values] : sweep) names.push_back(knob);
     for (const auto& [knob, values] : wanted) {
         const auto known = std::find(names.begin(), names.end(), knob);
-        if (known == names.end()) throw UsageError(topic.name + " sweeps no such thing: " + unknown("knob", knob, names));
+        if (known == names.end())
+            throw UsageError(topic.name + " sweeps no such thing: " + unknown("knob", knob, names));
         const std::vector<std::string>& possible = sweep[size_t(known - names.begin())].second;
         for (const std::string& value : values)
             if (std::find(possible.begin(), possible.end(), value) == possible.end())
@@ -101,8 +102,12 @@ double by_wall_clock(const std::function<void()>& run, size_t times) {
 }
 
 BenchTurns::BenchTurns(std::span<const BenchSubject> subjects, Stopwatch stopwatch, std::function<void(size_t)> begin)
-    : subjects_(subjects), stopwatch_(std::move(stopwatch)), begin_(std::move(begin)), order_(subjects.size()),
-      runs_(subjects.size(), 1), samples_(subjects.size()) {
+    : subjects_(subjects),
+      stopwatch_(std::move(stopwatch)),
+      begin_(std::move(begin)),
+      order_(subjects.size()),
+      runs_(subjects.size(), 1),
+      samples_(subjects.size()) {
     constexpr double shortest_sample = 1e-3;
     std::iota(order_.begin(), order_.end(), size_t{0});
     for (size_t i = 0; i < subjects.size(); ++i) {

@@ -141,10 +141,17 @@ struct Ground {
 
 BenchScene levels(const BenchSettings& settings) {
     const auto ground = std::make_shared<Ground>();
-    const BenchKnobs set = {{"view", "eye"},     {"surface", "ground"}, {"corners", "4"},
-                            {"patches", "32"},   {"map", "fbm"},        {"size", "512"},
-                            {"depth", "0.1"},    {"repeat", "1"},       {"fade", "off"},
-                            {"cull", "all"},     {"spacing", "fractional-odd"}};
+    const BenchKnobs set = {{"view", "eye"},
+                            {"surface", "ground"},
+                            {"corners", "4"},
+                            {"patches", "32"},
+                            {"map", "fbm"},
+                            {"size", "512"},
+                            {"depth", "0.1"},
+                            {"repeat", "1"},
+                            {"fade", "off"},
+                            {"cull", "all"},
+                            {"spacing", "fractional-odd"}};
     const ErrorsOf off = [ground](const Image& place, const auto&) { return ground->off(place); };
     const FiguresOf figures = [](const Image&, std::vector<double> errors) { return pixels_off(std::move(errors)); };
     BenchScene scene{{{"surface", "ground"}}, "frame"};
@@ -156,7 +163,8 @@ BenchScene levels(const BenchSettings& settings) {
     // As the tutorials have it: 64 near the eye, 4 far from it, by distance alone.
     BenchMethod& usual = scene.methods.emplace_back(of_lab(
         "14", "usual", {},
-        together(set, {{"method", "distance"}, {"nearest", "0.8"}, {"farthest", "20"}, {"finest", "6"}, {"coarsest", "2"}}),
+        together(set,
+                 {{"method", "distance"}, {"nearest", "0.8"}, {"farthest", "20"}, {"finest", "6"}, {"coarsest", "2"}}),
         ground->camera, off, figures, settings));
     usual.peer = true;
     add("uniform", "level", {"1", "2", "4", "8", "16"});
@@ -167,16 +175,19 @@ BenchScene levels(const BenchSettings& settings) {
     add("uniform", "level", {"32"});
     for (const int n : {4, 8, 16})
         scene.methods.push_back({"mesh", {{"squares", fmt::format("{0}x{0}", n)}}, [ground, n] {
-            const DisplacedSurface& surface = ground->surface;
-            const auto mesh = std::make_shared<TessellatedMesh>(
-                micro_polygons(surface.patches(), ground->field(), double(surface.scale()), n), n);
-            const auto draw = [mesh, ground](const Target& target) { mesh->draw(target, Camera(ground->camera, 1)); };
-            BenchSubject subject = drawn(TargetKind::probe, size, draw);
-            const Target target(TargetKind::probe, size);
-            draw(target);
-            subject.error = pixels_off(ground->off(target.read()));
-            return subject;
-        }});
+                                     const DisplacedSurface& surface = ground->surface;
+                                     const auto mesh = std::make_shared<TessellatedMesh>(
+                                         micro_polygons(surface.patches(), ground->field(), double(surface.scale()), n),
+                                         n);
+                                     const auto draw = [mesh, ground](const Target& target) {
+                                         mesh->draw(target, Camera(ground->camera, 1));
+                                     };
+                                     BenchSubject subject = drawn(TargetKind::probe, size, draw);
+                                     const Target target(TargetKind::probe, size);
+                                     draw(target);
+                                     subject.error = pixels_off(ground->off(target.read()));
+                                     return subject;
+                                 }});
     return scene;
 }
 
@@ -262,10 +273,16 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
     add_culling(result, settings);
     if (settings.quick) return result;
     add_spacings(result, settings);
-    result.push_back({{{"surface", "wall"}}, "frame",
+    result.push_back({{{"surface", "wall"}},
+                      "frame",
                       {of_lab("13", "most", {{"level", "64"}},
-                              {{"view", "one"}, {"surface", "wall"}, {"mip", "base"}, {"corners", "4"},
-                               {"patches", "16"}, {"map", "fbm"}, {"size", "512"}},
+                              {{"view", "one"},
+                               {"surface", "wall"},
+                               {"mip", "base"},
+                               {"corners", "4"},
+                               {"patches", "16"},
+                               {"map", "fbm"},
+                               {"size", "512"}},
                               {.yaw = 20, .pitch = 10, .distance = 3}, {}, {}, settings)}});
     return result;
 }
@@ -274,7 +291,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic displacement_topic() {
     return {"displacement",
-            "levels of tessellation, 512 x 512 pixels; a tenth of a ground culled; spacings, wrong: apart from the true outline",
+            "levels of tessellation, 512 x 512 pixels; a tenth of a ground culled; spacings, wrong: apart from the "
+            "true outline",
             scenes, true};
 }
 

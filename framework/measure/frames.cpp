@@ -27,14 +27,14 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
         const auto add = [&](const std::string& name, Shot shot, const std::function<BenchError()>& error) {
             shot.size = glm::ivec2(settings.quick ? 256 : 512);
             scene.methods.push_back({entry.folder, {{"picture", name}}, [&entry, shot, error, settings] {
-                const std::shared_ptr<Lab> lab = make_lab(entry, shot);
-                BenchSubject subject = drawn(lab, shot);
-                if (error) subject.error = error();
-                Shot small = shot;
-                small.size = {128, 128};
-                if (settings.pictures) subject.picture = take(*lab, small);
-                return subject;
-            }});
+                                         const std::shared_ptr<Lab> lab = make_lab(entry, shot);
+                                         BenchSubject subject = drawn(lab, shot);
+                                         if (error) subject.error = error();
+                                         Shot small = shot;
+                                         small.size = {128, 128};
+                                         if (settings.pictures) subject.picture = take(*lab, small);
+                                         return subject;
+                                     }});
         };
         Shot first;
         first.camera = manifest.camera;

@@ -151,12 +151,14 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
         };
         for (const std::string seed : {"", "bench"})
             scene.methods.push_back({"relief", {{"hidden_views", seed.empty() ? "no" : "yes"}}, [=, &lab] {
-                const auto graded = std::make_shared<Graded>(lab, GradeSetup{.isolation = isolation, .seed = seed}, count);
-                return subject([graded](size_t i) {
-                    const LabMark mark = graded->grader->mark(graded->submissions[i]);
-                    if (mark.points() != mark.of()) throw Error("right work does not get all points");
-                });
-            }});
+                                         const auto graded = std::make_shared<Graded>(
+                                             lab, GradeSetup{.isolation = isolation, .seed = seed}, count);
+                                         return subject([graded](size_t i) {
+                                             const LabMark mark = graded->grader->mark(graded->submissions[i]);
+                                             if (mark.points() != mark.of())
+                                                 throw Error("right work does not get all points");
+                                         });
+                                     }});
         if (!has_idiff) continue;
         const auto plain = [=, &lab] {
             const auto loop = std::make_shared<PlainLoop>(lab, count);

@@ -1,5 +1,5 @@
-// Lighting: what each part of it costs, compiled in or left out, and what the shaded normal is off by without it. What is
-// timed is the picture, four samples a pixel.
+// Lighting: what each part of it costs, compiled in or left out, and what the shaded normal is off by without it. What
+// is timed is the picture, four samples a pixel.
 #include "framework/lab/manifest.h"
 #include "framework/measure/drawing.h"
 #include "framework/measure/topics.h"
@@ -33,14 +33,17 @@ BenchMethod lit(const char* number, const std::string& name, const BenchKnobs& k
             }};
 }
 
-// Near enough that a texel is a pixel or more: what is off is then the method, and not what a smaller picture leaves out.
+// Near enough that a texel is a pixel or more: what is off is then the method, and not what a smaller picture leaves
+// out.
 
 /// A column of brick: a normal map, or the vertices' normals alone.
 BenchScene columns(const BenchSettings& settings) {
     BenchScene scene{{{"lab", "01_specular_highlights"}}, "frame"};
     for (const char* method : {"vertex-normal", "normal-map"})
-        scene.methods.push_back(lit("01", method, {}, {{"method", method}},
-                                    {.yaw = 0, .pitch = 8, .distance = 0.5, .target = {1.4, 1.3, 1.65}, .field_of_view = 20}, "normal", settings));
+        scene.methods.push_back(
+            lit("01", method, {}, {{"method", method}},
+                {.yaw = 0, .pitch = 8, .distance = 0.5, .target = {1.4, 1.3, 1.65}, .field_of_view = 20}, "normal",
+                settings));
     return scene;
 }
 
@@ -71,8 +74,8 @@ BenchScene permutations(const BenchSettings& settings) {
     BenchScene scene{{{"lab", "12_relief_exact"}, {"surface", "column"}}, "frame"};
     const auto add = [&](const char* name, const char* shadow, const char* depth, const char* outline) {
         scene.methods.push_back(lit("12", name, {{"shadow", shadow}, {"write_depth", depth}, {"outline", outline}},
-                                    {{"view", "one"}, {"surface", "column"}},
-                                    load_manifest(find_lab("12")).camera, {}, settings));
+                                    {{"view", "one"}, {"surface", "column"}}, load_manifest(find_lab("12")).camera, {},
+                                    settings));
     };
     add("hit-alone", "none", "off", "off");
     add("shadow", "hard", "off", "off");
@@ -84,14 +87,16 @@ BenchScene permutations(const BenchSettings& settings) {
 }
 
 std::vector<BenchScene> scenes(const BenchSettings& settings) {
-    return {columns(settings), frames_of_pixels(false, settings), frames_of_pixels(true, settings), permutations(settings)};
+    return {columns(settings), frames_of_pixels(false, settings), frames_of_pixels(true, settings),
+            permutations(settings)};
 }
 
 }  // namespace
 
 BenchTopic lighting_topic() {
-    return {"lighting", "pictures at 512 x 512: parts of the shading, compiled in or left out, and the normal without them",
-            scenes, true};
+    return {"lighting",
+            "pictures at 512 x 512: parts of the shading, compiled in or left out, and the normal without them", scenes,
+            true};
 }
 
 }  // namespace relief

@@ -105,13 +105,14 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
                          bool peer = false) {
         BenchKnobs knobs = {{"threads", std::to_string(threads)}};
         if (bits > 0) knobs.emplace_back("bits", std::to_string(bits));
-        scene.methods.push_back({name, knobs, [=] {
-                                     maps->make();
-                                     return BenchSubject{.items = texels,
-                                                         .bytes_per_item = bytes,
-                                                         .error = error ? error() : BenchError{},
-                                                         .run = run};
-                                 }, peer});
+        scene.methods.push_back(
+            {name, knobs,
+             [=] {
+                 maps->make();
+                 return BenchSubject{
+                     .items = texels, .bytes_per_item = bytes, .error = error ? error() : BenchError{}, .run = run};
+             },
+             peer});
     };
     const std::pair<const char*, SlopeFilter> filters[] = {{"forward", SlopeFilter::forward},
                                                            {"central", SlopeFilter::central},

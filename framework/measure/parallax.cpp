@@ -31,11 +31,13 @@ std::vector<Search> searches() {
     march("bisection", "5", {"16"});
     march("illinois", "3", {"16"});
     for (const char* texels : {"4", "2", "1"})
-        all.push_back({"by-texel", "11", {{"texels_per_step", texels}},
+        all.push_back({"by-texel",
+                       "11",
+                       {{"texels_per_step", texels}},
                        {{"count", "texel"}, {"refine", "secant"}, {"rounds", "2"}}});
     for (const char* method : {"walk", "coarse", "windows", "cells", "max-mips", "cones"})
-        all.push_back({method, "12", {},
-                       {{"method", method}, {"shadow", "none"}, {"write_depth", "off"}, {"outline", "off"}}});
+        all.push_back(
+            {method, "12", {}, {{"method", method}, {"shadow", "none"}, {"write_depth", "off"}, {"outline", "off"}}});
     return all;
 }
 
@@ -99,8 +101,9 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic parallax_topic() {
-    return {"parallax", "searches of a relief, 512 x 512 pixels; taps are heights read, visits cells or blocks looked at",
-            scenes, true};
+    return {"parallax",
+            "searches of a relief, 512 x 512 pixels; taps are heights read, visits cells or blocks looked at", scenes,
+            true};
 }
 
 }  // namespace relief

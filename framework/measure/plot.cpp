@@ -16,7 +16,8 @@ namespace relief {
 namespace {
 
 // Colours of the course's pages.
-constexpr const char *front_color = "#a34a16", *pale_color = "#c2bbae", *peer_color = "#23629b", *text_color = "#23211d";
+constexpr const char *front_color = "#a34a16", *pale_color = "#c2bbae", *peer_color = "#23629b",
+                     *text_color = "#23211d";
 constexpr int panel_width = 440, panel_height = 340, title_height = 44;
 
 bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
@@ -55,10 +56,12 @@ public:
         if (timed_.empty()) return {};
         const BenchRow& first = rows_[timed_.front()];
         const std::string title = first.scene.empty() ? first.topic : knob_text(first.scene);
-        std::string text = fmt::format("unset arrow\nunset label\nunset logscale\nunset grid\nunset ylabel\nset autoscale\nset format\n"
-                                       "set xtics autofreq\nset ytics autofreq font ',11'\nset title {} noenhanced font ',12'\nset border 3 lc rgb '#8a857b'\n"
-                                       "set tics nomirror textcolor rgb '{}'\nset key off\n",
-                                       quoted(title), text_color);
+        std::string text = fmt::format(
+            "unset arrow\nunset label\nunset logscale\nunset grid\nunset ylabel\nset autoscale\nset format\n"
+            "set xtics autofreq\nset ytics autofreq font ',11'\nset title {} noenhanced font ',12'\nset border 3 lc "
+            "rgb '#8a857b'\n"
+            "set tics nomirror textcolor rgb '{}'\nset key off\n",
+            quoted(title), text_color);
         text += fmt::format("set xlabel '{} per {}' noenhanced\n", unit_, first.item);
         return text + (has_errors(rows_, timed_) ? points() : bars());
     }
@@ -71,7 +74,8 @@ private:
         if (right / left > 100) return {};
         std::string text;
         for (double decade = std::pow(10, std::floor(std::log10(left))); decade < right; decade *= 10)
-            for (const int times : {1, 2, 5}) text += fmt::format("{}'{:g}' {}", text.empty() ? "" : ", ", times * decade, times * decade);
+            for (const int times : {1, 2, 5})
+                text += fmt::format("{}'{:g}' {}", text.empty() ? "" : ", ", times * decade, times * decade);
         return fmt::format("set xtics ({})\n", text);
     }
 
@@ -80,7 +84,8 @@ private:
         bool any_zero = false;
         std::string unit;
         for (const size_t place : timed_) {
-            left = std::min(left, rows_[place].times.p10 * scale_), right = std::max(right, rows_[place].times.p90 * scale_);
+            left = std::min(left, rows_[place].times.p10 * scale_),
+            right = std::max(right, rows_[place].times.p90 * scale_);
             if (rows_[place].error.unit.empty()) continue;
             unit = rows_[place].error.unit;
             const double error = rows_[place].error.mean;
@@ -101,17 +106,19 @@ private:
         // Nothing but time: an upright line.
         for (const size_t place : timed_)
             if (rows_[place].error.unit.empty())
-                text += fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' dt 3\n"
-                                    "set label {2} at {0},graph 0.97 rotate by 90 right font ',9' textcolor rgb '{1}' "
-                                    "noenhanced offset -0.5,0\n",
-                                    time(place), peer_color, quoted(short_name(rows_[place])));
+                text += fmt::format(
+                    "set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' dt 3\n"
+                    "set label {2} at {0},graph 0.97 rotate by 90 right font ',9' textcolor rgb '{1}' "
+                    "noenhanced offset -0.5,0\n",
+                    time(place), peer_color, quoted(short_name(rows_[place])));
         const auto is_front = [&](size_t place) {
             return std::find(front_.begin(), front_.end(), place) != front_.end();
         };
         // A name that would lie on another one is left out: the point still has its own.
         std::vector<glm::dvec2> named;
         const auto has_room = [&](double x, double y) {
-            const glm::dvec2 here(std::log(x / left) / std::log(2.4 * right / left), std::log(y / floor) / std::log(ceiling / floor));
+            const glm::dvec2 here(std::log(x / left) / std::log(2.4 * right / left),
+                                  std::log(y / floor) / std::log(ceiling / floor));
             for (const glm::dvec2& other : named)
                 if (std::abs(here.x - other.x) < 0.24 && std::abs(here.y - other.y) < 0.055) return false;
             named.push_back(here);
@@ -126,14 +133,17 @@ private:
             if (row.error.unit.empty()) continue;
             const double y = std::max(row.error.mean, floor);
             by_method[row.method] += fmt::format("{} {}\n", time(place), y);
-            (row.peer ? peers : is_front(place) ? front : pale) +=
+            (row.peer          ? peers
+             : is_front(place) ? front
+                               : pale) +=
                 fmt::format("{} {} {} {} {} {}\n", time(place), y, row.times.p10 * scale_, row.times.p90 * scale_,
                             quoted(fmt::format("#{} {}", place, row_name(row))),
                             quoted((row.peer || is_front(place)) && has_room(time(place), y) ? short_name(row) : ""));
         }
         for (const auto& [method, points] : by_method) sweeps += points + "\n";
         std::string steps;
-        for (const size_t place : line) steps += fmt::format("{} {}\n", time(place), std::max(rows_[place].error.mean, floor));
+        for (const size_t place : line)
+            steps += fmt::format("{} {}\n", time(place), std::max(rows_[place].error.mean, floor));
         const std::pair<const char*, const std::string*> blocks[] = {
             {"pale", &pale}, {"front", &front}, {"peers", &peers}, {"sweeps", &sweeps}, {"steps", &steps}};
         for (const auto& [name, block] : blocks)
@@ -144,10 +154,13 @@ private:
         };
         const auto dots = [&](const std::string& block, const char* name, const char* color, double size) {
             add(block, name, fmt::format("using 1:2:3:4 with xerrorbars pt 0 lw 1 lc rgb '{}'", color));
-            add(block, name, fmt::format("using 1:2:5 with labels hypertext point pt 7 ps {} lc rgb '{}'", size, color));
+            add(block, name,
+                fmt::format("using 1:2:5 with labels hypertext point pt 7 ps {} lc rgb '{}'", size, color));
         };
         const auto names = [&](const std::string& block, const char* name, const char* color) {
-            add(block, name, fmt::format("using 1:2:6 with labels left offset 0.7,0.45 font ',9' textcolor rgb '{}' noenhanced", color));
+            add(block, name,
+                fmt::format("using 1:2:6 with labels left offset 0.7,0.45 font ',9' textcolor rgb '{}' noenhanced",
+                            color));
         };
         add(sweeps, "sweeps", "using 1:2 with lines lw 0.7 lc rgb '#ddd7cb'");
         add(steps, "steps", fmt::format("using 1:2 with steps lw 2 lc rgb '{}'", front_color));
@@ -202,7 +215,8 @@ std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, c
     const std::string by = machine.renderer == "none" ? machine.cpu : machine.renderer + ", " + machine.cpu;
     std::string script = fmt::format(
         "set terminal svg size {0},{1} dynamic font 'DejaVu Sans,11' background '#ffffff'\n"
-        "set multiplot layout {2},{3} margins screen {4},{5},{6},{7} spacing screen {8},{9} title {10} noenhanced font ',14'\n",
+        "set multiplot layout {2},{3} margins screen {4},{5},{6},{7} spacing screen {8},{9} title {10} noenhanced font "
+        "',14'\n",
         width, height, lines, columns, 90.0 / width, 1 - 20.0 / width, 60.0 / height,
         1 - (title_height + 34.0) / height, 90.0 / width, 100.0 / height,
         quoted(fmt::format("{}: {} clock, {}", topic.name, machine.clock, by)));
@@ -213,11 +227,12 @@ std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, c
 /// Nothing when there is no gnuplot.
 std::optional<std::string> run_gnuplot(const std::string& script) {
     const char* const path = std::getenv("PATH");
-    const SandboxResult done = run_trusted({.command = {"/usr/bin/env", "gnuplot", "-"},
-                                            .readable = {},
-                                            .environment = {{"PATH", path ? path : "/usr/bin:/bin"}, {"LC_ALL", "C.UTF-8"}},
-                                            .input = script,
-                                            .limits = {.wall = 120, .cpu = 120}});
+    const SandboxResult done =
+        run_trusted({.command = {"/usr/bin/env", "gnuplot", "-"},
+                     .readable = {},
+                     .environment = {{"PATH", path ? path : "/usr/bin:/bin"}, {"LC_ALL", "C.UTF-8"}},
+                     .input = script,
+                     .limits = {.wall = 120, .cpu = 120}});
     if (done.ending == Ending::exited && done.code == 127) return {};
     if (done.ending != Ending::exited || done.code != 0)
         throw Error(fmt::format("gnuplot fails ({}): {}", name_of(done.ending), done.errors.substr(0, 300)));
@@ -247,8 +262,8 @@ std::string finished(const std::string& svg, const std::string& topic) {
         } else if (rest.starts_with("<title>$")) {  // what was plotted, in gnuplot's words
             at += rest.find("</title>") + 8;
         } else {
-            const auto name =
-                std::find_if(std::begin(names), std::end(names), [&](const auto& one) { return rest.starts_with(one.first); });
+            const auto name = std::find_if(std::begin(names), std::end(names),
+                                           [&](const auto& one) { return rest.starts_with(one.first); });
             if (name == std::end(names))
                 result += svg[at++];
             else

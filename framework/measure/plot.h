@@ -21,8 +21,8 @@ std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<s
 
 /// A panel for each scene: mean error over time on log axes, the front of those that none is better than as a line, the
 /// others pale, methods from elsewhere blue; bars of time where has_errors() is false. A point is an element
-/// `class="point" data-row="17"` with the row's name as its title. SVG; empty when no row has a time. All rows must be of
-/// one run: what `machine` says stands over them. Nothing when gnuplot is not installed; throws Error when it fails.
+/// `class="point" data-row="17"` with the row's name as its title. SVG; empty when no row has a time. All rows must be
+/// of one run: what `machine` says stands over them. Nothing when gnuplot is not installed; throws Error when it fails.
 std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const BenchMachine& machine);
 

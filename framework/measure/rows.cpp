@@ -70,8 +70,9 @@ constexpr const char* header =
 std::string work_text(const BenchWork& work) {
     std::string text;
     for (const auto& [name, amount] : work)
-        text += fmt::format("{}{}={}", text.empty() ? "" : " ", name,
-                            amount == std::floor(amount) ? fmt::format("{:.0f}", amount) : fmt::format("{:.6g}", amount));
+        text +=
+            fmt::format("{}{}={}", text.empty() ? "" : " ", name,
+                        amount == std::floor(amount) ? fmt::format("{:.0f}", amount) : fmt::format("{:.6g}", amount));
     return text;
 }
 
@@ -123,7 +124,8 @@ std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows)
                     unit = unit.empty() ? other.error.unit : "error";  // several: then each says its own
             text += fmt::format("{:<{}}  {:<{}}", "method", name, "knobs", knobs);
             if (any_time)
-                text += fmt::format("  {:>13}  {:>9}  {:>9}", (in_milliseconds ? "ms/" : "ns/") + row.item, "p10", "p90");
+                text +=
+                    fmt::format("  {:>13}  {:>9}  {:>9}", (in_milliseconds ? "ms/" : "ns/") + row.item, "p10", "p90");
             if (any_rate) text += fmt::format("  {:>6}", "GB/s");
             if (any_error) text += fmt::format("  {:>12}  {:>10}  {:>10}", "mean " + unit, "p99", "largest");
             text += (any_wrong ? "   wrong %" : "") + std::string("  work\n");
@@ -140,7 +142,8 @@ std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows)
                     cell(timed, scale * row.times.p90, 9);
         if (any_rate) text += cell(timed && row.bytes_per_item > 0, row.bytes_per_item / row.times.median, 6);
         if (any_error)
-            text += cell(known, row.error.mean, 12) + cell(known, row.error.p99, 10) + cell(known, row.error.largest, 10);
+            text +=
+                cell(known, row.error.mean, 12) + cell(known, row.error.p99, 10) + cell(known, row.error.largest, 10);
         if (unit == "error" && known) text += " " + row.error.unit;
         if (any_wrong) text += cell(row.error.wrong.has_value(), row.error.wrong.value_or(0) * 100, 8);
         text += "  " + work_text(row.work);

@@ -176,8 +176,7 @@ private:
 /// A number that two processes share, as long as the object lives.
 class Shared {
 public:
-    Shared()
-        : page_(mmap(nullptr, sizeof(int), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+    Shared() : page_(mmap(nullptr, sizeof(int), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
         if (page_ == MAP_FAILED) throw Error(fmt::format("no memory to share: {}", std::strerror(errno)));
     }
     ~Shared() { munmap(page_, sizeof(int)); }
@@ -225,7 +224,8 @@ public:
             rows_[methods[i]].times = {times[0], times[1], times[2]};
             rows_[methods[i]].repeats = round;
         }
-        report(round < run_.settings.repeats ? fmt::format("round {} of {}", round + 1, run_.settings.repeats) : "done");
+        report(round < run_.settings.repeats ? fmt::format("round {} of {}", round + 1, run_.settings.repeats)
+                                             : "done");
     }
 
 private:
@@ -290,10 +290,12 @@ std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene
             kill(child, SIGKILL);
         }
         int status = 0;
-        while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+        while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+        }
         if (stopped) std::rethrow_exception(stopped);
         if (WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
-        if (current.value() < 0) throw Error("the measuring process " + ending(status) + " before it measured anything");
+        if (current.value() < 0)
+            throw Error("the measuring process " + ending(status) + " before it measured anything");
         BenchRow& row = rows[size_t(current.value())];
         row.state = ending(status), row.repeats = 0;
         again = true;

@@ -65,7 +65,8 @@ void usual_tangents(const Mesh& mesh, std::vector<glm::vec3>& sums, std::vector<
         const glm::vec2 uv1 = b.uv - a.uv, uv2 = c.uv - a.uv;
         const float r = 1 / (uv1.x * uv2.y - uv2.x * uv1.y);
         const glm::vec3 along_u = (edge1 * uv2.y - edge2 * uv1.y) * r, along_v = (edge2 * uv1.x - edge1 * uv2.x) * r;
-        for (size_t k = 0; k < 3; ++k) sums[mesh.indices[i + k]] += along_u, sums[count + mesh.indices[i + k]] += along_v;
+        for (size_t k = 0; k < 3; ++k)
+            sums[mesh.indices[i + k]] += along_u, sums[count + mesh.indices[i + k]] += along_v;
     }
     for (size_t i = 0; i < count; ++i) {
         const glm::vec3 normal = mesh.vertices[i].normal, sum = sums[i];
@@ -96,34 +97,39 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
     BenchScene scene{{}, "triangle"};
     for (const auto& [name, kind] : kinds)
         for (unsigned threads = 1; threads <= std::min(2u, hardware_threads()); ++threads)
-            scene.methods.push_back({name, {{"threads", std::to_string(threads)}}, [work, threads, method = kind] {
-                work->make();
-                return BenchSubject{
-                    .items = work->triangles(),
-                    .error = error_of(corner_tangents(error_mesh(), method)),
-                    .run = [=] { corner_tangents(work->mesh, method, work->tangents, nullptr, threads); }};
-            }});
+            scene.methods.push_back(
+                {name, {{"threads", std::to_string(threads)}}, [work, threads, method = kind] {
+                     work->make();
+                     return BenchSubject{
+                         .items = work->triangles(),
+                         .error = error_of(corner_tangents(error_mesh(), method)),
+                         .run = [=] { corner_tangents(work->mesh, method, work->tangents, nullptr, threads); }};
+                 }});
     const auto usual = [work] {
         work->make();
         const Mesh mesh = error_mesh();
         std::vector<glm::vec4> at_vertices, at_corners;
         usual_tangents(mesh, work->sums, at_vertices);
         for (const uint32_t index : mesh.indices) at_corners.push_back(at_vertices[index]);
-        return BenchSubject{.items = work->triangles(),
-                            .error = error_of(at_corners),
-                            .run = [work] { usual_tangents(work->mesh, work->sums, work->tangents); }};
+        return BenchSubject{.items = work->triangles(), .error = error_of(at_corners), .run = [work] {
+                                usual_tangents(work->mesh, work->sums, work->tangents);
+                            }};
     };
     scene.methods.push_back({"usual", {{"threads", "1"}}, usual, true});
     if (has_peers())
-        scene.methods.push_back({"Assimp", {{"threads", "1"}}, [work] {
-            work->make();
-            const auto peer = assimp_tangents(error_mesh());
-            peer->run();
-            const BenchError error = error_of(peer->tangents());
-            return BenchSubject{.items = work->triangles(),
-                                .error = error,
-                                .run = [timed = std::shared_ptr(assimp_tangents(work->mesh))] { timed->run(); }};
-        }, true});
+        scene.methods.push_back(
+            {"Assimp",
+             {{"threads", "1"}},
+             [work] {
+                 work->make();
+                 const auto peer = assimp_tangents(error_mesh());
+                 peer->run();
+                 const BenchError error = error_of(peer->tangents());
+                 return BenchSubject{.items = work->triangles(),
+                                     .error = error,
+                                     .run = [timed = std::shared_ptr(assimp_tangents(work->mesh))] { timed->run(); }};
+             },
+             true});
     return {scene};
 }
 

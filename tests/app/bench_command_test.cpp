@@ -105,8 +105,8 @@ TEST_F(BenchCommand, BenchHoldsWorkToTheBaseline) {
 
 // ---- the page ----
 
-/// A topic of two scenes: one of four methods, with a picture and an error map each, and one of times alone with a method
-/// that has crashed.
+/// A topic of two scenes: one of four methods, with a picture and an error map each, and one of times alone with a
+/// method that has crashed.
 struct Page {
     TemporaryFolder folder;
     std::filesystem::path file = folder.path() / "index.html";

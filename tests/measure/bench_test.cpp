@@ -192,8 +192,8 @@ BenchSubject prepared(const std::string& topic_name, const std::string& method_n
 
 TEST(Peers, ComputeWhatIsComparedWithThem) {
     ASSERT_TRUE(has_peers()) << "built without libassimp-dev";
-    // What they make is rough, and it is tangents of this mesh and slopes of this map: in other units, of other signs or
-    // in another order it would be off by tens of degrees.
+    // What they make is rough, and it is tangents of this mesh and slopes of this map: in other units, of other signs
+    // or in another order it would be off by tens of degrees.
     const BenchError tangents = prepared("tangents", "Assimp").error, slopes = prepared("normals", "OpenImageIO").error;
     EXPECT_LT(tangents.mean, 3);
     EXPECT_GT(tangents.mean, 0.1);

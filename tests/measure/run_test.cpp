@@ -102,7 +102,8 @@ TEST(RunScene, PicturesComeAlong) {
                              }};
     const auto rows = run({method});
     ASSERT_EQ(rows[0].picture.width, 2);
-    for (size_t i = 0; i < 6; ++i) EXPECT_NEAR(rows[0].picture.values[i], (std::vector{0., 1., .2, .4, .6, .8})[i], 1e-6);
+    for (size_t i = 0; i < 6; ++i)
+        EXPECT_NEAR(rows[0].picture.values[i], (std::vector{0., 1., .2, .4, .6, .8})[i], 1e-6);
     EXPECT_EQ(rows[0].error_map.width, 0);
 }
 
@@ -206,12 +207,14 @@ TEST(BenchPlot, OfTimesAloneAreBars) {
 }
 
 BenchTopic sweep() {
-    return {"parallax", "help", [](const BenchSettings&) {
-                std::vector<BenchScene> scenes;
-                for (const char* map : {"bricks", "posts"})
-                    scenes.push_back({{{"map", map}}, "frame", {{"linear", {{"steps", "8"}}}, {"linear", {{"steps", "16"}}}, {"walk"}}});
-                return scenes;
-            }};
+    return {
+        "parallax", "help", [](const BenchSettings&) {
+            std::vector<BenchScene> scenes;
+            for (const char* map : {"bricks", "posts"})
+                scenes.push_back(
+                    {{{"map", map}}, "frame", {{"linear", {{"steps", "8"}}}, {"linear", {{"steps", "16"}}}, {"walk"}}});
+            return scenes;
+        }};
 }
 
 std::vector<std::string> left_of(const std::vector<std::pair<std::string, std::vector<std::string>>>& wanted) {
