@@ -32,6 +32,12 @@ public:
         text_ += fmt::format("{}{} {:.4g}{}{}", text_.empty() ? "" : ", ", what, value, unit,
                              kept ? "" : fmt::format(" (at most {:.4g})", *limit));
     }
+    /// The value that was added last must not be smaller either.
+    void must_reach(double value, std::optional<double> least) {
+        if (!least || value >= *least) return;
+        good_ = false;
+        text_ += fmt::format(" (at least {:.4g})", *least);
+    }
     Judgement judgement() const { return {good_ ? Outcome::passed : Outcome::wrong, text_}; }
 
 private:
@@ -52,6 +58,7 @@ Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const I
     const std::string unit = probe.unit.empty() ? "" : " " + probe.unit;
     const Limits& limits = check.limits;
     findings.add("mean", summary.mean, limits.mean, unit);
+    findings.must_reach(summary.mean, limits.at_least);
     findings.add("99 %", summary.p99, limits.p99, unit);
     findings.add("largest", summary.largest, limits.largest, unit);
     findings.add(("share of pixels off by more than 1" + unit).c_str(), double(off) / double(summary.count),

@@ -131,9 +131,11 @@ Limits read_limits(Table table) {
         if (value >= 0) limit = value;
     };
     read("mean", limits.mean, any), read("p99", limits.p99, any), read("largest", limits.largest, any);
-    read("wrong", limits.wrong, 1);
+    read("at_least", limits.at_least, any), read("wrong", limits.wrong, 1);
     table.read("outline", limits.outline, 0, 1);
     table.finish();
+    if (limits.at_least && !(limits.mean && *limits.at_least < *limits.mean))
+        table.fail("at_least", "'at_least' is of the mean, and less than its limit");
     return limits;
 }
 

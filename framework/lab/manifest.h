@@ -31,6 +31,7 @@ struct TaskInfo {
 /// with a surface.
 struct Limits {
     std::optional<double> mean, p99, largest;
+    std::optional<double> at_least;  ///< of the mean: what is nearer to the truth was not worked out as asked
     std::optional<double> wrong;  ///< share of the pixels that are off by more than one unit
     double outline = 0.01;        ///< share of the pixels in which only one of the two has a surface
 };
