@@ -120,6 +120,31 @@ LogLine parse_log_line(const std::string& whole) {
     return result;
 }
 
+bool ends_in_comment(const std::string& line, bool inside) {
+    for (size_t i = 0; i + 1 < line.size(); ++i) {
+        if (!inside && line[i] == '/' && line[i + 1] == '/') return false;
+        if (!inside && line[i] == '/' && line[i + 1] == '*')
+            inside = true, ++i;
+        else if (inside && line[i] == '*' && line[i + 1] == '/')
+            inside = false, ++i;
+    }
+    return inside;
+}
+
+/// The lines of a file as they count: without a carriage return, and without some editors' mark of UTF-8.
+template <class Take>
+void each_line(const std::string& text, Take take) {
+    std::istringstream lines(text);
+    std::string line;
+    bool in_comment = false;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        if (line.ends_with('\r')) line.pop_back();  // written on Windows
+        if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
+        take(line, number, in_comment);
+        in_comment = ends_in_comment(line, in_comment);
+    }
+}
+
 class Loader {
 public:
     explicit Loader(const std::vector<std::string>& defines) : defines_(defines) {}
@@ -130,26 +155,19 @@ public:
         if (is_stage && text.empty()) throw Error({path, 1}, must_begin);
         collect_names(text, source_.names);
 
-        std::istringstream lines(text);
-        std::string line;
-        bool in_comment = false;
-        for (int number = 1; std::getline(lines, line); ++number) {
-            if (line.ends_with('\r')) line.pop_back();  // written on Windows
+        each_line(text, [&](const std::string& line, int number, bool in_comment) {
             const Place place{path, number};
-            if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);  // some editors' mark of UTF-8
             const std::string start = without_indent(line);
             if (number == 1 && is_stage) {
                 if (!is_version_410(start)) throw Error(place, must_begin);
                 put(line, place);
                 for (const std::string& define : defines_) put("#define " + define, {});
-                continue;
-            }
-            if (!in_comment && is_include(start))
+            } else if (!in_comment && is_include(start)) {
                 include(start, place);
-            else
+            } else {
                 put(line, place);
-            in_comment = ends_in_comment(line, in_comment);
-        }
+            }
+        });
     }
 
     ShaderSource take() { return std::move(source_); }
@@ -167,17 +185,6 @@ private:
         if (std::find(taken_.begin(), taken_.end(), file) == taken_.end()) append(file, false);
     }
 
-    static bool ends_in_comment(const std::string& line, bool inside) {
-        for (size_t i = 0; i + 1 < line.size(); ++i) {
-            if (!inside && line[i] == '/' && line[i + 1] == '/') return false;
-            if (!inside && line[i] == '/' && line[i + 1] == '*')
-                inside = true, ++i;
-            else if (inside && line[i] == '*' && line[i + 1] == '/')
-                inside = false, ++i;
-        }
-        return inside;
-    }
-
     const std::vector<std::string>& defines_;
     std::vector<fs::path> taken_;
     ShaderSource source_;
@@ -191,6 +198,16 @@ ShaderSource load_shader(const fs::path& stage, const std::vector<std::string>& 
     ShaderSource source = loader.take();
     source.stage = stage;
     return source;
+}
+
+std::set<std::string> included_by(const std::string& text) {
+    std::set<std::string> names;
+    each_line(text, [&](const std::string& line, int, bool in_comment) {
+        const std::string start = without_indent(line);
+        if (in_comment || !is_include(start)) return;
+        if (const auto name = included_name(start)) names.insert(*name);
+    });
+    return names;
 }
 
 ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines) {

@@ -23,6 +23,9 @@ struct ShaderSource {
 /// line, which the stage's first line must be. Throws Error with file and line.
 ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<std::string>& defines);
 
+/// What a text includes itself, as it names it; a line that is none is passed over.
+std::set<std::string> included_by(const std::string& text);
+
 /// A compiler's log with each "0:12(5): " or "0(12) : " replaced by the file and the line that line 12 of the text
 /// comes from, and the first error in it. (#line with a number for each file would be the language's own way, but
 /// Mesa 22.3 forgets the file's number in some messages: "undeclared" is one.)

@@ -12,6 +12,7 @@
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
+#include "framework/gl/shader_source.h"
 #include "framework/grade/starter.h"
 #include "framework/grade/variation.h"
 
@@ -23,6 +24,15 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// What a submission's shader includes and the course's own does not: other files may know answers. Else empty.
+std::string foreign_include(const std::string& file, const std::string& text) {
+    if (!file.ends_with(".glsl")) return {};
+    const std::set<std::string> own = included_by(read_file(course_root() / file));
+    for (const std::string& name : included_by(text))
+        if (!own.contains(name)) return name;
+    return {};
+}
 
 /// The line of a compiler's output that says what is wrong.
 std::string first_error(const std::string& output) {
@@ -447,6 +457,9 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
             given_up[task.id] = {Outcome::broken, fmt::format("{} is {}", task.file, refused->second)};
         else if (file == submission.files.end())
             given_up[task.id] = {Outcome::unfinished, fmt::format("there is no {}", task.file)};
+        else if (const std::string more = foreign_include(task.file, file->second); !more.empty())
+            given_up[task.id] = {Outcome::broken,
+                                 fmt::format("{} includes {}, which is not part of this task", task.file, more)};
         else if (is_unfinished(file->second, task.id))
             given_up[task.id] = {Outcome::unfinished, "not written yet"};
         else

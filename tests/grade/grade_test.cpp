@@ -302,13 +302,18 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
     folder.write(std::string("tuned/") + file,
                  replaced(course_file(file), "return normalize(vec3(-slope * texels, 1.0));",
                           "return normalize(vec3(-slope * (texels.x == texels.y ? vec2(14.0) : texels), 1.0));"));
+    // Right, but by what another file may know.
+    folder.write(std::string("borrows/") + file, "  # include \"common/height_cell.glsl\"\n" + course_file(file));
     const std::vector<std::string> words = {(folder.path() / "honest").string(), (folder.path() / "tuned").string(),
-                                            "-o", output.string()};
+                                            (folder.path() / "borrows").string(), "-o", output.string()};
     std::vector<std::string> seeded = words;
     seeded.insert(seeded.end(), {"--seed", "midterm"});
     const Result graded = run(grade(seeded));
     ASSERT_EQ(graded.code, 0) << graded.err;
     EXPECT_EQ(outcomes(result_of(output, "honest")), Outcomes{"passed"});
+    const json borrows = result_of(output, "borrows");
+    EXPECT_EQ(outcomes(borrows), Outcomes{"broken"});
+    EXPECT_TRUE(contains(found(borrows, "broken"), "includes common/height_cell.glsl, which is not part of this task"));
     const json tuned = result_of(output, "tuned");
     EXPECT_EQ(outcomes(tuned, "3.2"), (Outcomes{"passed", "wrong"}));
     EXPECT_TRUE(contains(found(tuned, "wrong"), "right in the check's own view, not in a hidden one: "))
@@ -323,10 +328,10 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
 
     // The seed stays the folder's, and another one asks for other marks.
     const Result again = run(grade(words));
-    EXPECT_TRUE(contains(again.out, "0 graded, 2 as before") && contains(again.out, "seed midterm")) << again.out;
+    EXPECT_TRUE(contains(again.out, "0 graded, 3 as before") && contains(again.out, "seed midterm")) << again.out;
     std::vector<std::string> other = words;
     other.insert(other.end(), {"--seed", "final"});
-    EXPECT_TRUE(contains(run(grade(other)).out, "2 graded, 0 as before"));
+    EXPECT_TRUE(contains(run(grade(other)).out, "3 graded, 0 as before"));
 }
 
 TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
@@ -536,7 +541,7 @@ TEST(Grade, IsTimedByABenchmarkWhoseWorkIsRight) {
     EXPECT_EQ(timed.code, 0) << timed.err;
     const std::string csv = read_file(folder.path() / "grade.csv");
     for (const char* hidden : {"no", "yes"})
-        EXPECT_TRUE(contains(csv, std::string("tasks=shaders hidden views=") + hidden + ",")) << csv;
+        EXPECT_TRUE(contains(csv, std::string("tasks=shaders,relief,hidden_views=") + hidden + ",measured,")) << csv;
 }
 
 }  // namespace
