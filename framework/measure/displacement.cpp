@@ -201,9 +201,21 @@ void add_culling(std::vector<BenchScene>& scenes, const BenchSettings& settings)
           BenchKnobs{{"method", "uniform"}, {"level", "16"}}, BenchKnobs{{"method", "error"}, {"budget", "1"}}}) {
         BenchScene& scene = scenes.emplace_back();
         scene.knobs = {{"levels", levels[0].second}, levels[1]}, scene.item = "frame";
-        for (const char* cull : {"none", "outside", "all"})
-            scene.methods.push_back(
-                of_lab("14", "cull", {{"cull", cull}}, together(set, levels), camera, {}, {}, settings));
+        for (const char* cull : {"none", "outside", "all"}) {
+            const auto at = [&](const BenchKnobs& at_levels, const BenchSettings& with) {
+                return of_lab("14", "cull", {{"cull", cull}}, together(set, at_levels), camera, {}, {}, with);
+            };
+            BenchMethod method = at(levels, settings);
+            // At level 1 a patch is two triangles: so the patches that are left can be counted.
+            const auto coarse = at({{"method", "uniform"}, {"level", "1"}}, {}).prepare;
+            method.prepare = [whole = method.prepare, coarse] {
+                BenchSubject subject = whole();
+                for (const auto& [name, amount] : coarse().work)
+                    if (name == "triangles") subject.work.emplace_back("patches", amount / 2);
+                return subject;
+            };
+            scene.methods.push_back(std::move(method));
+        }
     }
 }
 
