@@ -1,9 +1,8 @@
 #include "framework/lab/relief_material.h"
 
 #include "framework/base/parallel.h"
-#include "framework/base/paths.h"
+#include "framework/image/asset.h"
 #include "framework/image/color.h"
-#include "framework/image/file.h"
 #include "framework/image/height_maps.h"
 #include "framework/image/mips.h"
 
@@ -64,7 +63,7 @@ void ReliefMaterial::renew() const {
     if (made_ && made_->of == of) return;
     Image image, full;
     if (is_asset()) {
-        image = read_image(course_root() / "assets" / (map == first_asset ? "bricks_height.png" : "paving_height.png"));
+        image = read_asset(map == first_asset ? "bricks_height.png" : "paving_height.png");
         if (image.width > asset_texels || bits == 1) full = image;
         if (image.width > asset_texels) image = level_of(std::move(image), asset_texels);
     } else {
@@ -74,14 +73,14 @@ void ReliefMaterial::renew() const {
     if (bits == 1) image = with_8_bits(std::move(image));
     ++version_;
     made_.reset();
-    made_.emplace(Made{of, std::move(image), std::move(full), Texture("heights", [this] { return made_->heights; }),
-                       Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
-                       Texture("normals", [this] { return normals(); })});
+    made_.emplace(
+        Made{of, std::move(image), std::move(full), Texture("heights", [this] { return made_->heights; }),
+             is_asset() ? load_texture(map == first_asset ? "bricks_albedo.png" : "paving_albedo.png", ColorSpace::srgb)
+                        : Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
+             Texture("normals", [this] { return normals(); })});
 }
 
 Image ReliefMaterial::albedo() const {
-    if (is_asset())
-        return read_image(course_root() / "assets" / (map == first_asset ? "bricks_albedo.png" : "paving_albedo.png"));
     const Image& heights = this->heights();
     const auto [low, middle, high] = palette_of(map);
     Image image(heights.width, heights.height, 3, 8);

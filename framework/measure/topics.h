@@ -13,5 +13,6 @@ BenchTopic parallax_topic();
 BenchTopic displacement_topic();
 BenchTopic frames_topic();
 BenchTopic grade_topic();
+BenchTopic start_topic();
 
 }  // namespace relief

@@ -7,10 +7,9 @@
 #include <map>
 
 #include "differences.h"
-#include "framework/base/paths.h"
 #include "framework/gl/target.h"
+#include "framework/image/asset.h"
 #include "framework/image/compare.h"
-#include "framework/image/file.h"
 #include "framework/image/mips.h"
 #include "framework/lab/lab.h"
 #include "framework/lab/labels.h"
@@ -93,7 +92,7 @@ private:
 
     /// A quarter of an asset's size: a filter reads every texel of it.
     static Image picture(const char* file) {
-        const Image whole = read_image(course_root() / "assets" / file);
+        const Image whole = read_asset(file);
         Image small = mip_chain(whole, whole.channels == 3 ? ColorSpace::srgb : ColorSpace::linear).at(2);
         small.bits = 32;
         return small;
