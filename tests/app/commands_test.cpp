@@ -422,6 +422,44 @@ TEST_F(CourseTest, ThePageOpensInABrowserWhereThereIsADisplay) {
     EXPECT_EQ(read_all(opened), page.string());
 }
 
+TEST_F(CourseTest, APictureThatWasReplacedIsTheOneThatIsDrawnWithoutABuild) {
+    const auto picture = [](const char* name) {
+        EXPECT_EQ(course().relief({"shot", "1", "--size", "64x48", "-o", name}).code, 0);
+        return read_all(course().path() / name);
+    };
+    const std::string usual = picture("usual.ppm");
+    {
+        const Restore restore(course(), "assets/bricks_albedo.png");
+        course().overwrite("assets/bricks_albedo.png", read_all(course().path() / "assets/paving_albedo.png"));
+        const std::string other = picture("other.ppm");
+        EXPECT_NE(other, usual);
+        const Restore textures(course(), "bin/textures/bricks_albedo.png.texels");
+        std::filesystem::remove(course().path() / "bin/textures/bricks_albedo.png.texels");
+        EXPECT_EQ(picture("plain.ppm"), other);
+    }
+    EXPECT_EQ(picture("again.ppm"), usual);
+}
+
+TEST_F(CourseTest, AConvertedPictureThatIsBrokenOrGoneIsReadFromTheOriginal) {
+    const char* const file = "bin/textures/bricks_normal.png.texels";
+    const Restore restore(course(), file);
+    const std::string good = read_all(course().path() / file);
+    const auto picture = [](const char* output) {
+        const Result result = course().relief({"shot", "1", "--size", "64x48", "-o", output});
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        return read_all(course().path() / output);
+    };
+    const std::string usual = picture("usual.ppm");
+    for (const std::string& bad : {std::string(), good.substr(0, good.size() / 2), good + "x", std::string("nonsense"),
+                                   std::string(good.size(), '\0')}) {
+        course().overwrite(file, bad);
+        EXPECT_EQ(picture("broken.ppm"), usual) << bad.size() << " bytes";
+    }
+    std::filesystem::remove(course().path() / file);
+    EXPECT_EQ(picture("gone.ppm"), usual);
+}
+
 TEST_F(CourseTest, APageIsNamedLikeOne) {
     const Result result = course().relief({"check", "1", "-o", "page.png"});
     EXPECT_EQ(result.code, 2);
@@ -441,6 +479,21 @@ TEST_F(CourseTest, BenchPrintsATableAndWritesACsvForEachTopic) {
     const std::string csv = read_all(course().path() / "measured" / "storage.csv");
     EXPECT_TRUE(csv.starts_with("topic,method,")) << csv;
     EXPECT_EQ(lines(csv), 1 + 26) << "a header, then encoding and decoding of 13 formats";
+}
+
+TEST_F(CourseTest, BenchStartTimesShotsAndTheirPhases) {
+    const Result result =
+        run({relief_program(), "bench", "start", "--repeats", "1", "-o", course().path() / "measured"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    for (const char* row : {"linking, options ", "manifest ", "context ", "textures ", "programs ", "drawing ",
+                            "read back ", "writing ", "ending "})
+        EXPECT_TRUE(contains(result.out, std::string("\n") + row)) << row << result.out;
+    const std::string csv = read_all(course().path() / "measured" / "start.csv");
+    EXPECT_EQ(lines(csv), 1 + 6) << "a header; a floor and two shots for each of PNG and PPM\n" << result.err << csv;
+    const Result without = course().relief({"bench", "start", "--repeats", "1", "-o", "measured"});
+    EXPECT_EQ(without.code, 0) << without.err;
+    EXPECT_TRUE(contains(without.err, "floor-png: it is built with the tests")) << without.err;
+    EXPECT_EQ(lines(read_all(course().path() / "measured" / "start.csv")), 1 + 4);
 }
 
 TEST_F(CourseTest, BenchSuggestsTheTopicThatWasMeant) {
