@@ -82,21 +82,25 @@ Milliseconds phases_of(Words command, bool with_cache) {
             1e3 * done.wall - at["written"]};
 }
 
-void print_phases(const fs::path& folder, int repeats) {
-    const std::array<std::pair<const char*, const char*>, 3> shots = {
-        {{"PPM", "a.ppm"}, {"PNG", "a.png"}, {"PPM, cold", "a.ppm"}}};
-    std::array<std::array<std::vector<double>, phases.size()>, shots.size()> samples;
-    for (int repeat = -1; repeat < repeats; ++repeat)  // once to warm up
-        for (size_t s = 0; s < shots.size(); ++s) {
-            const Milliseconds took = phases_of(shot(folder / shots[s].second), s != 2);
-            for (size_t p = 0; p < phases.size() && repeat >= 0; ++p) samples[s][p].push_back(took[p]);
+void print_phases(const fs::path& folder, const BenchSettings& settings) {
+    struct Kind {
+        const char *name, *file;
+        bool with_cache;
+        std::array<std::vector<double>, phases.size()> samples = {};
+    };
+    std::vector<Kind> shots = {{"PPM", "a.ppm", true}, {"PNG", "a.png", true}};
+    if (!settings.quick) shots.push_back({"PPM, cold", "a.ppm", false});
+    for (int repeat = settings.quick ? 0 : -1; repeat < settings.repeats; ++repeat)  // -1: to warm up
+        for (Kind& kind : shots) {
+            const Milliseconds took = phases_of(shot(folder / kind.file), kind.with_cache);
+            for (size_t p = 0; p < phases.size() && repeat >= 0; ++p) kind.samples[p].push_back(took[p]);
         }
     fmt::print("a shot of lab 01 at 512 x 512, phase by phase, ms (cold: without the renderer's cache of shaders)\n{:<18}",
                "phase");
-    for (const auto& [name, file] : shots) fmt::print("{:>10}", name);
+    for (const Kind& kind : shots) fmt::print("{:>10}", kind.name);
     for (size_t p = 0; p < phases.size(); ++p) {
         fmt::print("\n{:<18}", phases[p]);
-        for (const auto& sample : samples) fmt::print("{:>10.1f}", quantile(sample[p], 0.5));
+        for (const Kind& kind : shots) fmt::print("{:>10.1f}", quantile(kind.samples[p], 0.5));
     }
     fmt::print("\n\n");
 }
@@ -121,9 +125,9 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
         else
             print_note(fmt::format("there is no {}: it is built with the tests", floor.string()));
         for (const bool with_cache : {true, false})
-            add("shot 01", kind, shot(folder->path() / ("shot." + kind)), with_cache);
+            if (with_cache || !settings.quick) add("shot 01", kind, shot(folder->path() / ("shot." + kind)), with_cache);
     }
-    print_phases(folder->path(), settings.repeats);
+    print_phases(folder->path(), settings);
     return result;
 }
 
