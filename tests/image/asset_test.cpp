@@ -47,6 +47,14 @@ bool same(const Texels& a, const Texels& b) {
     return true;
 }
 
+/// Which chain the build has made.
+ColorSpace map_space(const std::string& name) {
+    const std::string bytes = read_file(framework_folder() / "textures" / (name + ".texels"));
+    uint64_t source = 0;
+    std::memcpy(&source, bytes.data() + 8, sizeof source);
+    return decode_texels(bytes, source, {}).value().space;
+}
+
 TEST(Asset, EachPictureLiesConvertedBesideTheFrameworkBitForBitAsARunWouldMakeIt) {
     ASSERT_GE(pictures().size(), 10u);
     for (const std::string& name : pictures()) {
@@ -54,6 +62,7 @@ TEST(Asset, EachPictureLiesConvertedBesideTheFrameworkBitForBitAsARunWouldMakeIt
         EXPECT_TRUE(read_file(framework_folder() / "textures" / (name + ".texels")) ==
                     convert_asset(name, read_file(picture)))
             << name;
+        EXPECT_EQ(map_space(name), name.ends_with("_albedo.png") ? ColorSpace::srgb : ColorSpace::linear) << name;
         const Image decoded = read_image(picture);
         const Image read = read_asset(name);
         EXPECT_EQ(read.bits, decoded.bits) << name;
