@@ -14,8 +14,8 @@ void print_error(std::string_view message);
 /// "relief: message". For what a person should know and a script need not.
 void print_note(std::string_view message);
 
-/// Event by event, what the run does: "[  12.3 ms] message", by the time since the process began. Printed with --verbose
-/// only.
+/// Event by event, what the run does: "[  12.3 ms] message", by the time since the process began. Printed with
+/// --verbose only.
 void set_verbose(bool on);
 void print_event(std::string_view message);
 

@@ -28,7 +28,8 @@ public:
     glm::ivec2 size() const { return size_; }
     /// What a lab draws into.
     GLuint framebuffer() const { return drawn_; }
-    /// Averages the samples (if there are several) into the one-sample framebuffer that is returned.
+    /// Averages the samples (if there are several) into the one-sample framebuffer that is returned. Leaves no program in
+    /// use, no depth test and its own viewport.
     GLuint resolve() const;
     /// Reads all pixels, row 0 at the top: the first 1 to 4 channels.
     Image read(int channels = 4) const;

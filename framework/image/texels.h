@@ -15,8 +15,8 @@
 
 namespace relief {
 
-/// Levels from 0 on. Rows go from the bottom to the top without padding; a value is an unsigned integer of 8 or 16 bits,
-/// or a 32-bit float: what glTexImage2D takes with an alignment of 1.
+/// Levels from 0 on. Rows go from the bottom to the top without padding; a value is an unsigned integer of 8 or 16
+/// bits, or a 32-bit float: what glTexImage2D takes with an alignment of 1.
 struct Texels {
     struct Level {
         int width = 0, height = 0;
@@ -40,8 +40,8 @@ Image unpack(const Texels& texels);
 
 /// A whole chain, down to 1x1, as a file; `source` is whatever tells the picture that it was made of from all others.
 std::string encode_texels(const Texels& chain, uint64_t source);
-/// The chain in such bytes, which `memory` holds. Nothing when they are of another kind, of another source or length, or
-/// no whole chain: then it is to be made anew.
+/// The chain in such bytes, which `memory` holds. Nothing when they are of another kind, of another source or length,
+/// or no whole chain: then it is to be made anew.
 std::optional<Texels> decode_texels(std::string_view bytes, uint64_t source, std::shared_ptr<const void> memory);
 /// The same, mapped from a file. Nothing also when there is none.
 std::optional<Texels> map_texels(const std::filesystem::path& path, uint64_t source);

@@ -95,8 +95,9 @@ void print_phases(const fs::path& folder, const BenchSettings& settings) {
             const Milliseconds took = phases_of(shot(folder / kind.file), kind.with_cache);
             for (size_t p = 0; p < phases.size() && repeat >= 0; ++p) kind.samples[p].push_back(took[p]);
         }
-    fmt::print("a shot of lab 01 at 512 x 512, phase by phase, ms (cold: without the renderer's cache of shaders)\n{:<18}",
-               "phase");
+    fmt::print(
+        "a shot of lab 01 at 512 x 512, phase by phase, ms (cold: without the renderer's cache of shaders)\n{:<18}",
+        "phase");
     for (const Kind& kind : shots) fmt::print("{:>10}", kind.name);
     for (size_t p = 0; p < phases.size(); ++p) {
         fmt::print("\n{:<18}", phases[p]);
@@ -120,12 +121,14 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
         const fs::path out = folder->path() / ("floor." + kind);
         if (fs::exists(floor))
             add("floor", kind,
-                {floor.string(), kind == "png" ? from.string() : (folder->path() / "texture.ppm").string(), out.string()},
+                {floor.string(), kind == "png" ? from.string() : (folder->path() / "texture.ppm").string(),
+                 out.string()},
                 true);
         else
             print_note(fmt::format("there is no {}: it is built with the tests", floor.string()));
         for (const bool with_cache : {true, false})
-            if (with_cache || !settings.quick) add("shot 01", kind, shot(folder->path() / ("shot." + kind)), with_cache);
+            if (with_cache || !settings.quick)
+                add("shot 01", kind, shot(folder->path() / ("shot." + kind)), with_cache);
     }
     print_phases(folder->path(), settings);
     return result;

@@ -19,7 +19,6 @@ constexpr glm::vec3 top{0, 2.95f, 0};
 /// A column's, and how far it reaches from there.
 constexpr glm::vec3 middle{0, column.height / 2, 0};
 constexpr float column_reach = 1.4f;
-static_assert(column_reach * column_reach >
-              middle.y * middle.y + column.bottom_radius * column.bottom_radius);
+static_assert(column_reach * column_reach > middle.y * middle.y + column.bottom_radius * column.bottom_radius);
 
 }  // namespace relief::colonnade

@@ -199,8 +199,8 @@ TEST_F(ShotCommand, OpensNoLibraryThatItDoesNotNeed) {
     for (const char* lab : {"01", "03", "04", "05", "06", "10", "11", "12", "13", "14"}) {
         const std::string plain = libraries_of({"shot", lab, "--size", "64x64", "-o", "-"});
         EXPECT_TRUE(contains(plain, "libOSMesa")) << lab;
-        for (const char* unwanted : {"OpenImageIO", "relief-openimageio", "glfw", "imgui", "relief-window", "libX11",
-                                     "archive", "libEGL"})
+        for (const char* unwanted :
+             {"OpenImageIO", "relief-openimageio", "glfw", "imgui", "relief-window", "libX11", "archive", "libEGL"})
             EXPECT_FALSE(contains(plain, unwanted)) << lab << ": " << unwanted;
     }
     const std::string png = libraries_of({"shot", "01", "--size", "64x64", "-o", "a.png"});
@@ -218,8 +218,8 @@ TEST_F(ShotCommand, SaysWithVerboseWhereItsTimeGoes) {
     const Result result = shot({"-o", "a.ppm", "--verbose"});
     EXPECT_EQ(result.code, 0);
     double before = 0;
-    for (const char* event : {"started: ", "lab: 01_specular_highlights", "context: osmesa", "program: ", "texture: ",
-                              "drawn", "read back", "written: a.ppm"}) {
+    for (const char* event : {"started: ", "lab: 01_specular_highlights", "context: osmesa",
+                              "program: ", "texture: ", "drawn", "read back", "written: a.ppm"}) {
         const size_t at = result.err.find(std::string(" ms] ") + event);
         ASSERT_NE(at, std::string::npos) << event << "\n" << result.err;
         const double when = std::stod(result.err.substr(result.err.rfind('[', at) + 1));

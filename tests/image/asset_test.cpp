@@ -87,8 +87,8 @@ TEST(Asset, ThatWasReplacedIsReadAnewWhateverItsTimeAndItsSize) {
     ppm.resize(bytes.size());
     course.put(name, ppm);
     EXPECT_EQ(read_asset(name).values, other.values);
-    EXPECT_TRUE(same(read_asset_chain(name, ColorSpace::srgb),
-                     pack(mip_chain(other, ColorSpace::srgb), ColorSpace::srgb)));
+    EXPECT_TRUE(
+        same(read_asset_chain(name, ColorSpace::srgb), pack(mip_chain(other, ColorSpace::srgb), ColorSpace::srgb)));
 }
 
 TEST(Asset, ChangesWithEachOfItsBytes) {

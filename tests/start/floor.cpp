@@ -1,7 +1,9 @@
 // The least that a picture costs: a context, one textured and lit quad at 512 x 512, a file. As somebody would write it
 // by hand with the same libraries, and with nothing of the framework; `relief bench start` holds `relief shot` to it.
-// Built twice: floor-png TEXTURE.png OUT.png reads and writes with OpenImageIO, floor-ppm TEXTURE.ppm OUT.ppm by itself.
+// Built twice: floor-png TEXTURE.png OUT.png reads and writes with OpenImageIO, floor-ppm TEXTURE.ppm OUT.ppm by
+// itself.
 #include <glad/gl.h>  // before osmesa.h, which would bring the system's gl.h
+
 #include <GL/osmesa.h>
 
 #include <algorithm>
@@ -41,8 +43,8 @@ Picture read(const char* file) {
 void write(const char* file, const Picture& picture) {
     const auto output = OIIO::ImageOutput::create(file);
     const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
-    if (!output || !output->open(file, spec) ||
-        !output->write_image(OIIO::TypeDesc::UINT8, picture.rows.data()) || !output->close())
+    if (!output || !output->open(file, spec) || !output->write_image(OIIO::TypeDesc::UINT8, picture.rows.data()) ||
+        !output->close())
         fail(std::string("cannot write ") + file);
 }
 #else
@@ -105,8 +107,15 @@ GLuint compiled(GLenum stage, const char* text) {
 
 int main(int argc, char** argv) {
     if (argc != 3) fail("usage: floor TEXTURE OUT");
-    const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION, 4, OSMESA_CONTEXT_MINOR_VERSION, 1, 0};
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              4,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              1,
+                              0};
     const OSMesaContext context = OSMesaCreateContextAttribs(attributes, nullptr);
     std::vector<unsigned char> window(side * side * 4);
     if (!context || !OSMesaMakeCurrent(context, window.data(), GL_UNSIGNED_BYTE, side, side)) fail("no context");
