@@ -11,6 +11,7 @@
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
+#include "framework/base/memory.h"
 #include "framework/base/text.h"
 #include "framework/context/backends.h"
 #include "framework/lab/knobs.h"
@@ -107,6 +108,7 @@ public:
             throw UsageError(std::string(error.what()) + "; --help shows what is taken");
         }
         set_verbose(verbose_);
+        print_event("started: libraries are linked, the command line is read");
         return command_ ? command_() : open_menu_or_gallery(only_lab_);
     }
 
@@ -261,6 +263,7 @@ private:
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+    take_large_pages();
     clean_up_when_interrupted();
     try {
 #if __has_include("framework/measure/bench.h")

@@ -63,16 +63,19 @@ public:
             // Asleep until something happens. An event wants a second turn, in which Dear ImGui shows what it did, and
             // a third when that was to open a window, which is measured before it is shown. The sleep is broken to look
             // at files, and nothing is drawn when they are as they were.
-            if (moves() || turns_ > 0)
+            if (moves() || turns_ > 0) {
                 glfwPollEvents();
-            else
+            } else {
+                if (shown_ != told_) print_event(fmt::format("asleep after {} frames of the menu", told_ = shown_));
                 glfwWaitEventsTimeout(look_every);
+            }
             const bool news = look();
             if (window_.take_event() || news) turns_ = 3;
             if (!moves() && turns_ == 0) continue;
             turns_ = std::max(0, turns_ - 1);
             turn();
             glfwSwapBuffers(window);
+            ++shown_;
         }
         return 0;
     }
@@ -280,6 +283,7 @@ private:
     double begin_ = 0, time_ = 0;
     bool paused_ = false, panel_hidden_ = false;
     int turns_ = 3;
+    int64_t shown_ = 0, told_ = 0;  ///< frames of the menu; those that --verbose knows of
     std::string message_;
 };
 

@@ -67,6 +67,7 @@ bool Stage::draw(glm::ivec2 size, double time) {
     stale_ = false;
     failure_.reset();
     shot_.size = size, shot_.time = time;
+    draw_calls_ = 0;
     const int64_t draw_calls_before = counters().draw_calls;
     const auto begin = std::chrono::steady_clock::now();
     try {
@@ -77,6 +78,7 @@ bool Stage::draw(glm::ivec2 size, double time) {
             target_.emplace(kind, size);
         }
         draw_lab(*lab_, frame_of(shot_, *target_));
+        draw_calls_ = counters().draw_calls - draw_calls_before;
         glFinish();
         milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
         shown_ = shot_.probe ? draw_probe() : target_->resolve();
@@ -85,7 +87,6 @@ bool Stage::draw(glm::ivec2 size, double time) {
     } catch (const std::exception& error) {  // the window stays open, whatever a lab does
         fail(Error(error.what()));
     }
-    draw_calls_ = counters().draw_calls - draw_calls_before;
     ++frames_;
     print_event(fmt::format("frame {}: {}, {} GL objects, {} draw calls, {} texture bytes, {:.1f} ms", frames_,
                             entry_->folder, counters().live_objects(), draw_calls_, counters().texture_bytes,

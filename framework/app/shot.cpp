@@ -6,6 +6,7 @@
 #include "framework/app/commands.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
+#include "framework/base/log.h"
 #include "framework/base/text.h"
 #include "framework/image/file.h"
 #include "framework/image/visualize.h"
@@ -88,6 +89,7 @@ int take_shot(const ShotArguments& arguments) {
     const ContextChoice choice = context_kind(arguments.context);
     std::unique_ptr<Context> context;  // outlives the lab, whose GL objects it holds
     const std::unique_ptr<Lab> lab = make_lab(entry, shot);
+    print_event("lab: " + entry.folder);
 
     Image image;
     std::string summary;
@@ -109,8 +111,10 @@ int take_shot(const ShotArguments& arguments) {
 
     if (to_standard_output) {
         write_standard_output(encode_image(image, format));
+        print_event("written");
     } else {
         write_image(output, image);
+        print_event("written: " + output);
         fmt::print("{}\n{}", output, summary);
     }
     return 0;

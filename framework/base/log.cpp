@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 namespace relief {
 namespace {
 
 bool is_verbose = false;
+double milliseconds_before = 0;  // that the process had run for when the watch was made
+Stopwatch watch;
 
 bool colour() {
     static const bool on = isatty(STDERR_FILENO) && !std::getenv("NO_COLOR");
@@ -30,10 +33,16 @@ void print_error(std::string_view message) {
 
 void print_note(std::string_view message) { say(fmt::format("relief: {}\n", message)); }
 
-void set_verbose(bool on) { is_verbose = on; }
+void set_verbose(bool on) {
+    is_verbose = on;
+    // Of the process's beginning nothing is known to better than a hundredth of a second. But until now it had one
+    // thread, which had nothing to wait for.
+    watch = {};
+    milliseconds_before = 1e3 * double(std::clock()) / CLOCKS_PER_SEC;
+}
 
 void print_event(std::string_view message) {
-    if (is_verbose) say(fmt::format("{}\n", message));
+    if (is_verbose) say(fmt::format("[{:7.1f} ms] {}\n", milliseconds_before + watch.milliseconds(), message));
 }
 
 void Progress::next(std::string_view what) {

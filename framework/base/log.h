@@ -14,9 +14,21 @@ void print_error(std::string_view message);
 /// "relief: message". For what a person should know and a script need not.
 void print_note(std::string_view message);
 
-/// Event by event, what the run does. Printed with --verbose only.
+/// Event by event, what the run does: "[  12.3 ms] message", by the time since the process began. Printed with
+/// --verbose only.
 void set_verbose(bool on);
 void print_event(std::string_view message);
+
+/// Time since it was made.
+class Stopwatch {
+public:
+    double milliseconds() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
 
 /// "[###       ] 3 of 17, 20 s left: lab 03" on a terminal's last line, from the third second on; nothing when standard
 /// error is not a terminal. The line is gone when the object is.

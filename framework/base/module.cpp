@@ -26,11 +26,17 @@ void* Module::address(const char* name) const {
     return found;
 }
 
+const std::filesystem::path& framework_folder() {
+    static const std::filesystem::path folder = [] {
+        Dl_info framework{};
+        dladdr(reinterpret_cast<const void*>(&framework_folder), &framework);
+        return std::filesystem::path(framework.dli_fname).parent_path();
+    }();
+    return folder;
+}
+
 Module open_own_module(const char* name, const char* package) {
-    Dl_info framework{};
-    dladdr(reinterpret_cast<const void*>(&open_own_module), &framework);
-    const std::filesystem::path folder = std::filesystem::path(framework.dli_fname).parent_path();
-    const std::string path = (folder / name).string();
+    const std::string path = (framework_folder() / name).string();
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) throw Error({path}, "is missing: build it with ./relief build");
     const char* const names[] = {path.c_str()};

@@ -27,6 +27,9 @@ private:
     std::string name_;
 };
 
+/// Where the framework's library lies, and beside it whatever the build made for it.
+const std::filesystem::path& framework_folder();
+
 /// Opens one of the project's own modules, which lie beside the framework's library.
 Module open_own_module(const char* name, const char* package);
 

@@ -69,6 +69,7 @@ std::unique_ptr<Context> open_context(ContextKind kind) {
         std::unique_ptr<Context> context = open_backend(kind);
         watch_errors();
         take_gl_errors();
+        print_event(fmt::format("context: {}, {}", name_of(kind), text_of(GL_RENDERER)));
         return context;
     } catch (const Error& error) {
         throw Error(fmt::format("no {} context: {}", name_of(kind), error.what()));

@@ -25,6 +25,7 @@ constexpr int gl_kinds = 11;
 struct Counters {
     std::array<int64_t, gl_kinds> live{};  ///< GL objects by GlKind
     int64_t draw_calls = 0;                ///< since the process began; a multi-draw counts once
+    int64_t links = 0;                     ///< of programs, since the process began
     int64_t texture_bytes = 0;             ///< in textures that are live, all mip levels, as the course uploaded them
 
     int64_t live_objects() const {

@@ -58,6 +58,14 @@ struct CountCreatedProgram {
     }
 };
 template <auto& pointer>
+struct CountLink {
+    static inline PointerOf<pointer> real;
+    static void GLAD_API_PTR call(GLuint program) {
+        ++counters().links;
+        real(program);
+    }
+};
+template <auto& pointer>
 struct CountCreatedShader {
     static inline PointerOf<pointer> real;
     static GLuint GLAD_API_PTR call(GLenum stage) {
@@ -103,6 +111,7 @@ void count_calls() {
         glad_glDeleteTransformFeedbacks);
     put_in_front<CountCreatedProgram<glad_glCreateProgram>>(glad_glCreateProgram);
     put_in_front<CountDeletedOne<glad_glDeleteProgram, GlKind::program>>(glad_glDeleteProgram);
+    put_in_front<CountLink<glad_glLinkProgram>>(glad_glLinkProgram);
     put_in_front<CountCreatedShader<glad_glCreateShader>>(glad_glCreateShader);
     put_in_front<CountDeletedOne<glad_glDeleteShader, GlKind::shader>>(glad_glDeleteShader);
 

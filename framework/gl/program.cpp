@@ -5,6 +5,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "framework/base/error.h"
+#include "framework/base/log.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
 #include "framework/gl/texture.h"
@@ -63,6 +64,7 @@ Program::Program(const std::vector<fs::path>& stages, const std::vector<std::str
     : Program(load_shaders(stages, defines)) {}
 
 Program::Program(const std::vector<ShaderSource>& stages) {
+    const Stopwatch watch;
     std::vector<ShaderName> shaders;
     for (const ShaderSource& source : stages) {
         known_.insert(source.names.begin(), source.names.end());
@@ -91,6 +93,7 @@ Program::Program(const std::vector<ShaderSource>& stages) {
         if (plain_name.ends_with("[0]")) plain_name.resize(plain_name.size() - 3);
         locations_.emplace(plain_name, glGetUniformLocation(name_, name));
     }
+    print_event(fmt::format("program: {}, {:.1f} ms", title_, watch.milliseconds()));
 }
 
 GLint Program::location(const char* uniform) const {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "framework/gl/object.h"
+#include "framework/gl/program.h"
 #include "framework/image/image.h"
 
 namespace relief {
@@ -27,21 +28,28 @@ public:
     glm::ivec2 size() const { return size_; }
     /// What a lab draws into.
     GLuint framebuffer() const { return drawn_; }
-    /// Averages the samples (if there are several) into the one-sample framebuffer that is returned.
+    /// Averages the samples (if there are several) into the one-sample framebuffer that is returned. Leaves no program in
+    /// use, no depth test and its own viewport.
     GLuint resolve() const;
-    /// Reads all pixels: 4 channels, row 0 at the top.
-    Image read() const;
+    /// Reads all pixels, row 0 at the top: the first 1 to 4 channels.
+    Image read(int channels = 4) const;
 
 private:
     TargetKind kind_;
     glm::ivec2 size_;
     FramebufferName drawn_;
-    RenderbufferName color_, depth_;
-    struct Resolved {
-        FramebufferName framebuffer;
-        RenderbufferName color;
+    RenderbufferName depth_;
+    std::optional<RenderbufferName> color_;  ///< of a target with one sample
+    /// Of a target with several.
+    struct Samples {
+        TextureName color;
+        FramebufferName framebuffer;  ///< of their means
+        RenderbufferName means;
+        Program resolve;
+        VertexArrayName nothing;
+        explicit Samples(int count);
     };
-    std::optional<Resolved> resolved_;
+    std::optional<Samples> samples_;
 };
 
 }  // namespace relief

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <map>
+#include <tuple>
 
 #include "framework/base/error.h"
+#include "framework/base/log.h"
 #include "framework/base/paths.h"
 #include "framework/gl/counters.h"
-#include "framework/image/file.h"
+#include "framework/image/asset.h"
 #include "framework/image/mips.h"
 
 namespace relief {
@@ -16,52 +18,23 @@ namespace {
 
 struct Format {
     GLenum internal, external, type;
-    int bytes_per_channel;
 };
 
-Format format_of(const Image& image, ColorSpace space) {
+Format format_of(const Texels& texels) {
     constexpr GLenum external[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
     constexpr GLenum unorm8[] = {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
     constexpr GLenum unorm16[] = {GL_R16, GL_RG16, GL_RGB16, GL_RGBA16};
     constexpr GLenum floats[] = {GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F};
-    const int i = image.channels - 1;
-    if (space == ColorSpace::srgb) {
-        if (image.bits != 8 || image.channels < 3)
-            throw Error(fmt::format("sRGB colour needs 8 bits and 3 or 4 channels; this has {} bits and {}", image.bits,
-                                    image.channels));
-        return {image.channels == 3 ? GLenum(GL_SRGB8) : GLenum(GL_SRGB8_ALPHA8), external[i], GL_UNSIGNED_BYTE, 1};
+    const int i = texels.channels - 1;
+    if (texels.space == ColorSpace::srgb) {
+        if (texels.bits != 8 || texels.channels < 3)
+            throw Error(fmt::format("sRGB colour needs 8 bits and 3 or 4 channels; this has {} bits and {}",
+                                    texels.bits, texels.channels));
+        return {texels.channels == 3 ? GLenum(GL_SRGB8) : GLenum(GL_SRGB8_ALPHA8), external[i], GL_UNSIGNED_BYTE};
     }
-    if (image.bits == 8) return {unorm8[i], external[i], GL_UNSIGNED_BYTE, 1};
-    if (image.bits == 16) return {unorm16[i], external[i], GL_UNSIGNED_SHORT, 2};
-    return {floats[i], external[i], GL_FLOAT, 4};
-}
-
-/// Rows from the bottom to the top, as GL wants them, rounded to the type.
-template <class Integer>
-std::vector<Integer> rows_upwards(const Image& image) {
-    std::vector<Integer> result(image.values.size());
-    const size_t row = size_t(image.width) * image.channels;
-    for (int y = 0; y < image.height; ++y) {
-        const float* const from = image.pixel(0, y);
-        Integer* const to = result.data() + row * (image.height - 1 - y);
-        for (size_t i = 0; i < row; ++i) {
-            if constexpr (std::is_same_v<Integer, float>)
-                to[i] = from[i];
-            else
-                to[i] = Integer(std::clamp(from[i], 0.0f, 1.0f) * std::numeric_limits<Integer>::max() + 0.5f);
-        }
-    }
-    return result;
-}
-
-void upload_level(int level, const Image& image, const Format& format) {
-    const auto upload = [&](const void* rows) {
-        glTexImage2D(GL_TEXTURE_2D, level, GLint(format.internal), image.width, image.height, 0, format.external,
-                     format.type, rows);
-    };
-    if (format.type == GL_UNSIGNED_BYTE) upload(rows_upwards<uint8_t>(image).data());
-    if (format.type == GL_UNSIGNED_SHORT) upload(rows_upwards<uint16_t>(image).data());
-    if (format.type == GL_FLOAT) upload(rows_upwards<float>(image).data());
+    if (texels.bits == 8) return {unorm8[i], external[i], GL_UNSIGNED_BYTE};
+    if (texels.bits == 16) return {unorm16[i], external[i], GL_UNSIGNED_SHORT};
+    return {floats[i], external[i], GL_FLOAT};
 }
 
 }  // namespace
@@ -77,42 +50,53 @@ Texture::Texture(std::string title, std::function<Image()> make, TextureOptions 
               }),
               options) {}
 
-Texture::~Texture() { counters().texture_bytes -= bytes_; }
+Texture::Texture(std::string title, std::function<std::vector<Image>()> make, TextureOptions options)
+    : title_(std::move(title)),
+      make_([make = std::move(make), space = options.space] { return pack(make(), space); }),
+      options_(options) {}
+
+Texture::Loaded::~Loaded() { counters().texture_bytes -= bytes; }
 
 Texture::operator GLuint() const {
-    if (!name_) create();
-    return *name_;
+    if (!loaded_ && is_asset_) {
+        // Of every course that is read, and of every way to look at a picture.
+        using Key = std::tuple<std::string, ColorSpace, Wrap, bool, std::optional<float>>;
+        static std::map<Key, std::weak_ptr<const Loaded>> assets;
+        std::weak_ptr<const Loaded>& shared = assets[Key((course_root() / title_).string(), options_.space,
+                                                         options_.wrap, options_.mips, options_.anisotropy)];
+        loaded_ = shared.lock();
+        if (!loaded_) shared = loaded_ = create();
+    }
+    if (!loaded_) loaded_ = create();
+    return loaded_->name;
 }
 
-void Texture::create() const {
-    const std::vector<Image> levels = make_();
-    const Image& image = levels.at(0);
+std::shared_ptr<const Texture::Loaded> Texture::create() const {
+    const Stopwatch watch;
+    const Texels texels = make_();
+    const Texels::Level& first = texels.levels.at(0);
     const Format format = [&] {
         try {
-            return format_of(image, options_.space);
+            return format_of(texels);
         } catch (const Error& error) {
             throw Error(title_ + ": " + error.what());
         }
     }();
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (std::max(image.width, image.height) > largest)
+    if (std::max(first.width, first.height) > largest)
         throw Error(
-            fmt::format("{}: {}x{} is larger than this driver's {}", title_, image.width, image.height, largest));
+            fmt::format("{}: {}x{} is larger than this driver's {}", title_, first.width, first.height, largest));
 
     // Made in the middle of a draw that has textures bound: whatever is on the active unit must stay there.
     GLint bound = 0;
     glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
-    TextureName name;
-    glBindTexture(GL_TEXTURE_2D, name);
-    label(GL_TEXTURE, name, title_);
+    const auto loaded = std::make_shared<Loaded>();
+    glBindTexture(GL_TEXTURE_2D, loaded->name);
+    label(GL_TEXTURE, loaded->name, title_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    int64_t bytes = 0;
-    for (size_t level = 0; level < levels.size(); ++level) {
-        upload_level(int(level), levels[level], format);
-        bytes += int64_t(levels[level].values.size()) * format.bytes_per_channel;
-    }
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(levels.size()) - 1);
+    // First what it will be: a driver that hears of levels when the first is there makes room, and copies, twice.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(texels.levels.size()) - 1);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, options_.mips ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     const GLint wrap = options_.wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
@@ -124,16 +108,28 @@ void Texture::create() const {
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, anisotropy));
     }
+    for (GLint i = 0; const Texels::Level& level : texels.levels) {
+        glTexImage2D(GL_TEXTURE_2D, i++, GLint(format.internal), level.width, level.height, 0, format.external,
+                     format.type, level.rows);
+        loaded->bytes += int64_t(texels.bytes(level));
+    }
+    counters().texture_bytes += loaded->bytes;
     glBindTexture(GL_TEXTURE_2D, GLuint(bound));
-    bytes_ = bytes;
-    counters().texture_bytes += bytes;
-    name_ = std::move(name);
+    print_event(fmt::format("texture: {}, {}x{}, {:.1f} ms", title_, first.width, first.height, watch.milliseconds()));
+    return loaded;
 }
 
 Texture load_texture(const char* asset, TextureOptions options) {
-    const std::string name(asset);
-    return Texture(
-        "assets/" + name, [name] { return read_image(course_root() / "assets" / name); }, options);
+    Texture texture;
+    texture.title_ = std::string("assets/") + asset;
+    texture.make_ = [name = std::string(asset), options] {
+        Texels chain = read_asset_chain(name, options.space);
+        if (!options.mips) chain.levels.resize(1);
+        return chain;
+    };
+    texture.options_ = options;
+    texture.is_asset_ = true;
+    return texture;
 }
 
 Texture load_texture(const char* asset, ColorSpace space) {

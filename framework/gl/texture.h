@@ -3,13 +3,14 @@
 
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "framework/gl/object.h"
-#include "framework/image/image.h"
+#include "framework/image/texels.h"
 
 namespace relief {
 
@@ -31,31 +32,33 @@ class Texture {
 public:
     Texture(std::string title, std::function<Image()> make, TextureOptions options = {});
     /// With mip levels of one's own, from level 0 down to 1 x 1.
-    Texture(std::string title, std::function<std::vector<Image>()> make, TextureOptions options = {})
-        : title_(std::move(title)), make_(std::move(make)), options_(options) {}
-    ~Texture();
-    Texture(Texture&& other) noexcept
-        : title_(std::move(other.title_)),
-          make_(std::move(other.make_)),
-          options_(other.options_),
-          name_(std::move(other.name_)),
-          bytes_(std::exchange(other.bytes_, 0)) {}
+    Texture(std::string title, std::function<std::vector<Image>()> make, TextureOptions options = {});
+    Texture(Texture&&) noexcept = default;
     Texture& operator=(Texture&&) = delete;
 
     /// Throws Error when the image cannot be made or is too large for the driver.
     operator GLuint() const;
 
 private:
-    void create() const;
+    /// What the driver holds.
+    struct Loaded {
+        TextureName name;
+        int64_t bytes = 0;
+        ~Loaded();
+    };
+    Texture() = default;
+    std::shared_ptr<const Loaded> create() const;
+    friend Texture load_texture(const char* asset, TextureOptions options);
 
     std::string title_;
-    std::function<std::vector<Image>()> make_;  ///< the levels
+    std::function<Texels()> make_;
     TextureOptions options_;
-    mutable std::optional<TextureName> name_;
-    mutable int64_t bytes_ = 0;
+    bool is_asset_ = false;
+    mutable std::shared_ptr<const Loaded> loaded_;
 };
 
-/// A file below the course's `assets` folder.
+/// A file below the course's `assets` folder. All that load it with the same options share one texture of the driver's,
+/// which is there as long as one of them is.
 Texture load_texture(const char* asset, TextureOptions options);
 Texture load_texture(const char* asset, ColorSpace space);
 

@@ -7,18 +7,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <regex>
 
 #include "framework/base/descriptor.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
+#include "framework/base/module.h"
 #include "framework/base/parallel.h"
 #include "framework/base/paths.h"
 #include "framework/base/sha256.h"
 #include "framework/base/text.h"
 #include "framework/grade/starter.h"
-#include "framework/image/file.h"
 
 namespace relief {
 namespace {
@@ -65,29 +64,6 @@ void put(const fs::path& file, std::string_view content, bool program = false) {
     make_public(file.parent_path());
     write_file(file, content);
     fs::permissions(file, fs::perms(program ? 0755 : 0644));
-}
-
-/// PGM or PPM of 8 or 16 bits.
-std::string encode_integers(const Image& image) {
-    const int largest = image.bits == 16 ? 65535 : 255;
-    std::string bytes =
-        fmt::format("{}\n{} {}\n{}\n", image.channels == 1 ? "P5" : "P6", image.width, image.height, largest);
-    for (const float value : image.values) {
-        const auto whole = unsigned(std::lround(value * float(largest)));
-        if (largest > 255) bytes += static_cast<char>(whole >> 8);
-        bytes += static_cast<char>(whole);
-    }
-    return bytes;
-}
-
-/// The same picture in bytes that the framework reads by itself; the old bytes where there are none such.
-std::string without_library(const std::string& bytes) {
-    const Image image = decode_image(bytes);
-    if (image.channels != 1 && image.channels != 3) return bytes;
-    const std::string plain = image.bits == 32 ? encode_image(image, ImageFormat::pfm) : encode_integers(image);
-    const Image again = decode_image(plain);
-    const bool same = again.same_shape(image) && again.bits == image.bits && again.values == image.values;
-    return same ? plain : bytes;
 }
 
 }  // namespace
@@ -138,7 +114,7 @@ Stage::Stage(Isolation isolation)
     if (is_inside(fs::weakly_canonical(course_root()).string(), "/usr"))
         throw Error("the course lies below /usr, which every submission can read: move it to another folder");
     copy_programs();
-    convert_assets();
+    copy_assets();
     make_public(folder_.path() / "courses");
 }
 
@@ -149,13 +125,14 @@ void Stage::copy_programs() {
     put(folder_.path() / "bin" / "relief", read_file(executable_path()), true);
 }
 
-void Stage::convert_assets() {
-    for (const std::string& file : files_below("assets")) {
-        if (is_source(file)) continue;
-        const std::string bytes = read_file(course_root() / file);
-        const bool picture = file.ends_with(".png") || file.ends_with(".exr");
-        put(folder_.path() / file, picture ? without_library(bytes) : bytes);
-    }
+/// With what the build made of them: so no drawing opens a library to read a picture.
+void Stage::copy_assets() {
+    for (const std::string& file : files_below("assets"))
+        if (!is_source(file)) put(folder_.path() / file, read_file(course_root() / file));
+    make_public(textures());
+    if (fs::is_directory(framework_folder() / "textures"))
+        for (const auto& entry : fs::directory_iterator(framework_folder() / "textures"))
+            put(textures() / entry.path().filename(), read_file(entry.path()));
 }
 
 void Stage::add(const LabEntry& lab) {
@@ -264,9 +241,10 @@ void Stage::build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& pa
     link.insert(link.end(), {"-lfmt", "-ltinyobjloader", "-ltomlplusplus", "-ldl", "-pthread"});
     must(link, "link the framework for C++ tasks");
     fs::copy_file(folder_.path() / "bin/relief-openimageio.so", here / "relief-openimageio.so");
+    fs::create_directory_symlink(textures(), here / "textures");
     for (const auto& entry : fs::recursive_directory_iterator(here))
         fs::permissions(entry.path(), fs::perms(entry.is_directory() ? 0755 : 0644));
-    part.readable = {here, folder_.path() / "assets", folder_.path() / "shaders"};
+    part.readable = {here, textures(), folder_.path() / "assets", folder_.path() / "shaders"};
 }
 
 StagedCourse Stage::course(const LabEntry& lab, const CourseFiles& files) const {

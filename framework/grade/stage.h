@@ -46,8 +46,8 @@ struct Compiled {
     double seconds = 0;
 };
 
-/// Made once for a run: copies of the programs (a build in the middle of a run must not change them), the pictures in a
-/// form that needs no library, the shaders without solutions, and for C++ tasks a framework without the references.
+/// Made once for a run: copies of the programs (a build in the middle of a run must not change them), the pictures with
+/// what the build made of them, the shaders without solutions, and for C++ tasks a framework without the references.
 class Stage {
 public:
     explicit Stage(Isolation isolation);
@@ -72,7 +72,8 @@ private:
         std::vector<std::filesystem::path> readable;
     };
     void copy_programs();
-    void convert_assets();
+    void copy_assets();
+    std::filesystem::path textures() const { return folder_.path() / "bin/textures"; }
     void build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& part);
     std::vector<std::string> compiler(const LabEntry& lab) const;
     void must(const std::vector<std::string>& command, const char* what) const;

@@ -99,11 +99,15 @@ Image decode_floats(Header& header, int width, int height, int channels) {
 
 std::string encode_ppm(const Image& image) {
     std::string bytes = fmt::format("P6\n{} {}\n255\n", image.width, image.height);
-    bytes.reserve(bytes.size() + image.pixel_count() * 3);
-    for (size_t i = 0; i < image.pixel_count(); ++i)
-        for (int c = 0; c < 3; ++c) {
-            const float value = image.values[i * image.channels + (image.channels >= 3 ? c : 0)];
-            bytes += static_cast<char>(std::lround(std::clamp(std::isnan(value) ? 0.0f : value, 0.0f, 1.0f) * 255));
+    const size_t head = bytes.size();
+    bytes.resize(head + image.pixel_count() * 3);
+    const size_t step = size_t(image.channels), second = image.channels >= 3 ? 1 : 0;
+    const float* from = image.values.data();
+    for (char* to = bytes.data() + head; to != bytes.data() + bytes.size(); to += 3, from += step)
+        for (size_t c = 0; c < 3; ++c) {
+            const float value = from[c * second];
+            const float scaled = (value >= 0 ? std::min(value, 1.0f) : 0.0f) * 255;  // also of what is no number
+            to[c] = static_cast<char>(static_cast<int>(double(scaled) + 0.5));
         }
     return bytes;
 }

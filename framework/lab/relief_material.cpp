@@ -1,9 +1,8 @@
 #include "framework/lab/relief_material.h"
 
 #include "framework/base/parallel.h"
-#include "framework/base/paths.h"
+#include "framework/image/asset.h"
 #include "framework/image/color.h"
-#include "framework/image/file.h"
 #include "framework/image/height_maps.h"
 #include "framework/image/mips.h"
 
@@ -63,8 +62,9 @@ void ReliefMaterial::renew() const {
     const std::array of{map, size, bits};
     if (made_ && made_->of == of) return;
     Image image, full;
+    const char* const height_asset = map == first_asset ? "bricks_height.png" : "paving_height.png";
     if (is_asset()) {
-        image = read_image(course_root() / "assets" / (map == first_asset ? "bricks_height.png" : "paving_height.png"));
+        image = read_asset(height_asset);
         if (image.width > asset_texels || bits == 1) full = image;
         if (image.width > asset_texels) image = level_of(std::move(image), asset_texels);
     } else {
@@ -72,16 +72,19 @@ void ReliefMaterial::renew() const {
     }
     mend_heights(image);
     if (bits == 1) image = with_8_bits(std::move(image));
+    const bool is_whole = is_asset() && full.values.empty();  // its integers need no mending
     ++version_;
     made_.reset();
-    made_.emplace(Made{of, std::move(image), std::move(full), Texture("heights", [this] { return made_->heights; }),
-                       Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
-                       Texture("normals", [this] { return normals(); })});
+    made_.emplace(
+        Made{of, std::move(image), std::move(full),
+             is_whole ? load_texture(height_asset, ColorSpace::linear)
+                      : Texture("heights", [this] { return made_->heights; }),
+             is_asset() ? load_texture(map == first_asset ? "bricks_albedo.png" : "paving_albedo.png", ColorSpace::srgb)
+                        : Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
+             Texture("normals", [this] { return normals(); })});
 }
 
 Image ReliefMaterial::albedo() const {
-    if (is_asset())
-        return read_image(course_root() / "assets" / (map == first_asset ? "bricks_albedo.png" : "paving_albedo.png"));
     const Image& heights = this->heights();
     const auto [low, middle, high] = palette_of(map);
     Image image(heights.width, heights.height, 3, 8);

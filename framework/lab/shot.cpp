@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "framework/base/error.h"
+#include "framework/base/log.h"
 #include "framework/image/color.h"
 #include "framework/image/compare.h"
 
@@ -93,22 +94,20 @@ std::unique_ptr<Lab> make_lab(const LabEntry& entry, const Shot& shot) {
 }
 
 Image read_picture(const Target& target) {
-    const Image image = target.read();
-    const bool decode = target.kind() == TargetKind::light;
-    Image result(image.width, image.height, 3, image.bits);
-    for (size_t i = 0; i < image.pixel_count(); ++i)
-        for (size_t c = 0; c < 3; ++c) {
-            const float value = image.values[i * 4 + c];
-            result.values[i * 3 + c] = decode ? float(linear_from_srgb(value)) : value;
-        }
-    return result;
+    Image image = target.read(3);
+    if (target.kind() == TargetKind::light)
+        for (float& value : image.values) value = float(linear_from_srgb(value));
+    return image;
 }
 
 Image draw_shot(Lab& lab, const Shot& shot, bool light) {
     const TargetKind kind = shot.probe ? TargetKind::probe : light ? TargetKind::light : TargetKind::picture;
     const Target target(kind, shot.size);
     draw_lab(lab, frame_of(shot, target));
+    glFinish();
+    print_event("drawn");
     Image image = shot.probe ? target.read() : read_picture(target);
+    print_event("read back");
     const std::string errors = take_gl_errors();
     if (!errors.empty()) throw Error("OpenGL: " + errors);
     return image;

@@ -101,9 +101,9 @@ double by_wall_clock(const std::function<void()>& run, size_t times) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-BenchTurns::BenchTurns(std::span<const BenchSubject> subjects, Stopwatch stopwatch, std::function<void(size_t)> begin)
+BenchTurns::BenchTurns(std::span<const BenchSubject> subjects, BenchClock clock, std::function<void(size_t)> begin)
     : subjects_(subjects),
-      stopwatch_(std::move(stopwatch)),
+      clock_(std::move(clock)),
       begin_(std::move(begin)),
       order_(subjects.size()),
       runs_(subjects.size(), 1),
@@ -119,7 +119,7 @@ BenchTurns::BenchTurns(std::span<const BenchSubject> subjects, Stopwatch stopwat
 
 double BenchTurns::take(size_t subject, size_t times) {
     if (begin_) begin_(subject);
-    return stopwatch_(subjects_[subject].run, times);
+    return clock_(subjects_[subject].run, times);
 }
 
 void BenchTurns::round() {

@@ -84,7 +84,7 @@ double quantile(std::vector<double> values, double share);
 BenchError error_figures(std::vector<double> errors, std::string unit);
 
 /// Seconds that so many runs take.
-using Stopwatch = std::function<double(const std::function<void()>& run, size_t times)>;
+using BenchClock = std::function<double(const std::function<void()>& run, size_t times)>;
 /// By the wall's clock. What is run must end with what it does: glFinish.
 double by_wall_clock(const std::function<void()>& run, size_t times);
 
@@ -93,7 +93,7 @@ double by_wall_clock(const std::function<void()>& run, size_t times);
 class BenchTurns {
 public:
     /// Runs each subject to warm up; `begin` is told of each run before it, by its place. What a run throws, it throws.
-    BenchTurns(std::span<const BenchSubject> subjects, Stopwatch stopwatch, std::function<void(size_t)> begin = {});
+    BenchTurns(std::span<const BenchSubject> subjects, BenchClock clock, std::function<void(size_t)> begin = {});
     void round();
     /// At least one round must have been.
     std::vector<BenchTimes> times() const;
@@ -102,7 +102,7 @@ private:
     double take(size_t subject, size_t times);
 
     std::span<const BenchSubject> subjects_;
-    Stopwatch stopwatch_;
+    BenchClock clock_;
     std::function<void(size_t)> begin_;
     std::vector<size_t> order_, runs_;
     std::vector<std::vector<double>> samples_;

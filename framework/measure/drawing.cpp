@@ -75,6 +75,15 @@ BenchError error_over(const Image& errors, const std::string& unit) {
             double(wrong) / double(std::max<size_t>(1, summary.count))};
 }
 
+double mean_of_probe(Lab& lab, Shot shot, const char* name) {
+    shot.probe = {name};
+    const Image probe = take(lab, shot);
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < probe.values.size(); i += 4)
+        if (std::isfinite(probe.values[i])) sum += double(probe.values[i]), ++count;
+    return sum / std::max(1.0, count);
+}
+
 void show(BenchSubject& subject, Lab& lab, Shot shot, const Image& errors, double most) {
     subject.error_map = visualize_error(worst_of(errors), most), subject.error_map_most = most;
     shot.probe = {}, shot.size = glm::ivec2(shown_side);

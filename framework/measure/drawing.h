@@ -22,6 +22,9 @@ BenchSubject drawn(const std::shared_ptr<Lab>& lab, const Shot& shot);
 /// A probe's error as tests hold labs to it, and `wrong`: the share of pixels off by more than one unit.
 BenchError error_over(const Image& errors, const std::string& unit);
 
+/// Of a shot's pixels with a surface, the first channel of another probe: {"steps"}.
+double mean_of_probe(Lab& lab, Shot shot, const char* name);
+
 /// What the page shows of a subject: the shot's picture, and its error as a map of heat, `most` and more being the
 /// brightest. Of the pixels that share one of the map's the worst counts.
 void show(BenchSubject& subject, Lab& lab, Shot shot, const Image& errors, double most);

@@ -4,6 +4,7 @@
 
 #include "framework/base/file.h"
 #include "framework/base/log.h"
+#include "framework/base/module.h"
 #include "framework/base/parallel.h"
 #include "framework/base/paths.h"
 #include "framework/grade/class.h"
@@ -50,6 +51,8 @@ public:
             fs::create_directory_symlink(course_root() / "assets", here / "assets");
             for (const char* file : {"librelief.so", "relief-openimageio.so"})
                 fs::copy_file(executable_folder() / file, here / "bin" / file);
+            if (fs::exists(framework_folder() / "textures"))
+                fs::create_directory_symlink(framework_folder() / "textures", here / "bin/textures");
             fs::copy_file(executable_path(), here / "bin/relief");
             for (const std::string& file : task_files(manifest_)) write_file(here / file, handed_in(file, i));
         }

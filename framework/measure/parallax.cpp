@@ -1,7 +1,5 @@
 // Parallax: the searches of labs 11 and 12 on a wall, at angles around the middle and at grazing ones. What is timed is
 // the probe `uv`: the search, and hardly anything else.
-#include <cmath>
-
 #include "framework/lab/manifest.h"
 #include "framework/measure/drawing.h"
 #include "framework/measure/topics.h"
@@ -47,15 +45,6 @@ struct Angles {
     double middle, field_of_view, distance;
 };
 constexpr Angles angles[] = {{"15-65", 40, 50, 1.1}, {"60-85", 72.5, 25, 1.5}};
-
-double mean_of_probe(Lab& lab, Shot shot, const char* name) {
-    shot.probe = {name};
-    const Image probe = take(lab, shot);
-    double sum = 0, count = 0;
-    for (size_t i = 0; i < probe.values.size(); i += 4)
-        if (std::isfinite(probe.values[i])) sum += double(probe.values[i]), ++count;
-    return sum / std::max(1.0, count);
-}
 
 BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettings& settings) {
     BenchScene scene{together(map, {{"angle", seen.name}}), "frame"};

@@ -156,8 +156,8 @@ private:
         }
     }
 
-    void time(std::span<const BenchSubject> subjects, const std::vector<size_t>& places, const Stopwatch& stopwatch) {
-        BenchTurns turns(subjects, stopwatch, [&](size_t i) { begin(places[i]); });
+    void time(std::span<const BenchSubject> subjects, const std::vector<size_t>& places, const BenchClock& clock) {
+        BenchTurns turns(subjects, clock, [&](size_t i) { begin(places[i]); });
         for (int round = 1; round <= run_.settings.repeats; ++round) {
             turns.round();
             json times;

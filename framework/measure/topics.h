@@ -14,5 +14,6 @@ BenchTopic displacement_topic();
 BenchTopic lighting_topic();
 BenchTopic frames_topic();
 BenchTopic grade_topic();
+BenchTopic start_topic();
 
 }  // namespace relief

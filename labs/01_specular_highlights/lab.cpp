@@ -32,9 +32,9 @@ public:
             case wipe:  // one scene twice, each through its own part of the window
                 glEnable(GL_SCISSOR_TEST);
                 glScissor(0, 0, split, size.y);
-                draw_scene(frame, {0, 0}, size, false);
+                draw_scene(frame, {0, 0}, size, false, glm::ivec2(0, split));
                 glScissor(split, 0, size.x - split, size.y);
-                draw_scene(frame, {0, 0}, size, true);
+                draw_scene(frame, {0, 0}, size, true, glm::ivec2(split, size.x));
                 draw_line(frame, split);
                 break;
         }
@@ -60,15 +60,19 @@ private:
     enum Method { vertex_normal, normal_map, side_by_side, wipe };
     static constexpr std::array methods = {"vertex-normal", "normal-map", "side-by-side", "wipe"};
 
-    void draw_scene(const Frame& frame, glm::ivec2 corner, glm::ivec2 size, bool with_map) {
+    /// `shown`: the columns of pixels that the scissor leaves.
+    void draw_scene(const Frame& frame, glm::ivec2 corner, glm::ivec2 size, bool with_map,
+                    std::optional<glm::ivec2> shown = {}) {
         if (size.x <= 0) return;
+        const glm::vec2 part = 2.0f * glm::vec2(shown.value_or(glm::ivec2(0, size.x))) / float(size.x) - 1.0f;
         glViewport(corner.x, corner.y, size.x, size.y);
         const Camera camera = size == frame.size ? frame.camera : frame_in(frame, {corner, size}).camera;
         const float yaw_rad = glm::radians(light_yaw_);
         const glm::vec3 light(2.8f * std::sin(yaw_rad), light_height_, 2.8f * std::cos(yaw_rad));
         const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : ""});
         glUseProgram(surface);
-        surface.set("u_clip_from_world", camera.clip_from_world());
+        const glm::mat4 clip_from_world(camera.clip_from_world());
+        surface.set("u_clip_from_world", clip_from_world);
         surface.set("u_eye", camera.eye());
         surface.set("u_light", light);
         surface.set("u_shininess", shininess_);
@@ -78,20 +82,32 @@ private:
         surface.set("s_albedo", 0, bricks_albedo_);
         surface.set("s_normal", 1, bricks_normal_);
         for (const glm::vec3 place : colonnade::places)
-            draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
+            if (may_be_seen(clip_from_world, place + colonnade::middle, colonnade::column_reach, part))
+                draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
         surface.set("s_albedo", 0, paving_albedo_);
         surface.set("s_normal", 1, paving_normal_);
         glEnable(GL_CULL_FACE);  // a ball is closed: its far half costs time and is never seen
         for (const glm::vec3 place : colonnade::places)
-            draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + colonnade::top));
+            if (may_be_seen(clip_from_world, place + colonnade::top, colonnade::ball.radius, part))
+                draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + colonnade::top));
         glDisable(GL_CULL_FACE);
         draw_mesh(surface, floor_, glm::rotate(glm::mat4(1), glm::radians(-90.0f), {1, 0, 0}));
 
-        if (frame.probe) return;
+        if (frame.probe || !may_be_seen(clip_from_world, light, lamp_scale * colonnade::ball.radius, part)) return;
         const Program& lamp = surface_.with("LAMP");
         glUseProgram(lamp);
-        lamp.set("u_clip_from_world", camera.clip_from_world());
-        draw_mesh(lamp, ball_, glm::scale(glm::translate(glm::mat4(1), light), glm::vec3(0.15f)));
+        lamp.set("u_clip_from_world", clip_from_world);
+        draw_mesh(lamp, ball_, glm::scale(glm::translate(glm::mat4(1), light), glm::vec3(lamp_scale)));
+    }
+
+    /// Whether any of a sphere may lie between two columns of the picture, from -1 at its left to 1 at its right: in
+    /// `wipe` each column of bricks is to be seen in one half only, and a triangle costs the same seen or not.
+    static bool may_be_seen(const glm::mat4& clip_from_world, glm::vec3 centre, float radius, glm::vec2 columns) {
+        const glm::mat4 rows = glm::transpose(clip_from_world);
+        const auto is_inside = [&](glm::vec4 plane) {
+            return glm::dot(plane, glm::vec4(centre, 1)) >= -radius * glm::length(glm::vec3(plane));
+        };
+        return is_inside(rows[0] - columns[0] * rows[3]) && is_inside(columns[1] * rows[3] - rows[0]);
     }
 
     static void draw_line(const Frame& frame, int x) {
@@ -116,6 +132,8 @@ private:
     GpuMesh floor_ = upload([] { return make_quad(colonnade::ground); });
     GpuMesh column_ = upload([] { return make_column(colonnade::column); });
     GpuMesh ball_ = upload([] { return make_sphere(colonnade::ball); });
+
+    static constexpr float lamp_scale = 0.15f;  // of a ball
 
     int method_ = wipe;
     float wipe_ = 0.5f, light_yaw_ = 14, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;

@@ -16,5 +16,9 @@ constexpr SphereShape ball{.radius = 0.42f, .sides = 32, .rows = 16, .repeat = {
 constexpr std::array<glm::vec3, 6> places = {
     {{-1.4f, 0, 1.2f}, {1.4f, 0, 1.2f}, {-1.4f, 0, -1.6f}, {1.4f, 0, -1.6f}, {-1.4f, 0, -4.4f}, {1.4f, 0, -4.4f}}};
 constexpr glm::vec3 top{0, 2.95f, 0};
+/// A column's, and how far it reaches from there.
+constexpr glm::vec3 middle{0, column.height / 2, 0};
+constexpr float column_reach = 1.4f;
+static_assert(column_reach * column_reach > middle.y * middle.y + column.bottom_radius * column.bottom_radius);
 
 }  // namespace relief::colonnade

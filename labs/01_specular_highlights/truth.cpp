@@ -4,8 +4,7 @@
 #include <limits>
 
 #include "framework/base/parallel.h"
-#include "framework/base/paths.h"
-#include "framework/image/file.h"
+#include "framework/image/asset.h"
 #include "framework/reference/height_field.h"
 #include "framework/reference/surfaces.h"
 #include "framework/reference/tangent_space.h"
@@ -22,7 +21,7 @@ struct Relief {
     double depth;
 
     Relief(const char* file, double depth_in_texels)  // assets/SOURCES.md has the depths
-        : heights(read_image(course_root() / "assets" / file), true), depth(depth_in_texels) {}
+        : heights(read_asset(file), true), depth(depth_in_texels) {}
     glm::dvec2 texels(glm::dvec2 uv) const { return uv * glm::dvec2(heights.size()); }
     glm::dvec2 slope(glm::dvec2 uv) const { return depth * heights.central_slope(texels(uv)); }
 };

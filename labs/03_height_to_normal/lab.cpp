@@ -7,10 +7,9 @@
 #include <map>
 
 #include "differences.h"
-#include "framework/base/paths.h"
 #include "framework/gl/target.h"
+#include "framework/image/asset.h"
 #include "framework/image/compare.h"
-#include "framework/image/file.h"
 #include "framework/image/mips.h"
 #include "framework/lab/lab.h"
 #include "framework/lab/labels.h"
@@ -39,8 +38,7 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        const auto before =
-            std::tuple(filter_, source_, size_, bits_, wrap_, where_, depth_, stretch_, fine_, middle_, coarse_);
+        const auto before = std::tuple(source_, size_, bits_, wrap_, where_, depth_, stretch_, fine_, middle_, coarse_);
         knobs.choice("view", view_, views, "every filter, or one of them");
         knobs.choice("filter", filter_, filters, "for view = one");
         knobs.choice("show", show_, shows, "the lit relief, the error against the known slope, or half of each");
@@ -57,8 +55,7 @@ public:
         knobs.steps("repeat", repeat_, 1, 4, "of the map along each side of the wall: look for seams");
         knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light stands around the wall, degrees");
         knobs.slider("light_height", light_height_, -2, 2, "how high it stands, metres");
-        if (before !=
-            std::tuple(filter_, source_, size_, bits_, wrap_, where_, depth_, stretch_, fine_, middle_, coarse_))
+        if (before != std::tuple(source_, size_, bits_, wrap_, where_, depth_, stretch_, fine_, middle_, coarse_))
             heights_.reset(), truth_.reset(), maps_.clear();
     }
 
@@ -93,7 +90,7 @@ private:
 
     /// A quarter of an asset's size: a filter reads every texel of it.
     static Image picture(const char* file) {
-        const Image whole = read_image(course_root() / "assets" / file);
+        const Image whole = read_asset(file);
         Image small = mip_chain(whole, whole.channels == 3 ? ColorSpace::srgb : ColorSpace::linear).at(2);
         small.bits = 32;
         return small;

@@ -2,8 +2,7 @@
 
 //[solution
 #include "framework/base/parallel.h"
-#include "framework/base/paths.h"
-#include "framework/image/file.h"
+#include "framework/image/asset.h"
 #include "framework/reference/height_field.h"
 #include "framework/reference/surfaces.h"
 //]
@@ -57,7 +56,7 @@ glm::dvec3 normal_of(const Sight& sight, const Pose& pose, const HeightField& br
 std::optional<Image> truth(const Frame& frame, const Pose& pose) {
     //[solution
     if (glm::determinant(pose.world_from_model) == 0) return {};
-    const HeightField bricks(read_image(course_root() / "assets" / "bricks_height.png"), true);
+    const HeightField bricks(read_asset("bricks_height.png"), true);
     const glm::dmat4 model_from_world = glm::inverse(pose.world_from_model);
     const glm::dmat3 normals = glm::transpose(glm::dmat3(model_from_world));
     Image image(frame.size.x, frame.size.y, 4);

@@ -103,6 +103,20 @@ TEST_F(BenchCommand, BenchHoldsWorkToTheBaseline) {
     EXPECT_TRUE(contains(broken.err, "baseline.csv:1: ")) << broken.err;
 }
 
+TEST_F(BenchCommand, StartTimesShotsAndTheirPhases) {
+    const auto folder = course().path() / "started";
+    const Result result =
+        run({relief_program(), "bench", "start", "--quick", "--repeats", "1", "-o", folder.string()});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const auto rows = read_bench_csv(read_all(folder / "start.csv"));
+    ASSERT_EQ(rows.size(), 4u) << "a floor and a shot for each of PNG and PPM";
+    for (const BenchRow& row : rows) {
+        EXPECT_TRUE(row.is_measured()) << row.state;
+        EXPECT_EQ(row.work.size(), row.method == "shot" ? 9u : 0u);
+        for (const auto& [phase, milliseconds] : row.work) EXPECT_GE(milliseconds, 0) << phase;
+    }
+}
+
 // ---- the page ----
 
 /// A topic of two scenes: one of four methods, with a picture and an error map each, and one of times alone with a

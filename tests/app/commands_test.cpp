@@ -422,6 +422,43 @@ TEST_F(CourseTest, ThePageOpensInABrowserWhereThereIsADisplay) {
     EXPECT_EQ(read_all(opened), page.string());
 }
 
+TEST_F(CourseTest, APictureThatWasReplacedIsTheOneThatIsDrawnWithoutABuild) {
+    const auto picture = [](const char* name) {
+        EXPECT_EQ(course().relief({"shot", "1", "--size", "64x48", "-o", name}).code, 0);
+        return read_all(course().path() / name);
+    };
+    const std::string usual = picture("usual.ppm");
+    {
+        const Restore restore(course(), "assets/bricks_albedo.png");
+        course().overwrite("assets/bricks_albedo.png", read_all(course().path() / "assets/paving_albedo.png"));
+        const std::string other = picture("other.ppm");
+        EXPECT_NE(other, usual);
+        const Restore textures(course(), "bin/textures/bricks_albedo.png.texels");
+        std::filesystem::remove(course().path() / "bin/textures/bricks_albedo.png.texels");
+        EXPECT_EQ(picture("plain.ppm"), other);
+    }
+    EXPECT_EQ(picture("again.ppm"), usual);
+}
+
+TEST_F(CourseTest, AConvertedPictureThatIsBrokenOrGoneIsReadFromTheOriginal) {
+    const char* const file = "bin/textures/bricks_normal.png.texels";
+    const Restore restore(course(), file);
+    const std::string good = read_all(course().path() / file);
+    const auto picture = [](const char* output) {
+        const Result result = course().relief({"shot", "1", "--size", "64x48", "-o", output});
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        return read_all(course().path() / output);
+    };
+    const std::string usual = picture("usual.ppm");
+    for (const std::string& bad : {std::string(), good.substr(0, good.size() / 2), std::string(good.size(), '\0')}) {
+        course().overwrite(file, bad);
+        EXPECT_EQ(picture("broken.ppm"), usual) << bad.size() << " bytes";
+    }
+    std::filesystem::remove(course().path() / file);
+    EXPECT_EQ(picture("gone.ppm"), usual);
+}
+
 TEST_F(CourseTest, APageIsNamedLikeOne) {
     const Result result = course().relief({"check", "1", "-o", "page.png"});
     EXPECT_EQ(result.code, 2);

@@ -11,6 +11,7 @@ CourseCopy::CourseCopy() {
     fs::create_directories(path() / "bin");
     for (const char* name : {"relief", "lab-01", "librelief.so", "relief-openimageio.so", "relief-window.so"})
         fs::copy(fs::path(RELIEF_BUILD_FOLDER) / "bin" / name, path() / "bin");
+    fs::copy(fs::path(RELIEF_BUILD_FOLDER) / "bin/textures", path() / "bin/textures");
     const fs::path source = RELIEF_SOURCE_FOLDER;
     for (const char* name : {"labs", "shaders", "assets", "tests/golden", "framework/app/new_lab"})
         if (fs::exists(source / name)) {

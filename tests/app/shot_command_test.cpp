@@ -180,5 +180,53 @@ TEST_F(ShotCommand, ACameraThatLooksPastEverythingIsAFailureNotAPicture) {
     EXPECT_TRUE(files_in(folder_.path()).empty());
 }
 
+/// The names of the libraries that a run opens, as the dynamic linker tells them.
+std::string libraries_of(const std::vector<std::string>& arguments) {
+    std::vector<std::string> command = {relief_program()};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const TemporaryFolder folder;
+    const Result result = run(command, {folder.path(), {{"LD_DEBUG", "files"}}});
+    EXPECT_EQ(result.code, 0);
+    std::string names;
+    for (size_t at = result.err.find("calling init: "); at != std::string::npos;
+         at = result.err.find("calling init: ", at + 1))
+        names += result.err.substr(at + 14, result.err.find('\n', at) - at - 14) + '\n';
+    return names;
+}
+
+TEST_F(ShotCommand, OpensNoLibraryThatItDoesNotNeed) {
+    // Every lab's pictures are ready: none is read through OpenImageIO.
+    for (const char* lab : {"01", "03", "04", "05", "06", "10", "11", "12", "13", "14"}) {
+        const std::string plain = libraries_of({"shot", lab, "--size", "64x64", "-o", "-"});
+        EXPECT_TRUE(contains(plain, "libOSMesa")) << lab;
+        for (const char* unwanted :
+             {"OpenImageIO", "relief-openimageio", "glfw", "imgui", "relief-window", "libX11", "archive", "libEGL"})
+            EXPECT_FALSE(contains(plain, unwanted)) << lab << ": " << unwanted;
+    }
+    const std::string png = libraries_of({"shot", "01", "--size", "64x64", "-o", "a.png"});
+    EXPECT_TRUE(contains(png, "OpenImageIO"));
+    for (const char* unwanted : {"glfw", "imgui", "relief-window"}) EXPECT_FALSE(contains(png, unwanted));
+    // A truth is computed without any context, and so is a list.
+    const std::vector<std::vector<std::string>> without_context = {
+        {"shot", "01", "--size", "64x64", "--truth", "normal", "-o", "a.pfm"}, {"list"}, {"--help"}};
+    for (const auto& arguments : without_context)
+        for (const char* unwanted : {"OSMesa", "LLVM", "OpenImageIO"})
+            EXPECT_FALSE(contains(libraries_of(arguments), unwanted)) << arguments[0] << ": " << unwanted;
+}
+
+TEST_F(ShotCommand, SaysWithVerboseWhereItsTimeGoes) {
+    const Result result = shot({"-o", "a.ppm", "--verbose"});
+    EXPECT_EQ(result.code, 0);
+    double before = 0;
+    for (const char* event : {"started: ", "lab: 01_specular_highlights", "context: osmesa",
+                              "program: ", "texture: ", "drawn", "read back", "written: a.ppm"}) {
+        const size_t at = result.err.find(std::string(" ms] ") + event);
+        ASSERT_NE(at, std::string::npos) << event << "\n" << result.err;
+        const double when = std::stod(result.err.substr(result.err.rfind('[', at) + 1));
+        EXPECT_GE(when, before) << event;
+        before = when;
+    }
+}
+
 }  // namespace
 }  // namespace relief

@@ -221,10 +221,12 @@ TEST_F(Window, StandsStillWhenNothingChanges) {
     // The pointer comes and goes: that wakes the menu, not the lab.
     run({"xdotool", "mousemove", "700", "400"}, where_);
     std::this_thread::sleep_for(500ms);
-    const size_t before = frames().size();
+    EXPECT_TRUE(eventually([&] { return count("asleep after ") > 0; })) << window_->err();
+    const size_t before = frames().size(), slept = count("asleep after ");
     std::this_thread::sleep_for(1500ms);
+    EXPECT_EQ(count("asleep after "), slept) << "whoever draws a frame falls asleep again: " << window_->err();
     run({"xdotool", "mousemove", "900", "300"}, where_);
-    std::this_thread::sleep_for(500ms);
+    EXPECT_TRUE(eventually([&] { return count("asleep after ") > slept; })) << window_->err();
     EXPECT_EQ(frames().size(), before) << window_->err();
     press_for("r", "20_test_wall");
     EXPECT_GT(frames().size(), before);

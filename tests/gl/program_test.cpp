@@ -109,11 +109,14 @@ TEST_F(ProgramTest, ASamplerThatThePermutationDoesNotUseLoadsNoTexture) {
 
 TEST(Programs, CompileEachPermutationOnceAndOnlyWhenAsked) {
     const Programs surface{"01_specular_highlights/surface.vert", "01_specular_highlights/surface.frag"};
+    const int64_t before = counters().links;
     const Program& plain = surface.with();
     EXPECT_EQ(&plain, &surface.with({""}));
+    EXPECT_EQ(counters().links, before + 1);
     const Program& mapped = surface.with({"NORMAL_MAP"});
     EXPECT_NE(&plain, &mapped);
     EXPECT_EQ(&mapped, &surface.with({"", "NORMAL_MAP"}));
+    EXPECT_EQ(counters().links, before + 2);
 }
 
 TEST(Programs, AMissingFileIsAnErrorAtFirstUse) {

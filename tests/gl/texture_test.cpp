@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "framework/base/error.h"
+#include "framework/base/paths.h"
 #include "framework/gl/counters.h"
 #include "framework/gl/program.h"
 #include "framework/gl/target.h"
 #include "framework/image/color.h"
+#include "framework/image/file.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -112,6 +114,52 @@ TEST(Texture, WrapsOrClampsAsItIsTold) {
 TEST(Texture, SizesNeedNotBePowersOfTwo) {
     const Texture texture("odd", [] { return grey(std::vector<float>(35, 0.5f), 7, 16); });
     EXPECT_NEAR(sampled(texture, 0.3f, 0.9f, 2).r, 0.5f, 1e-4);
+}
+
+TEST(Texture, AssetsWithTheSameOptionsAreLoadedOnceAsLongAsOneOfThemLives) {
+    const Counters before = counters();
+    {
+        const Texture first = load_texture("labels.png", {.wrap = Wrap::clamp});
+        const GLuint name = first;
+        const Counters one = counters();
+        {
+            const Texture second = load_texture("labels.png", {.wrap = Wrap::clamp});
+            EXPECT_EQ(GLuint(second), name);
+            EXPECT_EQ(counters().live, one.live);
+            EXPECT_EQ(counters().texture_bytes, one.texture_bytes);
+            const Texture other = load_texture("labels.png", {.wrap = Wrap::repeat});
+            EXPECT_NE(GLuint(other), name) << "another texture: it repeats";
+        }
+        EXPECT_EQ(counters().live, one.live);
+        EXPECT_EQ(glIsTexture(name), GL_TRUE);
+    }
+    EXPECT_EQ(counters().live, before.live);
+    EXPECT_EQ(counters().texture_bytes, before.texture_bytes);
+}
+
+TEST(Texture, AnAssetHoldsWhatItsPictureMakes) {
+    for (const bool mips : {true, false}) {
+        const Texture asset = load_texture("quilt_world.png", {.mips = mips});
+        const Texture made("made", [] { return read_image(course_root() / "assets/quilt_world.png"); }, {.mips = mips});
+        for (GLint level = 0; level < (mips ? 10 : 1); ++level) {
+            const auto texels = [&](const Texture& texture) {
+                bind(0, texture);
+                GLint width = 0, internal = 0;
+                glGetTexLevelParameteriv(GL_TEXTURE_2D, level, GL_TEXTURE_WIDTH, &width);
+                glGetTexLevelParameteriv(GL_TEXTURE_2D, level, GL_TEXTURE_INTERNAL_FORMAT, &internal);
+                EXPECT_EQ(width, 512 >> level);
+                EXPECT_EQ(internal, GL_RGB8);
+                std::vector<uint8_t> bytes(size_t(width) * size_t(width) * 4);
+                glGetTexImage(GL_TEXTURE_2D, level, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+                return bytes;
+            };
+            EXPECT_EQ(texels(asset), texels(made)) << "level " << level;
+        }
+        bind(0, asset);
+        GLint levels = 0;
+        glGetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, &levels);
+        EXPECT_EQ(levels, mips ? 9 : 0);
+    }
 }
 
 TEST(Texture, AMissingFileNamesItself) {

@@ -1,6 +1,7 @@
 // Lab 01: its probes at places that can be worked out by hand, and against their truth.
 #include <gtest/gtest.h>
 
+#include "framework/gl/counters.h"
 #include "framework/lab/manifest.h"
 
 namespace relief {
@@ -92,6 +93,38 @@ TEST(SpecularHighlightsTruth, FollowsTheStrengthAndEachHalfOfSideBySide) {
     made = make_lab(lab, shot);
     const ErrorSummary flat = summarize(error_image(take(*made, shot), truth_of(*made, shot), ErrorMetric::angle));
     EXPECT_LT(flat.mean, 0.2) << "without strength only the facets are wrong";
+}
+
+TEST(SpecularHighlights, WipeDrawsInEachHalfOnlyWhatStandsThere) {
+    const auto draw = [](const char* method, const char* wipe, double yaw, int64_t* calls = nullptr) {
+        Shot shot;
+        shot.size = {256, 160};
+        shot.camera = load_manifest(find_lab("01")).camera;
+        shot.camera.yaw += yaw;
+        shot.set = {{"method", method}, {"wipe", wipe}};
+        const Target target(TargetKind::picture, shot.size);
+        const int64_t before = counters().draw_calls;
+        draw_lab(*make_lab(find_lab("01"), shot), frame_of(shot, target));
+        if (calls) *calls = counters().draw_calls - before;
+        return read_picture(target);
+    };
+    // 0.5 at 256: columns 127 and 128 are the line.
+    for (const double yaw : {0.0, 35.0, 90.0, -130.0})
+        for (const auto& [wipe, split] : {std::pair{"0.5", 128}, {"0.25", 64}, {"0.875", 224}}) {
+            const Image left = draw("vertex-normal", wipe, yaw), right = draw("normal-map", wipe, yaw),
+                        both = draw("wipe", wipe, yaw);
+            for (int y = 0; y < both.height; ++y)
+                for (int x = 0; x < both.width; ++x) {
+                    if (x == split - 1 || x == split) continue;
+                    for (int c = 0; c < 3; ++c)
+                        ASSERT_EQ(both.pixel(x, y)[c], (x < split ? left : right).pixel(x, y)[c])
+                            << x << ", " << y << " at " << wipe << ", " << yaw << " degrees";
+                }
+        }
+    int64_t whole = 0, halves = 0;
+    draw("normal-map", "0.5", 0, &whole), draw("wipe", "0.5", 0, &halves);
+    EXPECT_EQ(whole, 14) << "six columns, six balls, the floor and the lamp";
+    EXPECT_LE(halves, 20) << "the floor twice, what may reach across the line, and nothing else: all of it were 28";
 }
 
 }  // namespace

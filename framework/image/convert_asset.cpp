@@ -1,0 +1,31 @@
+// Makes what asset.h reads, as the build calls it for each picture: relief-textures PICTURE FILE. A picture that cannot
+// be read is nobody's trouble before it is used: then the file is empty.
+#include <cstdio>
+#include <filesystem>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/image/asset.h"
+#include "framework/image/file.h"
+
+int main(int argc, char** argv) {
+    using namespace relief;
+    if (argc != 3) {
+        std::fprintf(stderr, "usage: relief-textures PICTURE FILE\n");
+        return 2;
+    }
+    std::string converted;
+    try {
+        const std::filesystem::path from = argv[1];
+        converted = convert_asset(from.filename(), read_file(from, max_image_bytes));
+    } catch (const Error& error) {
+        print_note(Error({argv[1]}, error.what()).what());
+    }
+    try {
+        write_file(argv[2], converted);
+    } catch (const Error& error) {
+        print_error(error.what());
+        return 1;
+    }
+}

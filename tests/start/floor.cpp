@@ -1,0 +1,165 @@
+// The least that a picture costs: a context, one textured and lit quad at 512 x 512, a file. As somebody would write it
+// by hand with the same libraries, and with nothing of the framework; `relief bench start` holds `relief shot` to it.
+// Built twice: floor-png TEXTURE.png OUT.png reads and writes with OpenImageIO, floor-ppm TEXTURE.ppm OUT.ppm by
+// itself.
+#include <glad/gl.h>  // before osmesa.h, which would bring the system's gl.h
+
+#include <GL/osmesa.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#ifdef FLOOR_PNG
+    #include <OpenImageIO/imageio.h>
+#endif
+
+namespace {
+
+constexpr int side = 512;
+
+struct Picture {  // RGB, 8 bits
+    int width = 0, height = 0;
+    std::vector<unsigned char> rows;
+};
+
+[[noreturn]] void fail(const std::string& what) {
+    std::fprintf(stderr, "%s\n", what.c_str());
+    std::exit(1);
+}
+
+#ifdef FLOOR_PNG
+Picture read(const char* file) {
+    const auto input = OIIO::ImageInput::open(file);
+    if (!input || input->spec().nchannels != 3) fail(std::string("cannot read ") + file);
+    Picture picture{input->spec().width, input->spec().height, {}};
+    picture.rows.resize(size_t(picture.width) * size_t(picture.height) * 3);
+    input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, picture.rows.data());
+    return picture;
+}
+void write(const char* file, const Picture& picture) {
+    const auto output = OIIO::ImageOutput::create(file);
+    const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+    if (!output || !output->open(file, spec) || !output->write_image(OIIO::TypeDesc::UINT8, picture.rows.data()) ||
+        !output->close())
+        fail(std::string("cannot write ") + file);
+}
+#else
+Picture read(const char* file) {
+    std::ifstream stream(file, std::ios::binary);
+    Picture picture;
+    std::string kind;
+    int largest = 0;
+    stream >> kind >> picture.width >> picture.height >> largest;
+    if (!stream || kind != "P6" || largest != 255) fail(std::string("cannot read ") + file);
+    stream.ignore(1);
+    picture.rows.resize(size_t(picture.width) * size_t(picture.height) * 3);
+    stream.read(reinterpret_cast<char*>(picture.rows.data()), std::streamsize(picture.rows.size()));
+    return picture;
+}
+void write(const char* file, const Picture& picture) {
+    std::ofstream stream(file, std::ios::binary);
+    stream << "P6\n" << picture.width << ' ' << picture.height << "\n255\n";
+    stream.write(reinterpret_cast<const char*>(picture.rows.data()), std::streamsize(picture.rows.size()));
+    if (!stream.flush()) fail(std::string("cannot write ") + file);
+}
+#endif
+
+constexpr const char* vertex_shader = R"(#version 410 core
+layout(location = 0) in vec4 a_place;  // x, y, u, v
+out vec2 v_uv;
+out vec3 v_position;
+void main() {
+    v_uv = a_place.zw;
+    v_position = vec3(a_place.xy, 0.0);
+    gl_Position = vec4(a_place.xy, 0.0, 1.0);
+}
+)";
+constexpr const char* fragment_shader = R"(#version 410 core
+in vec2 v_uv;
+in vec3 v_position;
+uniform sampler2D s_albedo;
+out vec4 o_color;
+void main() {
+    vec3 normal = vec3(0.0, 0.0, 1.0);
+    vec3 to_light = normalize(vec3(0.5, 0.7, 1.0) - v_position), to_eye = normalize(vec3(0.0, 0.0, 2.0) - v_position);
+    float diffuse = max(dot(normal, to_light), 0.0);
+    float highlight = pow(max(dot(normal, normalize(to_light + to_eye)), 0.0), 48.0);
+    vec3 light = texture(s_albedo, v_uv).rgb * (0.1 + diffuse) + 0.3 * highlight;
+    o_color = vec4(pow(light, vec3(1.0 / 2.2)), 1.0);
+}
+)";
+
+GLuint compiled(GLenum stage, const char* text) {
+    const GLuint shader = glCreateShader(stage);
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint done = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
+    if (!done) fail("a shader does not compile");
+    return shader;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3) fail("usage: floor TEXTURE OUT");
+    const int attributes[] = {OSMESA_FORMAT,
+                              OSMESA_RGBA,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              4,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              1,
+                              0};
+    const OSMesaContext context = OSMesaCreateContextAttribs(attributes, nullptr);
+    std::vector<unsigned char> window(side * side * 4);
+    if (!context || !OSMesaMakeCurrent(context, window.data(), GL_UNSIGNED_BYTE, side, side)) fail("no context");
+    if (!gladLoadGL(reinterpret_cast<GLADloadfunc>(OSMesaGetProcAddress))) fail("no OpenGL");
+
+    const Picture albedo = read(argv[1]);
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8, albedo.width, albedo.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 albedo.rows.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+
+    const GLuint program = glCreateProgram();
+    glAttachShader(program, compiled(GL_VERTEX_SHADER, vertex_shader));
+    glAttachShader(program, compiled(GL_FRAGMENT_SHADER, fragment_shader));
+    glLinkProgram(program);
+    GLint done = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &done);
+    if (!done) fail("the program does not link");
+
+    constexpr float corners[] = {-0.9f, -0.9f, 0, 0, 0.9f, -0.9f, 1, 0, -0.9f, 0.9f, 0, 1, 0.9f, 0.9f, 1, 1};
+    GLuint layout = 0, buffer = 0;
+    glGenVertexArrays(1, &layout);
+    glBindVertexArray(layout);
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
+
+    glClearColor(0.1f, 0.1f, 0.1f, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glUseProgram(program);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+
+    Picture picture{side, side, std::vector<unsigned char>(side * side * 3)};
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    std::vector<unsigned char> upwards(picture.rows.size());
+    glReadPixels(0, 0, side, side, GL_RGB, GL_UNSIGNED_BYTE, upwards.data());
+    if (glGetError() != GL_NO_ERROR) fail("OpenGL complains");
+    for (int y = 0; y < side; ++y)
+        std::copy_n(upwards.begin() + (side - 1 - y) * side * 3, side * 3, picture.rows.begin() + y * side * 3);
+    write(argv[2], picture);
+    OSMesaDestroyContext(context);
+}
