@@ -5,7 +5,7 @@ namespace relief {
 std::span<const BenchTopic> bench_topics() {
     static const std::vector<BenchTopic> topics = {storage_topic(),      normals_topic(),  tangents_topic(),
                                                    intersection_topic(), parallax_topic(), displacement_topic(),
-                                                   frames_topic(),       grade_topic()};
+                                                   budget_topic(),       frames_topic(),   grade_topic()};
     return topics;
 }
 

@@ -11,6 +11,7 @@ BenchTopic tangents_topic();
 BenchTopic intersection_topic();
 BenchTopic parallax_topic();
 BenchTopic displacement_topic();
+BenchTopic budget_topic();
 BenchTopic frames_topic();
 BenchTopic grade_topic();
 

@@ -594,22 +594,25 @@ TEST(ShaderFunction, ExactHitsAreThoseOfTheHeightField) {
     for (int i = 0; i < 4000; ++i) {
         const float reach = i % 50 == 0 ? 0 : dice.between(0, 2);
         const float turn = dice.between(0, 6.3f);
-        inputs.push_back({grown, glm::vec4(dice.between(-2, 2), dice.between(-2, 2), reach * std::cos(turn),
-                                           reach * std::sin(turn))});
+        const float begin = i % 2 == 0 ? 0 : dice.between(0, 0.6f);
+        inputs.push_back(
+            {grown, glm::vec4(dice.between(-2, 2), dice.between(-2, 2), reach * std::cos(turn), reach * std::sin(turn)),
+             glm::vec4(begin, i % 2 == 0 ? 1 : dice.between(begin, 1), 0, 0)});
     }
-    const auto found = evaluate_glsl("common/exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, 1000))",
-                                     inputs, {}, &map, &other);
+    const char* const hit_of = "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, c.xy, 1000))";
+    const auto found = evaluate_glsl("common/exact_hit.glsl", hit_of, inputs, {}, &map, &other);
     const HeightField field(image, true);
     int off = 0;
     for (size_t i = 0; i < inputs.size(); ++i) {
         const glm::dvec4 ray = glm::dvec4(inputs[i][1]) * 64.0;
-        const auto hit = field.first_hit({{ray.x, ray.y, 1}, {ray.z, ray.w, -1}}, 1);
-        off += std::abs(double(found[i].x) - (hit ? hit->t : 1)) > 1e-4;
+        const double begin = double(inputs[i][2].x), end = double(inputs[i][2].y);
+        const glm::dvec3 along(ray.z, ray.w, -1);
+        const auto hit = field.first_hit({glm::dvec3(ray.x, ray.y, 1) + begin * along, along}, end - begin);
+        off += std::abs(double(found[i].x) - (hit ? begin + hit->t : end)) > 1e-4;
     }
     EXPECT_LE(off, 4) << "of 4000 a few graze an edge";
     const PlantedMistake no_look_back{"floor(inside), block", "floor(inside) + 1.0, block"};
-    const auto wrong = evaluate_glsl("common/exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, 1000))",
-                                     inputs, no_look_back, &map, &other);
+    const auto wrong = evaluate_glsl("common/exact_hit.glsl", hit_of, inputs, no_look_back, &map, &other);
     EXPECT_NE(wrong, found);
 }
 
