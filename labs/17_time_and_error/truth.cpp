@@ -4,37 +4,11 @@
 #include <cmath>
 
 #include "framework/base/parallel.h"
+#include "framework/reference/budget.h"
 #include "framework/reference/height_field.h"
 //]
 
 namespace relief::budget {
-
-//[solution
-namespace {
-
-/// How many pixels a place runs when it moves a metre along the wall's normal, by a difference of two places.
-double pixels_of(const Question& question, const glm::dvec3& place) {
-    constexpr double step = 1e-4;
-    const auto pixel = [&](double z) {
-        const glm::dvec4 clip = question.frame.camera.clip_from_world() * glm::dvec4(place.x, place.y, z, 1);
-        return glm::dvec2(clip) / clip.w * glm::dvec2(question.frame.size) / 2.0;
-    };
-    return glm::distance(pixel(step), pixel(-step)) / (2 * step);
-}
-
-/// The level, in parts, at which the errors' polygon reaches `most`.
-double level_at(const std::vector<float>& errors, double most) {
-    for (size_t k = errors.size(); k-- > 0;) {
-        const double here = double(errors[k]);
-        if (here > most) continue;
-        if (k + 1 == errors.size()) return double(k);
-        return double(k) + (most - here) / (double(errors[k + 1]) - here);
-    }
-    return 0;
-}
-
-}  // namespace
-//]
 
 std::optional<Image> truth(const Probe& probe, const Question& question, const Known& known, const Image& heights) {
     //[solution
@@ -43,6 +17,7 @@ std::optional<Image> truth(const Probe& probe, const Question& question, const K
     if (!uv && !pixels && !left && !level && !bumps) return {};
     const HeightField field(heights, true);
     const glm::dvec2 size(field.size());
+    const glm::dmat4 clip_from_world = question.frame.camera.clip_from_world();
     Image image(question.frame.size.x, question.frame.size.y, 4);
     std::fill(image.values.begin(), image.values.end(), no_surface);
     const auto draw = [&](int x, int y) {
@@ -64,17 +39,18 @@ std::optional<Image> truth(const Probe& probe, const Question& question, const K
             return;
         }
         std::fill_n(pixel, 4, 0.0f);
-        const double metre = pixels_of(question, front), ahead =
-            (question.frame.camera.clip_from_world() * glm::dvec4(front, 1)).w;
-        const double tolerated = question.scale > 0 ? question.budget / (metre * question.scale) : 1e30;
-        const double low = double(known.range.x), high = double(known.range.y);
-        const double cut = std::min(question.thinning * tolerated, (high - low) / 2);
+        const glm::dvec4 clip = clip_from_world * glm::dvec4(front, 1);
+        const double metre = pixels_per_metre(clip, clip_from_world[2], glm::dvec2(question.frame.size));
+        const double most = tolerated(question.budget, metre, question.scale);
         if (pixels) pixel[0] = float(metre * question.scale);
-        if (left) pixel[0] = float(low + cut), pixel[1] = float(high - cut);
-        if (level) pixel[0] = float(level_at(known.levels, question.precision * tolerated));
+        if (left) {
+            const glm::dvec2 between = thinned(double(known.range.x), double(known.range.y), question.thinning * most);
+            pixel[0] = float(between.x), pixel[1] = float(between.y);
+        }
+        if (level) pixel[0] = float(coarsest_level(known.levels, question.precision * most));
         if (bumps) {
-            const double read = std::max(0.0, first_level(question, known) + 1.5 * std::log2(ahead));
-            pixel[0] = float(std::clamp(double(known.flat_level) - read - std::log2(question.budget), 0.0, 1.0));
+            const double read = std::max(0.0, first_level(question, known) + 1.5 * std::log2(clip.w));
+            pixel[0] = float(bumps_left(read, double(known.flat_level), question.budget));
         }
     };
     parallel_pieces(size_t(image.height), 1, 0, [&](size_t begin, size_t end) {

@@ -15,7 +15,9 @@
 #include "framework/image/height_maps.h"
 #include "framework/image/height_skips.h"
 #include "framework/image/visualize.h"
+#include "framework/image/mips.h"
 #include "framework/mesh/frame.h"
+#include "framework/reference/budget.h"
 #include "framework/reference/displaced.h"
 #include "framework/reference/height_field.h"
 #include "framework/reference/light.h"
@@ -437,6 +439,71 @@ std::vector<Twin> displacement_and_levels() {
          },
          [](const GlslInput& in) { return scalar(remaining(in[2].x, in[3].z, in[3].w)); },
          {"(end - distance_)", "(distance_ - begin)"},
+         1e-5,
+         0.1},  // a difference that may be nearly 0
+        {"pixels_per_metre",
+         "17_time_and_error/task.glsl",
+         "vec4(pixels_per_metre(a, b, c.xy), vec3(0.0))",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.inside(-3, 3), dice.between(0.5f, 100)), glm::vec4(dice.inside(-1, 1), dice.between(-1, 1)),
+                              glm::vec4(dice.between(64, 2000), dice.between(64, 2000), 0, 0)};
+         },
+         [](const GlslInput& in) {
+             return scalar(pixels_per_metre(in[0], in[1], {in[2].x, in[2].y}));
+         },
+         {"along.xy - ndc", "along.xy + ndc"}},
+        {"tolerated",
+         "17_time_and_error/task.glsl",
+         "vec4(tolerated(a.x, a.y, a.z), vec3(0.0))",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.any_size(-2, 2), dice.any_size(-1, 4), dice.any_size(-3, 0), 0)};
+         },
+         [](const GlslInput& in) { return scalar(tolerated(in[0].x, in[0].y, in[0].z)); },
+         {"budget / pixels", "budget * pixels"}},
+        {"thinned",
+         "17_time_and_error/task.glsl",
+         "vec4(thinned(a.x, a.y, a.z), vec2(0.0))",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.between(0, 0.5f), dice.between(0.5f, 1), dice.between(0, 0.6f), 0)};
+         },
+         [](const GlslInput& in) { return glm::dvec4(thinned(in[0].x, in[0].y, in[0].z), 0, 0); },
+         {"highest - most", "highest + most"}},
+        {"coarsest_level",
+         "17_time_and_error/task.glsl",
+         "vec4(coarsest_level(float[12](a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, 9.0, 9.0, 9.0, 9.0), 8, c.x), vec3(0.0))",
+         [](Dice& dice) {
+             GlslInput in;
+             float sum = 0;
+             for (int i = 0; i < 8; ++i) in[size_t(i / 4)][i % 4] = sum += dice.between(0.02f, 0.1f);
+             in[2].x = dice.between(0, 1);
+             return in;
+         },
+         [](const GlslInput& in) {
+             return scalar(coarsest_level(std::span(&in[0].x, 8), in[2].x));
+         },
+         {"errors[level + 1] - errors[level]", "errors[level + 1]"},
+         1e-5,
+         1},
+        {"spread_shininess",
+         "17_time_and_error/task.glsl",
+         "vec4(spread_shininess(a.xyz, b.x), vec3(0.0))",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.unit() * dice.between(0.01f, 0.99f), 0), glm::vec4(dice.between(1, 100), 0, 0, 0)};
+         },
+         [](const GlslInput& in) {
+             return scalar(in[1].x * toksvig_factor(glm::length(xyz(in[0])), in[1].x));
+         },
+         {"shininess * (1.0 - l)", "shininess * l"},
+         1e-4},  // what a rounding of the length makes of a sharp highlight
+        {"bumps_left",
+         "17_time_and_error/task.glsl",
+         "vec4(bumps_left(a.x, a.y, a.z), vec3(0.0))",
+         [](Dice& dice) {
+             const float flat = dice.between(2, 10);
+             return GlslInput{glm::vec4(flat + dice.between(-3, 1), flat, dice.between(0.25f, 4), 0)};
+         },
+         [](const GlslInput& in) { return scalar(bumps_left(in[0].x, in[0].y, in[0].z)); },
+         {"- log2(budget)", "+ log2(budget)"},
          1e-5,
          0.1},  // a difference that may be nearly 0
         {"quad_weights",
