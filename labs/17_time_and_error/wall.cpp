@@ -140,7 +140,7 @@ bool is_better_displaced(const Patch& patch, const std::vector<Corner>& seen, co
     double pixels = 0;  // twice the area of what is seen
     for (size_t i = 0; i < seen.size(); ++i) {
         const glm::dvec4 &a = seen[i].clip, &b = seen[(i + 1) % seen.size()].clip;
-        pixels += (a.x * b.y - b.x * a.y) / (a.w * b.w);
+        pixels += glm::determinant(glm::dmat2(glm::dvec2(a) / a.w, glm::dvec2(b) / b.w));
     }
     pixels = std::abs(pixels) / 2 * question.frame.size.x * question.frame.size.y / 4;
     return triangles * question.triangle_taps < pixels * question.exact_taps;

@@ -6,13 +6,13 @@
 
 // What a search reads passes here, to be counted.
 int heights_read = 0;
-float read_height(sampler2D heights, vec2 uv, float level) {
+float read_height(sampler2D heights, vec2 place, float level) {
     ++heights_read;
-    return textureLod(heights, uv, level).r;
+    return textureLod(heights, place, level).x;
 }
-vec4 read_cell(sampler2D heights, vec2 uv) {
+vec4 read_cell(sampler2D heights, vec2 place) {
     ++heights_read;
-    return textureGather(heights, uv);
+    return textureGather(heights, place);
 }
 #define textureGather read_cell
 #include "common/exact_hit.glsl"
@@ -74,7 +74,9 @@ struct Ray {
 
 // From between.x, where it may be below the surface already, to between.y, where it ends.
 float marched(Ray ray, vec2 between, float level, float steps) {
-    float stride = (between.y - between.x) / steps, t = between.x, before = t;
+    float stride = (between.y - between.x) / steps;
+    //[solution
+    float t = between.x, before = t;
     float gap = 1.0 - t - read_height(s_heights, ray.place + t * ray.along, level), gap_before = gap;
     while (gap > 0.0 && t < between.y) {
         before = t;
@@ -83,6 +85,18 @@ float marched(Ray ray, vec2 between, float level, float steps) {
         gap = 1.0 - t - read_height(s_heights, ray.place + t * ray.along, level);
     }
     return gap > 0.0 || gap_before <= 0.0 ? t : mix(before, t, gap_before / (gap_before - gap));
+    //]starter
+    //| // The same from its far end, and all of it: how to march is for lab 11.
+    //| float met = between.y, t = between.y, far = 1.0 - t - read_height(s_heights, ray.place + t * ray.along, level);
+    //| for (int i = int(ceil(steps)) - 1; i >= 0; --i) {
+    //|     float next = between.x + float(i) * stride;
+    //|     float near = 1.0 - next - read_height(s_heights, ray.place + next * ray.along, level);
+    //|     if (far <= 0.0) met = near > 0.0 ? mix(next, t, near / (near - far)) : next;
+    //|     t = next;
+    //|     far = near;
+    //| }
+    //| return far <= 0.0 ? t : met;
+    //]
 }
 
 // What a pixel could know before it decides.
