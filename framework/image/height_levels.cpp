@@ -60,36 +60,43 @@ struct Bend {
 };
 Bend most_bent(const Image& image) {
     Bend most;
-    const auto at = [&](int x, int y) { return *image.pixel((x + image.width) % image.width, (y + image.height) % image.height); };
+    const auto at = [&](int x, int y) {
+        return *image.pixel((x + image.width) % image.width, (y + image.height) % image.height);
+    };
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const float here = at(x, y), right = at(x + 1, y), below = at(x, y + 1);
             most.twist = std::max(most.twist, std::abs(here - right - below + at(x + 1, y + 1)));
-            most.kink = std::max(most.kink, std::hypot(at(x - 1, y) - 2 * here + right, at(x, y - 1) - 2 * here + below));
+            most.kink =
+                std::max(most.kink, std::hypot(at(x - 1, y) - 2 * here + right, at(x, y - 1) - 2 * here + below));
         }
     return most;
 }
 
-std::vector<float> never_falling(std::vector<float> values) {
-    for (size_t i = 1; i < values.size(); ++i) values[i] = std::max(values[i], values[i - 1]);
-    return values;
+/// Adds an error to those that never fall; false when it is enough, and is not the first.
+bool add(std::vector<float>& errors, float error, float enough) {
+    if (!errors.empty()) error = std::max(error, errors.back());
+    if (!errors.empty() && error >= enough) return false;
+    errors.push_back(error);
+    return true;
 }
 
 }  // namespace
 
-std::vector<float> level_errors(const Image& heights) {
+std::vector<float> level_errors(const Image& heights, float enough) {
     const std::vector<Image> levels = mip_chain(heights, ColorSpace::linear);
     std::vector<float> errors;
     for (const Image& level : levels) {
-        // A step of a texel, (a, b) with a² + b² = 1, crosses a line along each axis at most. A change of slope by J leaves
-        // the chord by J / 4 at most, where it is in the middle; and a square's twist T by 2 T a b / 8.
+        // A step of a texel, (a, b) with a² + b² = 1, crosses a line along each axis at most. A change of slope by J
+        // leaves the chord by J / 4 at most, where it is in the middle; and a square's twist T by 2 T a b / 8.
         const Bend bend = most_bent(level);
-        errors.push_back((errors.empty() ? 0 : most_apart(levels[0], level, 0.5)) + bend.kink / 4 + bend.twist / 8);
+        const float apart = errors.empty() ? 0 : most_apart(levels[0], level, 0.5);
+        if (!add(errors, apart + bend.kink / 4 + bend.twist / 8, enough)) break;
     }
-    return never_falling(errors);
+    return errors;
 }
 
-std::vector<float> piece_errors(const Image& heights) {
+std::vector<float> piece_errors(const Image& heights, float enough) {
     std::vector<float> errors;
     for (int side = 1; side <= std::min(heights.width, heights.height); side *= 2) {
         Image corners(heights.width / side, heights.height / side, 1);
@@ -99,9 +106,9 @@ std::vector<float> piece_errors(const Image& heights) {
             for (int x = 0; x < corners.width; ++x)
                 *corners.pixel(x, y) = Between(double(x) * side - 0.5, heights.width).of(row.data());
         }
-        errors.push_back(most_apart(heights, corners, 0) + most_bent(corners).twist / 4);
+        if (!add(errors, most_apart(heights, corners, 0) + most_bent(corners).twist / 4, enough)) break;
     }
-    return never_falling(errors);
+    return errors;
 }
 
 }  // namespace relief

@@ -1,6 +1,6 @@
-// An error budget on lab 17's wall, from the eye to the horizon: whatever is cheapest against every method alone, 512 x 512
-// pixels, each as the probe `uv` (the search, and hardly anything else) and as the picture. The error is by how many pixels
-// the relief would have to move for what is shown to be right.
+// An error budget on lab 17's wall, from the eye to the horizon: whatever is cheapest against every method alone, 512 x
+// 512 pixels, each as the probe `uv` (the search, and hardly anything else) and as the picture. The error is by how
+// many pixels the relief would have to move for what is shown to be right.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -40,10 +40,11 @@ public:
     void add(const char* name, const Set& set) {
         const LabEntry& entry = find_lab("17");
         Shot shot{.size = size, .time = 0, .camera = load_manifest(entry).camera, .probe = {"uv"}, .set = set};
-        shot.set.insert(shot.set.end(), {{"view", "picture"}, {"map", map_}, {"size", "512"}, {"depth", fmt::format("{}", depth)}});
+        shot.set.insert(shot.set.end(),
+                        {{"view", "picture"}, {"map", map_}, {"size", "512"}, {"depth", fmt::format("{}", depth)}});
         const std::shared_ptr<Lab> lab = make_lab(entry, shot);
-        const BenchError error = error_of(wall_errors(take(*lab, shot), *field_, texels, depth,
-                                                      Camera(shot.camera, 1).clip_from_world()));
+        const BenchError error =
+            error_of(wall_errors(take(*lab, shot), *field_, texels, depth, Camera(shot.camera, 1).clip_from_world()));
         const double work = mean_work(*lab, shot);
         for (const char* what : {"uv", "picture"}) {
             const bool is_probe = what == std::string("uv");
@@ -88,7 +89,8 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
             for (const char* method : {"parallax", "exact"})
                 walls.add(method, {{"method", method}, {"spend", "on"}, {"budget", budget}});
         if (settings.quick) continue;
-        for (const char* budget : {"1", "4"}) walls.add("displacement", {{"method", "displacement"}, {"budget", budget}});
+        for (const char* budget : {"1", "4"})
+            walls.add("displacement", {{"method", "displacement"}, {"budget", budget}});
     }
     return result;
 }
@@ -96,7 +98,8 @@ std::vector<BenchMethod> methods(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic budget_topic() {
-    return {"budget", "lab 17's wall within a budget of pixels, 512 x 512 pixels: work is heights read a pixel", methods, true};
+    return {"budget", "lab 17's wall within a budget of pixels, 512 x 512 pixels: work is heights read a pixel",
+            methods, true};
 }
 
 }  // namespace relief

@@ -14,8 +14,8 @@ double next_line(double origin, double along, double t) {
     const double place = origin - 0.5 + t * along, nearest = std::round(place);
     // A line that the ray is on, but for rounding, is behind it.
     const double line = std::abs(place - nearest) < 1e-9 * (1 + std::abs(place)) ? nearest + (along > 0 ? 1 : -1)
-                        : along > 0                                            ? std::ceil(place)
-                                                                               : std::floor(place);
+                        : along > 0                                              ? std::ceil(place)
+                                                                                 : std::floor(place);
     return (line + 0.5 - origin) / along;
 }
 
@@ -33,8 +33,8 @@ ReliefMove least_move(const HeightField& field, const Ray& ray, double t) {
         if (height > std::abs(most.height)) most = {at, -height};
     };
     for (double from = begin, before = above(from); from < t;) {
-        const double to = std::min({next_line(ray.origin.x, ray.direction.x, from),
-                                    next_line(ray.origin.y, ray.direction.y, from), t});
+        const double to = std::min(
+            {next_line(ray.origin.x, ray.direction.x, from), next_line(ray.origin.y, ray.direction.y, from), t});
         // Within a cell a quadratic in s, from 0 to 1: by its ends and its middle.
         const double middle = above((from + to) / 2), after = above(to);
         const double bend = 2 * (before + after) - 4 * middle, slope = after - before - bend;
@@ -46,8 +46,8 @@ ReliefMove least_move(const HeightField& field, const Ray& ray, double t) {
     return most;
 }
 
-std::vector<ShownError> wall_errors(const Image& texels, const HeightField& field, double texels_per_metre, double scale,
-                                    const glm::dmat4& clip_from_world) {
+std::vector<ShownError> wall_errors(const Image& texels, const HeightField& field, double texels_per_metre,
+                                    double scale, const glm::dmat4& clip_from_world) {
     const glm::dmat4 world_from_clip = glm::inverse(clip_from_world);
     const glm::dvec2 size(texels.width, texels.height);
     const auto world = [&](glm::dvec2 ndc, double depth) {
@@ -72,8 +72,11 @@ std::vector<ShownError> wall_errors(const Image& texels, const HeightField& fiel
             const ReliefMove move =
                 least_move(field, {{front * texels_per_metre, 1}, {along * texels_per_metre, -1}}, t);
             const glm::dvec3 on_ray(front + move.t * along, -scale * move.t);
-            rows[y].push_back({{x, int(y)}, texel, 1 - t,
-                               glm::distance(pixel_of(on_ray), pixel_of(on_ray + glm::dvec3(0, 0, scale * move.height)))});
+            rows[y].push_back(
+                {{x, int(y)},
+                 texel,
+                 1 - t,
+                 glm::distance(pixel_of(on_ray), pixel_of(on_ray + glm::dvec3(0, 0, scale * move.height)))});
         }
     });
     std::vector<ShownError> all;

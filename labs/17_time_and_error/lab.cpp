@@ -1,7 +1,7 @@
 // Lab 17: time and error.
 //
-// A wall from the eye to the horizon, and one number to turn: how many pixels the picture may be off. Each patch and each
-// pixel takes the cheapest method that keeps it. Yours: shaders/17_time_and_error/task.glsl
+// A wall from the eye to the horizon, and one number to turn: how many pixels the picture may be off. Each patch and
+// each pixel takes the cheapest method that keeps it. Yours: shaders/17_time_and_error/task.glsl
 #include <fmt/format.h>
 
 #include "framework/gl/patches.h"
@@ -28,7 +28,9 @@ public:
         for (size_t i = 0; i < tiles.size(); ++i) {
             const bool shows_methods = view_ == methods_only || (view_ == both && i == 1);
             glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
-            draw_wall(frame_in(frame, tiles[i]), frame.probe ? Define(frame.probe) : shows_methods ? "METHOD_COLORS" : "");
+            draw_wall(frame_in(frame, tiles[i]), frame.probe     ? Define(frame.probe)
+                                                 : shows_methods ? "METHOD_COLORS"
+                                                                 : "");
             if (shows_methods)
                 describe_methods(frame.size, tiles[i], shares);
             else
@@ -62,8 +64,11 @@ private:
     enum View { both, picture, methods_only };
     static constexpr std::array views = {"both", "picture", "methods"};
     static constexpr std::array methods = {"auto", "plain", "normal-map", "parallax", "exact", "displacement"};
-    static constexpr std::array<glm::vec3, method_count> colors = {
-        {{0.10f, 0.12f, 0.22f}, {0.05f, 0.25f, 0.42f}, {0.14f, 0.45f, 0.20f}, {0.85f, 0.50f, 0.08f}, {0.65f, 0.08f, 0.06f}}};
+    static constexpr std::array<glm::vec3, method_count> colors = {{{0.10f, 0.12f, 0.22f},
+                                                                    {0.05f, 0.25f, 0.42f},
+                                                                    {0.14f, 0.45f, 0.20f},
+                                                                    {0.85f, 0.50f, 0.08f},
+                                                                    {0.65f, 0.08f, 0.06f}}};
     static constexpr glm::ivec2 measured{96, 96};
 
     /// Vertices of what one program draws.
@@ -83,16 +88,16 @@ private:
 
     const Known& known() const {
         if (!known_ || known_version_ != surface_.version())
-            known_ = known_of(surface_.heights(), surface_.material.normals()), known_version_ = surface_.version();
+            known_.emplace(surface_.heights(), surface_.material.normals()), known_version_ = surface_.version();
         return *known_;
     }
 
     Question question(const Frame& frame) const {
-        // Most of the budget goes into thinning, which every method gains by; of two methods that meet, each is off by no
-        // more than the rest beyond that, so that together they are within the budget, too.
+        // Most of the budget goes into thinning, which every method gains by; of two methods that meet, each is off by
+        // no more than the rest beyond that, so that together they are within the budget, too.
         double thinning = 0.875, precision = 0.125;
         if (method_ != 0 && !spend_) thinning = 0, precision = method_ - 1 == displacement ? 1 : 0;
-        return {frame,     double(budget_),    double(surface_.depth), thinning,
+        return {frame,     double(budget_),     double(surface_.depth), thinning,
                 precision, double(exact_taps_), double(triangle_taps_)};
     }
 
@@ -101,7 +106,8 @@ private:
         // What decides a pixel is a question to each of them, where its patch has decided already, too.
         const bool is_of_choice = probe == "pixels" || probe == "left" || probe == "level" || probe == "bumps";
         std::map<Group, std::vector<glm::vec2>> groups;
-        const auto add = [](std::vector<glm::vec2>& places, const glm::dvec2& low, const glm::dvec2& high, bool is_cell) {
+        const auto add = [](std::vector<glm::vec2>& places, const glm::dvec2& low, const glm::dvec2& high,
+                            bool is_cell) {
             const std::array<glm::vec2, 4> c = {{{low.x, low.y}, {high.x, low.y}, {high.x, high.y}, {low.x, high.y}}};
             if (is_cell)
                 places.insert(places.end(), c.begin(), c.end());
@@ -142,7 +148,7 @@ private:
             glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(places.size() * sizeof(glm::vec2)), places.data(), GL_STREAM_DRAW);
             set((displaced ? displaced_ : flat_)
                     .with({purpose, fmt::format("METHODS {}", group.methods), group.may_leave ? "MAY_LEAVE" : ""}),
-                asked, displaced ? known().pieces : known().levels);
+                asked, displaced ? known().pieces() : known().levels);
             if (displaced)
                 draw_patches(int(places.size()) / 4, 4);
             else
@@ -173,8 +179,7 @@ private:
         program.set("u_range", maps.range);
         program.set("u_exact_taps", asked.exact_taps);
         program.set("u_levels", int(errors.size()));
-        for (size_t i = 0; i < errors.size(); ++i)
-            program.set(fmt::format("u_errors[{}]", i).c_str(), errors[i]);
+        for (size_t i = 0; i < errors.size(); ++i) program.set(fmt::format("u_errors[{}]", i).c_str(), errors[i]);
         program.set("u_texels", float(maps.texels));
         program.set("u_normal_strength", glm::vec2(surface_.depth / ReliefMaterial::normals_depth));
         program.set("u_flat_level", maps.flat_level);
@@ -208,10 +213,12 @@ private:
 
     void describe_methods(glm::ivec2 size, const Tile& tile, const std::array<double, method_count>& shares) {
         const float line = std::min(Labels::line_height(size) * 0.85f, 0.055f * float(tile.size.y)), gap = line * 0.3f;
-        glm::vec2 place(float(tile.corner.x) + gap * 2, float(size.y - tile.corner.y) - (line + gap) * method_count - gap);
+        glm::vec2 place(float(tile.corner.x) + gap * 2,
+                        float(size.y - tile.corner.y) - (line + gap) * method_count - gap);
         for (size_t i = method_count; i-- > 0; place.y += line + gap) {
             labels_.rectangle(place, {line * 1.4f, line}, glm::vec4(glm::pow(colors[i], glm::vec3(1 / 2.2f)), 1));
-            labels_.text(fmt::format("{} {:.0f} %", methods[i + 1], 100 * shares[i]), place + glm::vec2(line * 1.9f, 0), line);
+            labels_.text(fmt::format("{} {:.0f} %", methods[i + 1], 100 * shares[i]), place + glm::vec2(line * 1.9f, 0),
+                         line);
         }
     }
 

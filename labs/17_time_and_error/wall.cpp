@@ -11,8 +11,8 @@ namespace {
 
 constexpr float flat_lean = 0.05f;  // of a normal, sideways: 3 degrees
 
-/// Along the wall: a metre apart at the eye's foot, and two fifths of their distance from it farther away. They stand on whole
-/// metres, so that they keep their places while the eye moves.
+/// Along the wall: a metre apart at the eye's foot, and two fifths of their distance from it farther away. They stand
+/// on whole metres, so that they keep their places while the eye moves.
 std::vector<double> lines(double foot) {
     const double low = wall_low.x, high = wall_high.x, begin = std::floor(std::clamp(foot, low, high));
     std::vector<double> all{low, high};
@@ -69,8 +69,9 @@ struct Bounds {
     bool may_leave;             ///< a ray may leave the wall
 };
 
-/// Over what is seen the inverse distance ahead is linear on the screen, and so is the vector whose length, times that, says
-/// how fast a pixel runs when its place moves along the normal. So neither is anywhere more than at the worst corner.
+/// Over what is seen the inverse distance ahead is linear on the screen, and so is the vector whose length, times that,
+/// says how fast a pixel runs when its place moves along the normal. So neither is anywhere more than at the worst
+/// corner.
 Bounds bounds_of(const std::vector<Corner>& seen, const Question& question) {
     const glm::dvec3 eye = question.frame.camera.eye();
     const glm::dvec4 along = question.frame.camera.clip_from_world() * glm::dvec4(0, 0, 1, 0);
@@ -86,7 +87,8 @@ Bounds bounds_of(const std::vector<Corner>& seen, const Question& question) {
     }
     bounds.reach.least = glm::distance(glm::clamp(glm::dvec2(eye), low, high), glm::dvec2(eye)) / eye.z;
     const double reach = bounds.reach.most * question.scale;
-    bounds.may_leave = glm::any(glm::lessThan(low - reach, wall_low)) || glm::any(glm::greaterThan(high + reach, wall_high));
+    bounds.may_leave =
+        glm::any(glm::lessThan(low - reach, wall_low)) || glm::any(glm::greaterThan(high + reach, wall_high));
     // No run is less than along the mean of all.
     const glm::dvec2 mean = glm::length(sum) > 0 ? glm::normalize(sum) : glm::dvec2(1, 0);
     Interval run{INFINITY, 0};
@@ -119,8 +121,8 @@ Methods methods_of(const Bounds& bounds, const Question& question, const Known& 
         const double off = question.precision * most;
         if (off * rounding < double(known.levels[0])) return 1e30;
         const double left = std::max(0.0, range - 2 * question.thinning * most);
-        return std::max(1.0, left * reach * question.scale * known.texels /
-                                 std::exp2(whole_level(known.levels, off * rounding)));
+        return std::max(
+            1.0, left * reach * question.scale * known.texels / std::exp2(whole_level(known.levels, off * rounding)));
     };
     if (taps(bounds.reach.least, tolerated.most, slack) <= question.exact_taps * slack) methods |= bit(parallax);
     if (taps(bounds.reach.most, tolerated.least, 1 / slack) * slack >= question.exact_taps) methods |= bit(exact);
@@ -128,47 +130,51 @@ Methods methods_of(const Bounds& bounds, const Question& question, const Known& 
 }
 
 /// Whether its triangles take less time than the search in its pixels.
-bool is_better_displaced(const Patch& patch, const std::vector<Corner>& seen, const Bounds& bounds, const Question& question,
-                         const Known& known) {
+bool is_better_displaced(const Patch& patch, const std::vector<Corner>& seen, const Bounds& bounds,
+                         const Question& question, const Known& known) {
     if (!(patch.methods & (bit(parallax) | bit(exact)))) return false;
-    const double off = question.precision * question.budget / (bounds.pixels_per_metre.most * question.scale);
-    const double side = std::exp2(whole_level(known.pieces, off)) / known.texels;  // of a square of two triangles
-    if (side * 64 < cell_metres) return false;  // finer than the tessellator goes
-    const double cut = std::min(side, cell_metres);
     const glm::dvec2 size = patch.high - patch.low;
-    const double triangles = 2 * size.x * size.y / (cut * cut);
-    double pixels = 0;  // twice the area of what is seen
+    double pixels = 0;  // twice the area of what is seen, then in pixels
     for (size_t i = 0; i < seen.size(); ++i) {
         const glm::dvec4 &a = seen[i].clip, &b = seen[(i + 1) % seen.size()].clip;
         pixels += glm::determinant(glm::dmat2(glm::dvec2(a) / a.w, glm::dvec2(b) / b.w));
     }
     pixels = std::abs(pixels) / 2 * question.frame.size.x * question.frame.size.y / 4;
-    return triangles * question.triangle_taps < pixels * question.exact_taps;
+    const auto pays = [&](double side) {  // of squares of two triangles
+        return 2 * size.x * size.y / (side * side) * question.triangle_taps < pixels * question.exact_taps;
+    };
+    if (!pays(cell_metres)) return false;
+    const double off = question.precision * question.budget / (bounds.pixels_per_metre.most * question.scale);
+    const double side = std::exp2(whole_level(known.pieces(), off)) / known.texels;
+    return side * 64 >= cell_metres && pays(std::min(side, cell_metres));  // no finer than the tessellator goes
 }
 
 }  // namespace
 
-Known known_of(const Image& heights, const Image& normals) {
-    Known known;
+Known::Known(const Image& heights, const Image& normals)
+    : texels(heights.width), normal_texels(normals.width), heights_(heights) {
     const auto [low, high] = std::minmax_element(heights.values.begin(), heights.values.end());
-    known.range = {*low, *high}, known.texels = heights.width, known.normal_texels = normals.width;
-    known.pieces = piece_errors(heights);
-    known.pieces.resize(std::min(known.pieces.size(), most_levels));
-    for (const float error : level_errors(heights)) {
-        if (!known.levels.empty() && (error >= (*high - *low) / 2 || known.levels.size() == most_levels)) break;
-        known.levels.push_back(error);
-    }
-    const std::vector<Image> levels = mip_chain(normals, ColorSpace::linear);
+    range = {*low, *high};
+    levels = level_errors(heights, (*high - *low) / 2);
+    levels.resize(std::min(levels.size(), most_levels));
+    const std::vector<Image> mips = mip_chain(normals, ColorSpace::linear);
     const auto normal = [](const float* stored) { return glm::vec3(stored[0], stored[1], stored[2]) * 2.0f - 1.0f; };
-    for (size_t level = levels.size(); level-- > 0;) {
+    for (size_t level = mips.size(); level-- > 0;) {
         float lean = 0;
-        for (size_t i = 0; i < levels[level].pixel_count(); ++i)
-            lean = std::max(lean, glm::length(glm::vec2(normal(&levels[level].values[i * 3]))));
+        for (size_t i = 0; i < mips[level].pixel_count(); ++i)
+            lean = std::max(lean, glm::length(glm::vec2(normal(&mips[level].values[i * 3]))));
         if (lean > flat_lean) break;
-        known.flat_level = float(level);
+        flat_level = float(level);
     }
-    known.flat_normal = normal(levels.back().values.data());
-    return known;
+    flat_normal = normal(mips.back().values.data());
+}
+
+const std::vector<float>& Known::pieces() const {
+    if (pieces_.empty()) {
+        pieces_ = piece_errors(heights_, (range.y - range.x) / 2);
+        pieces_.resize(std::min(pieces_.size(), most_levels));
+    }
+    return pieces_;
 }
 
 double first_level(const Question& question, const Known& known) {
@@ -197,7 +203,8 @@ std::vector<Patch> patches_for(const Question& question, const Known& known) {
     }
     for (Patch& patch : patches)
         for (const Patch& other : displaced)
-            patch.behind |= patch.methods != bit(displacement) && patch.low.x < other.high.x && other.low.x < patch.high.x;
+            patch.behind |=
+                patch.methods != bit(displacement) && patch.low.x < other.high.x && other.low.x < patch.high.x;
     // Neighbours that want the same are one: where two triangles meet, pixels are drawn for both.
     std::vector<Patch> merged;
     for (const Patch& patch : patches) {

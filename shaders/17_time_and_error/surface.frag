@@ -1,6 +1,6 @@
 #version 410 core
-// A wall by the cheapest method that keeps the budget, pixel by pixel. METHODS has a bit for each that may be needed here; where
-// there is one, nothing is chosen.
+// A wall by the cheapest method that keeps the budget, pixel by pixel. METHODS has a bit for each that may be needed
+// here; where there is one, nothing is chosen.
 
 #include "17_time_and_error/task.glsl"
 
@@ -155,7 +155,8 @@ vec3 lit(vec2 place, float height, float level, float bumps, vec3 to_eye) {
     }
     float open = mix(0.45, 1.0, height);  // the depths see less of the sky
     vec3 light = open * albedo * mix(vec3(0.10, 0.09, 0.08), vec3(0.26, 0.30, 0.37), 0.5 + 0.5 * normal.y);
-    return light + vec3(1.7, 1.56, 1.36) * blinn_phong(albedo, 0.03, spread_shininess(mean, shininess), normal, u_to_light, to_eye);
+    float gloss = spread_shininess(mean, shininess);
+    return light + vec3(1.7, 1.56, 1.36) * blinn_phong(albedo, 0.03, gloss, normal, u_to_light, to_eye);
 }
 
 void main() {

@@ -1,6 +1,6 @@
 #version 410 core
-// How finely each edge of a displaced cell is cut: as coarsely as what is seen of it allows. An edge is a whole number of
-// texels long, or of halves, and is cut in the same places by both its neighbours.
+// How finely each edge of a displaced cell is cut: as coarsely as what is seen of it allows. An edge is a whole
+// number of texels long, or of halves, and is cut in the same places by both its neighbours.
 
 #include "17_time_and_error/task.glsl"
 

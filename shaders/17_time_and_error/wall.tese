@@ -23,7 +23,8 @@ out float v_unfinished;
 
 void main() {
     // Neighbours reach a vertex on their edge from other corners: on a lattice of 1/4096 m they meet all the same.
-    vec2 place = mix(mix(c_corner[0], c_corner[1], gl_TessCoord.x), mix(c_corner[3], c_corner[2], gl_TessCoord.x), gl_TessCoord.y);
+    vec2 lower = mix(c_corner[0], c_corner[1], gl_TessCoord.x), upper = mix(c_corner[3], c_corner[2], gl_TessCoord.x);
+    vec2 place = mix(lower, upper, gl_TessCoord.y);
     v_place = round(place * 4096.0) / 4096.0;
     vec4 clip = u_clip_from_world * vec4(v_place, 0.0, 1.0);
     float pixels = pixels_per_metre(clip, u_clip_along, u_size);

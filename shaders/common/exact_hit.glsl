@@ -2,8 +2,8 @@
 
 #include "common/height_cell.glsl"
 
-// A ray goes from `uv` at height 1, t = 0, to uv + along at height 0, t = 1. The first t from between.x to between.y at which it
-// is not above the bilinear surface: from cell to cell (Amanatides and Woo 1987).
+// A ray goes from `uv` at height 1, t = 0, to uv + along at height 0, t = 1. The first t from between.x to between.y at
+// which it is not above the bilinear surface: from cell to cell (Amanatides and Woo 1987).
 //[solution
 // And at once past what lies below it: `windows` and `grown` are height_windows() of the heights. Students get a walk that
 // skips nothing, as how to skip is what lab 12 asks for.

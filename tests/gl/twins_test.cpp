@@ -14,8 +14,8 @@
 #include "framework/image/color.h"
 #include "framework/image/height_maps.h"
 #include "framework/image/height_skips.h"
-#include "framework/image/visualize.h"
 #include "framework/image/mips.h"
+#include "framework/image/visualize.h"
 #include "framework/mesh/frame.h"
 #include "framework/reference/budget.h"
 #include "framework/reference/displaced.h"
@@ -445,7 +445,8 @@ std::vector<Twin> displacement_and_levels() {
          "17_time_and_error/task.glsl",
          "vec4(pixels_per_metre(a, b, c.xy), vec3(0.0))",
          [](Dice& dice) {
-             return GlslInput{glm::vec4(dice.inside(-3, 3), dice.between(0.5f, 100)), glm::vec4(dice.inside(-1, 1), dice.between(-1, 1)),
+             return GlslInput{glm::vec4(dice.inside(-3, 3), dice.between(0.5f, 100)),
+                              glm::vec4(dice.inside(-1, 1), dice.between(-1, 1)),
                               glm::vec4(dice.between(64, 2000), dice.between(64, 2000), 0, 0)};
          },
          [](const GlslInput& in) {
@@ -470,7 +471,8 @@ std::vector<Twin> displacement_and_levels() {
          {"highest - most", "highest + most"}},
         {"coarsest_level",
          "17_time_and_error/task.glsl",
-         "vec4(coarsest_level(float[12](a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, 9.0, 9.0, 9.0, 9.0), 8, c.x), vec3(0.0))",
+         "vec4(coarsest_level(float[12](a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, 9.0, 9.0, 9.0, 9.0), 8, c.x), "
+         "vec3(0.0))",
          [](Dice& dice) {
              GlslInput in;
              float sum = 0;
@@ -478,9 +480,7 @@ std::vector<Twin> displacement_and_levels() {
              in[2].x = dice.between(0, 1);
              return in;
          },
-         [](const GlslInput& in) {
-             return scalar(coarsest_level(std::span(&in[0].x, 8), in[2].x));
-         },
+         [](const GlslInput& in) { return scalar(coarsest_level(std::span(&in[0].x, 8), in[2].x)); },
          {"errors[level + 1] - errors[level]", "errors[level + 1]"},
          1e-5,
          1},
@@ -488,11 +488,10 @@ std::vector<Twin> displacement_and_levels() {
          "17_time_and_error/task.glsl",
          "vec4(spread_shininess(a.xyz, b.x), vec3(0.0))",
          [](Dice& dice) {
-             return GlslInput{glm::vec4(dice.unit() * dice.between(0.01f, 0.99f), 0), glm::vec4(dice.between(1, 100), 0, 0, 0)};
+             return GlslInput{glm::vec4(dice.unit() * dice.between(0.01f, 0.99f), 0),
+                              glm::vec4(dice.between(1, 100), 0, 0, 0)};
          },
-         [](const GlslInput& in) {
-             return scalar(in[1].x * toksvig_factor(glm::length(xyz(in[0])), in[1].x));
-         },
+         [](const GlslInput& in) { return scalar(in[1].x * toksvig_factor(glm::length(xyz(in[0])), in[1].x)); },
          {"shininess * (1.0 - l)", "shininess * l"},
          1e-4},  // what a rounding of the length makes of a sharp highlight
         {"bumps_left",

@@ -38,7 +38,9 @@ public:
           }()) {}
 
     void set(const char* knob, const std::string& value) { set_knob(*lab_, knob, value); }
-    Image drawn(const Orbit& camera, const char* probe, glm::ivec2 size = pixels) { return take(*lab_, shot(camera, probe, size)); }
+    Image drawn(const Orbit& camera, const char* probe, glm::ivec2 size = pixels) {
+        return take(*lab_, shot(camera, probe, size));
+    }
     Image truth(const Orbit& camera, const char* probe) { return truth_of(*lab_, shot(camera, probe, pixels)); }
     std::vector<ShownError> errors(const Orbit& camera) {
         return wall_errors(drawn(camera, "uv"), field_, texels, depth, Camera(camera, 1).clip_from_world());
@@ -92,7 +94,8 @@ TEST(TimeAndError, AMarchAndTrianglesKeepItToo) {
         for (const View& view : views) {
             EXPECT_LE(largest(wall.errors(view.camera)), 0.25 * 1.01 + 0.001) << view.name << ", " << knob;
             const Image methods = wall.drawn(view.camera, "method");
-            EXPECT_GT(std::count(methods.values.begin(), methods.values.end(), float(method)), 1000) << view.name << ", " << knob;
+            EXPECT_GT(std::count(methods.values.begin(), methods.values.end(), float(method)), 1000)
+                << view.name << ", " << knob;
         }
     }
 }
@@ -120,7 +123,8 @@ TEST(TimeAndError, ALargerBudgetNeverTakesADearerMethod) {
                 for (size_t i = 0; i < now.values.size(); i += 4) {
                     if (!std::isfinite(now.values[i])) continue;
                     seen.insert(now.values[i]);
-                    ASSERT_LE(now.values[i], before ? before->values[i] : 4) << map << ", " << view.name << ", " << budget;
+                    ASSERT_LE(now.values[i], before ? before->values[i] : 4)
+                        << map << ", " << view.name << ", " << budget;
                 }
                 before = now;
             }
@@ -133,7 +137,7 @@ TEST(TimeAndError, WhatAPatchLeavesOutNoPixelOfItAsksFor) {
     using namespace budget;
     ReliefMaterial material;
     material.asset_texels = int(texels);
-    const Known known = known_of(material.heights(), material.normals());
+    const Known known(material.heights(), material.normals());
     Wall wall("wall");
     size_t decided = 0, all = 0;
     for (const View& view : views)
@@ -148,10 +152,12 @@ TEST(TimeAndError, WhatAPatchLeavesOutNoPixelOfItAsksFor) {
                     if (!std::isfinite(method)) continue;
                     const Ray ray = frame.ray(x, y);
                     const double place = ray.at(-ray.origin.z / ray.direction.z).x;
-                    const auto patch = std::find_if(patches.begin(), patches.end(),
-                                                    [&](const Patch& one) { return place >= one.low.x && place <= one.high.x; });
+                    const auto patch = std::find_if(patches.begin(), patches.end(), [&](const Patch& one) {
+                        return place >= one.low.x && place <= one.high.x;
+                    });
                     ASSERT_NE(patch, patches.end()) << view.name << " " << x << " " << y;
-                    ASSERT_TRUE(patch->methods & bit(Method(int(method)))) << view.name << ", " << pixels_off << ": " << method;
+                    ASSERT_TRUE(patch->methods & bit(Method(int(method))))
+                        << view.name << ", " << pixels_off << ": " << method;
                     ++all, decided += (patch->methods & (patch->methods - 1)) == 0;
                 }
         }
@@ -159,8 +165,8 @@ TEST(TimeAndError, WhatAPatchLeavesOutNoPixelOfItAsksFor) {
 }
 
 TEST(TimeAndError, NothingJumpsWhileTheEyeMovesSlowly) {
-    // All methods show one surface, what is left of the relief, within an eighth of the budget; and that surface itself hardly
-    // moves. So a place that two frames show has moved by no more than the budget beyond its true way.
+    // All methods show one surface, what is left of the relief, within an eighth of the budget; and that surface itself
+    // hardly moves. So a place that two frames show has moved by no more than the budget beyond its true way.
     const double budget = 0.5;
     const auto step = [](int frame) {
         Orbit camera = views[0].camera;
@@ -185,7 +191,8 @@ TEST(TimeAndError, NothingJumpsWhileTheEyeMovesSlowly) {
             const Image left_next = wall.truth(step(frame + 1), "left");
             for (const ShownError& one : wall.errors(step(frame))) {
                 const double truth = wall.field().height(one.texel), thinned = within(*left, one.pixel, truth);
-                const double apart = glm::distance(pixel_of(here, one.texel, one.height), pixel_of(here, one.texel, thinned));
+                const double apart =
+                    glm::distance(pixel_of(here, one.texel, one.height), pixel_of(here, one.texel, thinned));
                 ASSERT_LE(apart, budget / 8 + 0.01) << map << " frame " << frame;
                 const glm::ivec2 there(glm::floor(pixel_of(next, one.texel, one.height)));
                 if (there.x < 0 || there.y < 0 || there.x >= pixels.x || there.y >= pixels.y ||
@@ -216,7 +223,8 @@ TEST(TimeAndError, NoPixelOfTheWallIsMissing) {
                     bool all = true, any = false;
                     for (int i = -1; i <= 1; ++i)
                         for (int j = -1; j <= 1; ++j) all &= has(truth, x + i, y + j), any |= has(truth, x + i, y + j);
-                    ASSERT_TRUE(has(shown, x, y) ? any : !all) << view.name << ", " << triangle_taps << ", " << x << " " << y;
+                    ASSERT_TRUE(has(shown, x, y) ? any : !all)
+                        << view.name << ", " << triangle_taps << ", " << x << " " << y;
                 }
         }
     }

@@ -47,7 +47,8 @@ TEST(LeastMove, OfAPlaceBehindATentIsTheTentAboveTheRay) {
 
 TEST(LeastMove, FindsATopBetweenTheLinesOfACell) {
     const HeightField field(tent(), true);
-    // Over the diagonal of a cell that falls from the tent's top to 0 as (1 - a)²; the ray begins below the surface's chord.
+    // Over the diagonal of a cell that falls from the tent's top to 0 as (1 - a)²; the ray begins below the surface's
+    // chord.
     const Ray ray{{3.5, 4.0, 1.0}, {2, 1, -1}};
     const ReliefMove move = least_move(field, ray, 1);
     double most = 0;
