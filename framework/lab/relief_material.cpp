@@ -101,8 +101,9 @@ Image ReliefMaterial::albedo() const {
 
 /// At each texel, across the two chords between the points beside it.
 Image ReliefMaterial::normals() const {
+    renew();
     // In full detail, also where the search makes do with less.
-    const Image& heights = made_->full.values.empty() ? this->heights() : made_->full;
+    const Image& heights = made_->full.values.empty() ? made_->heights : made_->full;
     const int side = heights.width;
     const auto point = [&](int x, int y) {  // in texels; row 0 is the top
         const float height = *heights.pixel((x + side) % side, (y + side) % side);

@@ -16,6 +16,8 @@ public:
     const Image& heights() const;
     /// Counts up when heights() becomes another image, so that what is made from it can be made anew.
     int version() const { return heights(), version_; }
+    /// As the normal map has them, made anew with each call.
+    Image normals() const;
 
     /// Binds s_heights to unit 0, s_albedo to 1, s_normals to 2. The program is in use.
     void set(const Program& program) const;
@@ -31,7 +33,6 @@ public:
 private:
     bool is_asset() const;
     Image albedo() const;
-    Image normals() const;
     void renew() const;
 
     struct Made {

@@ -50,7 +50,7 @@ Words shot(const fs::path& output) {
     return {executable_path().string(), "shot", "01", "--size", "512x512", "-o", output.string()};
 }
 
-constexpr std::array phases = {"linking_ms", "manifest_ms", "context_ms", "textures_ms", "programs_ms",
+constexpr std::array phases = {"linking_ms", "manifest_ms",     "context_ms", "textures_ms", "programs_ms",
                                "drawing_ms", "reading_back_ms", "writing_ms", "ending_ms"};
 using Milliseconds = std::array<double, phases.size()>;
 
@@ -128,7 +128,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic start_topic() {
-    return {"start", "one picture at 512 x 512 from an empty process on, against one quad by hand", scenes, false, true};
+    return {"start", "one picture at 512 x 512 from an empty process on, against one quad by hand", scenes, false,
+            true};
 }
 
 }  // namespace relief

@@ -83,7 +83,7 @@ void main() {
 #elif defined PROBE_steps
     o_color = vec4(taps(t), 0.0, 0.0, 0.0);
 #elif defined ERROR || defined MEASURE
-    float exact = cosine > 0.0 ? exact_hit(s_heights, s_windows, u_grown, v_uv, along, u_most_turns) : 0.0;
+    float exact = cosine > 0.0 ? exact_hit(s_heights, s_windows, u_grown, v_uv, along, vec2(0.0, 1.0), u_most_turns) : 0.0;
     float texels = abs(t - exact) * length(along * vec2(textureSize(s_heights, 0)));
 #ifdef MEASURE
     o_color = vec4(texels, 0.0, 0.0, 0.0);

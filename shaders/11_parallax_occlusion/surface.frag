@@ -135,7 +135,7 @@ void main() {
     vec2 uv = v_uv + t * ray.march;
 
 #if defined ERROR || defined MEASURE
-    float exact = has_relief ? exact_hit(s_heights, s_windows, u_grown, v_uv, ray.march, u_most_turns) : 0.0;
+    float exact = has_relief ? exact_hit(s_heights, s_windows, u_grown, v_uv, ray.march, vec2(0.0, 1.0), u_most_turns) : 0.0;
     float off = abs(t - exact) * length(ray.march * vec2(textureSize(s_heights, 0)));  // texels
 #endif
 #if defined PROBE_uv

@@ -14,8 +14,10 @@
 #include "framework/image/color.h"
 #include "framework/image/height_maps.h"
 #include "framework/image/height_skips.h"
+#include "framework/image/mips.h"
 #include "framework/image/visualize.h"
 #include "framework/mesh/frame.h"
+#include "framework/reference/budget.h"
 #include "framework/reference/displaced.h"
 #include "framework/reference/height_field.h"
 #include "framework/reference/light.h"
@@ -439,6 +441,70 @@ std::vector<Twin> displacement_and_levels() {
          {"(end - distance_)", "(distance_ - begin)"},
          1e-5,
          0.1},  // a difference that may be nearly 0
+        {"pixels_per_metre",
+         "17_time_and_error/task.glsl",
+         "vec4(pixels_per_metre(a, b, c.xy), vec3(0.0))",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.inside(-3, 3), dice.between(0.5f, 100)),
+                              glm::vec4(dice.inside(-1, 1), dice.between(-1, 1)),
+                              glm::vec4(dice.between(64, 2000), dice.between(64, 2000), 0, 0)};
+         },
+         [](const GlslInput& in) {
+             return scalar(pixels_per_metre(in[0], in[1], {in[2].x, in[2].y}));
+         },
+         {"along.xy - ndc", "along.xy + ndc"}},
+        {"tolerated",
+         "17_time_and_error/task.glsl",
+         "vec4(tolerated(a.x, a.y, a.z), vec3(0.0))",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.any_size(-2, 2), dice.any_size(-1, 4), dice.any_size(-3, 0), 0)};
+         },
+         [](const GlslInput& in) { return scalar(tolerated(in[0].x, in[0].y, in[0].z)); },
+         {"budget / pixels", "budget * pixels"}},
+        {"thinned",
+         "17_time_and_error/task.glsl",
+         "vec4(thinned(a.x, a.y, a.z), vec2(0.0))",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.between(0, 0.5f), dice.between(0.5f, 1), dice.between(0, 0.6f), 0)};
+         },
+         [](const GlslInput& in) { return glm::dvec4(thinned(in[0].x, in[0].y, in[0].z), 0, 0); },
+         {"highest - most", "highest + most"}},
+        {"coarsest_level",
+         "17_time_and_error/task.glsl",
+         "vec4(coarsest_level(float[12](a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, 9.0, 9.0, 9.0, 9.0), 8, c.x), "
+         "vec3(0.0))",
+         [](Dice& dice) {
+             GlslInput in;
+             float sum = 0;
+             for (int i = 0; i < 8; ++i) in[size_t(i / 4)][i % 4] = sum += dice.between(0.02f, 0.1f);
+             in[2].x = dice.between(0, 1);
+             return in;
+         },
+         [](const GlslInput& in) { return scalar(coarsest_level(std::span(&in[0].x, 8), in[2].x)); },
+         {"errors[level + 1] - errors[level]", "errors[level + 1]"},
+         1e-5,
+         1},
+        {"spread_shininess",
+         "17_time_and_error/task.glsl",
+         "vec4(spread_shininess(a.xyz, b.x), vec3(0.0))",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.unit() * dice.between(0.01f, 0.99f), 0),
+                              glm::vec4(dice.between(1, 100), 0, 0, 0)};
+         },
+         [](const GlslInput& in) { return scalar(in[1].x * toksvig_factor(glm::length(xyz(in[0])), in[1].x)); },
+         {"shininess * (1.0 - l)", "shininess * l"},
+         1e-4},  // what a rounding of the length makes of a sharp highlight
+        {"bumps_left",
+         "17_time_and_error/task.glsl",
+         "vec4(bumps_left(a.x, a.y, a.z), vec3(0.0))",
+         [](Dice& dice) {
+             const float flat = dice.between(2, 10);
+             return GlslInput{glm::vec4(flat + dice.between(-3, 1), flat, dice.between(0.25f, 4), 0)};
+         },
+         [](const GlslInput& in) { return scalar(bumps_left(in[0].x, in[0].y, in[0].z)); },
+         {"- log2(budget)", "+ log2(budget)"},
+         1e-5,
+         0.1},  // a difference that may be nearly 0
         {"quad_weights",
          "common/patch.glsl",
          "quad_weights(a.xy)",
@@ -594,22 +660,25 @@ TEST(ShaderFunction, ExactHitsAreThoseOfTheHeightField) {
     for (int i = 0; i < 4000; ++i) {
         const float reach = i % 50 == 0 ? 0 : dice.between(0, 2);
         const float turn = dice.between(0, 6.3f);
-        inputs.push_back({grown, glm::vec4(dice.between(-2, 2), dice.between(-2, 2), reach * std::cos(turn),
-                                           reach * std::sin(turn))});
+        const float begin = i % 2 == 0 ? 0 : dice.between(0, 0.6f);
+        inputs.push_back(
+            {grown, glm::vec4(dice.between(-2, 2), dice.between(-2, 2), reach * std::cos(turn), reach * std::sin(turn)),
+             glm::vec4(begin, i % 2 == 0 ? 1 : dice.between(begin, 1), 0, 0)});
     }
-    const auto found = evaluate_glsl("common/exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, 1000))",
-                                     inputs, {}, &map, &other);
+    const char* const hit_of = "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, c.xy, 1000))";
+    const auto found = evaluate_glsl("common/exact_hit.glsl", hit_of, inputs, {}, &map, &other);
     const HeightField field(image, true);
     int off = 0;
     for (size_t i = 0; i < inputs.size(); ++i) {
         const glm::dvec4 ray = glm::dvec4(inputs[i][1]) * 64.0;
-        const auto hit = field.first_hit({{ray.x, ray.y, 1}, {ray.z, ray.w, -1}}, 1);
-        off += std::abs(double(found[i].x) - (hit ? hit->t : 1)) > 1e-4;
+        const double begin = double(inputs[i][2].x), end = double(inputs[i][2].y);
+        const glm::dvec3 along(ray.z, ray.w, -1);
+        const auto hit = field.first_hit({glm::dvec3(ray.x, ray.y, 1) + begin * along, along}, end - begin);
+        off += std::abs(double(found[i].x) - (hit ? begin + hit->t : end)) > 1e-4;
     }
     EXPECT_LE(off, 4) << "of 4000 a few graze an edge";
     const PlantedMistake no_look_back{"floor(inside), block", "floor(inside) + 1.0, block"};
-    const auto wrong = evaluate_glsl("common/exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, 1000))",
-                                     inputs, no_look_back, &map, &other);
+    const auto wrong = evaluate_glsl("common/exact_hit.glsl", hit_of, inputs, no_look_back, &map, &other);
     EXPECT_NE(wrong, found);
 }
 

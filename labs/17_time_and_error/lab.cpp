@@ -1,0 +1,243 @@
+// Lab 17: time and error.
+//
+// A wall from the eye to the horizon, and one number to turn: how many pixels the picture may be off. Each patch and
+// each pixel takes the cheapest method that keeps it. Yours: shaders/17_time_and_error/task.glsl
+#include <fmt/format.h>
+
+#include "framework/gl/patches.h"
+#include "framework/gl/target.h"
+#include "framework/lab/labels.h"
+#include "framework/lab/relief_surface.h"
+#include "framework/lab/tiles.h"
+#include "truth.h"
+
+namespace relief {
+
+using namespace budget;
+
+class TimeAndError final : public Lab {
+public:
+    TimeAndError() { surface_.material.asset_texels = 512, surface_.depth = 0.03f; }
+
+    void draw(const Frame& frame) override {
+        const auto tiles = tiles_of_view(frame.size);
+        std::array<double, method_count> shares{};
+        if (!frame.probe) shares = shares_of_methods(frame_in(frame, tiles.back()));
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        for (size_t i = 0; i < tiles.size(); ++i) {
+            const bool shows_methods = view_ == methods_only || (view_ == both && i == 1);
+            glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
+            draw_wall(frame_in(frame, tiles[i]), frame.probe     ? Define(frame.probe)
+                                                 : shows_methods ? "METHOD_COLORS"
+                                                                 : "");
+            if (shows_methods)
+                describe_methods(frame.size, tiles[i], shares);
+            else
+                labels_.caption(frame.size, tiles[i], 0,
+                                method_ == 0 ? fmt::format("budget {:.3g} pixel{}", budget_, budget_ == 1 ? "" : "s")
+                                             : methods[size_t(method_)]);
+        }
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        knobs.slider("budget", budget_, 0.25f, 16, "pixels that any place of the relief may be off");
+        knobs.choice("view", view_, views, "the picture, the methods as colours, or both");
+        knobs.choice("method", method_, methods, "the cheapest that keeps the budget, or one everywhere");
+        knobs.toggle("spend", spend_, "one everywhere: off as it is in labs 11 to 13, on within the budget");
+        knobs.slider("exact_taps", exact_taps_, 0, 1000, "heights that a march reads in the time of an exact search");
+        knobs.slider("triangle_taps", triangle_taps_, 0, 10000, "and in that of a triangle: on a graphics card a few");
+        surface_.material.knobs(knobs);
+        knobs.slider("depth", surface_.depth, 0, 0.25f, "of the relief, metres");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
+        knobs.slider("light_pitch", light_pitch_, -90, 90, "from how high, degrees");
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
+            return budget::truth(probe, question(part), known(), surface_.heights());
+        });
+    }
+
+private:
+    enum View { both, picture, methods_only };
+    static constexpr std::array views = {"both", "picture", "methods"};
+    static constexpr std::array methods = {"auto", "plain", "normal-map", "parallax", "exact", "displacement"};
+    static constexpr std::array<glm::vec3, method_count> colors = {{{0.10f, 0.12f, 0.22f},
+                                                                    {0.05f, 0.25f, 0.42f},
+                                                                    {0.14f, 0.45f, 0.20f},
+                                                                    {0.85f, 0.50f, 0.08f},
+                                                                    {0.65f, 0.08f, 0.06f}}};
+    static constexpr glm::ivec2 measured{96, 96};
+
+    /// Vertices of what one program draws.
+    struct Group {
+        Methods methods;
+        bool may_leave;
+        bool operator<(const Group& other) const {
+            return std::pair(methods, may_leave) < std::pair(other.methods, other.may_leave);
+        }
+    };
+    struct Uploaded {
+        VertexArrayName layout;
+        BufferName places;
+    };
+
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const { return tiles_of(size, view_ == both ? 2 : 1); }
+
+    const Known& known() const {
+        if (!known_ || known_version_ != surface_.version())
+            known_.emplace(surface_.heights(), surface_.material.normals()), known_version_ = surface_.version();
+        return *known_;
+    }
+
+    Question question(const Frame& frame) const {
+        // Most of the budget goes into thinning, which every method gains by; of two methods that meet, each is off by
+        // no more than the rest beyond that, so that together they are within the budget, too.
+        double thinning = 0.875, precision = 0.125;
+        if (method_ != 0 && !spend_) thinning = 0, precision = method_ - 1 == displacement ? 1 : 0;
+        return {frame,     double(budget_),     double(surface_.depth), thinning,
+                precision, double(exact_taps_), double(triangle_taps_)};
+    }
+
+    /// What is drawn, by the program that draws it.
+    std::map<Group, std::vector<glm::vec2>> groups_of(const Question& question, const std::string& probe) const {
+        // What decides a pixel is a question to each of them, where its patch has decided already, too.
+        const bool is_of_choice = probe == "pixels" || probe == "left" || probe == "level" || probe == "bumps";
+        std::map<Group, std::vector<glm::vec2>> groups;
+        const auto add = [](std::vector<glm::vec2>& places, const glm::dvec2& low, const glm::dvec2& high,
+                            bool is_cell) {
+            const std::array<glm::vec2, 4> c = {{{low.x, low.y}, {high.x, low.y}, {high.x, high.y}, {low.x, high.y}}};
+            if (is_cell)
+                places.insert(places.end(), c.begin(), c.end());
+            else
+                places.insert(places.end(), {c[0], c[1], c[2], c[0], c[2], c[3]});
+        };
+        const Methods forced = method_ == 0 ? 0 : bit(Method(method_ - 1));
+        if (forced != 0 && forced != bit(displacement) && !is_of_choice) {
+            if (question.frame.camera.eye().z > 0) add(groups[{forced, true}], wall_low, wall_high, false);
+            return groups;
+        }
+        for (const Patch& patch : patches_for(question, known())) {
+            Methods wanted = forced != 0 ? forced : patch.methods;
+            if (is_of_choice || (probe == "method" && wanted != bit(displacement))) wanted = any_of_a_pixel;
+            if (wanted != 0 && wanted != bit(displacement))
+                add(groups[{wanted, patch.may_leave}], patch.low, patch.high, false);
+            if (wanted != bit(displacement) && (is_of_choice || !patch.behind)) continue;
+            for (double x = patch.low.x; x < patch.high.x; x += cell_metres)
+                for (double y = patch.low.y; y < patch.high.y; y += cell_metres)
+                    add(groups[{bit(displacement), false}], {x, y}, glm::dvec2(x, y) + cell_metres, true);
+        }
+        return groups;
+    }
+
+    void draw_wall(const Frame& frame, const Define& purpose) {
+        const Question asked = question(frame);
+        if (!uploaded_) {
+            uploaded_.emplace();
+            glBindVertexArray(uploaded_->layout);
+            glBindBuffer(GL_ARRAY_BUFFER, uploaded_->places);
+            glEnableVertexAttribArray(0);
+            glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
+        }
+        glBindVertexArray(uploaded_->layout);
+        glBindBuffer(GL_ARRAY_BUFFER, uploaded_->places);
+        for (const auto& [group, places] : groups_of(asked, frame.probe.name)) {
+            const bool displaced = group.methods == bit(displacement);
+            glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(places.size() * sizeof(glm::vec2)), places.data(), GL_STREAM_DRAW);
+            set((displaced ? displaced_ : flat_)
+                    .with({purpose, fmt::format("METHODS {}", group.methods), group.may_leave ? "MAY_LEAVE" : ""}),
+                asked, displaced ? known().pieces() : known().levels);
+            if (displaced)
+                draw_patches(int(places.size()) / 4, 4);
+            else
+                glDrawArrays(GL_TRIANGLES, 0, GLsizei(places.size()));
+        }
+    }
+
+    /// `errors` are of what the program makes coarser.
+    void set(const Program& program, const Question& asked, const std::vector<float>& errors) {
+        const Known& maps = known();
+        const glm::dmat4 clip_from_world = asked.frame.camera.clip_from_world();
+        const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
+        glUseProgram(program);
+        surface_.material.set(program);
+        surface_.set_exact_hit(program, 3);
+        program.set("u_clip_from_world", clip_from_world);
+        program.set("u_clip_along", glm::vec4(clip_from_world * glm::dvec4(0, 0, 1, 0)));
+        program.set("u_eye", asked.frame.camera.eye());
+        program.set("u_to_light",
+                    glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
+        program.set("u_border", glm::vec4(wall_low, wall_high));
+        program.set("u_size", glm::vec2(asked.frame.size));
+        program.set("u_first_level", first_level(asked, maps));
+        program.set("u_budget", asked.budget);
+        program.set("u_shares[0]", asked.thinning);
+        program.set("u_shares[1]", asked.precision);
+        program.set("u_scale", asked.scale);
+        program.set("u_range", maps.range);
+        program.set("u_exact_taps", asked.exact_taps);
+        program.set("u_levels", int(errors.size()));
+        for (size_t i = 0; i < errors.size(); ++i) program.set(fmt::format("u_errors[{}]", i).c_str(), errors[i]);
+        program.set("u_texels", float(maps.texels));
+        program.set("u_normal_strength", glm::vec2(surface_.depth / ReliefMaterial::normals_depth));
+        program.set("u_flat_level", maps.flat_level);
+        program.set("u_flat_normal", maps.flat_normal);
+        for (size_t i = 0; i < colors.size(); ++i) program.set(fmt::format("u_colors[{}]", i).c_str(), colors[i]);
+    }
+
+    /// Over a small copy of the picture, that is as many pixels off for all that is drawn of it.
+    std::array<double, method_count> shares_of_methods(Frame frame) {
+        std::array<double, method_count> shares{};
+        if (view_ == picture) return shares;
+        if (!small_) small_.emplace(TargetKind::probe, measured);
+        const float budget = budget_, triangle_taps = triangle_taps_;
+        const float smaller = float(measured.y) / float(std::max(1, frame.size.y));
+        budget_ *= smaller, triangle_taps_ *= smaller * smaller;
+        frame.size = measured;
+        glBindFramebuffer(GL_FRAMEBUFFER, small_->framebuffer());
+        glViewport(0, 0, measured.x, measured.y);
+        constexpr float nothing[] = {no_surface, no_surface, no_surface, no_surface};
+        glClearBufferfv(GL_COLOR, 0, nothing);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        draw_wall(frame, "PROBE_method");
+        budget_ = budget, triangle_taps_ = triangle_taps;
+        const Image drawn = small_->read();
+        double count = 0;
+        for (size_t i = 0; i < drawn.values.size(); i += 4)
+            if (std::isfinite(drawn.values[i])) ++shares[size_t(drawn.values[i])], ++count;
+        for (double& share : shares) share /= std::max(1.0, count);
+        return shares;
+    }
+
+    void describe_methods(glm::ivec2 size, const Tile& tile, const std::array<double, method_count>& shares) {
+        const float line = std::min(Labels::line_height(size) * 0.85f, 0.055f * float(tile.size.y)), gap = line * 0.3f;
+        glm::vec2 place(float(tile.corner.x) + gap * 2,
+                        float(size.y - tile.corner.y) - (line + gap) * method_count - gap);
+        for (size_t i = method_count; i-- > 0; place.y += line + gap) {
+            labels_.rectangle(place, {line * 1.4f, line}, glm::vec4(glm::pow(colors[i], glm::vec3(1 / 2.2f)), 1));
+            labels_.text(fmt::format("{} {:.0f} %", methods[i + 1], 100 * shares[i]), place + glm::vec2(line * 1.9f, 0),
+                         line);
+        }
+    }
+
+    Programs flat_{"17_time_and_error/wall.vert", "17_time_and_error/surface.frag"};
+    Programs displaced_{"17_time_and_error/cell.vert", "17_time_and_error/wall.tesc", "17_time_and_error/wall.tese",
+                        "17_time_and_error/surface.frag"};
+    ReliefSurface surface_;
+    mutable std::optional<Known> known_;
+    mutable int known_version_ = 0;
+    std::optional<Uploaded> uploaded_;
+    std::optional<Target> small_;
+    Labels labels_;
+
+    int view_ = both, method_ = 0;
+    bool spend_ = false;
+    float budget_ = 1, exact_taps_ = 5, triangle_taps_ = 1000;
+    float light_yaw_ = -60, light_pitch_ = 30;
+};
+
+RELIEF_LAB(TimeAndError);
+
+}  // namespace relief

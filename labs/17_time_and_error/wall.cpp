@@ -1,0 +1,221 @@
+#include "wall.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/image/height_levels.h"
+#include "framework/image/mips.h"
+
+namespace relief::budget {
+namespace {
+
+constexpr float flat_lean = 0.05f;  // of a normal, sideways: 3 degrees
+
+/// Along the wall: a metre apart at the eye's foot, and two fifths of their distance from it farther away. They stand
+/// on whole metres, so that they keep their places while the eye moves.
+std::vector<double> lines(double foot) {
+    const double low = wall_low.x, high = wall_high.x, begin = std::floor(std::clamp(foot, low, high));
+    std::vector<double> all{low, high};
+    for (double up = begin; up < high; up += std::max(1.0, std::floor(0.4 * (up - begin))))
+        if (up > low) all.push_back(up);
+    for (double down = begin; down > low; down -= std::max(1.0, std::floor(0.4 * (begin - down))))
+        if (down < high) all.push_back(down);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+/// A place on the wall's front, and in clip space.
+struct Corner {
+    glm::dvec2 place;
+    glm::dvec4 clip;
+};
+
+/// What the picture shows of a patch (Sutherland and Hodgman 1974), and a pixel around, for samples beside the centres.
+std::vector<Corner> seen_of(const Patch& patch, const Question& question) {
+    const glm::dmat4 clip_from_world = question.frame.camera.clip_from_world();
+    std::vector<Corner> polygon;
+    for (const glm::dvec2 place : {patch.low, {patch.high.x, patch.low.y}, patch.high, {patch.low.x, patch.high.y}})
+        polygon.push_back({place, clip_from_world * glm::dvec4(place, 0, 1)});
+    for (int plane = 0; plane < 6; ++plane) {
+        const int axis = plane / 2;
+        const double grown = axis < 2 ? 1 + 2.0 / std::max(1, question.frame.size[axis]) : 1;
+        const auto inside = [&](const Corner& corner) {
+            return grown * corner.clip.w + (plane % 2 == 0 ? corner.clip[axis] : -corner.clip[axis]);
+        };
+        std::vector<Corner> kept;
+        for (size_t i = 0; i < polygon.size(); ++i) {
+            const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+            const double in_a = inside(a), in_b = inside(b);
+            if (in_a >= 0) kept.push_back(a);
+            if ((in_a >= 0) == (in_b >= 0)) continue;
+            const double share = in_a / (in_a - in_b);
+            kept.push_back({glm::mix(a.place, b.place, share), glm::mix(a.clip, b.clip, share)});
+        }
+        polygon = std::move(kept);
+    }
+    return polygon;
+}
+
+struct Interval {
+    double least, most;
+};
+
+/// What the pixels of a patch have in common.
+struct Bounds {
+    Interval pixels_per_metre;  ///< along the normal
+    Interval reach;             ///< of a view ray behind the wall: metres along it for each metre into it
+    Interval ahead;             ///< distances along the line of sight, metres
+    bool may_leave;             ///< a ray may leave the wall
+};
+
+/// Over what is seen the inverse distance ahead is linear on the screen, and so is the vector whose length, times that,
+/// says how fast a pixel runs when its place moves along the normal. So neither is anywhere more than at the worst
+/// corner.
+Bounds bounds_of(const std::vector<Corner>& seen, const Question& question) {
+    const glm::dvec3 eye = question.frame.camera.eye();
+    const glm::dvec4 along = question.frame.camera.clip_from_world() * glm::dvec4(0, 0, 1, 0);
+    const glm::dvec2 half_size = glm::dvec2(question.frame.size) / 2.0;
+    Bounds bounds{{0, 0}, {0, 0}, {INFINITY, 0}, false};
+    std::vector<glm::dvec2> runs;
+    glm::dvec2 sum(0), low(INFINITY), high(-INFINITY);
+    for (const auto& [place, clip] : seen) {
+        bounds.ahead = {std::min(bounds.ahead.least, clip.w), std::max(bounds.ahead.most, clip.w)};
+        bounds.reach.most = std::max(bounds.reach.most, glm::distance(place, glm::dvec2(eye)) / eye.z);
+        runs.push_back(half_size * (glm::dvec2(along) - glm::dvec2(clip) / clip.w * along.w));
+        sum += runs.back(), low = glm::min(low, place), high = glm::max(high, place);
+    }
+    bounds.reach.least = glm::distance(glm::clamp(glm::dvec2(eye), low, high), glm::dvec2(eye)) / eye.z;
+    const double reach = bounds.reach.most * question.scale;
+    bounds.may_leave =
+        glm::any(glm::lessThan(low - reach, wall_low)) || glm::any(glm::greaterThan(high + reach, wall_high));
+    // No run is less than along the mean of all.
+    const glm::dvec2 mean = glm::length(sum) > 0 ? glm::normalize(sum) : glm::dvec2(1, 0);
+    Interval run{INFINITY, 0};
+    for (const glm::dvec2& one : runs)
+        run = {std::min(run.least, std::max(0.0, glm::dot(one, mean))), std::max(run.most, glm::length(one))};
+    bounds.pixels_per_metre = {run.least / bounds.ahead.most, run.most / bounds.ahead.least};
+    return bounds;
+}
+
+/// The level up to which errors are within `most`; -1: none is.
+double whole_level(const std::vector<float>& errors, double most) {
+    return double(std::upper_bound(errors.begin(), errors.end(), float(most)) - errors.begin()) - 1;
+}
+
+/// Where this says that a method is not needed, no pixel of the patch asks for it; floats may round by a thousandth.
+Methods methods_of(const Bounds& bounds, const Question& question, const Known& known) {
+    const double range = double(known.range.y - known.range.x), slack = 1.001;
+    const auto tolerance = [&](double pixels) { return question.budget / std::max(pixels * question.scale, 1e-30); };
+    const Interval tolerated{tolerance(bounds.pixels_per_metre.most), tolerance(bounds.pixels_per_metre.least)};
+    Methods methods = 0;
+    if (2 * question.thinning * tolerated.most * slack >= range) {
+        const auto level = [&](double ahead) {
+            return std::max(0.0, first_level(question, known) + 1.5 * std::log2(ahead)) + std::log2(question.budget);
+        };
+        if (level(bounds.ahead.least) < double(known.flat_level) + 1e-3) methods |= bit(normal_map);
+        if (level(bounds.ahead.most) > double(known.flat_level) - 1e-3) methods |= bit(plain);
+    }
+    if (2 * question.thinning * tolerated.least > range * slack) return methods;
+    const auto taps = [&](double reach, double most, double rounding) {
+        const double off = question.precision * most;
+        if (off * rounding < double(known.levels[0])) return 1e30;
+        const double left = std::max(0.0, range - 2 * question.thinning * most);
+        return std::max(
+            1.0, left * reach * question.scale * known.texels / std::exp2(whole_level(known.levels, off * rounding)));
+    };
+    if (taps(bounds.reach.least, tolerated.most, slack) <= question.exact_taps * slack) methods |= bit(parallax);
+    if (taps(bounds.reach.most, tolerated.least, 1 / slack) * slack >= question.exact_taps) methods |= bit(exact);
+    return methods;
+}
+
+/// Whether its triangles take less time than the search in its pixels.
+bool is_better_displaced(const Patch& patch, const std::vector<Corner>& seen, const Bounds& bounds,
+                         const Question& question, const Known& known) {
+    if (!(patch.methods & (bit(parallax) | bit(exact)))) return false;
+    const glm::dvec2 size = patch.high - patch.low;
+    double pixels = 0;  // twice the area of what is seen, then in pixels
+    for (size_t i = 0; i < seen.size(); ++i) {
+        const glm::dvec4 &a = seen[i].clip, &b = seen[(i + 1) % seen.size()].clip;
+        pixels += glm::determinant(glm::dmat2(glm::dvec2(a) / a.w, glm::dvec2(b) / b.w));
+    }
+    pixels = std::abs(pixels) / 2 * question.frame.size.x * question.frame.size.y / 4;
+    const auto pays = [&](double side) {  // of squares of two triangles
+        return 2 * size.x * size.y / (side * side) * question.triangle_taps < pixels * question.exact_taps;
+    };
+    if (!pays(cell_metres)) return false;
+    const double off = question.precision * question.budget / (bounds.pixels_per_metre.most * question.scale);
+    const double side = std::exp2(whole_level(known.pieces(), off)) / known.texels;
+    return side * 64 >= cell_metres && pays(std::min(side, cell_metres));  // no finer than the tessellator goes
+}
+
+}  // namespace
+
+Known::Known(const Image& heights, const Image& normals)
+    : texels(heights.width), normal_texels(normals.width), heights_(heights) {
+    const auto [low, high] = std::minmax_element(heights.values.begin(), heights.values.end());
+    range = {*low, *high};
+    levels = level_errors(heights, (*high - *low) / 2);
+    levels.resize(std::min(levels.size(), most_levels));
+    const std::vector<Image> mips = mip_chain(normals, ColorSpace::linear);
+    const auto normal = [](const float* stored) { return glm::vec3(stored[0], stored[1], stored[2]) * 2.0f - 1.0f; };
+    for (size_t level = mips.size(); level-- > 0;) {
+        float lean = 0;
+        for (size_t i = 0; i < mips[level].pixel_count(); ++i)
+            lean = std::max(lean, glm::length(glm::vec2(normal(&mips[level].values[i * 3]))));
+        if (lean > flat_lean) break;
+        flat_level = float(level);
+    }
+    flat_normal = normal(mips.back().values.data());
+}
+
+const std::vector<float>& Known::pieces() const {
+    if (pieces_.empty()) {
+        pieces_ = piece_errors(heights_, (range.y - range.x) / 2);
+        pieces_.resize(std::min(pieces_.size(), most_levels));
+    }
+    return pieces_;
+}
+
+double first_level(const Question& question, const Known& known) {
+    const Frame& frame = question.frame;
+    const double pixels = frame.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2));
+    return std::log2(known.normal_texels / pixels / std::sqrt(std::max(frame.camera.eye().z, 1e-6)));
+}
+
+std::vector<Patch> patches_for(const Question& question, const Known& known) {
+    const glm::dvec3 eye = question.frame.camera.eye();
+    std::vector<Patch> patches, displaced;
+    if (eye.z <= 0) return patches;  // its back is not drawn
+    const std::vector<double> columns = lines(eye.x);
+    for (size_t i = 0; i + 1 < columns.size(); ++i) {
+        Patch patch{{columns[i], wall_low.y}, {columns[i + 1], wall_high.y}, 0, false};
+        if (const std::vector<Corner> seen = seen_of(patch, question); !seen.empty()) {
+            const Bounds bounds = bounds_of(seen, question);
+            patch.methods = methods_of(bounds, question, known), patch.may_leave = bounds.may_leave;
+            if (is_better_displaced(patch, seen, bounds, question, known)) {
+                patch.methods = bit(displacement);
+                const double reach = bounds.reach.most * question.scale;
+                displaced.push_back({patch.low - reach, patch.high + reach, 0, false});
+            }
+        }
+        patches.push_back(patch);
+    }
+    for (Patch& patch : patches)
+        for (const Patch& other : displaced)
+            patch.behind |=
+                patch.methods != bit(displacement) && patch.low.x < other.high.x && other.low.x < patch.high.x;
+    // Neighbours that want the same are one: where two triangles meet, pixels are drawn for both.
+    std::vector<Patch> merged;
+    for (const Patch& patch : patches) {
+        if (patch.methods == 0 && !patch.behind) continue;
+        if (!merged.empty() && merged.back().high.x == patch.low.x && merged.back().methods == patch.methods &&
+            merged.back().may_leave == patch.may_leave && merged.back().behind == patch.behind)
+            merged.back().high.x = patch.high.x;
+        else
+            merged.push_back(patch);
+    }
+    return merged;
+}
+
+}  // namespace relief::budget

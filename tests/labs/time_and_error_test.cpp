@@ -1,0 +1,248 @@
+// Lab 17: the budget is kept, by every method and from one frame to the next; and what it saves.
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "framework/lab/relief_material.h"
+#include "framework/reference/least_move.h"
+#include "labs/17_time_and_error/wall.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+constexpr double texels = 512, depth = 0.03;  // a metre; metres
+const glm::ivec2 pixels{96, 96};
+
+struct View {
+    const char* name;
+    Orbit camera;
+};
+const View views[] = {
+    {"along the wall", {.yaw = -80, .pitch = 3, .distance = 9, .target = {9, 2, 0}, .field_of_view = 50}},
+    {"from a metre away", {.yaw = -62, .pitch = -20, .distance = 2.4, .target = {30, 5, 0}, .field_of_view = 65}},
+    {"straight at it", {.yaw = 5, .pitch = 10, .distance = 2, .target = {100, 4, 0}, .field_of_view = 50}},
+};
+
+/// The lab with one map, and what its relief truly is.
+class Wall {
+public:
+    explicit Wall(const char* map)
+        : shot_(shot_of("17", {{"view", "picture"}, {"map", map}, {"size", "512"}, {"depth", "0.03"}}, "", pixels)),
+          lab_(make_lab(find_lab("17"), shot_)),
+          field_([map] {
+              ReliefMaterial material;
+              material.asset_texels = int(texels), material.size = 2;
+              material.map = map == std::string("wall") ? 6 : map == std::string("fbm") ? 1 : 0;
+              return HeightField(material.heights(), true);
+          }()) {}
+
+    void set(const char* knob, const std::string& value) { set_knob(*lab_, knob, value); }
+    Image drawn(const Orbit& camera, const char* probe, glm::ivec2 size = pixels) {
+        return take(*lab_, shot(camera, probe, size));
+    }
+    Image truth(const Orbit& camera, const char* probe) { return truth_of(*lab_, shot(camera, probe, pixels)); }
+    std::vector<ShownError> errors(const Orbit& camera) {
+        return wall_errors(drawn(camera, "uv"), field_, texels, depth, Camera(camera, 1).clip_from_world());
+    }
+    double work(const Orbit& camera, glm::ivec2 size) {
+        const Image read = drawn(camera, "work", size);
+        double sum = 0, count = 0;
+        for (size_t i = 0; i < read.values.size(); i += 4)
+            if (std::isfinite(read.values[i])) sum += double(read.values[i]), ++count;
+        return sum / count;
+    }
+    const HeightField& field() const { return field_; }
+
+private:
+    Shot shot(const Orbit& camera, const char* probe, glm::ivec2 size) const {
+        Shot shot = shot_;
+        shot.camera = camera, shot.probe = {probe}, shot.size = size;
+        return shot;
+    }
+
+    Shot shot_;
+    std::unique_ptr<Lab> lab_;
+    HeightField field_;
+};
+
+double largest(const std::vector<ShownError>& shown) {
+    double most = 0;
+    for (const ShownError& one : shown) most = std::max(most, one.pixels);
+    return most;
+}
+
+TEST(TimeAndError, NoPixelIsOffByMoreThanTheBudget) {
+    for (const char* map : {"wall", "fbm"}) {
+        Wall wall(map);
+        for (const View& view : views)
+            for (const double budget : {0.25, 0.5, 1.0, 4.0}) {
+                wall.set("budget", std::to_string(budget));
+                const auto shown = wall.errors(view.camera);
+                ASSERT_GT(shown.size(), 2000u);
+                // Distances are counted from the front, which is up to 3 cm nearer.
+                EXPECT_LE(largest(shown), budget * 1.01 + 0.001) << map << ", " << view.name << ", " << budget;
+            }
+    }
+}
+
+TEST(TimeAndError, AMarchAndTrianglesKeepItToo) {
+    Wall wall("smooth");
+    wall.set("budget", "0.25");
+    for (const auto& [knob, value, method] : {std::tuple("exact_taps", "1000", 2), {"triangle_taps", "0", 4}}) {
+        wall.set(knob, value);
+        for (const View& view : views) {
+            EXPECT_LE(largest(wall.errors(view.camera)), 0.25 * 1.01 + 0.001) << view.name << ", " << knob;
+            const Image methods = wall.drawn(view.camera, "method");
+            EXPECT_GT(std::count(methods.values.begin(), methods.values.end(), float(method)), 1000)
+                << view.name << ", " << knob;
+        }
+    }
+}
+
+TEST(TimeAndError, OfTheSingleMethodsTheSearchesKeepItAndAPlaneDoesNot) {
+    Wall wall("wall");
+    const auto off = [&](const char* method) {
+        wall.set("method", method);
+        return largest(wall.errors(views[0].camera));
+    };
+    EXPECT_LT(off("exact"), 0.002);
+    EXPECT_LT(off("parallax"), 0.1);
+    EXPECT_GT(off("normal-map"), 0.5);
+}
+
+TEST(TimeAndError, ALargerBudgetNeverTakesADearerMethod) {
+    for (const char* map : {"wall", "smooth"}) {
+        Wall wall(map);
+        for (const View& view : {views[0], views[1]}) {
+            std::optional<Image> before;
+            std::set<float> seen;
+            for (const char* budget : {"0.25", "0.35", "0.5", "0.7", "1", "2", "4", "16"}) {
+                wall.set("budget", budget);
+                const Image now = wall.drawn(view.camera, "method");
+                for (size_t i = 0; i < now.values.size(); i += 4) {
+                    if (!std::isfinite(now.values[i])) continue;
+                    seen.insert(now.values[i]);
+                    ASSERT_LE(now.values[i], before ? before->values[i] : 4)
+                        << map << ", " << view.name << ", " << budget;
+                }
+                before = now;
+            }
+            EXPECT_GE(seen.size(), 3u) << map << ", " << view.name;
+        }
+    }
+}
+
+TEST(TimeAndError, WhatAPatchLeavesOutNoPixelOfItAsksFor) {
+    using namespace budget;
+    ReliefMaterial material;
+    material.asset_texels = int(texels);
+    const Known known(material.heights(), material.normals());
+    Wall wall("wall");
+    size_t decided = 0, all = 0;
+    for (const View& view : views)
+        for (const double pixels_off : {0.25, 0.5, 1.0, 4.0}) {
+            wall.set("budget", std::to_string(pixels_off));
+            const Frame frame{0, pixels, 0, Camera(view.camera, 1), {}};
+            const auto patches = patches_for({frame, pixels_off, depth, 0.875, 0.125, 5, 1000}, known);
+            const Image methods = wall.drawn(view.camera, "method");
+            for (int y = 0; y < pixels.y; ++y)
+                for (int x = 0; x < pixels.x; ++x) {
+                    const float method = *methods.pixel(x, y);
+                    if (!std::isfinite(method)) continue;
+                    const Ray ray = frame.ray(x, y);
+                    const double place = ray.at(-ray.origin.z / ray.direction.z).x;
+                    const auto patch = std::find_if(patches.begin(), patches.end(), [&](const Patch& one) {
+                        return place >= one.low.x && place <= one.high.x;
+                    });
+                    ASSERT_NE(patch, patches.end()) << view.name << " " << x << " " << y;
+                    ASSERT_TRUE(patch->methods & bit(Method(int(method))))
+                        << view.name << ", " << pixels_off << ": " << method;
+                    ++all, decided += (patch->methods & (patch->methods - 1)) == 0;
+                }
+        }
+    EXPECT_GT(decided, all / 2) << "of half of the pixels the patch has decided";
+}
+
+TEST(TimeAndError, NothingJumpsWhileTheEyeMovesSlowly) {
+    // All methods show one surface, what is left of the relief, within an eighth of the budget; and that surface itself
+    // hardly moves. So a place that two frames show has moved by no more than the budget beyond its true way.
+    const double budget = 0.5;
+    const auto step = [](int frame) {
+        Orbit camera = views[0].camera;
+        camera.target.x += 0.01 * frame;
+        return camera;
+    };
+    const auto pixel_of = [](const Camera& camera, glm::dvec2 texel, double height) {
+        const glm::dvec4 clip = camera.clip_from_world() * glm::dvec4(texel / texels, depth * (height - 1), 1);
+        return glm::dvec2(clip.x / clip.w + 1, 1 - clip.y / clip.w) * glm::dvec2(pixels) / 2.0;
+    };
+    const auto within = [](const Image& left, glm::ivec2 pixel, double height) {
+        const float* const between = left.pixel(pixel.x, pixel.y);
+        return std::clamp(height, double(between[0]), double(between[1]));
+    };
+    for (const char* map : {"wall", "smooth"}) {
+        Wall wall(map);
+        wall.set("budget", std::to_string(budget));
+        double most = 0;
+        std::optional<Image> left = wall.truth(step(0), "left");
+        for (int frame = 0; frame < 8; ++frame) {
+            const Camera here(step(frame), 1), next(step(frame + 1), 1);
+            const Image left_next = wall.truth(step(frame + 1), "left");
+            for (const ShownError& one : wall.errors(step(frame))) {
+                const double truth = wall.field().height(one.texel), thinned = within(*left, one.pixel, truth);
+                const double apart =
+                    glm::distance(pixel_of(here, one.texel, one.height), pixel_of(here, one.texel, thinned));
+                ASSERT_LE(apart, budget / 8 + 0.01) << map << " frame " << frame;
+                const glm::ivec2 there(glm::floor(pixel_of(next, one.texel, one.height)));
+                if (there.x < 0 || there.y < 0 || there.x >= pixels.x || there.y >= pixels.y ||
+                    !std::isfinite(*left_next.pixel(there.x, there.y)))
+                    continue;
+                const double moved = glm::distance(pixel_of(next, one.texel, thinned),
+                                                   pixel_of(next, one.texel, within(left_next, there, truth)));
+                most = std::max(most, apart + moved + budget / 8);
+            }
+            left = left_next;
+        }
+        EXPECT_LE(most, budget) << map;
+        EXPECT_GT(most, budget / 8) << map << ": nothing has moved at all";
+    }
+}
+
+TEST(TimeAndError, NoPixelOfTheWallIsMissing) {
+    Wall wall("smooth");
+    wall.set("budget", "0.5");
+    for (const char* triangle_taps : {"1000", "0"}) {
+        wall.set("triangle_taps", triangle_taps);
+        for (const View& view : views) {
+            const Image shown = wall.drawn(view.camera, "uv"), truth = wall.truth(view.camera, "uv");
+            // Where the wall ends it may end a pixel sooner or later.
+            const auto has = [](const Image& image, int x, int y) { return std::isfinite(*image.pixel(x, y)); };
+            for (int y = 1; y + 1 < pixels.y; ++y)
+                for (int x = 1; x + 1 < pixels.x; ++x) {
+                    bool all = true, any = false;
+                    for (int i = -1; i <= 1; ++i)
+                        for (int j = -1; j <= 1; ++j) all &= has(truth, x + i, y + j), any |= has(truth, x + i, y + j);
+                    ASSERT_TRUE(has(shown, x, y) ? any : !all)
+                        << view.name << ", " << triangle_taps << ", " << x << " " << y;
+                }
+        }
+    }
+}
+
+TEST(TimeAndError, ReadsASmallPartOfWhatASingleMethodReads) {
+    Wall wall("wall");
+    const auto work = [&](const char* method, const char* budget) {
+        wall.set("method", method), wall.set("budget", budget);
+        return wall.work(views[0].camera, {256, 256});
+    };
+    // Half as many pixels a side: half a pixel is as much as one.
+    const double all = work("auto", "0.5");
+    EXPECT_LT(all, 0.4 * work("exact", "0.5"));
+    EXPECT_LT(all, 0.15 * work("parallax", "0.5"));
+    EXPECT_GT(all, 0.5) << "something is searched";
+    EXPECT_LT(work("auto", "1"), 0.5 * all);
+}
+
+}  // namespace
+}  // namespace relief
