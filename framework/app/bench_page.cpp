@@ -38,7 +38,7 @@ tr.front td:first-child { color: var(--accent); font-weight: 700; }
 tr.peer td:first-child { color: #2c7cc0; }
 tr.chosen { outline: 2px solid var(--accent); outline-offset: -2px; }
 tr[data-row] { cursor: pointer; }
-td img { display: block; width: 44px; height: 44px; image-rendering: pixelated; border-radius: 4px; margin-left: auto; }
+td img { display: block; width: 36px; height: 36px; image-rendering: pixelated; border-radius: 4px; margin-left: auto; }
 td.looks { padding: 2px 6px; }
 td.looks img { display: inline-block; margin-left: 4px; }
 #look { position: fixed; right: 20px; bottom: 20px; background: var(--card); border: 1px solid var(--line);

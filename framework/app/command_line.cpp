@@ -164,10 +164,11 @@ private:
     }
     void add_golden() {
         CLI::App* sub = add("golden", "compare with the reference screenshots",
-                            [this] { return check_golden(golden_lab_, update_, output_); });
+                            [this] { return check_golden(golden_lab_, update_, output_, context_kind(context_)); });
         add_lab(sub, golden_lab_, false);
         sub->add_flag("--update", update_, "renew them instead");
         sub->add_option("-o", output_, "write what differs: now, reference, difference")->type_name("FOLDER");
+        sub->add_option("--context", context_, context_help)->type_name("NAME");
     }
     void add_check() {
         CLI::App* sub = add("check", "your work on a lab: what is wrong, and what to look at next",

@@ -26,7 +26,7 @@ int take_shot(const ShotArguments& arguments);
 int make_gallery(std::filesystem::path folder, ContextChoice context);
 
 /// All labs when `lab` is empty. With `output`, what differs is written there.
-int check_golden(const std::string& lab, bool update, const std::filesystem::path& output);
+int check_golden(const std::string& lab, bool update, const std::filesystem::path& output, ContextChoice context);
 
 /// A lab's checks on the course's files as they are. 1 when one did not pass. With `open`, or a name for it, also a page
 /// with the pictures, below the course's build folder unless it is named.

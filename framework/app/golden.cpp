@@ -97,7 +97,7 @@ private:
 
 }  // namespace
 
-int check_golden(const std::string& lab, bool update, const fs::path& output) {
+int check_golden(const std::string& lab, bool update, const fs::path& output, ContextChoice choice) {
     std::vector<const LabEntry*> labs;
     if (lab.empty())
         for (const LabEntry& entry : registry()) labs.push_back(&entry);
@@ -105,7 +105,7 @@ int check_golden(const std::string& lab, bool update, const fs::path& output) {
         labs.push_back(&find_lab(lab));
 
     pin_software_renderer();
-    const auto context = open_any_context();
+    const auto context = open_context(choice);
     if (!is_software_renderer())
         throw Error("reference screenshots are made and compared on Mesa's software renderer; this is " +
                     describe_context().renderer);

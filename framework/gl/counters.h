@@ -27,6 +27,7 @@ struct Counters {
     int64_t draw_calls = 0;                ///< since the process began; a multi-draw counts once
     int64_t links = 0;                     ///< of programs, since the process began
     int64_t texture_bytes = 0;             ///< in textures that are live, all mip levels, as the course uploaded them
+    int64_t shared_bytes = 0;              ///< of live textures when one more asks for them: not uploaded again
 
     int64_t live_objects() const {
         int64_t sum = 0;

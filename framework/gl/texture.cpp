@@ -65,7 +65,10 @@ Texture::operator GLuint() const {
         std::weak_ptr<const Loaded>& shared = assets[Key((course_root() / title_).string(), options_.space,
                                                          options_.wrap, options_.mips, options_.anisotropy)];
         loaded_ = shared.lock();
-        if (!loaded_) shared = loaded_ = create();
+        if (loaded_)
+            counters().shared_bytes += loaded_->bytes;
+        else
+            shared = loaded_ = create();
     }
     if (!loaded_) loaded_ = create();
     return loaded_->name;

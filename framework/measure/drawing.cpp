@@ -53,7 +53,8 @@ BenchSubject drawn(TargetKind kind, glm::ivec2 size, const std::function<void(co
     draw(*target);
     if (can_count) glEndQuery(GL_CLIPPING_INPUT_PRIMITIVES_ARB);
     subject.work = {{"draws", double(counters().draw_calls - before.draw_calls)},
-                    {"texture_bytes", double(counters().texture_bytes - before.texture_bytes)}};
+                    {"texture_bytes", double(counters().texture_bytes - before.texture_bytes +
+                                             counters().shared_bytes - before.shared_bytes)}};
     if (!can_count) return subject;
     GLuint triangles = 0;
     glGetQueryObjectuiv(query, GL_QUERY_RESULT, &triangles);

@@ -14,7 +14,7 @@ namespace relief {
 BenchKnobs together(BenchKnobs first, const BenchKnobs& second);
 
 /// Draws, to its end, into a target of its own, and what GL counts while it first does so: draw calls, triangles (after
-/// tessellation), and bytes of the textures that were made for it.
+/// tessellation), and bytes of the textures that it asks for, whoever else has them.
 BenchSubject drawn(TargetKind kind, glm::ivec2 size, const std::function<void(const Target&)>& draw);
 /// The same of a lab's shot. The lab lives as long as the subject.
 BenchSubject drawn(const std::shared_ptr<Lab>& lab, const Shot& shot);
