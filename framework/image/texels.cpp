@@ -110,8 +110,8 @@ std::optional<Texels> decode_texels(std::string_view bytes, uint64_t source, std
                  .memory = std::move(memory)};
     size_t at = sizeof header;
     for (int width = header.width, height = header.height;;) {
-        const Texels::Level& level =
-            chain.levels.emplace_back(width, height, reinterpret_cast<const std::byte*>(bytes.data()) + at);
+        chain.levels.push_back({width, height, reinterpret_cast<const std::byte*>(bytes.data()) + at});
+        const Texels::Level& level = chain.levels.back();
         at += chain.bytes(level);
         if (at > bytes.size()) return {};
         if (width == 1 && height == 1) break;

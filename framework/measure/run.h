@@ -10,6 +10,9 @@
 
 namespace relief {
 
+/// By timer queries: what the GPU itself took, from the first command to the last. Wants a context.
+double by_gpu_clock(const std::function<void()>& run, size_t times);
+
 struct BenchRun {
     BenchSettings settings;
     std::optional<ContextKind> context = {};  ///< for topics that draw; nothing: whichever opens
