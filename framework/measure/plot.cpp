@@ -174,25 +174,24 @@ private:
         return text + "\n";
     }
 
+    /// With their names inside, where there is room for long ones.
     std::string bars() const {
-        std::string data, tics;
+        std::string data;
         for (size_t i = 0; i < timed_.size(); ++i) {
             const BenchRow& row = rows_[timed_[i]];
-            data += fmt::format("{} {} {} {} {} {}\n", timed_.size() - i, time(timed_[i]), row.times.p10 * scale_,
+            data += fmt::format("{} {} {} {} {} {} {}\n", timed_.size() - i, time(timed_[i]), row.times.p10 * scale_,
                                 row.times.p90 * scale_, quoted(fmt::format("#{} {}", timed_[i], row_name(row))),
-                                row.peer ? 1 : 0);
-            tics += fmt::format("{}{} {}", i ? ", " : "", quoted(short_name(row)), timed_.size() - i);
+                                row.peer ? 1 : 0, quoted(short_name(row)));
         }
-        const std::string name = fmt::format("$bars{}", number_);
         return fmt::format(
-            "{0} << END\n{1}END\nset style fill solid\nset ytics ({2}) noenhanced font ',{7}' scale 0\n"
-            "set yrange [0.3:{3}]\nset xrange [0:*]\nset grid xtics lc rgb '#ece8e0'\n"
-            "plot {0} using ($6==0?$2/2:1/0):1:($2/2):(0.36) with boxxyerror lc rgb '{4}', \\\n"
-            "  {0} using ($6==1?$2/2:1/0):1:($2/2):(0.36) with boxxyerror lc rgb '{5}', \\\n"
-            "  {0} using 2:1:3:4 with xerrorbars pt 0 lw 1 lc rgb '{6}', \\\n"
-            "  {0} using 2:1:5 with labels hypertext point pt 7 ps 0.4 lc rgb '{6}'\n",
-            name, data, tics, double(timed_.size()) + 0.7, front_color, peer_color, text_color,
-            timed_.size() > 14 ? 7 : 9);
+            "$bars{0} << END\n{1}END\nset style fill solid\nunset ytics\n"
+            "set yrange [0.3:{2}]\nset xrange [0:*]\nset grid xtics lc rgb '#ece8e0'\n"
+            "plot $bars{0} using ($6==0?$2/2:1/0):1:($2/2):(0.36) with boxxyerror lc rgb '#e3b99d', \\\n"
+            "  $bars{0} using ($6==1?$2/2:1/0):1:($2/2):(0.36) with boxxyerror lc rgb '#aac6df', \\\n"
+            "  $bars{0} using 2:1:3:4 with xerrorbars pt 0 lw 1 lc rgb '{3}', \\\n"
+            "  $bars{0} using 2:1:5 with labels hypertext point pt 7 ps 0.4 lc rgb '{3}', \\\n"
+            "  $bars{0} using (0):1:7 with labels left offset 0.6,0 font ',{4}' textcolor rgb '{3}' noenhanced\n",
+            number_, data, double(timed_.size()) + 0.7, text_color, timed_.size() > 14 ? 7 : 9);
     }
 
     std::span<const BenchRow> rows_;
