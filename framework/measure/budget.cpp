@@ -67,7 +67,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
                          const Image errors = wall->errors(take(*lab, shot), Camera(shot.camera, 1));
                          subject.error = error_over(errors, "pixel");
                          subject.work.emplace_back("taps", mean_of_probe(*lab, shot, "work"));
-                         if (settings.pictures) show(subject, *lab, shot, errors, 4);
+                         if (settings.pictures) show_picture(subject, *lab, shot), show_errors(subject, errors, 4);
                          return subject;
                      }});
             };

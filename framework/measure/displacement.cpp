@@ -45,14 +45,13 @@ BenchMethod of_lab(const char* number, const std::string& name, const BenchKnobs
                     deep.probe = {"depth"};
                     return take(*lab, deep);
                 };
-                Image errors(size.x, size.y, 1);
-                if (errors_of) {
-                    const Image place = take(*lab, shot);
-                    const std::vector<double> all = errors_of(place, depth);
-                    subject.error = figures_of(place, all), errors = map_of(all, place);
-                }
-                if (settings.pictures) show(subject, *lab, shot, errors, subject.error.unit == "metre" ? 0.05 : 2);
-                if (!errors_of) subject.error_map = {};
+                if (settings.pictures) show_picture(subject, *lab, shot);
+                if (!errors_of) return subject;
+                const Image place = take(*lab, shot);
+                const std::vector<double> errors = errors_of(place, depth);
+                subject.error = figures_of(place, errors);
+                if (settings.pictures)
+                    show_errors(subject, map_of(errors, place), subject.error.unit == "metre" ? 0.05 : 2);
                 return subject;
             }};
 }

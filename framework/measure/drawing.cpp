@@ -53,8 +53,8 @@ BenchSubject drawn(TargetKind kind, glm::ivec2 size, const std::function<void(co
     draw(*target);
     if (can_count) glEndQuery(GL_CLIPPING_INPUT_PRIMITIVES_ARB);
     subject.work = {{"draws", double(counters().draw_calls - before.draw_calls)},
-                    {"texture_bytes", double(counters().texture_bytes - before.texture_bytes +
-                                             counters().shared_bytes - before.shared_bytes)}};
+                    {"texture_bytes", double(counters().texture_bytes - before.texture_bytes + counters().shared_bytes -
+                                             before.shared_bytes)}};
     if (!can_count) return subject;
     GLuint triangles = 0;
     glGetQueryObjectuiv(query, GL_QUERY_RESULT, &triangles);
@@ -85,10 +85,13 @@ double mean_of_probe(Lab& lab, Shot shot, const char* name) {
     return sum / std::max(1.0, count);
 }
 
-void show(BenchSubject& subject, Lab& lab, Shot shot, const Image& errors, double most) {
-    subject.error_map = visualize_error(worst_of(errors), most), subject.error_map_most = most;
+void show_picture(BenchSubject& subject, Lab& lab, Shot shot) {
     shot.probe = {}, shot.size = glm::ivec2(shown_side);
     subject.picture = take(lab, shot);
+}
+
+void show_errors(BenchSubject& subject, const Image& errors, double most) {
+    subject.error_map = visualize_error(worst_of(errors), most), subject.error_map_most = most;
 }
 
 }  // namespace relief

@@ -25,8 +25,10 @@ BenchError error_over(const Image& errors, const std::string& unit);
 /// Of a shot's pixels with a surface, the first channel of another probe: {"steps"}.
 double mean_of_probe(Lab& lab, Shot shot, const char* name);
 
-/// What the page shows of a subject: the shot's picture, and its error as a map of heat, `most` and more being the
-/// brightest. Of the pixels that share one of the map's the worst counts.
-void show(BenchSubject& subject, Lab& lab, Shot shot, const Image& errors, double most);
+/// What the page shows of a subject: the shot's picture,
+void show_picture(BenchSubject& subject, Lab& lab, Shot shot);
+/// and its error as a map of heat, `most` and more being the brightest. Of the pixels that share one of the map's the
+/// worst counts.
+void show_errors(BenchSubject& subject, const Image& errors, double most);
 
 }  // namespace relief

@@ -30,9 +30,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
                                          const std::shared_ptr<Lab> lab = make_lab(entry, shot);
                                          BenchSubject subject = drawn(lab, shot);
                                          if (error) subject.error = error();
-                                         Shot small = shot;
-                                         small.size = {128, 128};
-                                         if (settings.pictures) subject.picture = take(*lab, small);
+                                         if (settings.pictures) show_picture(subject, *lab, shot);
                                          return subject;
                                      }});
         };

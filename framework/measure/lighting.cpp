@@ -18,17 +18,16 @@ BenchMethod lit(const char* number, const std::string& name, const BenchKnobs& k
                 shot.set = together(set, knobs);
                 const std::shared_ptr<Lab> lab = make_lab(entry, shot);
                 BenchSubject subject = drawn(lab, shot);
-                Image errors(shot.size.x, shot.size.y, 1);
+                if (settings.pictures) show_picture(subject, *lab, shot);
                 for (const ProbeInfo& info : manifest.probes)
                     if (info.name == probe) {
                         Shot measured = shot;
                         measured.probe = {probe};
-                        errors = error_image(take(*lab, measured), truth_of(*lab, measured), info.error);
+                        const Image errors = error_image(take(*lab, measured), truth_of(*lab, measured), info.error);
                         subject.error = error_over(errors, info.unit);
                         subject.error.wrong.reset();
+                        if (settings.pictures) show_errors(subject, errors, 10);
                     }
-                if (settings.pictures) show(subject, *lab, shot, errors, 10);
-                if (probe.empty()) subject.error_map = {};
                 return subject;
             }};
 }

@@ -64,7 +64,7 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
             // Heights read, of lab 11; of lab 12 the cells, blocks or cones that were looked at.
             subject.work.emplace_back(lab_number == std::string("11") ? "taps" : "visits",
                                       mean_of_probe(*lab, shot, "steps"));
-            if (settings.pictures) show(subject, *lab, shot, errors, 4);
+            if (settings.pictures) show_picture(subject, *lab, shot), show_errors(subject, errors, 4);
             return subject;
         };
         scene.methods.push_back({search.name, search.knobs, prepare, search.name == std::string("usual")});
