@@ -8,6 +8,7 @@
 #include <csignal>
 #include <map>
 #include <stdexcept>
+#include <thread>
 
 namespace relief {
 namespace {
@@ -147,6 +148,24 @@ void Browser::dark(bool on) {
          {{"features", {{{"name", "prefers-color-scheme"}, {"value", on ? "dark" : "light"}}}}});
 }
 
+void Browser::width(int pixels) {
+    if (pixels == 0)
+        call("Emulation.clearDeviceMetricsOverride");
+    else
+        call("Emulation.setDeviceMetricsOverride",
+             {{"width", pixels}, {"height", 800}, {"deviceScaleFactor", 1}, {"mobile", true}});
+}
+
+bool Browser::load_images() {
+    eval("document.images.length && [...document.images].forEach(image => image.loading = 'eager')");
+    for (int i = 0; i < 500; ++i) {
+        if (eval("[...document.images].every(image => image.complete)") == true)
+            return eval("[...document.images].every(image => image.naturalWidth > 0)");
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
+}
+
 void Browser::scripts(bool on) { call("Emulation.setScriptExecutionDisabled", {{"value", !on}}); }
 
 std::vector<Browser::Control> Browser::controls() {
@@ -161,6 +180,38 @@ std::vector<Browser::Control> Browser::controls() {
     }
     return found;
 }
+
+namespace {
+
+constexpr const char* faint_texts_script = R"js((() => {
+  const numbers = color => color.match(/[\d.]+/g).map(Number);
+  const light = color => {
+    const linear = v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
+    const [r, g, b] = numbers(color).map(v => linear(v / 255));
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const behind = element => {
+    for (; element; element = element.parentElement) {
+      const color = getComputedStyle(element).backgroundColor;
+      if ((numbers(color)[3] ?? 1) == 1) return color;
+    }
+    return "rgb(255, 255, 255)";
+  };
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT), found = new Set();
+  let texts = 0;
+  while (walker.nextNode()) {
+    const text = walker.currentNode.textContent.trim(), element = walker.currentNode.parentElement;
+    if (!text || !element.checkVisibility() || element.localName == "script") continue;
+    ++texts;
+    const [a, b] = [light(getComputedStyle(element).color), light(behind(element))].sort((a, b) => b - a);
+    if ((a + 0.05) / (b + 0.05) < 4.5) found.add(text);
+  }
+  return texts > 10 ? [...found] : ["there is no text"];
+})())js";
+
+}  // namespace
+
+std::vector<std::string> Browser::faint_texts() { return eval(faint_texts_script); }
 
 std::vector<std::string> Browser::complaints() {
     std::vector<std::string> found;

@@ -29,12 +29,18 @@ public:
     void type(const std::string& text);
     void dark(bool on);
     void scripts(bool on);
+    /// As on a screen of so many pixels across; 0: the window's own.
+    void width(int pixels);
+    /// All pictures of the page, also those that are loaded when they are seen. False when one cannot be shown.
+    bool load_images();
 
     struct Control {
         std::string role, name;
     };
     /// Everything that takes the focus, as a screen reader is told of it.
     std::vector<Control> controls();
+    /// Texts whose colour is too near to what lies behind: AA asks for 4.5.
+    std::vector<std::string> faint_texts();
     /// What the browser complained of since the page was opened: errors of scripts, and what the page's policy forbade.
     std::vector<std::string> complaints();
 

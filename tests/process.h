@@ -44,8 +44,8 @@ inline Result run(const std::vector<std::string>& command, const Circumstances& 
     return Process(command, where).wait();
 }
 /// The same for what compiles a course, beside other tests on a slow machine.
-inline Result run_build(const std::vector<std::string>& command) {
-    return Process(command).wait(std::chrono::minutes(15));
+inline Result run_build(const std::vector<std::string>& command, const Circumstances& where = {}) {
+    return Process(command, where).wait(std::chrono::minutes(15));
 }
 
 /// The executable of this build.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "framework/app/figures.h"
 #include "framework/app/page.h"
 #include "framework/image/visualize.h"
 
@@ -28,19 +29,6 @@ const char* sign_of(Outcome outcome) {
         default:
             return "!";
     }
-}
-
-/// Both probes in the same colours: bands and heat are chosen by what is in a picture, so they are one for a moment.
-std::pair<Image, Image> visualize_both(const Image& drawn, const Image& expected, ErrorMetric metric) {
-    Image both(drawn.width, 2 * drawn.height, drawn.channels);
-    const auto middle = std::copy(drawn.values.begin(), drawn.values.end(), both.values.begin());
-    std::copy(expected.values.begin(), expected.values.end(), middle);
-    const Image picture = visualize_probe(both, metric);
-    Image first(drawn.width, drawn.height, picture.channels, 8), second = first;
-    const auto half = picture.values.begin() + std::ptrdiff_t(first.values.size());
-    std::copy(picture.values.begin(), half, first.values.begin());
-    std::copy(half, picture.values.end(), second.values.begin());
-    return {first, second};
 }
 
 std::string how_to_read(ErrorMetric metric) {
@@ -81,25 +69,13 @@ std::string difference_figure(const CheckInfo& check, const ProbeInfo* probe, co
     double largest = probe ? std::max(summary.p99, allowed) : picture_scale;
     if (largest <= 0) largest = 1;
     const std::string end = probe ? fmt::format("{:.3g} {}", largest, probe->unit) : "16/255";
-    const std::string scale = fmt::format(
-        R"(<div class="scale" aria-hidden="true"><div></div><span>0</span><span>{} and more</span></div>)", html(end));
     const std::string alt = fmt::format(
         "Where they differ in the check: {}. {} of {} pixels do; the mean is {:.3g} {}, the largest {:.3g}", check.name,
         std::count_if(error.values.begin(), error.values.end(),
                       [](float value) { return value != 0 && value != no_surface; }),
         error.pixel_count(), probe ? summary.mean : summary.mean * 255, probe ? probe->unit : "255ths",
         probe ? summary.largest : summary.largest * 255);
-    return figure(visualize_error(error, largest), "where they differ", alt, "difference", scale);
-}
-
-/// The colours of visualize_error(), which are linear in between.
-std::string heat_gradient() {
-    std::string stops;
-    for (int i = 0; i <= 5; ++i) {
-        const glm::dvec3 color = 255.0 * heat_color(i / 5.0);
-        stops += fmt::format(", rgb({:.0f} {:.0f} {:.0f})", color.r, color.g, color.b);
-    }
-    return "linear-gradient(to right" + stops + ")";
+    return figure(visualize_error(error, largest), "where they differ", alt, "difference", error_scale({"0", end}));
 }
 
 constexpr const char* style = R"(
@@ -116,17 +92,10 @@ summary::-webkit-details-marker { display: none; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 300px), 1fr)); gap: 18px; margin: 0 0 10px; }
 figure { margin: 0; max-width: 512px; position: relative; break-inside: avoid; }
 figure img { display: block; width: 100%; height: auto; border-radius: 6px; image-rendering: pixelated; box-shadow: 0 0 0 1px var(--line); }
-.laid { position: relative; overflow: hidden; border-radius: 6px; box-shadow: 0 0 0 1px var(--line); cursor: ew-resize; touch-action: pan-y; }
-.laid img + img { position: absolute; inset: 0; }
-.laid i { position: absolute; top: 0; bottom: 0; width: 2px; margin-left: -1px; background: #fff; box-shadow: 0 0 0 1px #000; }
 figcaption { color: var(--quiet); font-size: 15px; margin-top: 6px; }
-.scale { display: flex; flex-wrap: wrap; justify-content: space-between; font-size: 14px; color: var(--quiet); }
-.scale div { flex: 0 0 100%; height: 10px; border-radius: 5px; border: 1px solid var(--line); margin: 4px 0; background: HEAT; }
-.wipe { display: flex; gap: 10px; align-items: center; font-size: 15px; color: var(--quiet); }
-.wipe span { white-space: nowrap; } .wipe input { flex: 1; min-width: 0; height: 24px; accent-color: var(--accent); }
 .points { font-size: 26px; color: var(--text); } meter { width: min(100%, 320px); height: 18px; }
 @media (max-width: 600px) { .check { padding: 0 14px; } .check dl { grid-template-columns: 1fr; gap: 0; } .check dd { margin-bottom: 8px; } }
-@media print { .wipe, .laid i { display: none; } .laid img + img { visibility: hidden; } .check { break-inside: avoid-page; } .pictures { grid-template-columns: 1fr 1fr 1fr; } }
+@media print { .check { break-inside: avoid-page; } .pictures { grid-template-columns: 1fr 1fr 1fr; } }
 )";
 
 }  // namespace
@@ -155,7 +124,7 @@ std::string check_figures(const Manifest& manifest, const CheckInfo& check, cons
     const ProbeInfo* const probe = check.shot.probe ? &manifest.probe(check.shot.probe.name) : nullptr;
     std::pair<Image, Image> shown;
     if (probe && both) {
-        shown = visualize_both(drawn, expected, probe->error);
+        shown = visualize_probes(drawn, expected, probe->error);
     } else {
         const auto show = [&](const Image& image) {
             return image.pixel_count() == 0 ? Image()
@@ -178,44 +147,19 @@ std::string check_figures(const Manifest& manifest, const CheckInfo& check, cons
     return text;
 }
 
-std::string check_style() {
-    std::string all = badge_style + std::string(style);
-    return all.replace(all.find("HEAT"), 4, heat_gradient());
-}
+std::string check_style() { return badge_style + std::string(style) + figures_style(); }
 
-const char* const wipe_script = R"(
+std::string check_script() {
+    return std::string(wipe_function) + R"(
 for (const pictures of document.querySelectorAll(".pictures")) {
   const mine = pictures.querySelector(".mine img"), expected = pictures.querySelector(".expected img");
   if (!mine || !expected) continue;
-  const make = (tag, name = "") => Object.assign(document.createElement(tag), {className: name});
-  const laid = make("div", "laid"), over = expected.cloneNode(), edge = make("i"), label = make("label", "wipe");
-  const words = make("span"), slider = make("input");
-  mine.replaceWith(laid);
+  const words = "wipe to the expected", over = expected.cloneNode();
   over.alt = "";  // its words stand at the expected picture itself
-  laid.append(mine, over, edge);
-  words.textContent = "wipe to the expected";
-  Object.assign(slider, {type: "range", min: 0, max: 100, value: 0, autocomplete: "off"});
-  slider.setAttribute("aria-label", `${words.textContent}: ${pictures.dataset.check}`);
-  label.append(words, slider);
-  const slide = () => {
-    over.style.clipPath = `inset(0 ${100 - slider.value}% 0 0)`;
-    edge.style.left = slider.value + "%";
-    edge.hidden = slider.value % 100 == 0;
-    slider.setAttribute("aria-valuetext", `${slider.value} % expected`);
-  };
-  const drag = event => {
-    if (!event.buttons) return;
-    const box = laid.getBoundingClientRect();
-    slider.value = 100 * (event.clientX - box.left) / box.width;
-    slide();
-  };
-  laid.addEventListener("pointerdown", drag);
-  laid.addEventListener("pointermove", drag);
-  laid.addEventListener("dragstart", event => event.preventDefault());
-  slider.addEventListener("input", slide);
-  slide();
+  const {label} = wipe(mine, over, words, `${words}: ${pictures.dataset.check}`, 0, value => `${value} % expected`);
   pictures.querySelector(".mine").append(label);
 }
 )";
+}
 
 }  // namespace relief

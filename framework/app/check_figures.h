@@ -24,6 +24,6 @@ std::string check_figures(const Manifest& manifest, const CheckInfo& check, cons
 /// For closed_page(): the look of checks, their badges and figures, and what makes the wipe. Without the script the
 /// pictures lie side by side.
 std::string check_style();
-extern const char* const wipe_script;
+std::string check_script();
 
 }  // namespace relief

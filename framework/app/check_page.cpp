@@ -83,8 +83,9 @@ Outcome worst(const TaskResult& task) {
 }  // namespace
 
 std::string look_at(const CheckResult& result) {
-    return result.outcome == Outcome::broken ? "what the message names; nothing is measured until the lab draws"
-                                             : result.check->look_at;
+    if (result.look_at.empty() && result.outcome == Outcome::broken)
+        return "what the message names; nothing is measured until the lab draws";
+    return result.look_at;
 }
 
 std::string check_page(const LabEntry& lab, const Manifest& manifest, const std::vector<TaskResult>& tasks) {
@@ -108,7 +109,7 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
         page.text + "</main>\n<footer>Made by <code>./relief check " + lab.two_digits() + "</code>, drawn by " +
         html(describe_context().driver()) + ".</footer>\n";
     return closed_page(fmt::format("Lab {}: {} of {} points", lab.two_digits(), points_text(points), manifest.points()),
-                       check_style() + style, body, wipe_script);
+                       check_style() + style, body, check_script());
 }
 
 }  // namespace relief

@@ -34,7 +34,7 @@ std::string knobs_and_probes(const std::string& lab_text) {
             text += fmt::format("  {:<14} {}; {} [{}]\n", knob.name, knob.help, knob.range, knob.value);
         text += "Probes:\n";
         for (const ProbeInfo& probe : load_manifest(entry).probes)
-            text += fmt::format("  {:<14} {}\n", probe.name, probe.unit.empty() ? "no unit" : "in " + probe.unit + "s");
+            text += fmt::format("  {:<14} {}\n", probe.name, probe.unit.empty() ? "no unit" : "unit: " + probe.unit);
         return text;
     } catch (const Error& error) {
         return error.what();
@@ -52,7 +52,7 @@ int open_menu_or_gallery(const std::string& lab_folder) {
     } catch (const NoWindow& error) {
         print_note(fmt::format("{}; making the gallery instead", error.what()));
     }
-    return make_gallery({}, {});
+    return make_gallery({}, {}, {});
 }
 
 /// What CLI11 could not place, with the nearest thing that it knows.
@@ -79,7 +79,7 @@ public:
     explicit CommandLine(const std::string& program) {
         app_.name(program);
         if (program.starts_with("lab-") && registry().size() == 1) only_lab_ = registry().front().folder;
-        shot_.lab = run_lab_ = golden_lab_ = check_lab_ = only_lab_;
+        shot_.lab = run_lab_ = golden_lab_ = check_lab_ = mistakes_lab_ = only_lab_;
         app_.require_subcommand(0, 1);
         app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
         app_.set_version_flag("--version", fmt::format("relief {} ({})", versions::relief, versions::commit));
@@ -88,7 +88,7 @@ public:
         app_.get_formatter()->column_width(34);
         add_list(), add_info(), add_run(), add_shot(), add_gallery(), add_check(), add_golden(), add_new_lab();
 #if __has_include("framework/measure/bench.h")
-        add_bench(), add_handout(), add_grade();
+        add_bench(), add_handout(), add_grade(), add_slides(), add_mistakes();
 #endif
         // An empty word is most often a script's variable that was never set; it must not mean "all" or "as usual".
         const CLI::Validator not_empty([](std::string& word) { return word.empty() ? "must not be empty" : ""; }, "");
@@ -154,12 +154,17 @@ private:
         sub->add_option("--probe", shot_.probe, "the quantity itself, as the shader has it")->type_name("NAME");
         sub->add_option("--truth", shot_.truth, "its exact value")->type_name("NAME");
         sub->add_option("--error", shot_.error, "how far the one is from the other")->type_name("NAME");
+#if __has_include("framework/measure/bench.h")
+        sub->add_option("--mistake", shot_.mistake, "drawn with a known mistake: an id of the lab's manifest")
+            ->type_name("ID");
+#endif
         sub->footer([this] { return knobs_and_probes(shot_.lab); });
     }
     void add_gallery() {
-        CLI::App* sub = add("gallery", "a web page with a picture of every lab",
-                            [this] { return make_gallery(output_, context_kind(context_)); });
+        CLI::App* sub = add("gallery", "the course's web site: every lab, its methods side by side, its handout",
+                            [this] { return make_gallery(output_, labs_, context_kind(context_)); });
         sub->add_option("-o", output_, "where to [the course's build/gallery]")->type_name("FOLDER");
+        sub->add_option("--labs", labs_, "like 1-5 or 1,3,10-12 [all]")->type_name("LABS");
         sub->add_option("--context", context_, context_help)->type_name("NAME");
     }
     void add_golden() {
@@ -181,12 +186,12 @@ private:
 #if __has_include("framework/measure/bench.h")
     void add_handout() {
         CLI::App* sub = add("handout", "the course for students: starters, no solutions, no hidden checks",
-                            [this] { return make_handout(output_, handout_labs_); });
+                            [this] { return make_handout(output_, labs_); });
         sub->add_option("-o", output_,
                         "where to: new, or a handout, which is brought up to date without touching what its "
                         "owner changed")
             ->type_name("FOLDER");
-        sub->add_option("--labs", handout_labs_,
+        sub->add_option("--labs", labs_,
                         "like 1-5 or 1,3,10-12, added to those that are there [new: all; else those that are there]")
             ->type_name("LABS");
     }
@@ -222,6 +227,13 @@ private:
             ->type_name("N");
         sub->add_flag("--fresh", grade_.fresh, "everything anew");
     }
+    void add_mistakes() {
+        CLI::App* sub = add("mistakes", "a page of the known mistakes, each beside what is right: the grader's legend",
+                            [this] { return show_mistakes(mistakes_lab_, output_, context_kind(context_)); });
+        add_lab(sub, mistakes_lab_, false);
+        sub->add_option("-o", output_, "where to [the course's build/mistakes]")->type_name("FOLDER");
+        sub->add_option("--context", context_, context_help)->type_name("NAME");
+    }
     void add_bench() {
         CLI::App* sub =
             add("bench", "run time against error: tables, a CSV and a plot for each topic, a page of them all",
@@ -243,6 +255,16 @@ private:
         sub->add_flag("--update", bench_.update, "with --work: renew what they are held to");
         sub->footer([] { return bench_topics_text(); });
     }
+    void add_slides() {
+        CLI::App* sub = add("slides", "what an instructor shows: a deck for each lab, as HTML and PDF",
+                            [this] { return make_slides(slides_); });
+        sub->add_option("DECK", slides_.decks, "a number, a name or any part of one; all of them when none is named")
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        sub->add_option("-o", slides_.output, "where to [the course's build/slides, or build/slides-with-solutions]")
+            ->type_name("FOLDER");
+        sub->add_flag("--solutions", slides_.solutions, "with the slides that show tasks' solutions");
+        sub->add_flag("!--no-pdf", slides_.pdf, "HTML only, which needs no browser");
+    }
 #endif
     void add_new_lab() {
         CLI::App* sub =
@@ -253,11 +275,13 @@ private:
     CLI::App app_{
         "Relief: surface detail in OpenGL, lab by lab.\n"
         "Without a command: the menu window, or the gallery where there is no display."};
-    std::string only_lab_, run_lab_, golden_lab_, check_lab_, new_name_, handout_labs_, output_, context_ = "auto";
+    std::string only_lab_, run_lab_, golden_lab_, check_lab_, mistakes_lab_, new_name_, labs_, output_,
+        context_ = "auto";
     bool verbose_ = false, json_ = false, update_ = false, open_ = false;
     ShotArguments shot_;
     BenchArguments bench_;
     GradeArguments grade_;
+    SlidesArguments slides_;
     std::function<int()> command_;
 };
 

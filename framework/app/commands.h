@@ -17,23 +17,28 @@ int list_labs(bool json);
 int print_info();
 
 struct ShotArguments {
-    std::string lab, output, size, time, context = "auto", camera, probe, truth, error;
+    std::string lab, output, size, time, context = "auto", camera, probe, truth, error, mistake;
     std::vector<std::string> set;
 };
 int take_shot(const ShotArguments& arguments);
 
-/// Writes the page into `folder`, or below the course's build folder when it is empty.
-int make_gallery(std::filesystem::path folder, ContextChoice context);
+/// The course's web site into `folder`, or below the course's build folder when it is empty; of `labs` (see
+/// find_labs()) or of all. 1 when a lab is broken: the others are there.
+int make_gallery(std::filesystem::path folder, const std::string& labs, ContextChoice context);
 
 /// All labs when `lab` is empty. With `output`, what differs is written there.
 int check_golden(const std::string& lab, bool update, const std::filesystem::path& output, ContextChoice context);
 
-/// A lab's checks on the course's files as they are. 1 when one did not pass. With `open`, or a name for it, also a page
-/// with the pictures, below the course's build folder unless it is named.
+/// A lab's checks on the course's files as they are. 1 when one did not pass. With `open`, or a name for it, also a
+/// page with the pictures, below the course's build folder unless it is named.
 int check_own_work(const std::string& lab, bool json, bool open, std::filesystem::path page);
 
 /// `labs`: see write_handout(); empty for nothing.
 int make_handout(const std::string& folder, const std::string& labs);
+
+/// A page of the known mistakes of one lab, or of all when `lab` is empty, into `folder`, or below the course's build
+/// folder when it is empty. 1 when one of them has no picture.
+int show_mistakes(const std::string& lab, std::filesystem::path folder, ContextChoice context);
 
 struct GradeArguments {
     std::vector<std::string> paths, labs;
@@ -52,6 +57,14 @@ struct BenchArguments {
 int run_bench(const BenchArguments& arguments);
 /// A line for each topic, for --help.
 std::string bench_topics_text();
+
+struct SlidesArguments {
+    std::vector<std::string> decks;
+    std::string output;
+    bool solutions = false, pdf = true;
+};
+/// 1 when a figure of a deck cannot be drawn.
+int make_slides(const SlidesArguments& arguments);
 
 int make_new_lab(const std::string& name);
 

@@ -1,29 +1,66 @@
-// relief gallery: a web page with a picture of every lab.
+// relief gallery: the course as a web site: every lab with its methods side by side, its handout, slides and
+// measurements. It needs no network and no server: all that it links to lies in its folder.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <list>
+
 #include "framework/app/commands.h"
+#include "framework/app/comparison.h"
+#include "framework/app/figures.h"
+#include "framework/app/lab_page.h"
+#include "framework/app/markdown_page.h"
 #include "framework/app/page.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
+#include "framework/base/text.h"
 #include "framework/image/file.h"
-#include "framework/lab/manifest.h"
 
 namespace relief {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string card(const LabEntry& entry, const Manifest& manifest) {
+constexpr const char* index_style = R"(
+main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 360px), 1fr)); gap: 28px; }
+article { background: var(--card); border: 1px solid var(--line); border-radius: 14px; overflow: hidden; display: flex; flex-direction: column; break-inside: avoid; }
+article img { display: block; width: 100%; height: auto; }
+article > div { padding: 16px 20px 20px; display: flex; flex-direction: column; flex: 1; }
+h2 a { color: inherit; text-decoration: none; } h2 a:hover { text-decoration: underline; }
+article ul:not(.links) { margin: 0 0 8px; padding-left: 20px; color: var(--quiet); font-size: 15px; flex: 1; }
+article .points { margin: 0 0 8px; color: var(--quiet); font-size: 15px; font-variant-numeric: tabular-nums; }
+article .links a { padding: 4px 12px; background: var(--ground); font-size: 15px; }
+.broken { border-color: var(--bad); } .broken p { overflow-wrap: anywhere; }
+.sum { display: flex; flex-wrap: wrap; gap: 4px 28px; margin: 18px 0 0; padding: 0; list-style: none; font-size: 17px; color: var(--quiet); }
+header code { white-space: nowrap; }
+.sum b { color: var(--text); font-size: 24px; margin-right: 4px; }
+@media print { main { grid-template-columns: 1fr 1fr; gap: 14px; } article img { max-height: 60mm; object-fit: cover; } }
+)";
+
+constexpr const char* course_in_three_lines =
+    "Surface detail in OpenGL: from one normal a vertex to normal maps, parallax, exact intersections and "
+    "displacement. "
+    "Each lab holds methods against the exact value in double precision and shows what each of them costs in degrees, "
+    "texels or pixels. Students write the core of every method in a few functions, and <code>./relief check</code> "
+    "tells them how far they are.";
+
+std::string card(const LabPage& page) {
+    const Manifest& manifest = *page.manifest;
     std::string learns;
     for (const std::string& line : manifest.learns) learns += fmt::format("<li>{}</li>", html(line));
+    const size_t tasks = manifest.tasks.size();
+    const std::string points =
+        tasks == 0 ? "" : fmt::format("{} {}, {} points", tasks, tasks == 1 ? "task" : "tasks", manifest.points());
+    const std::string file = lab_page_file(*page.lab);
     return fmt::format(R"(<article id="lab-{0}">
-<a href="{1}.png"><img src="{1}.png" alt="{2}" width="1280" height="720"></a>
-<div><h2><span class="number">{0}</span> {2}</h2><ul>{3}</ul><code>./relief run {0}</code></div>
+<a href="{1}"><img src="{2}" alt="Lab {0}: {3}" width="800" height="450" loading="lazy"></a>
+<div><h2><span class="number">{0}</span> <a href="{1}">{3}</a></h2><p class="points">{4}</p><ul>{5}</ul>{6}</div>
 </article>
 )",
-                       entry.two_digits(), entry.folder, html(manifest.title), learns);
+                       page.lab->two_digits(), html(file), html(page.picture), html(manifest.title), points, learns,
+                       link_row({{"Lab", file}, {"Handout", page.handout}, {"Slides", page.slides}}));
 }
 
 std::string broken_card(const LabEntry& entry, const std::string& reason) {
@@ -34,52 +71,229 @@ std::string broken_card(const LabEntry& entry, const std::string& reason) {
                        entry.two_digits(), html(entry.name), html(reason));
 }
 
-constexpr const char* style = R"(
-main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 560px), 1fr)); gap: 28px; }
-article { background: var(--card); border-radius: 12px; overflow: hidden; }
-article img { display: block; width: 100%; height: auto; }
-article div { padding: 16px 22px 22px; }
-ul { margin: 0 0 12px; padding-left: 20px; color: var(--quiet); }
-.broken { border: 1px solid var(--bad); }
-)";
+/// A knob's value as a part of a file's name.
+std::string as_file_name(const std::string& value) {
+    std::string name;
+    for (const char c : value) name += std::isalnum(static_cast<unsigned char>(c)) || c == '.' ? c : '-';
+    return name;
+}
 
-constexpr const char* page_top = R"(<header><h1>Relief</h1>
-<p>Surface detail in OpenGL, lab by lab: normal maps, tangent spaces, parallax, displacement. Each picture is what the
-lab draws when it opens.</p></header>
+/// What a command has made below the build folder, if anything: copied into the site.
+class Others {
+public:
+    Others(const char* name, const fs::path& site) : name_(name), to_(site / name) {
+        const fs::path from = course_root() / "build" / name;
+        std::error_code none;
+        if (!fs::is_directory(from, none)) return;
+        for (const auto& entry : fs::recursive_directory_iterator(from))
+            if (entry.is_regular_file()) files_.emplace_back(entry.path().lexically_relative(from));
+        from_ = from;
+    }
+
+    bool has(const std::string& file) const { return std::find(files_.begin(), files_.end(), file) != files_.end(); }
+    /// Where it is in the site, or nothing.
+    std::string place(const std::string& file) const { return has(file) ? name_ + "/" + file : ""; }
+    void copy() const {
+        for (const fs::path& file : files_) {
+            make_folder((to_ / file).parent_path());
+            write_file(to_ / file, read_file(from_ / file));
+        }
+    }
+
+private:
+    std::string name_;
+    fs::path to_, from_;
+    std::vector<fs::path> files_;
+};
+
+class Site {
+public:
+    Site(fs::path folder, std::vector<const LabEntry*> labs)
+        : folder_(std::move(folder)), labs_(std::move(labs)), slides_("slides", folder_), bench_("bench", folder_) {}
+
+    /// How many labs are broken.
+    int make() {
+        std::string cards;
+        int failures = 0;
+        {
+            Progress progress(int(labs_.size()));
+            for (const LabEntry* entry : labs_) {
+                progress.next("lab " + entry->two_digits());
+                try {
+                    add(*entry);
+                    cards += card(pages_.back());
+                } catch (const CannotWrite& error) {
+                    throw Error(error.what());
+                } catch (const Error& error) {
+                    print_error(fmt::format("{}: {}", entry->folder, error.what()));
+                    cards += broken_card(*entry, error.what());
+                    ++failures;
+                }
+            }
+        }
+        link_neighbours();
+        for (const LabPage& page : pages_) write_file(folder_ / lab_page_file(*page.lab), lab_page(page));
+        slides_.copy(), bench_.copy();
+        write_file(folder_ / "index.html", index(cards));
+        say_what_is_missing();
+        return failures;
+    }
+
+private:
+    /// A folder that cannot be written ends it all.
+    struct CannotWrite : Error {
+        using Error::Error;
+    };
+    template <class Write>
+    static void written(Write write) {
+        try {
+            write();
+        } catch (const Error& error) {
+            throw CannotWrite(error.what());
+        }
+    }
+    std::string put(const std::string& name, const Image& image) const {
+        const std::string bytes = encode_image(image, ImageFormat::png);
+        written([&] {
+            make_folder((folder_ / name).parent_path());
+            write_file(folder_ / name, bytes);
+        });
+        return name;
+    }
+
+    void add(const LabEntry& entry) {
+        const Manifest& manifest = manifests_.emplace_back(load_manifest(entry));
+        LabPage page;
+        page.lab = &entry, page.manifest = &manifest;
+        Shot shot;
+        shot.camera = manifest.camera, shot.size = {800, 450};
+        page.picture = put(entry.folder + ".png", take(*make_lab(entry, shot), shot));
+        if (const auto comparison = compare_methods(entry, manifest)) add(*comparison, page);
+        page.handout = add_handout(entry, manifest);
+        page.slides = slides_.place(entry.folder + ".html"),
+        page.slides_to_print = slides_.place(entry.folder + ".pdf");
+        page.bench = bench_.place("index.html");
+        pages_.push_back(std::move(page));
+    }
+
+    void add(const Comparison& comparison, LabPage& page) const {
+        page.knob = comparison.knob;
+        const Image& first = comparison.methods.front().picture;
+        page.size = {first.width, first.height};
+        if (comparison.probe) {
+            page.probe = comparison.probe->name;
+            for (const double part : {1000, 100, 10})
+                page.marks.push_back(fmt::format("{:.3g}", comparison.most / part));
+            page.marks.push_back(amount_of(comparison.most, comparison.probe->unit));
+        }
+        for (const ComparedMethod& method : comparison.methods) {
+            const std::string name = page.lab->folder + "/" + as_file_name(comparison.knob + "-" + method.name);
+            LabPage::Method& shown = page.methods.emplace_back();
+            shown.name = method.name, shown.picture = put(name + ".png", method.picture);
+            if (!method.error) continue;
+            page.map_size = {method.error->width, method.error->height};
+            shown.error_map = put(name + "-error.png", error_map(comparison, *method.error));
+            shown.error = amount_of(method.summary.mean, comparison.probe->unit);
+        }
+    }
+
+    std::string add_handout(const LabEntry& entry, const Manifest& manifest) const {
+        const fs::path home = fs::path("labs") / entry.folder;
+        if (!fs::exists(course_root() / home / "README.md")) return {};
+        // The course's file that a handout means, as a path inside the course.
+        const auto inside = [&](const std::string& target) {
+            return (home / target.substr(0, target.find('#'))).lexically_normal();
+        };
+        const PagePlaces places{
+            .link = [&](const std::string& target) -> std::optional<std::string> {
+                if (target.starts_with("https://") || target.starts_with("http://") || target.starts_with("#"))
+                    return target;
+                const size_t hash = target.find('#');
+                for (const LabEntry* other : labs_)
+                    if (inside(target) == fs::path("labs") / other->folder / "README.md")
+                        return handout_file(*other) + (hash == std::string::npos ? "" : target.substr(hash));
+                return {};
+            },
+            .picture = [&](const std::string& target) -> std::optional<PagePicture> {
+                const fs::path file = inside(target);
+                if (file.is_absolute() || file.begin()->string() == "..") return {};
+                const Image image = read_image(course_root() / file);
+                return PagePicture{put(entry.folder + "/handout-" + file.filename().string(), image), image.width,
+                                   image.height};
+            }};
+        const std::string text =
+            markdown_html(parse_markdown(read_file(course_root() / home / "README.md", size_t{1} << 24)), places);
+        const std::string body = fmt::format(
+            "<header><p class=\"up\"><a href=\"{}\"><span aria-hidden=\"true\">←</span> {} {}</a></p></header>\n"
+            "<main><div class=\"text\">{}</div></main>\n<footer><nav class=\"turn\" aria-label=\"the course\"><a "
+            "href=\"index.html\">All labs</a></nav></footer>\n",
+            lab_page_file(entry), entry.two_digits(), html(manifest.title), text);
+        const std::string page = closed_page("Handout " + entry.two_digits() + ": " + manifest.title,
+                                             std::string(site_style) + markdown_style, body, "", PagePictures::beside);
+        written([&] { write_file(folder_ / handout_file(entry), page); });
+        return handout_file(entry);
+    }
+
+    static std::string handout_file(const LabEntry& lab) { return lab.folder + "-handout.html"; }
+
+    void link_neighbours() {
+        for (auto page = pages_.begin(); page != pages_.end(); ++page) {
+            if (page != pages_.begin()) page->previous = &*std::prev(page);
+            if (std::next(page) != pages_.end()) page->next = &*std::next(page);
+        }
+    }
+
+    std::string index(const std::string& cards) const {
+        size_t tasks = 0;
+        int points = 0;
+        for (const LabPage& page : pages_) tasks += page.manifest->tasks.size(), points += page.manifest->points();
+        const std::string body = fmt::format(
+            R"(<header><h1>Relief</h1>
+<p>{}</p>
+<ul class="sum"><li><b>{}</b>labs</li><li><b>{}</b>tasks</li><li><b>{}</b>points</li></ul>
+{}</header>
 <main>
-)";
+{}</main>
+<footer>Rendered by {}.</footer>
+)",
+            course_in_three_lines, labs_.size(), tasks, points,
+            link_row({{"Run time against error", bench_.place("index.html")}}), cards,
+            html(describe_context().driver()));
+        return closed_page("Relief: the labs", std::string(site_style) + index_style, body, "", PagePictures::beside);
+    }
+
+    void say_what_is_missing() const {
+#if __has_include("framework/measure/bench.h")  // a student's course has neither command
+        std::vector<std::string> missing, commands;
+        if (std::none_of(pages_.begin(), pages_.end(), [](const LabPage& page) { return !page.slides.empty(); }))
+            missing.emplace_back("slides"), commands.emplace_back("relief slides");
+        if (!bench_.has("index.html")) missing.emplace_back("measurements"), commands.emplace_back("relief bench");
+        if (!missing.empty())
+            print_note(fmt::format("the site has no {}: {} would make them for the next time",
+                                   join(missing, " and no "), join(commands, " and ")));
+#endif
+    }
+
+    fs::path folder_;
+    std::vector<const LabEntry*> labs_;
+    Others slides_, bench_;
+    std::list<Manifest> manifests_;  ///< pages point at them, and at each other
+    std::list<LabPage> pages_;
+};
 
 }  // namespace
 
-int make_gallery(fs::path folder, ContextChoice choice) {
+int make_gallery(fs::path folder, const std::string& labs, ContextChoice choice) {
     if (folder.empty()) folder = course_root() / "build" / "gallery";
+    std::vector<const LabEntry*> chosen;
+    if (labs.empty())
+        for (const LabEntry& entry : registry()) chosen.push_back(&entry);
+    else
+        chosen = find_labs(labs);
     make_folder(folder);
     const auto context = open_context(choice);
-    std::string cards;
-    int failures = 0;
-    Progress progress(int(registry().size()));
-    for (const LabEntry& entry : registry()) {
-        progress.next("lab " + entry.two_digits());
-        Image picture;
-        try {
-            const Manifest manifest = load_manifest(entry);
-            Shot shot;
-            shot.camera = manifest.camera;
-            picture = take(*make_lab(entry, shot), shot);
-            cards += card(entry, manifest);
-        } catch (const Error& error) {
-            print_error(fmt::format("{}: {}", entry.folder, error.what()));
-            cards += broken_card(entry, error.what());
-            ++failures;
-            continue;
-        }
-        write_image(folder / (entry.folder + ".png"), picture);  // a folder that cannot be written ends it all
-    }
-    const std::string footer =
-        fmt::format("</main>\n<footer>Rendered by {}.</footer>\n", html(describe_context().driver()));
-    const fs::path page = folder / "index.html";
-    write_file(page, page_begin("Relief: the labs", style) + page_top + cards + footer + page_end());
-    fmt::print("{}\n", fs::absolute(page).lexically_normal().string());
+    const int failures = Site(folder, chosen).make();
+    fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
     return failures == 0 ? 0 : 1;
 }
 

@@ -99,7 +99,6 @@ h3 .number { color: var(--accent); margin-right: 6px; }
 .numbers dt { color: var(--quiet); font-size: 14px; } .numbers dd { margin: 0; font-size: 24px; font-variant-numeric: tabular-nums; }
 .bad { color: var(--bad); }
 nav { margin: 22px 0 0; display: flex; flex-wrap: wrap; gap: 4px 22px; }
-a { color: var(--accent); text-underline-offset: 3px; }
 .filter { display: flex; flex-wrap: wrap; gap: 8px 16px; align-items: end; margin: 0 0 14px; }
 .filter label { font-size: 15px; color: var(--quiet); flex: 0 1 420px; }
 .filter input { display: block; width: 100%; font: inherit; color: inherit; background: var(--card); border: 1px solid var(--edge);

@@ -86,21 +86,24 @@ std::string title(const std::string& name) {
 int make_new_lab(const std::string& text) {
     const NewName name = parse_name(text);
     const fs::path root = course_root(), templates = root / "framework" / "app" / "new_lab";
-    const std::pair<const char*, fs::path> files[] = {{"surface.vert", root / "shaders" / name.folder()},
-                                                      {"surface.frag", root / "shaders" / name.folder()},
-                                                      {"README.md", root / "labs" / name.folder()},
-                                                      {"lab.cpp", root / "labs" / name.folder()},
-                                                      {"lab.toml", root / "labs" / name.folder()}};
+    const fs::path lab = root / "labs" / name.folder(), shaders = root / "shaders" / name.folder();
+    std::vector<std::pair<const char*, fs::path>> files = {{"surface.vert", shaders / "surface.vert"},
+                                                           {"surface.frag", shaders / "surface.frag"},
+                                                           {"README.md", lab / "README.md"},
+                                                           {"lab.cpp", lab / "lab.cpp"}};
+    // A students' course has no slides.
+    if (fs::exists(root / "slides")) files.emplace_back("deck.md", root / "slides" / (name.folder() + ".md"));
     // The manifest last: a lab is a folder that has one, so a half-made folder is no lab.
-    for (const auto& [file, folder] : files) {
-        std::string content = read_file(templates / (std::string(file) + ".in"));
+    files.emplace_back("lab.toml", lab / "lab.toml");
+    for (const auto& [from, file] : files) {
+        std::string content = read_file(templates / (std::string(from) + ".in"));
         content = replace_all(content, "@Class@", class_name(name.name));
         content = replace_all(content, "@title@", title(name.name));
         content = replace_all(content, "@number@", fmt::format("{:02}", name.number));
         content = replace_all(content, "@folder@", name.folder());
-        make_folder(folder);
-        write_file(folder / file, content);
-        fmt::print("{}\n", shown(folder / file));
+        make_folder(file.parent_path());
+        write_file(file, content);
+        fmt::print("{}\n", shown(file));
     }
     fmt::print("Build and look at it: ./relief run {:02}\n", name.number);
     return 0;

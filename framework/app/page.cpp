@@ -43,6 +43,7 @@ header p { margin: 0; color: var(--quiet); max-width: 42em; }
 h1 { font-size: 44px; line-height: 1.1; margin: 0 0 8px; letter-spacing: -0.02em; }
 h2 { font-size: 22px; margin: 0 0 6px; }
 h1 .number, h2 .number { color: var(--accent); font-variant-numeric: tabular-nums; margin-right: 6px; }
+a { color: var(--accent); text-underline-offset: 3px; }
 code { background: var(--code); padding: 3px 8px; border-radius: 6px; font-size: 14px; overflow-wrap: anywhere; }
 :focus-visible { outline: 3px solid var(--accent); outline-offset: 3px; }
 footer { padding-top: 28px; padding-bottom: 48px; color: var(--quiet); font-size: 14px; }
@@ -50,13 +51,6 @@ footer { padding-top: 28px; padding-bottom: 48px; color: var(--quiet); font-size
   --accent: #a34a16; --good: #1d6b3a; --bad: #b02a20; --open: #7a5a00; }
   body { font-size: 11pt; print-color-adjust: exact; -webkit-print-color-adjust: exact; } header { padding-top: 0; } }
 )";
-
-std::string head(const std::string& title, const std::string& style, const std::string& policy = {}) {
-    return R"(<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-)" + policy +
-           "<title>" + html(title) + "</title>\n<style>" + common_style + style + "</style></head><body>\n";
-}
 
 /// As a content security policy names a script.
 std::string fingerprint(const std::string& script) {
@@ -78,18 +72,20 @@ std::string picture_uri(const Image& picture) {
     return "data:image/png;base64," + base64(encode_image(picture, ImageFormat::png));
 }
 
-std::string page_begin(const std::string& title, const std::string& style) { return head(title, style); }
-
-std::string page_end() { return "</body></html>\n"; }
-
 std::string closed_page(const std::string& title, const std::string& style, const std::string& body,
-                        const std::string& script) {
+                        const std::string& script, PagePictures pictures) {
+    // Not every browser takes what lies beside a file for its 'self'.
+    const char* const from = pictures == PagePictures::inside ? "data:" : "'self' file:";
     const std::string policy = fmt::format(
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; form-action "
         "'none'; "
-        "img-src data:; style-src 'unsafe-inline'; script-src {}\">\n",
-        fingerprint(script));
-    return head(title, style, policy) + body + "<script>" + script + "</script>\n" + page_end();
+        "img-src {}; style-src 'unsafe-inline'{}\">\n",
+        from, script.empty() ? "" : "; script-src " + fingerprint(script));
+    return R"(<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+)" + policy +
+           "<title>" + html(title) + "</title>\n<style>" + common_style + style + "</style></head><body>\n" + body +
+           (script.empty() ? "" : "<script>" + script + "</script>\n") + "</body></html>\n";
 }
 
 bool open_page(const fs::path& page) {

@@ -14,15 +14,15 @@ std::string html(const std::string& text);
 /// An 8-bit picture as a URI that has all of it, for an attribute.
 std::string picture_uri(const Image& picture);
 
-/// From the doctype to the beginning of the body. `style` is added to the common one, which names the colours:
-/// --ground, --card, --text, --quiet, --accent, --good, --bad, --open, --line, --code.
-std::string page_begin(const std::string& title, const std::string& style);
-std::string page_end();
+/// Where a page's pictures are: in it (picture_uri()), or files beside it.
+enum class PagePictures { inside, beside };
 
-/// A whole page that has all it needs, and in which the browser lets nothing else happen: no address is asked for
-/// anything, and no script runs but `script`.
+/// A whole page in which the browser lets nothing else happen: no picture from elsewhere, no other address, no script
+/// but `script`. `style` is added to the common one, which names the colours: --ground, --card, --text, --quiet,
+/// --accent,
+/// --good, --bad, --open, --line, --code.
 std::string closed_page(const std::string& title, const std::string& style, const std::string& body,
-                        const std::string& script);
+                        const std::string& script, PagePictures pictures = PagePictures::inside);
 
 /// Shows a page in the browser of whoever sits here, and does not wait for it. False where there is no display, or no
 /// xdg-open.

@@ -11,6 +11,9 @@
 #include "framework/image/file.h"
 #include "framework/image/visualize.h"
 #include "framework/lab/manifest.h"
+#if __has_include("framework/grade/mistake_pictures.h")  // not in a student's course
+    #include "framework/grade/mistake_pictures.h"
+#endif
 
 namespace relief {
 namespace {
@@ -59,6 +62,8 @@ std::pair<std::string, std::string> parse_setting(const std::string& text) {
 enum class Show { picture, probe, truth, error };
 
 Show what_to_show(const ShotArguments& arguments, Probe& probe) {
+    if (!arguments.mistake.empty() && !arguments.truth.empty())
+        throw UsageError("--mistake changes what is drawn, and no --truth");
     const bool several = !arguments.probe.empty() + !arguments.truth.empty() + !arguments.error.empty() > 1;
     if (several) throw UsageError("--probe, --truth and --error exclude each other");
     probe.name = arguments.probe + arguments.truth + arguments.error;
@@ -66,6 +71,17 @@ Show what_to_show(const ShotArguments& arguments, Probe& probe) {
     if (!arguments.truth.empty()) return Show::truth;
     return arguments.error.empty() ? Show::picture : Show::error;
 }
+
+#if __has_include("framework/grade/mistake_pictures.h")
+Image take_with_mistake(const LabEntry& entry, const std::string& id, const Shot& shot, bool light,
+                        ContextChoice choice) {
+    MistakePictures pictures(entry, {.context = choice, .pinned = is_pinned()});
+    DrawnAttempt drawn = std::move(pictures.draw(pictures.manifest().mistake(id), {shot}, light).front());
+    if (!drawn.image) throw Error(fmt::format("with the mistake '{}': {}", id, drawn.error));
+    refuse_unusable(*drawn.image, shot);
+    return *std::move(drawn.image);
+}
+#endif
 
 }  // namespace
 
@@ -75,6 +91,7 @@ int take_shot(const ShotArguments& arguments) {
     Shot shot;
     shot.camera = manifest.camera;
     const Show show = what_to_show(arguments, shot.probe);
+    if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // that there is one, before anything else
     const ErrorMetric metric = shot.probe ? manifest.probe(shot.probe.name).error : ErrorMetric::distance;
     if (!arguments.size.empty()) shot.size = parse_size(arguments.size);
     if (!arguments.time.empty()) shot.time = parse_time(arguments.time);
@@ -90,6 +107,13 @@ int take_shot(const ShotArguments& arguments) {
     std::unique_ptr<Context> context;  // outlives the lab, whose GL objects it holds
     const std::unique_ptr<Lab> lab = make_lab(entry, shot);
     print_event("lab: " + entry.folder);
+    const auto draw = [&](bool light) {
+#if __has_include("framework/grade/mistake_pictures.h")
+        if (!arguments.mistake.empty())
+            return take_with_mistake(entry, arguments.mistake, shot, light && !shot.probe, choice);
+#endif
+        return take(*lab, shot, light);
+    };
 
     Image image;
     std::string summary;
@@ -98,14 +122,14 @@ int take_shot(const ShotArguments& arguments) {
     } else if (show == Show::error) {
         const Image truth = truth_of(*lab, shot);
         context = open_context(choice);
-        image = error_image(take(*lab, shot), truth, metric);
+        image = error_image(draw(false), truth, metric);
         const ErrorSummary error = summarize(image);
         summary = fmt::format("mean {:.6g} {}, rms {:.6g}, 99 % {:.6g}, largest {:.6g}, over {} pixels\n", error.mean,
                               manifest.probe(shot.probe.name).unit, error.rms, error.p99, error.largest, error.count);
         if (!floats) image = visualize_error(image, error.p99);
     } else {
         context = open_context(choice);
-        image = take(*lab, shot, floats);
+        image = draw(floats);
     }
     if (!floats && (show == Show::probe || show == Show::truth)) image = visualize_probe(image, metric);
 

@@ -11,7 +11,6 @@ namespace relief {
 namespace {
 
 constexpr const char* student_style = R"(
-a { color: var(--accent); text-underline-offset: 3px; }
 header .up { margin: 0 0 18px; } h1 { overflow-wrap: anywhere; }
 section { margin: 0 0 44px; } section section { margin: 0 0 34px; }
 h2 { font-size: 28px; } h3.task { font-size: 21px; margin: 0 0 2px; } h3 .number { color: var(--accent); margin-right: 6px; }
@@ -184,7 +183,7 @@ std::string student_page(const SubmissionMark& mark, const std::vector<CheckPict
         printable(mark.name) + (mark.graded() && mark.problem.empty()
                                     ? fmt::format(": {} of {} points", points_text(mark.points()), mark.of())
                                     : "");
-    return closed_page(title, check_style() + student_style, StudentPage(mark, pictures).text(), wipe_script);
+    return closed_page(title, check_style() + student_style, StudentPage(mark, pictures).text(), check_script());
 }
 
 }  // namespace relief

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
@@ -83,6 +85,18 @@ Judgement compare_pictures(const Image& drawn, const Image& expected) {
 
 Image draw(const LabEntry& lab, const Shot& shot) { return take(*make_lab(lab, shot), shot); }
 
+bool has_failed(Outcome outcome) {
+    return outcome != Outcome::passed && outcome != Outcome::unfinished && outcome != Outcome::machine;
+}
+
+/// Whether `other` is about nothing but what `check` needs.
+bool is_below(const CheckInfo& other, const CheckInfo& check) {
+    const auto is_needed = [&](const std::string& task) {
+        return std::find(check.needs.begin(), check.needs.end(), task) != check.needs.end();
+    };
+    return is_needed(other.task) && std::all_of(other.needs.begin(), other.needs.end(), is_needed);
+}
+
 }  // namespace
 
 const char* name_of(Outcome outcome) { return outcome_names[int(outcome)]; }
@@ -97,6 +111,37 @@ double TaskResult::points() const {
     double passed = 0;
     for (const CheckResult& result : checks) passed += result.outcome == Outcome::passed;
     return task->points * passed / double(checks.size());
+}
+
+std::string waits_for(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written) {
+    std::vector<std::string> open;
+    for (const std::string& task : check.needs)
+        if (!is_written(task)) open.push_back(task);
+    if (open.empty()) return {};
+    if (open.size() == 1) return fmt::format("waits for task {}, which is not written yet", open.front());
+    const std::string last = open.back();
+    open.pop_back();
+    return fmt::format("waits for tasks {} and {}, which are not written yet", fmt::join(open, ", "), last);
+}
+
+std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said) {
+    std::vector<std::string> hints(said.size());
+    for (size_t i = 0; i < said.size(); ++i) {
+        if (said[i].outcome != Outcome::wrong && said[i].outcome != Outcome::broken) continue;
+        const CheckInfo& check = manifest.checks[i];
+        const CheckInfo* first = nullptr;
+        for (size_t j = 0; j < said.size(); ++j) {
+            // One message for both is a compiler's: it names the place itself.
+            const bool is_same = said[i].outcome == Outcome::broken && said[i].found == said[j].found;
+            if (!has_failed(said[j].outcome) || is_same || !is_below(manifest.checks[j], check)) continue;
+            if (!first || manifest.checks[j].needs.size() < first->needs.size()) first = &manifest.checks[j];
+        }
+        if (first)
+            hints[i] = fmt::format("put task {} right first", first->task);
+        else if (said[i].outcome == Outcome::wrong)
+            hints[i] = check.look_at;
+    }
+    return hints;
 }
 
 std::string points_text(double points) { return fmt::format("{:.4g}", points); }
@@ -132,8 +177,13 @@ CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const Check
     if (expected) result.expected = *expected;
     Judgement said;
     try {
-        if (is_unfinished(read_file(course_root() / manifest.task(check.task).file), check.task)) {
+        const auto is_written = [&](const std::string& task) {
+            return !is_unfinished(read_file(course_root() / manifest.task(task).file), task);
+        };
+        if (!is_written(check.task)) {
             said = {Outcome::unfinished, "not written yet"};
+        } else if (const std::string waits = waits_for(check, is_written); !waits.empty()) {
+            said = {Outcome::unfinished, waits};
         } else {
             result.drawn = draw(lab, check.shot);
             if (!expected) result.expected = draw(lab, manifest.check(check.against).shot);
@@ -148,17 +198,25 @@ CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const Check
 
 std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest) {
     std::vector<TaskResult> results;
+    std::vector<Judgement> said(manifest.checks.size());
     Progress progress(int(manifest.checks.size()));
     for (const TaskInfo& task : manifest.tasks) {
         TaskResult& result = results.emplace_back(TaskResult{&task, {}});
-        for (const CheckInfo& check : manifest.checks) {
+        for (size_t i = 0; i < manifest.checks.size(); ++i) {
+            const CheckInfo& check = manifest.checks[i];
             if (check.task != task.id) continue;
             progress.next(check.name);
-            result.checks.push_back(run_check(lab, manifest, check, expectation(lab, check)));
+            const CheckResult& one =
+                result.checks.emplace_back(run_check(lab, manifest, check, expectation(lab, check)));
+            said[i] = {one.outcome, one.found};
         }
         if (result.checks.empty())
             throw Error(fmt::format("labs/{}/lab.toml: task {} has no check", lab.folder, task.id));
     }
+    const std::vector<std::string> all_hints = hints(manifest, said);
+    for (TaskResult& task : results)
+        for (CheckResult& result : task.checks)
+            result.look_at = all_hints[size_t(result.check - manifest.checks.data())];
     return results;
 }
 

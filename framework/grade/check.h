@@ -1,6 +1,7 @@
 // A lab's checks: what the course's own files draw, held against the truth, the solution, or another picture.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,9 +10,9 @@
 
 namespace relief {
 
-/// `unfinished`: the task still calls unfinished(). `broken`: it does not compile, throws, or draws nothing. The rest
-/// can only be said of a process of its own; `machine`: the grader or the machine failed, and a student loses nothing
-/// by it.
+/// `unfinished`: the task, or one that the check needs, still calls unfinished(). `broken`: it does not compile,
+/// throws, or draws nothing. The rest can only be said of a process of its own; `machine`: the grader or the machine
+/// failed, and a student loses nothing by it.
 enum class Outcome { passed, wrong, unfinished, broken, crashed, out_of_time, out_of_memory, machine };
 const char* name_of(Outcome outcome);
 /// Throws Error for another word.
@@ -28,6 +29,7 @@ struct CheckResult {
     Outcome outcome = Outcome::broken;
     std::string found = {};
     Image drawn = {}, expected = {};  ///< what was compared; empty where it did not come to that
+    std::string look_at = {};         ///< see hints(); check_lab() alone knows it
 };
 
 struct TaskResult {
@@ -39,6 +41,15 @@ struct TaskResult {
 
 /// "2", "1.5"
 std::string points_text(double points);
+
+/// "waits for task 1.2, which is not written yet", of the tasks that a check needs; empty when all are written.
+std::string waits_for(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written);
+
+/// What a student looks at next, check by check; empty where nothing is wrong or the finding says it all. The check's
+/// own hint, unless a check has failed that is about other tasks and nothing else: one whose task, with all that it
+/// needs, is among what this one needs. Then that comes first. The one that is named is about fewer tasks each time, so
+/// nobody is sent in a circle, and the last one's hint is its own. `said` is by check of the manifest.
+std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said);
 
 /// What a check compares with, from the lab's folder `expected` where a handout has left it, else the truth or the
 /// solution of this course itself. Nothing for a check against another. Wants a context for a solution.

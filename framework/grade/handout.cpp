@@ -24,7 +24,8 @@ constexpr const char* taken_along[] = {"CMakeLists.txt", "CMakePresets.json", "L
                                        ".gitignore",     ".clang-format",     ".editorconfig", "framework",
                                        "labs",           "shaders",           "assets",        "tests/golden"};
 // What makes the truth, measures with it, or hands out.
-constexpr const char* left_out[] = {"framework/reference",
+constexpr const char* left_out[] = {"labs/README.md",
+                                    "framework/reference",
                                     "framework/measure",
                                     "framework/app/bench.cpp",
                                     "framework/app/bench_page.cpp",
@@ -36,6 +37,10 @@ constexpr const char* left_out[] = {"framework/reference",
                                     "framework/app/student_page.cpp",
                                     "framework/app/student_page.h",
                                     "framework/app/handout.cpp",
+                                    "framework/app/slides.cpp",
+                                    "framework/app/deck.cpp",
+                                    "framework/app/deck.h",
+                                    "framework/app/mistakes.cpp",
                                     "framework/grade",
                                     "assets/textures.cpp",
                                     "assets/make.cpp"};

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/grade/check.h"
-#include "framework/grade/drawing.h"
-#include "framework/grade/stage.h"
+#include "framework/grade/attempt.h"
 #include "framework/grade/submission.h"
 
 namespace relief {
@@ -88,7 +86,6 @@ public:
     size_t hidden_views() const { return views_.size() - manifest_.checks.size(); }
 
 private:
-    struct Pictures;
     struct Sampled;
     struct Signature;
 
@@ -101,17 +98,18 @@ private:
     };
 
     void look_from_hidden_views(const CourseFiles& solution);
-    void expect(View& view, const Pictures& solution, size_t first) const;
-    Pictures draw(const CourseFiles& files, const std::vector<bool>& wanted) const;
-    void draw_on(const StagedCourse& course, Pictures& pictures, const std::vector<size_t>& which) const;
-    Judgement judge_view(size_t view, const Pictures& pictures) const;
+    void expect(View& view, const Attempt& solution, size_t first) const;
+    /// By view; what is not wanted stays empty.
+    Attempt draw(const CourseFiles& files, const std::vector<bool>& wanted) const;
+    Judgement judge_view(size_t view, const Attempt& pictures) const;
     /// `view` becomes the one that the mark speaks of.
-    CheckMark judge_check(size_t check, const Pictures& pictures, size_t& view) const;
-    void keep_pictures(size_t view, const Pictures& pictures, std::vector<CheckPictures>& kept) const;
-    void name_mistake(TaskMark& task, const Pictures& pictures) const;
+    CheckMark judge_check(size_t check, const Attempt& pictures, size_t& view) const;
+    void keep_pictures(size_t view, const Attempt& pictures, std::vector<CheckPictures>& kept) const;
+    /// `looked_at`: the checks that were drawn for it.
+    void name_mistake(TaskMark& task, const Attempt& pictures, const std::vector<bool>& looked_at) const;
     std::map<size_t, Sampled> pictures_of(const MistakeInfo& mistake) const;
     const std::vector<Signature>& signatures(const std::string& task) const;
-    std::vector<bool> views_of(const std::set<std::string>& tasks, bool with_hidden) const;
+    std::vector<bool> views_of(const std::vector<bool>& checks, bool with_hidden) const;
 
     const LabEntry& lab_;
     const Stage& stage_;

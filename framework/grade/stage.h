@@ -51,6 +51,7 @@ struct Compiled {
 class Stage {
 public:
     explicit Stage(Isolation isolation);
+    Isolation isolation() const { return isolation_; }
 
     /// Reads what the lab's course needs. Before the first course() of the lab, and not while others are used.
     void add(const LabEntry& lab);

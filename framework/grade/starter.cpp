@@ -15,11 +15,12 @@ std::string_view without_blanks(std::string_view line) {
     return begin == std::string_view::npos ? std::string_view() : line.substr(begin, end + 1 - begin);
 }
 
-/// Calls take(part, line) for each line that is not a mark.
+/// Calls take(part, line, region) for each line that is not a mark; the region's name is empty outside of any.
 template <class Take>
 void walk(const std::string& text, const fs::path& file, Take take) {
     Part part = Part::shared;
-    int number = 0, opened = 0;
+    int number = 0, opened = 0, region_opened = 0;
+    std::string region;
     const auto expect = [&](bool good, const char* message) {
         if (!good) throw Error({file, number}, message);
     };
@@ -35,11 +36,21 @@ void walk(const std::string& text, const fs::path& file, Take take) {
         } else if (word == "//]") {
             expect(part != Part::shared, "a //] without its //[solution");
             part = Part::shared;
+        } else if (word.starts_with("//(")) {
+            expect(word.size() > 3, "a region has a name: //(name");
+            expect(region.empty(), "a //( inside another: close that with //) first");
+            expect(part == Part::shared, "a region begins and ends outside of solutions");
+            region = word.substr(3), region_opened = number;
+        } else if (word == "//)") {
+            expect(!region.empty(), "a //) without its //(name");
+            expect(part == Part::shared, "a region begins and ends outside of solutions");
+            region.clear();
         } else {
             expect(part != Part::starter || word.starts_with("//|"), "a line of a starter begins with //|");
-            take(part, line);
+            take(part, line, region);
         }
     }
+    if (!region.empty()) throw Error({file, region_opened}, "this //( is never closed by //)");
     if (part != Part::shared) throw Error({file, opened}, "this //[solution is never closed by //]");
 }
 
@@ -75,7 +86,7 @@ size_t find_task(const std::string& text, const std::string& id, size_t from) {
 
 std::string starter_of(const std::string& text, const fs::path& file) {
     std::string result;
-    walk(text, file, [&](Part part, const std::string& line) {
+    walk(text, file, [&](Part part, const std::string& line, const std::string&) {
         if (part == Part::solution) return;
         const size_t bar = part == Part::starter ? line.find("//|") : std::string::npos;
         if (bar == std::string::npos) {
@@ -92,10 +103,26 @@ std::string starter_of(const std::string& text, const fs::path& file) {
 
 std::vector<std::string> solution_lines(const std::string& text, const fs::path& file) {
     std::vector<std::string> result;
-    walk(text, file, [&](Part part, const std::string& line) {
+    walk(text, file, [&](Part part, const std::string& line, const std::string&) {
         if (part == Part::solution && !without_blanks(line).empty()) result.emplace_back(without_blanks(line));
     });
     return result;
+}
+
+Region region_of(const std::string& text, const fs::path& file, const std::string& name) {
+    Region found;
+    std::vector<std::string> lines, names;
+    size_t margin = std::string::npos;
+    walk(text, file, [&](Part part, const std::string& line, const std::string& region) {
+        if (!region.empty() && (names.empty() || names.back() != region)) names.push_back(region);
+        if (region != name || part == Part::starter) return;
+        found.has_solution |= part == Part::solution;
+        lines.push_back(line);
+        margin = std::min(margin, line.find_first_not_of(' '));
+    });
+    if (name.empty() || lines.empty()) throw Error({file}, unknown("region", name, names));
+    for (const std::string& line : lines) found.text += line.substr(std::min(margin, line.size())) + '\n';
+    return found;
 }
 
 bool is_unfinished(const std::string& text, const std::string& task) {

@@ -1,4 +1,5 @@
-// Tasks in their files: the marks around a solution, the starter that a handout makes of it, and whether it is written.
+// Marks in source files. Tasks: what stands around a solution, the starter that a handout makes of it, and whether it
+// is written. Regions: what slides quote.
 //
 //     float crossing(float before, float after) {
 //         // TASK 11.2 (3 points): where do the two lines meet?
@@ -9,7 +10,12 @@
 //         //]
 //     }
 //
-// Whatever else must not be handed out stands between the same marks, with or without a starter.
+// Whatever else must not be handed out stands between the same marks, with or without a starter. Lines between
+//
+//     //(name
+//     //)
+//
+// are a region of that name, which may have whole solutions in it but no other region.
 #pragma once
 
 #include <filesystem>
@@ -24,6 +30,14 @@ std::string starter_of(const std::string& text, const std::filesystem::path& fil
 
 /// The lines between the marks of solutions, without blanks around them.
 std::vector<std::string> solution_lines(const std::string& text, const std::filesystem::path& file);
+
+/// What slides quote: the lines between `//(name` and `//)`, moved to the left margin, without marks and starters.
+struct Region {
+    std::string text;
+    bool has_solution = false;
+};
+/// Throws Error with the file where there is no such region, and with the line where marks do not pair.
+Region region_of(const std::string& text, const std::filesystem::path& file, const std::string& name);
 
 /// Whether the code between `TASK id` and the next TASK (or the whole file, when it does not name the task) still calls
 /// unfinished().

@@ -74,6 +74,18 @@ Image visualize_probe(const Image& probe, ErrorMetric metric) {
     return picture;
 }
 
+std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ErrorMetric metric) {
+    Image both(one.width, 2 * one.height, one.channels);
+    const auto middle = std::copy(one.values.begin(), one.values.end(), both.values.begin());
+    std::copy(other.values.begin(), other.values.end(), middle);
+    const Image picture = visualize_probe(both, metric);
+    Image first(one.width, one.height, picture.channels, 8), second = first;
+    const auto half = picture.values.begin() + std::ptrdiff_t(first.values.size());
+    std::copy(picture.values.begin(), half, first.values.begin());
+    std::copy(half, picture.values.end(), second.values.begin());
+    return {first, second};
+}
+
 Image visualize_picture(const Image& picture) {
     Image result(picture.width, picture.height, 3, 8);
     const int channels = std::min(picture.channels, 3);

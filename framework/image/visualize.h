@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <utility>
 
 #include "framework/image/compare.h"
 #include "framework/image/image.h"
@@ -16,6 +17,8 @@ glm::dvec3 heat_color(double share);
 /// last colour. Dark grey where there is no surface (a value is infinite), magenta where it is not a number. Values can
 /// be anything.
 Image visualize_probe(const Image& probe, ErrorMetric metric);
+/// Two of one shape in the same colours: bands and heat are chosen by what is in either.
+std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ErrorMetric metric);
 
 /// A picture whose values can be anything, as an 8-bit one: what is below 0 or above 1 is cut, and colours are those of
 /// visualize_probe() where a value is infinite or not a number.

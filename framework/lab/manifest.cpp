@@ -152,8 +152,15 @@ CheckInfo read_check(Table& table, const Manifest& manifest) {
     table.read("reason", check.reason);
     check.look_at = table.text("look_at");
     table.read("hidden", check.hidden);
+    table.read("needs", check.needs);
     table.finish();
     require(table, "task", [&] { manifest.task(check.task); });
+    for (auto needed = check.needs.begin(); needed != check.needs.end(); ++needed) {
+        require(table, "needs", [&] { manifest.task(*needed); });
+        if (*needed == check.task) table.fail("needs", "'needs' names other tasks than the check's own");
+        if (std::find(check.needs.begin(), needed, *needed) != needed)
+            table.fail("needs", fmt::format("'needs' names task {} twice", *needed));
+    }
     if (check.shot.probe) require(table, "probe", [&] { manifest.probe(check.shot.probe.name); });
     const Limits& limits = check.limits;
     const bool limited = limits.mean || limits.p99 || limits.largest || limits.wrong;
@@ -223,6 +230,25 @@ EquivalentInfo read_equivalent(Table& table, const Manifest& manifest) {
     return equivalent;
 }
 
+CompareInfo read_compare(Table table, const Manifest& manifest) {
+    CompareInfo compare;
+    compare.knob = table.text("knob");
+    table.read("values", compare.values);
+    compare.shot.camera = manifest.camera, compare.shot.size = CompareInfo::usual_size;
+    if (auto shot = table.table("shot")) compare.shot = read_shot(*shot, manifest.camera, compare.shot.size);
+    table.read("probe", compare.shot.probe.name);
+    table.finish();
+    if (compare.values.size() == 1) table.fail("values", "'values' are two at least: there is nothing to compare");
+    for (const std::string& value : compare.values)
+        if (std::count(compare.values.begin(), compare.values.end(), value) > 1)
+            table.fail("values", fmt::format("'{}' stands twice in 'values'", value));
+    for (const auto& [knob, value] : compare.shot.set)
+        if (knob == compare.knob)
+            table.fail("shot", fmt::format("'{}' is what is compared: 'shot' must not set it", knob));
+    if (compare.shot.probe) require(table, "probe", [&] { manifest.probe(compare.shot.probe.name); });
+    return compare;
+}
+
 GoldenInfo read_golden(Table& table, const Manifest& manifest) {
     GoldenInfo golden;
     golden.name = table.text("name");
@@ -251,6 +277,9 @@ const TaskInfo& Manifest::task(const std::string& wanted) const {
 }
 const CheckInfo& Manifest::check(const std::string& wanted) const {
     return find_named(checks, &CheckInfo::name, "check", wanted);
+}
+const MistakeInfo& Manifest::mistake(const std::string& wanted) const {
+    return find_named(mistakes, &MistakeInfo::id, "mistake", wanted);
 }
 
 Manifest load_manifest(const fs::path& file) { return parse_manifest(read_file(file, size_t{1} << 24), file); }
@@ -304,13 +333,14 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
     }
     for (size_t i = 0; i < mistakes.size(); ++i)
         if (const std::string& other = manifest.mistakes[i].same_as; !other.empty())
-            require(mistakes[i], "same_as", [&] { find_named(manifest.mistakes, &MistakeInfo::id, "mistake", other); });
+            require(mistakes[i], "same_as", [&] { manifest.mistake(other); });
     if (auto vary = root.table("vary")) manifest.vary = read_vary(*vary);
     for (Table& table : root.tables("equivalent")) {
         EquivalentInfo equivalent = read_equivalent(table, manifest);
         refuse_second(table, "id", "equivalents", manifest.equivalents, &EquivalentInfo::id, equivalent.id);
         manifest.equivalents.push_back(std::move(equivalent));
     }
+    if (auto compare = root.table("compare")) manifest.compare = read_compare(*compare, manifest);
     for (Table& table : root.tables("golden")) {
         GoldenInfo golden = read_golden(table, manifest);
         refuse_second(table, "name", "golden pictures", manifest.goldens, &GoldenInfo::name, golden.name);

@@ -32,8 +32,8 @@ struct TaskInfo {
 struct Limits {
     std::optional<double> mean, p99, largest;
     std::optional<double> at_least;  ///< of the mean: what is nearer to the truth was not worked out as asked
-    std::optional<double> wrong;  ///< share of the pixels that are off by more than one unit
-    double outline = 0.01;        ///< share of the pixels in which only one of the two has a surface
+    std::optional<double> wrong;     ///< share of the pixels that are off by more than one unit
+    double outline = 0.01;           ///< share of the pixels in which only one of the two has a surface
 };
 
 /// A comparison that tells whether a task is solved. A picture that has no `limits` of its own may have 0.05 % of its
@@ -46,6 +46,8 @@ struct CheckInfo {
     std::string reason;   ///< where the limits come from
     std::string look_at;  ///< what to look at next when it fails
     bool hidden = false;  ///< never handed out
+    /// The tasks beside its own without which it cannot pass, whatever its own does.
+    std::vector<std::string> needs = {};
 };
 
 /// A change to a file: `find` stands in it exactly once.
@@ -74,6 +76,14 @@ struct EquivalentInfo {
     std::vector<Edit> edits;  ///< of files that tasks name: no other is taken from a submission
 };
 
+/// What a lab's page lays side by side: one shot by each value of a knob.
+struct CompareInfo {
+    static constexpr glm::ivec2 usual_size{560, 420};
+    std::string knob;
+    std::vector<std::string> values;  ///< as --set takes them; empty: all that a choice or a toggle has
+    Shot shot;                        ///< its probe is the one whose error is shown; or none
+};
+
 /// A reference screenshot, tests/golden/<lab's folder>/<name>.png; of a probe, what visualize_probe() makes of it.
 struct GoldenInfo {
     std::string name;
@@ -91,6 +101,7 @@ struct Manifest {
     std::vector<MistakeInfo> mistakes;
     std::vector<VaryInfo> vary;
     std::vector<EquivalentInfo> equivalents;
+    std::optional<CompareInfo> compare;
     std::vector<GoldenInfo> goldens;
     /// Files and folders, relative to the course's top folder, that hold answers to this lab's tasks.
     std::vector<std::string> keep_back;
@@ -100,6 +111,7 @@ struct Manifest {
     const ProbeInfo& probe(const std::string& name) const;
     const TaskInfo& task(const std::string& id) const;
     const CheckInfo& check(const std::string& name) const;
+    const MistakeInfo& mistake(const std::string& id) const;
 };
 
 /// Reads a manifest. Throws Error with file and line for a missing file, a syntax error, an unknown or

@@ -59,9 +59,12 @@ Sight first_sight(const Ray& ray, const Relief& bricks, const Relief& paving) {
     return nearest;
 }
 
+/// In the tangent's space.
+glm::dvec3 direction_of(const Sight& sight, double strength) {
+    return glm::dvec3(-strength * sight.relief->slope(sight.uv), 1);
+}
 glm::dvec3 normal_of(const Sight& sight, double strength) {
-    const glm::dvec2 slope = strength * sight.relief->slope(sight.uv);
-    return from_tangent_space({-slope.x, -slope.y, 1}, sight.point.normal, glm::dvec4(sight.point.du, 1));
+    return from_tangent_space(direction_of(sight, strength), sight.point.normal, glm::dvec4(sight.point.du, 1));
 }
 
 }  // namespace
@@ -75,6 +78,7 @@ std::optional<Image> truth(const Frame& view, const Probe& probe, double strengt
         for (int x = 0; x < view.size.x; ++x) {
             const Sight sight = first_sight(view.ray(x, y), bricks, paving);
             glm::vec4 value(no_surface);
+            if (sight.relief && probe.name == "direction") value = glm::vec4(direction_of(sight, strength), 0);
             if (sight.relief && probe.name == "normal") value = glm::vec4(normal_of(sight, strength), 0);
             if (sight.relief && probe.name == "uv") value = glm::vec4(sight.relief->texels(sight.uv), 0, 0);
             for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = value[c];

@@ -162,8 +162,9 @@ private:
             glBindTexture(GL_TEXTURE_2D, *heights_);
             map.fill(nothing_);
         }
-        const Image exact = has_known_slope() ? heights::exact_normals(size(), texels()) : Image();
-        if (!exact.values.empty()) map.error = summarize(error_image(map.read(3), exact, ErrorMetric::angle));
+        if (has_known_slope())
+            map.error =
+                summarize(error_image(map.read(3), heights::exact_normals(size(), texels()), ErrorMetric::angle));
     }
 
     void draw_wall(const Frame& frame, const Tile& tile, const heights::Map& map) {

@@ -7,7 +7,7 @@
 namespace relief::heights {
 
 /// The unit normals of the known function at the centres of size x size texels, not packed: 3 channels in [-1, 1].
-/// Empty in a student's course. `texels` is what height 1 is worth along u and v.
+/// `texels` is what height 1 is worth along u and v.
 Image exact_normals(int size, glm::dvec2 texels);
 
 /// What the framework makes of the same heights, not packed. Throws Error in a student's course.

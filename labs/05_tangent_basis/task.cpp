@@ -10,7 +10,9 @@ namespace relief::basis {
 
 // TASK 5.1 (4 points): along the edges e1 = p1 - p0 and e2 = p2 - p0 the uv change by (s1, t1) and (s2, t2), so
 //     e1 = s1 T + t1 B,   e2 = s2 T + t2 B.
-// Solve for T and B. Only their directions are wanted; but mind that the determinant has a sign.
+// Solve for T and B, and make both unit: the weights of 5.2 are to count, not the lengths. The determinant has a sign;
+// where it is 0, all of the result is 0, so that such a triangle does not count in a mean.
+//(solve
 FaceBasis solve(const Triangle& triangle) {
     //[solution
     const auto& [p, uv] = triangle;
@@ -27,6 +29,7 @@ FaceBasis solve(const Triangle& triangle) {
     //| unfinished("5.1");
     //]
 }
+//)
 
 // TASK 5.2 (3 points): uniform: 1. By area: the triangle's area. By angle: its angle at the corner, in radians, by the
 // arc tangent of sine and cosine (an arc cosine knows nothing of small angles).

@@ -1,5 +1,7 @@
 #include "vertex_tangents.h"
 
+#include "framework/mesh/frame.h"
+
 namespace relief::basis {
 namespace {
 
@@ -24,7 +26,9 @@ Mesh with_faces(const Mesh& mesh) {
         for (size_t i = 0; i < 3; ++i) {
             Vertex vertex = mesh.vertices[mesh.indices[first + i]];
             if (glm::length(up) > 0) vertex.normal = glm::normalize(up);
-            vertex.tangent = vertex_tangent(face.tangent, vertex.normal, face.handedness);
+            // What lies in the triangle is perpendicular to its normal already.
+            vertex.tangent = face.handedness == 0 ? glm::dvec4(any_perpendicular(vertex.normal), 1)
+                                                  : glm::dvec4(face.tangent, face.handedness);
             result.indices.push_back(uint32_t(result.vertices.size()));
             result.vertices.push_back(vertex);
         }
@@ -39,6 +43,7 @@ Mesh with_means(const Mesh& mesh, Weight weight) {
     };
     std::vector<Sums> sums(mesh.vertices.size());
     std::vector<int> sides(mesh.indices.size() / 3);
+    //(sums
     for (size_t first = 0; first < mesh.indices.size(); first += 3) {
         const Triangle triangle = triangle_of(mesh, first);
         const FaceBasis face = solve(triangle);
@@ -49,6 +54,7 @@ Mesh with_means(const Mesh& mesh, Weight weight) {
             ++vertex.triangles[side];
         }
     }
+    //)
     Mesh result = mesh;
     std::vector<uint32_t> mirrored(mesh.vertices.size());  // the vertex for the mirrored triangles
     for (uint32_t i = 0; i < mesh.vertices.size(); ++i) {

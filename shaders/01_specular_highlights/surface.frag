@@ -21,16 +21,29 @@ uniform sampler2D s_normal;
 
 layout(location = 0) out vec4 o_color;
 
+vec3 direction() {
+#ifdef NORMAL_MAP
+    return direction_of_texel(texture(s_normal, v_uv).xyz, u_strength);
+#else
+    return vec3(0.0, 0.0, 1.0);
+#endif
+}
+
+//(normal
 vec3 surface_normal() {
 #ifdef NORMAL_MAP
-    vec3 direction = direction_of_texel(texture(s_normal, v_uv).xyz, u_strength);
-    return direction_in_world(direction, v_tangent.xyz, v_tangent.w * cross(v_normal, v_tangent.xyz), v_normal);
+    return direction_in_world(direction(), v_tangent.xyz, v_tangent.w * cross(v_normal, v_tangent.xyz), v_normal);
 #else
     return normalize(v_normal);
 #endif
 }
+//)
 
 void main() {
+#ifdef PROBE_direction
+    o_color = vec4(direction(), 0.0);
+    return;
+#endif
     vec3 normal = surface_normal();
 #if defined LAMP
     o_color = vec4(1.0, 0.95, 0.84, 1.0);

@@ -86,6 +86,7 @@ float angle_degrees(vec3 a, vec3 b) { return degrees(atan(length(cross(a, b)), d
 #ifdef MEASURE
 // As many directions as there are pixels, spread evenly (Fibonacci): z in equal steps, and around by the golden ratio,
 // whose multiples wrap exactly in 32-bit integers.
+//(spread
 vec3 spread_direction() {
     uint index = uint(gl_FragCoord.y) * uint(u_measured.x) + uint(gl_FragCoord.x);
     float share = (float(index) + 0.5) / float(u_measured.x * u_measured.y);
@@ -93,6 +94,7 @@ vec3 spread_direction() {
     float turn = float((index * 2654435769u) >> 8) / 16777216.0 * 6.28318531;
     return vec3(rho * cos(turn), rho * sin(turn), z);
 }
+//)
 
 void main() {
     vec3 normal = spread_direction();

@@ -4,6 +4,7 @@
 
 // TASK 2.1 (3 points): f(x) = (0.5 x + 0.5) 255 takes x in [-1, 1] to [0, 255]. Store the nearest whole number (a cast
 // truncates, and costs twice the error), and undo f.
+//(bytes
 vec3 encode_unorm8(vec3 normal) {
     //[solution
     return floor(255.0 * (0.5 * normal + 0.5) + 0.5);
@@ -19,6 +20,7 @@ vec3 decode_unorm8(vec3 code) {
     //| return unfinished(vec3(0.0));
     //]
 }
+//)
 
 // TASK 2.2 (2 points): no code of 2.1 stands for 0, so a flat texel tilts by a third of a degree. Pair up two others: x
 // as 127 x + 128, rounded, in which 128 is 0 exactly; and undo that.
@@ -49,9 +51,11 @@ float z_from_xy(vec2 xy) {
 }
 
 // TASK 2.4 (4 points): the octahedral map. Divide by |x| + |y| + |z|: the upper half of the octahedron, seen from above, is
-// a square standing on its corner; fold the lower half's triangles outwards over its edges. The sign of 0 counts as 1.
+// a square standing on its corner; fold the lower half's triangles outwards over its edges. The sign of 0 counts as 1. What
+// is stored is in [-1, 1], both components of it (the framework makes two bytes of them); what is read must be unit.
 vec2 signs(vec2 v) { return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0); }
 
+//(octahedral
 vec2 encode_octahedral(vec3 normal) {
     //[solution
     vec2 p = normal.xy / (abs(normal.x) + abs(normal.y) + abs(normal.z));
@@ -60,7 +64,9 @@ vec2 encode_octahedral(vec3 normal) {
     //| return unfinished(vec2(0.0));
     //]
 }
+//)
 
+//(octahedral-back
 vec3 decode_octahedral(vec2 p) {
     //[solution
     vec3 normal = vec3(p, 1.0 - abs(p.x) - abs(p.y));
@@ -70,3 +76,4 @@ vec3 decode_octahedral(vec2 p) {
     //| return unfinished(vec3(0.0, 0.0, 1.0));
     //]
 }
+//)

@@ -22,6 +22,7 @@ ivec2 inside(ivec2 texel) {
 }
 float height(ivec2 texel) { return texelFetch(s_heights, inside(texel), 0).r; }
 
+//(sum-of-differences
 float slope_u(ivec2 texel) {
     float sum = 0.0;
     for (int i = 0; i < u_differences; ++i) {
@@ -30,6 +31,7 @@ float slope_u(ivec2 texel) {
     }
     return sum;
 }
+//)
 float slope_v(ivec2 texel) {
     float sum = 0.0;
     for (int i = 0; i < u_differences; ++i) {
@@ -42,12 +44,14 @@ float slope_v(ivec2 texel) {
 #ifdef SOBEL
 // Beyond a border that does not wrap: along the slope the parabola through three texels goes on, which makes the central
 // difference a one-sided one of the same order; across it the border repeats.
+//(beyond
 float beyond(ivec2 texel, ivec2 along) {
     ivec2 size = textureSize(s_heights, 0), last = inside(texel);
     ivec2 inwards = (last - texel) * along;  // one step back along the slope, or none
     if (u_wrap || inwards == ivec2(0) || size.x < 3 || size.y < 3) return height(texel);
     return 3.0 * height(last) - 3.0 * height(last + inwards) + height(last + 2 * inwards);
 }
+//)
 vec2 slope(ivec2 texel) {
     float for_u[9], for_v[9];
     for (int i = 0; i < 9; ++i) {

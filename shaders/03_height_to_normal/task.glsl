@@ -5,6 +5,7 @@
 // TASK 3.1 (3 points): Sobel's filter. h holds a texel and its eight neighbours, row by row from below, each from left to
 // right: h[0] is below and to the left, h[4] the texel itself, h[7] above it. The slope along u is the central difference
 // (right less left, over two texels), smoothed over the three rows by the weights 1 2 1 over their sum; along v likewise.
+//(sobel
 vec2 sobel(float h[9]) {
     //[solution
     float right = h[2] + 2.0 * h[5] + h[8], left = h[0] + 2.0 * h[3] + h[6];
@@ -14,10 +15,12 @@ vec2 sobel(float h[9]) {
     //| return unfinished(vec2(0.0));
     //]
 }
+//)
 
 // TASK 3.2 (3 points): the unit normal. `slope` is dh/du and dh/dv per texel, of heights in [0, 1]; height 1 is worth
-// `texels.x` texels along u and `texels.y` along v (they differ where texels are not square). A surface that rises to the
-// right leans to the left.
+// `texels.x` texels along u and `texels.y` along v (they differ where texels are not square): twice the texels, twice the
+// slope. A surface that rises to the right leans to the left.
+//(normal
 vec3 normal_of_slope(vec2 slope, vec2 texels) {
     //[solution
     return normalize(vec3(-slope * texels, 1.0));
@@ -25,6 +28,7 @@ vec3 normal_of_slope(vec2 slope, vec2 texels) {
     //| return unfinished(vec3(0.0, 0.0, 1.0));
     //]
 }
+//)
 
 // TASK 3.3 (3 points): a height from a colour. Light adds up, stored values do not: take the colour to light, weigh red,
 // green and blue by 0.2126, 0.7152 and 0.0722, and take the grey that comes of it back to what sRGB stores.

@@ -21,6 +21,7 @@ uniform sampler2D s_normals;
 
 layout(location = 0) out vec4 o_color;
 
+//(three-maps
 vec3 surface_normal() {
     vec3 stored = texture(s_normals, v_uv).xyz * 2.0 - 1.0;
 #if defined WORLD_MAP
@@ -32,6 +33,7 @@ vec3 surface_normal() {
     return world_from_object(object_from_tangent(stored, twist * v_tangent, twist * v_bitangent), u_world_from_model);
 #endif
 }
+//)
 
 void main() {
     vec3 normal = surface_normal();

@@ -15,6 +15,7 @@ vec3 world_from_object(vec3 normal, mat4 world_from_model) {
 // TASK 4.2 (4 points): the twist turns what lies at height y about the y axis by a = rate * y radians:
 //     x' = x cos a + z sin a,   y' = y,   z' = -x sin a + z cos a.
 // Its Jacobian: the columns are d(x', y', z')/dx, d/dy and d/dz. (a depends on y: mind the second column.)
+//(jacobian
 mat3 twist_jacobian(vec3 position, float rate) {
     //[solution
     float c = cos(rate * position.y), s = sin(rate * position.y);
@@ -24,11 +25,13 @@ mat3 twist_jacobian(vec3 position, float rate) {
     //| return unfinished(mat3(1.0));
     //]
 }
+//)
 
 // TASK 4.3 (4 points): a normal from tangent space to the moved surface, unit. `tangent` and `bitangent` have moved with the
 // surface: unit and at right angles before, perhaps no longer. n = cross(tangent, bitangent), made unit, is its normal. A
 // slope along the tangent tilts the normal in the plane that holds no bitangent, so the axes for x and y are
 // cross(bitangent, n) and cross(n, tangent); for z it is cross(tangent, bitangent), not made unit.
+//(carried
 vec3 object_from_tangent(vec3 normal, vec3 tangent, vec3 bitangent) {
     //[solution
     vec3 up = cross(tangent, bitangent), n = normalize(up);
@@ -37,3 +40,4 @@ vec3 object_from_tangent(vec3 normal, vec3 tangent, vec3 bitangent) {
     //| return unfinished(vec3(0.0, 0.0, 1.0));
     //]
 }
+//)

@@ -42,6 +42,7 @@ vec3 exact_tangent() {
 }
 #endif
 
+//(tangent-here
 vec4 tangent_here(vec3 normal) {
 #ifdef DERIVATIVES
     return tangent_of_derivatives(normal, dFdx(v_position), dFdy(v_position), dFdx(v_uv), dFdy(v_uv));
@@ -49,6 +50,7 @@ vec4 tangent_here(vec3 normal) {
     return v_tangent;
 #endif
 }
+//)
 
 void main() {
     vec3 normal = normalize(v_normal);
@@ -66,8 +68,10 @@ void main() {
         color = heat((log2(max(error, 1e-6)) / log2(10.0) + 2.0) / 4.0);
     } else {
         vec2 uv = v_uv * u_repeat;
+        //(bumped
         vec3 stored = texture(s_normals, uv).xyz * 2.0 - 1.0, albedo = texture(s_albedo, uv).rgb;
         vec3 bumped = normalize(stored.x * tangent.xyz + stored.y * bitangent + stored.z * normal);
+        //)
         vec3 to_eye = normalize(u_eye - v_position), to_light = normalize(u_light - v_position);
         vec3 light = albedo * mix(vec3(0.10, 0.09, 0.08), vec3(0.24, 0.27, 0.32), 0.5 + 0.5 * bumped.y);
         light += vec3(1.5, 1.35, 1.2) * blinn_phong(albedo, 0.10, 40.0, bumped, to_light, to_eye);

@@ -6,8 +6,9 @@
 // TASK 5.4 (4 points): from one pixel to the next on the right the position changes by `position_dx` and the uv by `uv_dx`;
 // to the next one above by `position_dy` and `uv_dy`. That is a triangle: solve it for dP/du as in task 5.1, take out what
 // lies along the unit normal, and make it unit. In w goes 1, or -1 where the texture is mirrored: where dP/dv is on the
-// other side than cross(normal, tangent). Where the uv do not change there is no answer, and must be no NaN either:
-// any_perpendicular(normal) will do.
+// other side than cross(normal, tangent). Where the uv do not change, or along one line only, the determinant is
+// 0: there must be no NaN, and any_perpendicular(normal) will do.
+//(derivatives
 vec4 tangent_of_derivatives(vec3 normal, vec3 position_dx, vec3 position_dy, vec2 uv_dx, vec2 uv_dy) {
     //[solution
     float determinant = uv_dx.x * uv_dy.y - uv_dy.x * uv_dx.y;
@@ -22,3 +23,4 @@ vec4 tangent_of_derivatives(vec3 normal, vec3 position_dx, vec3 position_dy, vec
     //| return unfinished(vec4(1.0, 0.0, 0.0, 1.0));
     //]
 }
+//)

@@ -45,6 +45,7 @@ vec2 map_uv() {
 #endif
 }
 
+//(frame
 mat3 frame_here(vec3 normal) {
     mat3 m = mat3(u_world_from_model);
     vec3 tangent = v_tangent.xyz;
@@ -60,6 +61,7 @@ mat3 frame_here(vec3 normal) {
     return tangent_frame(normal, vec4(tangent, handedness));
 #endif
 }
+//)
 
 vec3 normal_in_map() {
     vec3 stored = texture(s_normals, map_uv()).xyz * 2.0 - 1.0;
@@ -80,9 +82,11 @@ void main() {
 #else
     float up = normal.y;
 #if defined NORMAL_MAP && defined IN_TANGENT_SPACE
+    //(in-tangent-space
     to_light = to_tangent_space(to_light, frame);
     to_eye = to_tangent_space(to_eye, frame);
     normal = mapped;
+    //)
 #endif
     vec3 albedo = vec3(0.55, 0.26, 0.13);
     vec3 light = albedo * mix(vec3(0.09, 0.08, 0.08), vec3(0.22, 0.25, 0.31), 0.5 + 0.5 * up);

@@ -5,8 +5,9 @@
 
 // TASK 6.1 (4 points): the frame of a pixel: columns tangent, bitangent, normal, unit and at right angles. `normal` is unit;
 // `tangent` is interpolated between vertices: not unit, and no longer quite perpendicular. Keep the normal, take out of the
-// tangent what lies along it (Gram-Schmidt), and mind the handedness in w. A tangent that lies along the normal, or none,
-// must not give NaN: any perpendicular will do.
+// tangent what lies along it (Gram-Schmidt), and mind the handedness in w. A tangent that lies along the normal (little
+// is left of it, beside its length), or none, must not give NaN: any perpendicular will do.
+//(frame
 mat3 tangent_frame(vec3 normal, vec4 tangent) {
     //[solution
     vec3 across = tangent.xyz - dot(tangent.xyz, normal) * normal;
@@ -17,6 +18,7 @@ mat3 tangent_frame(vec3 normal, vec4 tangent) {
     //| return unfinished(mat3(1.0));
     //]
 }
+//)
 
 // TASK 6.2 (2 points): a direction of the world in the frame of 6.1. A matrix of perpendicular unit columns is undone by its
 // transpose.
@@ -30,8 +32,9 @@ vec3 to_tangent_space(vec3 direction, mat3 frame) {
 
 // TASK 6.3 (4 points): a normal of the model in the world, of any length but the right side. Where the model is scaled more
 // along one axis than along another, a normal does not go along: it takes the inverse transpose. cross(m[1], m[2]),
-// cross(m[2], m[0]) and cross(m[0], m[1]) are the columns of that, times the determinant, whose sign you must undo; and
-// they are finite where a scale is 0.
+// cross(m[2], m[0]) and cross(m[0], m[1]) are the columns of that, times the determinant, whose sign you must undo (0 counts
+// as positive; GLSL's sign(0.0) is 0); and they are finite where a scale is 0.
+//(normal
 vec3 world_normal(vec3 normal, mat3 m) {
     //[solution
     mat3 cofactors = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
@@ -40,10 +43,12 @@ vec3 world_normal(vec3 normal, mat3 m) {
     //| return unfinished(normal);
     //]
 }
+//)
 
-// TASK 6.4 (3 points): the texture turned by `angle` (radians): what was read at uv is now read at R (uv - 1/2) + 1/2, where
-// R takes (1, 0) to (cos, sin). And the tangent that goes with it: along which direction of the surface does the turned u
-// grow? Not along R: if you turn the coordinates one way, the picture turns the other.
+// TASK 6.4 (3 points): the texture turned by `angle` (radians): the place of the surface that read the texture at uv reads it
+// at R (uv - 1/2) + 1/2, where R takes (1, 0) to (cos, sin): at (1, 1/2) that is (1/2 + cos/2, 1/2 + sin/2). And the
+// tangent that goes with it: along which direction of the surface does the turned u grow? Not along R: if you turn the
+// coordinates one way, the picture turns the other.
 vec2 turned_uv(vec2 uv, float angle) {
     //[solution
     float c = cos(angle), s = sin(angle);

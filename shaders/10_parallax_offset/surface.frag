@@ -48,11 +48,13 @@ float taps(float t) { return METHOD == STEEP ? round(t * float(u_steps)) + 1.0 :
 
 // The smaller levels by the undisplaced uv: displaced ones jump where one brick hides another. Along a wall seen at a slant
 // four times the blur that it has across will do.
+//(smaller-levels
 vec4 seen_in(sampler2D map, vec2 uv) {
     vec2 dx = dFdx(v_uv), dy = dFdy(v_uv);
     float x = length(dx), y = length(dy);
     return textureGrad(map, uv, dx * min(1.0, 4.0 * y / max(x, 1e-20)), dy * min(1.0, 4.0 * x / max(y, 1e-20)));
 }
+//)
 
 vec3 lit(mat3 frame, vec3 to_eye, vec2 uv) {
     vec3 stored = seen_in(s_normals, uv).xyz * 2.0 - 1.0;
@@ -71,9 +73,11 @@ void main() {
     vec3 to_eye = normalize(u_eye - v_position);
     float cosine = dot(to_eye, normal), slant = max(cosine, least_slant);
 
+    //(search
     vec2 along = ray_in_relief(to_eye, tangent, bitangent, normal, u_depth);
     float t = cosine > 0.0 ? guessed_t(along, slant) : 0.0;  // from behind there is no relief
     vec2 uv = on_ray(v_uv, along, t);
+    //)
 #if defined PROBE_ray
     o_color = vec4(along * vec2(textureSize(s_heights, 0)), 0.0, 0.0);
 #elif defined PROBE_uv

@@ -8,8 +8,9 @@ const float least_slant = 0.002;
 
 // TASK 10.1 (3 points): by how much does uv change while the view ray goes down from height 1 to height 0? `to_eye`,
 // `tangent`, `bitangent` and `normal` are unit vectors of the world, the last three at right angles; `depth` is how deep the
-// relief is, in tiles along u and along v. Take `to_eye` into the tangent's space; the ray goes the other way. On its way
-// down by 1 it goes sideways by xy / z. Let z be least_slant at least.
+// relief is, in tiles along u and along v (two numbers: a tile need not be square). Take `to_eye` into the tangent's space;
+// the ray goes the other way. On its way down by 1 it goes sideways by xy / z. Let z be least_slant at least.
+//(ray
 vec2 ray_in_relief(vec3 to_eye, vec3 tangent, vec3 bitangent, vec3 normal, vec2 depth) {
     //[solution
     vec3 seen = vec3(dot(to_eye, tangent), dot(to_eye, bitangent), dot(to_eye, normal));
@@ -18,6 +19,7 @@ vec2 ray_in_relief(vec3 to_eye, vec3 tangent, vec3 bitangent, vec3 normal, vec2 
     //| return unfinished(vec2(0.0));
     //]
 }
+//)
 
 // TASK 10.2 (2 points): the coordinate of the ray at t; `along` is what 10.1 returns. And a first guess of t (Kaneko et al.
 // 2001): as if the relief were everywhere as high as it is where the ray enters it.
@@ -50,6 +52,7 @@ float limited_t(float height, float slant) {
 // TASK 10.4 (4 points): steep parallax (McGuire and McGuire 2005): go down the ray in `steps` layers, t = 0, 1/steps,
 // 2/steps, ... and stop at the first t at which the ray, at height 1 - t, is not above the surface. At t = 1 it never is. Read
 // heights by textureLod(heights, uv, 0.0).r: texture() guesses its level from neighbours, which may have left the loop.
+//(steep
 float steep_t(sampler2D heights, vec2 uv, vec2 along, int steps) {
     //[solution
     for (int layer = 0; layer < steps; ++layer) {
@@ -61,3 +64,4 @@ float steep_t(sampler2D heights, vec2 uv, vec2 along, int steps) {
     //| return unfinished(0.0);
     //]
 }
+//)

@@ -80,6 +80,7 @@ float steps_of(ReliefRay ray, vec2 size) {
 #endif
 }
 
+//(marched
 float marched(ReliefRay ray, vec2 size) {
     Bracket b = march(s_heights, ray, steps_of(ray, size));
 #if REFINE == 0
@@ -91,16 +92,19 @@ float marched(ReliefRay ray, vec2 size) {
     return mix(b.before, b.after, crossing(b.gap_before, b.gap_after));
 #endif
 }
+//)
 
 // How far along the ray the relief is met; at its entry where there is none.
 float seen(ReliefRay ray, bool has_relief) {
     if (!has_relief) return 0.0;
     vec2 size = vec2(textureSize(s_heights, 0));
 #ifdef SKIP
+    //(skip
     // Nothing is marched that cannot be seen: less than half a texel of the level that is read, or level ground.
     float height;
     if (length(ray.march * size) < 0.5 * exp2(ray.level)) return 1.0 - height_texel(s_heights, ray.uv, ray.level).r;
     if (is_flat(ray, size, height)) return 1.0 - height;
+    //)
 #endif
     return marched(ray, size);
 }

@@ -11,7 +11,7 @@ struct ReliefRay {
 };
 
 // Two places on the ray between which it goes below the surface, and how far it runs above the surface there: the first
-// gap is positive, the second is not. Where the ray begins on the surface both places are 0.
+// gap is positive, the second is not. Where the ray begins on the surface both places are 0, and both gaps the one there.
 struct Bracket {
     float before, after;
     float gap_before, gap_after;
@@ -21,8 +21,8 @@ const int bisection = 2, secant = 3, illinois = 4;  // methods of task 11.4
 
 // TASK 11.1 (3 points): how many steps a march takes. Fractions stay, so that no line shows where the number changes.
 // By angle: `most` where the ray is level (slant 0), `least` where it looks straight down (slant 1), a straight line in
-// between. By texel: one step for every `texels_per_step` texels of the level that is read, but at least 1 and at most
-// 1024. `size` is that of level 0; a texel of level k is 2^k as wide.
+// between. By texel: one step for every `texels_per_step` texels of the march's length, counted on the level that is read,
+// but at least 1 and at most 1024. `size` is that of level 0; a texel of level k is 2^k as wide.
 float steps_by_angle(float slant, float least, float most) {
     //[solution
     return mix(most, least, slant);
@@ -52,6 +52,7 @@ float gap(sampler2D heights, ReliefRay ray, float t) {
     //]
 }
 
+//(march
 Bracket march(sampler2D heights, ReliefRay ray, float steps) {
     //[solution
     float stride = 1.0 / max(steps, 1.0), above = gap(heights, ray, 0.0);
@@ -67,10 +68,12 @@ Bracket march(sampler2D heights, ReliefRay ray, float steps) {
     //| return Bracket(0.0, unfinished(1.0), 1.0, -1.0);
     //]
 }
+//)
 
 // TASK 11.3 (3 points): between two places the ray's height goes from b to b + db, the surface's, taken for straight, from
 // h to h + dh. They meet at the share x of the way: x = (h - b) / (db - dh). Write it with the gaps, b - h at either end.
 // Where both gaps are 0 the lines meet everywhere; any x from 0 to 1 is right, but it must be a number.
+//(crossing
 float crossing(float gap_before, float gap_after) {
     //[solution
     float closing = gap_before - gap_after;
@@ -79,11 +82,13 @@ float crossing(float gap_before, float gap_after) {
     //| return unfinished(0.5);
     //]
 }
+//)
 
 // TASK 11.4 (3 points): `rounds` times, look at one place within the bracket and make it one of its ends, so that the ray
 // still goes below the surface between them. By bisection the place is the middle, by secant it is where the lines of 11.3
-// cross. By illinois it is that, too, but an end that stays for a second round (a third, ...) counts with half its gap (a
-// quarter, ...), which draws the place to its side: else one end may stay for ever.
+// cross. By illinois it is that, too, but an end that has stayed for two rounds running (three, ...) counts with half its gap
+// (a quarter, ...) in the next, and with all of it again once it is replaced: that draws the place to its side, where else
+// one end may stay for ever. Only what it counts is halved: the bracket that you return has the gaps as they are.
 Bracket refined(sampler2D heights, ReliefRay ray, Bracket b, int rounds, int method) {
     //[solution
     vec2 weight = vec2(1.0);

@@ -120,9 +120,11 @@ ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end) {
         gap = gap_between(corners, scaled, t, leaves, cell);
         if (closes(gap)) break;
 #if defined CELLS
+        //(windows
         vec4 out_of_window = min(out_of_cell.x + u_grown * per_cell.x, out_of_cell.y + u_grown * per_cell.y);
         vec4 clear = vec4(known & 0xff) * (1.0 / 255.0);
         t = next_look(leaves, out_of_window, above_until(ray, plain, t, clear));
+        //)
 #elif defined WINDOWS
         ivec2 block = ivec2(cell) >> u_block_shift, last_block = last >> u_block_shift;
         vec2 out_of_block = leave_square(ray, inverse, vec2(block << u_block_shift), float(1 << u_block_shift));

@@ -13,7 +13,8 @@ struct ReliefRay {
 
 // TASK 12.1 (3 points): the ray is in the square from `low` to `low` + `side` (texels). At which t does it leave it along u,
 // through the right wall or the left one, whichever lies ahead, and at which t along v? (It leaves at the sooner of the
-// two.) `inverse` is 1 / ray.along, finite and never 0.
+// two.) `inverse` is 1 / ray.along, finite and never 0: its sign says which wall lies ahead, also along an axis on which
+// the ray does not move.
 vec2 leave_square(ReliefRay ray, vec2 inverse, vec2 low, float side) {
     //[solution
     vec2 wall = low + side * step(0.0, inverse);
@@ -25,7 +26,8 @@ vec2 leave_square(ReliefRay ray, vec2 inverse, vec2 low, float side) {
 
 // TASK 12.2 (4 points): skip what cannot be hit. The ray is about to leave its cell at `leaves_cell`. Around it are four
 // windows: nothing in window k is as high as the ray until t = above_until[k], and the ray is in that window until leaves_window[k]:
-// while both hold there is nothing to hit. How far may it go?
+// while both hold there is nothing to hit. How far may it go? As far as leaves_cell always; each window may allow more.
+//(next-look
 float next_look(float leaves_cell, vec4 leaves_window, vec4 above_until) {
     //[solution
     vec4 safe = min(leaves_window, above_until);
@@ -34,11 +36,13 @@ float next_look(float leaves_cell, vec4 leaves_window, vec4 above_until) {
     //| return unfinished(leaves_cell);
     //]
 }
+//)
 
 // TASK 12.3 (3 points): the ray from the hit towards the light, to see whether the relief is in its own shadow. `hit` is
 // the hit's place (texels, as in ReliefRay) and its height; `to_light` the direction of the light in tangent space; `depth`
 // what height 1 is worth, in texels along u and along v. At t = 1 the ray is to be at height 1: nothing stands higher. The
 // light is above the horizon: to_light.z > 0.
+//(shadow
 ReliefRay shadow_ray(vec3 hit, vec3 to_light, vec2 depth) {
     //[solution
     float rise = 1.0 - hit.z;
@@ -47,6 +51,7 @@ ReliefRay shadow_ray(vec3 hit, vec3 to_light, vec2 depth) {
     //| return ReliefRay(hit.xy, unfinished(vec2(0.0)), vec3(hit.z, 1.0 - hit.z, 0.0));
     //]
 }
+//)
 
 // TASK 12.4 (2 points): the depth that the depth test is to compare, for a point of the world: 0 at the near plane, 1 at
 // the far one, as the rasteriser makes it (glDepthRange is 0 to 1).

@@ -23,12 +23,14 @@ out float v_mip;
 out float v_unfinished;
 
 void main() {
+    //(evaluate
     PatchVertex base = patch_vertex();
     v_mip = 0.0;
 #ifdef MIP
     v_mip = height_level(base.spacing.y * float(textureSize(s_heights, 0).x), u_level);
 #endif
     v_position = displaced(base.position, base.direction, read_height(s_heights, base.height_uv, v_mip), u_scale);
+    //)
     v_normal = base.normal;
     v_tangent = base.tangent;
     v_uv = base.uv;

@@ -14,6 +14,7 @@ float read_height(sampler2D heights, vec2 uv, float level) {
     //]
 }
 
+//(displaced
 vec3 displaced(vec3 position, vec3 direction, float height, float scale) {
     //[solution
     return position + scale * (height - 1.0) * normalize(direction);
@@ -21,10 +22,11 @@ vec3 displaced(vec3 position, vec3 direction, float height, float scale) {
     //| return unfinished(position);
     //]
 }
+//)
 
 // TASK 13.2 (3 points): which mip level a vertex reads. Where an edge that is `texels` long is cut into `segments`, a vertex
 // stands for texels / segments of them: read the level whose texels are that wide. Level k has texels of 2^k; between two
-// whole levels the texture unit blends, so fractions stay. Level 0 is the largest that there is.
+// whole levels the texture unit blends, so fractions stay. Level 0 is the finest that there is: never give less than 0.
 float height_level(float texels, float segments) {
     //[solution
     return max(log2(texels / segments), 0.0);
@@ -50,7 +52,8 @@ vec2 height_slope(sampler2D heights, vec2 uv, float level, vec2 size) {
 // both dp'/du and dp'/dv. By the product rule dp'/du = du + d normal_du + scale slope.x normal, and the same along v: du and
 // dv are dp/du and dp/dv of the base, `normal` is its unit normal, which turns by normal_du and normal_dv as u and v grow,
 // and slope is dh/du, dh/dv. Where the uv are mirrored (or the relief reaches past the centre that the base bends around)
-// the cross product points inwards: turn it. Where it is 0 there is no such normal: take `normal`.
+// the cross product points inwards: turn it. Where it is exactly 0 there is no such normal: take `normal`.
+//(normal
 vec3 displaced_normal(vec3 du, vec3 dv, vec3 normal, vec3 normal_du, vec3 normal_dv, float height, vec2 slope,
                       float scale) {
     //[solution
@@ -62,3 +65,4 @@ vec3 displaced_normal(vec3 du, vec3 dv, vec3 normal, vec3 normal_du, vec3 normal
     //| return unfinished(normal);
     //]
 }
+//)

@@ -145,11 +145,13 @@ void main() {
         edges = vec4(METHOD == ERROR ? inside
                                      : level_of(flat_.xyz - half_, flat_.xyz + half_, known(2).xyz, vec4(0.0), vec4(0.0)));
 #else
+        //(edges
         for (int i = 0; i < CORNERS; ++i) {
             int next = (i + 1) % CORNERS;
             edges[i] = level_of(v_corner[i].position, v_corner[next].position,
                                 v_corner[i].direction + v_corner[next].direction, known(6 + 2 * i), known(7 + 2 * i));
         }
+        //)
 #endif
         for (int i = 0; i < CORNERS; ++i) {
             // An inside that is coarser than its edges is joined to them by slivers as steep as walls.
@@ -159,7 +161,7 @@ void main() {
         if (shows_its_back(flat_, left, sphere, inside, least)) c_verdict = 2;
     }
     c_level = inside;
-    c_unfinished = float(is_unfinished);
+    //(outer
     if (c_verdict != 0) edges = vec4(inside = u_show_culled ? 1.0 : 0.0);
 #if CORNERS == 4
     vec4 outer = outer_levels_of_quad(edges);
@@ -168,4 +170,6 @@ void main() {
 #endif
     for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = outer[i];
     for (int i = 0; i < 2; ++i) gl_TessLevelInner[i] = inside;
+    //)
+    c_unfinished = float(is_unfinished);
 }

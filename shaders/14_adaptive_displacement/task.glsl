@@ -20,8 +20,9 @@ float level_by_distance(vec3 a, vec3 b, vec3 eye, float nearest, float farthest,
 // TASK 14.2 (3 points): by size. Take the edge as the diameter of a sphere around its middle: so many pixels has that on the
 // screen, and one segment may have `pixels_per_segment` of them. What is seen under an angle of one radian has
 // `pixels_per_radian` pixels. Unlike the edge's own length on the screen, this does not shrink when the edge turns towards
-// the eye. possible_level() keeps a level within 1 and 64, which is what the tessellator can do, and makes 1 of one that is
-// not a number: level 0 would cull the whole patch, and so an edge without length would.
+// the eye. level_by_size() gives what possible_level() makes of that: it keeps a level within 1 and 64, which is what the
+// tessellator can do, and makes 1 of one that is not a number: level 0 would cull the whole patch, and so an edge without
+// length would.
 float possible_level(float level) {
     //[solution
     return level > 1.0 ? min(level, 64.0) : 1.0;
@@ -52,6 +53,7 @@ float tolerated(float distance_, float pixels_per_radian, float budget, float sc
     //]
 }
 
+//(by-error
 float level_by_error(vec4 coarse, vec4 fine, float tolerance) {
     //[solution
     float errors[7] = float[](coarse.x, coarse.y, coarse.z, coarse.w, fine.x, fine.y, fine.z);
@@ -64,6 +66,7 @@ float level_by_error(vec4 coarse, vec4 fine, float tolerance) {
     //| return unfinished(4.0);
     //]
 }
+//)
 
 // TASK 14.4 (3 points): the edges' levels in the order of gl_TessLevelOuter. Edge i goes from corner i to the next. The corners
 // of a triangle are where gl_TessCoord is (1, 0, 0), (0, 1, 0) and (0, 0, 1), and level 0 is that of the edge where its first
@@ -88,7 +91,7 @@ vec4 outer_levels_of_quad(vec4 edges) {
 // moved by scale (h - 1), h from `lowest` to `highest`, along a unit vector whose difference from the unit vector `axis` is
 // `spread` long at most. relief_bounds() is a sphere around all that can come of it: its centre moves along the axis to the
 // middle of the relief, and its radius grows by half of what lies between lowest and highest, and by what `spread` can do to
-// the longest way. is_outside() says whether a sphere is wholly behind one of six planes; xyz is unit and points into the
+// the longest way, that of the lowest height. is_outside() says whether a sphere is wholly behind one of six planes; xyz is unit and points into the
 // picture, dot(plane.xyz, p) + plane.w is how far p is in front of it.
 vec4 relief_bounds(vec4 flat_, vec3 axis, float spread, float lowest, float highest, float scale) {
     //[solution
@@ -110,10 +113,11 @@ bool is_outside(vec4 planes[6], vec4 sphere) {
     //]
 }
 
-// TASK 14.6 (3 points): what only shows its back. All triangles of a patch have normals within an angle of `axis` whose tangent
+// TASK 14.6 (3 points): what only shows its back. All triangles of a patch have normals within an angle of `axis` (unit) whose tangent
 // is `slope`, and lie in a sphere; lines of sight to it differ by an angle from the one to its centre, too. The patch faces
 // away when even both angles together leave less than 90 degrees between a normal and the way that a line of sight goes on.
-// It never does while the eye is in the sphere.
+// It never does while the eye is in the sphere, where the sphere has no angle.
+//(faces-away
 bool faces_away(vec3 axis, float slope, vec4 sphere, vec3 eye) {
     //[solution
     vec3 away = sphere.xyz - eye;
@@ -125,9 +129,10 @@ bool faces_away(vec3 axis, float slope, vec4 sphere, vec3 eye) {
     //| return unfinished(0.0) > 0.0;
     //]
 }
+//)
 
 // TASK 14.7 (2 points): how much of the displacement is left at a distance: all of it up to `begin`, nothing from `end` on, a
-// straight line in between. It is taken at the undisplaced place of a vertex: two patches that share it know it alike.
+// straight line in between; `begin` is less than `end`. It is taken at the undisplaced place of a vertex: two patches that share it know it alike.
 float remaining(float distance_, float begin, float end) {
     //[solution
     return clamp((end - distance_) / (end - begin), 0.0, 1.0);

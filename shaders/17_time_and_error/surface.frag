@@ -110,9 +110,11 @@ struct Choice {
 Choice look(Ray ray) {
     Choice c = Choice(0.0, vec2(0.5 * (u_range.x + u_range.y)), 0.0, 0.0);
 #if HAS(PARALLAX | EXACT)
+    //(spend
     c.pixels = pixels_per_metre(v_clip, u_clip_along, u_size);
     float tolerance = tolerated(u_budget, c.pixels, u_scale);
     c.left = thinned(u_range.x, u_range.y, u_shares[0] * tolerance);
+    //)
 #if HAS(PARALLAX)
     float off = u_shares[1] * tolerance;
     c.level = coarsest_level(u_errors, u_levels, off);
@@ -125,6 +127,7 @@ Choice look(Ray ray) {
     return c;
 }
 
+//(chosen
 int chosen(Choice c, float bumps) {
 #if IS_ONE
     return METHODS == PLAIN ? plain : METHODS == NORMAL ? normal_map : METHODS == PARALLAX ? parallax : exact;
@@ -134,6 +137,7 @@ int chosen(Choice c, float bumps) {
     return cheapest(c.left, bumps, 1e30, u_exact_taps);
 #endif
 }
+//)
 
 float seen(Ray ray, Choice c, int method) {
     vec2 between = 1.0 - c.left.yx;

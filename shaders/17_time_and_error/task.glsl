@@ -7,6 +7,7 @@ const int plain = 0, normal_map = 1, parallax = 2, exact = 3;  // from cheap to 
 // TASK 17.1 (3 points): how many pixels a metre of relief is here, on a picture of `size` pixels. `clip` is this
 // place in clip space, `along` what a metre along the normal adds to it: clip_from_world * vec4(normal, 0). A metre
 // is too long, so take the derivative: how fast the pixel runs when the place begins to move along the normal.
+//(pixels
 float pixels_per_metre(vec4 clip, vec4 along, vec2 size) {
     //[solution
     vec2 ndc = clip.xy / clip.w;
@@ -15,11 +16,12 @@ float pixels_per_metre(vec4 clip, vec4 along, vec2 size) {
     //| return unfinished(100.0);
     //]
 }
+//)
 
 // TASK 17.2 (3 points): spend the budget. tolerated() is by how much a height in [0, 1] may be off where the screen
 // may show `budget` pixels of it and the relief is `scale` metres deep; 1e30 where that is nothing. thinned() makes
 // the relief thinner: heights from `lowest` to `highest` are cut off below and above so that none moves by more than
-// `most`, as much as that allows. It gives the lowest and the highest that are left; when nothing is left both are
+// `most`, as much as that allows (the lab passes 7/8 of tolerated() as `most`, and 1/8 as the tolerance of 17.3). It gives the lowest and the highest that are left; when nothing is left both are
 // the middle.
 float tolerated(float budget, float pixels_per_metre, float scale) {
     //[solution
@@ -43,6 +45,7 @@ vec2 thinned(float lowest, float highest, float most) {
 // what level k is off by; it never falls, and there are `count` of them. Between two levels both level and error are
 // mixed in the same shares, so that nothing jumps where the tolerance grows; level 0 also where it is off by too
 // much.
+//(level
 float coarsest_level(float errors[12], int count, float tolerance) {
     //[solution
     int level = 0;
@@ -53,6 +56,7 @@ float coarsest_level(float errors[12], int count, float tolerance) {
     //| return unfinished(0.0);
     //]
 }
+//)
 
 // TASK 17.4 (3 points): the cheapest method that keeps the budget. `left` is what thinned() left of the relief: where
 // that is nothing the plane in its middle will do, lit by the normal map, or plainly where `bumps` says that nothing
@@ -82,8 +86,9 @@ float spread_shininess(vec3 mean, float shininess) {
 
 // TASK 17.6 (2 points): no jump from bumps to none. From level `flat_level` on the normal map is as good as flat, and
 // a pixel reads `level` of it. A pixel that may be `budget` pixels off needs no bump that is smaller than so many: it
-// could as well read a level whose texels are that much wider. What is left of the bumps is 1 where even that one is
-// at least a whole level finer than flat_level, 0 from flat_level on, and in between a straight line.
+// could as well read a level whose texels are that much wider (narrower for a budget below 1). What is left of the
+// bumps is 1 where even that one is at least a whole level finer than flat_level, 0 from flat_level on, and in between
+// a straight line.
 float bumps_left(float level, float flat_level, float budget) {
     //[solution
     return clamp(flat_level - level - log2(budget), 0.0, 1.0);

@@ -29,6 +29,7 @@ vec3 gap_above_cell(vec4 corners, vec3 from, vec3 to) {
                 to.z - height_in_cell(corners, to.xy));
 }
 
+//(closes
 // Whether a gap that begins at or above 0 comes down to 0 at all: without a root or a division.
 bool closes(vec3 gap) {
     return gap.z <= 0.0 || gap.x <= 0.0 || (gap.y < 0.0 && gap.y * gap.y >= gap.x * gap.z);
@@ -40,3 +41,4 @@ float first_closing(vec3 gap) {
     float root = sqrt(max(0.0, gap.y * gap.y - gap.x * gap.z));
     return gap.y > 0.0 ? (gap.y + root) / (gap.y + root - gap.z) : gap.x / (gap.x - gap.y + root);
 }
+//)

@@ -13,8 +13,9 @@ protected:
 
 TEST_F(NewLab, SaysWhatItMadeAndTakesTheFirstNumberAboveTheCourses) {
     EXPECT_EQ(course_.made.code, 0) << course_.made.err;
-    for (const char* file : {"labs/20_test_wall/lab.cpp", "labs/20_test_wall/lab.toml", "labs/20_test_wall/README.md",
-                             "shaders/20_test_wall/surface.vert", "shaders/20_test_wall/surface.frag"})
+    for (const char* file :
+         {"labs/20_test_wall/lab.cpp", "labs/20_test_wall/lab.toml", "labs/20_test_wall/README.md",
+          "shaders/20_test_wall/surface.vert", "shaders/20_test_wall/surface.frag", "slides/20_test_wall.md"})
         EXPECT_TRUE(contains(course_.made.out, std::string(file) + "\n")) << course_.made.out;
     EXPECT_TRUE(contains(course_.made.out, "./relief run 20")) << course_.made.out;
 }
@@ -39,6 +40,20 @@ TEST_F(NewLab, HasAnExecutableOfItsOwnAndItsErrorMap) {
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_TRUE(contains(result.out, "mean ")) << result.out;
     EXPECT_EQ(read_image(course_.course.path() / "e.exr").channels, 1);
+}
+
+TEST_F(NewLab, HasADeckOfSlidesWithItsPictures) {
+    // The tool that makes slides is installed in the build's folder, and this course has one of its own.
+    std::filesystem::create_directory_symlink(RELIEF_BUILD_FOLDER "/marp", course_.course.path() / "build/marp");
+    const Result result = run({course_.program("relief"), "slides", "test_wall", "--no-pdf"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const std::string deck = read_all(course_.course.path() / "build/slides/20_test_wall.html");
+    for (const char* part : {"Test wall", "20_test_wall/01.png", "facing", "mjx-container"})
+        EXPECT_TRUE(contains(deck, part)) << part;
+    EXPECT_GT(read_image(course_.course.path() / "build/slides/20_test_wall/02.png").width, 800);
+    // The gallery may be published and takes along what is in build/slides.
+    const Result solved = run({course_.program("relief"), "slides", "test_wall", "--no-pdf", "--solutions"});
+    EXPECT_TRUE(contains(solved.out, "build/slides-with-solutions/20_test_wall.html")) << solved.out << solved.err;
 }
 
 TEST_F(NewLab, WithoutGoldenPicturesIsToldSo) {

@@ -79,6 +79,36 @@ TEST_F(ShotCommand, KnobsCameraAndMethodChangeThePicture) {
     }
 }
 
+TEST_F(ShotCommand, DrawsAKnownMistakeAsPictureProbeAndError) {
+    const char* mistake = "--mistake=green-flipped";
+    const auto of = [&](const std::string& file_name, std::vector<std::string> more) {
+        more.insert(more.begin(), {"-o", file_name, "--set", "method=normal-map"});
+        return good_shot(more).out;
+    };
+    of("right.png", {}), of("wrong.png", {mistake});
+    EXPECT_GT(difference(read_image(file("right.png")), read_image(file("wrong.png")), 8.0 / 255).pixels_over, 96u * 3);
+    of("right.pfm", {"--probe=normal"}), of("wrong.pfm", {"--probe=normal", mistake});
+    EXPECT_NE(read_all(file("right.pfm")), read_all(file("wrong.pfm")));
+    const auto mean = [&](const std::string& told) { return std::stod(told.substr(told.find("mean ") + 5)); };
+    const double right = mean(of("e.png", {"--error=normal", "--camera=10,60,3"}));
+    EXPECT_GT(mean(of("e.png", {"--error=normal", "--camera=10,60,3", mistake})), right + 1) << "degrees";
+    // The light of a mistake in a shader is there, too; and the next run is without it.
+    of("light.exr", {mistake}), of("again.png", {});
+    EXPECT_EQ(read_all(file("right.png")), read_all(file("again.png")));
+}
+
+TEST_F(ShotCommand, AMistakeInCppIsCompiledForThePicture) {
+    const auto draw = [&](const char* name, std::vector<std::string> more) {
+        more.insert(more.begin(),
+                    {relief_program(), "shot", "05", "--size", "64x48", "--probe", "tangent", "-o", name});
+        return run(more, {folder_.path(), {}});
+    };
+    ASSERT_EQ(draw("right.pfm", {}).code, 0);
+    const Result wrong = draw("wrong.pfm", {"--mistake", "tangent-for-bitangent"});
+    ASSERT_EQ(wrong.code, 0) << wrong.err;
+    EXPECT_NE(read_all(file("right.pfm")), read_all(file("wrong.pfm")));
+}
+
 TEST_F(ShotCommand, AnExrHoldsTheLightOfThePng) {
     good_shot({"-o", "a.png"}), good_shot({"-o", "a.exr"});
     const Image encoded = read_image(file("a.png")), light = read_image(file("a.exr"));
@@ -108,6 +138,8 @@ TEST_F(ShotCommand, BadUseIsOneLineThatSaysWhatWouldBeRightAndExitCodeTwo) {
         {{"--camera", "0,90,1"}, "pitch -89 to 89"},
         {{"--camera", "0,0,0"}, "distance above 0"},
         {{"--probe", "normal", "--error", "normal"}, "exclude each other"},
+        {{"--mistake", "green-fliped"}, "unknown mistake 'green-fliped': did you mean"},
+        {{"--mistake", "green-flipped", "--truth", "normal"}, "--mistake changes what is drawn"},
         {{"-o", "a.gif"}, "must end in .png, .exr, .ppm or .pfm"},
         {{"--colour"}, "unknown option '--colour'"},
         {{"02"}, "one argument too many"},

@@ -2,6 +2,7 @@
 // no namespaces the class is graded with --trust, and what only namespaces keep is left out; the first lines say so.
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <thread>
@@ -94,6 +95,8 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
         {odd, solution},
         {"untouched", starter_of(solution, shader)},
         {"truncated", replaced(solution, "(0.5 * normal + 0.5) + 0.5)", "(0.5 * normal + 0.5))")},
+        {"begun",
+         replaced(solution, "return floor(255.0 * (0.5 * normal + 0.5) + 0.5);", "return unfinished(normal);")},
         {"misspelt", replaced(solution, "return code / 255.0", "retrun code / 255.0")},
         {"nan", replaced(solution, "return code / 255.0 * 2.0 - 1.0;", "return sqrt(code - 1e9);")},
         {"loops", replaced(solution, "return code / 255.0 * 2.0 - 1.0;",
@@ -122,8 +125,16 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
     EXPECT_EQ(truncated["labs"][0]["tasks"][0]["mistake"], "truncated");
     EXPECT_LT(truncated["labs"][0]["tasks"][0]["points"], 3);
     EXPECT_EQ(truncated["labs"][0]["tasks"][3]["points"], 4);
+    const auto at_the_rim = [](const json& result) { return result["labs"][0]["tasks"][2]["checks"][1]; };  // needs 2.1
+    EXPECT_EQ(at_the_rim(truncated)["outcome"], "wrong");
+    EXPECT_EQ(at_the_rim(truncated)["look_at"], "put task 2.1 right first");
+    EXPECT_EQ(outcomes(result_of(output, "begun"), "2.2"), Outcomes{"passed"});
+    EXPECT_EQ(at_the_rim(result_of(output, "begun"))["outcome"], "unfinished");
+    EXPECT_EQ(at_the_rim(result_of(output, "begun"))["found"], "waits for task 2.1, which is not written yet");
     EXPECT_EQ(outcomes(result_of(output, "misspelt")), Outcomes{"broken"});
-    EXPECT_TRUE(contains(found(result_of(output, "misspelt"), "broken"), "task.glsl:17"))
+    const auto begin = solution.begin(), spelt = begin + std::ptrdiff_t(solution.find("return code / 255.0"));
+    const std::string place = "task.glsl:" + std::to_string(1 + std::count(begin, spelt, '\n'));
+    EXPECT_TRUE(contains(found(result_of(output, "misspelt"), "broken"), place))
         << found(result_of(output, "misspelt"), "broken");
     EXPECT_TRUE(contains(found(result_of(output, "nan"), "broken"), "not finite")) << result_of(output, "nan").dump(1);
     EXPECT_TRUE(outcomes(result_of(output, "loops"), "2.1").contains("out_of_time"));
@@ -160,7 +171,7 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
     const std::string truncated_page = read_file(output / "students/truncated.html");
     EXPECT_TRUE(contains(truncated_page, "You cut the fraction off"));
     EXPECT_TRUE(contains(truncated_page, "<span class=\"hidden\">hidden check</span>"));
-    EXPECT_TRUE(contains(read_file(output / "students/misspelt.html"), "task.glsl:17"));
+    EXPECT_TRUE(contains(read_file(output / "students/misspelt.html"), place));
     EXPECT_EQ(size_t(std::distance(fs::directory_iterator(output / "students"), {})), works.size() + 2);
     const json scope = json::parse(read_file(output / "gradescope/good.json"));
     EXPECT_EQ(scope["score"], 11);

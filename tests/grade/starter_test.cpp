@@ -51,6 +51,48 @@ TEST(Solution, IsWhatStandsBetweenTheMarks) {
     EXPECT_EQ(solution_lines(task, "t"), std::vector<std::string>{"return 2.0;"});
 }
 
+constexpr const char* with_regions = R"(int a;
+    //(one
+    int b;
+
+      int c;
+    //)
+//(two
+float two() {
+    //[solution
+    return 2.0;
+    //]starter
+    //| return 0.0;
+    //]
+}
+//)
+)";
+
+TEST(Region, IsWhatStandsBetweenItsMarksWithoutOthersAndAtTheLeftMargin) {
+    const Region one = region_of(with_regions, "t", "one"), two = region_of(with_regions, "t", "two");
+    EXPECT_EQ(one.text, "int b;\n\n  int c;\n");
+    EXPECT_FALSE(one.has_solution);
+    EXPECT_EQ(two.text, "float two() {\n    return 2.0;\n}\n");
+    EXPECT_TRUE(two.has_solution);
+    EXPECT_EQ(message_of([] { region_of(with_regions, "t", "tow"); }),
+              "t: unknown region 'tow': did you mean 'two'? There are: one, two");
+    EXPECT_FALSE(message_of([] { region_of("int a;\n", "t", "one"); }).empty());
+}
+
+TEST(Region, IsNotHandedOut) {
+    EXPECT_EQ(starter_of(with_regions, "t"), "int a;\n    int b;\n\n      int c;\nfloat two() {\n    return 0.0;\n}\n");
+}
+
+TEST(Region, MarksThatDoNotPairAreNamedWithTheirLine) {
+    const auto message = [](const char* text) { return message_of([&] { starter_of(text, "t.glsl"); }); };
+    EXPECT_TRUE(message("a\n//(x\nb\n").starts_with("t.glsl:2: this //( is never closed"));
+    EXPECT_TRUE(message("//)\n").starts_with("t.glsl:1: a //) without"));
+    EXPECT_TRUE(message("//(x\n//(y\n").starts_with("t.glsl:2: a //( inside another"));
+    EXPECT_TRUE(message("//(\n").starts_with("t.glsl:1: a region has a name"));
+    EXPECT_TRUE(message("//[solution\n//(x\n").starts_with("t.glsl:2: a region begins and ends outside"));
+    EXPECT_TRUE(message("//(x\n//[solution\n//)\n").starts_with("t.glsl:3: a region begins and ends outside"));
+}
+
 TEST(Task, IsUnfinishedWhileItsOwnCodeCallsUnfinished) {
     const std::string starter = starter_of(task, "t");
     EXPECT_TRUE(is_unfinished(starter, "9.1"));

@@ -51,6 +51,12 @@ points = 4
 title = "Intersect"
 file = "shaders/11/task.glsl"
 
+[compare]
+knob = "steps"
+values = ["4", "16"]
+shot = { set = { shadows = false }, camera = { yaw = 7 } }
+probe = "uv"
+
 [[golden]]
 name = "default"
 [[golden]]
@@ -72,6 +78,14 @@ shot = { set = { steps = 4, scale = 0.5, shadows = false, method = "cone" }, pro
     EXPECT_EQ(manifest.tasks[1].title, "Intersect");
     EXPECT_EQ(manifest.tasks[1].file, "shaders/11/task.glsl");
     EXPECT_EQ(manifest.points(), 7);
+    ASSERT_TRUE(manifest.compare);
+    EXPECT_EQ(manifest.compare->knob, "steps");
+    EXPECT_EQ(manifest.compare->values, (std::vector<std::string>{"4", "16"}));
+    EXPECT_EQ(manifest.compare->shot.set, (Set{{"shadows", "off"}}));
+    EXPECT_EQ(manifest.compare->shot.camera.yaw, 7);
+    EXPECT_EQ(manifest.compare->shot.camera.pitch, -10.5);
+    EXPECT_EQ(manifest.compare->shot.probe.name, "uv");
+    EXPECT_EQ(manifest.compare->shot.size, glm::ivec2(560, 420));
     ASSERT_EQ(manifest.goldens.size(), 2u);
     EXPECT_EQ(manifest.goldens[0].shot.camera, camera);
     const Shot& shot = manifest.goldens[1].shot;
@@ -89,6 +103,7 @@ TEST(Manifest, NeedsOnlyATitle) {
     const Manifest manifest = load("title = \"A\"\n");
     EXPECT_EQ(manifest.camera, Orbit{});
     EXPECT_TRUE(manifest.probes.empty() && manifest.tasks.empty() && manifest.goldens.empty() && !manifest.animated);
+    EXPECT_FALSE(manifest.compare);
     EXPECT_EQ(manifest.points(), 0);
 }
 
@@ -127,6 +142,19 @@ TEST(Manifest, AMistakeIsNamedWithItsLine) {
         {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { set = { steps = [1] } }\n",
          "lab.toml:4: 'steps' must be a number"},
         {"title = \"A\"\n[[golden]]\nname = \"../a\"\n", "lab.toml:3: '../a' names a file: use a-z"},
+        {"title = \"A\"\n[compare]\nvalues = [\"1\", \"2\"]\n", "lab.toml:2: a manifest.compare must have a 'knob'"},
+        {"title = \"A\"\n[compare]\nknob = 3\n", "lab.toml:3: 'knob' must be a text in quotes"},
+        {"title = \"A\"\n[compare]\nknob = \"a\"\nvalues = [1, 2]\n", "lab.toml:4: 'values' must be a list of texts"},
+        {"title = \"A\"\n[compare]\nknob = \"a\"\nvalues = [\"1\"]\n", "lab.toml:4: 'values' are two at least"},
+        {"title = \"A\"\n[compare]\nknob = \"a\"\nvalues = [\"1\", \"1\"]\n",
+         "lab.toml:4: '1' stands twice in 'values'"},
+        {"title = \"A\"\n[compare]\nknob = \"a\"\nvalue = [\"1\"]\n",
+         "lab.toml:4: unknown key of a manifest.compare, 'value': did you mean 'values'?"},
+        {"title = \"A\"\n[compare]\nknob = \"a\"\nshot = { size = [0, 8] }\n", "lab.toml:4: 'size' must be from 1 to"},
+        {"title = \"A\"\n[compare]\nknob = \"a\"\nshot = { set = { a = 1 } }\n",
+         "lab.toml:4: 'a' is what is compared: 'shot' must not set it"},
+        {"title = \"A\"\n[compare]\nknob = \"a\"\nprobe = \"uv\"\n", "lab.toml:4: unknown probe 'uv'"},
+        {"title = \"A\"\n[[compare]]\nknob = \"a\"\n", "lab.toml:2: 'compare' must be a table"},
         {"title = \"A\"\n[[golden]]\nname = \"a\"\n\n[[golden]]\nname = \"a\"\n",
          "lab.toml:6: two golden pictures are named 'a'"},
     };
@@ -212,6 +240,7 @@ lines''' }]
 
 TEST(Manifest, ACheckAMistakeOrAnEquivalentThatCannotWorkIsNamedWithItsLine) {
     const std::string check = "[[check]]\ntask = \"1.1\"\nname = \"a\"\nlook_at = \"x\"\n";
+    const std::string task_2 = "[[task]]\nid = \"1.2\"\ntitle = \"t\"\nfile = \"f\"\n";
     const std::string mistake = "[[mistake]]\nid = \"m\"\ntask = \"1.1\"\nhint = \"h\"\n";
     const std::string equivalent = "[[equivalent]]\nid = \"e\"\ntask = \"1.1\"\nwhy = \"w\"\n";
     const std::string edits = "edits = [{ file = \"shaders/x/task.glsl\", find = \"a\", replace = \"b\" }]\n";
@@ -229,6 +258,12 @@ TEST(Manifest, ACheckAMistakeOrAnEquivalentThatCannotWorkIsNamedWithItsLine) {
          "lab.toml:10: a picture is compared by the course's rule"},
         {"[[check]]\ntask = \"1.2\"\nname = \"a\"\nlook_at = \"x\"\nagainst = \"solution\"\n",
          "lab.toml:9: unknown task '1.2'"},
+        {check + "against = \"solution\"\nneeds = \"1.2\"\n", "lab.toml:13: 'needs' must be a list of texts"},
+        {check + "against = \"solution\"\nneeds = [\"1.3\"]\n", "lab.toml:13: unknown task '1.3'"},
+        {check + "against = \"solution\"\nneeds = [\"1.1\"]\n",
+         "lab.toml:13: 'needs' names other tasks than the check's own"},
+        {task_2 + check + "against = \"solution\"\nneeds = [\"1.2\", \"1.2\"]\n",
+         "lab.toml:17: 'needs' names task 1.2 twice"},
         {mistake, "lab.toml:9: a mistake has 'edits'"},
         {mistake + "edits = [{ file = \"../x\", find = \"a\", replace = \"b\" }]\n",
          "lab.toml:12: 'file' is a path inside the course"},

@@ -4,9 +4,12 @@
 
 #include <map>
 #include <regex>
+#include <set>
 
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
+#include "framework/base/text.h"
+#include "framework/gl/gl.h"
 #include "framework/grade/check.h"
 #include "framework/grade/overlay.h"
 #include "framework/grade/starter.h"
@@ -129,11 +132,129 @@ TEST_P(Course, EveryKnownMistakeFailsACheckOfItsTask) {
                         << mistake.id << " does not compile: " << result.found;
                 }
         } else {
-            for (const auto& [name, outcome, found] : check_with_task(GetParam(), mistake.task, files, expected))
-                judge(name, outcome == "passed", found);
+            for (const auto& [task, name, outcome, found] : check_variant(GetParam(), files, expected))
+                if (task == mistake.task) judge(name, outcome == "passed", found);
         }
         EXPECT_FALSE(kept.empty()) << mistake.id << ": nothing was checked";
         EXPECT_TRUE(caught) << mistake.id << " passes every check of task " << mistake.task << kept;
+    }
+}
+
+/// The lines of a task file without the marks of regions, each with the task that it belongs to ("" before the first).
+std::vector<std::pair<std::string, std::string>> lines_by_task(const std::string& text) {
+    static const std::regex region("[ \t]*//[()].*"), heading("// TASK ([0-9.]+) \\(.*");
+    std::vector<std::pair<std::string, std::string>> lines;
+    std::string task;
+    for (const std::string& line : split(text, '\n')) {
+        std::smatch named;
+        if (std::regex_match(line, named, heading)) task = named[1];
+        if (!std::regex_match(line, region)) lines.emplace_back(task, line);
+    }
+    return lines;
+}
+
+/// `text` with the starter of one task and the solutions of all others.
+std::string starter_of_task(const std::string& text, const std::string& file, const std::string& task) {
+    std::string before, own, after;
+    for (const auto& [of, line] : lines_by_task(text)) (of == task ? own : own.empty() ? before : after) += line + '\n';
+    return before + starter_of(own, file) + after;
+}
+
+/// A task file that has every task's starter as well: a uniform says which of them is in use, counted from 1. So a
+/// lab's programs are compiled once for all of them. (Each block of a solution is the whole body of a function.)
+std::string with_starters(const std::string& text, const std::vector<TaskInfo>& tasks) {
+    std::string result = "#define not_yet unfinished\n", solution, starter;
+    std::string* part = &result;
+    for (const auto& [task, line] : lines_by_task(text)) {
+        const std::string word = line.substr(std::min(line.find_first_not_of(' '), line.size()));
+        if (word == "//[solution") {
+            part = &solution;
+        } else if (word == "//]starter") {
+            part = &starter;
+        } else if (word == "//]") {
+            const auto is_own = [&, id = task](const TaskInfo& info) { return info.id == id; };
+            const auto at = std::find_if(tasks.begin(), tasks.end(), is_own) - tasks.begin() + 1;
+            // By another name: the text is not to look unfinished.
+            starter = std::regex_replace(starter, std::regex("\\bunfinished\\("), "not_yet(");
+            result += "if (u_starter == " + std::to_string(at) + ") {\n" + starter + "}\n" + solution;
+            solution.clear(), starter.clear(), part = &result;
+        } else {
+            *part += (part == &starter ? word.substr(3) : line) + '\n';
+            if (word.starts_with("#include \"common/unfinished.glsl\"")) result += "uniform int u_starter;\n";
+        }
+    }
+    return result;
+}
+
+/// Sets u_starter in every program that has it, whoever uses it.
+class StarterInUse {
+public:
+    StarterInUse() : before_(glad_glUseProgram) { real_ = before_, glad_glUseProgram = use_program; }
+    ~StarterInUse() { glad_glUseProgram = before_; }
+    StarterInUse(const StarterInUse&) = delete;
+    StarterInUse& operator=(const StarterInUse&) = delete;
+    void set(size_t number) { number_ = GLint(number); }
+
+private:
+    static void GLAD_API_PTR use_program(GLuint program) {
+        real_(program);
+        const GLint place = program == 0 ? -1 : glGetUniformLocation(program, "u_starter");
+        if (place >= 0) glUniform1i(place, number_);
+    }
+    static inline PFNGLUSEPROGRAMPROC real_ = nullptr;
+    static inline GLint number_ = 0;
+    PFNGLUSEPROGRAMPROC before_;
+};
+
+// A student who reads "waits for task 1.2" must not wait for nothing, and one who has done all that a check needs must
+// not be called wrong.
+TEST_P(Course, ChecksNeedTheTasksTheySayAndNoOthers) {
+    Manifest blind = manifest_;  // draws, whatever is missing
+    for (CheckInfo& check : blind.checks) check.needs.clear();
+    Expectations expected;
+    for (const CheckInfo& check : blind.checks) expected[check.name] = expectation(GetParam(), check);
+    std::map<std::string, std::set<std::string>> needs;  // by check
+    CourseFiles shaders;
+    for (const std::string& file : task_files())
+        if (is_shader(file)) shaders[file] = with_starters(read_file(course_root() / file), manifest_.tasks);
+    {
+        const CourseOverlay overlay(shaders);
+        StarterInUse starter;
+        for (size_t i = 0; i <= manifest_.tasks.size(); ++i) {
+            if (i > 0 && !is_shader(manifest_.tasks[i - 1].file)) continue;
+            starter.set(i);
+            for (const CheckInfo& check : blind.checks) {
+                if (i > 0 && check.task == manifest_.tasks[i - 1].id) continue;
+                const CheckResult result = run_check(GetParam(), blind, check, expected[check.name]);
+                const bool passed = result.outcome == Outcome::passed;
+                if (i == 0)
+                    EXPECT_TRUE(passed) << check.name << " by the solutions: " << result.found;
+                else if (!passed)
+                    needs[check.name].insert(manifest_.tasks[i - 1].id);
+            }
+        }
+    }
+    const std::string manifest = "labs/" + GetParam().folder + "/lab.toml";
+    for (const TaskInfo& task : manifest_.tasks) {
+        if (is_shader(task.file)) continue;
+        static const std::regex key("(^|\n)needs = [^\n]*");
+        const CourseFiles files = {
+            {task.file, starter_of_task(read_file(course_root() / task.file), task.file, task.id)},
+            {manifest, std::regex_replace(read_file(course_root() / manifest), key, "$1")}};
+        const std::vector<VariantCheck> checks = check_variant(GetParam(), files, expected);
+        EXPECT_EQ(checks.size(), manifest_.checks.size()) << task.id;
+        for (const VariantCheck& check : checks)
+            if (check.outcome != "passed") needs[check.name].insert(task.id);
+    }
+    for (const CheckInfo& check : manifest_.checks) {
+        // Held against another picture it is worth no more than that one.
+        std::set<std::string> all = needs[check.name];
+        for (const CheckInfo* last = &check; last->against != "truth" && last->against != "solution";) {
+            last = &manifest_.check(last->against);
+            all.insert(last->task), all.merge(std::set(needs[last->name]));
+        }
+        all.erase(check.task);
+        EXPECT_EQ(check.needs, std::vector(all.begin(), all.end())) << check.name;
     }
 }
 

@@ -13,15 +13,14 @@
 namespace relief {
 
 struct VariantCheck {
-    std::string name, outcome, found;
+    std::string task, name, outcome, found;
 };
 
 /// What the checks of a lab compare with, by their names.
 using Expectations = std::map<std::string, std::optional<Image>>;
 
-/// The checks of one task by the lab's own executable, with `files` in place of the course's. Fails the test when that
-/// does not compile.
-std::vector<VariantCheck> check_with_task(const LabEntry& lab, const std::string& task, const CourseFiles& files,
-                                          const Expectations& expected);
+/// All checks by the lab's own executable, with `files` in place of the course's: its sources are compiled. Fails the
+/// test when they do not compile.
+std::vector<VariantCheck> check_variant(const LabEntry& lab, const CourseFiles& files, const Expectations& expected);
 
 }  // namespace relief

@@ -1,0 +1,29 @@
+// A handout's Markdown as a part of a web page: the same text as the menu's help panel shows.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "framework/base/markdown.h"
+
+namespace relief {
+
+/// A picture that a page may name, in pixels.
+struct PagePicture {
+    std::string file;
+    int width = 0, height = 0;
+};
+
+/// Where in the page's world the targets of links and pictures are; for whatever is not there the words stay.
+struct PagePlaces {
+    std::function<std::optional<std::string>(const std::string& target)> link;
+    std::function<std::optional<PagePicture>(const std::string& target)> picture;
+};
+
+/// Between tags: headings have ids, wide tables and code scroll in themselves.
+std::string markdown_html(std::span<const Block> blocks, const PagePlaces& places);
+extern const char* const markdown_style;
+
+}  // namespace relief

@@ -1,0 +1,271 @@
+// The course's web site as `relief gallery` makes it, and the page of known mistakes, in a browser.
+#include <algorithm>
+#include <set>
+
+#include "framework/base/text.h"
+#include "framework/image/compare.h"
+#include "framework/image/file.h"
+#include "framework/lab/manifest.h"
+#include "tests/app/course_copy.h"
+#include "tests/browser.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Names = std::vector<std::string>;
+
+Browser& browser() {
+    static Browser one;
+    return one;
+}
+
+constexpr const char* lab_10 = "10_parallax_offset";
+
+/// One copy of the course and one site for all tests, made as for who has no display. There is a deck of lab 01 and a
+/// page of measurements.
+class Site : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        course_ = std::make_unique<CourseCopy>();
+        const fs::path build = course_->path() / "build";
+        fs::create_directories(build / "slides/01_specular_highlights");
+        fs::create_directories(build / "bench");
+        course_->overwrite("build/slides/01_specular_highlights.html",
+                           "<!doctype html><html lang=en><title>Deck</title><img "
+                           "src=\"01_specular_highlights/one.png\" alt=one>");
+        course_->overwrite("build/slides/01_specular_highlights.pdf", "%PDF-");
+        fs::copy(course_->path() / "tests/golden/01_specular_highlights/wipe.png",
+                 build / "slides/01_specular_highlights/one.png");
+        course_->overwrite("build/bench/index.html", "<!doctype html><html lang=en><title>Times</title>");
+        made_ = course_->relief({}, {{}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}});
+    }
+    static void TearDownTestSuite() { course_.reset(); }
+
+    static fs::path site() { return course_->path() / "build/gallery"; }
+    static Manifest manifest(const std::string& lab) {
+        return load_manifest(course_->path() / "labs" / lab / "lab.toml");
+    }
+    static Names labs() {
+        Names all;
+        for (const std::string& name : files_in(course_->path() / "labs"))
+            if (fs::exists(course_->path() / "labs" / name / "lab.toml")) all.push_back(name);
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+    static void open(const std::string& page) { browser().open(site() / page); }
+
+    static inline std::unique_ptr<CourseCopy> course_;
+    static inline Result made_;
+};
+
+constexpr const char* wider_than_the_screen =
+    "document.scrollingElement.scrollWidth > 360 ? [...document.querySelectorAll('body *')].filter(one => "
+    "one.getBoundingClientRect().right > 360).map(one => one.outerHTML.slice(0, 90)) : []";
+
+TEST_F(Site, WithoutADisplayTheMenuIsTheGallery) {
+    EXPECT_EQ(made_.code, 0) << made_.err;
+    EXPECT_EQ(made_.out, (site() / "index.html").string() + "\n");
+    EXPECT_FALSE(contains(made_.err, "has no slides")) << "lab 01 has some";
+    uintmax_t bytes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(site()))
+        if (entry.is_regular_file()) bytes += entry.file_size();
+    EXPECT_LT(bytes, 30u << 20);
+}
+
+// Whoever follows every link from the first page finds everything there, on a screen and on a phone, in light and in
+// dark.
+TEST_F(Site, EveryPageThatIsLinkedIsWholeAndLegibleAndFitsAPhone) {
+    std::vector<fs::path> pages = {site() / "index.html"};
+    std::set<fs::path> known(pages.begin(), pages.end());
+    std::set<std::pair<fs::path, std::string>> places;  // a page and an id in it
+    std::set<std::pair<fs::path, std::string>> ids;
+    for (size_t i = 0; i < pages.size(); ++i) {
+        const fs::path page = pages[i];
+        const bool ours = page.parent_path() == site();
+        browser().open(page);
+        EXPECT_TRUE(browser().load_images()) << page;
+        if (ours) {
+            EXPECT_GT(int(browser().eval("document.images.length")) + contains(page.string(), "-handout"), 0) << page;
+            EXPECT_EQ(browser().eval("[...document.images].filter(image => image.hasAttribute('width') && "
+                                     "image.getAttribute('width') != image.naturalWidth).map(image => image.src)"),
+                      json::array())
+                << page;
+            EXPECT_EQ(browser().faint_texts(), Names{}) << page;
+            browser().dark(true);
+            EXPECT_EQ(browser().faint_texts(), Names{}) << page << " in the dark";
+            browser().dark(false);
+            browser().width(360);
+            EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{}) << page;
+            browser().width(0);
+            for (const Browser::Control& control : browser().controls())
+                EXPECT_NE(control.name, "") << page << ": a " << control.role;
+        }
+        for (const std::string& id : Names(browser().eval("[...document.querySelectorAll('[id]')].map(one => one.id)")))
+            EXPECT_TRUE(ids.emplace(page, id).second) << page << " has two of " << id;
+        for (const std::string& link : Names(browser().eval("[...document.links].map(link => decodeURI(link.href))"))) {
+            if (!link.starts_with("file://")) continue;
+            const std::vector<std::string> parts = split(link.substr(7), '#');
+            const fs::path to = parts[0];
+            EXPECT_TRUE(fs::is_regular_file(to)) << page << " links to " << to;
+            EXPECT_TRUE(to.string().starts_with(site().string())) << page << " links to " << to;
+            if (parts.size() > 1) places.emplace(to, parts[1]);
+            if (to.extension() == ".html" && known.insert(to).second) pages.push_back(to);
+        }
+        EXPECT_EQ(browser().complaints(), Names{}) << page;
+    }
+    for (const auto& place : places) EXPECT_TRUE(ids.contains(place)) << place.first << "#" << place.second;
+    // The first page, a page and a handout for each lab, a deck, the measurements.
+    EXPECT_EQ(pages.size(), 1 + 2 * labs().size() + 2);
+    EXPECT_TRUE(fs::exists(site() / "slides/01_specular_highlights.pdf"));
+}
+
+TEST_F(Site, TheFirstPageHasEveryLabInOrderWithItsPointsAndOnlyTheSlidesThatThereAre) {
+    open("index.html");
+    Names titles, learns;
+    int points = 0;
+    for (const std::string& lab : labs()) {
+        titles.push_back(lab.substr(0, 2) + " " + manifest(lab).title), points += manifest(lab).points();
+        for (const std::string& line : manifest(lab).learns) learns.push_back(line);
+    }
+    EXPECT_EQ(Names(browser().eval("[...document.querySelectorAll('h2')].map(one => one.textContent)")), titles);
+    EXPECT_EQ(
+        Names(browser().eval("[...document.querySelectorAll('article li:not(.links *)')].map(one => one.textContent)")),
+        learns);
+    EXPECT_EQ(browser().eval("document.querySelector('.sum').textContent"),
+              std::to_string(labs().size()) + "labs" +
+                  std::string(browser().eval("document.querySelectorAll('.sum b')[1].textContent")) + "tasks" +
+                  std::to_string(points) + "points");
+    EXPECT_EQ(Names(browser().eval("[...document.links].filter(link => link.textContent == 'Slides').map(link => "
+                                   "link.getAttribute('href'))")),
+              Names{"slides/01_specular_highlights.html"});
+}
+
+TEST_F(Site, TwoMethodsAreWipedByTheKeyboard) {
+    open(std::string(lab_10) + ".html");
+    const auto clip = [] {
+        return browser().eval("getComputedStyle(document.querySelector('.laid img + img')).clipPath");
+    };
+    EXPECT_EQ(clip(), "inset(0px 50% 0px 0px)");
+    ASSERT_TRUE(browser().tab_to(".wipe input"));
+    browser().press("ArrowRight", 3);
+    EXPECT_EQ(clip(), "inset(0px 47% 0px 0px)");
+    EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-valuetext')"), "53 % offset");
+    browser().press("Home");
+    EXPECT_EQ(clip(), "inset(0px 100% 0px 0px)") << "only the right method";
+    browser().press("End");
+    EXPECT_EQ(clip(), "inset(0px 0% 0px 0px)") << "only the left one";
+    EXPECT_EQ(browser().complaints(), Names{});
+}
+
+TEST_F(Site, BoxesChooseTheMethodsAndASwitchTheErrorMapWithItsScale) {
+    open(std::string(lab_10) + ".html");
+    const auto shown = [] {
+        return Names(
+            browser().eval("[...document.querySelectorAll('.laid img')].map(image => "
+                           "image.src.replace(/.*\\//, ''))"));
+    };
+    EXPECT_EQ(shown(), (Names{"method-steep.png", "method-offset.png"})) << "the right one lies below";
+    ASSERT_TRUE(browser().tab_to("select"));
+    browser().press("ArrowRight");
+    EXPECT_EQ(shown(), (Names{"method-steep.png", "method-limited.png"}));
+    browser().press("Tab");
+    browser().press("ArrowLeft", 2);
+    EXPECT_EQ(shown(), (Names{"method-offset.png", "method-limited.png"}));
+    EXPECT_EQ(browser().eval("document.querySelector('.stage .scale').checkVisibility()"), false);
+    browser().press("Tab");
+    browser().press("ArrowRight");
+    EXPECT_EQ(shown(), (Names{"method-offset-error.png", "method-limited-error.png"}));
+    EXPECT_EQ(browser().eval("document.querySelector('.stage .scale').checkVisibility()"), true);
+    const std::string scale = browser().eval("document.querySelector('.stage .scale').textContent");
+    EXPECT_TRUE(scale.ends_with(" texels and more")) << scale;
+    EXPECT_TRUE(browser().load_images());
+    const std::string said = browser().eval("document.querySelector('.sides').textContent");
+    EXPECT_TRUE(contains(said, "limited: ") && contains(said, " texels")) << said;
+    EXPECT_EQ(browser().complaints(), Names{});
+}
+
+TEST_F(Site, WithoutScriptsEveryMethodIsThereAndNothingThatWouldNotWork) {
+    browser().scripts(false);
+    open(std::string(lab_10) + ".html");
+    browser().scripts(true);
+    EXPECT_EQ(
+        browser().eval("[...document.querySelectorAll('input, select')].filter(one => one.checkVisibility()).length"),
+        0);
+    EXPECT_EQ(
+        browser().eval("[...document.querySelectorAll('.methods img')].filter(one => one.checkVisibility()).length"),
+        6);
+    EXPECT_TRUE(browser().load_images());
+}
+
+TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {
+    for (const std::string& lab : labs()) {
+        open(lab + ".html");
+        const Names files = browser().eval(
+            "[...document.querySelectorAll('.methods .picture')].map(image => "
+            "decodeURI(image.src).slice(7))");
+        ASSERT_GE(files.size(), 2u) << lab;
+        const Image first = read_image(files.front()), last = read_image(files.back());
+        EXPECT_GT(difference(first, last, 8.0 / 255).pixels_over, first.pixel_count() / 200) << lab;
+        const std::optional<CompareInfo> compare = manifest(lab).compare;
+        ASSERT_TRUE(compare) << lab;
+        EXPECT_EQ(size_t(browser().eval("document.querySelectorAll('.methods .map').length")),
+                  compare->shot.probe ? files.size() : 0)
+            << lab;
+    }
+    const auto sum = [](const char* file) {
+        double all = 0;
+        for (const float value : read_image(site() / lab_10 / file).values) all += value;
+        return all;
+    };
+    EXPECT_GT(sum("method-offset-error.png"), 1.3 * sum("method-steep-error.png")) << "one scale for both";
+}
+
+TEST(MistakesPage, ShowsEveryMistakeOfALabBesideWhatIsRight) {
+    const TemporaryFolder folder;
+    const std::string lab = "02_normal_map_storage";
+    const Result made = run({relief_program(), "mistakes", "2", "-o", folder.path().string()});
+    ASSERT_EQ(made.code, 0) << made.err;
+    const Manifest manifest = load_manifest(fs::path(RELIEF_SOURCE_FOLDER) / "labs" / lab / "lab.toml");
+    browser().open(folder.path() / "index.html");
+    EXPECT_TRUE(browser().load_images());
+    Names ids;
+    for (const MistakeInfo& mistake : manifest.mistakes) ids.push_back(mistake.id);
+    Names shown = browser().eval("[...document.querySelectorAll('h4 code')].map(one => one.textContent)");
+    std::sort(ids.begin(), ids.end()), std::sort(shown.begin(), shown.end());
+    EXPECT_EQ(shown, ids);
+    // One lies upon the other, and what is seen of them differs.
+    const Names files = browser().eval(
+        "[...document.querySelectorAll('article')].map(one => [...one.querySelectorAll("
+        "'.laid img')].map(image => decodeURI(image.src).slice(7))).flat()");
+    ASSERT_EQ(files.size(), 2 * ids.size());
+    for (size_t i = 0; i < files.size(); i += 2)
+        EXPECT_GT(difference(read_image(files[i]), read_image(files[i + 1]), 8.0 / 255).pixels_over, 30u) << files[i];
+    EXPECT_EQ(browser().eval("document.querySelectorAll('.badge:not(.passed)').length"), json(ids.size()));
+    EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0) << "edits are folded away";
+    ASSERT_TRUE(browser().tab_to("input[type=search]"));
+    browser().type("truncated 2.1");
+    EXPECT_EQ(browser().eval("document.querySelector('output').textContent"),
+              "1 of " + std::to_string(ids.size()) + " shown");
+    EXPECT_EQ(
+        browser().eval("[...document.querySelectorAll('article')].filter(one => one.checkVisibility()).map(one => "
+                       "one.querySelector('h4').textContent).join()"),
+        "truncated");
+    ASSERT_TRUE(browser().tab_to(".wipe input"));
+    browser().press("End");
+    EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-valuetext')"), "100 % expected");
+    for (const Browser::Control& control : browser().controls()) EXPECT_NE(control.name, "") << control.role;
+    for (const bool dark : {false, true}) {
+        browser().dark(dark);
+        EXPECT_EQ(browser().faint_texts(), Names{}) << dark;
+    }
+    browser().dark(false);
+    browser().width(360);
+    EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{});
+    browser().width(0);
+    EXPECT_EQ(browser().complaints(), Names{});
+}
+
+}  // namespace
+}  // namespace relief
