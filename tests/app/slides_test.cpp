@@ -24,6 +24,14 @@ constexpr const char* find_problems = R"js((async () => {
   const style = document.createElement('style');  // slides that are not shown are not laid out
   style.textContent = 'svg[data-marpit-svg], svg[data-marpit-svg] * { content-visibility: visible !important; }';
   document.head.append(style);
+  // Code is shrunk to its slide only after it has been laid out, some frames later: it is looked at when nothing moves.
+  for (let still = 0, last = ''; still < 10;) {
+    await new Promise(requestAnimationFrame);
+    const now = [...document.querySelectorAll('svg[data-marpit-svg] section *')]
+        .map(element => { const box = element.getBoundingClientRect(); return [box.x, box.y, box.width, box.height]; }).join();
+    still = now === last ? still + 1 : 0;
+    last = now;
+  }
   const loads = address => new Promise(done => {
     const image = new Image();
     image.onload = () => done(image.naturalWidth > 0);
