@@ -23,15 +23,6 @@ std::vector<std::string> words_of(const std::string& text) {
     return words;
 }
 
-/// A hint as it may stand in a caption, where Markdown is not read: `code` is all that hints have of it.
-std::string caption(const std::string& hint) {
-    std::string result;
-    const std::vector<std::string> parts = split(hint, '`');
-    for (size_t i = 0; i < parts.size(); ++i)
-        result += i % 2 == 1 && i + 1 < parts.size() ? "<code>" + html(parts[i]) + "</code>" : html(parts[i]);
-    return result;
-}
-
 class Reader {
 public:
     Reader(const std::string& text, const fs::path& file, std::string name, bool solutions)
@@ -149,7 +140,7 @@ private:
                 deck_.text +=
                     fmt::format("<figure><img src=\"{}\" alt=\"{}\"><figcaption><b>{}</b>{}</figcaption></figure>\n",
                                 pictures[i], i == 0 ? "as it should be" : html("with the mistake " + ids[i - 1]),
-                                letter, answered && i > 0 ? " " + caption(hints[i - 1]) : "");
+                                letter, answered && i > 0 ? " " + html_with_code(hints[i - 1]) : "");
             }
             deck_.text += answered ? "</div>\n" : "</div>\n\n---\n\n";
         }

@@ -122,8 +122,8 @@ public:
                 try {
                     add(*entry);
                     cards += card(pages_.back());
-                } catch (const CannotWrite& error) {
-                    throw Error(error.what());
+                } catch (const CannotWrite&) {
+                    throw;
                 } catch (const Error& error) {
                     print_error(fmt::format("{}: {}", entry->folder, error.what()));
                     cards += broken_card(*entry, error.what());
@@ -140,24 +140,8 @@ public:
     }
 
 private:
-    /// A folder that cannot be written ends it all.
-    struct CannotWrite : Error {
-        using Error::Error;
-    };
-    template <class Write>
-    static void written(Write write) {
-        try {
-            write();
-        } catch (const Error& error) {
-            throw CannotWrite(error.what());
-        }
-    }
     std::string put(const std::string& name, const Image& image) const {
-        const std::string bytes = encode_image(image, ImageFormat::png);
-        written([&] {
-            make_folder((folder_ / name).parent_path());
-            write_file(folder_ / name, bytes);
-        });
+        write_beside_page(folder_ / name, encode_image(image, ImageFormat::png));
         return name;
     }
 
@@ -230,7 +214,7 @@ private:
             lab_page_file(entry), entry.two_digits(), html(manifest.title), text);
         const std::string page = closed_page("Handout " + entry.two_digits() + ": " + manifest.title,
                                              std::string(site_style) + markdown_style, body, "", PagePictures::beside);
-        written([&] { write_file(folder_ / handout_file(entry), page); });
+        write_beside_page(folder_ / handout_file(entry), page);
         return handout_file(entry);
     }
 

@@ -101,8 +101,7 @@ h3 .number { color: var(--accent); margin-right: 6px; }
 nav { margin: 22px 0 0; display: flex; flex-wrap: wrap; gap: 4px 22px; }
 .filter { display: flex; flex-wrap: wrap; gap: 8px 16px; align-items: end; margin: 0 0 14px; }
 .filter label { font-size: 15px; color: var(--quiet); flex: 0 1 420px; }
-.filter input { display: block; width: 100%; font: inherit; color: inherit; background: var(--card); border: 1px solid var(--edge);
-  border-radius: 8px; padding: 8px 12px; margin-top: 4px; }
+.filter input { border-color: var(--edge); margin-top: 4px; }
 output { padding: 8px 0; font-variant-numeric: tabular-nums; }
 .scroll { overflow: auto; background: var(--card); border: 1px solid var(--line); border-radius: 12px; }
 .long { max-height: 85vh; }
@@ -322,7 +321,7 @@ std::string mistake_table(const ClassCounts& counts) {
         text += fmt::format(
             "<tr><th scope=\"row\"><code>{0}</code></th><td>{1}</td><td><button type=\"button\" class=\"pick\" "
             "value=\"{0}\" aria-label=\"show {2} with {0}\">show {2}</button></td></tr>\n",
-            html(id), html(mistake.hint), mistake.count);
+            html(id), html_with_code(mistake.hint), mistake.count);
     return text + "</tbody></table></div></section>\n";
 }
 

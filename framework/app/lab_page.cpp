@@ -17,8 +17,7 @@ h2 { font-size: 24px; margin: 0 0 10px; }
 .choose { display: flex; flex-wrap: wrap; gap: 10px 22px; margin: 0 0 12px; align-items: end; }
 .choose label { font-size: 14px; color: var(--quiet); }
 .choose > label { flex: 1 1 210px; min-width: 0; }
-select { display: block; width: 100%; font: inherit; font-size: 16px; color: var(--text); background: var(--ground);
-  border: 1px solid var(--line); border-radius: 8px; padding: 7px 8px; }
+select { background: var(--ground); }
 fieldset { border: 0; padding: 0; margin: 0; display: flex; gap: 16px; min-height: 38px; align-items: center; }
 legend { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 fieldset label { color: var(--text); font-size: 16px; display: flex; gap: 6px; align-items: center; }

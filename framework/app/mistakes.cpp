@@ -22,7 +22,6 @@ constexpr const char* mistakes_style = R"(
 .filter { position: sticky; top: 0; z-index: 1; display: flex; flex-wrap: wrap; gap: 10px 18px; align-items: end; background: var(--ground); padding: 12px 0; margin: 0 0 12px; border-bottom: 1px solid var(--line); }
 .filter[hidden] { display: none; }
 .filter label { flex: 1 1 200px; max-width: 420px; font-size: 14px; color: var(--quiet); }
-.filter :is(input, select) { display: block; width: 100%; font: inherit; font-size: 16px; color: var(--text); background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 7px 9px; }
 .filter output { color: var(--quiet); padding-bottom: 8px; }
 section { margin: 0 0 40px; } h2 { font-size: 28px; } h3 { font-size: 20px; margin: 22px 0 12px; }
 h3 .number { color: var(--accent); margin-right: 6px; }
@@ -111,30 +110,22 @@ private:
             const MistakePicture picture = pictures.best(mistake);
             words += " " + picture.check->name;
             shown = figures(lab, pictures.manifest(), mistake, picture);
-        } catch (const CannotWrite& error) {
-            throw Error(error.what());
+        } catch (const CannotWrite&) {
+            throw;
         } catch (const Error& error) {
             print_error(fmt::format("{}: {}: {}", lab.folder, mistake.id, error.what()));
             shown = "<p class=\"problem\">No picture: " + html(error.what()) + "</p>\n";
             ++failures_;
         }
         text_ += fmt::format("<article data-words=\"{}\"><h4><code>{}</code></h4>\n<p>{}</p>\n{}{}{}</article>\n",
-                             html(words), html(mistake.id), html(mistake.hint), shown,
+                             html(words), html(mistake.id), html_with_code(mistake.hint), shown,
                              same(pictures.manifest(), mistake), edits(mistake));
     }
 
-    struct CannotWrite : Error {
-        using Error::Error;
-    };
     std::string figure(const std::string& file, const Image& image, const char* kind, const std::string& caption,
                        const std::string& alt) const {
         if (image.pixel_count() == 0) return {};
-        const std::string bytes = encode_image(image, ImageFormat::png);
-        try {
-            write_file(folder_ / file, bytes);
-        } catch (const Error& error) {
-            throw CannotWrite(error.what());
-        }
+        write_beside_page(folder_ / file, encode_image(image, ImageFormat::png));
         return fmt::format(
             R"(<figure class="{}"><img src="{}" width="{}" height="{}" alt="{}" loading="lazy"><figcaption>{}</figcaption></figure>
 )",

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "framework/base/file.h"
 #include "framework/base/sha256.h"
 #include "framework/base/text.h"
 #include "framework/image/file.h"
@@ -45,6 +46,8 @@ h2 { font-size: 22px; margin: 0 0 6px; }
 h1 .number, h2 .number { color: var(--accent); font-variant-numeric: tabular-nums; margin-right: 6px; }
 a { color: var(--accent); text-underline-offset: 3px; }
 code { background: var(--code); padding: 3px 8px; border-radius: 6px; font-size: 14px; overflow-wrap: anywhere; }
+select, input[type=search] { display: block; width: 100%; font: inherit; font-size: 16px; color: var(--text); background: var(--card);
+  border: 1px solid var(--line); border-radius: 8px; padding: 7px 9px; }
 :focus-visible { outline: 3px solid var(--accent); outline-offset: 3px; }
 footer { padding-top: 28px; padding-bottom: 48px; color: var(--quiet); font-size: 14px; }
 @media print { :root { color-scheme: light; --ground: #fff; --card: #fff; --text: #000; --quiet: #444; --line: #bbb; --code: #f2f2f2;
@@ -66,6 +69,23 @@ std::string html(const std::string& text) {
     std::string result;
     for (const char c : escaped_markup(text)) result += c == '\'' ? "&#39;" : std::string(1, c);
     return result;
+}
+
+std::string html_with_code(const std::string& text) {
+    std::string result;
+    const std::vector<std::string> parts = split(text, '`');
+    for (size_t i = 0; i < parts.size(); ++i)
+        result += i % 2 == 1 && i + 1 < parts.size() ? "<code>" + html(parts[i]) + "</code>" : html(parts[i]);
+    return result;
+}
+
+void write_beside_page(const std::filesystem::path& file, const std::string& bytes) {
+    try {
+        make_folder(file.parent_path());
+        write_file(file, bytes);
+    } catch (const Error& error) {
+        throw CannotWrite(error.what());
+    }
 }
 
 std::string picture_uri(const Image& picture) {

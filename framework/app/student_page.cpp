@@ -95,7 +95,7 @@ private:
             body_ += fmt::format(
                 "<div class=\"hint\"><p class=\"quiet\">It looks like a known mistake: <code>{}</code></p>"
                 "<p>{}</p></div>\n",
-                html(task.mistake), html(task.hint));
+                html(task.mistake), html_with_code(task.hint));
         for (const CheckMark& check : task.checks) add(lab, task, check);
         body_ += "</section>\n";
     }

@@ -1,4 +1,4 @@
-// The part of Markdown that handouts are written in, as blocks of styled text. Knows nothing of how they are shown.
+// Markdown as blocks of styled text, read by md4c. Knows nothing of how they are shown.
 #pragma once
 
 #include <string>
@@ -29,9 +29,8 @@ struct Block {
     bool operator==(const Block&) const = default;
 };
 
-/// Headings by #, paragraphs, bullets and numbers (nested by indent), quotes, code between fences or by indent, tables
-/// with |, rules; in them bold, italics, code, links, images and backslashes. Like every Markdown it takes any text:
-/// what is not closed, or not known, stands as it was written.
+/// CommonMark with GitHub's tables. What looks like HTML is text. Like every Markdown it takes any text: what is not
+/// closed, or not known, stands as it was written.
 std::vector<Block> parse_markdown(std::string_view text);
 
 }  // namespace relief
