@@ -11,14 +11,15 @@
 namespace relief {
 namespace {
 
-/// As one would type it to draw the check's shot; nothing when no option says where its camera looks.
+/// As one would type it to draw the check's shot.
 std::string command_for(const LabEntry& lab, const Manifest& manifest, const Shot& shot) {
-    Orbit camera = manifest.camera;
-    camera.yaw = shot.camera.yaw, camera.pitch = shot.camera.pitch, camera.distance = shot.camera.distance;
-    if (!(camera == shot.camera)) return {};
     std::string command = fmt::format("./relief shot {} --size {}x{}", lab.two_digits(), shot.size.x, shot.size.y);
-    if (!(camera == manifest.camera))
-        command += fmt::format(" --camera {},{},{}", camera.yaw, camera.pitch, camera.distance);
+    const Orbit &camera = shot.camera, &usual = manifest.camera;
+    if (camera != usual) command += fmt::format(" --camera {},{},{}", camera.yaw, camera.pitch, camera.distance);
+    const bool other_view = camera.field_of_view != usual.field_of_view;
+    if (other_view || camera.target != usual.target)
+        command += fmt::format(",{},{},{}", camera.target.x, camera.target.y, camera.target.z);
+    if (other_view) command += fmt::format(",{}", camera.field_of_view);
     if (shot.time != 0) command += fmt::format(" --time {}", shot.time);
     for (const auto& [knob, value] : shot.set) command += fmt::format(" --set {}={}", knob, value);
     if (shot.probe) command += " --probe " + shot.probe.name;
@@ -51,8 +52,7 @@ private:
         line(result.outcome == Outcome::broken ? "message" : "found", html(result.found));
         if (!check.reason.empty()) line("allowed", html(check.reason));
         if (!passed && result.outcome != Outcome::unfinished) line("look at", html(look_at(result)));
-        const std::string command = command_for(lab_, manifest_, check.shot);
-        if (!command.empty()) line("draw it", "<code>" + html(command) + "</code>");
+        line("draw it", "<code>" + html(command_for(lab_, manifest_, check.shot)) + "</code>");
         text += "</dl>\n" + check_figures(manifest_, check, result.drawn, result.expected, DrawnBy::reader) +
                 "</details>\n";
     }

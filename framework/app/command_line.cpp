@@ -150,7 +150,8 @@ private:
             ->type_name("KNOB=VALUE")
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
             ->allow_extra_args(false);
-        sub->add_option("--camera", shot_.camera, "degrees and metres")->type_name("YAW,PITCH,DISTANCE");
+        sub->add_option("--camera", shot_.camera, "degrees and metres; X,Y,Z: where it looks; V: its field of view")
+            ->type_name("YAW,PITCH,DISTANCE[,X,Y,Z[,V]]");
         sub->add_option("--probe", shot_.probe, "the quantity itself, as the shader has it")->type_name("NAME");
         sub->add_option("--truth", shot_.truth, "its exact value")->type_name("NAME");
         sub->add_option("--error", shot_.error, "how far the one is from the other")->type_name("NAME");

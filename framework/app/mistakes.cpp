@@ -36,7 +36,7 @@ pre { background: var(--code); border-radius: 8px; padding: 10px 12px; margin: 4
 .problem { color: var(--bad); }
 [hidden] { display: none !important; }
 @media (max-width: 600px) { article dl { grid-template-columns: 1fr; } h1 { font-size: 34px; } header { padding-top: 28px; } header, main, footer { padding-left: 14px; padding-right: 14px; } article { padding: 12px; } }
-@media print { .filter { display: none; } .mistakes { grid-template-columns: 1fr 1fr; } }
+@media print { .filter, details { display: none; } .mistakes { grid-template-columns: 1fr; } article .pictures { grid-template-columns: repeat(3, 1fr); } h2, h3 { break-after: avoid; } }
 )";
 
 constexpr const char* filter_script = R"(

@@ -36,20 +36,24 @@ double parse_time(const std::string& text) {
 }
 
 void parse_camera(const std::string& text, Orbit& camera) {
-    const auto parts = split(text, ',');
-    if (parts.size() == 3) {
-        const auto yaw = parse_number(parts[0]), pitch = parse_number(parts[1]), distance = parse_number(parts[2]);
-        const bool good = yaw && pitch && distance && std::abs(*yaw) <= 36000 && std::abs(*pitch) <= 89 &&
-                          *distance >= 1e-3 && *distance <= 1e6;
-        if (good) {
-            camera.yaw = *yaw, camera.pitch = *pitch, camera.distance = *distance;
-            return;
-        }
+    const struct {
+        double& value;
+        double least, most;
+    } parts[] = {{camera.yaw, -36000, 36000},   {camera.pitch, -89, 89},      {camera.distance, 1e-3, 1e6},
+                 {camera.target.x, -1e6, 1e6},  {camera.target.y, -1e6, 1e6}, {camera.target.z, -1e6, 1e6},
+                 {camera.field_of_view, 1, 170}};
+    const auto words = split(text, ',');
+    bool good = words.size() == 3 || words.size() == 6 || words.size() == 7;
+    for (size_t i = 0; good && i < words.size(); ++i) {
+        const auto number = parse_number(words[i]);
+        good = number && *number >= parts[i].least && *number <= parts[i].most;
+        if (good) parts[i].value = *number;
     }
-    throw UsageError(
-        fmt::format("--camera takes yaw,pitch,distance in degrees and metres (pitch -89 to 89, distance "
-                    "above 0), not '{}'",
-                    text));
+    if (!good)
+        throw UsageError(
+            fmt::format("--camera takes yaw,pitch,distance in degrees and metres (pitch -89 to 89, distance above 0), "
+                        "perhaps ,x,y,z of the point it looks at and ,field of view in degrees (1 to 170), not '{}'",
+                        text));
 }
 
 std::pair<std::string, std::string> parse_setting(const std::string& text) {

@@ -147,7 +147,7 @@ private:
     bool code_ = false;        ///< within a block of code
     int quotes_ = 0;
     std::vector<List> lists_;  ///< those that stand open
-    const Span plain_;
+    const Span plain_{};
     std::vector<std::pair<MD_SPANTYPE, Span>> styles_;  ///< of what stands open within the block, the innermost last
 };
 

@@ -33,7 +33,7 @@ public:
             draw_wall(frame_in(frame, tiles[i]), tiles[i], maps_.at(filter_of(i)));
             describe(frame.size, tiles[i], filter_of(i));
         }
-        if (show_ != 1 && has_known_slope()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
+        if (has_scale()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
         labels_.draw(frame);
     }
 
@@ -83,8 +83,9 @@ private:
     glm::dvec2 texels() const { return {depth_ / stretch_, depth_}; }
     glm::dvec2 wall() const { return glm::dvec2(std::min(1.0f, stretch_), std::min(1.0f, 1 / stretch_)); }
     bool has_known_slope() const { return source_ == waves && fine_ == 1 && middle_ == 1 && coarse_ == 1; }
+    bool has_scale() const { return show_ != 1 && has_known_slope(); }
     std::vector<Tile> tiles_of_view(glm::ivec2 frame) const {
-        return tiles_of(frame, view_ == 1 ? 1 : int(filters.size()), Labels::scale_height(frame));
+        return tiles_of(frame, view_ == 1 ? 1 : int(filters.size()), has_scale() ? Labels::scale_height(frame) : 0);
     }
     int filter_of(size_t tile) const { return view_ == 1 ? filter_ : int(tile); }
 

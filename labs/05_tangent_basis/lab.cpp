@@ -25,7 +25,7 @@ public:
             draw_surface(frame_in(frame, tiles[i]), tiles[i], method_of(i));
             labels_.caption(frame.size, tiles[i], 0, methods[size_t(method_of(i))]);
         }
-        if (show_ != 1) labels_.log_scale(frame.size, "0.01~", "100~", 4);
+        if (has_scale()) labels_.log_scale(frame.size, "0.01~", "100~", 4);
         labels_.draw(frame);
     }
 
@@ -65,8 +65,9 @@ private:
 
     basis::Shape shape() const { return basis::Shape(shape_); }
     basis::CoarseMesh coarse() const { return basis::coarse_mesh(shape(), columns_, rows_, jitter_, shear_); }
+    bool has_scale() const { return show_ != 1; }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        return tiles_of(size, view_ == 1 ? 1 : int(side_by_side.size()), Labels::scale_height(size));
+        return tiles_of(size, view_ == 1 ? 1 : int(side_by_side.size()), has_scale() ? Labels::scale_height(size) : 0);
     }
     int method_of(size_t tile) const { return view_ == 1 ? method_ : side_by_side[tile]; }
 

@@ -323,6 +323,8 @@ TEST_F(CourseTest, ThePageOfAChecksPicturesHoldsEverythingItself) {
     const Restore task(course(), file.c_str()), names(course(), manifest.c_str());
     course().edit(file, "code / 255.0 * 2.0 - 1.0", "code / 255.0");
     course().edit(manifest, "name = \"three bytes and back\"", "name = \"'a' </script> & \\\"b\\\"\"");
+    course().edit(manifest, "shot = { set = { view = \"one\", format = \"unorm8\" } }",
+                  "shot = { set = { view = \"one\", format = \"unorm8\" }, camera = { target = [0.5, 0, 0] } }");
     const Result result = course().relief({"check", "2", "-o", "a page/of checks.html"}, no_display);
     EXPECT_EQ(result.code, 1) << "the exit code is that of the checks";
     EXPECT_TRUE(contains(result.err, "the page: " + (course().path() / "a page/of checks.html").string()))
@@ -339,7 +341,8 @@ TEST_F(CourseTest, ThePageOfAChecksPicturesHoldsEverythingItself) {
     EXPECT_FALSE(contains(page, "'a' <"));
     for (const char* part :
          {"8 of 11 points", "(at most 0.176)", "rounding to 8 bits costs", "decode_unorm8 undoes f", "degree and more",
-          "./relief shot 02 --size 128x128 --set format=unorm8 --set view=one --probe normal"})
+          "./relief shot 02 --size 128x128 --camera 25,15,4.5,0.5,0,0 --set format=unorm8 --set view=one --probe "
+          "normal"})
         EXPECT_TRUE(contains(page, part)) << part;
     for (const char* outside : {"http:", "https:", "src=\"/", "@import", "url("})
         EXPECT_FALSE(contains(page, outside)) << outside;

@@ -73,7 +73,8 @@ TEST_F(ShotCommand, WritesPpmOrForAProbePfmToStandardOutput) {
 TEST_F(ShotCommand, KnobsCameraAndMethodChangeThePicture) {
     good_shot({"-o", "a.png"});
     const Image usual = read_image(file("a.png"));
-    for (const char* change : {"--set=method=vertex-normal", "--set=strength=0", "--camera=80,30,6"}) {
+    for (const char* change : {"--set=method=vertex-normal", "--set=strength=0", "--camera=80,30,6",
+                               "--camera=80,30,6,0.3,0.2,0", "--camera=20,7,6.6,0.95,1.5,0.35,60"}) {
         good_shot({"-o", "b.png", change});
         EXPECT_GT(difference(usual, read_image(file("b.png")), 2.0 / 255).pixels_over, 50u) << change;
     }
@@ -137,6 +138,10 @@ TEST_F(ShotCommand, BadUseIsOneLineThatSaysWhatWouldBeRightAndExitCodeTwo) {
         {{"--camera", "1,2"}, "--camera takes yaw,pitch,distance"},
         {{"--camera", "0,90,1"}, "pitch -89 to 89"},
         {{"--camera", "0,0,0"}, "distance above 0"},
+        {{"--camera", "0,0,1,2"}, "perhaps ,x,y,z of the point"},
+        {{"--camera", "0,0,1,2,3,1e9"}, "perhaps ,x,y,z of the point"},
+        {{"--camera", "0,0,1,2,3,4,180"}, "field of view in degrees (1 to 170)"},
+        {{"--camera", "0,0,1,2,3,4,50,6"}, "--camera takes yaw"},
         {{"--probe", "normal", "--error", "normal"}, "exclude each other"},
         {{"--mistake", "green-fliped"}, "unknown mistake 'green-fliped': did you mean"},
         {{"--mistake", "green-flipped", "--truth", "normal"}, "--mistake changes what is drawn"},
