@@ -322,9 +322,8 @@ TEST_F(CourseTest, ThePageOfAChecksPicturesHoldsEverythingItself) {
                       manifest = "labs/02_normal_map_storage/lab.toml";
     const Restore task(course(), file.c_str()), names(course(), manifest.c_str());
     course().edit(file, "code / 255.0 * 2.0 - 1.0", "code / 255.0");
-    course().edit(manifest, "name = \"three bytes and back\"", "name = \"'a' </script> & \\\"b\\\"\"");
-    course().edit(manifest, "shot = { set = { view = \"one\", format = \"unorm8\" } }",
-                  "shot = { set = { view = \"one\", format = \"unorm8\" }, camera = { target = [0.5, 0, 0] } }");
+    course().edit(manifest, "name = \"three bytes and back\"\nshot = { ",
+                  "name = \"'a' </script> & \\\"b\\\"\"\nshot = { camera = { target = [0.5, 0, 0] }, ");
     const Result result = course().relief({"check", "2", "-o", "a page/of checks.html"}, no_display);
     EXPECT_EQ(result.code, 1) << "the exit code is that of the checks";
     EXPECT_TRUE(contains(result.err, "the page: " + (course().path() / "a page/of checks.html").string()))
