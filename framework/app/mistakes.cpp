@@ -72,7 +72,6 @@ public:
             "<section data-lab=\"{0}\" aria-labelledby=\"lab-{0}\"><h2 id=\"lab-{0}\"><span "
             "class=\"number\">{0}</span> {1}</h2>\n",
             lab.two_digits(), html(manifest.title));
-        make_folder(folder_ / lab.folder);
         for (const TaskInfo& task : manifest.tasks) {
             text_ += fmt::format("<section><h3><span class=\"number\">{}</span>{}</h3>\n<div class=\"mistakes\">\n",
                                  html(task.id), html(task.title));
@@ -105,7 +104,7 @@ visible. Not for students: the edits give solutions away.</p></header>
 private:
     void add(const LabEntry& lab, MistakePictures& pictures, const MistakeInfo& mistake) {
         ++count_;
-        std::string shown, problem, words = mistake.id + " " + mistake.hint + " " + mistake.task;
+        std::string shown, words = mistake.id + " " + mistake.hint + " " + mistake.task;
         try {
             const MistakePicture picture = pictures.best(mistake);
             words += " " + picture.check->name;
