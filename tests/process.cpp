@@ -69,16 +69,18 @@ bool Process::running() {
     return pid_ > 0;
 }
 
-Result Process::wait(std::chrono::minutes most) {
-    const auto end = std::chrono::steady_clock::now() + most;
+Result Process::wait() {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(20);
     for (int i = 0; running() && std::chrono::steady_clock::now() < end; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(5 + std::min(i / 50, 55)));
-    if (running()) {
+    const bool hangs = running();
+    if (hangs) {
         signal(SIGKILL);
         waitpid(pid_, &status_, 0);
         pid_ = -1;
     }
-    return {WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_), whole(out_), whole(err_)};
+    return {WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_), whole(out_),
+            whole(err_) + (hangs ? "\nkilled by its test after 20 minutes\n" : "")};
 }
 
 std::string relief_program() { return RELIEF_BUILD_FOLDER "/bin/relief"; }

@@ -18,7 +18,7 @@ CourseWithNewLab::CourseWithNewLab() : made(course.relief({"new-lab", "test_wall
          "-DRELIEF_BUILD=" RELIEF_BUILD_FOLDER},
         {"cmake", "--build", build}};
     for (const auto& command : commands) {
-        const Result result = run_build(command);
+        const Result result = run(command);
         if (result.code != 0) failure += result.out + result.err;
         if (!failure.empty()) return;
     }

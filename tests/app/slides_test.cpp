@@ -210,8 +210,7 @@ TEST(Slides, ShowNoLineOfASolutionUnlessAsked) {
 const fs::path& made_slides() {
     static const TemporaryFolder folder;
     static const Result result =
-        Process({relief_program(), "slides", "--solutions", "--no-pdf", "-o", (folder.path() / "s").string()})
-            .wait(std::chrono::minutes(20));
+        run({relief_program(), "slides", "--solutions", "--no-pdf", "-o", (folder.path() / "s").string()});
     static const fs::path path = folder.path() / "s";
     EXPECT_EQ(result.code, 0) << result.err;
     return path;
@@ -231,8 +230,7 @@ INSTANTIATE_TEST_SUITE_P(Slides, MadeDeck, testing::ValuesIn(decks()),
 
 TEST(Slides, ArePrintedAsPdfAndNothingElseIsLeft) {
     const TemporaryFolder folder;
-    const Result result =
-        Process({relief_program(), "slides", "1", "-o", folder.path().string()}).wait(std::chrono::minutes(10));
+    const Result result = run({relief_program(), "slides", "1", "-o", folder.path().string()});
     ASSERT_EQ(result.code, 0) << result.err;
     const fs::path page = folder.path() / "01_specular_highlights.html";
     const std::string pdf = read_file(folder.path() / "01_specular_highlights.pdf");

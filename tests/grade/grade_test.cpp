@@ -113,7 +113,7 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
     folder.write("nothing/readme.txt", "sorry");
     folder.write("damaged.zip", "PK\x03\x04 no more");
     words.insert(words.end(), {(folder.path() / "nothing").string(), (folder.path() / "damaged.zip").string(), "-o",
-                               output.string(), "--seconds", "4"});
+                               output.string(), "--seconds", "8"});
     const Result graded = run(grade(words));
     EXPECT_EQ(graded.code, 0) << graded.err;
 
@@ -529,9 +529,7 @@ TEST(Grade, TestsItselfOnAWholeLab) {
 }
 
 TEST(Grade, TestsItselfOnASampleOfEveryLab) {
-    // Less than a minute where nothing else runs.
-    const Result tested =
-        Process(grade({"--self-test", "--sample", "1", "--jobs", "2"})).wait(std::chrono::minutes(15));
+    const Result tested = run(grade({"--self-test", "--sample", "1", "--jobs", "2"}));
     EXPECT_EQ(tested.code, 0) << tested.err;
     for (const auto& folder : fs::directory_iterator(course_root() / "labs")) {
         const std::string number = folder.path().filename().string().substr(0, 2);
@@ -548,8 +546,8 @@ TEST(Grade, TestsItselfOnASampleOfEveryLab) {
 
 TEST(Grade, IsTimedByABenchmarkWhoseWorkIsRight) {
     const TemporaryFolder folder;
-    const Result timed =
-        run({relief_program(), "bench", "grade", "--set", "tasks=shaders", "--quick", "--repeats", "1", "-o", folder.path().string()});
+    const Result timed = run({relief_program(), "bench", "grade", "--set", "tasks=shaders", "--quick", "--repeats", "1",
+                              "-o", folder.path().string()});
     EXPECT_EQ(timed.code, 0) << timed.err;
     const std::string csv = read_file(folder.path() / "grade.csv");
     for (const char* hidden : {"no", "yes"})

@@ -289,9 +289,9 @@ TEST_F(StudentsCourse, OfSomeLabsIsAPartOfTheWholeAndGrowsIntoIt) {
 TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutions) {
     const fs::path build = course() / "build";
     const auto ninja = [&](const char* target) {
-        const Result built = run_build(
-            {"ninja", "-C", build.string(), target},
-            {{}, {{"CCACHE_BASEDIR", course().string()}, {"CCACHE_NOHASHDIR", "1"}, {"CCACHE_NODIRECT", "1"}}});
+        const Result built =
+            run({"ninja", "-C", build.string(), target},
+                {{}, {{"CCACHE_BASEDIR", course().string()}, {"CCACHE_NOHASHDIR", "1"}, {"CCACHE_NODIRECT", "1"}}});
         ASSERT_EQ(built.code, 0) << built.out.substr(built.out.size() > 4000 ? built.out.size() - 4000 : 0);
     };
     // With a compiler's cache in the way that this course was built, since most of it is the same; else in the
