@@ -2,6 +2,7 @@
 // runs out of its frame. Without solutions none can be read there.
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "framework/app/deck.h"
 #include "framework/base/file.h"
@@ -10,6 +11,7 @@
 #include "framework/grade/starter.h"
 #include "framework/lab/manifest.h"
 #include "tests/browser.h"
+#include "tests/code_shape.h"
 #include "tests/process.h"
 
 namespace relief {
@@ -203,6 +205,27 @@ TEST(Slides, ShowNoLineOfASolutionUnlessAsked) {
                     shown_when_asked += contains(with_solutions[name], code);
                 }
             }
+    EXPECT_GT(shown_when_asked, 10) << "or this test looks at nothing";
+}
+
+TEST(Slides, ShowNoSolutionUnderOtherNames) {
+    std::map<std::string, std::string> shapes, with_solutions;
+    for (const std::string& name : decks()) {
+        shapes[name] = shape_of(code_in_markdown(deck_of(name).text));
+        with_solutions[name] = shape_of(code_in_markdown(deck_of(name, true).text));
+    }
+    int shown_when_asked = 0;
+    for (const LabEntry& lab : registry()) {
+        std::set<std::string> files;
+        for (const TaskInfo& task : load_manifest(lab).tasks) files.insert(task.file);
+        for (const std::string& file : files)
+            for (const std::string& shape : expressions_of(solution_lines(read_file(course_root() / file), file)))
+                for (const auto& [name, text] : shapes) {
+                    EXPECT_FALSE(contains(text, shape) && !is_common(shape))
+                        << "slides/" << name << ".md has of " << file << ": " << shape;
+                    shown_when_asked += contains(with_solutions[name], shape);
+                }
+    }
     EXPECT_GT(shown_when_asked, 10) << "or this test looks at nothing";
 }
 

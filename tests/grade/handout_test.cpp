@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 
 #include "framework/base/file.h"
@@ -11,6 +10,7 @@
 #include "framework/base/text.h"
 #include "framework/grade/starter.h"
 #include "framework/lab/manifest.h"
+#include "tests/code_shape.h"
 #include "tests/process.h"
 #include "tests/support.h"
 
@@ -96,40 +96,6 @@ TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeNoVariantAndNoHiddenCheck) {
     delete texts_;
 }
 
-/// What stands in code whatever its names are: words that are neither called nor members become '@'; comments, blanks,
-/// namespaces and the suffixes of numbers are gone.
-std::string shape_of(const std::string& text) {
-    static const std::regex dropped("//[^\n]*|\\b(glm|std)::"), word("[A-Za-z_]\\w*|[0-9][\\w.]*|[^\\s\\w]");
-    const std::string code = std::regex_replace(text, dropped, "");
-    std::vector<std::string> words;
-    for (std::sregex_iterator at(code.begin(), code.end(), word), end; at != end; ++at) words.push_back(at->str());
-    std::string shape;
-    for (size_t i = 0; i < words.size(); ++i) {
-        const unsigned char first = static_cast<unsigned char>(words[i][0]);
-        const bool kept = (i + 1 < words.size() && words[i + 1] == "(") || (i > 0 && words[i - 1] == ".");
-        if ((std::isalpha(first) || first == '_') && !kept) words[i] = "@";
-        if (std::isdigit(first)) words[i].erase(words[i].find_last_not_of("fu") + 1);
-        shape += words[i] + ' ';
-    }
-    return shape;
-}
-
-/// The expressions of a solution that are long enough to say something, as shapes: what is returned or assigned.
-std::vector<std::string> expressions_of(const std::vector<std::string>& solution) {
-    static const std::regex dropped("//.*"), value("^\\s*(return\\b|[^=(<>!]*=(?!=))");
-    std::string code;
-    for (const std::string& line : solution) code += std::regex_replace(line, dropped, "") + '\n';
-    std::replace_if(
-        code.begin(), code.end(), [](char c) { return c == '{' || c == '}'; }, ';');
-    std::vector<std::string> shapes;
-    for (const std::string& statement : split(code, ';')) {
-        const std::string shape =
-            shape_of(std::regex_replace(statement, value, "", std::regex_constants::format_first_only));
-        if (std::count(shape.begin(), shape.end(), ' ') >= 14) shapes.push_back(shape);
-    }
-    return shapes;
-}
-
 TEST(Shape, OfCodeDoesNotKnowNamesButKnowsWhatIsDone) {
     EXPECT_EQ(shape_of("a = max(b.xy, 0.5f) * glm::sin( c );  // why"), "@ = max ( @ . xy , 0.5 ) * sin ( @ ) ; ");
     EXPECT_EQ(expressions_of({"vec3 a = normalize(b.xyz - dot(b.xyz, c) * c);", "return short_;"}),
@@ -137,12 +103,10 @@ TEST(Shape, OfCodeDoesNotKnowNamesButKnowsWhatIsDone) {
 }
 
 TEST_F(StudentsCourse, HoldsNoSolutionUnderOtherNames) {
-    // How far something is between two others is arithmetic that the framework needs too.
-    const std::string ramp = shape_of("clamp((end - at) / (end - begin), 0.0, 1.0)");
     std::map<std::string, std::string> shapes;
     for (const auto& [path, text] : texts())
-        if (!path.ends_with(".md") && !path.ends_with(".toml") && !path.ends_with(".obj"))
-            shapes[path] = shape_of(text);
+        if (!path.ends_with(".toml") && !path.ends_with(".obj"))
+            shapes[path] = shape_of(path.ends_with(".md") ? code_in_markdown(text) : text);
     size_t looked_for = 0;
     for (const std::string& lab : *labs_) {
         std::set<std::string> task_files;
@@ -150,7 +114,7 @@ TEST_F(StudentsCourse, HoldsNoSolutionUnderOtherNames) {
         for (const std::string& file : task_files)
             for (const std::string& shape : expressions_of(solution_lines(read_file(course_root() / file), file))) {
                 ++looked_for;
-                if (shape == ramp) continue;
+                if (is_common(shape)) continue;
                 for (const auto& [path, text] : shapes)
                     EXPECT_FALSE(contains(text, shape)) << file << ": '" << shape << "' can be read in " << path;
             }
