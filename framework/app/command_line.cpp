@@ -172,7 +172,7 @@ private:
         CLI::App* sub = add("golden", "compare with the reference screenshots",
                             [this] { return check_golden(golden_lab_, update_, output_, context_kind(context_)); });
         add_lab(sub, golden_lab_, false);
-        sub->add_flag("--update", update_, "renew them instead");
+        sub->add_flag("--update", update_, "renew those that differ");
         sub->add_option("-o", output_, "write what differs: now, reference, difference")->type_name("FOLDER");
         sub->add_option("--context", context_, context_help)->type_name("NAME");
     }
