@@ -11,7 +11,7 @@ namespace relief {
 namespace {
 
 /// A difference that a person sees, and in how many of the pixels.
-constexpr double visible = 8.0 / 255 + 1e-6, visible_share = 0.02;
+constexpr double visible = 8.0 / 255 + 1e-6, visible_share = 0.05;
 
 double share_that_differs(const Image& a, const Image& b) {
     return double(difference(a, b, visible).pixels_over) / double(a.pixel_count());

@@ -31,7 +31,7 @@ public:
     std::vector<DrawnAttempt> draw(const MistakeInfo& mistake, const std::vector<Shot>& shots, bool light = false);
 
     /// Of the checks that fail with it: the one whose picture without the probe differs most from the solution's, when
-    /// it is visibly another (2 % of the pixels by more than 8/255), else the one whose probe does. Throws Error when
+    /// it is visibly another (5 % of the pixels by more than 8/255), else the one whose probe does. Throws Error when
     /// none fails. Wants a context.
     MistakePicture best(const MistakeInfo& mistake);
 
