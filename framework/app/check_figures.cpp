@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "framework/app/figures.h"
@@ -13,7 +14,7 @@
 namespace relief {
 namespace {
 
-/// Where a difference between pictures has the last colour of the map: eight times what a pixel may be off.
+/// The least difference between pictures that has the last colour of the map: eight times what a pixel may be off.
 constexpr double picture_scale = 16.0 / 255;
 
 const char* sign_of(Outcome outcome) {
@@ -58,26 +59,6 @@ std::string figure(const Image& picture, const std::string& caption, const std::
         kind, picture_uri(picture), picture.width, picture.height, html(alt), html(caption), more);
 }
 
-std::string difference_figure(const CheckInfo& check, const ProbeInfo* probe, const Image& drawn,
-                              const Image& expected) {
-    const Image error = error_image(drawn, expected, probe ? probe->error : ErrorMetric::distance);
-    const ErrorSummary summary = summarize(error);
-    const Limits& limits = check.limits;
-    // The limit is on the scale too: what passes stays dark, however small its own differences are.
-    const double allowed = std::max(
-        {limits.mean.value_or(0), limits.p99.value_or(0), limits.largest.value_or(0), limits.wrong ? 1.0 : 0.0});
-    double largest = probe ? std::max(summary.p99, allowed) : picture_scale;
-    if (largest <= 0) largest = 1;
-    const std::string end = probe ? fmt::format("{:.3g} {}", largest, probe->unit) : "16/255";
-    const std::string alt = fmt::format(
-        "Where they differ in the check: {}. {} of {} pixels do; the mean is {:.3g} {}, the largest {:.3g}", check.name,
-        std::count_if(error.values.begin(), error.values.end(),
-                      [](float value) { return value != 0 && value != no_surface; }),
-        error.pixel_count(), probe ? summary.mean : summary.mean * 255, probe ? probe->unit : "255ths",
-        probe ? summary.largest : summary.largest * 255);
-    return figure(visualize_error(error, largest), "where they differ", alt, "difference", error_scale({"0", end}));
-}
-
 constexpr const char* style = R"(
 .quiet { color: var(--quiet); margin: 0 0 14px; font-size: 15px; }
 .check { background: var(--card); border: 1px solid var(--line); border-radius: 12px; margin: 0 0 14px; padding: 0 22px; }
@@ -118,28 +99,50 @@ std::string outcome_badge(Outcome outcome, size_t count) {
                        sign_of(outcome), count > 0 ? fmt::format("{} ", count) : "", outcome_words(outcome));
 }
 
-std::string check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
-                          DrawnBy who) {
-    const bool both = drawn.same_shape(expected) && drawn.pixel_count() > 0;
-    const ProbeInfo* const probe = check.shot.probe ? &manifest.probe(check.shot.probe.name) : nullptr;
-    std::pair<Image, Image> shown;
-    if (probe && both) {
-        shown = visualize_probes(drawn, expected, probe->error);
-    } else {
+ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const Image& expected, double allowed) {
+    if (!drawn.same_shape(expected) || drawn.pixel_count() == 0) {
         const auto show = [&](const Image& image) {
             return image.pixel_count() == 0 ? Image()
                    : probe                  ? visualize_probe(image, probe->error)
                                             : visualize_picture(image);
         };
-        shown = {show(drawn), show(expected)};
+        return {show(drawn), show(expected), {}, {}, {}};
     }
+    ComparedImages shown;
+    std::tie(shown.drawn, shown.expected) = probe ? visualize_probes(drawn, expected, probe->error)
+                                                  : std::pair(visualize_picture(drawn), visualize_picture(expected));
+    const Image error = error_image(drawn, expected, probe ? probe->error : ErrorMetric::distance);
+    const ErrorSummary summary = summarize(error);
+    double largest = std::max<double>(summary.p99, probe ? allowed : picture_scale);
+    if (largest <= 0) largest = summary.largest;  // where less than 1 % of the pixels differ
+    if (!(largest > 0) || !std::isfinite(largest)) largest = 1;
+    shown.difference = visualize_error(error, largest);
+    shown.differs = fmt::format("{} of {} pixels do; the mean is {:.3g} {}, the largest {:.3g}",
+                                std::count_if(error.values.begin(), error.values.end(),
+                                              [](float value) { return value != 0 && value != no_surface; }),
+                                error.pixel_count(), probe ? summary.mean : summary.mean * 255,
+                                probe ? probe->unit : "255ths", probe ? summary.largest : summary.largest * 255);
+    shown.scale = error_scale(
+        {"0", probe ? fmt::format("{:.3g} {}", largest, probe->unit) : fmt::format("{:.0f}/255", largest * 255)});
+    return shown;
+}
+
+std::string check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
+                          DrawnBy who) {
+    const ProbeInfo* const probe = check.shot.probe ? &manifest.probe(check.shot.probe.name) : nullptr;
+    // The limit is on the scale: what passes stays dark, however small its own differences are.
+    const Limits& limits = check.limits;
+    const double allowed = std::max(
+        {limits.mean.value_or(0), limits.p99.value_or(0), limits.largest.value_or(0), limits.wrong ? 1.0 : 0.0});
+    const ComparedImages shown = compare_images(probe, drawn, expected, allowed);
     const std::string whose = who == DrawnBy::reader ? "your" : "the submission's",
                       what = probe ? probe->name + " is" : "lab draws";
     std::string text = fmt::format(R"(<div class="pictures" data-check="{}">)", html(check.name));
-    text += figure(shown.first, who == DrawnBy::reader ? "yours" : "submitted",
+    text += figure(shown.drawn, who == DrawnBy::reader ? "yours" : "submitted",
                    fmt::format("What {} {} for the check: {}", whose, what, check.name), "mine");
-    text += figure(shown.second, expected_caption(check), "What is expected of the check: " + check.name, "expected");
-    if (both) text += difference_figure(check, probe, drawn, expected);
+    text += figure(shown.expected, expected_caption(check), "What is expected of the check: " + check.name, "expected");
+    text += figure(shown.difference, "where they differ",
+                   "Where they differ in the check: " + check.name + ". " + shown.differs, "difference", shown.scale);
     text += "</div>\n";
     if (probe && expected.pixel_count() > 0)
         text += fmt::format("<p class=\"quiet\">The pictures show “{}” as colours. {}</p>\n", html(probe->name),

@@ -27,8 +27,8 @@ constexpr const char* style = R"(
 .scale { display: flex; flex-wrap: wrap; justify-content: space-between; font-size: 14px; color: var(--quiet); }
 .scale[hidden] { display: none; }
 .scale div { flex: 0 0 100%; height: 10px; border-radius: 5px; border: 1px solid var(--line); margin: 4px 0; background: HEAT; }
-.wipe { display: flex; gap: 10px; align-items: center; font-size: 15px; color: var(--quiet); }
-.wipe span { white-space: nowrap; } .wipe input { flex: 1; min-width: 0; height: 24px; accent-color: var(--accent); }
+.wipe { display: flex; flex-wrap: wrap; gap: 0 10px; align-items: center; font-size: 15px; color: var(--quiet); }
+.wipe span { white-space: nowrap; } .wipe input { flex: 1 1 110px; min-width: 0; height: 24px; accent-color: var(--accent); }
 @media print { .wipe, .laid i { display: none; } .laid img + img { visibility: hidden; } }
 )";
 

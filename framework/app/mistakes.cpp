@@ -28,7 +28,7 @@ h3 .number { color: var(--accent); margin-right: 6px; }
 .mistakes { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 520px), 1fr)); gap: 20px; }
 article { background: var(--card); border: 1px solid var(--line); border-radius: 12px; padding: 16px 18px; break-inside: avoid; min-width: 0; }
 article h4 { font-size: 17px; margin: 0 0 4px; } article h4 code { font-size: 16px; overflow-wrap: anywhere; }
-article p { margin: 0 0 10px; } article .pictures { grid-template-columns: repeat(auto-fill, minmax(min(100%, 200px), 1fr)); gap: 12px; }
+article p { margin: 0 0 10px; } article .pictures { grid-template-columns: repeat(auto-fill, minmax(min(100%, 150px), 1fr)); gap: 12px; } article figcaption { font-size: 14px; } article .scale { font-size: 12px; }
 article dl { display: grid; grid-template-columns: max-content 1fr; gap: 4px 14px; margin: 0 0 8px; font-size: 15px; }
 dt { color: var(--quiet); } dd { margin: 0; overflow-wrap: anywhere; }
 details summary { cursor: pointer; color: var(--quiet); font-size: 15px; padding: 4px 0; }
@@ -121,31 +121,36 @@ private:
                              same(pictures.manifest(), mistake), edits(mistake));
     }
 
+    /// `more`: what stands below it, as HTML.
     std::string figure(const std::string& file, const Image& image, const char* kind, const std::string& caption,
-                       const std::string& alt) const {
+                       const std::string& alt, const std::string& more = {}) const {
         if (image.pixel_count() == 0) return {};
         write_beside_page(folder_ / file, encode_image(image, ImageFormat::png));
         return fmt::format(
-            R"(<figure class="{}"><img src="{}" width="{}" height="{}" alt="{}" loading="lazy"><figcaption>{}</figcaption></figure>
+            R"(<figure class="{}"><img src="{}" width="{}" height="{}" alt="{}" loading="lazy"><figcaption>{}</figcaption>{}</figure>
 )",
-            kind, html(file), image.width, image.height, html(alt), html(caption));
+            kind, html(file), image.width, image.height, html(alt), html(caption), more);
     }
 
     std::string figures(const LabEntry& lab, const Manifest& manifest, const MistakeInfo& mistake,
                         const MistakePicture& picture) const {
-        const std::string what = picture.is_probe ? ", “" + picture.check->shot.probe.name + "” as colours" : "";
+        const CheckInfo& check = *picture.check;
+        const ComparedImages shown = compare_images(picture.is_probe ? &manifest.probe(check.shot.probe.name) : nullptr,
+                                                    picture.wrong, picture.right);
+        const std::string what = picture.is_probe ? ", “" + check.shot.probe.name + "” as colours" : "";
         const std::string number = fmt::format("{}", &mistake - manifest.mistakes.data());
         // Mistakes that are shown by one check share its right picture, unless its colours are chosen for both.
         const std::string right =
-            picture.is_probe ? number + "-right" : fmt::format("check-{}", picture.check - manifest.checks.data());
+            picture.is_probe ? number + "-right" : fmt::format("check-{}", &check - manifest.checks.data());
         std::string text = fmt::format("<div class=\"pictures\" data-check=\"{}\">\n", html(mistake.id));
-        text += figure(lab.folder + "/" + number + ".png", picture.wrong, "mine", "with the mistake" + what,
-                       picture.check->name + ", with the mistake");
-        text += figure(lab.folder + "/" + right + ".png", picture.right, "expected", "right",
-                       picture.check->name + ", as it should be");
+        text += figure(lab.folder + "/" + number + ".png", shown.drawn, "mine", "with the mistake" + what,
+                       check.name + ", with the mistake");
+        text += figure(lab.folder + "/" + right + ".png", shown.expected, "expected", "right",
+                       check.name + ", as it should be");
+        text += figure(lab.folder + "/" + number + "-difference.png", shown.difference, "difference",
+                       "where they differ", check.name + ", where they differ: " + shown.differs, shown.scale);
         return text + fmt::format("</div>\n<dl><dt>check</dt><dd>{}</dd><dt>found</dt><dd>{}: {}</dd></dl>\n",
-                                  html(picture.check->name), outcome_badge(picture.said.outcome),
-                                  html(picture.said.found));
+                                  html(check.name), outcome_badge(picture.said.outcome), html(picture.said.found));
     }
 
     static std::string same(const Manifest& manifest, const MistakeInfo& mistake) {

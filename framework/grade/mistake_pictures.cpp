@@ -1,7 +1,6 @@
 #include "framework/grade/mistake_pictures.h"
 
 #include <algorithm>
-#include <tuple>
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
@@ -107,9 +106,10 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
         if (score >= visible_share) {
             score += 1;  // before any probe
         } else if (check.shot.probe && probe.image) {
-            std::tie(shown.right, shown.wrong) =
+            const auto [one, other] =
                 visualize_probes(good.probe, *probe.image, manifest_.probe(check.shot.probe.name).error);
-            shown.is_probe = true, score = share_that_differs(shown.right, shown.wrong);
+            score = share_that_differs(one, other);
+            shown.is_probe = true, shown.right = good.probe, shown.wrong = *probe.image;
         }
         if (score > most) most = score, best = std::move(shown);
     }

@@ -14,8 +14,8 @@ namespace relief {
 struct MistakePicture {
     const CheckInfo* check = nullptr;  ///< of the mistake's task
     Judgement said;                    ///< what the check finds
-    bool is_probe = false;             ///< the pictures show the check's probe as colours, the same in both
-    Image right, wrong;                ///< 8-bit RGB; `wrong` is empty where nothing comes of it: see `said`
+    bool is_probe = false;             ///< the images are the check's probe, and no pictures
+    Image right, wrong;                ///< `wrong` is empty where nothing comes of it: see `said`
 };
 
 /// Of one lab. A mistake in shaders is drawn in the current context; one in C++ by a process of its own, as a

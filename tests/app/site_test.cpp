@@ -242,6 +242,14 @@ TEST(MistakesPage, ShowsEveryMistakeOfALabBesideWhatIsRight) {
     ASSERT_EQ(files.size(), 2 * ids.size());
     for (size_t i = 0; i < files.size(); i += 2)
         EXPECT_GT(difference(read_image(files[i]), read_image(files[i + 1]), 8.0 / 255).pixels_over, 30u) << files[i];
+    const Names maps = browser().eval(
+        "[...document.querySelectorAll('article .difference img')].map(image => decodeURI(image.src).slice(7))");
+    EXPECT_EQ(maps.size(), ids.size());
+    for (const std::string& map : maps) {
+        const Image picture = read_image(map);
+        EXPECT_GT(*std::max_element(picture.values.begin(), picture.values.end()), 0.5)
+            << map << " shows no difference";
+    }
     EXPECT_EQ(browser().eval("document.querySelectorAll('.badge:not(.passed)').length"), json(ids.size()));
     EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0) << "edits are folded away";
     ASSERT_TRUE(browser().tab_to("input[type=search]"));
