@@ -160,6 +160,12 @@ void write_summaries(const ClassReport& report, const fs::path& folder) {
 }
 
 int grade_submissions(const GradeArguments& arguments) {
+    for (const auto& [given, option] : {std::pair(!arguments.merge.empty(), "--merge"),
+                                        {arguments.self_test, "--self-test"},
+                                        {arguments.gradescope, "--gradescope"}})
+        if (given && !arguments.paths.empty())
+            throw UsageError(
+                fmt::format("{} takes no submissions: '{}' is one argument too many", option, arguments.paths.front()));
     if (!arguments.merge.empty()) {
         const ClassReport report = merge_class(arguments.merge);
         bring_pages_of_parts(report, arguments.merge);

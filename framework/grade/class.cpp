@@ -170,7 +170,7 @@ private:
         mark.isolation = name_of(report_.isolation.level);
         mark.problem = submission.problem;
         if (mark.problem.empty() && submission.files.empty() && submission.refused.empty())
-            mark.problem = "there is no task file in it";
+            mark.problem = "there is no task file in it" + misplaced(submission.ignored);
         mark.ignored = submission.ignored, mark.ignored_count = submission.ignored_count;
         std::vector<CheckPictures> pictures;
         for (const LabEntry* lab : entry.labs)
@@ -181,6 +181,15 @@ private:
         const std::lock_guard lock(mutex_);
         for (const LabMark& lab : mark.labs) report_.times.add(lab.times);
         write_file_to_disk(result_file(entry), to_json(mark));
+    }
+
+    /// Says of a task file that was handed in without its folders what they are; nothing where there is none.
+    std::string misplaced(const std::vector<std::string>& names) const {
+        for (const std::string& task : wanted())
+            for (const std::string& name : names)
+                if (fs::path(name).filename() == fs::path(task).filename())
+                    return fmt::format(": '{}' must keep its folders, as in {}", name, task);
+        return {};
     }
 
     /// Whatever goes wrong in here is the grader's fault and costs nobody a mark.

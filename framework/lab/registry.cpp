@@ -75,7 +75,8 @@ std::vector<const LabEntry*> find_labs(const std::string& text) {
         for (const LabEntry& lab : registry())
             if (first && last && *first <= lab.number && lab.number <= *last) found[lab.number] = &lab, any = true;
         if (!any)
-            throw UsageError(fmt::format("'{}' names no lab: a range is like 1-5, its smaller number first", part));
+            throw UsageError(
+                fmt::format("'{}' names no lab: a range is two numbers of labs, the smaller first, like 1-5", part));
     }
     std::vector<const LabEntry*> labs;
     for (const auto& [number, lab] : found) labs.push_back(lab);

@@ -111,9 +111,10 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
         words.push_back((folder.path() / name).string());
     }
     folder.write("nothing/readme.txt", "sorry");
+    folder.write("flat/task.glsl", solution);
     folder.write("damaged.zip", "PK\x03\x04 no more");
-    words.insert(words.end(), {(folder.path() / "nothing").string(), (folder.path() / "damaged.zip").string(), "-o",
-                               output.string(), "--seconds", "8"});
+    for (const char* name : {"nothing", "flat", "damaged.zip"}) words.push_back((folder.path() / name).string());
+    words.insert(words.end(), {"-o", output.string(), "--seconds", "8"});
     const Result graded = run(grade(words));
     EXPECT_EQ(graded.code, 0) << graded.err;
 
@@ -142,6 +143,9 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
     EXPECT_TRUE(contains(found(result_of(output, "huge"), "broken"), "larger than 1 MiB"));
     EXPECT_FALSE(outcomes(result_of(output, "binary")).contains("passed"));
     EXPECT_EQ(result_of(output, "nothing")["problem"], "there is no task file in it");
+    EXPECT_TRUE(contains(std::string(result_of(output, "flat")["problem"]),
+                         "'task.glsl' must keep its folders, as in shaders/"))
+        << result_of(output, "flat")["problem"];
     EXPECT_TRUE(contains(std::string(result_of(output, "damaged")["problem"]), "damaged"));
 
     // What a stranger calls himself is data in every file, and a plain file name.
@@ -172,7 +176,7 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
     EXPECT_TRUE(contains(truncated_page, "You cut the fraction off"));
     EXPECT_TRUE(contains(truncated_page, "<span class=\"hidden\">hidden check</span>"));
     EXPECT_TRUE(contains(read_file(output / "students/misspelt.html"), place));
-    EXPECT_EQ(size_t(std::distance(fs::directory_iterator(output / "students"), {})), works.size() + 2);
+    EXPECT_EQ(size_t(std::distance(fs::directory_iterator(output / "students"), {})), works.size() + 3);
     const json scope = json::parse(read_file(output / "gradescope/good.json"));
     EXPECT_EQ(scope["score"], 11);
     bool some_hidden = false;
@@ -505,6 +509,9 @@ TEST(Grade, WrongUseIsOneClearLine) {
                  {{a, "-o", output, "--shard", "2"}, "--shard takes i/n, like 2/8, not '2'"},
                  {{"--resume", "-o", output + "/nowhere"}, "there is nothing to resume"},
                  {{"--merge", output + "/nowhere"}, "there is no class.json"},
+                 {{a, "--merge", output}, "--merge takes no submissions: '"},
+                 {{"--self-test", a}, "--self-test takes no submissions: '"},
+                 {{"--gradescope", a, "-o", output}, "--gradescope takes no submissions: '"},
                  {{a, "-o", output, "--context", "window"}, "grade draws without a window"},
                  {{a, "-o", output, "--sample", "2"}, "--sample is of a self-test"},
                  {{"--self-test", "--sample", "0"}, "--sample takes a whole number from 1 to 1000, not '0'"}};
