@@ -22,11 +22,13 @@ void expect_shown(const LabEntry& lab, MistakePictures& pictures, const MistakeI
     ASSERT_TRUE(shown.wrong.same_shape(shown.right)) << name << ": " << shown.said.found;
     if (!shown.is_probe) {
         EXPECT_GE(share_that_differs(shown.right, shown.wrong), 0.05) << name;
+        EXPECT_EQ(shown.right.channels, 3);
         return;
     }
     const auto [right, wrong] =
         visualize_probes(shown.right, shown.wrong, pictures.manifest().probe(shown.check->shot.probe.name).error);
     EXPECT_GE(share_that_differs(right, wrong), 0.0005) << name;
+    EXPECT_EQ(right.channels, 3);
 }
 
 TEST(MistakePictures, EachOfALabIsShownByACheckOfItsTaskThatFailsInAPictureThatDiffers) {
