@@ -10,9 +10,12 @@ namespace {
 namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
 
-// From the ground up. Parts on one floor do not include each other.
-const std::map<std::string, int> floors = {{"base", 0},    {"image", 1}, {"mesh", 1},  {"reference", 2}, {"gl", 3},
-                                           {"context", 4}, {"lab", 5},   {"grade", 6}, {"measure", 7},   {"app", 8}};
+// From the ground up. Rooms on one floor do not include each other.
+const std::map<std::string, int> floors = {
+    {"base", 0},          {"image", 1},        {"mesh", 1},           {"height", 2}, {"staff/reference", 3},
+    {"gl", 4},            {"context", 5},      {"lab", 6},            {"kit", 7},    {"check", 8},
+    {"staff/handout", 9}, {"staff/grade", 9},  {"staff/measure", 10}, {"pages", 10}, {"staff/pages", 11},
+    {"window", 11},       {"staff/slides", 11}, {"app", 12},           {"staff/app", 13}};
 
 /// What a file includes, by "" or <>.
 Lines includes_of(const std::string& text) {
@@ -23,10 +26,17 @@ Lines includes_of(const std::string& text) {
     return found;
 }
 
+/// The room of a file: "gl", "staff/grade", or "labs", "labs/staff", "assets", "assets/staff".
 std::string part_of(const std::string& path) {
-    if (!path.starts_with("framework/")) return path.substr(0, path.find('/'));
-    return path.substr(10, path.find('/', 10) - 10);
+    static const std::regex room("(?:framework/((?:staff/)?[^/]+)/.*|(labs)/[^/]+/(?:(staff)/)?.*|(assets)/(?:(staff)/)?.*)");
+    std::smatch match;
+    if (!std::regex_match(path, match, room)) return path;
+    if (match[1].matched) return match[1];
+    const std::string top = match[2].matched ? match[2] : match[4];
+    return top + (match[3].matched || match[5].matched ? "/staff" : "");
 }
+
+bool is_the_staffs(const std::string& part) { return part.starts_with("staff/") || part.ends_with("/staff"); }
 
 /// What is wrong with an include; "" when nothing is.
 std::string mistake(const std::string& file, const std::string& include) {
@@ -34,22 +44,18 @@ std::string mistake(const std::string& file, const std::string& include) {
     for (const std::string folder : {"labs/", "assets/", "tests/"})
         if (include.starts_with(folder) && (folder != "assets/" || !file.starts_with(folder)))
             return "nothing is built upon that folder";
-    if (!include.starts_with("framework/")) return "";
     const std::string from = part_of(file), to = part_of(include);
-    if (!floors.contains(to)) return "names no part of the framework";
-    if (from == "labs") {
-        if (to == "lab")
-            return include == "framework/lab/lab.h" || include == "framework/lab/labels.h" ||
-                           include == "framework/lab/tiles.h" || include == "framework/lab/relief_surface.h" ||
-                           include == "framework/lab/displaced_surface.h" ||
-                           include == "framework/lab/relief_material.h"
-                       ? ""
-                       : "a lab includes lab.h, labels.h, tiles.h, relief_surface.h, relief_material.h or "
-                         "displaced_surface.h, and what lies below";
-        return floors.at(to) < floors.at("context") ? "" : "a lab does not know of contexts or what is above labs";
+    if (include.starts_with("assets/staff/") && !is_the_staffs(from)) return "everybody's files know nothing of the staff's";
+    if (!include.starts_with("framework/")) return "";
+    if (!floors.contains(to)) return "names no room of the framework";
+    if (is_the_staffs(to) && !is_the_staffs(from)) return "everybody's files know nothing of the staff's";
+    if (from.starts_with("labs")) {
+        if (to == "lab" && include != "framework/lab/lab.h") return "of that room a lab includes lab.h alone";
+        return floors.at(to) <= floors.at("kit") && to != "context" ? ""
+                                                                    : "a lab does not know of contexts or what is above labs";
     }
-    if (from == "assets") return floors.at(to) < floors.at("gl") ? "" : "the textures are made without GL";
-    if (!floors.contains(from)) return "is in no part of the framework";
+    if (from.starts_with("assets")) return floors.at(to) < floors.at("gl") ? "" : "the textures are made without GL";
+    if (!floors.contains(from)) return "is in no room of the framework";
     if (to == from || floors.at(to) < floors.at(from)) return "";
     return "points up, or across";
 }
@@ -65,9 +71,9 @@ Lines wrong_arrows(const std::string& file, const std::string& text) {
 
 /// The libraries that one file alone may know; where `file` is not that file.
 Lines wrong_libraries(const std::string& file, const std::string& text) {
-    static const std::regex window_file("framework/(context/[a-z]+_window|app/menu[a-z_]*)\\.(cpp|h)");
+    static const std::regex window_file("framework/(context/[a-z]+_window|window/menu[a-z_]*)\\.(cpp|h)");
     const bool cpu =
-        part_of(file) == "assets" || (floors.contains(part_of(file)) && floors.at(part_of(file)) < floors.at("gl"));
+        part_of(file).starts_with("assets") || (floors.contains(part_of(file)) && floors.at(part_of(file)) < floors.at("gl"));
     Lines wrong;
     for (const std::string& include : includes_of(text)) {
         const bool image = include.starts_with("OpenImageIO/"),
@@ -75,8 +81,9 @@ Lines wrong_libraries(const std::string& file, const std::string& text) {
         const bool archive = include == "archive.h" || include == "archive_entry.h";
         const bool window =
             include.starts_with("GLFW/") || include.starts_with("imgui") || include.starts_with("backends/imgui");
-        if ((image && file != "framework/image/openimageio.cpp" && file != "framework/measure/peers_module.cpp") ||
-            (archive && file != "framework/grade/libarchive.cpp") ||
+        if ((image && file != "framework/image/openimageio.cpp" &&
+             file != "framework/staff/measure/peers_module.cpp") ||
+            (archive && file != "framework/staff/grade/libarchive.cpp") ||
             (include == "md4c.h" && file != "framework/base/markdown.cpp") ||
             (window && !std::regex_match(file, window_file)) || (gl && cpu))
             wrong.push_back(file + " includes " + include);
@@ -127,35 +134,44 @@ TEST(Arrows, APlantedOneIsFound) {
         {"framework/image/mips.cpp", "framework/base/error.h", true},
         {"framework/image/mips.cpp", "framework/mesh/mesh.h", false},
         {"framework/mesh/shapes.cpp", "framework/image/image.h", false},
-        {"framework/reference/march.h", "framework/image/image.h", true},
+        {"framework/height/maps.h", "framework/image/image.h", true},
+        {"framework/staff/reference/march.h", "framework/image/image.h", true},
         {"framework/gl/texture.cpp", "framework/context/context.h", false},
-        {"framework/lab/lab.h", "framework/app/menu.h", false},
+        {"framework/lab/lab.h", "framework/window/menu.h", false},
         {"framework/lab/lab.h", "framework/gl/program.h", true},
-        {"framework/app/bench.cpp", "framework/measure/bench.h", true},
-        {"framework/measure/bench.h", "framework/app/menu.h", false},
-        {"framework/grade/results.cpp", "framework/measure/sweep.h", false},
-        {"framework/grade/results.cpp", "framework/app/page.h", false},
-        {"framework/app/menu.cpp", "framework/context/context.h", true},
-        {"framework/app/menu.cpp", "framework/unheard_of/x.h", false},
-        {"framework/app/menu.cpp", "../lab/lab.h", false},
+        {"framework/lab/lab.h", "framework/kit/labels.h", false},
+        {"framework/app/shot.cpp", "framework/staff/grade/mistake_pictures.h", false},
+        {"framework/mesh/obj.cpp", "framework/staff/reference/tangents.h", false},
+        {"framework/staff/app/bench.cpp", "framework/staff/measure/bench.h", true},
+        {"framework/staff/app/bench.cpp", "framework/app/command.h", true},
+        {"framework/staff/measure/bench.h", "framework/window/menu.h", false},
+        {"framework/staff/grade/results.cpp", "framework/staff/measure/sweep.h", false},
+        {"framework/staff/grade/results.cpp", "framework/pages/page.h", false},
+        {"framework/window/menu.cpp", "framework/context/context.h", true},
+        {"framework/window/menu.cpp", "framework/unheard_of/x.h", false},
+        {"framework/window/menu.cpp", "../lab/lab.h", false},
         {"framework/lab/shot.cpp", "labs/07_baking/bake.h", false},
         {"labs/07_baking/lab.cpp", "framework/lab/lab.h", true},
-        {"labs/07_baking/lab.cpp", "framework/reference/march.h", true},
+        {"labs/07_baking/lab.cpp", "framework/kit/tiles.h", true},
+        {"labs/07_baking/lab.cpp", "framework/staff/reference/march.h", false},
+        {"labs/07_baking/staff/truth.cpp", "framework/staff/reference/march.h", true},
+        {"labs/07_baking/staff/truth.cpp", "framework/staff/grade/marks.h", false},
         {"labs/07_baking/lab.cpp", "framework/lab/manifest.h", false},
         {"labs/07_baking/lab.cpp", "framework/context/context.h", false},
-        {"labs/07_baking/lab.cpp", "framework/app/menu.h", false},
+        {"labs/07_baking/lab.cpp", "framework/window/menu.h", false},
         {"labs/07_baking/lab.cpp", "bake.h", true},
         {"labs/07_baking/lab.cpp", "labs/08_torus/torus.h", false},
-        {"assets/make.cpp", "framework/image/file.h", true},
-        {"assets/make.cpp", "assets/noise.h", true},
+        {"assets/staff/make.cpp", "framework/image/file.h", true},
+        {"assets/staff/make.cpp", "assets/noise.h", true},
+        {"assets/bricks.cpp", "assets/staff/quilt.h", false},
         {"framework/gl/texture.cpp", "assets/noise.h", false},
-        {"assets/make.cpp", "framework/gl/texture.h", false},
+        {"assets/staff/make.cpp", "framework/gl/texture.h", false},
     };
     for (const auto& [file, include, right] : cases)
         for (const auto& [open, close] : {std::pair("#include \"", "\"\n"), {"int x;\n  # include <", ">"}})
             EXPECT_EQ(wrong_arrows(file, std::string(open) + include + close).empty(), right)
                 << file << " includes " << include;
-    EXPECT_TRUE(wrong_arrows("framework/base/a.h", "// #include \"framework/app/menu.h\"\n").empty()) << "a comment";
+    EXPECT_TRUE(wrong_arrows("framework/base/a.h", "// #include \"framework/window/menu.h\"\n").empty()) << "a comment";
 }
 
 TEST(Arrows, APlantedLibraryIsFound) {
@@ -165,7 +181,7 @@ TEST(Arrows, APlantedLibraryIsFound) {
     EXPECT_FALSE(wrong_libraries("labs/07_baking/lab.cpp", "#include <imgui.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/mesh/shapes.cpp", "#include <glad/gl.h>\n").empty());
     EXPECT_TRUE(wrong_libraries("framework/context/glfw_window.cpp", "#include <GLFW/glfw3.h>\n").empty());
-    EXPECT_TRUE(wrong_libraries("framework/app/menu_panel.cpp", "#include <imgui.h>\n").empty());
+    EXPECT_TRUE(wrong_libraries("framework/window/menu_panel.cpp", "#include <imgui.h>\n").empty());
     EXPECT_TRUE(wrong_libraries("framework/gl/gl.h", "#include <glad/gl.h>\n").empty());
 }
 

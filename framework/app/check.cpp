@@ -5,14 +5,14 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "framework/app/check_page.h"
-#include "framework/app/commands.h"
-#include "framework/app/page.h"
+#include "framework/app/command.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
-#include "framework/grade/check.h"
+#include "framework/check/check.h"
+#include "framework/pages/check_page.h"
+#include "framework/pages/page.h"
 
 namespace relief {
 
@@ -50,8 +50,8 @@ nlohmann::ordered_json as_json(const TaskResult& task) {
             {"points", task.points()}, {"of", task.task->points},   {"checks", checks}};
 }
 
-}  // namespace
-
+/// A lab's checks on the course's files as they are. 1 when one did not pass. With `open`, or a name for it, also a
+/// page with the pictures, below the course's build folder unless it is named.
 int check_own_work(const std::string& lab_text, bool json, bool open, fs::path page) {
     if (!page.empty() && page.extension() != ".html")
         throw UsageError(fmt::format("-o takes the name of a page, like checks.html, not '{}'", page.string()));
@@ -92,5 +92,23 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
     }
     return all ? 0 : 1;
 }
+
+class CheckCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.lab(lab_, true);
+        options.flag("--json", json_, "for scripts");
+        options.flag("--open", open_, "as a page with the pictures, in the browser");
+        options.value("-o", "FILE.html", page_, "the page into a file, and not opened without --open");
+    }
+    int run() override { return check_own_work(lab_, json_, open_, page_); }
+
+private:
+    std::string lab_, page_;
+    bool json_ = false, open_ = false;
+};
+RELIEF_COMMAND(CheckCommand, 6, "check", "your work on a lab: what is wrong, and what to look at next");
+
+}  // namespace
 
 }  // namespace relief

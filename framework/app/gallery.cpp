@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <list>
 
-#include "framework/app/commands.h"
-#include "framework/app/comparison.h"
-#include "framework/app/figures.h"
-#include "framework/app/lab_page.h"
-#include "framework/app/markdown_page.h"
-#include "framework/app/page.h"
+#include "framework/app/gallery.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
 #include "framework/image/file.h"
+#include "framework/pages/comparison.h"
+#include "framework/pages/figures.h"
+#include "framework/pages/lab_page.h"
+#include "framework/pages/markdown_page.h"
+#include "framework/pages/page.h"
 
 namespace relief {
 namespace {
@@ -247,15 +247,15 @@ private:
     }
 
     void say_what_is_missing() const {
-#if __has_include("framework/measure/bench.h")  // a student's course has neither command
-        std::vector<std::string> missing, commands;
-        if (std::none_of(pages_.begin(), pages_.end(), [](const LabPage& page) { return !page.slides.empty(); }))
-            missing.emplace_back("slides"), commands.emplace_back("relief slides");
-        if (!bench_.has("index.html")) missing.emplace_back("measurements"), commands.emplace_back("relief bench");
+        std::vector<std::string> missing, makers;
+        if (has_command("slides") &&
+            std::none_of(pages_.begin(), pages_.end(), [](const LabPage& page) { return !page.slides.empty(); }))
+            missing.emplace_back("slides"), makers.emplace_back("relief slides");
+        if (has_command("bench") && !bench_.has("index.html"))
+            missing.emplace_back("measurements"), makers.emplace_back("relief bench");
         if (!missing.empty())
             print_note(fmt::format("the site has no {}: {} would make them for the next time",
-                                   join(missing, " and no "), join(commands, " and ")));
-#endif
+                                   join(missing, " and no "), join(makers, " and ")));
     }
 
     fs::path folder_;
@@ -280,5 +280,19 @@ int make_gallery(fs::path folder, const std::string& labs, ContextChoice choice)
     fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
     return failures == 0 ? 0 : 1;
 }
+
+class GalleryCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.value("-o", "FOLDER", output_, "where to [the course's build/gallery]");
+        options.value("--labs", "LABS", labs_, "like 1-5 or 1,3,10-12 [all]");
+        options.value("--context", "NAME", context_, context_help);
+    }
+    int run() override { return make_gallery(output_, labs_, context_kind(context_)); }
+
+private:
+    std::string output_, labs_, context_ = "auto";
+};
+RELIEF_COMMAND(GalleryCommand, 5, "gallery", "the course's web site: every lab, its methods side by side, its handout");
 
 }  // namespace relief

@@ -1,7 +1,7 @@
 // relief golden: the reference screenshots, compared or renewed.
 #include <fmt/format.h>
 
-#include "framework/app/commands.h"
+#include "framework/app/command.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
@@ -36,7 +36,7 @@ public:
     int failures = 0, pictures = 0;
 
     void check(const LabEntry& entry, const Manifest& manifest, const GoldenInfo& golden) {
-        const fs::path file = course_root() / "tests" / "golden" / entry.folder / (golden.name + ".png");
+        const fs::path file = course_root() / "labs" / entry.folder / "golden" / (golden.name + ".png");
         ++pictures;
         try {
             Image picture = take(*make_lab(entry, golden.shot), golden.shot);
@@ -85,7 +85,7 @@ private:
     }
 
     void write_difference(const fs::path& file, const Image& picture, const Image& reference) const {
-        const std::string name = file.parent_path().filename().string() + "-" + file.stem().string();
+        const std::string name = file.parent_path().parent_path().filename().string() + "-" + file.stem().string();
         make_folder(output_);
         write_image(output_ / (name + "-now.png"), picture);
         write_image(output_ / (name + "-reference.png"), reference);
@@ -99,8 +99,7 @@ private:
     std::string driver_ = describe_context().driver();
 };
 
-}  // namespace
-
+/// All labs when `lab` is empty. With `output`, what differs is written there.
 int check_golden(const std::string& lab, bool update, const fs::path& output, ContextChoice choice) {
     std::vector<const LabEntry*> labs;
     if (lab.empty())
@@ -126,5 +125,23 @@ int check_golden(const std::string& lab, bool update, const fs::path& output, Co
                                 lab.empty() ? "any lab.toml" : "labs/" + labs.front()->folder + "/lab.toml"));
     return check.failures == 0 ? 0 : 1;
 }
+
+class GoldenCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.lab(lab_, false);
+        options.flag("--update", update_, "renew those that differ");
+        options.value("-o", "FOLDER", output_, "write what differs: now, reference, difference");
+        options.value("--context", "NAME", context_, context_help);
+    }
+    int run() override { return check_golden(lab_, update_, output_, context_kind(context_)); }
+
+private:
+    std::string lab_, output_, context_ = "auto";
+    bool update_ = false;
+};
+RELIEF_COMMAND(GoldenCommand, 7, "golden", "compare with the reference screenshots");
+
+}  // namespace
 
 }  // namespace relief

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "framework/app/commands.h"
+#include "framework/app/command.h"
 #include "framework/app/versions.h"
 #include "framework/base/error.h"
 #include "framework/base/paths.h"
@@ -28,8 +28,6 @@ void print_context(ContextKind kind) {
     }
 }
 
-}  // namespace
-
 int print_info() {
     utsname system{};
     uname(&system);
@@ -42,5 +40,14 @@ int print_info() {
     fmt::print("         with {}\n", versions::libraries);
     return 0;
 }
+
+class InfoCommand final : public Command {
+public:
+    void options(CommandOptions&) override {}
+    int run() override { return print_info(); }
+};
+RELIEF_COMMAND(InfoCommand, 2, "info", "contexts, drivers, libraries: paste it into every bug report");
+
+}  // namespace
 
 }  // namespace relief

@@ -3,12 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "framework/app/commands.h"
+#include "framework/app/command.h"
 #include "framework/base/error.h"
 #include "framework/base/log.h"
 #include "framework/lab/manifest.h"
 
 namespace relief {
+namespace {
 
 int list_labs(bool json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -34,5 +35,17 @@ int list_labs(bool json) {
         }
     return every_manifest_read ? 0 : 1;
 }
+
+class ListCommand final : public Command {
+public:
+    void options(CommandOptions& options) override { options.flag("--json", json_, "for scripts"); }
+    int run() override { return list_labs(json_); }
+
+private:
+    bool json_ = false;
+};
+RELIEF_COMMAND(ListCommand, 1, "list", "labs, titles, points");
+
+}  // namespace
 
 }  // namespace relief

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "framework/app/commands.h"
+#include "framework/app/command.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
@@ -81,8 +81,6 @@ std::string title(const std::string& name) {
     return result;
 }
 
-}  // namespace
-
 int make_new_lab(const std::string& text) {
     const NewName name = parse_name(text);
     const fs::path root = course_root(), templates = root / "framework" / "app" / "new_lab";
@@ -108,5 +106,19 @@ int make_new_lab(const std::string& text) {
     fmt::print("Build and look at it: ./relief run {:02}\n", name.number);
     return 0;
 }
+
+class NewLabCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.word("NAME", name_, "like wet_stone (numbered from 20 on) or 21_wet_stone");
+    }
+    int run() override { return make_new_lab(name_); }
+
+private:
+    std::string name_;
+};
+RELIEF_COMMAND(NewLabCommand, 20, "new-lab", "a new lab that builds, runs and is tested");
+
+}  // namespace
 
 }  // namespace relief

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "framework/app/commands.h"
+#include "framework/app/shot.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
@@ -11,12 +11,14 @@
 #include "framework/image/file.h"
 #include "framework/image/visualize.h"
 #include "framework/lab/manifest.h"
-#if __has_include("framework/grade/mistake_pictures.h")  // not in a student's course
-    #include "framework/grade/mistake_pictures.h"
-#endif
 
 namespace relief {
 namespace {
+
+struct ShotArguments {
+    std::string lab, output, size, time, context = "auto", camera, probe, truth, error, mistake;
+    std::vector<std::string> set;
+};
 
 glm::ivec2 parse_size(const std::string& text) {
     const auto parts = split(text, 'x');
@@ -76,19 +78,6 @@ Show what_to_show(const ShotArguments& arguments, Probe& probe) {
     return arguments.error.empty() ? Show::picture : Show::error;
 }
 
-#if __has_include("framework/grade/mistake_pictures.h")
-Image take_with_mistake(const LabEntry& entry, const std::string& id, const Shot& shot, bool light,
-                        ContextChoice choice) {
-    MistakePictures pictures(entry, {.context = choice, .pinned = is_pinned()});
-    DrawnAttempt drawn = std::move(pictures.draw(pictures.manifest().mistake(id), {shot}, light).front());
-    if (!drawn.image) throw Error(fmt::format("with the mistake '{}': {}", id, drawn.error));
-    refuse_unusable(*drawn.image, shot);
-    return *std::move(drawn.image);
-}
-#endif
-
-}  // namespace
-
 int take_shot(const ShotArguments& arguments) {
     const LabEntry& entry = find_lab(arguments.lab);
     const Manifest manifest = load_manifest(entry);
@@ -112,10 +101,8 @@ int take_shot(const ShotArguments& arguments) {
     const std::unique_ptr<Lab> lab = make_lab(entry, shot);
     print_event("lab: " + entry.folder);
     const auto draw = [&](bool light) {
-#if __has_include("framework/grade/mistake_pictures.h")
         if (!arguments.mistake.empty())
-            return take_with_mistake(entry, arguments.mistake, shot, light && !shot.probe, choice);
-#endif
+            return draw_with_mistake(entry, arguments.mistake, shot, light && !shot.probe, choice);
         return take(*lab, shot, light);
     };
 
@@ -147,5 +134,49 @@ int take_shot(const ShotArguments& arguments) {
     }
     return 0;
 }
+
+std::string knobs_and_probes(const std::string& lab_text) {
+    if (lab_text.empty()) return "The knobs and probes of a lab: relief shot LAB --help";
+    try {
+        const LabEntry& entry = find_lab(lab_text);
+        std::string text = fmt::format("Knobs of {} (--set name=value):\n", entry.folder);
+        for (const KnobText& knob : describe_knobs(*entry.make()))
+            text += fmt::format("  {:<14} {}; {} [{}]\n", knob.name, knob.help, knob.range, knob.value);
+        text += "Probes:\n";
+        for (const ProbeInfo& probe : load_manifest(entry).probes)
+            text += fmt::format("  {:<14} {}\n", probe.name, probe.unit.empty() ? "no unit" : "unit: " + probe.unit);
+        return text;
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+class ShotCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.lab(shot_.lab, true);
+        options.value("-o", "FILE", shot_.output, "FILE.png, .exr, .ppm or .pfm, or - for standard output");
+        options.value("--size", "WxH", shot_.size, "in pixels [1280x720]");
+        options.value("--time", "SECONDS", shot_.time, "of an animation [0]");
+        options.value("--context", "NAME", shot_.context, context_help);
+        options.values("--set", "KNOB=VALUE", shot_.set, "turn a knob; may be repeated");
+        options.value("--camera", "YAW,PITCH,DISTANCE[,X,Y,Z[,V]]", shot_.camera,
+                      "degrees and metres; X,Y,Z: where it looks; V: its field of view");
+        options.value("--probe", "NAME", shot_.probe, "the quantity itself, as the shader has it");
+        options.value("--truth", "NAME", shot_.truth, "its exact value");
+        options.value("--error", "NAME", shot_.error, "how far the one is from the other");
+        if (draw_with_mistake)
+            options.value("--mistake", "ID", shot_.mistake,
+                          "drawn with a known mistake: an id of the lab's staff/grading.toml");
+        options.footer([this] { return knobs_and_probes(shot_.lab); });
+    }
+    int run() override { return take_shot(shot_); }
+
+private:
+    ShotArguments shot_;
+};
+RELIEF_COMMAND(ShotCommand, 4, "shot", "a picture of a lab, without a display");
+
+}  // namespace
 
 }  // namespace relief

@@ -1,7 +1,8 @@
 # Labs: every folder of labs/ that has a lab.toml is one. Nothing else lists them.
 #
 # relief_add_labs(FOLDER) makes, for FOLDER/NN_name, the executable lab-NN with that lab alone, and for all of them
-# together the executable `relief`. RELIEF_LABS is then the list of their object libraries.
+# together the executable `relief`. RELIEF_LABS is then the list of their object libraries. All are linked to the staff's
+# library where there is one, called or not, since it brings commands and exact values.
 function(relief_add_labs folder)
   file(GLOB manifests CONFIGURE_DEPENDS ${folder}/*/lab.toml)
   set(labs)
@@ -13,21 +14,26 @@ function(relief_add_labs folder)
       message(FATAL_ERROR "labs/${name}: a lab's folder is named like 07_baking")
     endif()
     set(number ${CMAKE_MATCH_1})
-    file(GLOB sources CONFIGURE_DEPENDS ${lab_folder}/*.cpp)
+    file(GLOB sources CONFIGURE_DEPENDS ${lab_folder}/*.cpp ${lab_folder}/staff/*.cpp)
     if(TARGET lab_objects_${number})
       message(FATAL_ERROR "two labs have the number ${number}: labs/${name} is the second")
     endif()
     add_library(lab_objects_${number} OBJECT ${sources})
     target_compile_definitions(lab_objects_${number} PRIVATE RELIEF_LAB_FOLDER="${name}")
-    target_link_libraries(lab_objects_${number} PUBLIC relief_framework PRIVATE relief_warnings)
+    target_include_directories(lab_objects_${number} PRIVATE ${lab_folder})
+    target_link_libraries(lab_objects_${number} PUBLIC relief_framework $<TARGET_NAME_IF_EXISTS:relief_staff>
+      PRIVATE relief_warnings)
+    if(COMMAND relief_takes_precompiled_headers)  # not where a lab is built on a framework that was built elsewhere
+      relief_takes_precompiled_headers(lab_objects_${number})
+    endif()
     list(APPEND labs lab_objects_${number})
 
     add_executable(lab-${number} ${RELIEF_MAIN})
-    target_link_libraries(lab-${number} PRIVATE lab_objects_${number} relief_framework)
+    target_link_libraries(lab-${number} PRIVATE lab_objects_${number})
     list(APPEND programs lab-${number})
   endforeach()
   add_executable(relief ${RELIEF_MAIN})
-  target_link_libraries(relief PRIVATE ${labs} relief_framework)
+  target_link_libraries(relief PRIVATE ${labs})
   # `programs` is all that a user runs, without the tests.
   add_custom_target(programs DEPENDS relief ${programs} relief_modules)
   set(RELIEF_LABS ${labs} PARENT_SCOPE)

@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "framework/reference/ray.h"
+#include "framework/mesh/ray.h"
 
 namespace relief {
 

@@ -151,7 +151,6 @@ CheckInfo read_check(Table& table, const Manifest& manifest) {
     if (auto limits = table.table("limit")) check.limits = read_limits(*limits);
     table.read("reason", check.reason);
     check.look_at = table.text("look_at");
-    table.read("hidden", check.hidden);
     table.read("needs", check.needs);
     table.finish();
     require(table, "task", [&] { manifest.task(check.task); });
@@ -282,16 +281,46 @@ const MistakeInfo& Manifest::mistake(const std::string& wanted) const {
     return find_named(mistakes, &MistakeInfo::id, "mistake", wanted);
 }
 
-Manifest load_manifest(const fs::path& file) { return parse_manifest(read_file(file, size_t{1} << 24), file); }
+namespace {
 
-Manifest parse_manifest(const std::string& text, const fs::path& file) {
-    toml::table parsed;
+toml::table parse(const std::string& text, const fs::path& file) {
     try {
-        parsed = toml::parse(text, file.string());
+        return toml::parse(text, file.string());
     } catch (const toml::parse_error& error) {
         throw Error({file, int(error.source().begin.line)}, std::string(error.description()));
     }
+}
 
+void read_checks(Table& root, bool hidden, Manifest& manifest) {
+    std::vector<Table> tables = root.tables("check");
+    const size_t first = manifest.checks.size();
+    for (Table& table : tables) {
+        CheckInfo check = read_check(table, manifest);
+        check.hidden = hidden;
+        refuse_second(table, "name", "checks", manifest.checks, &CheckInfo::name, check.name);
+        manifest.checks.push_back(std::move(check));
+    }
+    for (size_t i = 0; i < tables.size(); ++i) {
+        const CheckInfo& check = manifest.checks[first + i];
+        if (check.against == "truth" || check.against == "solution") continue;
+        require(tables[i], "against", [&] { manifest.check(check.against); });
+        if (!(manifest.check(check.against).shot.probe == check.shot.probe))
+            tables[i].fail("against", fmt::format("'{}' looks at another probe", check.against));
+    }
+}
+
+}  // namespace
+
+Manifest load_manifest(const fs::path& file) {
+    constexpr size_t longest = size_t{1} << 24;
+    Manifest manifest = parse_manifest(read_file(file, longest), file);
+    const fs::path grading = file.parent_path() / "staff" / "grading.toml";
+    if (fs::exists(grading)) add_grading(manifest, read_file(grading, longest), grading);
+    return manifest;
+}
+
+Manifest parse_manifest(const std::string& text, const fs::path& file) {
+    const toml::table parsed = parse(text, file);
     Table root(file, parsed, "a manifest");
     Manifest manifest;
     manifest.title = root.text("title");
@@ -300,8 +329,6 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
     root.read("learns", manifest.learns);
     if (auto camera = root.table("camera")) read_camera(*camera, manifest.camera);
     root.read("animated", manifest.animated);
-
-    root.read("keep_back", manifest.keep_back);
 
     for (Table& table : root.tables("probe")) {
         ProbeInfo probe = read_probe(table);
@@ -313,19 +340,25 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
         refuse_second(table, "id", "tasks", manifest.tasks, &TaskInfo::id, task.id);
         manifest.tasks.push_back(std::move(task));
     }
-    std::vector<Table> checks = root.tables("check"), mistakes = root.tables("mistake");
-    for (Table& table : checks) {
-        CheckInfo check = read_check(table, manifest);
-        refuse_second(table, "name", "checks", manifest.checks, &CheckInfo::name, check.name);
-        manifest.checks.push_back(std::move(check));
+    read_checks(root, false, manifest);
+    if (auto compare = root.table("compare")) manifest.compare = read_compare(*compare, manifest);
+    for (Table& table : root.tables("golden")) {
+        GoldenInfo golden = read_golden(table, manifest);
+        refuse_second(table, "name", "golden pictures", manifest.goldens, &GoldenInfo::name, golden.name);
+        manifest.goldens.push_back(std::move(golden));
     }
-    for (size_t i = 0; i < checks.size(); ++i) {
-        const std::string& against = manifest.checks[i].against;
-        if (against == "truth" || against == "solution") continue;
-        require(checks[i], "against", [&] { manifest.check(against); });
-        if (!(manifest.check(against).shot.probe == manifest.checks[i].shot.probe))
-            checks[i].fail("against", fmt::format("'{}' looks at another probe", against));
-    }
+    for (const char* key : {"mistake", "equivalent", "vary"})
+        if (root.has(key))
+            root.fail(key, fmt::format("'{}' belongs in staff/grading.toml, which students do not get", key));
+    root.finish();
+    return manifest;
+}
+
+void add_grading(Manifest& manifest, const std::string& text, const fs::path& file) {
+    const toml::table parsed = parse(text, file);
+    Table root(file, parsed, "a lab's grading");
+    read_checks(root, true, manifest);
+    std::vector<Table> mistakes = root.tables("mistake");
     for (Table& table : mistakes) {
         MistakeInfo mistake = read_mistake(table, manifest);
         refuse_second(table, "id", "mistakes", manifest.mistakes, &MistakeInfo::id, mistake.id);
@@ -340,14 +373,7 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
         refuse_second(table, "id", "equivalents", manifest.equivalents, &EquivalentInfo::id, equivalent.id);
         manifest.equivalents.push_back(std::move(equivalent));
     }
-    if (auto compare = root.table("compare")) manifest.compare = read_compare(*compare, manifest);
-    for (Table& table : root.tables("golden")) {
-        GoldenInfo golden = read_golden(table, manifest);
-        refuse_second(table, "name", "golden pictures", manifest.goldens, &GoldenInfo::name, golden.name);
-        manifest.goldens.push_back(std::move(golden));
-    }
     root.finish();
-    return manifest;
 }
 
 Manifest load_manifest(const LabEntry& lab) { return load_manifest(course_root() / "labs" / lab.folder / "lab.toml"); }

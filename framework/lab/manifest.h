@@ -1,4 +1,4 @@
-// lab.toml: what a lab says about itself.
+// lab.toml: what a lab says about itself to everybody; staff/grading.toml: what only the staff knows of it.
 #pragma once
 
 #include <filesystem>
@@ -45,7 +45,7 @@ struct CheckInfo {
     Limits limits;
     std::string reason;   ///< where the limits come from
     std::string look_at;  ///< what to look at next when it fails
-    bool hidden = false;  ///< never handed out
+    bool hidden = false;  ///< of the staff's file: never handed out
     /// The tasks beside its own without which it cannot pass, whatever its own does.
     std::vector<std::string> needs = {};
 };
@@ -84,7 +84,7 @@ struct CompareInfo {
     Shot shot;                        ///< its probe is the one whose error is shown; or none
 };
 
-/// A reference screenshot, tests/golden/<lab's folder>/<name>.png; of a probe, what visualize_probe() makes of it.
+/// A reference screenshot, labs/<the lab's folder>/golden/<name>.png; of a probe, what visualize_probe() makes of it.
 struct GoldenInfo {
     std::string name;
     Shot shot;
@@ -103,8 +103,6 @@ struct Manifest {
     std::vector<EquivalentInfo> equivalents;
     std::optional<CompareInfo> compare;
     std::vector<GoldenInfo> goldens;
-    /// Files and folders, relative to the course's top folder, that hold answers to this lab's tasks.
-    std::vector<std::string> keep_back;
 
     int points() const;
     // These throw UsageError that suggests the nearest.
@@ -114,12 +112,14 @@ struct Manifest {
     const MistakeInfo& mistake(const std::string& id) const;
 };
 
-/// Reads a manifest. Throws Error with file and line for a missing file, a syntax error, an unknown or
-/// missing key, a value of another type or out of range; for a name that is used twice, and for one (of a probe, a
-/// task, a check, a mistake) that is not there.
+/// Reads a lab.toml, and staff/grading.toml beside it where there is one. Throws Error with file and line for a missing
+/// file, a syntax error, an unknown or missing key, a value of another type or out of range; for a name that is used
+/// twice, and for one (of a probe, a task, a check, a mistake) that is not there.
 Manifest load_manifest(const std::filesystem::path& file);
-/// The same for a text that is there; `file` is only named.
+/// Of the text of a lab.toml alone; `file` is only named.
 Manifest parse_manifest(const std::string& text, const std::filesystem::path& file);
+/// What the text of a staff/grading.toml adds: hidden checks, mistakes, equivalents, and what varies.
+void add_grading(Manifest& manifest, const std::string& text, const std::filesystem::path& file);
 Manifest load_manifest(const LabEntry& lab);
 
 }  // namespace relief

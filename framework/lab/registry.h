@@ -12,7 +12,7 @@ class Lab;
 struct LabEntry {
     int number = 0;      ///< 1
     std::string name;    ///< "specular_highlights"
-    std::string folder;  ///< "01_specular_highlights", below `labs`, `shaders` and `tests/golden`
+    std::string folder;  ///< "01_specular_highlights", below `labs` and `shaders`
     std::unique_ptr<Lab> (*make)() = nullptr;
 
     std::string two_digits() const { return (number < 10 ? "0" : "") + std::to_string(number); }

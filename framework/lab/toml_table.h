@@ -109,6 +109,7 @@ public:
         return result;
     }
 
+    bool has(const char* key) const { return table_.contains(key); }
     std::vector<std::string> keys() const {
         std::vector<std::string> result;
         for (const auto& [key, node] : table_) result.emplace_back(key.str());

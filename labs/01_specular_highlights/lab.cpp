@@ -5,8 +5,8 @@
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
-#include "framework/lab/tiles.h"
 #include "scene.h"
 #include "truth.h"
 

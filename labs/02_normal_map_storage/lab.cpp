@@ -9,9 +9,9 @@
 #include "formats.h"
 #include "framework/gl/target.h"
 #include "framework/image/compare.h"
+#include "framework/kit/labels.h"
+#include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
-#include "framework/lab/labels.h"
-#include "framework/lab/tiles.h"
 #include "truth.h"
 
 namespace relief {

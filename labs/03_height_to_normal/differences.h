@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "framework/image/height_lines.h"
+#include "framework/height/lines.h"
 
 namespace relief::heights {
 

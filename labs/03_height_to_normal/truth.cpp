@@ -1,6 +1,5 @@
 #include "truth.h"
 
-#include "framework/base/error.h"
 #include "heights.h"
 
 namespace relief::heights {
@@ -15,29 +14,6 @@ Image exact_normals(int size, glm::dvec2 texels) {
             for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = float(normal[c]);
         }
     return image;
-}
-
-Image normals_by_cpu(const Image& heights, const NormalOptions& options) {
-    //[solution
-    Image normals = normals_from_heights(heights, options);
-    for (float& value : normals.values) value = 2 * value - 1;
-    normals.bits = 32;
-    return normals;
-    //]starter
-    //| static_cast<void>(heights), static_cast<void>(options);
-    //| throw Error("the CPU's normals are not in this course: they are what task 3.1 asks for");
-    //]
-}
-
-Image heights_by_cpu(const Image& picture) {
-    //[solution
-    Image heights = heights_from_color(picture, ColorSpace::srgb);
-    heights.bits = 32;
-    return heights;
-    //]starter
-    //| static_cast<void>(picture);
-    //| return {};
-    //]
 }
 
 Image on_wall(const Frame& frame, const Image& map, glm::dvec2 wall, double repeat) {

@@ -1,7 +1,8 @@
 // The exact values of lab 03's probes, and the same maps made by the CPU.
 #pragma once
 
-#include "framework/image/normals.h"
+#include "framework/base/from_staff.h"
+#include "framework/height/lines.h"
 #include "framework/lab/lab.h"
 
 namespace relief::heights {
@@ -10,11 +11,11 @@ namespace relief::heights {
 /// `texels` is what height 1 is worth along u and v.
 Image exact_normals(int size, glm::dvec2 texels);
 
-/// What the framework makes of the same heights, not packed. Throws Error in a student's course.
-Image normals_by_cpu(const Image& heights, const NormalOptions& options);
+/// What the framework makes of the same heights, not packed.
+inline FromStaff<Image(const Image& heights, const NormalOptions& options)> normals_by_cpu;
 
-/// What the framework makes of a colour picture. Empty in a student's course.
-Image heights_by_cpu(const Image& picture);
+/// What the framework makes of a colour picture.
+inline FromStaff<Image(const Image& picture)> heights_by_cpu;
 
 /// `map` (row 0 at the top) as a wall of half the size `wall` shows it that many times along each side: the texel at
 /// the centre of each pixel, +infinity beside the wall.

@@ -4,9 +4,9 @@
 // turn it, move it, and see which map goes along. Yours: shaders/04_object_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "framework/kit/labels.h"
+#include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
-#include "framework/lab/labels.h"
-#include "framework/lab/tiles.h"
 #include "quilt.h"
 #include "truth.h"
 

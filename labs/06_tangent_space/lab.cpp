@@ -5,9 +5,9 @@
 // Yours: shaders/06_tangent_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "framework/kit/labels.h"
+#include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
-#include "framework/lab/labels.h"
-#include "framework/lab/tiles.h"
 #include "scene.h"
 #include "truth.h"
 

@@ -1,6 +1,7 @@
 // The exact values of lab 06's probe.
 #pragma once
 
+#include "framework/base/from_staff.h"
 #include "framework/lab/lab.h"
 #include "scene.h"
 
@@ -15,7 +16,7 @@ struct Pose {
 };
 
 /// The normal of the bricks' own surface, worked out in the model's space and taken to the world by the inverse
-/// transpose. Nothing in a student's course, nor where the model is flattened to nothing.
-std::optional<Image> truth(const Frame& frame, const Pose& pose);
+/// transpose. Nothing where the model is flattened to nothing.
+inline FromStaff<std::optional<Image>(const Frame& frame, const Pose& pose)> truth;
 
 }  // namespace relief::frames

@@ -6,9 +6,9 @@
 
 #include "framework/gl/target.h"
 #include "framework/image/compare.h"
-#include "framework/lab/labels.h"
-#include "framework/lab/relief_surface.h"
-#include "framework/lab/tiles.h"
+#include "framework/kit/labels.h"
+#include "framework/kit/relief_surface.h"
+#include "framework/kit/tiles.h"
 #include "truth.h"
 
 namespace relief {

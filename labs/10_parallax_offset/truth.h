@@ -3,12 +3,14 @@
 
 #include <vector>
 
-#include "framework/lab/relief_surface.h"
+#include "framework/base/from_staff.h"
+#include "framework/kit/relief_surface.h"
 
 namespace relief::offsets {
 
 /// Where the view rays of each frame meet the relief, whatever the method guesses; +infinity beside the surface. Empty
-/// in a student's course, and for a probe that depends on the method alone.
-std::vector<Image> truths(const std::vector<Frame>& frames, const Probe& probe, const ReliefSurface& surface);
+/// for a probe that depends on the method alone.
+inline FromStaff<std::vector<Image>(const std::vector<Frame>& frames, const Probe& probe, const ReliefSurface& surface)>
+    truths;
 
 }  // namespace relief::offsets

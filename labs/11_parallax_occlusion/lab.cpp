@@ -7,11 +7,11 @@
 #include <tuple>
 
 #include "framework/gl/target.h"
-#include "framework/image/height_bounds.h"
+#include "framework/height/bounds.h"
+#include "framework/kit/labels.h"
+#include "framework/kit/relief_surface.h"
+#include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
-#include "framework/lab/labels.h"
-#include "framework/lab/relief_surface.h"
-#include "framework/lab/tiles.h"
 #include "truth.h"
 
 namespace relief {

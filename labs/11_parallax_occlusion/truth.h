@@ -1,14 +1,16 @@
 // The exact values of lab 11's probes.
 #pragma once
 
+#include "framework/base/from_staff.h"
 #include "framework/lab/lab.h"
 #include "framework/mesh/relief.h"
 
 namespace relief::occlusion {
 
 /// Of `uv`, the place in texels where the view ray meets the bilinear relief first; of `depth`, how many metres that is
-/// from the eye. A fragment that is seen from behind has no relief. Nothing for `steps`, nor in a student's course.
-std::optional<Image> truth(const Frame& frame, const Probe& probe, const Mesh& mesh, const ReliefLay& lay,
-                           const Image& heights);
+/// from the eye. A fragment that is seen from behind has no relief. Nothing for `steps`.
+inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Mesh& mesh, const ReliefLay& lay,
+                                      const Image& heights)>
+    truth;
 
 }  // namespace relief::occlusion

@@ -8,9 +8,9 @@
 #include <glm/gtc/constants.hpp>
 
 #include "framework/gl/target.h"
+#include "framework/kit/labels.h"
+#include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
-#include "framework/lab/labels.h"
-#include "framework/lab/tiles.h"
 #include "skips.h"
 #include "truth.h"
 

@@ -3,8 +3,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "framework/kit/relief_surface.h"
 #include "framework/lab/lab.h"
-#include "framework/lab/relief_surface.h"
 
 namespace relief::exact {
 

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "framework/gl/counters.h"
-#include "framework/image/height_bounds.h"
-#include "framework/image/height_skips.h"
+#include "framework/height/bounds.h"
+#include "framework/height/skips.h"
 #include "framework/lab/lab.h"
 
 namespace relief::exact {

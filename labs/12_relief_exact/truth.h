@@ -1,6 +1,8 @@
 // The exact values of lab 12's probes.
 #pragma once
 
+#include "framework/base/from_staff.h"
+
 #include <optional>
 #include <vector>
 
@@ -15,6 +17,6 @@ struct Sight {
     glm::dvec3 to_light;  ///< unit, in the world
 };
 
-std::optional<Image> truth(const Frame& frame, const Probe& probe, const Sight& sight);
+inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Sight& sight)> truth;
 
 }  // namespace relief::exact

@@ -4,10 +4,10 @@
 // to its outline. Yours: shaders/13_displacement/task.glsl
 #include <fmt/format.h>
 
-#include "framework/lab/displaced_surface.h"
+#include "framework/kit/displaced_surface.h"
+#include "framework/kit/labels.h"
+#include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
-#include "framework/lab/labels.h"
-#include "framework/lab/tiles.h"
 #include "truth.h"
 
 namespace relief {

@@ -3,12 +3,13 @@
 
 #include <optional>
 
-#include "framework/lab/displaced_surface.h"
+#include "framework/base/from_staff.h"
+#include "framework/kit/displaced_surface.h"
 
 namespace relief::displacement {
 
 /// `depth`, `slope` and `normal` of the displaced wall, where each view ray meets the bilinear surface first, from
 /// either side; `winding` of whatever is closed. Nothing else is known.
-std::optional<Image> truth(const Frame& frame, const Probe& probe, const DisplacedSurface& surface);
+inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const DisplacedSurface& surface)> truth;
 
 }  // namespace relief::displacement

@@ -6,10 +6,10 @@
 
 #include "framework/gl/target.h"
 #include "framework/image/visualize.h"
-#include "framework/lab/displaced_surface.h"
+#include "framework/kit/displaced_surface.h"
+#include "framework/kit/labels.h"
+#include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
-#include "framework/lab/labels.h"
-#include "framework/lab/tiles.h"
 #include "scene.h"
 
 namespace relief {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "framework/image/patch_heights.h"
-#include "framework/lab/displaced_surface.h"
+#include "framework/height/patches.h"
+#include "framework/kit/displaced_surface.h"
 
 namespace relief::adaptive {
 

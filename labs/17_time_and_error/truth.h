@@ -1,12 +1,16 @@
 // The exact values of lab 17's probes.
 #pragma once
 
+#include "framework/base/from_staff.h"
+
 #include <optional>
 
 #include "wall.h"
 
 namespace relief::budget {
 
-std::optional<Image> truth(const Probe& probe, const Question& question, const Known& known, const Image& heights);
+inline FromStaff<std::optional<Image>(const Probe& probe, const Question& question, const Known& known,
+                                      const Image& heights)>
+    truth;
 
 }  // namespace relief::budget

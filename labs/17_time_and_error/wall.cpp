@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/image/height_levels.h"
+#include "framework/height/levels.h"
 #include "framework/image/mips.h"
 
 namespace relief::budget {

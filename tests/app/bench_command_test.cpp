@@ -3,9 +3,9 @@
 #include <csignal>
 #include <thread>
 
-#include "framework/app/bench_page.h"
 #include "framework/base/file.h"
-#include "framework/measure/plot.h"
+#include "framework/staff/measure/plot.h"
+#include "framework/staff/pages/bench_page.h"
 #include "tests/app/course_copy.h"
 #include "tests/browser.h"
 
@@ -84,9 +84,10 @@ TEST_F(BenchCommand, ASweepKilledHalfWayLeavesATableThatCanBeRead) {
 
 TEST_F(BenchCommand, BenchHoldsWorkToTheBaseline) {
     // Storage knows of errors alone: with one that is smaller in the file than it is, the run fails and says so.
-    const auto file = course().path() / "tests/measure/baseline.csv";
+    const auto file = course().path() / "tests/staff/measure/baseline.csv";
     make_folder(file.parent_path());
-    const std::string baseline = read_all(std::filesystem::path(RELIEF_SOURCE_FOLDER) / "tests/measure/baseline.csv");
+    const std::string baseline =
+        read_all(std::filesystem::path(RELIEF_SOURCE_FOLDER) / "tests/staff/measure/baseline.csv");
     write_file(file, baseline);
     const Result same = course().relief({"bench", "storage", "--work"});
     EXPECT_EQ(same.code, 0) << same.err;
@@ -105,8 +106,7 @@ TEST_F(BenchCommand, BenchHoldsWorkToTheBaseline) {
 
 TEST_F(BenchCommand, StartTimesShotsAndTheirPhases) {
     const auto folder = course().path() / "started";
-    const Result result =
-        run({relief_program(), "bench", "start", "--quick", "--repeats", "1", "-o", folder.string()});
+    const Result result = run({relief_program(), "bench", "start", "--quick", "--repeats", "1", "-o", folder.string()});
     EXPECT_EQ(result.code, 0) << result.err;
     const auto rows = read_bench_csv(read_all(folder / "start.csv"));
     ASSERT_EQ(rows.size(), 4u) << "a floor and a shot for each of PNG and PPM";

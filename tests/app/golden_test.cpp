@@ -8,7 +8,7 @@ namespace {
 class Golden : public testing::Test {
 protected:
     CourseCopy course_;
-    std::filesystem::path file_ = course_.path() / "tests/golden/01_specular_highlights/close.png";
+    std::filesystem::path file_ = course_.path() / "labs/01_specular_highlights/golden/close.png";
 
     /// One picture is enough for these tests.
     void SetUp() override {
@@ -106,7 +106,7 @@ TEST_F(Golden, ABlankPictureIsNotRenewed) {
 
 TEST_F(Golden, ADamagedReferenceIsNamed) {
     renew();
-    course_.overwrite("tests/golden/01_specular_highlights/close.png", "not a picture");
+    course_.overwrite("labs/01_specular_highlights/golden/close.png", "not a picture");
     const Result result = golden();
     EXPECT_EQ(result.code, 1);
     EXPECT_TRUE(contains(result.err, "close.png: neither PNG, OpenEXR, JPEG, PPM nor PFM")) << result.err;

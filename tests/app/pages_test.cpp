@@ -3,11 +3,11 @@
 #include <regex>
 #include <set>
 
-#include "framework/app/grade.h"
-#include "framework/app/grade_page.h"
-#include "framework/app/page.h"
-#include "framework/app/student_page.h"
 #include "framework/base/file.h"
+#include "framework/pages/page.h"
+#include "framework/staff/app/grade.h"
+#include "framework/staff/pages/grade_page.h"
+#include "framework/staff/pages/student_page.h"
 #include "tests/browser.h"
 
 namespace relief {

@@ -36,7 +36,7 @@ protected:
                            "<!doctype html><html lang=en><title>Deck</title><img "
                            "src=\"01_specular_highlights/one.png\" alt=one>");
         course_->overwrite("build/slides/01_specular_highlights.pdf", "%PDF-");
-        fs::copy(course_->path() / "tests/golden/01_specular_highlights/wipe.png",
+        fs::copy(course_->path() / "labs/01_specular_highlights/golden/wipe.png",
                  build / "slides/01_specular_highlights/one.png");
         course_->overwrite("build/bench/index.html", "<!doctype html><html lang=en><title>Times</title>");
         made_ = course_->relief({}, {{}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}});

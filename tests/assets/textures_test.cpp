@@ -1,4 +1,4 @@
-#include "assets/textures.h"
+#include "assets/staff/textures.h"
 
 #include <gtest/gtest.h>
 

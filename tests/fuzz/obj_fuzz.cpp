@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "framework/mesh/obj.h"
-#include "framework/mesh/tangents.h"
+#include "framework/staff/reference/tangents.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {

@@ -1,5 +1,5 @@
 // A student's or a teacher's task file, whatever its marks say.
-#include "framework/grade/starter.h"
+#include "framework/check/starter.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {

@@ -3,7 +3,7 @@
 
 #include "framework/gl/gl.h"
 #include "framework/gl/target.h"
-#include "framework/measure/run.h"
+#include "framework/staff/measure/run.h"
 
 namespace relief {
 namespace {

@@ -1,4 +1,4 @@
-// Every function of shaders/common against its twin in double precision, over thousands of inputs; and the same with a
+// Every function of shaders/common and shaders/staff against its twin in double precision, over thousands of inputs; and the same with a
 // mistake planted in the shader, which must be seen.
 #include <gtest/gtest.h>
 
@@ -11,20 +11,20 @@
 
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
+#include "framework/height/maps.h"
+#include "framework/height/skips.h"
 #include "framework/image/color.h"
-#include "framework/image/height_maps.h"
-#include "framework/image/height_skips.h"
 #include "framework/image/mips.h"
 #include "framework/image/visualize.h"
 #include "framework/mesh/frame.h"
-#include "framework/reference/budget.h"
-#include "framework/reference/displaced.h"
-#include "framework/reference/height_field.h"
-#include "framework/reference/light.h"
-#include "framework/reference/normal_map.h"
-#include "framework/reference/patches.h"
-#include "framework/reference/tangent_space.h"
-#include "framework/reference/tessellation.h"
+#include "framework/staff/reference/budget.h"
+#include "framework/staff/reference/displaced.h"
+#include "framework/staff/reference/height_field.h"
+#include "framework/staff/reference/light.h"
+#include "framework/staff/reference/normal_map.h"
+#include "framework/staff/reference/patches.h"
+#include "framework/staff/reference/tangent_space.h"
+#include "framework/staff/reference/tessellation.h"
 #include "tests/gl/glsl_function.h"
 
 namespace relief {
@@ -136,19 +136,19 @@ std::vector<Twin> normals_and_frames() {
          [](const GlslInput& in) { return glm::dvec4(any_perpendicular(xyz(in[0])), 0); },
          {"sign_ * unit.x * unit.y", "unit.x * unit.y"}},
         {"decode_normal",
-         "common/normal_map.glsl",
+         "staff/normal_map.glsl",
          "vec4(decode_normal(a.xyz), 0.0)",
          stored,
          [](const GlslInput& in) { return glm::dvec4(decode_normal(xyz(in[0])), 0); },
          {"stored * 2.0 - 1.0", "stored * 2.0 + 1.0"}},
         {"decode_normal_128",
-         "common/normal_map.glsl",
+         "staff/normal_map.glsl",
          "vec4(decode_normal_128(a.xyz), 0.0)",
          stored,
          [](const GlslInput& in) { return glm::dvec4(decode_normal_128(xyz(in[0])), 0); },
          {"- 128.0", "+ 128.0"}},
         {"decode_normal_xy",
-         "common/normal_map.glsl",
+         "staff/normal_map.glsl",
          "vec4(decode_normal_xy(a.xy), 0.0)",
          pair,
          [](const GlslInput& in) {
@@ -158,7 +158,7 @@ std::vector<Twin> normals_and_frames() {
          // At the horizon z is the root of what is left of 1, and that has half of its digits.
          5e-4},
         {"decode_octahedral",
-         "common/normal_map.glsl",
+         "staff/normal_map.glsl",
          "vec4(decode_octahedral(a.xy), 0.0)",
          pair,
          [](const GlslInput& in) {
@@ -166,25 +166,25 @@ std::vector<Twin> normals_and_frames() {
          },
          {"n.y >= 0.0 ? -below", "n.y >= 0.0 ? below"}},
         {"tangent_frame",
-         "common/tangent_space.glsl",
+         "staff/tangent_space.glsl",
          "vec4(tangent_frame(b.xyz, c)[1], 0.0)",
          random_frame,
          [](const GlslInput& in) { return glm::dvec4(tangent_frame(xyz(in[1]), in[2])[1], 0); },
          {"cross(n, t)", "cross(t, n)"}},
         {"from_tangent_space",
-         "common/tangent_space.glsl",
+         "staff/tangent_space.glsl",
          "vec4(from_tangent_space(a.xyz, b.xyz, c), 0.0)",
          random_frame,
          [](const GlslInput& in) { return glm::dvec4(from_tangent_space(xyz(in[0]), xyz(in[1]), in[2]), 0); },
          {"tangent.xyz - dot", "tangent.xyz + dot"}},
         {"to_tangent_space",
-         "common/tangent_space.glsl",
+         "staff/tangent_space.glsl",
          "vec4(to_tangent_space(a.xyz, b.xyz, c), 0.0)",
          random_frame,
          [](const GlslInput& in) { return glm::dvec4(to_tangent_space(xyz(in[0]), xyz(in[1]), in[2]), 0); },
          {"direction * tangent_frame", "-direction * tangent_frame"}},
         {"cotangent_frame",
-         "common/tangent_space.glsl",
+         "staff/tangent_space.glsl",
          "vec4(cotangent_frame(a.xyz, b.xyz, c.xyz, d.xy, d.zw)[0], 0.0)",
          random_differences,
          [](const GlslInput& in) { return column_of_cotangent_frame(in, 0); },
@@ -193,7 +193,7 @@ std::vector<Twin> normals_and_frames() {
          1e-5,
          1},
         {"cotangent_frame",
-         "common/tangent_space.glsl",
+         "staff/tangent_space.glsl",
          "vec4(cotangent_frame(a.xyz, b.xyz, c.xyz, d.xy, d.zw)[1], 0.0)",
          random_differences,
          [](const GlslInput& in) { return column_of_cotangent_frame(in, 1); },
@@ -616,16 +616,17 @@ TEST(ShaderFunction, WithAMistakeNoLongerAgrees) {
 TEST(ShaderFunction, EachOfThemHasATwinHere) {
     std::set<std::string> tested = {"cell_corners", "exact_hit"};  // below: they read textures
     for (const Twin& twin : all_twins())
-        if (twin.file.starts_with("common/")) tested.insert(twin.function);
+        if (twin.file.starts_with("common/") || twin.file.starts_with("staff/")) tested.insert(twin.function);
     const std::regex definition("(^|\n)(float|bool|int|vec[234]|mat[234]) ([a-z_0-9]+)\\(");
     size_t found = 0;
-    for (const auto& file : std::filesystem::directory_iterator(course_root() / "shaders/common")) {
-        if (file.path().filename() == "unfinished.glsl") continue;  // holes for students, not mathematics
-        const std::string text = read_file(file.path());
-        for (auto match = std::sregex_iterator(text.begin(), text.end(), definition); match != std::sregex_iterator();
-             ++match, ++found)
-            EXPECT_TRUE(tested.contains((*match)[3])) << (*match)[3] << " in " << file.path();
-    }
+    for (const char* folder : {"shaders/common", "shaders/staff"})
+        for (const auto& file : std::filesystem::directory_iterator(course_root() / folder)) {
+            if (file.path().filename() == "unfinished.glsl") continue;  // holes for students, not mathematics
+            const std::string text = read_file(file.path());
+            for (auto match = std::sregex_iterator(text.begin(), text.end(), definition);
+                 match != std::sregex_iterator(); ++match, ++found)
+                EXPECT_TRUE(tested.contains((*match)[3])) << (*match)[3] << " in " << file.path();
+        }
     EXPECT_GE(found, tested.size());
 }
 
@@ -687,15 +688,14 @@ TEST(ShaderFunction, DegenerateInputsGiveWhatTheTwinsSay) {
     const auto value = [&](const char* file, const char* expression) {
         return evaluate_glsl(file, expression, zero)[0];
     };
-    EXPECT_EQ(value("common/normal_map.glsl", "vec4(decode_octahedral(vec2(1.0, 1.0)), 0.0)"), glm::vec4(0, 0, -1, 0));
-    EXPECT_EQ(value("common/normal_map.glsl", "vec4(decode_octahedral(vec2(1.0, 0.0)), 0.0)"), glm::vec4(1, 0, 0, 0));
-    EXPECT_EQ(value("common/normal_map.glsl", "vec4(decode_normal_xy(vec2(1.0, 0.5)), 0.0)").z, 0)
-        << "too long: no NaN";
-    EXPECT_EQ(value("common/normal_map.glsl", "vec4(decode_normal_128(vec3(128.0, 128.0, 255.0) / 255.0), 0.0)"),
+    EXPECT_EQ(value("staff/normal_map.glsl", "vec4(decode_octahedral(vec2(1.0, 1.0)), 0.0)"), glm::vec4(0, 0, -1, 0));
+    EXPECT_EQ(value("staff/normal_map.glsl", "vec4(decode_octahedral(vec2(1.0, 0.0)), 0.0)"), glm::vec4(1, 0, 0, 0));
+    EXPECT_EQ(value("staff/normal_map.glsl", "vec4(decode_normal_xy(vec2(1.0, 0.5)), 0.0)").z, 0) << "too long: no NaN";
+    EXPECT_EQ(value("staff/normal_map.glsl", "vec4(decode_normal_128(vec3(128.0, 128.0, 255.0) / 255.0), 0.0)"),
               glm::vec4(0, 0, 1, 0));
     EXPECT_EQ(
         value(
-            "common/tangent_space.glsl",
+            "staff/tangent_space.glsl",
             "vec4(cotangent_frame(vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), a.xy, a.xy)[0], 0.0)"),
         glm::vec4(0));
     EXPECT_EQ(value("13_displacement/task.glsl",

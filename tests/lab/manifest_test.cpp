@@ -1,4 +1,4 @@
-// lab.toml: read whole, and each mistake named with its line.
+// lab.toml and staff/grading.toml: read whole, and each mistake named with its line.
 #include "framework/lab/manifest.h"
 
 #include <set>
@@ -12,15 +12,17 @@ namespace {
 namespace fs = std::filesystem;
 using Set = std::vector<std::pair<std::string, std::string>>;
 
-Manifest load(const std::string& text) {
+/// `grading`: what stands in staff/grading.toml; where it is empty there is none.
+Manifest load(const std::string& text, const std::string& grading = "") {
     const TemporaryFolder folder;
+    if (!grading.empty()) folder.write("staff/grading.toml", grading);
     return load_manifest(folder.write("lab.toml", text));
 }
 
-/// What loading `text` fails with, without the folder: "lab.toml:2: ...".
-std::string refusal(const std::string& text) {
-    const std::string message = message_of([&] { load(text); });
-    return message.substr(std::min(message.size(), message.rfind("lab.toml:")));
+/// What loading these fails with, without the folder: "lab.toml:2: ...".
+std::string refusal(const std::string& text, const std::string& grading = "") {
+    const std::string message = message_of([&] { load(text, grading); });
+    return message.substr(std::min(message.size(), message.rfind(grading.empty() ? "lab.toml:" : "staff/grading.toml:")));
 }
 
 TEST(Manifest, IsReadWhole) {
@@ -184,6 +186,8 @@ against = "truth"
 limit = { mean = 0.5, wrong = 0.06, outline = 0.1 }
 reason = "as published"
 look_at = "the crossing"
+)",
+                                   R"(
 [[check]]
 task = "1.1"
 name = "far"
@@ -192,7 +196,6 @@ against = "near"
 limit = { largest = 1, p99 = 0.5 }
 reason = "the same"
 look_at = "both"
-hidden = true
 [[mistake]]
 id = "flipped"
 task = "1.1"
@@ -264,28 +267,35 @@ TEST(Manifest, ACheckAMistakeOrAnEquivalentThatCannotWorkIsNamedWithItsLine) {
          "lab.toml:13: 'needs' names other tasks than the check's own"},
         {task_2 + check + "against = \"solution\"\nneeds = [\"1.2\", \"1.2\"]\n",
          "lab.toml:17: 'needs' names task 1.2 twice"},
-        {mistake, "lab.toml:9: a mistake has 'edits'"},
-        {mistake + "edits = [{ file = \"../x\", find = \"a\", replace = \"b\" }]\n",
-         "lab.toml:12: 'file' is a path inside the course"},
-        {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\nsame_as = \"n\"\n",
-         "lab.toml:13: unknown mistake 'n'"},
-        {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\n" + mistake +
-             "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\n",
-         "lab.toml:14: two mistakes are named 'm'"},
-        {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"a\" }]\n",
-         "lab.toml:12: 'replace' is what stands there"},
-        {equivalent, "lab.toml:9: an equivalent has 'edits'"},
-        {"[[equivalent]]\nid = \"e\"\ntask = \"1.1\"\n" + edits, "lab.toml:8: [[equivalent]] must have a 'why'"},
-        {equivalent + "hint = \"h\"\n" + edits, "lab.toml:12: unknown key of [[equivalent]], 'hint'"},
-        {equivalent + "edits = [{ file = \"shaders/x/task.glsl\", fnid = \"a\", find = \"a\", replace = \"b\" }]\n",
-         "lab.toml:12: unknown key of [[equivalent]].edits, 'fnid'"},
-        {equivalent + "edits = [{ file = \"shaders/x/lab.frag\", find = \"a\", replace = \"b\" }]\n",
-         "lab.toml:12: 'shaders/x/lab.frag' is no task's file"},
-        {"[[equivalent]]\nid = \"e\"\ntask = \"1.2\"\nwhy = \"w\"\n" + edits, "lab.toml:10: unknown task '1.2'"},
-        {equivalent + edits + equivalent + edits, "lab.toml:14: two equivalents are named 'e'"},
+        {check + "against = \"solution\"\n" + mistake, "lab.toml:13: 'mistake' belongs in staff/grading.toml"},
     };
     for (const auto& [text, message] : texts) {
         const std::string found = refusal(with_task + text);
+        EXPECT_TRUE(found.starts_with(message)) << text << "gives\n" << found << "\nnot\n" << message;
+    }
+    const std::pair<std::string, const char*> staffs_texts[] = {
+        {mistake, "staff/grading.toml:2: a mistake has 'edits'"},
+        {mistake + "edits = [{ file = \"../x\", find = \"a\", replace = \"b\" }]\n",
+         "staff/grading.toml:5: 'file' is a path inside the course"},
+        {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\nsame_as = \"n\"\n",
+         "staff/grading.toml:6: unknown mistake 'n'"},
+        {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\n" + mistake +
+             "edits = [{ file = \"x\", find = \"a\", replace = \"b\" }]\n",
+         "staff/grading.toml:7: two mistakes are named 'm'"},
+        {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"a\" }]\n",
+         "staff/grading.toml:5: 'replace' is what stands there"},
+        {equivalent, "staff/grading.toml:2: an equivalent has 'edits'"},
+        {"[[equivalent]]\nid = \"e\"\ntask = \"1.1\"\n" + edits, "staff/grading.toml:1: [[equivalent]] must have a 'why'"},
+        {equivalent + "hint = \"h\"\n" + edits, "staff/grading.toml:5: unknown key of [[equivalent]], 'hint'"},
+        {equivalent + "edits = [{ file = \"shaders/x/task.glsl\", fnid = \"a\", find = \"a\", replace = \"b\" }]\n",
+         "staff/grading.toml:5: unknown key of [[equivalent]].edits, 'fnid'"},
+        {equivalent + "edits = [{ file = \"shaders/x/lab.frag\", find = \"a\", replace = \"b\" }]\n",
+         "staff/grading.toml:5: 'shaders/x/lab.frag' is no task's file"},
+        {"[[equivalent]]\nid = \"e\"\ntask = \"1.2\"\nwhy = \"w\"\n" + edits, "staff/grading.toml:3: unknown task '1.2'"},
+        {equivalent + edits + equivalent + edits, "staff/grading.toml:7: two equivalents are named 'e'"},
+    };
+    for (const auto& [text, message] : staffs_texts) {
+        const std::string found = refusal(with_task, text);
         EXPECT_TRUE(found.starts_with(message)) << text << "gives\n" << found << "\nnot\n" << message;
     }
 }

@@ -5,8 +5,8 @@
 #include <random>
 #include <set>
 
-#include "framework/lab/displaced_surface.h"
-#include "framework/reference/tessellation.h"
+#include "framework/kit/displaced_surface.h"
+#include "framework/staff/reference/tessellation.h"
 #include "labs/14_adaptive_displacement/scene.h"
 #include "tests/labs/feedback.h"
 #include "tests/labs/shots.h"

@@ -9,10 +9,10 @@
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
+#include "framework/check/check.h"
+#include "framework/check/starter.h"
 #include "framework/gl/gl.h"
-#include "framework/grade/check.h"
-#include "framework/grade/overlay.h"
-#include "framework/grade/starter.h"
+#include "framework/staff/grade/overlay.h"
 #include "tests/labs/task_variant.h"
 #include "tests/support.h"
 

@@ -1,7 +1,7 @@
 // Lab 13: what the tessellator makes approaches the exact surface, reads the mip level and has the normals that
 // mathematics says, wherever it stands; and nothing is left that is not a number.
-#include "framework/lab/displaced_surface.h"
-#include "framework/reference/patches.h"
+#include "framework/kit/displaced_surface.h"
+#include "framework/staff/reference/patches.h"
 #include "tests/labs/feedback.h"
 #include "tests/labs/shots.h"
 

@@ -1,5 +1,5 @@
 // Pictures of known mistakes: what is drawn, in shaders and in C++, and which check is chosen to show it.
-#include "framework/grade/mistake_pictures.h"
+#include "framework/staff/grade/mistake_pictures.h"
 
 #include "framework/base/paths.h"
 #include "framework/image/visualize.h"

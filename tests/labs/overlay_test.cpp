@@ -1,9 +1,9 @@
 // A course with other files in it, and a handout that must not be written.
-#include "framework/grade/overlay.h"
+#include "framework/staff/grade/overlay.h"
 
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
-#include "framework/grade/handout.h"
+#include "framework/staff/handout/handout.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -48,7 +48,7 @@ TEST(Handout, IsRefusedWhenALabIncludesWhatAnotherKeepsBack) {
         edited({{surface, "#include \"common/light.glsl\"", "#include \"common/normal_map.glsl\""}}));
     const TemporaryFolder folder;
     const std::string message = message_of([&] { write_handout(folder.path() / "handout"); });
-    EXPECT_TRUE(contains(message, "includes shaders/common/normal_map.glsl, which holds answers of")) << message;
+    EXPECT_TRUE(contains(message, "includes shaders/staff/normal_map.glsl, which holds answers of")) << message;
     EXPECT_EQ(message_of([&] { write_handout(folder.path() / "handout", "1"); }), message) << "whichever labs it has";
 }
 

@@ -1,8 +1,8 @@
 // Lab 11: the shader marches as its twin in double precision does, and misses what was published for such maps; what
 // must not change the picture does not, and nothing is left that is not a number.
 #include "framework/base/parallel.h"
-#include "framework/image/height_maps.h"
-#include "framework/reference/relief_sight.h"
+#include "framework/height/maps.h"
+#include "framework/staff/reference/relief_sight.h"
 #include "tests/labs/shots.h"
 
 namespace relief {

@@ -4,8 +4,8 @@
 #include <glm/gtx/component_wise.hpp>
 #include <set>
 
-#include "framework/lab/relief_surface.h"
-#include "framework/reference/relief_sight.h"
+#include "framework/kit/relief_surface.h"
+#include "framework/staff/reference/relief_sight.h"
 #include "tests/labs/shots.h"
 
 namespace relief {

@@ -3,9 +3,9 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "framework/image/height_maps.h"
-#include "framework/lab/displaced_surface.h"
-#include "framework/reference/patches.h"
+#include "framework/height/maps.h"
+#include "framework/kit/displaced_surface.h"
+#include "framework/staff/reference/patches.h"
 #include "tests/labs/shots.h"
 
 namespace relief {

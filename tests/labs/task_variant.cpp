@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "framework/grade/check.h"
+#include "framework/check/check.h"
 #include "framework/image/file.h"
 #include "tests/process.h"
 #include "tests/support.h"

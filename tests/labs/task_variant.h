@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "framework/grade/overlay.h"
 #include "framework/image/image.h"
 #include "framework/lab/registry.h"
+#include "framework/staff/grade/overlay.h"
 
 namespace relief {
 

@@ -3,8 +3,8 @@
 #include <set>
 #include <tuple>
 
-#include "framework/lab/relief_material.h"
-#include "framework/reference/least_move.h"
+#include "framework/kit/relief_material.h"
+#include "framework/staff/reference/least_move.h"
 #include "labs/17_time_and_error/wall.h"
 #include "tests/labs/shots.h"
 

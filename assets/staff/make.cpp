@@ -1,0 +1,30 @@
+// Writes the course's own textures and models into a folder: relief-assets FOLDER
+#include <cstdio>
+#include <filesystem>
+
+#include "assets/staff/textures.h"
+#include "assets/urn.h"
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/image/file.h"
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: relief-assets FOLDER\n");
+        return 2;
+    }
+    try {
+        for (const char* surface : {"bricks", "paving", "quilt"})
+            for (const relief::NamedTexture& texture : relief::make_textures(surface)) {
+                const std::filesystem::path file = std::filesystem::path(argv[1]) / texture.file;
+                relief::write_image(file, texture.image, {}, texture.space);
+                std::puts(file.c_str());
+            }
+        const std::filesystem::path urn = std::filesystem::path(argv[1]) / "urn.obj";
+        relief::write_file(urn, relief::make_urn());
+        std::puts(urn.c_str());
+    } catch (const relief::Error& error) {
+        std::fprintf(stderr, "relief-assets: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,26 @@
+#include "assets/staff/textures.h"
+
+#include "assets/bricks.h"
+#include "assets/paving.h"
+#include "assets/staff/quilt.h"
+#include "framework/staff/reference/normals.h"
+
+namespace relief {
+
+std::vector<NamedTexture> make_textures(const std::string& surface) {
+    if (surface == "quilt") {
+        QuiltMaps maps = make_quilt();
+        return {{"quilt_object.png", ColorSpace::linear, std::move(maps.object)},
+                {"quilt_world.png", ColorSpace::linear, std::move(maps.world)},
+                {"quilt_tangent.png", ColorSpace::linear, std::move(maps.tangent)}};
+    }
+    const bool bricks = surface == "bricks";
+    SurfaceMaps maps = bricks ? make_bricks() : make_paving();
+    const double depth = bricks ? bricks_depth_in_texels : paving_depth_in_texels;
+    Image normals = normals_from_heights(maps.heights, {.texels_u = depth, .texels_v = depth});
+    return {{surface + "_albedo.png", ColorSpace::srgb, std::move(maps.albedo)},
+            {surface + "_height.png", ColorSpace::linear, std::move(maps.heights)},
+            {surface + "_normal.png", ColorSpace::linear, std::move(normals)}};
+}
+
+}  // namespace relief

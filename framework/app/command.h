@@ -1,0 +1,64 @@
+// What a command of the command line is: each says what it takes, and is registered by its own file.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/context/context.h"
+
+namespace relief {
+
+/// What a command takes, named once; the command line reads it, and --help shows it. Numbers are texts here, so that
+/// the command itself can say what would be right.
+class CommandOptions {
+public:
+    virtual ~CommandOptions() = default;
+    /// The lab: a number, a name or any part of one. Of an executable with one lab it is that lab, and need not be
+    /// said.
+    virtual void lab(std::string& value, bool required) = 0;
+    /// Words without a dash before them.
+    virtual void words(const char* name, std::vector<std::string>& values, const char* help) = 0;
+    virtual void word(const char* name, std::string& value, const char* help) = 0;
+    /// `name` is "-o" or "--size"; `type` is what help shows for the value. The last one counts.
+    virtual void value(const char* name, const char* type, std::string& value, const char* help) = 0;
+    /// May be given several times, one value each.
+    virtual void values(const char* name, const char* type, std::vector<std::string>& values, const char* help) = 0;
+    virtual void flag(const char* name, bool& value, const char* help) = 0;
+    /// What --help ends with.
+    virtual void footer(std::function<std::string()> text) = 0;
+};
+
+class Command {
+public:
+    virtual ~Command() = default;
+    virtual void options(CommandOptions& options) = 0;
+    /// The exit code. Throws Error, or UsageError for wrong use.
+    virtual int run() = 0;
+};
+
+using ContextChoice = std::optional<ContextKind>;  ///< nothing: OSMesa, then EGL
+constexpr const char* context_help = "auto (osmesa, then egl), osmesa, egl or window";
+
+struct CommandEntry {
+    int order;  ///< in --help
+    const char *name, *help;
+    std::unique_ptr<Command> (*make)();
+};
+
+/// All that this program has, in their order.
+const std::vector<CommandEntry>& commands();
+bool has_command(const std::string& name);
+
+/// Puts a command into commands(); RELIEF_COMMAND makes one.
+struct CommandRegistration {
+    explicit CommandRegistration(CommandEntry entry);
+};
+
+#define RELIEF_COMMAND(Type, order, name, help)                        \
+    static const ::relief::CommandRegistration registration_of_##Type( \
+        {order, name, help, [] { return std::unique_ptr<::relief::Command>(std::make_unique<Type>()); }})
+
+}  // namespace relief

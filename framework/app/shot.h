@@ -1,0 +1,17 @@
+// What `relief shot` leaves to the staff's library.
+#pragma once
+
+#include <string>
+
+#include "framework/app/command.h"
+#include "framework/base/from_staff.h"
+#include "framework/lab/registry.h"
+#include "framework/lab/shot.h"
+
+namespace relief {
+
+/// The lab with the known mistake of that id in place of its solution; see draw_shot() for `light`.
+inline FromStaff<Image(const LabEntry&, const std::string& id, const Shot&, bool light, ContextChoice)>
+    draw_with_mistake;
+
+}  // namespace relief

@@ -1,0 +1,223 @@
+#include "framework/check/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/paths.h"
+#include "framework/check/starter.h"
+#include "framework/image/file.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Pictures: let through none of 26 visible one-line mistakes in a trial, and all the noise of one driver.
+constexpr double small_difference = 2.0 / 255 + 1e-6, large_difference = 32.0 / 255 + 1e-6;
+constexpr double share_over_small = 0.0005;
+constexpr size_t pixels_over_large = 4;
+
+constexpr const char* outcome_names[] = {"passed",  "wrong",       "unfinished",    "broken",
+                                         "crashed", "out_of_time", "out_of_memory", "machine"};
+
+/// What was measured, limit by limit, and whether all were kept.
+class Findings {
+public:
+    void add(const char* what, double value, std::optional<double> limit, const std::string& unit) {
+        if (!limit) return;
+        const bool kept = value <= *limit;
+        good_ &= kept;
+        text_ += fmt::format("{}{} {:.4g}{}{}", text_.empty() ? "" : ", ", what, value, unit,
+                             kept ? "" : fmt::format(" (at most {:.4g})", *limit));
+    }
+    /// The value that was added last must not be smaller either.
+    void must_reach(double value, std::optional<double> least) {
+        if (!least || value >= *least) return;
+        good_ = false;
+        text_ += fmt::format(" (at least {:.4g})", *least);
+    }
+    Judgement judgement() const { return {good_ ? Outcome::passed : Outcome::wrong, text_}; }
+
+private:
+    bool good_ = true;
+    std::string text_;
+};
+
+bool is_surface(const Image& image, size_t pixel) { return image.values[pixel * image.channels] != no_surface; }
+
+Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const Image& drawn, const Image& expected) {
+    size_t only_one = 0, off = 0;
+    for (size_t i = 0; i < drawn.pixel_count(); ++i) only_one += is_surface(drawn, i) != is_surface(expected, i);
+    const Image error = error_image(drawn, expected, probe.error);
+    const ErrorSummary summary = summarize(error);
+    if (summary.count == 0) return {Outcome::broken, "there is not one pixel to compare"};
+    for (const float value : error.values) off += value > 1 && value != no_surface;
+    Findings findings;
+    const std::string unit = probe.unit.empty() ? "" : " " + probe.unit;
+    const Limits& limits = check.limits;
+    findings.add("mean", summary.mean, limits.mean, unit);
+    findings.must_reach(summary.mean, limits.at_least);
+    findings.add("99 %", summary.p99, limits.p99, unit);
+    findings.add("largest", summary.largest, limits.largest, unit);
+    findings.add(("share of pixels off by more than 1" + unit).c_str(), double(off) / double(summary.count),
+                 limits.wrong, "");
+    if (double(only_one) > limits.outline * double(drawn.pixel_count()))
+        findings.add("share of pixels where only one has a surface", double(only_one) / double(drawn.pixel_count()),
+                     limits.outline, "");
+    if (summary.not_finite > 0)
+        return {Outcome::wrong, fmt::format("{} pixels are not a number or have no direction", summary.not_finite)};
+    return findings.judgement();
+}
+
+Judgement compare_pictures(const Image& drawn, const Image& expected) {
+    const double pixels = double(drawn.pixel_count());
+    Findings findings;
+    findings.add("share of pixels off by more than 2/255",
+                 double(difference(drawn, expected, small_difference).pixels_over) / pixels, share_over_small, "");
+    findings.add("pixels off by more than 32/255", double(difference(drawn, expected, large_difference).pixels_over),
+                 double(pixels_over_large), "");
+    return findings.judgement();
+}
+
+Image draw(const LabEntry& lab, const Shot& shot) { return take(*make_lab(lab, shot), shot); }
+
+bool has_failed(Outcome outcome) {
+    return outcome != Outcome::passed && outcome != Outcome::unfinished && outcome != Outcome::machine;
+}
+
+/// Whether `other` is about nothing but what `check` needs.
+bool is_below(const CheckInfo& other, const CheckInfo& check) {
+    const auto is_needed = [&](const std::string& task) {
+        return std::find(check.needs.begin(), check.needs.end(), task) != check.needs.end();
+    };
+    return is_needed(other.task) && std::all_of(other.needs.begin(), other.needs.end(), is_needed);
+}
+
+}  // namespace
+
+const char* name_of(Outcome outcome) { return outcome_names[int(outcome)]; }
+
+Outcome outcome_of(const std::string& name) {
+    for (int i = 0; i < int(std::size(outcome_names)); ++i)
+        if (name == outcome_names[i]) return Outcome(i);
+    throw Error("unknown outcome '" + name + "'");
+}
+
+double TaskResult::points() const {
+    double passed = 0;
+    for (const CheckResult& result : checks) passed += result.outcome == Outcome::passed;
+    return task->points * passed / double(checks.size());
+}
+
+std::string waits_for(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written) {
+    std::vector<std::string> open;
+    for (const std::string& task : check.needs)
+        if (!is_written(task)) open.push_back(task);
+    if (open.empty()) return {};
+    if (open.size() == 1) return fmt::format("waits for task {}, which is not written yet", open.front());
+    const std::string last = open.back();
+    open.pop_back();
+    return fmt::format("waits for tasks {} and {}, which are not written yet", fmt::join(open, ", "), last);
+}
+
+std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said) {
+    std::vector<std::string> hints(said.size());
+    for (size_t i = 0; i < said.size(); ++i) {
+        if (said[i].outcome != Outcome::wrong && said[i].outcome != Outcome::broken) continue;
+        const CheckInfo& check = manifest.checks[i];
+        const CheckInfo* first = nullptr;
+        for (size_t j = 0; j < said.size(); ++j) {
+            // One message for both is a compiler's: it names the place itself.
+            const bool is_same = said[i].outcome == Outcome::broken && said[i].found == said[j].found;
+            if (!has_failed(said[j].outcome) || is_same || !is_below(manifest.checks[j], check)) continue;
+            if (!first || manifest.checks[j].needs.size() < first->needs.size()) first = &manifest.checks[j];
+        }
+        if (first)
+            hints[i] = fmt::format("put task {} right first", first->task);
+        else if (said[i].outcome == Outcome::wrong)
+            hints[i] = check.look_at;
+    }
+    return hints;
+}
+
+std::string points_text(double points) { return fmt::format("{:.4g}", points); }
+
+fs::path expectation_file(const LabEntry& lab, const CheckInfo& check) {
+    std::string name;
+    for (const char c : check.name) name += std::isalnum(static_cast<unsigned char>(c)) ? char(std::tolower(c)) : '-';
+    return course_root() / "labs" / lab.folder / "expected" / (name + (check.shot.probe ? ".exr" : ".png"));
+}
+
+std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check) {
+    if (check.against != "truth" && check.against != "solution") return {};
+    const fs::path file = expectation_file(lab, check);
+    if (fs::exists(file)) return read_image(file);
+    if (check.against == "solution") return draw(lab, check.shot);
+    return truth_of(*make_lab(lab, check.shot), check.shot);
+}
+
+Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected) {
+    try {
+        refuse_unusable(drawn, check.shot);
+    } catch (const Error& error) {
+        return {Outcome::broken, error.what()};
+    }
+    if (!drawn.same_shape(expected)) return {Outcome::broken, "the expected picture has another size"};
+    if (!check.shot.probe) return compare_pictures(drawn, expected);
+    return compare_probes(check, manifest.probe(check.shot.probe.name), drawn, expected);
+}
+
+CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
+                      const std::optional<Image>& expected) {
+    CheckResult result{&check};
+    if (expected) result.expected = *expected;
+    Judgement said;
+    try {
+        const auto is_written = [&](const std::string& task) {
+            return !is_unfinished(read_file(course_root() / manifest.task(task).file), task);
+        };
+        if (!is_written(check.task)) {
+            said = {Outcome::unfinished, "not written yet"};
+        } else if (const std::string waits = waits_for(check, is_written); !waits.empty()) {
+            said = {Outcome::unfinished, waits};
+        } else {
+            result.drawn = draw(lab, check.shot);
+            if (!expected) result.expected = draw(lab, manifest.check(check.against).shot);
+            said = judge(manifest, check, result.drawn, result.expected);
+        }
+    } catch (const Error& error) {
+        said = {Outcome::broken, error.what()};
+    }
+    result.outcome = said.outcome, result.found = said.found;
+    return result;
+}
+
+std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest) {
+    std::vector<TaskResult> results;
+    std::vector<Judgement> said(manifest.checks.size());
+    Progress progress(int(manifest.checks.size()));
+    for (const TaskInfo& task : manifest.tasks) {
+        TaskResult& result = results.emplace_back(TaskResult{&task, {}});
+        for (size_t i = 0; i < manifest.checks.size(); ++i) {
+            const CheckInfo& check = manifest.checks[i];
+            if (check.task != task.id) continue;
+            progress.next(check.name);
+            const CheckResult& one =
+                result.checks.emplace_back(run_check(lab, manifest, check, expectation(lab, check)));
+            said[i] = {one.outcome, one.found};
+        }
+        if (result.checks.empty())
+            throw Error(fmt::format("labs/{}/lab.toml: task {} has no check", lab.folder, task.id));
+    }
+    const std::vector<std::string> all_hints = hints(manifest, said);
+    for (TaskResult& task : results)
+        for (CheckResult& result : task.checks)
+            result.look_at = all_hints[size_t(result.check - manifest.checks.data())];
+    return results;
+}
+
+}  // namespace relief

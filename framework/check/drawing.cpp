@@ -1,0 +1,195 @@
+#include "framework/check/drawing.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "framework/base/descriptor.h"
+#include "framework/base/error.h"
+#include "framework/base/paths.h"
+#include "framework/lab/registry.h"
+
+namespace relief {
+namespace {
+
+using nlohmann::json;
+
+constexpr size_t longest_error = 4000;
+constexpr size_t longest_request = size_t{4} << 20;
+
+enum class Kind : uint32_t { ready, image, error, done };
+
+/// Before each message; both ends are one machine.
+struct Header {
+    uint32_t magic = 0x464c5231;  // "1RLF"
+    Kind kind = Kind::ready;
+    uint32_t shot = 0;
+    uint32_t size = 0;  ///< bytes that follow
+};
+
+size_t pixel_bytes(const Shot& shot) {
+    return size_t(shot.size.x) * size_t(shot.size.y) * (shot.probe ? 4 * sizeof(float) : 3);
+}
+
+json as_json(const Shot& shot) {
+    const Orbit& camera = shot.camera;
+    return {{"size", {shot.size.x, shot.size.y}},
+            {"time", shot.time},
+            {"camera",
+             {camera.yaw, camera.pitch, camera.distance, camera.target.x, camera.target.y, camera.target.z,
+              camera.field_of_view}},
+            {"probe", shot.probe.name},
+            {"set", shot.set}};
+}
+
+Shot shot_of(const json& from) {
+    Shot shot;
+    shot.size = {from.at("size").at(0).get<int>(), from.at("size").at(1).get<int>()};
+    shot.time = from.at("time");
+    const auto camera = from.at("camera").get<std::array<double, 7>>();
+    shot.camera = {camera[0], camera[1], camera[2], {camera[3], camera[4], camera[5]}, camera[6]};
+    shot.probe.name = from.at("probe");
+    shot.set = from.at("set").get<decltype(shot.set)>();
+    return shot;
+}
+
+/// What a picture holds is whole 255ths; a probe goes as it is.
+std::string bytes_of(const Image& image, bool probe) {
+    std::string bytes;
+    if (probe) {
+        bytes.assign(reinterpret_cast<const char*>(image.values.data()), image.values.size() * sizeof(float));
+    } else {
+        bytes.reserve(image.values.size());
+        for (const float value : image.values) bytes += static_cast<char>(std::lround(value * 255));
+    }
+    return bytes;
+}
+
+Image image_of(const char* bytes, const Shot& shot) {
+    Image image(shot.size.x, shot.size.y, shot.probe ? 4 : 3, shot.probe ? 32 : 8);
+    if (shot.probe)
+        std::memcpy(image.values.data(), bytes, image.values.size() * sizeof(float));
+    else
+        for (size_t i = 0; i < image.values.size(); ++i)
+            image.values[i] = float(static_cast<unsigned char>(bytes[i])) / 255.0f;
+    return image;
+}
+
+/// The stream, kept from whatever a student's code prints: that goes to standard error.
+class Stream {
+public:
+    Stream() : descriptor_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
+
+    void send(Kind kind, size_t shot, const std::string& bytes) const {
+        const Header header{.kind = kind, .shot = uint32_t(shot), .size = uint32_t(bytes.size())};
+        if (!write_all(descriptor_, {reinterpret_cast<const char*>(&header), sizeof header}) ||
+            !write_all(descriptor_, bytes))
+            _exit(1);  // nobody reads any more
+    }
+
+private:
+    int descriptor_;
+};
+
+/// Everything that a lab's drawing may throw, in one line and what the compiler said beyond it.
+template <class Call>
+std::string error_of(Call call) {
+    try {
+        call();
+        return {};
+    } catch (const Error& error) {
+        return std::string(error.what()) + (error.details().empty() ? "" : "\n" + error.details());
+    } catch (const std::bad_alloc&) {
+        _exit(out_of_memory_code);
+    } catch (const std::exception& error) {
+        return std::string("it throws: ") + error.what();
+    } catch (...) {
+        return "it throws something that is no std::exception";
+    }
+}
+
+}  // namespace
+
+std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer) {
+    json request = {{"lab", lab.folder},
+                    {"context", renderer.context ? name_of(*renderer.context) : "auto"},
+                    {"threads", renderer.threads},
+                    {"pinned", renderer.pinned},
+                    {"shots", json::array()}};
+    for (const Shot& shot : shots) request["shots"].push_back(as_json(shot));
+    return request.dump();
+}
+
+void draw_request(const char* course) {
+    const Stream stream;
+    std::set_new_handler([] { _exit(out_of_memory_code); });
+    const CourseElsewhere elsewhere(course);
+    std::string text(std::istreambuf_iterator<char>(std::cin), {});
+    if (const int nothing = open("/dev/null", O_RDONLY); nothing >= 0) dup2(nothing, STDIN_FILENO);  // read once, by us
+    const json request = json::parse(text.substr(0, longest_request));
+    const LabEntry& lab = find_lab(request.at("lab"));
+    std::vector<Shot> shots;
+    for (const json& one : request.at("shots")) shots.push_back(shot_of(one));
+    if (request.at("pinned")) pin_software_renderer();
+    setenv("LP_NUM_THREADS", std::to_string(request.at("threads").get<int>()).c_str(), 1);
+    // What one submission leaves in a shared cache another would read; a folder of its own is asked for by name.
+    if (!std::getenv("MESA_SHADER_CACHE_DIR")) setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    const auto context = open_context(context_kind(request.at("context")));
+    stream.send(Kind::ready, 0, {});
+    for (size_t i = 0; i < shots.size(); ++i) {
+        std::string pixels;
+        const std::string error =
+            error_of([&] { pixels = bytes_of(draw_shot(*make_lab(lab, shots[i]), shots[i]), bool(shots[i].probe)); });
+        if (error.empty())
+            stream.send(Kind::image, i, pixels);
+        else
+            stream.send(Kind::error, i, error.substr(0, longest_error));
+    }
+    stream.send(Kind::done, shots.size(), {});
+    _exit(0);  // everything has been said; taking a driver down takes time
+}
+
+DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& shots) {
+    DrawnShots drawn;
+    for (size_t at = 0; at < stream.size() && !drawn.done;) {
+        Header header;
+        if (stream.size() - at < sizeof header) break;
+        std::memcpy(&header, stream.data() + at, sizeof header);
+        at += sizeof header;
+        const auto is = [&](Kind kind) { return header.kind == kind; };
+        const bool is_shot = is(Kind::image) || is(Kind::error);
+        const size_t next = drawn.shots.size();
+        const bool good = header.magic == Header{}.magic &&
+                          (is_shot ? drawn.ready && next < shots.size() && header.shot == next : header.size == 0) &&
+                          (!is(Kind::image) || header.size == pixel_bytes(shots[next])) &&
+                          (!is(Kind::error) || header.size <= longest_error) && header.kind <= Kind::done &&
+                          is(Kind::ready) != drawn.ready;
+        if (!good) {
+            drawn.problem = "it writes to standard output what no drawing is";
+            break;
+        }
+        if (stream.size() - at < header.size) break;  // it ended in the middle
+        if (is(Kind::ready)) drawn.ready = true;
+        if (is(Kind::done)) drawn.done = next == shots.size();
+        if (is(Kind::image)) drawn.shots.push_back({image_of(stream.data() + at, shots[next]), {}});
+        if (is(Kind::error)) drawn.shots.push_back({{}, stream.substr(at, header.size)});
+        at += header.size;
+    }
+    return drawn;
+}
+
+size_t drawings_size(const std::vector<Shot>& shots) {
+    size_t size = 2 * sizeof(Header);
+    for (const Shot& shot : shots) size += sizeof(Header) + std::max(pixel_bytes(shot), longest_error);
+    return size;
+}
+
+}  // namespace relief

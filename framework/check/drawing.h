@@ -1,0 +1,50 @@
+// Shots drawn by a process that may run anything, and the stream in which their pixels come back: no image file is
+// decoded, and no size believed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/context/context.h"
+#include "framework/lab/shot.h"
+
+namespace relief {
+
+struct LabEntry;
+
+/// Who draws, and how: the solution and every submission alike.
+struct Renderer {
+    std::optional<ContextKind> context = {};  ///< nothing: OSMesa, then EGL
+    int threads = 0;                          ///< of the software renderer, beside the one that draws
+    bool pinned = true;                       ///< the same bits on every machine, see pin_software_renderer()
+};
+
+/// A program that notices that it has no memory left ends with this exit code.
+constexpr int out_of_memory_code = 97;
+
+/// What is written to the standard input of the process that draws.
+std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer);
+
+/// That process: reads a request from standard input, and writes to standard output a message "ready" once there is a
+/// context, then each shot's pixels or what went wrong, then "done". `course` is the course to draw. Does not return.
+[[noreturn]] void draw_request(const char* course);
+
+/// What came back of one shot.
+struct Drawn {
+    std::optional<Image> image;  ///< of the shot's size, as draw_shot() has it; its values can be anything
+    std::string error;           ///< what the process said in its place
+};
+
+struct DrawnShots {
+    std::vector<Drawn> shots;  ///< as many as came back whole, from the first on
+    bool ready = false, done = false;
+    std::string problem;  ///< why the rest cannot be read, or empty
+};
+/// Reads the stream that draws `shots`.
+DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& shots);
+
+/// How many bytes that stream has at most, when all goes well and when errors are long.
+size_t drawings_size(const std::vector<Shot>& shots);
+
+}  // namespace relief

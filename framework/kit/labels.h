@@ -1,0 +1,60 @@
+// Words in a picture: the names, numbers and scales of what it shows.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/kit/tiles.h"
+#include "framework/lab/lab.h"
+
+namespace relief {
+
+enum class Align { left, centre, right };
+
+/// Collects, then draws over what is there, in one call. Places and sizes are in pixels of the frame, from its upper
+/// left corner; colours as sRGB stores them. A probe is never written upon.
+class Labels {
+public:
+    /// How high a line of text is in a frame of this size: legible, and the same share of any picture.
+    static float line_height(glm::ivec2 size) { return std::max(11.0f, 0.042f * float(std::min(size.x, size.y))); }
+    static float width(const std::string& text, float height) { return float(text.size()) * height * letter_aspect; }
+
+    /// ASCII, and a degree sign for `~`. `place` is the upper end of the text at its left, its middle or its right;
+    /// dark plates keep it legible on anything.
+    void text(const std::string& text, glm::vec2 place, float height, Align align = Align::left,
+              glm::vec3 color = {0.93f, 0.92f, 0.89f});
+    /// In the middle of a tile: line 0 is its first, -1 its last. As high as line_height() where the tile has the room.
+    void caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text,
+                 glm::vec3 color = {0.93f, 0.92f, 0.89f});
+    void rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color);
+    /// From 0 on the left to 1 on the right, as heat() has it.
+    void heat_scale(glm::vec2 place, glm::vec2 size);
+
+    /// What heat() means, in the lowest scale_height() pixels of a frame: `low` at its left, ten times as much a tick.
+    static int scale_height(glm::ivec2 size) { return int(std::ceil(line_height(size) * 0.9f)); }
+    void log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks);
+
+    /// Draws into frame.target over its whole size, and forgets.
+    void draw(const Frame& frame);
+
+private:
+    static constexpr float letter_aspect = 0.5f;
+    struct Corner {
+        glm::vec2 place, uv;
+        glm::vec4 color;
+    };
+    struct Uploaded {
+        VertexArrayName layout;
+        BufferName corners;
+    };
+    void quad(glm::vec2 place, glm::vec2 size, glm::vec2 low, glm::vec2 high, glm::vec4 color);
+
+    std::vector<Corner> corners_;
+    std::optional<Uploaded> uploaded_;
+    Programs program_{"common/label.vert", "common/label.frag"};
+    Texture letters_ = load_texture("labels.png", {.wrap = Wrap::clamp});
+};
+
+}  // namespace relief

@@ -1,0 +1,99 @@
+#include "framework/kit/relief_surface.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include "framework/base/paths.h"
+#include "framework/mesh/obj.h"
+
+namespace relief {
+namespace {
+
+constexpr std::array shapes = {"wall", "column", "urn"};
+
+constexpr ColumnShape column_shape{.bottom_radius = ReliefSurface::column_radius,
+                                   .top_radius = ReliefSurface::column_radius,
+                                   .height = ReliefSurface::column_height,
+                                   .sides = 96,  // a third of the way around is a tile, and a whole number of them
+                                   .rows = 1};
+constexpr float around_column = 2 * glm::pi<float>() * ReliefSurface::column_radius;
+constexpr float around_urn = 3.2f, up_urn = 2.4f;  // metres per unit of uv, at its middle
+
+}  // namespace
+
+Mesh read_urn() {
+    Mesh mesh = read_obj(course_root() / "assets" / "urn.obj").mesh;
+    // A surface of revolution knows its tangents by its uv.
+    for (Vertex& vertex : mesh.vertices) {
+        const float around = 2 * glm::pi<float>() * vertex.uv.x;
+        vertex.tangent = glm::vec4(std::cos(around), 0, -std::sin(around), 1);
+    }
+    return mesh;
+}
+
+void ReliefSurface::knobs(Knobs& knobs) {
+    knobs.choice("surface", shape, shapes, "what the relief is pressed into");
+    material.knobs(knobs);
+    knobs.slider("depth", depth, 0, 1, "of the relief, in widths of a tile");
+    knobs.steps("repeat", repeat, 1, 8, "how often the tile repeats: a metre of wall, a third of the column");
+    knobs.slider("stretch", stretch, 0.25f, 4, "height of a tile over its width: texels that are not square");
+    knobs.slider("extent", extent, 0.25f, 64, "side of the wall, metres");
+    knobs.toggle("mirror", mirror, "let u run the other way");
+    knobs.steps("shift", shift, 0, 10000, "where the uv begin, in tiles");
+}
+
+const Mesh& ReliefSurface::mesh() const {
+    if (shape == wall && extent_ != extent) meshes_[wall].reset(), uploaded_[wall].reset(), extent_ = extent;
+    std::optional<Mesh>& mesh = meshes_[shape];
+    if (!mesh)
+        mesh = shape == wall     ? make_quad({.width = extent, .height = extent})
+               : shape == column ? make_column(column_shape)
+                                 : read_urn();
+    return *mesh;
+}
+
+ReliefLay ReliefSurface::lay() const {
+    const glm::vec2 metres = shape == wall     ? glm::vec2(extent)
+                             : shape == column ? glm::vec2(around_column, column_shape.height)
+                                               : glm::vec2(around_urn, up_urn);
+    // Around, whole tiles; on the wall a tile is a metre wide.
+    const float tile = shape == wall ? 1.0f / float(repeat) : metres.x / float(3 * repeat);
+    glm::vec2 tiles = metres / glm::vec2(tile, tile * stretch);
+    if (mirror) tiles.x = -tiles.x;
+    return {tiles, glm::vec2(float(shift)), glm::vec2(depth, depth / stretch), depth * tile, heights().width};
+}
+
+void ReliefSurface::set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model) const {
+    const ReliefLay here = lay();
+    program.set("u_clip_from_world", frame.camera.clip_from_world());
+    program.set("u_world_from_model", world_from_model);
+    program.set("u_eye", frame.camera.eye());
+    program.set("u_repeat", here.repeat);
+    program.set("u_shift", here.shift);
+    program.set("u_depth", here.depth);
+    program.set("u_depth_metres", here.metres);
+    program.set("u_normal_strength", here.depth / ReliefMaterial::normals_depth);
+    material.set(program);
+}
+
+void ReliefSurface::set_exact_hit(const Program& program, int unit) const {
+    if (glGetUniformLocation(program, "u_most_turns") < 0) return;  // this permutation shows no error
+    if (!windows_ || windows_version_ != version()) {
+        windows_version_ = version();
+        windows_ = height_windows(heights());
+        window_texture_.emplace(
+            "windows", [this] { return windows_->clear; }, TextureOptions{.mips = false});
+    }
+    const auto& grown = windows_->grown;
+    program.set("s_windows", unit, *window_texture_);
+    program.set("u_grown", glm::vec4(grown[0], grown[1], grown[2], grown[3]));
+    program.set("u_most_turns", 4096);
+}
+
+void ReliefSurface::draw() const {
+    std::optional<GpuMesh>& mesh = uploaded_[(this->mesh(), shape)];
+    if (!mesh) mesh = upload([this] { return this->mesh(); });
+    glBindVertexArray(mesh->layout());
+    glDrawElements(GL_TRIANGLES, mesh->count(), GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace relief

@@ -1,0 +1,54 @@
+// What labs 10 to 12 press a relief into: a surface, a height map, and how the one lies on the other.
+#pragma once
+
+#include <optional>
+
+#include "framework/height/skips.h"
+#include "framework/kit/relief_material.h"
+#include "framework/lab/lab.h"
+#include "framework/mesh/relief.h"
+
+namespace relief {
+
+/// assets/urn.obj, with its exact tangents. An urn's uv go once around it, and once up.
+Mesh read_urn();
+
+class ReliefSurface {
+public:
+    enum Shape { wall, column, urn };
+    static constexpr float column_radius = 0.5f, column_height = 2;  ///< metres
+
+    void knobs(Knobs& knobs);
+
+    const Image& heights() const { return material.heights(); }
+    const Mesh& mesh() const;
+    ReliefLay lay() const;
+    int version() const { return material.version(); }
+
+    /// For shaders/common/relief.vert and what follows it; binds s_heights to unit 0, s_albedo to 1, s_normals to 2.
+    /// The program is in use.
+    void set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model = glm::dmat4(1)) const;
+    void draw() const;
+    /// For exact_hit() of shaders/common/exact_hit.glsl: s_windows on a unit, u_grown and u_most_turns; nothing where
+    /// the permutation does not use it.
+    void set_exact_hit(const Program& program, int unit) const;
+
+    // The knobs. A lab may begin with others.
+    ReliefMaterial material;
+    int shape = wall, repeat = 1;
+    float depth = 0.08f;  ///< of the relief, in tiles along u
+    float stretch = 1;    ///< height of a tile over its width: texels that are not square
+    float extent = 4;     ///< side of the wall, metres
+    bool mirror = false;
+    int shift = 0;  ///< tiles
+
+private:
+    mutable std::optional<HeightWindows> windows_;
+    mutable std::optional<Texture> window_texture_;
+    mutable int windows_version_ = 0;  ///< of the map that the windows are of
+    mutable std::optional<Mesh> meshes_[3];
+    mutable float extent_ = 0;  ///< that the wall was made with
+    mutable std::optional<GpuMesh> uploaded_[3];
+};
+
+}  // namespace relief

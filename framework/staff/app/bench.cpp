@@ -1,0 +1,251 @@
+// relief bench: run time against error, topic by topic.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "framework/app/command.h"
+#include "framework/app/versions.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+#include "framework/staff/measure/baseline.h"
+#include "framework/staff/measure/plot.h"
+#include "framework/staff/measure/run.h"
+#include "framework/staff/pages/bench_page.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchArguments {
+    std::vector<std::string> topics, set;
+    std::string output, repeats, context = "auto";
+    bool quick = false, work = false, update = false;
+};
+
+std::vector<const BenchTopic*> chosen(const std::vector<std::string>& names) {
+    std::vector<const BenchTopic*> topics;
+    std::vector<std::string> known;
+    for (const BenchTopic& topic : bench_topics()) {
+        known.push_back(topic.name);
+        if (names.empty()) topics.push_back(&topic);
+    }
+    for (const std::string& name : names) {
+        const auto found = std::find(known.begin(), known.end(), name);
+        if (found == known.end()) throw UsageError(unknown("topic", name, known));
+        topics.push_back(&bench_topics()[size_t(found - known.begin())]);
+    }
+    return topics;
+}
+
+using Wanted = std::vector<std::pair<std::string, std::vector<std::string>>>;
+Wanted wanted_of(const std::vector<std::string>& texts) {
+    Wanted wanted;
+    for (const std::string& text : texts) {
+        const size_t sign = text.find('=');
+        if (sign == std::string::npos || sign == 0)
+            throw UsageError(fmt::format("--set takes knob=value or knob=value,value, not '{}'", text));
+        wanted.emplace_back(text.substr(0, sign), split(text.substr(sign + 1), ','));
+    }
+    return wanted;
+}
+
+BenchSettings settings_of(const BenchArguments& arguments) {
+    BenchSettings settings{.repeats = arguments.quick ? 3 : 15, .quick = arguments.quick, .pictures = true};
+    if (arguments.repeats.empty()) return settings;
+    const int fewest = arguments.quick ? 1 : 10;
+    const std::optional<int> repeats = parse_int(arguments.repeats);
+    if (!repeats || *repeats < fewest || *repeats > 1000)
+        throw UsageError(
+            fmt::format("--repeats takes a whole number from {} to 1000, not '{}'{}", fewest, arguments.repeats,
+                        arguments.quick ? "" : ": a median of fewer than 10 says little (--quick takes 1)"));
+    settings.repeats = *repeats;
+    return settings;
+}
+
+/// A topic's scenes, one after the other, into rows that are complete at any time.
+class TopicRun {
+public:
+    TopicRun(const BenchTopic& topic, std::vector<BenchScene> scenes, BenchRun run)
+        : topic_(topic), scenes_(std::move(scenes)), run_(std::move(run)) {
+        for (const BenchScene& scene : scenes_)
+            for (BenchRow& row : open_rows(topic, scene)) rows_.push_back(std::move(row));
+    }
+
+    BenchMachine machine{.cpu = cpu_name(), .compiler = versions::compiler, .commit = versions::commit};
+
+    /// `changed` is called as often as something more is known.
+    std::vector<BenchRow> measure(const std::function<void(std::span<const BenchRow>)>& changed) {
+        int steps = 0;
+        for (const BenchScene& scene : scenes_) steps += steps_of(scene, run_.settings);
+        Progress progress(steps);
+        progress.next(topic_.name);
+        size_t begin = 0;
+        for (const BenchScene& scene : scenes_) {
+            const std::string name = topic_.name + (scene.knobs.empty() ? "" : ", " + knob_text(scene.knobs));
+            const auto take_over = [&](const std::vector<BenchRow>& rows) {
+                std::copy(rows.begin(), rows.end(), rows_.begin() + long(begin));
+                changed(rows_);
+            };
+            run_.report = [&](const std::vector<BenchRow>& rows, const std::string& next) {
+                take_over(rows);
+                progress.next(name + ": " + next);
+            };
+            take_over(run_scene(topic_, scene, run_, machine));
+            begin += scene.methods.size();
+        }
+        return std::move(rows_);
+    }
+
+private:
+    const BenchTopic& topic_;
+    std::vector<BenchScene> scenes_;
+    BenchRun run_;
+    std::vector<BenchRow> rows_;
+};
+
+/// A file that is always a whole table, and never more than a second behind.
+class GrowingTable {
+public:
+    GrowingTable(fs::path file, const BenchMachine& machine) : file_(std::move(file)), machine_(machine) {}
+    void write(std::span<const BenchRow> rows, bool last) {
+        const auto now = std::chrono::steady_clock::now();
+        if (!last && written_ && now - *written_ < std::chrono::seconds(1)) return;
+        write_file(file_, bench_csv(rows, machine_));
+        written_ = now;
+    }
+
+private:
+    fs::path file_;
+    const BenchMachine& machine_;
+    std::optional<std::chrono::steady_clock::time_point> written_;
+};
+
+int hold_to_baseline(const BenchArguments& arguments) {
+    const fs::path file = course_root() / "tests/staff/measure/baseline.csv";
+    const Wanted wanted = wanted_of(arguments.set);
+    if (arguments.update && (!arguments.topics.empty() || !wanted.empty()))
+        throw UsageError("--update renews all of the baseline: it takes neither TOPIC nor --set");
+    std::vector<BenchRow> rows, baseline;
+    BenchMachine machine;
+    for (const BenchTopic* topic : chosen(arguments.topics)) {
+        if (topic->only_time) continue;
+        const BenchSettings settings{.repeats = 0, .quick = true};
+        TopicRun run(*topic, only(*topic, topic->scenes(settings), wanted),
+                     {.settings = settings, .context = context_kind(arguments.context), .pinned = true});
+        for (BenchRow& row : run.measure([](auto) {})) rows.push_back(std::move(row));
+        // What is in the file must not depend on whose machine it was.
+        if (topic->draws) machine.renderer = run.machine.renderer.substr(0, run.machine.renderer.find(' '));
+    }
+    if (arguments.update) {
+        for (const BenchRow& row : rows)
+            if (!row.is_measured()) throw Error(row_name(row) + " " + row.state + ": nothing is renewed");
+        write_file(file, bench_csv(rows, machine));
+        fmt::print("{}: {} methods\n", file.string(), rows.size());
+        return 0;
+    }
+    try {
+        baseline = read_bench_csv(read_file(file));
+    } catch (const Error& error) {
+        throw Error({file, error.place().line}, error.what());
+    }
+    // Of a part only that part is asked for.
+    if (!arguments.topics.empty() || !wanted.empty())
+        std::erase_if(baseline, [&](const BenchRow& old) {
+            return std::none_of(rows.begin(), rows.end(),
+                                [&](const BenchRow& row) { return row_name(row) == row_name(old); });
+        });
+    // Compilers and their libraries round differently.
+    constexpr double tolerance = 0.02;
+    const BaselineReport report = compare_with_baseline(rows, baseline, tolerance);
+    for (const std::string& line : report.worse) print_error(line);
+    for (const std::string& line : report.better) print_note("better: " + line);
+    fmt::print("{} methods: {}\n", rows.size(),
+               report.worse.empty() ? "no more work and no larger error than in the baseline"
+                                    : fmt::format("{} figures are worse than in the baseline", report.worse.size()));
+    if (!report.worse.empty() || !report.better.empty())
+        print_note("if that is meant, and looked at: ./relief bench --work --update");
+    return report.worse.empty() ? 0 : 1;
+}
+
+/// A line for each topic, for --help.
+std::string bench_topics_text() {
+    std::string text = "Topics (all of them when none is named):\n";
+    for (const BenchTopic& topic : bench_topics()) text += fmt::format("  {:<14} {}\n", topic.name, topic.help);
+    return text;
+}
+
+/// 1 when a method failed or, with `work`, when work or error has grown.
+int run_bench(const BenchArguments& arguments) {
+    if (arguments.work) return hold_to_baseline(arguments);
+    if (arguments.update) throw UsageError("--update goes with --work");
+    const BenchSettings settings = settings_of(arguments);
+    const Wanted wanted = wanted_of(arguments.set);
+    const std::vector<const BenchTopic*> topics = chosen(arguments.topics);
+    // What is wrong with the question is said before anything is measured.
+    std::vector<std::vector<BenchScene>> scenes;
+    for (const BenchTopic* topic : topics) scenes.push_back(only(*topic, topic->scenes(settings), wanted));
+    const fs::path folder = arguments.output.empty() ? course_root() / "build" / "bench" : fs::path(arguments.output);
+    make_folder(folder);
+
+    std::vector<TopicResult> results;
+    size_t failed = 0;
+    bool is_plotted = true;
+    for (size_t i = 0; i < topics.size(); ++i) {
+        const BenchTopic& topic = *topics[i];
+        TopicRun run(topic, std::move(scenes[i]), {.settings = settings, .context = context_kind(arguments.context)});
+        const fs::path file = folder / (topic.name + ".csv");
+        GrowingTable table(file, run.machine);
+        TopicResult& result = results.emplace_back();
+        result.topic = &topic;
+        result.rows = run.measure([&](std::span<const BenchRow> rows) { table.write(rows, false); });
+        result.machine = run.machine;
+        table.write(result.rows, true);
+        failed += size_t(std::count_if(result.rows.begin(), result.rows.end(),
+                                       [](const BenchRow& row) { return !row.is_measured(); }));
+        const auto plot = bench_plot(topic, result.rows, result.machine);
+        is_plotted = is_plotted && plot;
+        result.plot = plot.value_or("");
+        if (!result.plot.empty()) write_file(folder / (topic.name + ".svg"), result.plot);
+        fmt::print("{}{}\n\n", bench_table(topic, result.rows), file.string());
+        std::fflush(stdout);
+    }
+    if (!is_plotted) print_note("there are no plots: gnuplot is missing (Debian package gnuplot-nox)");
+    const fs::path page = folder / "index.html";
+    write_file(page, bench_page(results));
+    fmt::print("{}\n", page.string());
+    if (failed == 0) return 0;
+    print_error(fmt::format("{} methods have no result: their lines say why", failed));
+    return 1;
+}
+
+class BenchCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.words("TOPIC", bench_.topics, "all of them when none is named");
+        options.value("-o", "FOLDER", bench_.output, "where they go [the course's build/bench]");
+        options.values("--set", "KNOB=VALUE,...", bench_.set,
+                       "of what is swept only this: map=bricks,posts or method=linear; may be repeated");
+        options.value("--repeats", "N", bench_.repeats,
+                      "samples of each method, in turns, 10 or more [15; with --quick 3]");
+        options.value("--context", "NAME", bench_.context, context_help);
+        options.flag("--quick", bench_.quick, "few scenes and small sizes, for a first look");
+        options.flag("--work", bench_.work,
+                     "no times: hold work and error of the quick sweep to tests/staff/measure/baseline.csv");
+        options.flag("--update", bench_.update, "with --work: renew what they are held to");
+        options.footer(bench_topics_text);
+    }
+    int run() override { return run_bench(bench_); }
+
+private:
+    BenchArguments bench_;
+};
+RELIEF_COMMAND(BenchCommand, 10, "bench",
+               "run time against error: tables, a CSV and a plot for each topic, a page of them all");
+
+}  // namespace
+
+}  // namespace relief

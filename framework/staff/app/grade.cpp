@@ -1,0 +1,238 @@
+// relief grade: a class marked on one machine.
+#include "framework/staff/app/grade.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "framework/app/command.h"
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/parallel.h"
+#include "framework/base/text.h"
+#include "framework/staff/grade/class.h"
+#include "framework/staff/grade/gradescope.h"
+#include "framework/staff/grade/self_test.h"
+#include "framework/staff/pages/grade_page.h"
+#include "framework/staff/pages/student_page.h"
+
+namespace relief {
+namespace {
+
+struct GradeArguments {
+    std::vector<std::string> paths, labs;
+    std::string output, jobs, seconds, sample, seed, shard, merge, context = "auto", threads = "0";
+    bool trust = false, fresh = false, self_test = false, resume = false, unpinned = false, gradescope = false;
+};
+
+namespace fs = std::filesystem;
+
+int whole_number(const std::string& text, const char* option, int low, int high) {
+    const auto value = parse_int(text);
+    if (!value || *value < low || *value > high)
+        throw UsageError(fmt::format("{} takes a whole number from {} to {}, not '{}'", option, low, high, text));
+    return *value;
+}
+
+ClassOptions options_of(const GradeArguments& arguments) {
+    ClassOptions options;
+    options.jobs = arguments.jobs.empty() ? int(hardware_threads()) : whole_number(arguments.jobs, "--jobs", 1, 256);
+    GradeSetup& setup = options.setup;
+    if (!arguments.seconds.empty()) setup.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
+    const char* const seed = std::getenv("RELIEF_SEED");  // a command line is for every process to read
+    setup.seed = arguments.seed.empty() && seed ? seed : arguments.seed;
+    setup.renderer = {context_kind(arguments.context), whole_number(arguments.threads, "--threads", 0, 16),
+                      !arguments.unpinned};
+    if (setup.renderer.context == ContextKind::window) throw UsageError("grade draws without a window: osmesa or egl");
+    options.trust = arguments.trust, options.fresh = arguments.fresh;
+    for (const std::string& lab : arguments.labs) {
+        const LabEntry& entry = find_lab(lab);
+        if (load_manifest(entry).tasks.empty())
+            throw UsageError(fmt::format("lab {} has no tasks", entry.two_digits()));
+        options.labs.push_back(&entry);
+    }
+    return options;
+}
+
+void print_isolation(const IsolationReport& isolation) {
+    print_note(fmt::format("isolation: {}{}", name_of(isolation.level),
+                           isolation.reason.empty() ? "" : "; " + isolation.reason));
+}
+
+int test_the_grader(ClassOptions& options, int sample) {
+    if (options.labs.empty())
+        for (const LabEntry& lab : registry())
+            if (!load_manifest(lab).checks.empty()) options.labs.push_back(&lab);
+    const IsolationReport isolation = isolation_for(options.trust);
+    options.setup.isolation = isolation.level;
+    print_isolation(isolation);
+    SelfTest sum;
+    for (const LabEntry* lab : options.labs) {
+        const SelfTest test = test_grader(*lab, options.setup, {options.jobs, sample});
+        sum.mistakes += test.mistakes, sum.caught += test.caught, sum.left_out += test.left_out;
+        sum.equivalents += test.equivalents, sum.right += test.right;
+        for (const std::string& wrong : test.wrong) sum.wrong.push_back("lab " + lab->two_digits() + ": " + wrong);
+        fmt::print("lab {}: {} of {} known mistakes caught, {}; {} of {} correct variants get all points; {:.1f} s\n",
+                   lab->two_digits(), test.caught, test.mistakes,
+                   sample > 0 ? "names not asked" : fmt::format("{} named", test.named), test.right, test.equivalents,
+                   test.seconds);
+        if (!options.setup.seed.empty())
+            fmt::print("        hidden views of {} of {} checks\n", test.hidden_views, test.checks);
+        std::fflush(stdout);
+    }
+    for (const std::string& wrong : sum.wrong) print_error(wrong);
+    fmt::print("kill rate {:.4g} %, {} of {} correct variants get all points, {} wrong verdicts\n",
+               sum.mistakes ? 100.0 * sum.caught / sum.mistakes : 100.0, sum.right, sum.equivalents, sum.wrong.size());
+    if (sum.left_out > 0)
+        fmt::print("a sample: {} mistakes and variants were left out, and no mistake was asked for its name\n",
+                   sum.left_out);
+    return sum.wrong.empty() ? 0 : 1;
+}
+
+int make_gradescope(const ClassOptions& options) {
+    const std::string seed = options.setup.seed.empty() ? new_seed() : options.setup.seed;
+    write_gradescope(options.output, options.labs, seed);
+    fmt::print("{}: setup.sh, run_autograder and the course with its solutions; seed {}\n", options.output.string(),
+               seed);
+    fmt::print(
+        "zip what is in it and give that to Gradescope, with an image of Debian 12: cd '{}' && zip -r "
+        "../autograder.zip .\n",
+        options.output.string());
+    return 0;
+}
+
+/// What was asked for, or what the last run into the folder was.
+void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
+    if (arguments.resume) {
+        if (!arguments.paths.empty() || !arguments.labs.empty())
+            throw UsageError("--resume takes submissions and labs of the last run: name none");
+        const auto roster = read_roster(options.output);
+        if (!roster) throw UsageError(fmt::format("there is nothing to resume in '{}'", options.output.string()));
+        for (const std::string& lab : roster->labs) options.labs.push_back(&find_lab(lab));
+        for (const Roster::One& one : roster->submissions) options.submissions.push_back(one.path);
+    } else {
+        if (arguments.paths.empty()) throw UsageError("grade needs submissions: folders or archives of task files");
+        options.submissions.assign(arguments.paths.begin(), arguments.paths.end());
+    }
+    for (const fs::path& path : options.submissions)
+        if (std::error_code unknown; !fs::exists(path, unknown))
+            throw UsageError(fmt::format("there is no '{}'", printable(path)));
+}
+
+int print(const ClassReport& report, const std::string& folder, const Shard& shard) {
+    print_isolation(report.isolation);
+    fmt::print("{}", to_table(report.marks));
+    size_t failed = 0;
+    for (const SubmissionMark& mark : report.marks) failed += !mark.graded();
+    fmt::print("{}: {} graded, {} as before, {} not graded; {:.1f} s, of them {:.1f} for the solutions; seed {}\n",
+               folder, report.marks.size() - report.taken_over - failed, report.taken_over, failed, report.seconds,
+               report.prepared, report.seed);
+    fmt::print("all jobs together: {:.1f} s compiling, {:.1f} s drawing, {:.1f} s comparing\n", report.times.compile,
+               report.times.draw, report.times.compare);
+    if (!shard.whole())
+        print_note(fmt::format("part {} of {} ({}); when all are done: relief grade --merge {}", shard.index + 1,
+                               shard.count, shard.from, folder));
+    if (failed > 0) print_error("the machine failed some submissions: grade again, and only those are done");
+    return failed == 0 ? 0 : 1;
+}
+
+/// Where parts of a class were graded into folders of this one, their pages are the class's.
+void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
+    make_folder(folder / "students");
+    for (const fs::path& part : class_parts(folder))
+        if (part != folder)
+            for (const SubmissionMark& mark : report.marks)
+                if (const fs::path page = student_page_file(mark.name);
+                    fs::exists(part / page) && fs::exists(part / "results" / (file_name_of(mark.name) + ".json")))
+                    write_file(folder / page, read_file(part / page));
+}
+
+}  // namespace
+
+fs::path student_page_file(const std::string& name) { return fs::path("students") / (file_name_of(name) + ".html"); }
+
+void write_summaries(const ClassReport& report, const fs::path& folder) {
+    make_folder(folder / "gradescope");
+    make_folder(folder / "students");
+    for (const SubmissionMark& mark : report.marks) {
+        write_file(folder / "gradescope" / (file_name_of(mark.name) + ".json"), to_gradescope(mark));
+        if (const fs::path page = folder / student_page_file(mark.name); !fs::exists(page))
+            write_file(page, student_page(mark, {}));
+    }
+    write_file(folder / "results.csv", to_csv(report.marks));
+    write_file(folder / "junit.xml", to_junit(report.marks));
+    write_file(folder / "report.html", class_page(report));
+}
+
+namespace {
+
+/// 1 when the machine failed a submission, a part of the class is missing, or the self-test finds a wrong mark.
+int grade_submissions(const GradeArguments& arguments) {
+    for (const auto& [given, option] : {std::pair(!arguments.merge.empty(), "--merge"),
+                                        {arguments.self_test, "--self-test"},
+                                        {arguments.gradescope, "--gradescope"}})
+        if (given && !arguments.paths.empty())
+            throw UsageError(
+                fmt::format("{} takes no submissions: '{}' is one argument too many", option, arguments.paths.front()));
+    if (!arguments.merge.empty()) {
+        const ClassReport report = merge_class(arguments.merge);
+        bring_pages_of_parts(report, arguments.merge);
+        write_summaries(report, arguments.merge);
+        return print(report, arguments.merge, {});
+    }
+    ClassOptions options = options_of(arguments);
+    const int sample = arguments.sample.empty() ? 0 : whole_number(arguments.sample, "--sample", 1, 1000);
+    if (arguments.self_test) return test_the_grader(options, sample);
+    if (sample > 0) throw UsageError("--sample is of a self-test: --self-test --sample N");
+    if (arguments.output.empty()) throw UsageError("grade needs a folder for what it finds: -o FOLDER");
+    options.output = arguments.output;
+    if (arguments.gradescope) return make_gradescope(options);
+    name_submissions(arguments, options);
+    options.shard = shard_of(arguments.shard);
+    make_folder(options.output / "students");
+    // Before its result: a run that is killed leaves none without its page.
+    const ClassReport report =
+        grade_class(options, [&](const SubmissionMark& mark, const std::vector<CheckPictures>& pictures) {
+            write_file(options.output / student_page_file(mark.name), student_page(mark, pictures));
+        });
+    if (options.shard.whole()) write_summaries(report, options.output);
+    return print(report, arguments.output, options.shard);
+}
+
+class GradeCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.words("PATH", grade_.paths, "submissions");
+        options.value("-o", "FOLDER", grade_.output, "where to; what is there and unchanged is not graded again");
+        options.values("--lab", "LAB", grade_.labs, "only this lab; may be given several times [those handed in]");
+        options.value("--jobs", "N", grade_.jobs, "submissions at a time [one for each processor]");
+        options.value("--seconds", "S", grade_.seconds, "for drawing a lab once [20, more where the solution is slow]");
+        options.value("--seed", "WORD", grade_.seed, "of the hidden views [RELIEF_SEED; the folder's; by chance]");
+        options.value("--shard", "I/N", grade_.shard,
+                      "the i-th of n parts of the class [a Slurm array's, TEST_SHARD_INDEX or GTEST_SHARD_INDEX]");
+        options.value("--merge", "FOLDER", grade_.merge,
+                      "no submissions: put the parts together that lie in this folder");
+        options.flag("--gradescope", grade_.gradescope, "no submissions: an autograder for Gradescope into -o FOLDER");
+        options.flag("--resume", grade_.resume, "the submissions of the last run into the folder, where it ended");
+        options.value("--context", "NAME", grade_.context, "auto (osmesa, then egl), osmesa or egl");
+        options.value("--threads", "N", grade_.threads, "of the software renderer, for each submission [0]");
+        options.flag("--unpinned", grade_.unpinned,
+                     "use every CPU feature: results are reproducible on this machine only");
+        options.flag("--trust", grade_.trust, "grade even without a sandbox");
+        options.flag("--self-test", grade_.self_test,
+                     "no submissions: solutions, starters, known mistakes and correct variants");
+        options.value("--sample", "N", grade_.sample,
+                      "of each lab so many mistakes and variants, for a quick self-test");
+        options.flag("--fresh", grade_.fresh, "everything anew");
+    }
+    int run() override { return grade_submissions(grade_); }
+
+private:
+    GradeArguments grade_;
+};
+RELIEF_COMMAND(GradeCommand, 12, "grade", "marks for a class: submissions are folders or archives of task files");
+
+}  // namespace
+
+}  // namespace relief

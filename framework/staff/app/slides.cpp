@@ -1,0 +1,229 @@
+// relief slides: the decks below slides/, with pictures drawn by the labs, as HTML and PDF by marp-cli.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+
+#include "framework/app/command.h"
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/parallel.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+#include "framework/lab/registry.h"
+#include "framework/staff/grade/sandbox.h"
+#include "framework/staff/slides/deck.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SlidesArguments {
+    std::vector<std::string> decks;
+    std::string output;
+    bool solutions = false, no_pdf = false;
+};
+using Words = std::vector<std::string>;
+
+fs::path source_folder() { return course_root() / "slides"; }
+
+/// Names of decks, without .md; those that are asked for, or all.
+Words decks_asked_for(const Words& asked) {
+    Words all, chosen;
+    if (fs::is_directory(source_folder()))
+        for (const auto& entry : fs::directory_iterator(source_folder()))
+            if (entry.path().extension() == ".md") all.push_back(entry.path().stem().string());
+    std::sort(all.begin(), all.end());
+    if (all.empty()) throw Error({source_folder()}, "there are no decks here");
+    if (asked.empty()) return all;
+    for (const std::string& word : asked) {
+        Words found;
+        const auto number = parse_int(word);  // 1 is 01, not part of 10
+        const std::string part = number ? fmt::format("{:02}_", *number) : word;
+        for (const std::string& name : all)
+            if (name.find(part) != std::string::npos) found.push_back(name);
+        if (found.empty()) throw UsageError(unknown("deck", word, all));
+        if (found.size() > 1)
+            throw UsageError(fmt::format("'{}' can be any of these decks: {}", word, join(found, ", ")));
+        chosen.push_back(found.front());
+    }
+    return chosen;
+}
+
+/// Runs a program of ours or of the system's to its end, in a folder.
+SandboxResult run_tool(Words command, const fs::path& folder, double seconds) {
+    Words words = {"/bin/sh", "-c", "cd \"$1\" && shift && exec \"$@\"", "sh", folder.string()};
+    words.insert(words.end(), command.begin(), command.end());
+    std::map<std::string, std::string> environment;
+    for (const char* name : {"PATH", "HOME", "LANG", "TMPDIR", "CHROME_PATH", "LP_NUM_THREADS"})
+        if (const char* value = std::getenv(name)) environment[name] = value;
+    // Decks are our own, and a browser that root starts does not run otherwise.
+    environment["CHROME_NO_SANDBOX"] = "1";
+    SandboxLimits limits{.wall = seconds, .cpu = 4 * seconds};
+    limits.memory = ~size_t{0}, limits.scratch = size_t{1} << 32, limits.processes = 100'000;
+    return run_trusted({.command = words, .readable = {}, .environment = environment, .input = {}, .limits = limits});
+}
+
+/// What it said last, which is what went wrong.
+std::string last_words(const SandboxResult& done) {
+    if (done.ending != Ending::exited) return name_of(done.ending);
+    Words lines = split(done.errors, '\n');
+    std::erase(lines, "");
+    if (lines.empty()) return fmt::format("exit code {}", done.code);
+    std::string said = lines.back();
+    if (said.starts_with("relief: ")) said.erase(0, 8);
+    return said;
+}
+
+bool went_well(const SandboxResult& done) { return done.ending == Ending::exited && done.code == 0; }
+
+/// One command of `relief`, and where its picture is wanted.
+struct Drawing {
+    Words command;
+    std::vector<fs::path> files;
+    std::string asked_by;  ///< deck and line, of the first that asks
+};
+
+/// What went wrong, or nothing.
+std::string draw(const Drawing& drawing, const fs::path& folder) {
+    constexpr double patience = 1200;
+    const fs::path& file = drawing.files.front();
+    // Whoever is asked knows all labs, and a lab's own program only one.
+    Words command = {(executable_folder() / "relief").string()};
+    command.insert(command.end(), drawing.command.begin(), drawing.command.end());
+    fs::path scratch;
+    if (drawing.command.front() == "bench") {
+        scratch = file.string() + ".bench";
+        command.insert(command.end(), {"-o", scratch.string()});
+    } else {
+        command.insert(command.end(), {"-o", file.string()});
+    }
+    const SandboxResult done = run_tool(command, folder, patience);
+    const std::string problem = went_well(done) ? "" : last_words(done);
+    if (!scratch.empty()) {
+        const fs::path plot = scratch / (drawing.command.at(1) + ".svg");
+        const bool is_there = fs::exists(plot);
+        if (is_there) fs::rename(plot, file);
+        fs::remove_all(scratch);
+        if (problem.empty() && !is_there) return "there is no plot: is gnuplot installed (gnuplot-nox)?";
+    }
+    if (!problem.empty()) return problem;
+    for (size_t i = 1; i < drawing.files.size(); ++i)
+        fs::copy_file(file, drawing.files[i], fs::copy_options::overwrite_existing);
+    return {};
+}
+
+fs::path marp() {
+    const fs::path program = course_root() / "build/marp/node_modules/.bin/marp";
+    if (!fs::exists(program))
+        throw Error("marp-cli is not installed: ./relief slides, the script at the course's top, does that");
+    return program;
+}
+
+void convert(const Words& decks, const fs::path& folder, bool as_pdf) {
+    Words command = {marp().string(), "--no-stdin",
+                     "--config-file", (source_folder() / "marp.yml").string(),
+                     "--theme-set",   (source_folder() / "relief.css").string()};
+    if (as_pdf) command.push_back("--pdf");
+    command.push_back("--");
+    for (const std::string& name : decks) command.push_back(name + ".md");
+    if (const SandboxResult done = run_tool(command, folder, 1200); !went_well(done))
+        throw Error(fmt::format("marp-cli fails: {}", last_words(done)));
+    for (const std::string& name : decks)
+        if (!fs::exists(folder / (name + (as_pdf ? ".pdf" : ".html"))))
+            throw Error({folder / (name + ".md")}, "marp-cli has made nothing of it");
+}
+
+/// 1 when a figure of a deck cannot be drawn.
+int make_slides(const SlidesArguments& arguments) {
+    const Words names = decks_asked_for(arguments.decks);
+    marp();  // or pictures would be drawn for nothing
+    // The gallery takes along what is in build/slides, and may be published.
+    const fs::path usual = course_root() / "build" / (arguments.solutions ? "slides-with-solutions" : "slides");
+    const fs::path folder = fs::absolute(arguments.output.empty() ? usual : fs::path(arguments.output));
+    make_folder(folder);
+    if (fs::equivalent(folder, source_folder()))
+        throw UsageError("the decks themselves lie there: name another folder");
+    if (fs::exists(source_folder() / "diagrams"))
+        fs::copy(source_folder() / "diagrams", folder / "diagrams",
+                 fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+
+    std::vector<Drawing> drawings;
+    std::map<Words, size_t> known;
+    for (const std::string& name : names) {
+        const fs::path file = source_folder() / (name + ".md");
+        const Deck deck = read_deck(read_file(file), file, name, arguments.solutions);
+        if (!deck.figures.empty()) make_folder(folder / name);
+        write_file(folder / (name + ".md"), deck.text);
+        for (const DeckFigure& figure : deck.figures) {
+            const auto [place, is_new] = known.emplace(figure.command, drawings.size());
+            if (is_new) drawings.push_back({figure.command, {}, fmt::format("{}:{}", shown(file), figure.line)});
+            drawings[place->second].files.push_back(folder / figure.file);
+        }
+    }
+    // Plots measure time: they have the machine to themselves, and the rest is drawn when they are done.
+    const auto pictures = std::stable_partition(drawings.begin(), drawings.end(),
+                                                [](const Drawing& one) { return one.command.front() == "bench"; });
+    const size_t plots = size_t(pictures - drawings.begin());
+    Words problems(drawings.size());
+    {
+        Progress progress(int(drawings.size()) + 1 + !arguments.no_pdf);
+        for (size_t i = 0; i < plots; ++i) {
+            progress.next("relief " + join(drawings[i].command, " "));
+            problems[i] = draw(drawings[i], folder);
+        }
+        std::mutex mutex;
+        parallel_each(drawings.size() - plots, 0, [&](size_t i) {
+            const Drawing& drawing = drawings[plots + i];
+            {
+                const std::lock_guard lock(mutex);
+                progress.next("relief " + join(drawing.command, " "));
+            }
+            problems[plots + i] = draw(drawing, folder);
+        });
+        int failures = 0;
+        for (size_t i = 0; i < drawings.size(); ++i) {
+            if (problems[i].empty()) continue;
+            print_error(
+                fmt::format("{}: relief {}: {}", drawings[i].asked_by, join(drawings[i].command, " "), problems[i]));
+            ++failures;
+        }
+        if (failures > 0) return 1;
+        progress.next("slides as HTML");
+        convert(names, folder, false);
+        if (!arguments.no_pdf) {
+            progress.next("slides as PDF");
+            convert(names, folder, true);
+        }
+    }
+    for (const std::string& name : names) {
+        fs::remove(folder / (name + ".md"));
+        fmt::print("{}\n", (folder / (name + ".html")).lexically_normal().string());
+        if (!arguments.no_pdf) fmt::print("{}\n", (folder / (name + ".pdf")).lexically_normal().string());
+    }
+    return 0;
+}
+
+class SlidesCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.words("DECK", slides_.decks, "a number, a name or any part of one; all of them when none is named");
+        options.value("-o", "FOLDER", slides_.output,
+                      "where to [the course's build/slides, or build/slides-with-solutions]");
+        options.flag("--solutions", slides_.solutions, "with the slides that show tasks' solutions");
+        options.flag("--no-pdf", slides_.no_pdf, "HTML only, which needs no browser");
+    }
+    int run() override { return make_slides(slides_); }
+
+private:
+    SlidesArguments slides_;
+};
+RELIEF_COMMAND(SlidesCommand, 13, "slides", "what an instructor shows: a deck for each lab, as HTML and PDF");
+
+}  // namespace
+
+}  // namespace relief

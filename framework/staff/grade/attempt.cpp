@@ -1,0 +1,121 @@
+#include "framework/staff/grade/attempt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "framework/staff/grade/submission.h"
+
+namespace relief {
+namespace {
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// The line of a compiler's output that says what is wrong.
+std::string first_error(const std::string& output) {
+    const size_t error = output.find("error:");
+    const size_t begin = error == std::string::npos ? 0 : output.rfind('\n', error) + 1;
+    return first_line(output.substr(begin));
+}
+
+/// What a process' ending says of the student's code in it.
+Judgement blame(const SandboxResult& result, const std::string& problem) {
+    switch (result.ending) {
+        case Ending::out_of_time:
+            return {Outcome::out_of_time, fmt::format("not done after {:.0f} seconds", result.wall)};
+        case Ending::out_of_memory:
+            return {Outcome::out_of_memory, "it asks for more memory than there is"};
+        case Ending::crashed:
+            return {Outcome::crashed,
+                    fmt::format("the program ends with signal {} ({})", result.code, strsignal(result.code))};
+        case Ending::too_much_output:
+            return {Outcome::broken, "it prints without end"};
+        case Ending::failed:
+            return {Outcome::machine, first_line(result.errors)};
+        case Ending::exited:
+            break;
+    }
+    if (!problem.empty()) return {Outcome::broken, problem};
+    const std::string said = result.errors.empty() ? "" : ": " + printable(first_line(result.errors));
+    return {Outcome::crashed, fmt::format("the program ends in the middle, with exit code {}{}", result.code, said)};
+}
+
+void draw_staged(const Stage& stage, const LabEntry& lab, const StagedCourse& course, const std::vector<Shot>& shots,
+                 const Renderer& renderer, const AttemptLimits& limits, Attempt& attempt) {
+    const bool own_program = course.program.parent_path() == course.folder->path();
+    double left = 2 * limits.seconds;
+    bool tried_again = false;
+    for (size_t from = 0; from < shots.size();) {
+        const auto fail_rest = [&](size_t begin, size_t end, const Judgement& why) {
+            for (size_t i = begin; i < end; ++i)
+                attempt.shots[i].outcome = why.outcome, attempt.shots[i].error = why.found;
+        };
+        if (left <= 0)
+            return fail_rest(from, shots.size(), {Outcome::out_of_time, "the checks before it took all the time"});
+        const std::vector<Shot> rest(shots.begin() + std::ptrdiff_t(from), shots.end());
+        SandboxJob job;
+        job.command = {course.program.string(), "draw-checks", "--course", course.folder->path().string()};
+        job.readable = course.readable;
+        job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course.libraries.string()}};
+        // In the sandbox's own memory, gone with it: the next shot need not compile the same shader again.
+        if (stage.isolation() == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
+        job.input = drawing_request(lab, rest, renderer);
+        job.limits.wall = std::min(left, limits.seconds), job.limits.cpu = std::ceil(job.limits.wall);
+        job.limits.memory = limits.memory, job.limits.output = drawings_size(rest);
+        job.limits.processes = 32;
+        const SandboxResult result = run_sandboxed(job, stage.isolation());
+        DrawnShots drawn = read_drawings(result.output, rest);
+        left -= result.wall, attempt.draw += result.wall;
+        for (size_t i = 0; i < drawn.shots.size(); ++i) {
+            DrawnAttempt& one = attempt.shots[from + i];
+            one.image = std::move(drawn.shots[i].image), one.error = first_line(drawn.shots[i].error), one.told = true;
+            // A program of the student's may say what it likes, to him as well: let it be short.
+            if (own_program) one.error = printable(one.error);
+            if (drawn.shots[i].error != one.error && attempt.log.empty()) attempt.log = drawn.shots[i].error;
+        }
+        from += drawn.shots.size();
+        if (drawn.done || from == shots.size()) return;
+        const Judgement why = blame(result, drawn.problem);
+        // Before there is a context none of a shader has run: then it is not the student's doing. A program of his own
+        // may have done anything.
+        if (why.outcome == Outcome::machine || (!drawn.ready && !own_program)) {
+            if (!tried_again) {
+                tried_again = true;
+                continue;
+            }
+            return fail_rest(from, shots.size(), {Outcome::machine, "the machine failed: " + why.found});
+        }
+        if (!drawn.ready || !drawn.problem.empty()) return fail_rest(from, shots.size(), why);
+        fail_rest(from, from + 1, why);
+        ++from;
+    }
+}
+
+}  // namespace
+
+Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
+                const Renderer& renderer, const AttemptLimits& limits) {
+    Attempt result;
+    result.shots.resize(shots.size());
+    StagedCourse course = stage.course(lab, files);
+    const Compiled compiled = stage.compile(lab, course, 3 * limits.seconds);
+    result.compile = compiled.seconds;
+    if (compiled.message.empty()) {
+        draw_staged(stage, lab, course, shots, renderer, limits, result);
+        return result;
+    }
+    result.log = compiled.message;
+    const SandboxResult ended{
+        .ending = compiled.ending, .code = 1, .output = {}, .errors = {}, .wall = compiled.seconds};
+    const Judgement why = compiled.ending == Ending::exited ? Judgement{Outcome::broken, first_error(compiled.message)}
+                                                            : blame(ended, {});
+    for (DrawnAttempt& one : result.shots) {
+        one.outcome = why.outcome;
+        one.error = "it does not compile: " + (why.found.empty() ? first_line(compiled.message) : why.found);
+    }
+    return result;
+}
+
+}  // namespace relief

@@ -1,0 +1,337 @@
+#include "framework/staff/grade/class.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <random>
+#include <set>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/parallel.h"
+#include "framework/base/sha256.h"
+#include "framework/base/text.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// What is known of a submission before it is graded; its files are read again then, so that a thousand fit.
+struct Entry {
+    fs::path path;
+    std::string name, hash;
+    std::vector<const LabEntry*> labs;
+    SubmissionMark mark;
+    bool done = false;
+};
+
+class Grading {
+public:
+    Grading(const ClassOptions& options, const SubmissionDone& done) : options_(options), done_(done) {}
+
+    ClassReport run() {
+        const auto begin = Clock::now();
+        report_.isolation = isolation_for(options_.trust);
+        setup_ = options_.setup;
+        setup_.isolation = report_.isolation.level;
+        find_seed();
+        stage_.emplace(setup_.isolation);
+        course_ = sha256(stage_->hash() + setup_.seed + (setup_.renderer.pinned ? "" : " unpinned"));
+        for (const LabEntry& lab : registry()) manifests_.emplace(lab.folder, load_manifest(lab));
+        make_folder(options_.output / "results");
+        look_through();
+        prepare();
+        report_.prepared = seconds_since(begin);
+        grade_all();
+        report_.seconds = seconds_since(begin);
+        for (Entry& entry : entries_) report_.marks.push_back(std::move(entry.mark));
+        return std::move(report_);
+    }
+
+private:
+    void find_seed() {
+        const std::optional<Roster> before = read_roster(options_.output);
+        if (setup_.seed.empty() && before) setup_.seed = before->seed;
+        if (setup_.seed.empty() && !options_.shard.whole())
+            throw UsageError("parts of a class need the same hidden views: give each the same --seed WORD");
+        if (setup_.seed.empty()) setup_.seed = new_seed();
+        report_.seed = setup_.seed;
+    }
+
+    /// With --labs those; else those of which a submission has a file. Theirs are the files that are taken.
+    std::vector<const LabEntry*> candidates() const {
+        if (!options_.labs.empty()) return options_.labs;
+        std::vector<const LabEntry*> all;
+        for (const LabEntry& lab : registry())
+            if (!manifests_.at(lab.folder).tasks.empty()) all.push_back(&lab);
+        return all;
+    }
+    std::set<std::string> wanted() const {
+        std::set<std::string> files;
+        for (const LabEntry* lab : candidates()) files.merge(task_files(manifests_.at(lab->folder)));
+        return files;
+    }
+
+    void look_through() {
+        std::set<std::string> names;
+        Roster roster{.course = course_, .seed = setup_.seed, .labs = {}, .submissions = {}};
+        for (const LabEntry* lab : options_.labs) roster.labs.push_back(lab->folder);
+        const std::set<std::string> files = wanted();
+        Progress progress(int(options_.submissions.size()));
+        for (const fs::path& path : options_.submissions) {
+            progress.next("reading");
+            const Submission submission = read_submission(path, files);
+            if (!names.insert(file_name_of(submission.name)).second)
+                throw UsageError(
+                    fmt::format("two submissions are named '{}': rename one, or grade them into folders of "
+                                "their own",
+                                printable(submission.name)));
+            const int place = int(roster.submissions.size());
+            roster.submissions.push_back({submission.name, submission.hash, fs::absolute(path).lexically_normal()});
+            if (place % options_.shard.count != options_.shard.index) continue;
+            Entry& entry = entries_.emplace_back();
+            entry.path = path, entry.name = submission.name, entry.hash = submission.hash;
+            for (const LabEntry* lab : candidates())
+                if (!options_.labs.empty() || has_file_of(submission, *lab)) entry.labs.push_back(lab);
+            entry.done = take_over(entry);
+            report_.taken_over += entry.done;
+        }
+        write_roster(options_.output, roster);
+    }
+
+    bool has_file_of(const Submission& submission, const LabEntry& lab) const {
+        for (const std::string& file : task_files(manifests_.at(lab.folder)))
+            if (submission.files.contains(file) || submission.refused.contains(file)) return true;
+        return false;
+    }
+
+    fs::path result_file(const Entry& entry) const {
+        return options_.output / "results" / (file_name_of(entry.name) + ".json");
+    }
+
+    /// A result that is there and still true is not made again.
+    bool take_over(Entry& entry) const {
+        const fs::path file = result_file(entry);
+        if (options_.fresh || entry.hash.empty() || !fs::exists(file)) return false;
+        try {
+            SubmissionMark mark = from_json(read_file(file, size_t{1} << 26));
+            const bool same_labs =
+                std::equal(mark.labs.begin(), mark.labs.end(), entry.labs.begin(), entry.labs.end(),
+                           [](const LabMark& one, const LabEntry* lab) { return one.lab == lab->folder; });
+            if (mark.name != entry.name || mark.hash != entry.hash || mark.course != course_ || !mark.graded() ||
+                mark.isolation != name_of(report_.isolation.level) || !same_labs)
+                return false;
+            entry.mark = std::move(mark);
+            return true;
+        } catch (const Error&) {  // half a file, or one of another time: grade anew
+            return false;
+        }
+    }
+
+    void prepare() {
+        std::vector<const LabEntry*> needed;
+        for (const Entry& entry : entries_)
+            for (const LabEntry* lab : entry.labs)
+                if (!entry.done && std::find(needed.begin(), needed.end(), lab) == needed.end()) needed.push_back(lab);
+        Progress progress(int(needed.size()));
+        for (const LabEntry* lab : needed) {
+            progress.next("the solution of lab " + lab->two_digits());
+            stage_->add(*lab);
+            graders_.emplace(lab->folder, std::make_unique<LabGrader>(*lab, *stage_, setup_));
+        }
+    }
+
+    void grade_all() {
+        std::vector<Entry*> waiting;
+        for (Entry& entry : entries_)
+            if (!entry.done) waiting.push_back(&entry);
+        Progress progress(int(waiting.size()));
+        parallel_each(waiting.size(), unsigned(options_.jobs), [&](size_t i) {
+            {
+                const std::lock_guard lock(mutex_);
+                progress.next(printable(waiting[i]->name));
+            }
+            grade(*waiting[i]);
+        });
+    }
+
+    void grade(Entry& entry) {
+        const auto begin = Clock::now();
+        const Submission submission = read_submission(entry.path, wanted());
+        SubmissionMark& mark = entry.mark;
+        mark.name = submission.name, mark.hash = submission.hash, mark.course = course_;
+        mark.isolation = name_of(report_.isolation.level);
+        mark.problem = submission.problem;
+        if (mark.problem.empty() && submission.files.empty() && submission.refused.empty())
+            mark.problem = "there is no task file in it" + misplaced(submission.ignored);
+        mark.ignored = submission.ignored, mark.ignored_count = submission.ignored_count;
+        std::vector<CheckPictures> pictures;
+        for (const LabEntry* lab : entry.labs)
+            mark.labs.push_back(mark_lab(*graders_.at(lab->folder), submission, pictures));
+        mark.seconds = seconds_since(begin);
+        if (done_) done_(mark, pictures);
+        entry.done = true;
+        const std::lock_guard lock(mutex_);
+        for (const LabMark& lab : mark.labs) report_.times.add(lab.times);
+        write_file_to_disk(result_file(entry), to_json(mark));
+    }
+
+    /// Says of a task file that was handed in without its folders what they are; nothing where there is none.
+    std::string misplaced(const std::vector<std::string>& names) const {
+        for (const std::string& task : wanted())
+            for (const std::string& name : names)
+                if (fs::path(name).filename() == fs::path(task).filename())
+                    return fmt::format(": '{}' must keep its folders, as in {}", name, task);
+        return {};
+    }
+
+    /// Whatever goes wrong in here is the grader's fault and costs nobody a mark.
+    static LabMark mark_lab(const LabGrader& grader, const Submission& submission,
+                            std::vector<CheckPictures>& pictures) {
+        try {
+            return grader.mark(submission, &pictures);
+        } catch (const std::exception& error) {
+            LabMark lab{.lab = grader.lab().folder, .tasks = {}, .log = {}, .times = {}};
+            for (const TaskInfo& info : grader.manifest().tasks) {
+                TaskMark& task = lab.tasks.emplace_back();
+                task.id = info.id, task.title = info.title, task.file = info.file, task.of = info.points;
+                task.checks.push_back(
+                    {.name = "all", .outcome = Outcome::machine, .found = error.what(), .look_at = {}});
+            }
+            return lab;
+        }
+    }
+
+    const ClassOptions& options_;
+    GradeSetup setup_;
+    const SubmissionDone& done_;
+    ClassReport report_;
+    std::optional<Stage> stage_;
+    std::string course_;
+    std::map<std::string, Manifest> manifests_;
+    std::vector<Entry> entries_;
+    std::map<std::string, std::unique_ptr<LabGrader>> graders_;
+    std::mutex mutex_;
+};
+
+}  // namespace
+
+std::string new_seed() { return fmt::format("{:08x}", std::random_device()()); }
+
+IsolationReport isolation_for(bool trust) {
+    const IsolationReport isolation = probe_isolation();
+    if (isolation.level != Isolation::namespaces && !trust)
+        throw Error(
+            fmt::format("submissions cannot be kept from the rest of this machine: {}. With --trust they run all "
+                        "the same, with limits on time and memory only",
+                        isolation.reason));
+    return isolation;
+}
+
+ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done) {
+    if (options.submissions.empty()) throw UsageError("grade needs submissions: folders or archives");
+    return Grading(options, done).run();
+}
+
+namespace {
+
+SubmissionMark read_result(const fs::path& file) {
+    try {
+        return from_json(read_file(file, size_t{1} << 26));
+    } catch (const Error& error) {
+        throw Error({file}, error.what());
+    }
+}
+
+/// "3 submissions have no result: jane, joe, jim"
+std::string some_of(const std::string& what, const std::vector<std::string>& names) {
+    constexpr size_t shown = 5;
+    std::vector<std::string> first;
+    for (const std::string& name : names)
+        if (first.size() < shown) first.push_back(printable(name));
+    return fmt::format("{}: {}{}", what, join(first, ", "),
+                       names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "");
+}
+
+}  // namespace
+
+std::vector<fs::path> class_parts(const fs::path& folder) {
+    std::vector<fs::path> parts;
+    const auto add = [&](const fs::path& one) {
+        std::error_code unknown;
+        if (fs::exists(one / "class.json", unknown)) parts.push_back(one);
+    };
+    add(folder);
+    std::error_code unknown;
+    if (fs::is_directory(folder, unknown))
+        for (const auto& entry : fs::directory_iterator(folder)) add(entry.path());
+    std::sort(parts.begin(), parts.end());
+    if (parts.empty())
+        throw UsageError(fmt::format("there is no class.json in '{}' or a folder in it", folder.string()));
+    return parts;
+}
+
+ClassReport merge_class(const fs::path& folder) {
+    const std::vector<fs::path> parts = class_parts(folder);
+    const Roster roster = *read_roster(parts.front());
+    std::map<std::string, std::vector<SubmissionMark>> found;
+    for (const fs::path& part : parts) {
+        const Roster other = *read_roster(part);
+        if (other.course != roster.course || other.seed != roster.seed || other.labs != roster.labs)
+            throw Error({part / "class.json"},
+                        "is of another course, seed or choice of labs than " + (parts.front() / "class.json").string());
+        if (!std::equal(other.submissions.begin(), other.submissions.end(), roster.submissions.begin(),
+                        roster.submissions.end(),
+                        [](const auto& a, const auto& b) { return a.name == b.name && a.hash == b.hash; }))
+            throw Error({part / "class.json"},
+                        "names other submissions than " + (parts.front() / "class.json").string());
+        if (!fs::is_directory(part / "results")) continue;
+        for (const auto& entry : fs::directory_iterator(part / "results"))
+            if (entry.path().extension() == ".json") {
+                SubmissionMark mark = read_result(entry.path());
+                found[mark.name].push_back(std::move(mark));
+            }
+    }
+    ClassReport report;
+    report.seed = roster.seed;
+    report.isolation.level = Isolation::namespaces;
+    std::vector<std::string> missing, twice, stale;
+    for (const Roster::One& one : roster.submissions) {
+        const auto results = found.find(one.name);
+        if (results == found.end()) {
+            missing.push_back(one.name);
+        } else if (results->second.size() > 1) {
+            twice.push_back(one.name);
+        } else if (SubmissionMark& mark = results->second.front();
+                   mark.hash != one.hash || mark.course != roster.course) {
+            stale.push_back(one.name);
+        } else {
+            for (const LabMark& lab : mark.labs) report.times.add(lab.times);
+            if (mark.isolation != name_of(report.isolation.level))
+                report.isolation = {Isolation::limits, "in a part of it"};
+            report.seconds += mark.seconds;
+            report.marks.push_back(std::move(mark));
+        }
+        found.erase(one.name);
+    }
+    std::vector<std::string> problems, strangers;
+    for (const auto& [name, marks] : found) strangers.push_back(name);
+    if (!missing.empty()) problems.push_back(some_of(fmt::format("{} without a result", missing.size()), missing));
+    if (!twice.empty()) problems.push_back(some_of(fmt::format("{} with several results", twice.size()), twice));
+    if (!stale.empty())
+        problems.push_back(some_of(fmt::format("{} with a result of other files", stale.size()), stale));
+    if (!strangers.empty())
+        problems.push_back(some_of(fmt::format("{} not of this class", strangers.size()), strangers));
+    if (!problems.empty())
+        throw Error(fmt::format("of {} submissions {}", roster.submissions.size(), join(problems, "; ")));
+    return report;
+}
+
+}  // namespace relief

@@ -1,0 +1,57 @@
+#include "framework/staff/grade/gradescope.h"
+
+#include <fmt/format.h>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/lab/registry.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What building and grading take; tests, slides and pages stay here.
+constexpr const char* course_parts[] = {"CMakeLists.txt", "LICENSE", "relief", "assets",
+                                        "framework",      "labs",    "shaders"};
+
+void write_script(const fs::path& file, const std::string& text) {
+    write_file(file, text);
+    fs::permissions(file, fs::perms(0755));
+}
+
+/// A word of a shell's command line.
+std::string quoted(const std::string& word) {
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+}  // namespace
+
+void write_gradescope(const fs::path& folder, const std::vector<const LabEntry*>& labs, const std::string& seed) {
+    const fs::path run = folder / "run_autograder", templates = course_root() / "framework/staff/grade/gradescope";
+    if (fs::exists(folder) && !fs::exists(run) && !(fs::is_directory(folder) && fs::is_empty(folder)))
+        throw UsageError(fmt::format("'{}' holds something else: name a new folder", folder.string()));
+    make_folder(folder);
+    const fs::path course = folder / "course";
+    fs::remove_all(course);
+    make_folder(course);
+    try {
+        for (const char* part : course_parts)
+            fs::copy(course_root() / part, course / part, fs::copy_options::recursive);
+    } catch (const fs::filesystem_error& error) {
+        throw Error({course}, "cannot copy the course: " + error.code().message());
+    }
+    std::string lab_words;
+    for (const LabEntry* lab : labs) lab_words += " --lab " + lab->two_digits();
+    std::string text = read_file(templates / "run_autograder.in");
+    for (const auto& [mark, words] :
+         {std::pair<std::string, std::string>{"@SEED@", quoted(seed)}, {"@LABS@", lab_words}})
+        text.replace(text.find(mark), mark.size(), words);
+    write_script(folder / "setup.sh", read_file(templates / "setup.sh"));
+    write_script(run, text);
+}
+
+}  // namespace relief

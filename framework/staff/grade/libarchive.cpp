@@ -1,0 +1,101 @@
+// The module relief-archive.so: the only place that knows libarchive.
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/format.h>
+#include <locale.h>
+
+#include <memory>
+
+#include "framework/base/error.h"
+#include "framework/staff/grade/archive.h"
+
+namespace relief {
+namespace {
+
+struct Free {
+    void operator()(archive* reader) const { archive_read_free(reader); }
+};
+using Reader = std::unique_ptr<archive, Free>;
+
+[[noreturn]] void fail(archive* reader) {
+    const char* const reason = archive_error_string(reader);
+    throw Error(fmt::format("not a zip or tar archive, or damaged: {}", reason ? reason : "no reason given"));
+}
+
+Reader open(int descriptor) {
+    Reader reader(archive_read_new());
+    archive* const a = reader.get();
+    archive_read_support_format_zip(a);
+    archive_read_support_format_tar(a);
+    archive_read_support_filter_gzip(a);
+    archive_read_support_filter_bzip2(a);
+    archive_read_support_filter_xz(a);
+    archive_read_support_filter_zstd(a);
+    if (archive_read_open_fd(a, descriptor, 1 << 16) != ARCHIVE_OK) fail(a);
+    return reader;
+}
+
+/// Reads an entry to its end, block by block, so that what is unpacked can be counted: a skip cannot.
+void read_content(archive* reader, ArchiveEntry& entry, bool keep, size_t largest, size_t& unpacked) {
+    const void* block = nullptr;
+    size_t size = 0;
+    int64_t offset = 0;
+    for (;;) {
+        const int state = archive_read_data_block(reader, &block, &size, &offset);
+        if (state == ARCHIVE_EOF) return;
+        if (state < ARCHIVE_WARN) fail(reader);
+        unpacked += size;
+        if (unpacked > max_unpacked_bytes)
+            throw Error(fmt::format("unpacks to more than {} MiB", max_unpacked_bytes >> 20));
+        // A sparse file's holes are not blocks: its end decides.
+        entry.too_large |= offset < 0 || uint64_t(offset) + size > largest;
+        if (!keep || entry.too_large) continue;
+        entry.content.resize(size_t(offset));
+        entry.content.append(static_cast<const char*>(block), size);
+    }
+}
+
+/// libarchive gives names in this thread's encoding, and none at all where they do not fit into it.
+class Utf8Names {
+public:
+    Utf8Names() : locale_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)), before_(uselocale(locale_)) {}
+    ~Utf8Names() {
+        uselocale(before_);
+        if (locale_) freelocale(locale_);
+    }
+    Utf8Names(const Utf8Names&) = delete;
+    Utf8Names& operator=(const Utf8Names&) = delete;
+
+private:
+    locale_t locale_, before_;
+};
+
+}  // namespace
+}  // namespace relief
+
+extern "C" [[gnu::visibility("default")]] void relief_read_archive(
+    int descriptor, size_t largest, const std::function<bool(const std::string&)>& wanted,
+    std::vector<relief::ArchiveEntry>& entries) {
+    using namespace relief;
+    const Utf8Names utf8;
+    const Reader reader = open(descriptor);
+    size_t unpacked = 0;
+    archive_entry* found = nullptr;
+    for (;;) {
+        const int state = archive_read_next_header(reader.get(), &found);
+        if (state == ARCHIVE_EOF) return;
+        if (state < ARCHIVE_WARN) fail(reader.get());
+        if (entries.size() == max_entries) throw Error(fmt::format("has more than {} entries", max_entries));
+        ArchiveEntry& entry = entries.emplace_back();
+        const char* const name = archive_entry_pathname(found);
+        if (!name) throw Error("has a file whose name cannot be read: pack it anew, as zip or tar");
+        entry.name = name;
+        const bool linked = archive_entry_hardlink(found) || archive_entry_symlink(found);
+        entry.is_file = archive_entry_filetype(found) == AE_IFREG && !linked;
+        const bool keep = entry.is_file && wanted(entry.name);
+        // Of a zip, which has an index, what is not wanted costs nothing to skip.
+        const bool is_zip = (archive_format(reader.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
+        if (keep || !is_zip) read_content(reader.get(), entry, keep, largest, unpacked);
+        if (entry.too_large) entry.content.clear();
+    }
+}

@@ -1,0 +1,90 @@
+#include "framework/staff/grade/roster.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/text.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr const char* file_name = "class.json";
+constexpr int schema = 1;
+
+/// A whole number in the environment; `otherwise` where there is none.
+int number(const char* name, int otherwise) {
+    const char* const text = std::getenv(name);
+    if (!text || !*text) return otherwise;
+    const auto value = parse_int(text);
+    if (!value) throw UsageError(fmt::format("{} is '{}', not a whole number", name, text));
+    return *value;
+}
+
+Shard checked(int index, int count, const std::string& from) {
+    if (count < 1 || index < 0 || index >= count)
+        throw UsageError(fmt::format("{} asks for part {} of {}: parts are 1/{} to {}/{}", from, index + 1, count,
+                                     std::max(count, 1), std::max(count, 1), std::max(count, 1)));
+    return {index, count, from};
+}
+
+}  // namespace
+
+std::string to_json(const Roster& roster) {
+    ordered_json json = {{"schema", schema},
+                         {"course", roster.course},
+                         {"seed", roster.seed},
+                         {"labs", roster.labs},
+                         {"submissions", ordered_json::array()}};
+    for (const Roster::One& one : roster.submissions)
+        json["submissions"].push_back({{"name", one.name}, {"hash", one.hash}, {"path", one.path.string()}});
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::optional<Roster> read_roster(const fs::path& folder) {
+    const fs::path file = folder / file_name;
+    if (!fs::exists(file)) return {};
+    try {
+        const ordered_json json = ordered_json::parse(read_file(file, size_t{1} << 28));
+        if (json.at("schema") != schema) throw Error({file}, "was written by another version: use a new folder");
+        Roster roster{.course = json.at("course"), .seed = json.at("seed"), .labs = json.at("labs"), .submissions = {}};
+        if (!json.at("submissions").is_array())
+            throw Error({file}, "has no list of submissions: remove it, or use a new folder");
+        for (const ordered_json& one : json.at("submissions"))
+            roster.submissions.push_back({one.at("name"), one.at("hash"), one.at("path").get<std::string>()});
+        return roster;
+    } catch (const ordered_json::exception&) {
+        throw Error({file}, "is no roster of a class: remove it, or use a new folder");
+    }
+}
+
+void write_roster(const fs::path& folder, const Roster& roster) {
+    write_file_to_disk(folder / file_name, to_json(roster));
+}
+
+Shard shard_of(const std::string& text) {
+    if (!text.empty()) {
+        const size_t slash = text.find('/');
+        const auto index = parse_int(text.substr(0, slash));
+        const auto count = slash == std::string::npos ? std::nullopt : parse_int(text.substr(slash + 1));
+        if (!index || !count) throw UsageError(fmt::format("--shard takes i/n, like 2/8, not '{}'", text));
+        return checked(*index - 1, *count, "--shard");
+    }
+    if (std::getenv("SLURM_ARRAY_TASK_ID")) {
+        const int first = number("SLURM_ARRAY_TASK_MIN", 0), step = std::max(1, number("SLURM_ARRAY_TASK_STEP", 1));
+        return checked((number("SLURM_ARRAY_TASK_ID", 0) - first) / step, number("SLURM_ARRAY_TASK_COUNT", 1),
+                       "SLURM_ARRAY_TASK_ID");
+    }
+    for (const std::string prefix : {"TEST", "GTEST"})
+        if (const std::string index = prefix + "_SHARD_INDEX"; std::getenv(index.c_str()))
+            return checked(number(index.c_str(), 0), number((prefix + "_TOTAL_SHARDS").c_str(), 1), index);
+    return {};
+}
+
+}  // namespace relief

@@ -1,0 +1,162 @@
+#include "framework/staff/grade/self_test.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <mutex>
+
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/parallel.h"
+#include "framework/base/paths.h"
+#include "framework/check/starter.h"
+
+namespace relief {
+namespace {
+
+Submission submission_of(std::map<std::string, std::string> files) {
+    Submission submission;
+    submission.files = std::move(files);
+    return submission;
+}
+
+/// Every check that says something else than `expected`.
+std::string told(const TaskMark& task, Outcome expected) {
+    std::string text;
+    for (const CheckMark& check : task.checks)
+        if (check.outcome != expected)
+            text += fmt::format("; {}: {} ({})", check.name, name_of(check.outcome), check.found);
+    return text;
+}
+
+/// `count` of the places 0 to size - 1, evenly: a manifest lists things by task, so these are of different tasks.
+std::vector<size_t> sample_of(size_t size, int count) {
+    const size_t wanted = count > 0 ? std::min(size, size_t(count)) : size;
+    std::vector<size_t> places;
+    for (size_t i = 0; i < wanted; ++i) places.push_back((2 * i + 1) * size / (2 * wanted));
+    return places;
+}
+
+class Test {
+public:
+    Test(const LabEntry& lab, const LabGrader& grader, SelfTestOptions options)
+        : lab_(lab), grader_(grader), options_(options) {
+        for (const std::string& file : task_files(grader.manifest())) solution_[file] = read_file(course_root() / file);
+    }
+
+    SelfTest run() {
+        const auto begin = std::chrono::steady_clock::now();
+        const Manifest& manifest = grader_.manifest();
+        if (!manifest.tasks.empty() && manifest.equivalents.size() < fewest_equivalents)
+            wrong(fmt::format("there are {} [[equivalent]]: a lab with tasks has {} at least",
+                              manifest.equivalents.size(), fewest_equivalents));
+        struct Step {
+            std::string name;
+            std::function<void()> take;
+        };
+        std::vector<Step> steps = {{"starter", [this] { starter(); }}};
+        // Whoever made the grader has seen the solution get all points: a sample needs no more of it.
+        if (options_.sample == 0) steps.insert(steps.begin(), {"solution", [this] { solution(); }});
+        const std::vector<size_t> mistakes = sample_of(manifest.mistakes.size(), options_.sample);
+        const std::vector<size_t> equivalents = sample_of(manifest.equivalents.size(), options_.sample);
+        for (const size_t i : mistakes)
+            steps.push_back({manifest.mistakes[i].id, [&, i] { mistake(manifest.mistakes[i]); }});
+        for (const size_t i : equivalents)
+            steps.push_back({manifest.equivalents[i].id, [&, i] { equivalent(manifest.equivalents[i]); }});
+        result_.left_out =
+            int(manifest.mistakes.size() + manifest.equivalents.size()) - int(mistakes.size() + equivalents.size());
+        Progress progress(int(steps.size()));
+        parallel_each(steps.size(), unsigned(options_.jobs), [&](size_t i) {
+            {
+                const std::lock_guard lock(mutex_);
+                progress.next("lab " + lab_.two_digits() + ", " + steps[i].name);
+            }
+            steps[i].take();
+        });
+        result_.checks = grader_.manifest().checks.size(), result_.hidden_views = grader_.hidden_views();
+        result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return result_;
+    }
+
+private:
+    static constexpr size_t fewest_equivalents = 5;
+
+    void wrong(const std::string& what) { result_.wrong.push_back(what); }
+
+    LabMark mark_with(const std::vector<Edit>& edits) {
+        auto files = solution_;
+        for (const auto& [name, text] : edited(edits)) files[name] = text;
+        return grader_.mark(submission_of(files), nullptr, options_.sample == 0);
+    }
+
+    void solution() {
+        const LabMark mark = grader_.mark(submission_of(solution_));
+        const std::lock_guard lock(mutex_);
+        for (const TaskMark& task : mark.tasks)
+            if (task.points != task.of)
+                wrong(fmt::format("the solution of task {} loses points{}", task.id, told(task, Outcome::passed)));
+    }
+
+    void starter() {
+        std::map<std::string, std::string> files;
+        for (const auto& [name, text] : solution_) files[name] = starter_of(text, name);
+        const LabMark mark = grader_.mark(submission_of(files));
+        const std::lock_guard lock(mutex_);
+        for (const TaskMark& task : mark.tasks)
+            if (task.points != 0)
+                wrong(fmt::format("the starter of task {} gets points{}", task.id, told(task, Outcome::unfinished)));
+    }
+
+    void mistake(const MistakeInfo& info) {
+        const LabMark mark = mark_with(info.edits);
+        const std::lock_guard lock(mutex_);
+        ++result_.mistakes;
+        for (const TaskMark& task : mark.tasks) {
+            if (task.id != info.task) continue;
+            if (!mark.graded() || task.points == task.of)
+                return wrong(fmt::format("'{}' is not caught{}", info.id, told(task, Outcome::unfinished)));
+            ++result_.caught;
+            if (options_.sample > 0) continue;
+            const std::string& name = info.same_as.empty() ? info.id : info.same_as;
+            if (task.mistake == name)
+                ++result_.named;
+            else
+                wrong(fmt::format("'{}' is named '{}': give it same_as, or a check that tells them apart", info.id,
+                                  task.mistake));
+        }
+    }
+
+    void equivalent(const EquivalentInfo& info) {
+        const LabMark mark = mark_with(info.edits);
+        const std::lock_guard lock(mutex_);
+        ++result_.equivalents;
+        bool right = true;
+        for (const TaskMark& task : mark.tasks) {
+            if (task.points == task.of) continue;
+            right = false;
+            wrong(fmt::format("'{}' is right, and loses points of task {}{}", info.id, task.id,
+                              told(task, Outcome::passed)));
+        }
+        result_.right += right;
+    }
+
+    const LabEntry& lab_;
+    const LabGrader& grader_;
+    SelfTestOptions options_;
+    std::map<std::string, std::string> solution_;
+    std::mutex mutex_;
+    SelfTest result_;
+};
+
+}  // namespace
+
+SelfTest test_grader(const LabEntry& lab, const GradeSetup& setup, SelfTestOptions options) {
+    Stage stage(setup.isolation);
+    stage.add(lab);
+    const LabGrader grader(lab, stage, setup);
+    return Test(lab, grader, options).run();
+}
+
+}  // namespace relief

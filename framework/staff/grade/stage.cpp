@@ -1,0 +1,298 @@
+#include "framework/staff/grade/stage.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <regex>
+
+#include "framework/base/descriptor.h"
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/module.h"
+#include "framework/base/parallel.h"
+#include "framework/base/paths.h"
+#include "framework/base/sha256.h"
+#include "framework/base/text.h"
+#include "framework/check/starter.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+constexpr const char* precompiled = "included_by_tasks.h";
+
+bool is_cpp(const std::string& file) { return file.ends_with(".cpp"); }
+bool is_source(const fs::path& file) { return file.extension() == ".cpp" || file.extension() == ".h"; }
+bool is_inside(const std::string& path, const std::string& folder) {
+    return path == folder || path.starts_with(folder + "/");
+}
+
+/// As a handout has it, a folder named `staff` stays with the staff.
+bool is_the_staffs(const fs::path& path) { return std::find(path.begin(), path.end(), "staff") != path.end(); }
+
+/// Every file below a folder of the course that is not the staff's, by its name in the course, in order.
+std::vector<std::string> files_below(const std::string& folder) {
+    std::vector<std::string> files;
+    if (fs::is_directory(course_root() / folder))
+        for (const auto& entry : fs::recursive_directory_iterator(course_root() / folder))
+            if (const fs::path file = entry.path().lexically_relative(course_root());
+                entry.is_regular_file() && !is_the_staffs(file))
+                files.push_back(file.string());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// Whatever the umask says: the sandbox's user is another one.
+void make_public(const fs::path& folder) {
+    if (fs::exists(folder)) return;
+    make_public(folder.parent_path());
+    fs::create_directory(folder);
+    fs::permissions(folder, fs::perms(0755));
+}
+
+void put(const fs::path& file, std::string_view content, bool program = false) {
+    make_public(file.parent_path());
+    write_file(file, content);
+    fs::permissions(file, fs::perms(program ? 0755 : 0644));
+}
+
+}  // namespace
+
+std::set<std::string> task_files(const Manifest& manifest) {
+    std::set<std::string> files;
+    for (const TaskInfo& task : manifest.tasks) files.insert(task.file);
+    return files;
+}
+
+namespace {
+
+const std::string prefix = "relief-grade-";
+
+/// The folders of runs that were killed. A run that lives holds a lock on its own, on whichever machine it is; one that
+/// has just begun may not hold it yet.
+void remove_abandoned() {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), ignored)) {
+        if (!entry.path().filename().string().starts_with(prefix)) continue;
+        const auto age = fs::file_time_type::clock::now() - entry.last_write_time(ignored);
+        const Descriptor folder(open(entry.path().c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+        if (folder >= 0 && age > std::chrono::seconds(10) && flock(folder, LOCK_EX | LOCK_NB) == 0)
+            fs::remove_all(entry.path(), ignored);
+    }
+}
+
+}  // namespace
+
+PublicFolder::PublicFolder(const fs::path& parent, const std::string& name) {
+    std::string path = (parent / (name + "-XXXXXX")).string();
+    if (!mkdtemp(path.data())) throw Error({path}, "cannot make this folder");
+    path_ = path;
+    if (geteuid() == 0) fs::permissions(path_, fs::perms(0755));  // only then is the sandbox's user another
+}
+PublicFolder::~PublicFolder() {
+    std::error_code ignored;  // it lies among the system's temporary files
+    fs::remove_all(path_, ignored);
+}
+
+Stage::Stage(Isolation isolation)
+    : isolation_(isolation),
+      folder_(fs::temp_directory_path(), prefix + std::to_string(getpid())),
+      lock_(open(folder_.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    flock(lock_, LOCK_SH);
+    remove_abandoned();
+    // A submission sees all of /usr, and the library that it runs with.
+    if (is_inside(fs::weakly_canonical(course_root()).string(), "/usr"))
+        throw Error("the course lies below /usr, which every submission can read: move it to another folder");
+    copy_programs();
+    copy_assets();
+    make_public(folder_.path() / "courses");
+}
+
+void Stage::copy_programs() {
+    for (const char* name : {"librelief.so", "librelief-staff.so", "relief-openimageio.so"})
+        put(folder_.path() / "bin" / name, read_file(executable_folder() / name), true);
+    // The running program, whatever it is called: `relief`, or a lab's own.
+    put(folder_.path() / "bin" / "relief", read_file(executable_path()), true);
+}
+
+/// With what the build made of them: so no drawing opens a library to read a picture.
+void Stage::copy_assets() {
+    for (const std::string& file : files_below("assets"))
+        if (!is_source(file)) put(folder_.path() / file, read_file(course_root() / file));
+    make_public(textures());
+    if (fs::is_directory(framework_folder() / "textures"))
+        for (const auto& entry : fs::directory_iterator(framework_folder() / "textures"))
+            put(textures() / entry.path().filename(), read_file(entry.path()));
+}
+
+void Stage::add(const LabEntry& lab) {
+    if (labs_.contains(lab.folder)) return;
+    const Manifest manifest = load_manifest(lab);
+    LabPart part;
+    for (const std::string& file : files_below("shaders/" + lab.folder))
+        part.shaders[file] = starter_of(read_file(course_root() / file), file);
+    for (const std::string& file : files_below("shaders/common"))
+        put(folder_.path() / file, starter_of(read_file(course_root() / file), file));
+    part.readable = {folder_.path() / "bin", folder_.path() / "assets", folder_.path() / "shaders"};
+    for (const std::string& file : task_files(manifest))
+        if (is_cpp(file)) part.sources[file] = starter_of(read_file(course_root() / file), file);
+    if (!part.sources.empty()) build_lab(lab, part);
+    labs_[lab.folder] = std::move(part);
+}
+
+constexpr size_t compiler_memory = size_t{2} << 30;
+
+Words Stage::compiler(const LabEntry& lab) const {
+    const std::string include = (folder_.path() / "students" / lab.folder / "include").string();
+    // As the build has it (see the top CMakeLists.txt), but for -O1: a task runs for milliseconds.
+    return {RELIEF_COMPILER,
+            "-std=c++20",
+            "-O1",
+            "-fPIC",
+            "-ffp-contract=off",
+            "-fno-math-errno",
+            "-fno-trapping-math",
+            "-DFMT_SHARED",
+            "-DRELIEF_LAB_FOLDER=\"" + lab.folder + "\"",
+            "-I" + include,
+            "-I" + include + "/labs/" + lab.folder,
+            "-isystem",
+            include + "/glad"};
+}
+
+/// Our own sources, so not in the sandbox; by the same means all the same.
+void Stage::must(const Words& command, const char* what) const {
+    SandboxLimits limits{.wall = 600, .cpu = 600};
+    limits.scratch = size_t{1} << 30;
+    const SandboxResult done =
+        run_trusted({.command = command, .readable = {}, .environment = {}, .input = {}, .limits = limits});
+    if (done.ending != Ending::exited || done.code != 0)
+        throw Error(fmt::format("cannot {}: {}", what, done.errors.substr(0, done.errors.find('\n'))));
+}
+
+/// Headers, the lab's objects, and the library that students build: no answer is in them.
+void Stage::build_lab(const LabEntry& lab, LabPart& part) {
+    const fs::path here = folder_.path() / "students" / lab.folder, include = here / "include",
+                   build = RELIEF_BUILD_FOLDER;
+    for (const std::string& file : files_below("framework"))
+        if (file.ends_with(".h")) put(include / file, starter_of(read_file(course_root() / file), file));
+    for (const auto& entry : fs::recursive_directory_iterator(build / "generated/glad/include"))
+        if (entry.is_regular_file())
+            put(include / "glad" / entry.path().lexically_relative(build / "generated/glad/include"),
+                read_file(entry.path()));
+    for (const std::string& file : files_below("labs/" + lab.folder))
+        if (is_source(file) && !part.sources.contains(file))
+            put(include / file, starter_of(read_file(course_root() / file), file));
+    put(include / "main.cpp",
+        "namespace relief { [[noreturn]] void draw_request(const char* course); }\n"
+        "int main(int, char** words) { relief::draw_request(words[3]); }\n");
+
+    // What the tasks' starters include, compiled once: nine tenths of the time that a task takes.
+    std::string includes;
+    for (const auto& [name, text] : part.sources)
+        for (const std::string& line : split(text, '\n'))
+            if (line.starts_with("#include")) includes += line + '\n';
+    put(include / precompiled, includes);
+
+    std::vector<std::string> sources = {precompiled, "main.cpp"};
+    for (const std::string& file : files_below("labs/" + lab.folder))
+        if (is_cpp(file) && !part.sources.contains(file)) sources.push_back(file);
+    parallel_pieces(sources.size(), 1, 0, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+            const bool header = !is_cpp(sources[i]);
+            const std::string object = header ? (include / sources[i]).string() + ".gch"
+                                              : (here / (fs::path(sources[i]).stem().string() + ".o")).string();
+            Words command = compiler(lab);
+            if (header) command.insert(command.end(), {"-x", "c++-header"});
+            command.insert(command.end(), {"-c", (include / sources[i]).string(), "-o", object});
+            must(command, "compile the lab for its C++ tasks");
+        }
+    });
+    for (size_t i = 1; i < sources.size(); ++i)
+        part.objects.push_back(here / (fs::path(sources[i]).stem().string() + ".o"));
+
+    fs::copy_file(folder_.path() / "bin/librelief.so", here / "librelief.so");
+    fs::copy_file(folder_.path() / "bin/relief-openimageio.so", here / "relief-openimageio.so");
+    fs::create_directory_symlink(textures(), here / "textures");
+    for (const auto& entry : fs::recursive_directory_iterator(here))
+        fs::permissions(entry.path(), fs::perms(entry.is_directory() ? 0755 : 0644));
+    part.readable = {here, textures(), folder_.path() / "assets", folder_.path() / "shaders"};
+}
+
+StagedCourse Stage::course(const LabEntry& lab, const CourseFiles& files) const {
+    const LabPart& part = labs_.at(lab.folder);
+    StagedCourse course;
+    course.folder = std::make_unique<PublicFolder>(folder_.path() / "courses", "c");
+    const fs::path& root = course.folder->path();
+    const auto text = [&](const auto& starter) {
+        const auto own = files.find(starter.first);
+        return own == files.end() ? starter.second : own->second;
+    };
+    for (const auto& starter : part.shaders) put(root / starter.first, text(starter));
+    for (const auto& starter : part.sources) put(root / starter.first, text(starter));
+    put(root / "labs/README.md", "");  // a course is known by labs/ and shaders/
+    fs::create_directory_symlink(folder_.path() / "shaders/common", root / "shaders/common");
+    fs::create_directory_symlink(folder_.path() / "assets", root / "assets");
+    course.program = folder_.path() / "bin/relief";
+    course.libraries = part.readable.front();
+    course.readable = part.readable;
+    course.readable.push_back(root);
+    return course;
+}
+
+Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double seconds) const {
+    const LabPart& part = labs_.at(lab.folder);
+    if (part.sources.empty()) return {};
+    const fs::path& root = course.folder->path();
+    const fs::path library = folder_.path() / "students" / lab.folder;
+    // The program comes back through the pipe, so that nothing need be writable but the sandbox's own memory.
+    Words command = {"/bin/sh", "-c", "cd \"$1\" && shift && \"$@\" -o /tmp/program && cat /tmp/program", "sh",
+                     root.string()};
+    for (const std::string& word : compiler(lab)) command.push_back(word);
+    command.insert(command.end(), {"-include", (library / "include" / precompiled).string()});
+    for (const auto& [source, starter] : part.sources) command.push_back(source);
+    for (const fs::path& object : part.objects) command.push_back(object.string());
+    for (const std::string& word :
+         {(library / "librelief.so").string(), "-Wl,-rpath," + library.string(), std::string("-Wl,-z,lazy"),
+          std::string("-Wl,--allow-shlib-undefined"), std::string("-lfmt")})
+        command.push_back(word);
+    const SandboxResult done = run_sandboxed({.command = command,
+                                              .readable = course.readable,
+                                              .environment = {{"LC_ALL", "C.UTF-8"}, {"TMPDIR", "/tmp"}},
+                                              .input = {},
+                                              .limits = {.wall = seconds,
+                                                         .cpu = seconds,
+                                                         .memory = compiler_memory,
+                                                         .output = size_t{32} << 20,
+                                                         .scratch = size_t{128} << 20,
+                                                         .processes = 16}},
+                                             isolation_);
+    Compiled compiled{.ending = done.ending, .message = {}, .seconds = done.wall};
+    if (done.ending == Ending::exited && done.code == 0) {
+        course.program = root / "program";
+        put(course.program, done.output, true);
+        return compiled;
+    }
+    if (done.errors.find("virtual memory exhausted") != std::string::npos ||
+        done.errors.find("out of memory allocating") != std::string::npos)
+        compiled.ending = Ending::out_of_memory;
+    compiled.message = done.errors.empty() ? "the compiler says nothing" : done.errors;
+    return compiled;
+}
+
+std::string Stage::hash() const {
+    std::string all;
+    for (const char* folder : {"labs", "shaders", "assets"})
+        for (const std::string& file : files_below(folder))
+            all += file + sha256(read_file(course_root() / file)) + '\n';
+    for (const char* program : {"bin/relief", "bin/librelief.so"}) all += sha256(read_file(folder_.path() / program));
+    return sha256(all);
+}
+
+}  // namespace relief

@@ -1,0 +1,88 @@
+// The part of the course that a submission may see while it is drawn: programs, pictures and shaders, and no solution.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "framework/base/descriptor.h"
+#include "framework/lab/manifest.h"
+#include "framework/staff/grade/overlay.h"
+#include "framework/staff/grade/sandbox.h"
+
+namespace relief {
+
+/// The files that a lab's students write.
+std::set<std::string> task_files(const Manifest& manifest);
+
+/// A temporary folder that the sandbox's user may read, gone with the object.
+class PublicFolder {
+public:
+    explicit PublicFolder(const std::filesystem::path& parent, const std::string& name);
+    ~PublicFolder();
+    PublicFolder(const PublicFolder&) = delete;
+    PublicFolder& operator=(const PublicFolder&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// A lab's course for one submission.
+struct StagedCourse {
+    std::unique_ptr<PublicFolder> folder;
+    std::filesystem::path program;                ///< draws with --course folder
+    std::filesystem::path libraries;              ///< where its own lie: without /proc nobody knows beside what it is
+    std::vector<std::filesystem::path> readable;  ///< what the sandbox must show it
+};
+
+/// What went wrong with a C++ task, told apart as a drawing's ending is.
+struct Compiled {
+    Ending ending = Ending::exited;
+    std::string message;  ///< empty when it is good
+    double seconds = 0;
+};
+
+/// Made once for a run: copies of the programs (a build in the middle of a run must not change them), the pictures with
+/// what the build made of them, the shaders without solutions, and for C++ tasks the library that students build.
+class Stage {
+public:
+    explicit Stage(Isolation isolation);
+    Isolation isolation() const { return isolation_; }
+
+    /// Reads what the lab's course needs. Before the first course() of the lab, and not while others are used.
+    void add(const LabEntry& lab);
+
+    /// The lab's course with `files` in place of its task files; starters stand where one is missing.
+    StagedCourse course(const LabEntry& lab, const CourseFiles& files) const;
+
+    /// Compiles the C++ tasks of a course, when the lab has any, into a program that becomes the course's.
+    Compiled compile(const LabEntry& lab, StagedCourse& course, double seconds) const;
+
+    /// SHA-256 of all that a mark depends on beside the submission.
+    std::string hash() const;
+
+private:
+    struct LabPart {
+        CourseFiles shaders;                         ///< with starters in place of the tasks
+        CourseFiles sources;                         ///< C++ tasks' starters
+        std::vector<std::filesystem::path> objects;  ///< of the lab's other sources
+        std::vector<std::filesystem::path> readable;
+    };
+    void copy_programs();
+    void copy_assets();
+    std::filesystem::path textures() const { return folder_.path() / "bin/textures"; }
+    void build_lab(const LabEntry& lab, LabPart& part);
+    std::vector<std::string> compiler(const LabEntry& lab) const;
+    void must(const std::vector<std::string>& command, const char* what) const;
+
+    Isolation isolation_;
+    PublicFolder folder_;
+    Descriptor lock_;                      ///< on the folder, as long as it is wanted
+    std::map<std::string, LabPart> labs_;  ///< by folder
+};
+
+}  // namespace relief

@@ -1,0 +1,202 @@
+#include "framework/staff/grade/submission.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <linux/openat2.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+#include "framework/base/error.h"
+#include "framework/base/module.h"
+#include "framework/base/sha256.h"
+#include "framework/staff/grade/archive.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t ignored_shown = 100;
+
+class Descriptor {
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() {
+        if (number_ >= 0) close(number_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    operator int() const { return number_; }
+
+private:
+    int number_;
+};
+
+/// Which task file a name stands for; nothing for any other, and for one that climbs or begins at the top. Some
+/// programs on Windows write their zips with backslashes.
+std::optional<std::string> task_file_of(std::string name, const std::set<std::string>& wanted) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    if (name.starts_with("/")) return {};
+    for (const fs::path& part : fs::path(name))
+        if (part == "..") return {};
+    for (const std::string& file : wanted)
+        if (name == file || name.ends_with("/" + file)) return file;
+    return {};
+}
+
+std::string too_large() { return fmt::format("larger than {} MiB", max_task_bytes >> 20); }
+
+/// Gathers what is found, whichever way it came.
+class Gathering {
+public:
+    Gathering(Submission& submission, const std::set<std::string>& wanted) : submission_(submission), wanted_(wanted) {}
+
+    void add(ArchiveEntry entry) {
+        const std::optional<std::string> file = task_file_of(entry.name, wanted_);
+        if (!file || !entry.is_file) return ignore(entry.name);
+        const auto depth =
+            std::count_if(entry.name.begin(), entry.name.end(), [](char c) { return c == '/' || c == '\\'; });
+        const auto place = std::pair(depth, entry.name);
+        if (const auto before = places_.find(*file); before != places_.end()) {
+            if (before->second < place) return ignore(entry.name);
+            ignore(before->second.second);
+        }
+        places_[*file] = place;
+        submission_.files.erase(*file), submission_.refused.erase(*file);
+        if (entry.too_large)
+            submission_.refused[*file] = too_large();
+        else
+            submission_.files[*file] = std::move(entry.content);
+    }
+
+    void ignore(const std::string& name) {
+        if (name.ends_with("/")) return;  // a folder in an archive
+        ++submission_.ignored_count;
+        if (submission_.ignored.size() < ignored_shown) submission_.ignored.push_back(printable(name));
+    }
+
+private:
+    Submission& submission_;
+    const std::set<std::string>& wanted_;
+    std::map<std::string, std::pair<std::ptrdiff_t, std::string>> places_;
+};
+
+/// Opens below a folder, through no link and never outside it, whatever is moved about meanwhile.
+int open_beneath(int folder, const std::string& name) {
+    open_how how{};
+    how.flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
+    how.resolve = RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS;
+    const int file = int(syscall(SYS_openat2, folder, name.c_str(), &how, sizeof how));
+    if (file < 0 && (errno == ENOSYS || errno == EPERM))
+        throw Error(
+            "this system cannot open a stranger's files safely (openat2, Linux 5.6): hand it over as an archive");
+    return file;
+}
+
+ArchiveEntry read_beneath(int folder, const std::string& name) {
+    ArchiveEntry entry;
+    entry.name = name;
+    const Descriptor file(open_beneath(folder, name));
+    struct stat status {};
+    if (file < 0 || fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return entry;
+    entry.is_file = true;
+    entry.content.resize(max_task_bytes + 1);
+    size_t have = 0;
+    while (have < entry.content.size()) {
+        const ssize_t got = read(file, entry.content.data() + have, entry.content.size() - have);
+        if (got <= 0) break;
+        have += size_t(got);
+    }
+    entry.too_large = have > max_task_bytes;
+    entry.content.resize(entry.too_large ? 0 : have);
+    return entry;
+}
+
+void gather_folder(const fs::path& path, const std::set<std::string>& wanted, Gathering& gathering) {
+    const Descriptor folder(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder < 0) throw Error(fmt::format("cannot read: {}", std::strerror(errno)));
+    std::vector<std::string> names;
+    for (fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied), end; entry != end;
+         ++entry) {
+        if (names.size() == max_entries) throw Error(fmt::format("has more than {} files", max_entries));
+        std::error_code unknown;  // a link that leads to itself is a name like any other
+        if (!entry->is_symlink(unknown) && entry->is_directory(unknown)) continue;
+        names.push_back(entry->path().lexically_relative(path).string());
+    }
+    std::sort(names.begin(), names.end());
+    for (const std::string& name : names)
+        if (task_file_of(name, wanted))
+            gathering.add(read_beneath(folder, name));
+        else
+            gathering.ignore(name);
+}
+
+std::string hash_of(const Submission& submission) {
+    std::string all;
+    for (const auto& [name, content] : submission.files) all += name + '\n' + sha256(content) + '\n';
+    for (const auto& [name, reason] : submission.refused) all += name + '\n' + reason + '\n';
+    return sha256(all);
+}
+
+}  // namespace
+
+std::string printable(const std::string& text) {
+    std::string result;
+    for (const char c : text.substr(0, 200))
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')
+            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+        else
+            result += c;
+    return text.size() > 200 ? result + "..." : result;
+}
+
+std::string submission_name(const fs::path& path) {
+    const fs::path plain = path.lexically_normal();
+    std::string name = (plain.has_filename() ? plain : plain.parent_path()).filename().string();
+    if (name.empty() || name == "." || name == "..") name = fs::absolute(path).lexically_normal().filename().string();
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown)) return name;
+    for (const char* ending : {".zip", ".tar", ".tgz", ".gz", ".bz2", ".xz", ".zst", ".tar"})
+        if (name.size() > std::strlen(ending) && name.ends_with(ending)) name.resize(name.size() - std::strlen(ending));
+    return name;
+}
+
+std::vector<ArchiveEntry> read_archive(const fs::path& path, size_t largest,
+                                       const std::function<bool(const std::string&)>& wanted) {
+    static const Module module = open_own_module("relief-archive.so", "libarchive-dev");
+    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    struct stat status {};
+    if (file < 0 || fstat(file, &status) != 0) throw Error(fmt::format("cannot read: {}", std::strerror(errno)));
+    if (!S_ISREG(status.st_mode)) throw Error("neither a folder nor a file");
+    if (size_t(status.st_size) > max_archive_bytes)
+        throw Error(fmt::format("larger than {} MiB", max_archive_bytes >> 20));
+    std::vector<ArchiveEntry> entries;
+    module.function<decltype(relief_read_archive)>("relief_read_archive")(file, largest, wanted, entries);
+    return entries;
+}
+
+Submission read_submission(const fs::path& path, const std::set<std::string>& wanted) {
+    Submission submission;
+    submission.name = submission_name(path);
+    try {
+        Gathering gathering(submission, wanted);
+        if (fs::is_directory(path)) {
+            gather_folder(path, wanted, gathering);
+        } else {
+            const auto is_wanted = [&](const std::string& name) { return task_file_of(name, wanted).has_value(); };
+            for (ArchiveEntry& entry : read_archive(path, max_task_bytes, is_wanted)) gathering.add(std::move(entry));
+        }
+        submission.hash = hash_of(submission);
+    } catch (const std::exception& error) {  // also what the file system's iterators throw
+        submission.problem = error.what();
+        submission.files.clear();
+    }
+    return submission;
+}
+
+}  // namespace relief

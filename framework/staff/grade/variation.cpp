@@ -1,0 +1,54 @@
+#include "framework/staff/grade/variation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/base/sha256.h"
+
+namespace relief {
+namespace {
+
+/// In [0, 1), decided by the words alone.
+double drawn_from(const std::string& words) {
+    return double(std::stoull(sha256(words).substr(0, 12), nullptr, 16)) / double(1ull << 48);
+}
+
+/// Away from the middle: a view that is hardly another tests nothing.
+double offset(const std::string& words, double largest) {
+    const double t = 2 * drawn_from(words) - 1;
+    return largest * (t < 0 ? -0.3 + 0.7 * t : 0.3 + 0.7 * t);
+}
+
+}  // namespace
+
+Variation::Variation(const Manifest& manifest, const std::string& lab, const std::string& seed, int attempt) {
+    const auto words = [&](const std::string& what) { return fmt::format("{}|{}|{}|{}", seed, lab, attempt, what); };
+    yaw_ = offset(words("yaw"), 20), pitch_ = offset(words("pitch"), 8);
+    distance_ = 1 + offset(words("distance"), 0.15);
+    for (const VaryInfo& vary : manifest.vary) {
+        const double t = drawn_from(words(vary.knob));
+        // Two decimals: what the report names can be typed.
+        set_.emplace_back(vary.knob, vary.choices.empty() ? fmt::format("{:.2f}", vary.low + t * (vary.high - vary.low))
+                                                          : vary.choices[size_t(t * double(vary.choices.size()))]);
+    }
+}
+
+Shot Variation::of(Shot shot) const {
+    shot.camera.yaw += yaw_;
+    shot.camera.pitch = std::clamp(shot.camera.pitch + pitch_, -89.0, 89.0);
+    shot.camera.distance *= distance_;
+    for (const auto& [knob, value] : set_)
+        if (std::none_of(shot.set.begin(), shot.set.end(), [&](const auto& own) { return own.first == knob; }))
+            shot.set.emplace_back(knob, value);
+    return shot;
+}
+
+std::string view_text(const Shot& shot) {
+    std::string text =
+        fmt::format("camera {:.4g},{:.4g},{:.4g}", shot.camera.yaw, shot.camera.pitch, shot.camera.distance);
+    for (const auto& [knob, value] : shot.set) text += fmt::format("; {} {}", knob, value);
+    return text;
+}
+
+}  // namespace relief

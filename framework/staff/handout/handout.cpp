@@ -1,0 +1,141 @@
+#include "framework/staff/handout/handout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/log.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+#include "framework/check/check.h"
+#include "framework/check/starter.h"
+#include "framework/image/file.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The rooms and files of a course. Whatever else lies in its folder, such as marks, is nobody's to have.
+constexpr const char* course_parts[] = {"CMakeLists.txt", "CMakePresets.json", "LICENSE",       "relief",
+                                        ".gitignore",     ".clang-format",     ".editorconfig", "framework",
+                                        "labs",           "shaders",           "assets"};
+constexpr const char* staff = "staff";
+
+bool is_text(const fs::path& path) {
+    const std::set<std::string> kinds = {".cpp", ".h", ".glsl", ".vert", ".tesc", ".tese", ".geom", ".frag"};
+    return kinds.contains(path.extension().string());
+}
+
+/// The folder of a lab that a path belongs to, or "": what lies below labs and shaders, but for shaders/common.
+std::string lab_of(const fs::path& path) {
+    for (const char* folder : {"labs", "shaders"}) {
+        const fs::path inside = path.lexically_relative(folder);
+        if (*path.begin() == folder && std::distance(inside.begin(), inside.end()) > 1 && *inside.begin() != "common")
+            return *inside.begin();
+    }
+    return {};
+}
+
+/// Adds a file or a folder of the course as students get it: with starters, and without folders named `staff`.
+void add(const fs::path& path, const std::set<std::string>& labs, HandedFiles& files) {
+    const fs::path from = course_root() / path;
+    const std::string name = path.filename().string();
+    if (name == staff || name == "expected" || !fs::exists(from)) return;
+    if (fs::is_directory(from)) {
+        for (const auto& entry : fs::directory_iterator(from)) add(path / entry.path().filename(), labs, files);
+        return;
+    }
+    if (const std::string lab = lab_of(path); !lab.empty() && !labs.contains(lab)) return;
+    std::string content = read_file(from);
+    if (is_text(path)) content = starter_of(content, from);
+    const bool executable = (fs::status(from).permissions() & fs::perms::owner_exec) != fs::perms::none;
+    files[path] = {content, executable};
+}
+
+HandedFiles students_course(const std::set<std::string>& labs) {
+    HandedFiles files;
+    for (const char* part : course_parts) add(part, labs, files);
+    return files;
+}
+
+/// "all" for all that there are and may come; else numbers: the labs that were asked for and those that are there
+/// already.
+std::string choice_of(const std::optional<std::string>& asked, const std::optional<std::string>& before) {
+    if (!asked) return before.value_or("all");
+    if (*asked == "all" || before == "all") return "all";
+    std::set<int> numbers;
+    for (const LabEntry* lab : find_labs(*asked)) numbers.insert(lab->number);
+    for (const std::string& word : split(before.value_or(""), ','))
+        if (const auto number = parse_int(word)) numbers.insert(*number);
+    return fmt::format("{}", fmt::join(numbers, ","));
+}
+
+std::vector<const LabEntry*> labs_of(const std::string& choice) {
+    const std::vector<std::string> numbers = split(choice, ',');
+    std::vector<const LabEntry*> labs;
+    for (const LabEntry& lab : registry())  // a lab that was handed out may be gone since
+        if (choice == "all" || std::find(numbers.begin(), numbers.end(), std::to_string(lab.number)) != numbers.end())
+            labs.push_back(&lab);
+    if (labs.empty()) throw Error("there is no lab to hand out");
+    return labs;
+}
+
+std::string readme(const std::vector<const LabEntry*>& labs) {
+    std::string table;
+    for (const LabEntry* lab : labs) {
+        const Manifest manifest = load_manifest(*lab);
+        table += fmt::format("| [{0} {1}](labs/{2}/README.md) | {3} | {4} |\n", lab->two_digits(), lab->name,
+                             lab->folder, manifest.title, manifest.points());
+    }
+    std::string text = read_file(course_root() / "framework/staff/handout/handout_readme.md");
+    for (const auto& [word, with] :
+         {std::pair<std::string, std::string>{"LABS\n", table}, {"NN", labs.front()->two_digits()}})
+        for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + with.size()))
+            text.replace(at, word.size(), with);
+    return text;
+}
+
+/// What the public checks compare with; gives their number.
+int add_expected(const std::vector<const LabEntry*>& labs, HandedFiles& files) {
+    Progress progress(int(labs.size()));
+    int count = 0;
+    for (const LabEntry* lab : labs) {
+        progress.next("expected pictures of " + lab->folder);
+        for (const CheckInfo& check : load_manifest(*lab).checks) {
+            if (check.hidden) continue;
+            const std::optional<Image> image = expectation(*lab, check);
+            if (!image) continue;
+            const fs::path file = expectation_file(*lab, check).lexically_relative(course_root());
+            if (!files.emplace(file, HandedFile{encode_image(*image, format_of(file))}).second)
+                throw Error(fmt::format("labs/{}/lab.toml: two checks have names like '{}'", lab->folder, check.name));
+            ++count;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+HandoutReport write_handout(const fs::path& folder, const std::optional<std::string>& asked) {
+    const std::optional<std::string> before = delivered_choice(folder);
+    HandoutReport report{choice_of(asked, before), !before};
+    const std::vector<const LabEntry*> labs = labs_of(report.choice);
+    std::set<std::string> folders;
+    for (const LabEntry* lab : labs) {
+        folders.insert(lab->folder);
+        ++report.labs, report.tasks += int(load_manifest(*lab).tasks.size());
+    }
+    HandedFiles files = students_course(folders);
+    files["README.md"] = {readme(labs)};
+    files[".github/workflows/check.yml"] = {read_file(course_root() / "framework/staff/handout/handout_check.yml")};
+    report.expected = add_expected(labs, files);
+    report.files = int(files.size());
+    report.delivery = deliver(files, report.choice, folder);
+    return report;
+}
+
+}  // namespace relief

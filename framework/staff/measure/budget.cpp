@@ -1,0 +1,96 @@
+// An error budget on lab 17's wall, from the eye to the horizon: whatever is cheapest against every method alone, 512 x
+// 512 pixels, each as the probe `uv` (the search, and hardly anything else) and as the picture. The error is by how
+// many pixels the relief would have to move for what is shown to be right.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/kit/relief_material.h"
+#include "framework/lab/manifest.h"
+#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/topics.h"
+#include "framework/staff/reference/least_move.h"
+
+namespace relief {
+namespace {
+
+constexpr glm::ivec2 size{512, 512};
+constexpr double depth = 0.03, texels = 512;  // metres; a metre
+
+/// A map's heights, made when they are asked for.
+class Wall {
+public:
+    explicit Wall(const std::string& map) {
+        material_.map = map == "wall" ? 6 : map == "fbm" ? 1 : map == "smooth" ? 0 : 3;
+        material_.size = 2, material_.asset_texels = int(texels);
+    }
+    /// Pixels, of a shot of the probe `uv`.
+    Image errors(const Image& uv, const Camera& camera) {
+        if (!field_) field_.emplace(material_.heights(), true);
+        Image errors(uv.width, uv.height, 1);
+        std::fill(errors.values.begin(), errors.values.end(), no_surface);
+        for (const ShownError& one : wall_errors(uv, *field_, texels, depth, camera.clip_from_world()))
+            *errors.pixel(one.pixel.x, one.pixel.y) = float(one.pixels);
+        return errors;
+    }
+
+private:
+    ReliefMaterial material_;
+    std::optional<HeightField> field_;
+};
+
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    std::vector<BenchScene> result;
+    std::vector<const char*> maps{"wall"};
+    if (!settings.quick) maps.insert(maps.end(), {"stones", "fbm", "smooth"});
+    for (const std::string map : maps)
+        for (const std::string draws : {"uv", "picture"}) {
+            BenchScene& scene = result.emplace_back();
+            scene.knobs = {{"map", map}, {"draws", draws}}, scene.item = "frame";
+            const auto wall = std::make_shared<Wall>(map);
+            const auto add = [&](const std::string& name, const BenchKnobs& knobs, const BenchKnobs& set) {
+                scene.methods.push_back(
+                    {name, knobs, [=] {
+                         const LabEntry& entry = find_lab("17");
+                         Shot shot{.size = size,
+                                   .time = 0,
+                                   .camera = load_manifest(entry).camera,
+                                   .probe = {"uv"},
+                                   .set = together(set, knobs)};
+                         shot.set = together(
+                             shot.set,
+                             {{"view", "picture"}, {"map", map}, {"size", "512"}, {"depth", fmt::format("{}", depth)}});
+                         const std::shared_ptr<Lab> lab = make_lab(entry, shot);
+                         Shot timed = shot;
+                         if (draws == "picture") timed.probe = {};
+                         BenchSubject subject = drawn(lab, timed);
+                         const Image errors = wall->errors(take(*lab, shot), Camera(shot.camera, 1));
+                         subject.error = error_over(errors, "pixel");
+                         subject.work.emplace_back("taps", mean_of_probe(*lab, shot, "work"));
+                         if (settings.pictures) show_picture(subject, *lab, shot), show_errors(subject, errors, 4);
+                         return subject;
+                     }});
+            };
+            const auto budgets = {"0.5", "1", "2", "4"};
+            for (const char* budget : budgets) add("auto", {{"budget", budget}}, {});
+            // As labs 11 and 12 have them: they know of no budget.
+            for (const char* method : {"plain", "normal-map", "parallax", "exact"})
+                add(method, {}, {{"method", method}});
+            // With the budget spent in every pixel, but by one method.
+            for (const char* method : {"parallax", "exact"})
+                for (const char* budget : budgets)
+                    add(std::string(method) + "-thinned", {{"budget", budget}}, {{"method", method}, {"spend", "on"}});
+            // Tens of millions of triangles: seconds a frame on the software renderer, so one of them is enough.
+            if (!settings.quick && draws == "uv") add("displacement", {{"budget", "4"}}, {{"method", "displacement"}});
+        }
+    return result;
+}
+
+}  // namespace
+
+BenchTopic budget_topic() {
+    return {"budget", "lab 17's wall within a budget of pixels, 512 x 512 pixels; taps are heights read a pixel",
+            scenes, true};
+}
+
+}  // namespace relief

@@ -1,0 +1,52 @@
+// Frames of each lab, as its manifest shows it and as its reference screenshots do, at 512 x 512, to their end on the
+// renderer.
+#include "framework/lab/manifest.h"
+#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/topics.h"
+
+namespace relief {
+namespace {
+
+/// Of the first probe that has a truth, as the tests hold it to.
+BenchError error_of(const LabEntry& entry, const Manifest& manifest) {
+    for (const ProbeInfo& probe : manifest.probes) {
+        Shot shot{.size = {128, 128}, .time = 0, .camera = manifest.camera, .probe = {probe.name}, .set = {}};
+        const auto lab = make_lab(entry, shot);
+        const auto truth = lab->truth({0, shot.size, 0, Camera(shot.camera, 1), shot.probe}, shot.probe);
+        if (!truth) continue;
+        const ErrorSummary error = summarize(error_image(take(*lab, shot), *truth, probe.error));
+        return {error.mean, error.p99, error.largest, probe.unit};
+    }
+    return {};
+}
+
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    BenchScene scene{{}, "frame"};
+    for (const LabEntry& entry : registry()) {
+        const Manifest manifest = load_manifest(entry);
+        const auto add = [&](const std::string& name, Shot shot, const std::function<BenchError()>& error) {
+            shot.size = glm::ivec2(settings.quick ? 256 : 512);
+            scene.methods.push_back({entry.folder, {{"picture", name}}, [&entry, shot, error, settings] {
+                                         const std::shared_ptr<Lab> lab = make_lab(entry, shot);
+                                         BenchSubject subject = drawn(lab, shot);
+                                         if (error) subject.error = error();
+                                         if (settings.pictures) show_picture(subject, *lab, shot);
+                                         return subject;
+                                     }});
+        };
+        Shot first;
+        first.camera = manifest.camera;
+        add("manifest", first, [&entry, manifest] { return error_of(entry, manifest); });
+        for (const GoldenInfo& golden : manifest.goldens)
+            if (!settings.quick && !golden.shot.probe) add(golden.name, golden.shot, {});
+    }
+    return {scene};
+}
+
+}  // namespace
+
+BenchTopic frames_topic() {
+    return {"frames", "frames of each lab at 512 x 512, and the error of its probe", scenes, true};
+}
+
+}  // namespace relief

@@ -1,0 +1,167 @@
+// Height map to normal map: filters, precisions and threads, beside memcpy of as many bytes.
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+#include "framework/base/parallel.h"
+#include "framework/staff/measure/peers.h"
+#include "framework/staff/measure/topics.h"
+#include "framework/staff/reference/normals.h"
+
+#include <glm/glm.hpp>
+
+namespace relief {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int error_side = 256;                          // of the map on which errors are taken
+constexpr double wavelength = 16;                        // texels
+constexpr double amplitude = wavelength / (2 * pi) * 2;  // what height 1 is worth, so that slopes reach 1
+
+/// A tile of crossed waves with heights in [0, 1]; steps of the precision.
+double wave(int x, int y) {
+    const double w = 2 * pi / wavelength;
+    return 0.5 + 0.5 * std::sin(w * x) * std::sin(w * y);
+}
+
+Image wave_map(int bits) {
+    Image map(error_side, error_side, 1, bits);
+    const double steps = bits == 32 ? 0 : std::exp2(bits) - 1;
+    for (int y = 0; y < error_side; ++y)
+        for (int x = 0; x < error_side; ++x)
+            *map.pixel(x, y) = float(steps > 0 ? std::round(wave(x, y) * steps) / steps : wave(x, y));
+    return map;
+}
+
+/// Of stored normals of wave_map().
+BenchError error_of(const Image& normals) {
+    const double w = 2 * pi / wavelength;
+    std::vector<double> errors;
+    for (int y = 0; y < error_side; ++y)
+        for (int x = 0; x < error_side; ++x) {
+            const float* const texel = normals.pixel(x, y);
+            const glm::dvec3 measured(texel[0] * 2.0 - 1, texel[1] * 2.0 - 1, texel[2] * 2.0 - 1);
+            // Rows run down, v runs up.
+            const glm::dvec3 exact(-amplitude * 0.5 * w * std::cos(w * x) * std::sin(w * y),
+                                   amplitude * 0.5 * w * std::sin(w * x) * std::cos(w * y), 1);
+            errors.push_back(
+                glm::degrees(std::atan2(glm::length(glm::cross(measured, exact)), glm::dot(measured, exact))));
+        }
+    return error_figures(std::move(errors), "degree");
+}
+
+/// As it is copied: Sobel's weights in a loop over the texels, each neighbour asked for by a function that wraps it.
+void usual_normals(const Image& heights, double texels, Image& normals) {
+    const auto height = [&](int x, int y) {
+        return *heights.pixel((x + heights.width) % heights.width, (y + heights.height) % heights.height);
+    };
+    for (int y = 0; y < heights.height; ++y)
+        for (int x = 0; x < heights.width; ++x) {
+            const float left = height(x - 1, y - 1) + 2 * height(x - 1, y) + height(x - 1, y + 1);
+            const float right = height(x + 1, y - 1) + 2 * height(x + 1, y) + height(x + 1, y + 1);
+            const float above = height(x - 1, y - 1) + 2 * height(x, y - 1) + height(x + 1, y - 1);
+            const float below = height(x - 1, y + 1) + 2 * height(x, y + 1) + height(x + 1, y + 1);
+            const glm::vec3 normal =
+                glm::normalize(glm::vec3((left - right) * float(texels) / 8, (below - above) * float(texels) / 8, 1));
+            for (int i = 0; i < 3; ++i) normals.pixel(x, y)[i] = 0.5f * normal[i] + 0.5f;
+        }
+}
+
+/// Normals of slopes, as OpenImageIO gives them: dh/du and dh/dv a texel, v downwards.
+Image normals_of_slopes(const Image& slopes, double texels) {
+    Image normals(slopes.width, slopes.height, 3);
+    for (int y = 0; y < slopes.height; ++y)
+        for (int x = 0; x < slopes.width; ++x) {
+            const float* const slope = slopes.pixel(x, y);
+            const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope[0] * texels, slope[1] * texels, 1));
+            for (int i = 0; i < 3; ++i) normals.pixel(x, y)[i] = float(0.5 * normal[i] + 0.5);
+        }
+    return normals;
+}
+
+struct Maps {
+    int side;
+    Image heights, normals;
+    std::vector<char> from, to;
+
+    void make() {
+        if (heights.width > 0) return;
+        heights = Image(side, side, 1), normals = Image(side, side, 3);
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) *heights.pixel(x, y) = float(wave(x, y));
+    }
+};
+
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    const auto maps = std::make_shared<Maps>();
+    maps->side = settings.quick ? 512 : 4096;
+    const size_t texels = size_t(maps->side) * size_t(maps->side);
+    constexpr double bytes = 16;  // 4 read, 12 written
+
+    std::vector<unsigned> thread_counts = {1};
+    if (hardware_threads() > 1) thread_counts.push_back(2);
+    BenchScene scene{{}, "texel"};
+    const auto add = [&](const char* name, int bits, unsigned threads, auto run, std::function<BenchError()> error,
+                         bool peer = false) {
+        BenchKnobs knobs = {{"threads", std::to_string(threads)}};
+        if (bits > 0) knobs.emplace_back("bits", std::to_string(bits));
+        scene.methods.push_back(
+            {name, knobs,
+             [=] {
+                 maps->make();
+                 return BenchSubject{
+                     .items = texels, .bytes_per_item = bytes, .error = error ? error() : BenchError{}, .run = run};
+             },
+             peer});
+    };
+    const std::pair<const char*, SlopeFilter> filters[] = {{"forward", SlopeFilter::forward},
+                                                           {"central", SlopeFilter::central},
+                                                           {"sobel", SlopeFilter::sobel},
+                                                           {"scharr", SlopeFilter::scharr},
+                                                           {"fourth-order", SlopeFilter::fourth_order},
+                                                           {"spline", SlopeFilter::spline}};
+    for (const unsigned threads : thread_counts) {
+        add("memcpy", 0, threads,
+            [maps, threads, size = texels * size_t(bytes) / 2] {
+                if (maps->from.empty()) maps->from.assign(size, 1), maps->to.assign(size, 2);
+                parallel_pieces(maps->from.size(), 1, threads, [&](size_t begin, size_t end) {
+                    std::memcpy(maps->to.data() + begin, maps->from.data() + begin, end - begin);
+                });
+            },
+            {});
+        for (const auto& [name, filter] : filters)
+            // How many bits the heights had decides the error alone: in memory they are floats.
+            for (const int bits : threads == thread_counts.back() ? std::vector{8, 16, 32} : std::vector{32})
+                add(
+                    name, bits, threads,
+                    [maps, threads, kind = filter] {
+                        normals_from_heights(maps->heights, {.texels_u = 4, .texels_v = 4, .filter = kind},
+                                             maps->normals, threads);
+                    },
+                    [kind = filter, bits = bits] {
+                        return error_of(normals_from_heights(
+                            wave_map(bits), {.texels_u = amplitude, .texels_v = amplitude, .filter = kind}));
+                    });
+    }
+    add(
+        "usual", 32, 1, [maps] { usual_normals(maps->heights, 4, maps->normals); },
+        [] {
+            Image normals(error_side, error_side, 3);
+            usual_normals(wave_map(32), amplitude, normals);
+            return error_of(normals);
+        },
+        true);
+    if (has_peers())
+        add(
+            "OpenImageIO", 32, hardware_threads(), [maps] { openimageio_slopes(maps->heights); },
+            [] { return error_of(normals_of_slopes(openimageio_slopes(wave_map(32)), amplitude)); }, true);
+    return {scene};
+}
+
+}  // namespace
+
+BenchTopic normals_topic() {
+    return {"normals", "height map to normal map; errors on waves of 16 texels with slopes up to 1", scenes};
+}
+
+}  // namespace relief

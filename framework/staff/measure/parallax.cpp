@@ -1,0 +1,98 @@
+// Parallax: the searches of labs 11 and 12 on a wall, at angles around the middle and at grazing ones. What is timed is
+// the probe `uv`: the search, and hardly anything else.
+#include "framework/lab/manifest.h"
+#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/topics.h"
+
+namespace relief {
+namespace {
+
+struct Search {
+    const char *name, *lab;
+    BenchKnobs knobs;     // as the plot has them
+    BenchKnobs set = {};  // besides, always the same
+};
+
+std::vector<Search> searches() {
+    // As it is copied from page to page: 8 to 32 steps by angle, one line, texture() in the loop.
+    std::vector<Search> all = {
+        {"usual", "11", {}, {{"count", "angle"}, {"refine", "linear"}, {"lookup", "implicit"}, {"skip", "off"}}}};
+    const auto march = [&](const char* refine, const char* rounds, std::initializer_list<const char*> counts) {
+        for (const char* steps : counts) {
+            Search& search = all.emplace_back(Search{refine, "11", {{"steps", steps}}});
+            search.set = {{"count", "fixed"}, {"refine", refine}, {"skip", "off"}, {"rounds", rounds}};
+            if (rounds[0] != '0') search.knobs.emplace_back("rounds", rounds);
+        }
+    };
+    march("linear", "0", {"8", "16", "32", "64", "128"});
+    march("secant", "2", {"8", "16"});
+    march("bisection", "5", {"16"});
+    march("illinois", "3", {"16"});
+    for (const char* texels : {"4", "2", "1"})
+        all.push_back({"by-texel",
+                       "11",
+                       {{"texels_per_step", texels}},
+                       {{"count", "texel"}, {"refine", "secant"}, {"rounds", "2"}}});
+    for (const char* method : {"walk", "coarse", "windows", "cells", "max-mips", "cones"})
+        all.push_back(
+            {method, "12", {}, {{"method", method}, {"shadow", "none"}, {"write_depth", "off"}, {"outline", "off"}}});
+    return all;
+}
+
+/// Cameras whose pixels see the wall at these angles from its normal, in degrees.
+struct Angles {
+    const char* name;
+    double middle, field_of_view, distance;
+};
+constexpr Angles angles[] = {{"15-65", 40, 50, 1.1}, {"60-85", 72.5, 25, 1.5}};
+
+BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettings& settings) {
+    BenchScene scene{together(map, {{"angle", seen.name}}), "frame"};
+    const auto truth = std::make_shared<std::optional<Image>>();  // the same for every search
+    for (const Search& search : searches()) {
+        Shot shot;
+        shot.size = glm::ivec2(settings.quick ? 256 : 512), shot.probe = {"uv"};
+        shot.set = together(together(search.set, search.knobs), {{"view", "one"}, {"extent", "10"}, {"depth", "0.08"}});
+        shot.set = together(shot.set, map);
+        shot.camera = {.yaw = seen.middle, .pitch = 0, .distance = seen.distance, .field_of_view = seen.field_of_view};
+        const auto prepare = [truth, shot, lab_number = search.lab, settings] {
+            const std::shared_ptr<Lab> lab = make_lab(find_lab(lab_number), shot);
+            if (!*truth) *truth = truth_of(*lab, shot);
+            BenchSubject subject = drawn(lab, shot);
+            const Image errors = error_image(take(*lab, shot), **truth, ErrorMetric::distance);
+            subject.error = error_over(errors, "texel");
+            // Heights read, of lab 11; of lab 12 the cells, blocks or cones that were looked at.
+            subject.work.emplace_back(lab_number == std::string("11") ? "taps" : "visits",
+                                      mean_of_probe(*lab, shot, "steps"));
+            if (settings.pictures) show_picture(subject, *lab, shot), show_errors(subject, errors, 4);
+            return subject;
+        };
+        scene.methods.push_back({search.name, search.knobs, prepare, search.name == std::string("usual")});
+    }
+    return scene;
+}
+
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    std::vector<BenchKnobs> maps;
+    for (const char* map : {"bricks", "stones", "posts"})
+        for (const char* bits : {"float", "8"}) maps.push_back({{"map", map}, {"size", "512"}, {"bits", bits}});
+    if (settings.quick)
+        maps.resize(1);
+    else
+        for (const char* map : {"bricks", "stones", "posts", "smooth", "fbm", "rock", "paving"})
+            maps.push_back({{"map", map}, {"size", "1024"}, {"bits", "float"}});
+    std::vector<BenchScene> result;
+    for (const BenchKnobs& map : maps)
+        for (const Angles& seen : angles) result.push_back(scene_of(map, seen, settings));
+    return result;
+}
+
+}  // namespace
+
+BenchTopic parallax_topic() {
+    return {"parallax",
+            "searches of a relief, 512 x 512 pixels; taps are heights read, visits cells or blocks looked at", scenes,
+            true};
+}
+
+}  // namespace relief

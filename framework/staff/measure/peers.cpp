@@ -1,0 +1,30 @@
+#include "framework/staff/measure/peers.h"
+
+#include "framework/base/module.h"
+#include "framework/base/paths.h"
+
+namespace relief {
+namespace {
+
+constexpr const char* file = "relief-peers.so";
+
+const Module& module() {
+    static const Module opened = open_own_module(file, "libassimp-dev");
+    return opened;
+}
+
+}  // namespace
+
+bool has_peers() { return std::filesystem::exists(executable_folder() / file); }
+
+std::unique_ptr<PeerTangents> assimp_tangents(const Mesh& mesh) {
+    return module().function<AssimpTangents>("relief_assimp_tangents")(mesh);
+}
+
+Image openimageio_slopes(const Image& heights) {
+    Image slopes;
+    module().function<OpenImageIOSlopes>("relief_openimageio_slopes")(heights, slopes);
+    return slopes;
+}
+
+}  // namespace relief

@@ -1,0 +1,105 @@
+// The module relief-peers.so: the only place that knows Assimp, and OpenImageIO's textures for bump mapping.
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+
+#include "framework/base/error.h"
+#include "framework/staff/measure/peers.h"
+
+namespace relief {
+namespace {
+
+/// The mesh as the text of an OBJ file: the way in that Assimp has for everybody.
+std::string obj_text(const Mesh& mesh) {
+    fmt::memory_buffer text;
+    const auto out = std::back_inserter(text);
+    for (const Vertex& v : mesh.vertices) {
+        fmt::format_to(out, "v {} {} {}\n", v.position.x, v.position.y, v.position.z);
+        fmt::format_to(out, "vt {} {}\n", v.uv.x, v.uv.y);
+        fmt::format_to(out, "vn {} {} {}\n", v.normal.x, v.normal.y, v.normal.z);
+    }
+    for (size_t i = 0; i < mesh.indices.size(); ++i)
+        fmt::format_to(out, "{}{}/{}/{}{}", i % 3 == 0 ? "f " : " ", mesh.indices[i] + 1, mesh.indices[i] + 1,
+                       mesh.indices[i] + 1, i % 3 == 2 ? "\n" : "");
+    return fmt::to_string(text);
+}
+
+class Tangents final : public PeerTangents {
+public:
+    explicit Tangents(const Mesh& mesh) {
+        const std::string text = obj_text(mesh);
+        // One vertex where all of it is the same, as in the mesh that it comes from.
+        if (!importer_.ReadFileFromMemory(text.data(), text.size(), aiProcess_JoinIdenticalVertices, "obj") ||
+            importer_.GetScene()->mNumMeshes != 1 ||
+            importer_.GetScene()->mMeshes[0]->mNumFaces != mesh.indices.size() / 3)
+            throw Error(std::string("Assimp does not read the mesh: ") + importer_.GetErrorString());
+    }
+
+    void run() override {
+        aiMesh& mesh = this->mesh();
+        delete[] mesh.mTangents;
+        delete[] mesh.mBitangents;
+        mesh.mTangents = mesh.mBitangents = nullptr;
+        if (!importer_.ApplyPostProcessing(aiProcess_CalcTangentSpace) || !mesh.mTangents)
+            throw Error(std::string("Assimp makes no tangents: ") + importer_.GetErrorString());
+    }
+
+    std::vector<glm::vec4> tangents() const override {
+        const aiMesh& mesh = const_cast<Tangents*>(this)->mesh();
+        std::vector<glm::vec4> result;
+        for (unsigned face = 0; face < mesh.mNumFaces; ++face)
+            for (unsigned corner = 0; corner < 3; ++corner) {
+                const unsigned i = mesh.mFaces[face].mIndices[corner];
+                const aiVector3D t = mesh.mTangents[i];
+                const float hand = ((mesh.mNormals[i] ^ t) * mesh.mBitangents[i]) < 0 ? -1.0f : 1.0f;
+                result.emplace_back(t.x, t.y, t.z, hand);
+            }
+        return result;
+    }
+
+private:
+    // The importer gives its scene to look at only; its tangents are taken away so that it makes them again.
+    aiMesh& mesh() { return *const_cast<aiMesh*>(importer_.GetScene()->mMeshes[0]); }
+
+    Assimp::Importer importer_;
+};
+
+}  // namespace
+}  // namespace relief
+
+extern "C" {
+
+std::unique_ptr<relief::PeerTangents> relief_assimp_tangents(const relief::Mesh& mesh) {
+    return std::make_unique<relief::Tangents>(mesh);
+}
+
+void relief_openimageio_slopes(const relief::Image& heights, relief::Image& slopes) {
+    const OIIO::ImageSpec spec(heights.width, heights.height, 1, OIIO::TypeDesc::FLOAT);
+    const OIIO::ImageBuf map(spec, const_cast<float*>(heights.values.data()));
+    OIIO::ImageSpec settings;
+    settings.format = OIIO::TypeDesc::FLOAT;
+    settings.attribute("maketx:bumpformat", "height");
+    settings.attribute("maketx:wrap", "periodic");
+    settings.attribute("wrapmodes", "periodic,periodic");
+    settings.attribute("maketx:nomipmap", 1);
+    char name[] = "/tmp/relief-slopes-XXXXXX.exr";
+    const int file = mkstemps(name, 4);
+    if (file < 0) throw relief::Error("no place for OpenImageIO's texture");
+    close(file);
+    const bool made = OIIO::ImageBufAlgo::make_texture(OIIO::ImageBufAlgo::MakeTxBumpWithSlopes, map, name, settings);
+    OIIO::ImageBuf texture(name);
+    const bool read = made && texture.read(0, 0, true, OIIO::TypeDesc::FLOAT) && texture.nchannels() == 6;
+    unlink(name);
+    if (!read) throw relief::Error("OpenImageIO makes no slopes: " + OIIO::geterror());
+    slopes = relief::Image(heights.width, heights.height, 2);
+    for (int y = 0; y < heights.height; ++y)
+        for (int x = 0; x < heights.width; ++x)
+            for (int i = 0; i < 2; ++i) slopes.pixel(x, y)[i] = texture.getchannel(x, y, 0, 1 + i);
+}
+
+}  // extern "C"

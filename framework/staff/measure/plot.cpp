@@ -1,0 +1,322 @@
+#include "framework/staff/measure/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <glm/glm.hpp>
+#include <limits>
+#include <map>
+
+#include "framework/base/error.h"
+#include "framework/staff/grade/sandbox.h"
+
+namespace relief {
+namespace {
+
+// Colours of the course's pages.
+constexpr const char *front_color = "#a34a16", *pale_color = "#c2bbae", *peer_color = "#23629b",
+                     *text_color = "#23211d";
+constexpr int panel_width = 440, panel_height = 340, title_height = 44;
+
+bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
+
+/// In a string of gnuplot's in double quotes.
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' || c == '\\' ? '\'' : c == '\n' ? ' ' : c;
+    return result + '"';
+}
+
+/// "linear 32": the values of what is swept are enough beside a point.
+std::string short_name(const BenchRow& row) {
+    std::string text = row.method;
+    for (const auto& [knob, value] : row.knobs) text += " " + value;
+    return text;
+}
+
+/// The scene's panel, in milliseconds or nanoseconds.
+class Panel {
+public:
+    Panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, size_t number)
+        : rows_(rows), number_(number) {
+        for (const size_t place : scene)
+            if (is_timed(rows[place])) timed_.push_back(place);
+        double longest = 0;
+        for (const size_t place : timed_) longest = std::max(longest, rows[place].times.median);
+        if (longest >= 1e9)
+            scale_ = 1e-9, unit_ = "s";
+        else if (longest >= 1e6)
+            scale_ = 1e-6, unit_ = "ms";
+        front_ = front_of(rows, timed_);
+    }
+
+    std::string script() const {
+        if (timed_.empty()) return {};
+        const BenchRow& first = rows_[timed_.front()];
+        const std::string title = first.scene.empty() ? first.topic : knob_text(first.scene);
+        std::string text = fmt::format(
+            "unset arrow\nunset label\nunset logscale\nunset grid\nunset ylabel\nset autoscale\nset format\n"
+            "set xtics autofreq\nset ytics autofreq font ',11'\nset title {} noenhanced font ',12'\nset border 3 lc "
+            "rgb '#8a857b'\n"
+            "set tics nomirror textcolor rgb '{}'\nset key off\n",
+            quoted(title), text_color);
+        text += fmt::format("set xlabel '{} per {}' noenhanced\n", unit_, first.item);
+        return text + (has_errors(rows_, timed_) ? points() : bars());
+    }
+
+private:
+    double time(size_t place) const { return rows_[place].times.median * scale_; }
+
+    /// A log axis of less than two decades wants more than its powers of ten.
+    static std::string time_tics(double left, double right) {
+        if (right / left > 100) return {};
+        std::string text;
+        for (double decade = std::pow(10, std::floor(std::log10(left))); decade < right; decade *= 10)
+            for (const int times : {1, 2, 5})
+                text += fmt::format("{}'{:g}' {}", text.empty() ? "" : ", ", times * decade, times * decade);
+        return fmt::format("set xtics ({})\n", text);
+    }
+
+    std::string points() const {
+        double low = std::numeric_limits<double>::max(), high = 0, left = low, right = 0;
+        bool any_zero = false;
+        std::string unit;
+        for (const size_t place : timed_) {
+            left = std::min(left, rows_[place].times.p10 * scale_),
+            right = std::max(right, rows_[place].times.p90 * scale_);
+            if (rows_[place].error.unit.empty()) continue;
+            unit = rows_[place].error.unit;
+            const double error = rows_[place].error.mean;
+            any_zero |= error <= 0;
+            if (error > 0) low = std::min(low, error), high = std::max(high, error);
+        }
+        if (high == 0) low = high = 1;
+        // Zero has no place on a log axis: it lies at the lower edge, and is called by its name.
+        const double floor = std::pow(10, std::floor(std::log10(low)) - (any_zero ? 1 : 0));
+        const double ceiling = std::pow(10, std::ceil(std::log10(high * 1.5)));
+        std::string text = fmt::format(
+            "set ylabel 'mean error, {}' noenhanced\nset logscale xy\nset format y '%g'\n"
+            "set xrange [{}:{}]\nset yrange [{}:{}]\nset grid xtics ytics lc rgb '#ece8e0'\n"
+            "{}",
+            unit, left / 1.25, right * 1.9, floor, ceiling, time_tics(left / 1.25, right * 1.9));
+        if (any_zero) text += fmt::format("set ytics add ('0' {})\n", floor);
+
+        // Nothing but time: an upright line.
+        for (const size_t place : timed_)
+            if (rows_[place].error.unit.empty())
+                text += fmt::format(
+                    "set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' dt 3\n"
+                    "set label {2} at {0},graph 0.97 rotate by 90 right font ',9' textcolor rgb '{1}' "
+                    "noenhanced offset -0.5,0\n",
+                    time(place), peer_color, quoted(short_name(rows_[place])));
+        const auto is_front = [&](size_t place) {
+            return std::find(front_.begin(), front_.end(), place) != front_.end();
+        };
+        // A name that would lie on another one is left out: the point still has its own.
+        std::vector<glm::dvec2> named;
+        const auto has_room = [&](double x, double y) {
+            const glm::dvec2 here(std::log(x / left) / std::log(2.4 * right / left),
+                                  std::log(y / floor) / std::log(ceiling / floor));
+            for (const glm::dvec2& other : named)
+                if (std::abs(here.x - other.x) < 0.24 && std::abs(here.y - other.y) < 0.055) return false;
+            named.push_back(here);
+            return true;
+        };
+        std::string pale, front, peers, sweeps;
+        std::map<std::string, std::string> by_method;
+        std::vector<size_t> line = front_;
+        std::sort(line.begin(), line.end(), [&](size_t a, size_t b) { return time(a) < time(b); });
+        for (const size_t place : timed_) {
+            const BenchRow& row = rows_[place];
+            if (row.error.unit.empty()) continue;
+            const double y = std::max(row.error.mean, floor);
+            by_method[row.method] += fmt::format("{} {}\n", time(place), y);
+            (row.peer          ? peers
+             : is_front(place) ? front
+                               : pale) +=
+                fmt::format("{} {} {} {} {} {}\n", time(place), y, row.times.p10 * scale_, row.times.p90 * scale_,
+                            quoted(fmt::format("#{} {}", place, row_name(row))),
+                            quoted((row.peer || is_front(place)) && has_room(time(place), y) ? short_name(row) : ""));
+        }
+        for (const auto& [method, points] : by_method) sweeps += points + "\n";
+        std::string steps;
+        for (const size_t place : line)
+            steps += fmt::format("{} {}\n", time(place), std::max(rows_[place].error.mean, floor));
+        const std::pair<const char*, const std::string*> blocks[] = {
+            {"pale", &pale}, {"front", &front}, {"peers", &peers}, {"sweeps", &sweeps}, {"steps", &steps}};
+        for (const auto& [name, block] : blocks)
+            if (!block->empty()) text += fmt::format("${}{} << END\n{}END\n", name, number_, *block);
+        std::vector<std::string> plots;
+        const auto add = [&](const std::string& block, const char* name, const std::string& how) {
+            if (!block.empty()) plots.push_back(fmt::format("${}{} {}", name, number_, how));
+        };
+        const auto dots = [&](const std::string& block, const char* name, const char* color, double size) {
+            add(block, name, fmt::format("using 1:2:3:4 with xerrorbars pt 0 lw 1 lc rgb '{}'", color));
+            add(block, name,
+                fmt::format("using 1:2:5 with labels hypertext point pt 7 ps {} lc rgb '{}'", size, color));
+        };
+        const auto names = [&](const std::string& block, const char* name, const char* color) {
+            add(block, name,
+                fmt::format("using 1:2:6 with labels left offset 0.7,0.45 font ',9' textcolor rgb '{}' noenhanced",
+                            color));
+        };
+        add(sweeps, "sweeps", "using 1:2 with lines lw 0.7 lc rgb '#ddd7cb'");
+        add(steps, "steps", fmt::format("using 1:2 with steps lw 2 lc rgb '{}'", front_color));
+        dots(pale, "pale", pale_color, 0.45);
+        dots(front, "front", front_color, 0.6);
+        dots(peers, "peers", peer_color, 0.6);
+        names(front, "front", front_color);
+        names(peers, "peers", peer_color);
+        text += "plot ";
+        for (size_t i = 0; i < plots.size(); ++i) text += (i ? ", \\\n  " : "") + plots[i];
+        return text + "\n";
+    }
+
+    /// With their names inside, where there is room for long ones.
+    std::string bars() const {
+        std::string data;
+        for (size_t i = 0; i < timed_.size(); ++i) {
+            const BenchRow& row = rows_[timed_[i]];
+            data += fmt::format("{} {} {} {} {} {} {}\n", timed_.size() - i, time(timed_[i]), row.times.p10 * scale_,
+                                row.times.p90 * scale_, quoted(fmt::format("#{} {}", timed_[i], row_name(row))),
+                                row.peer ? 1 : 0, quoted(short_name(row)));
+        }
+        return fmt::format(
+            "$bars{0} << END\n{1}END\nset style fill solid\nunset ytics\n"
+            "set yrange [0.3:{2}]\nset xrange [0:*]\nset grid xtics lc rgb '#ece8e0'\n"
+            "plot $bars{0} using ($6==0?$2/2:1/0):1:($2/2):(0.36) with boxxyerror lc rgb '#e3b99d', \\\n"
+            "  $bars{0} using ($6==1?$2/2:1/0):1:($2/2):(0.36) with boxxyerror lc rgb '#aac6df', \\\n"
+            "  $bars{0} using 2:1:3:4 with xerrorbars pt 0 lw 1 lc rgb '{3}', \\\n"
+            "  $bars{0} using 2:1:5 with labels hypertext point pt 7 ps 0.4 lc rgb '{3}', \\\n"
+            "  $bars{0} using (0):1:7 with labels left offset 0.6,0 font ',{4}' textcolor rgb '{3}' noenhanced\n",
+            number_, data, double(timed_.size()) + 0.7, text_color, timed_.size() > 14 ? 7 : 9);
+    }
+
+    std::span<const BenchRow> rows_;
+    size_t number_;
+    std::vector<size_t> timed_, front_;
+    double scale_ = 1;
+    const char* unit_ = "ns";
+};
+
+std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
+    std::vector<std::string> panels;
+    for (const std::vector<size_t>& scene : scenes_of(rows))
+        if (std::string panel = Panel(rows, scene, panels.size()).script(); !panel.empty())
+            panels.push_back(std::move(panel));
+    if (panels.empty()) return {};
+    const int count = int(panels.size());
+    const int columns = std::min(count, count <= 4 ? 2 : count <= 9 ? 3 : 4);
+    const int lines = (count + columns - 1) / columns;
+    const int width = std::max(columns, 2) * panel_width, height = lines * panel_height + title_height;
+    const std::string by = machine.renderer == "none" ? machine.cpu : machine.renderer + ", " + machine.cpu;
+    std::string script = fmt::format(
+        "set terminal svg size {0},{1} dynamic font 'DejaVu Sans,11' background '#ffffff'\n"
+        "set multiplot layout {2},{3} margins screen {4},{5},{6},{7} spacing screen {8},{9} title {10} noenhanced font "
+        "',14'\n",
+        width, height, lines, columns, 90.0 / width, 1 - 20.0 / width, 60.0 / height,
+        1 - (title_height + 34.0) / height, 90.0 / width, 100.0 / height,
+        quoted(fmt::format("{}: {} clock, {}", topic.name, machine.clock, by)));
+    for (const std::string& panel : panels) script += panel;
+    return script + "unset multiplot\n";
+}
+
+/// Nothing when there is no gnuplot.
+std::optional<std::string> run_gnuplot(const std::string& script) {
+    const char* const path = std::getenv("PATH");
+    const SandboxResult done =
+        run_trusted({.command = {"/usr/bin/env", "gnuplot", "-"},
+                     .readable = {},
+                     .environment = {{"PATH", path ? path : "/usr/bin:/bin"}, {"LC_ALL", "C.UTF-8"}},
+                     .input = script,
+                     .limits = {.wall = 120, .cpu = 120}});
+    if (done.ending == Ending::exited && done.code == 127) return {};
+    if (done.ending != Ending::exited || done.code != 0)
+        throw Error(fmt::format("gnuplot fails ({}): {}", name_of(done.ending), done.errors.substr(0, 300)));
+    return done.output;
+}
+
+/// Without what gnuplot's own script would want, with titles that browsers show, and with names that no other plot on
+/// the same page has.
+std::string finished(const std::string& svg, const std::string& topic) {
+    const std::pair<std::string, std::string> names[] = {{"id='gp", "id='" + topic + "-gp"},
+                                                         {"href='#gp", "href='#" + topic + "-gp"},
+                                                         {"id='textbox", "id='" + topic + "-textbox"},
+                                                         {"id='greybox", "id='" + topic + "-greybox"},
+                                                         {"id=\"gnuplot", "id=\"" + topic}};
+    constexpr std::string_view begin = "<g onmousemove=\"gnuplot_svg.showHypertext(evt,'", middle = "')\"",
+                               end = "<title> </title>";
+    std::string result;
+    for (size_t at = 0; at < svg.size();) {
+        const std::string_view rest = std::string_view(svg).substr(at);
+        if (rest.starts_with(begin)) {
+            const size_t close = rest.find(middle, begin.size()), stop = rest.find(end, close);
+            const std::string_view text = rest.substr(begin.size(), close - begin.size());  // "#17 its name"
+            const size_t space = text.find(' ');
+            result += fmt::format("<g class=\"point\" data-row=\"{}\"><title>{}</title>", text.substr(1, space - 1),
+                                  text.substr(space + 1));
+            at += stop + end.size();
+        } else if (rest.starts_with("<title>$")) {  // what was plotted, in gnuplot's words
+            at += rest.find("</title>") + 8;
+        } else {
+            const auto name = std::find_if(std::begin(names), std::end(names),
+                                           [&](const auto& one) { return rest.starts_with(one.first); });
+            if (name == std::end(names))
+                result += svg[at++];
+            else
+                result += name->second, at += name->first.size();
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::vector<size_t>> scenes_of(std::span<const BenchRow> rows) {
+    std::vector<std::vector<size_t>> scenes;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        if (i == 0 || rows[i].scene != rows[i - 1].scene) scenes.emplace_back();
+        scenes.back().push_back(i);
+    }
+    return scenes;
+}
+
+bool has_errors(std::span<const BenchRow> rows, const std::vector<size_t>& scene) {
+    std::string unit;
+    int count = 0;
+    for (const size_t place : scene) {
+        const BenchRow& row = rows[place];
+        if (!row.is_measured() || row.error.unit.empty()) continue;
+        if (count++ > 0 && row.error.unit != unit) return false;
+        unit = row.error.unit;
+    }
+    return count >= 2;
+}
+
+std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<size_t>& scene) {
+    if (!has_errors(rows, scene)) return {};
+    std::vector<size_t> places, front;
+    std::vector<std::pair<double, double>> points;
+    for (const size_t place : scene)
+        if (is_timed(rows[place]) && !rows[place].error.unit.empty()) {
+            places.push_back(place);
+            points.emplace_back(rows[place].times.median, rows[place].error.mean);
+        }
+    const std::vector<bool> is_front = pareto_front(points);
+    for (size_t i = 0; i < places.size(); ++i)
+        if (is_front[i]) front.push_back(places[i]);
+    return front;
+}
+
+std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
+                                      const BenchMachine& machine) {
+    const std::string script = script_of(topic, rows, machine);
+    if (script.empty()) return "";
+    const auto svg = run_gnuplot(script);
+    if (!svg) return {};
+    return finished(*svg, topic.name);
+}
+
+}  // namespace relief

@@ -1,0 +1,228 @@
+#include "framework/staff/measure/rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+
+#include "framework/base/error.h"
+#include "framework/base/text.h"
+
+namespace relief {
+namespace {
+
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"') result += '"';
+        result += c;
+    }
+    return result + '"';
+}
+
+std::string number(double value) { return fmt::format("{}", value); }
+
+/// The records of a CSV, each with the line it begins on.
+std::vector<std::pair<int, std::vector<std::string>>> records_of(const std::string& text) {
+    std::vector<std::pair<int, std::vector<std::string>>> records;
+    int line = 1;
+    bool is_quoted = false, is_open = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (!is_open) records.push_back({line, {""}}), is_open = true;
+        std::string& field = records.back().second.back();
+        if (c == '\n') ++line;
+        if (is_quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"')
+            field += text[++i];
+        else if (c == '"')
+            is_quoted = !is_quoted;
+        else if (is_quoted || (c != ',' && c != '\n' && c != '\r'))
+            field += c;
+        else if (c == ',')
+            records.back().second.emplace_back();
+        else if (c == '\n')
+            is_open = false;
+    }
+    return records;
+}
+
+BenchKnobs knobs_from(const std::string& text) {
+    BenchKnobs knobs;
+    if (text.empty()) return knobs;
+    for (const std::string& one : split(text, ' ')) {
+        // A value may have words of its own ("4 x 4 a patch").
+        if (const size_t sign = one.find('='); sign != std::string::npos)
+            knobs.emplace_back(one.substr(0, sign), one.substr(sign + 1));
+        else if (!knobs.empty())
+            knobs.back().second += " " + one;
+    }
+    return knobs;
+}
+
+constexpr const char* header =
+    "topic,scene,method,knobs,state,items,item,repeats,clock,ns_per_item_median,ns_per_item_p10,ns_per_item_p90,"
+    "bytes_per_item,error_mean,error_p99,error_largest,error_unit,error_wrong,work,renderer,cpu,compiler,commit";
+
+std::string work_text(const BenchWork& work) {
+    std::string text;
+    for (const auto& [name, amount] : work)
+        text +=
+            fmt::format("{}{}={}", text.empty() ? "" : " ", name,
+                        amount == std::floor(amount) ? fmt::format("{:.0f}", amount) : fmt::format("{:.6g}", amount));
+    return text;
+}
+
+}  // namespace
+
+std::vector<BenchRow> open_rows(const BenchTopic& topic, const BenchScene& scene) {
+    std::vector<BenchRow> rows;
+    for (const BenchMethod& method : scene.methods) {
+        BenchRow& row = rows.emplace_back();
+        row.topic = topic.name, row.scene = scene.knobs, row.item = scene.item, row.method = method.name;
+        row.knobs = method.knobs, row.peer = method.peer;
+    }
+    return rows;
+}
+
+std::string cpu_name() {
+    std::ifstream stream("/proc/cpuinfo");
+    for (std::string line; std::getline(stream, line);)
+        if (line.starts_with("model name"))
+            if (const size_t colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+    return "unknown";
+}
+
+std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows) {
+    size_t name = 6, knobs = 5;
+    double longest = 0;
+    bool any_wrong = false, any_time = false, any_error = false, any_rate = false;
+    for (const BenchRow& row : rows) {
+        name = std::max(name, row.method.size()), knobs = std::max(knobs, knob_text(row.knobs).size());
+        longest = std::max(longest, row.times.median), any_wrong |= row.error.wrong.has_value();
+        any_time |= row.repeats > 0, any_error |= !row.error.unit.empty(), any_rate |= row.bytes_per_item > 0;
+    }
+    // One unit for a whole table.
+    const bool in_milliseconds = longest >= 1e6;
+    const double scale = in_milliseconds ? 1e-6 : 1;
+    const auto cell = [](bool known, double value, int width) {
+        return known ? fmt::format("  {:>{}.4g}", value, width) : std::string(size_t(width) + 2, ' ');
+    };
+    std::string text = fmt::format("{}: {}\n", topic.name, topic.help);
+    const BenchRow* before = nullptr;
+    std::string unit;
+    for (const BenchRow& row : rows) {
+        if (!before || before->scene != row.scene || before->item != row.item) {
+            if (before) text += '\n';
+            if (!row.scene.empty()) text += fmt::format("[{}]\n", knob_text(row.scene));
+            unit.clear();
+            for (const BenchRow& other : rows)
+                if (other.scene == row.scene && !other.error.unit.empty() && unit != other.error.unit)
+                    unit = unit.empty() ? other.error.unit : "error";  // several: then each says its own
+            text += fmt::format("{:<{}}  {:<{}}", "method", name, "knobs", knobs);
+            if (any_time)
+                text +=
+                    fmt::format("  {:>13}  {:>9}  {:>9}", (in_milliseconds ? "ms/" : "ns/") + row.item, "p10", "p90");
+            if (any_rate) text += fmt::format("  {:>6}", "GB/s");
+            if (any_error) text += fmt::format("  {:>12}  {:>10}  {:>10}", "mean " + unit, "p99", "largest");
+            text += (any_wrong ? "   wrong %" : "") + std::string("  work\n");
+        }
+        before = &row;
+        text += fmt::format("{:<{}}  {:<{}}", row.method, name, knob_text(row.knobs), knobs);
+        if (!row.is_measured()) {
+            text += "  " + row.state + '\n';
+            continue;
+        }
+        const bool timed = row.repeats > 0, known = !row.error.unit.empty();
+        if (any_time)
+            text += cell(timed, scale * row.times.median, 13) + cell(timed, scale * row.times.p10, 9) +
+                    cell(timed, scale * row.times.p90, 9);
+        if (any_rate) text += cell(timed && row.bytes_per_item > 0, row.bytes_per_item / row.times.median, 6);
+        if (any_error)
+            text +=
+                cell(known, row.error.mean, 12) + cell(known, row.error.p99, 10) + cell(known, row.error.largest, 10);
+        if (unit == "error" && known) text += " " + row.error.unit;
+        if (any_wrong) text += cell(row.error.wrong.has_value(), row.error.wrong.value_or(0) * 100, 8);
+        text += "  " + work_text(row.work);
+        text.erase(text.find_last_not_of(' ') + 1);
+        text += '\n';
+    }
+    return text;
+}
+
+std::string bench_csv(std::span<const BenchRow> rows, const BenchMachine& machine) {
+    std::string text = std::string(header) + "\r\n";
+    for (const BenchRow& row : rows) {
+        const BenchError& error = row.error;
+        const bool timed = row.repeats > 0, known = !error.unit.empty();
+        const std::string fields[] = {row.topic,
+                                      knob_text(row.scene),
+                                      row.method,
+                                      knob_text(row.knobs),
+                                      row.state,
+                                      std::to_string(row.items),
+                                      row.item,
+                                      std::to_string(row.repeats),
+                                      machine.clock,
+                                      timed ? number(row.times.median) : "",
+                                      timed ? number(row.times.p10) : "",
+                                      timed ? number(row.times.p90) : "",
+                                      row.bytes_per_item > 0 ? number(row.bytes_per_item) : "",
+                                      known ? number(error.mean) : "",
+                                      known ? number(error.p99) : "",
+                                      known ? number(error.largest) : "",
+                                      error.unit,
+                                      error.wrong ? number(*error.wrong) : "",
+                                      work_text(row.work),
+                                      machine.renderer,
+                                      machine.cpu,
+                                      machine.compiler,
+                                      machine.commit};
+        std::string line;
+        for (const std::string& field : fields) line += (line.empty() ? "" : ",") + quoted(field);
+        text += line + "\r\n";
+    }
+    return text;
+}
+
+std::vector<BenchRow> read_bench_csv(const std::string& text) {
+    const auto records = records_of(text);
+    const std::vector<std::string> names = split(header, ',');
+    if (records.empty() || records.front().second != names)
+        throw Error(Place{{}, 1}, "not a table of relief bench: its columns are others");
+    std::vector<BenchRow> rows;
+    for (size_t i = 1; i < records.size(); ++i) {
+        const auto& [line, fields] = records[i];
+        if (fields.size() != names.size())
+            throw Error(Place{{}, line}, fmt::format("{} fields instead of {}", fields.size(), names.size()));
+        std::map<std::string, std::string> field;
+        for (size_t k = 0; k < names.size(); ++k) field[names[k]] = fields[k];
+        const auto value = [&, line = line](const std::string& of) {
+            char* end = nullptr;
+            const double result = std::strtod(of.c_str(), &end);
+            if (of.empty() || *end) throw Error(Place{{}, line}, fmt::format("'{}' is not a number", of));
+            return result;
+        };
+        BenchRow& row = rows.emplace_back();
+        row.topic = field["topic"], row.scene = knobs_from(field["scene"]), row.method = field["method"];
+        row.knobs = knobs_from(field["knobs"]), row.state = field["state"], row.item = field["item"];
+        for (const auto& [name, amount] : knobs_from(field["work"])) row.work.emplace_back(name, value(amount));
+        if (field["error_unit"].empty()) continue;
+        row.error = {value(field["error_mean"]), value(field["error_p99"]), value(field["error_largest"]),
+                     field["error_unit"]};
+        if (!field["error_wrong"].empty()) row.error.wrong = value(field["error_wrong"]);
+    }
+    return rows;
+}
+
+std::string row_name(const BenchRow& row) {
+    std::string text = row.topic;
+    for (const std::string& part : {knob_text(row.scene), row.method, knob_text(row.knobs)})
+        if (!part.empty()) text += ", " + part;
+    return text;
+}
+
+}  // namespace relief

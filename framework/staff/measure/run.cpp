@@ -1,0 +1,308 @@
+#include "framework/staff/measure/run.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "framework/base/descriptor.h"
+#include "framework/base/error.h"
+#include "framework/gl/gl.h"
+#include "framework/gl/object.h"
+
+namespace relief {
+namespace {
+
+using nlohmann::json;
+
+json as_json(const Image& image) {
+    if (image.width == 0) return nullptr;
+    std::vector<uint8_t> bytes(image.values.size());
+    for (size_t i = 0; i < bytes.size(); ++i) bytes[i] = uint8_t(std::lround(image.values[i] * 255));
+    return {{"width", image.width}, {"channels", image.channels}, {"bytes", json::binary(std::move(bytes))}};
+}
+
+Image image_from(const json& message) {
+    if (message.is_null()) return {};
+    const auto& bytes = message.at("bytes").get_binary();
+    const int width = message.at("width"), channels = message.at("channels");
+    Image image(width, int(bytes.size()) / (width * channels), channels, 8);
+    for (size_t i = 0; i < bytes.size(); ++i) image.values[i] = float(bytes[i]) / 255;
+    return image;
+}
+
+json as_json(const BenchSubject& subject) {
+    const BenchError& error = subject.error;
+    return {{"items", subject.items},
+            {"bytes", subject.bytes_per_item},
+            {"work", subject.work},
+            {"error", {error.mean, error.p99, error.largest}},
+            {"unit", error.unit},
+            {"wrong", error.wrong ? json(*error.wrong) : json()},
+            {"picture", as_json(subject.picture)},
+            {"error_map", as_json(subject.error_map)},
+            {"most", subject.error_map_most}};
+}
+
+void read_subject(const json& message, BenchRow& row) {
+    row.items = message.at("items"), row.bytes_per_item = message.at("bytes"), row.work = message.at("work");
+    const auto& error = message.at("error");
+    row.error = {error[0], error[1], error[2], message.at("unit")};
+    if (!message.at("wrong").is_null()) row.error.wrong = message.at("wrong").get<double>();
+    row.picture = image_from(message.at("picture")), row.error_map = image_from(message.at("error_map"));
+    row.error_map_most = message.at("most");
+}
+
+/// Messages from the measuring process: a length, then CBOR, which keeps an infinity.
+void send(int pipe, const json& message) {
+    const std::vector<uint8_t> bytes = json::to_cbor(message);
+    const uint32_t size = uint32_t(bytes.size());
+    if (!write_all(pipe, {reinterpret_cast<const char*>(&size), sizeof size}) ||
+        !write_all(pipe, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}))
+        _exit(1);  // nobody reads any more
+}
+
+bool read_whole(int pipe, void* bytes, size_t size) {
+    for (char* at = static_cast<char*>(bytes); size > 0;) {
+        const ssize_t got = read(pipe, at, size);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        at += got, size -= size_t(got);
+    }
+    return true;
+}
+
+std::optional<json> receive(int pipe) {
+    uint32_t size = 0;
+    if (!read_whole(pipe, &size, sizeof size)) return {};
+    std::vector<uint8_t> bytes(size);
+    if (!read_whole(pipe, bytes.data(), size)) return {};
+    return json::from_cbor(bytes);
+}
+
+/// Why a subject's results are none, or nothing.
+std::string fault_of(const BenchSubject& subject) {
+    const BenchError& error = subject.error;
+    bool finite = std::isfinite(error.mean) && std::isfinite(error.p99) && std::isfinite(error.largest) &&
+                  std::isfinite(error.wrong.value_or(0));
+    for (const auto& [name, amount] : subject.work) finite = finite && std::isfinite(amount);
+    return finite ? "" : "failed: its result is not a number";
+}
+
+/// In a process of its own: prepares and times those methods of a scene that have not failed before.
+class Measuring {
+public:
+    Measuring(const BenchTopic& topic, const BenchScene& scene, const BenchRun& run, int pipe, volatile int& current)
+        : topic_(topic), scene_(scene), run_(run), pipe_(pipe), current_(current) {}
+
+    void measure(std::vector<size_t> methods) {
+        if (run_.pinned) pin_software_renderer();
+        const auto context = topic_.draws ? open_context(run_.context) : nullptr;
+        const bool on_gpu = context && !is_software_renderer();
+        send(pipe_, {{"renderer", context ? describe_context().renderer : "none"}, {"clock", on_gpu ? "gpu" : "wall"}});
+        std::vector<BenchSubject> subjects;
+        std::vector<size_t> places;
+        for (const size_t place : methods) {
+            begin(place);
+            attempt(place, [&] {
+                BenchSubject subject = scene_.methods[place].prepare();
+                if (const std::string fault = fault_of(subject); !fault.empty()) return failed(place, fault);
+                send(pipe_, {{"method", place}, {"subject", as_json(subject)}});
+                subject.picture = subject.error_map = {};
+                subjects.push_back(std::move(subject)), places.push_back(place);
+            });
+        }
+        // Whatever fails while it is timed is left out, and the others begin anew.
+        while (run_.settings.repeats > 0 && !subjects.empty() &&
+               !attempt(-1, [&] { time(subjects, places, on_gpu ? by_gpu_clock : by_wall_clock); })) {
+            const auto bad = std::find(places.begin(), places.end(), size_t(current_));
+            subjects.erase(subjects.begin() + (bad - places.begin()));
+            places.erase(bad);
+        }
+    }
+
+private:
+    void begin(size_t place) { current_ = int(place); }
+    void failed(size_t place, const std::string& why) { send(pipe_, {{"method", place}, {"failed", why}}); }
+
+    /// False when it threw: the method at `place`, or, where that is -1, whichever was begun last.
+    template <class Work>
+    bool attempt(int64_t place, Work work) {
+        try {
+            work();
+            return true;
+        } catch (const std::exception& error) {
+            failed(place < 0 ? size_t(current_) : size_t(place), std::string("failed: ") + error.what());
+            return false;
+        }
+    }
+
+    void time(std::span<const BenchSubject> subjects, const std::vector<size_t>& places, const BenchClock& clock) {
+        BenchTurns turns(subjects, clock, [&](size_t i) { begin(places[i]); });
+        for (int round = 1; round <= run_.settings.repeats; ++round) {
+            turns.round();
+            json times;
+            for (const BenchTimes& one : turns.times()) times.push_back({one.median, one.p10, one.p90});
+            send(pipe_, {{"round", round}, {"methods", places}, {"times", times}});
+        }
+    }
+
+    const BenchTopic& topic_;
+    const BenchScene& scene_;
+    const BenchRun& run_;
+    int pipe_;
+    volatile int& current_;
+};
+
+/// A number that two processes share, as long as the object lives.
+class Shared {
+public:
+    Shared() : page_(mmap(nullptr, sizeof(int), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+        if (page_ == MAP_FAILED) throw Error(fmt::format("no memory to share: {}", std::strerror(errno)));
+    }
+    ~Shared() { munmap(page_, sizeof(int)); }
+    Shared(const Shared&) = delete;
+    Shared& operator=(const Shared&) = delete;
+    volatile int& value() { return *static_cast<volatile int*>(page_); }
+
+private:
+    void* page_;
+};
+
+std::string ending(int status) {
+    if (WIFSIGNALED(status)) return std::string("crashed: ") + strsignal(WTERMSIG(status));
+    return fmt::format("ended the process, exit code {}", WEXITSTATUS(status));
+}
+
+/// What the measuring process has to say, written into the rows.
+class Listener {
+public:
+    Listener(std::vector<BenchRow>& rows, const BenchRun& run, BenchMachine& machine)
+        : rows_(rows), run_(run), machine_(machine) {}
+
+    void hear(const json& message) {
+        if (message.contains("stopped")) throw Error(message.at("stopped").get<std::string>());
+        if (message.contains("wrong use")) throw UsageError(message.at("wrong use").get<std::string>());
+        if (message.contains("renderer")) {
+            machine_.renderer = message.at("renderer"), machine_.clock = message.at("clock");
+            return report(first_open());
+        }
+        if (message.contains("subject")) {
+            BenchRow& row = rows_[message.at("method")];
+            read_subject(message.at("subject"), row);
+            row.state = "measured";
+            return report(first_open());
+        }
+        if (message.contains("failed")) {
+            BenchRow& row = rows_[message.at("method")];
+            row.state = message.at("failed"), row.repeats = 0;
+            return report(first_open());
+        }
+        const int round = message.at("round");
+        const std::vector<size_t> methods = message.at("methods");
+        for (size_t i = 0; i < methods.size(); ++i) {
+            const auto& times = message.at("times")[i];
+            rows_[methods[i]].times = {times[0], times[1], times[2]};
+            rows_[methods[i]].repeats = round;
+        }
+        report(round < run_.settings.repeats ? fmt::format("round {} of {}", round + 1, run_.settings.repeats)
+                                             : "done");
+    }
+
+private:
+    std::string first_open() const {
+        for (const BenchRow& row : rows_)
+            if (row.state == "open") return row.method + ", its error and work";
+        return "warming up";
+    }
+    void report(const std::string& next) const {
+        if (run_.report) run_.report(rows_, next);
+    }
+
+    std::vector<BenchRow>& rows_;
+    const BenchRun& run_;
+    BenchMachine& machine_;
+};
+
+}  // namespace
+
+double by_gpu_clock(const std::function<void()>& run, size_t times) {
+    // Two moments and not one span: what is run ends with glFinish, and over that a span loses its beginning
+    // (llvmpipe).
+    const QueryName begin, end;
+    glQueryCounter(begin, GL_TIMESTAMP);
+    for (size_t i = 0; i < times; ++i) run();
+    glQueryCounter(end, GL_TIMESTAMP);
+    GLuint64 from = 0, to = 0;
+    glGetQueryObjectui64v(begin, GL_QUERY_RESULT, &from);
+    glGetQueryObjectui64v(end, GL_QUERY_RESULT, &to);
+    return double(to - from) * 1e-9;
+}
+
+int steps_of(const BenchScene& scene, const BenchSettings& settings) {
+    return 1 + int(scene.methods.size()) + settings.repeats;
+}
+
+std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene, const BenchRun& run,
+                                BenchMachine& machine) {
+    std::vector<BenchRow> rows = open_rows(topic, scene);
+    Listener listener(rows, run, machine);
+    Shared current;
+    // A crash ends the process; the next one does without the method that was at work.
+    for (bool again = true; again;) {
+        again = false;
+        std::vector<size_t> methods;
+        for (size_t i = 0; i < rows.size(); ++i)
+            if (rows[i].state == "open" || rows[i].is_measured()) methods.push_back(i), rows[i].state = "open";
+        if (methods.empty()) break;
+        current.value() = -1;
+        int ends[2];
+        if (pipe2(ends, O_CLOEXEC) != 0) throw Error(fmt::format("no pipe: {}", std::strerror(errno)));
+        Descriptor hears(ends[0]), says(ends[1]);
+        std::fflush(nullptr);
+        const pid_t child = fork();
+        if (child < 0) throw Error(fmt::format("no process: {}", std::strerror(errno)));
+        if (child == 0) {
+            prctl(PR_SET_PDEATHSIG, SIGKILL);
+            hears.close();
+            try {
+                Measuring(topic, scene, run, says, current.value()).measure(methods);
+            } catch (const UsageError& error) {
+                send(says, {{"wrong use", error.what()}});
+            } catch (const std::exception& error) {
+                send(says, {{"stopped", error.what()}});
+            }
+            std::fflush(nullptr);
+            _exit(0);
+        }
+        says.close();
+        std::exception_ptr stopped;
+        try {
+            while (const auto message = receive(hears)) listener.hear(*message);
+        } catch (...) {
+            stopped = std::current_exception();
+            kill(child, SIGKILL);
+        }
+        int status = 0;
+        while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+        }
+        if (stopped) std::rethrow_exception(stopped);
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
+        if (current.value() < 0)
+            throw Error("the measuring process " + ending(status) + " before it measured anything");
+        BenchRow& row = rows[size_t(current.value())];
+        row.state = ending(status), row.repeats = 0;
+        again = true;
+    }
+    return rows;
+}
+
+}  // namespace relief

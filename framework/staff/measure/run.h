@@ -1,0 +1,33 @@
+// A scene measured in a process of its own: a method that crashes takes nothing along.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "framework/context/context.h"
+#include "framework/staff/measure/rows.h"
+
+namespace relief {
+
+/// By timer queries: what the GPU itself took, from the first command to the last. Wants a context.
+double by_gpu_clock(const std::function<void()>& run, size_t times);
+
+struct BenchRun {
+    BenchSettings settings;
+    std::optional<ContextKind> context = {};  ///< for topics that draw; nothing: whichever opens
+    bool pinned = false;                      ///< the same bits on every machine, at the cost of time
+    /// Told of every step: what is known by then, and what is done next ("linear-32, error", "round 3").
+    std::function<void(const std::vector<BenchRow>& rows, const std::string& next)> report = {};
+};
+
+/// How many times `report` is called for a scene in which nothing fails.
+int steps_of(const BenchScene& scene, const BenchSettings& settings);
+
+/// The scene's rows, each measured or with the reason why not: a method that throws, crashes or gives what is not a
+/// number, and the others go on. `machine` learns what drew and which clock was used. Throws Error when there is no
+/// context, or the process cannot be made.
+std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene, const BenchRun& run,
+                                BenchMachine& machine);
+
+}  // namespace relief

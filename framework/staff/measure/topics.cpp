@@ -1,0 +1,13 @@
+#include "framework/staff/measure/topics.h"
+
+namespace relief {
+
+std::span<const BenchTopic> bench_topics() {
+    static const std::vector<BenchTopic> topics = {storage_topic(),      normals_topic(),  tangents_topic(),
+                                                   intersection_topic(), parallax_topic(), displacement_topic(),
+                                                   lighting_topic(),     budget_topic(),   frames_topic(),
+                                                   grade_topic(),        start_topic()};
+    return topics;
+}
+
+}  // namespace relief

@@ -1,0 +1,23 @@
+// A submission's page: its tasks and checks, and the pictures of what did not pass.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/staff/grade/results.h"
+
+namespace relief {
+
+/// Needs nothing else. A check has its figures where `pictures` has it. What strangers wrote is text in it, never
+/// markup.
+std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures);
+
+/// The number of a lab and its name in words: "02", "normal map storage".
+std::string number_of(const std::string& folder);
+std::string words_of(const std::string& folder);
+/// A stranger's name as text, whose direction is its own affair.
+std::string name_html(const std::string& name);
+/// "1 file", "2 files"
+std::string count_of(size_t count, const std::string& what);
+
+}  // namespace relief

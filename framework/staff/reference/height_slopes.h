@@ -1,0 +1,17 @@
+// The slope of a height map at a texel, taken word by word from its definition: what normals_from_heights is held to.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "framework/staff/reference/normals.h"
+
+namespace relief {
+
+/// dh/du and dh/dv, per texel, of a one-channel image; v grows up. Slow: the spline costs its whole line for each
+/// texel.
+glm::dvec2 slope_at(const Image& heights, int x, int y, SlopeFilter filter, bool wrap);
+
+/// The unit normal of it.
+glm::dvec3 normal_at(const Image& heights, int x, int y, const NormalOptions& options);
+
+}  // namespace relief

@@ -1,0 +1,149 @@
+#include "framework/staff/reference/mikktspace.h"
+
+#include <cmath>
+#include <set>
+
+namespace relief {
+namespace {
+
+struct Triangle {
+    glm::dvec3 position[3], normal[3];
+    glm::dvec2 uv[3];
+    glm::dvec3 along{0};  // dP/du, unit
+    int handedness = 0;
+    bool degenerate = false;  // two equal positions
+};
+
+struct Corner {
+    size_t triangle;
+    int k;
+    bool operator<(const Corner& other) const {
+        return triangle != other.triangle ? triangle < other.triangle : k < other.k;
+    }
+};
+
+bool same(const Vertex& a, const Vertex& b) { return a.position == b.position && a.normal == b.normal && a.uv == b.uv; }
+
+glm::dvec3 on_plane(const glm::dvec3& v, const glm::dvec3& normal) { return v - normal * glm::dot(normal, v); }
+glm::dvec3 unit(const glm::dvec3& v) { return glm::length(v) > 0 ? v / glm::length(v) : glm::dvec3(0); }
+
+class Semantics {
+public:
+    explicit Semantics(const Mesh& mesh) : mesh_(mesh) {
+        for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+            Triangle t;
+            for (int k = 0; k < 3; ++k) {
+                const Vertex& v = vertex({i / 3, k});
+                t.position[k] = v.position, t.normal[k] = unit(glm::dvec3(v.normal)), t.uv[k] = v.uv;
+            }
+            t.degenerate =
+                t.position[0] == t.position[1] || t.position[1] == t.position[2] || t.position[2] == t.position[0];
+            // Two edges in space and in uv, from the corner opposite the longest, so that slivers keep their digits;
+            // dP/du but for the division by the area.
+            const auto length = [&](int k) { return glm::length(t.position[(k + 1) % 3] - t.position[(k + 2) % 3]); };
+            const int a = length(0) >= length(1) && length(0) >= length(2) ? 0 : length(1) >= length(2) ? 1 : 2;
+            const int b = (a + 1) % 3, c = (a + 2) % 3;
+            const glm::dvec3 d1 = t.position[b] - t.position[a], d2 = t.position[c] - t.position[a];
+            const glm::dvec2 t21 = t.uv[b] - t.uv[a], t31 = t.uv[c] - t.uv[a];
+            const double area = t21.x * t31.y - t21.y * t31.x;
+            t.handedness = area > 0 ? 1 : area < 0 ? -1 : 0;
+            t.along = unit((t31.y * d1 - t21.y * d2) * double(t.handedness));
+            triangles_.push_back(t);
+        }
+    }
+
+    std::vector<glm::dvec4> tangents() {
+        std::vector<glm::dvec4> result(mesh_.indices.size(), glm::dvec4(0));
+        decide_handedness();
+        std::set<Corner> done;
+        for (size_t i = 0; i < triangles_.size(); ++i)
+            for (int k = 0; k < 3; ++k) {
+                const Corner corner{i, k};
+                if (triangles_[i].degenerate || handedness_[i * 3 + size_t(k)] == 0 || done.contains(corner)) continue;
+                std::set<Corner> group;
+                flood(corner, group);
+                const glm::dvec3 tangent = sum(group);
+                for (const Corner& one : group) {
+                    result[one.triangle * 3 + size_t(one.k)] = glm::dvec4(tangent, handedness_[i * 3 + size_t(k)]);
+                    done.insert(one);
+                }
+            }
+        inherit(result);
+        return result;
+    }
+
+private:
+    const Vertex& vertex(Corner c) const { return mesh_.vertices[mesh_.indices[c.triangle * 3 + size_t(c.k)]]; }
+
+    /// Corners at the same vertex across the edge that leaves it (or arrives): that edge arrives (leaves) there.
+    std::vector<Corner> across(Corner c, bool leaving) const {
+        std::vector<Corner> found;
+        const Vertex& end = vertex({c.triangle, (c.k + (leaving ? 1 : 2)) % 3});
+        for (size_t i = 0; i < triangles_.size(); ++i)
+            for (int k = 0; k < 3; ++k) {
+                const Corner other{i, k};
+                if ((i == c.triangle && k == c.k) || triangles_[i].degenerate || !same(vertex(other), vertex(c)))
+                    continue;
+                if (same(vertex({i, (k + (leaving ? 2 : 1)) % 3}), end)) found.push_back(other);
+            }
+        return found;
+    }
+
+    void decide_handedness() {
+        for (const Triangle& t : triangles_) handedness_.insert(handedness_.end(), 3, t.degenerate ? 0 : t.handedness);
+        for (bool changed = true; changed;) {
+            changed = false;
+            const std::vector<int> before = handedness_;
+            for (size_t i = 0; i < before.size(); ++i) {
+                if (before[i] != 0 || triangles_[i / 3].degenerate) continue;
+                for (const bool leaving : {true, false})
+                    for (const Corner& c : across({i / 3, int(i % 3)}, leaving))
+                        if (const int theirs = before[c.triangle * 3 + size_t(c.k)]; theirs != 0 && handedness_[i] == 0)
+                            handedness_[i] = theirs, changed = true;
+            }
+        }
+    }
+
+    void flood(Corner c, std::set<Corner>& group) const {
+        if (!group.insert(c).second) return;
+        for (const bool leaving : {true, false})
+            for (const Corner& other : across(c, leaving))
+                if (handedness_[other.triangle * 3 + size_t(other.k)] == handedness_[c.triangle * 3 + size_t(c.k)])
+                    flood(other, group);
+    }
+
+    glm::dvec3 sum(const std::set<Corner>& group) const {
+        glm::dvec3 total(0);
+        for (const Corner& c : group) {
+            const Triangle& t = triangles_[c.triangle];
+            const glm::dvec3 n = t.normal[c.k], here = t.position[c.k];
+            const glm::dvec3 one = unit(on_plane(t.position[(c.k + 1) % 3] - here, n)),
+                             two = unit(on_plane(t.position[(c.k + 2) % 3] - here, n));
+            const double angle = std::atan2(glm::length(glm::cross(one, two)), glm::dot(one, two));
+            total += angle * unit(on_plane(t.along, n));
+        }
+        return unit(total);
+    }
+
+    /// From the first corner at the same vertex that has a tangent.
+    void inherit(std::vector<glm::dvec4>& result) const {
+        const std::vector<glm::dvec4> own = result;
+        for (size_t i = 0; i < own.size(); ++i) {
+            if (glm::dvec3(own[i]) != glm::dvec3(0)) continue;
+            for (size_t j = 0; j < own.size() && glm::dvec3(result[i]) == glm::dvec3(0); ++j)
+                if (glm::dvec3(own[j]) != glm::dvec3(0) &&
+                    same(mesh_.vertices[mesh_.indices[i]], mesh_.vertices[mesh_.indices[j]]))
+                    result[i] = own[j];
+        }
+    }
+
+    const Mesh& mesh_;
+    std::vector<Triangle> triangles_;
+    std::vector<int> handedness_;
+};
+
+}  // namespace
+
+std::vector<glm::dvec4> mikktspace_reference(const Mesh& mesh) { return Semantics(mesh).tangents(); }
+
+}  // namespace relief

@@ -1,0 +1,353 @@
+#include "framework/staff/reference/tangents.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <unordered_map>
+
+#include "framework/base/parallel.h"
+#include "framework/mesh/corners.h"
+#include "framework/mesh/frame.h"
+#include "framework/staff/reference/tangent_groups.h"
+
+namespace relief {
+namespace {
+
+/// A tangent that leans against the normal by less than this is lost in the projection onto its plane.
+constexpr double smallest_sine = 1e-4;
+
+/// Unit, of what is so within 1e-6: by one of Newton's steps, without a root.
+glm::dvec3 made_unit(const glm::dvec3& v) { return v * (1.5 - 0.5 * glm::dot(v, v)); }
+
+/// Unit, or zero where it has no direction.
+glm::dvec3 direction(const glm::dvec3& v) {
+    const double squared = glm::dot(v, v);
+    return squared > 0 && std::isfinite(squared) ? v / std::sqrt(squared) : glm::dvec3(0);
+}
+
+bool is_usable(const glm::vec3& normal) {
+    const double squared = glm::dot(glm::dvec3(normal), glm::dvec3(normal));
+    return squared > 0 && std::isfinite(squared);
+}
+
+/// The mean of the triangles at a vertex, by area; +z where they have none.
+glm::dvec3 normal_of_faces(const Mesh& mesh, std::span<const uint32_t> corners) {
+    glm::dvec3 sum(0);
+    for (const uint32_t corner : corners) {
+        const uint32_t* const face = &mesh.indices[corner - corner % 3];
+        const glm::dvec3 a(mesh.vertices[face[0]].position), b(mesh.vertices[face[1]].position),
+            c(mesh.vertices[face[2]].position);
+        const glm::dvec3 across = glm::cross(b - a, c - a);
+        if (std::isfinite(glm::dot(across, across))) sum += across;
+    }
+    const glm::dvec3 normal = direction(sum);
+    return normal == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : normal;
+}
+
+/// Everything that is known before vertices are looked at one by one.
+struct Solver {
+    const Mesh& mesh;
+    TangentMethod method;
+    unsigned threads;
+    Buffer<uint32_t> vertex_of;
+    CornerLists lists;
+    std::unordered_map<uint32_t, glm::dvec3> repaired;  // normals by welded vertex
+    Buffer<TangentFace> faces;
+
+    Solver(const Mesh& all, TangentMethod how, unsigned thread_count)
+        : mesh(all),
+          method(how),
+          threads(thread_count),
+          vertex_of(welded_vertices(all)),
+          lists(all, vertex_of, thread_count),
+          faces(all.indices.size() / 3) {
+        for (size_t i = 0; i < mesh.vertices.size(); ++i)
+            if (vertex_of[i] == i && !is_usable(mesh.vertices[i].normal))
+                repaired.emplace(uint32_t(i), normal_of_faces(mesh, lists.at(i)));
+        const double area_unit = method == TangentMethod::area ? largest_area() : 1;
+        parallel_pieces(faces.size(), 1 << 12, threads, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; i += batch) make_faces(i, std::min(end, i + batch), area_unit);
+        });
+    }
+
+    glm::dvec3 normal(uint32_t vertex) const {
+        if (!repaired.empty())
+            if (const auto found = repaired.find(vertex_of[vertex]); found != repaired.end()) return found->second;
+        const glm::dvec3 n(mesh.vertices[vertex].normal);
+        const double squared = glm::dot(n, n);
+        return std::abs(squared - 1) < 1e-6 ? made_unit(n) : n * (1 / std::sqrt(squared));
+    }
+
+private:
+    /// As many as stay in the nearest cache: first their edges, then all their angles.
+    static constexpr size_t batch = 64;
+    void make_faces(size_t begin, size_t end, double area_unit) {
+        double sines[3 * batch] = {}, cosines[3 * batch] = {};
+        for (size_t i = begin; i < end; ++i) {
+            const uint32_t* const at = &mesh.indices[i * 3];
+            const Vertex* const corners[3] = {&mesh.vertices[at[0]], &mesh.vertices[at[1]], &mesh.vertices[at[2]]};
+            glm::dvec3 normals[3];
+            if (method == TangentMethod::mikktspace)
+                for (int k = 0; k < 3; ++k) normals[k] = normal(at[k]);
+            FaceAngles angles;
+            faces[i] = tangent_face(corners, normals, method, area_unit, angles);
+            std::copy_n(angles.sine, 3, sines + 3 * (i - begin)),
+                std::copy_n(angles.cosine, 3, cosines + 3 * (i - begin));
+        }
+        if (method != TangentMethod::angle && method != TangentMethod::mikktspace) return;
+        float weights[3 * batch];
+        angles_of(sines, cosines, weights, int(3 * (end - begin)));
+        for (size_t i = begin; i < end; ++i) std::copy_n(weights + 3 * (i - begin), 3, faces[i].weight);
+    }
+
+    /// So that areas of any size are floats beside each other.
+    double largest_area() const {
+        double largest = 0;
+        for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const glm::dvec3 a(mesh.vertices[mesh.indices[i]].position);
+            const glm::dvec3 across = glm::cross(glm::dvec3(mesh.vertices[mesh.indices[i + 1]].position) - a,
+                                                 glm::dvec3(mesh.vertices[mesh.indices[i + 2]].position) - a);
+            const double squared = glm::dot(across, across);
+            if (std::isfinite(squared)) largest = std::max(largest, squared);
+        }
+        return largest > 0 ? std::sqrt(largest) : 1;
+    }
+};
+
+/// The corners at one vertex, from their triangles to their tangents. One a thread, used again from vertex to vertex.
+class VertexTangents {
+public:
+    VertexTangents(const Solver& solver, std::vector<glm::vec4>& result) : solver_(solver), result_(result) {}
+
+    void write(uint32_t vertex) {
+        const std::span<const uint32_t> list = solver_.lists.at(vertex);
+        if (list.empty()) return;
+        normal_ = solver_.normal(vertex);
+        bad_normal_ = !solver_.repaired.empty() && solver_.repaired.contains(vertex);
+        report.corners += list.size();
+        const bool grouped = solver_.method == TangentMethod::mikktspace;
+        if (grouped) gather(list);
+        const bool one_group = grouped ? std::all_of(corners_.begin(), corners_.end(),
+                                                     [](const CornerAtVertex& corner) { return corner.group == 0; })
+                                       : solver_.method != TangentMethod::per_face;
+        if (one_group && !bad_normal_ && write_plain(list)) return;
+
+        if (!grouped) gather(list);
+        sums_.assign(list.size(), glm::dvec3(0));
+        for (size_t i = 0; i < list.size(); ++i) add(i, list[i] % 3);
+        for (size_t i = 0; i < list.size(); ++i)
+            if (corners_[i].group == i) sums_[i] = tangent_of(sums_[i]);
+        const size_t lender = first_with_tangent();
+        for (size_t i = 0; i < list.size(); ++i) result_[list[i]] = tangent_of_corner(i, lender);
+    }
+
+    TangentReport report;
+
+private:
+    static float side(int handedness) { return handedness < 0 ? -1.0f : 1.0f; }
+
+    /// The usual vertex: all triangles have tangents, of one handedness, and so has their mean. False, and nothing
+    /// done, for any other.
+    bool write_plain(std::span<const uint32_t> list) {
+        const int8_t handedness = solver_.faces[list[0] / 3].handedness;
+        glm::dvec3 sum(0);
+        for (const uint32_t corner : list) {
+            const TangentFace& face = solver_.faces[corner / 3];
+            if (face.handedness != handedness || face.why != TangentFallback::none) return false;
+            sum += double(face.weight[corner % 3]) * contribution(face);
+        }
+        const glm::dvec3 tangent = tangent_of(sum);
+        if (handedness == 0 || tangent == glm::dvec3(0)) return false;
+        for (const uint32_t corner : list) result_[corner] = glm::vec4(tangent, side(handedness));
+        return true;
+    }
+
+    /// What corner i gets, and why, in the report; `lender` is the first corner that has a tangent.
+    glm::vec4 tangent_of_corner(size_t i, size_t lender) {
+        const CornerAtVertex& corner = corners_[i];
+        const bool has_group = sums_[corner.group] != glm::dvec3(0), has_own = corner.face->along != glm::vec3(0);
+        const bool can_inherit = solver_.method != TangentMethod::per_face && lender < corners_.size();
+        if (bad_normal_)
+            ++report.fell_back[size_t(TangentFallback::bad_normal)];
+        else if (!has_group || !has_own)
+            ++report.fell_back[size_t(reason(i))];
+        if (!bad_normal_ && (has_group ? !has_own : can_inherit)) ++report.inherited;
+        if (has_group) return glm::vec4(sums_[corner.group], side(corner.handedness));
+        if (can_inherit) return glm::vec4(sums_[corners_[lender].group], side(corners_[lender].handedness));
+        return glm::vec4(any_perpendicular(normal_), side(corner.face->handedness));
+    }
+
+    void gather(std::span<const uint32_t> list) {
+        corners_.clear();
+        for (const uint32_t corner : list) {
+            const uint32_t face = corner / 3 * 3, k = corner % 3;
+            const auto at = [&](uint32_t i) { return solver_.vertex_of[solver_.mesh.indices[face + i]]; };
+            const TangentFace& of = solver_.faces[corner / 3];
+            corners_.push_back(
+                {&of, at(k == 2 ? 0 : k + 1), at(k == 0 ? 2 : k - 1), of.handedness, uint32_t(corners_.size())});
+        }
+        if (solver_.method == TangentMethod::mikktspace) return group_corners(corners_, scratch_);
+        if (solver_.method == TangentMethod::per_face) return;
+        // One group for each handedness; without one the corner waits for a lender.
+        uint32_t first[2] = {UINT32_MAX, UINT32_MAX};
+        for (uint32_t i = 0; i < corners_.size(); ++i) {
+            if (corners_[i].handedness == 0 || corners_[i].face->in_no_group) continue;
+            uint32_t& group = first[corners_[i].handedness < 0];
+            if (group == UINT32_MAX) group = i;
+            corners_[i].group = group;
+        }
+    }
+
+    void add(size_t i, uint32_t corner_of_face) {
+        const TangentFace& face = *corners_[i].face;
+        sums_[corners_[i].group] += double(face.weight[corner_of_face]) * contribution(face);
+    }
+
+    glm::dvec3 contribution(const TangentFace& face) const {
+        const glm::dvec3 along(face.along);
+        if (solver_.method != TangentMethod::mikktspace) return along;
+        const glm::dvec3 on_plane = projected(along);
+        // Its square is 0 or from 1e-8 to 1, and its length need be no better than a float.
+        const float squared = float(glm::dot(on_plane, on_plane));
+        return squared > 0 ? on_plane * double(1 / std::sqrt(squared)) : on_plane;
+    }
+
+    /// On the tangent plane; zero where too little is left of it.
+    glm::dvec3 projected(const glm::dvec3& v) const {
+        const glm::dvec3 along = v - normal_ * glm::dot(normal_, v);
+        const bool enough = glm::dot(along, along) > smallest_sine * smallest_sine * glm::dot(v, v);
+        return enough ? along : glm::dvec3(0);
+    }
+
+    /// Perpendicular to the normal and unit, or zero. Projected once more: the first time leaves along the normal what
+    /// rounding has, over the sine.
+    glm::dvec3 tangent_of(const glm::dvec3& v) const {
+        const glm::dvec3 unit = direction(projected(v));
+        return made_unit(unit - normal_ * glm::dot(normal_, unit));
+    }
+
+    size_t first_with_tangent() const {
+        for (size_t i = 0; i < corners_.size(); ++i)
+            if (sums_[corners_[i].group] != glm::dvec3(0)) return i;
+        return corners_.size();
+    }
+
+    TangentFallback reason(size_t i) const {
+        const TangentFallback why = corners_[i].face->why;
+        return why == TangentFallback::none ? TangentFallback::parallel_to_normal : why;
+    }
+
+    const Solver& solver_;
+    std::vector<glm::vec4>& result_;
+    glm::dvec3 normal_{};
+    bool bad_normal_ = false;
+    std::vector<CornerAtVertex> corners_;
+    std::vector<glm::dvec3> sums_;
+    std::vector<uint64_t> scratch_;
+};
+
+TangentReport solve(const Solver& solver, std::vector<glm::vec4>& result) {
+    TangentReport report;
+    std::mutex mutex;
+    parallel_pieces(solver.mesh.vertices.size(), 1 << 12, solver.threads, [&](size_t begin, size_t end) {
+        VertexTangents at(solver, result);
+        for (size_t i = begin; i < end; ++i)
+            if (solver.vertex_of[i] == i) at.write(uint32_t(i));
+        const std::lock_guard lock(mutex);
+        report.corners += at.report.corners, report.inherited += at.report.inherited;
+        for (size_t why = 0; why < std::size(report.fell_back); ++why)
+            report.fell_back[why] += at.report.fell_back[why];
+    });
+    return report;
+}
+
+struct Split {
+    uint32_t vertex;
+    std::array<float, 4> tangent;
+    bool operator==(const Split&) const = default;
+};
+struct SplitHash {
+    size_t operator()(const Split& split) const {
+        size_t hash = split.vertex;
+        for (const float value : split.tangent) hash = hash * 0x9e3779b97f4a7c15 + std::hash<float>()(value);
+        return hash;
+    }
+};
+
+}  // namespace
+
+size_t TangentReport::total() const {
+    size_t sum = 0;
+    for (const size_t one : fell_back) sum += one;
+    return sum;
+}
+
+std::string TangentReport::text() const {
+    if (total() == 0) return fmt::format("{} corners, none fell back", corners);
+    constexpr const char* names[] = {"",          "bad normal",    "not finite",
+                                     "zero area", "degenerate uv", "parallel to normal"};
+    std::string reasons;
+    for (size_t i = 1; i < std::size(names); ++i)
+        if (fell_back[i] > 0) reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", fell_back[i], names[i]);
+    std::string text = fmt::format("{} of {} corners fell back: {}", total(), corners, reasons);
+    if (inherited > 0) text += fmt::format("; {} of them took a neighbour's tangent", inherited);
+    return text;
+}
+
+void corner_tangents(const Mesh& mesh, TangentMethod method, std::vector<glm::vec4>& result, TangentReport* report,
+                     unsigned threads) {
+    check_indices(mesh);
+    result.resize(mesh.indices.size());
+    const TangentReport made = solve(Solver(mesh, method, threads), result);
+    if (report) *report = made;
+}
+
+std::vector<glm::vec4> corner_tangents(const Mesh& mesh, TangentMethod method, TangentReport* report,
+                                       unsigned threads) {
+    std::vector<glm::vec4> result;
+    corner_tangents(mesh, method, result, report, threads);
+    return result;
+}
+
+Mesh with_tangents(const Mesh& mesh, TangentMethod method, TangentReport* report, unsigned threads) {
+    check_indices(mesh);
+    std::vector<glm::vec4> tangents(mesh.indices.size());
+    Mesh result = mesh;
+    {
+        const Solver solver(mesh, method, threads);
+        const TangentReport made = solve(solver, tangents);
+        if (report) *report = made;
+        for (uint32_t i = 0; i < result.vertices.size(); ++i) {
+            glm::vec3& normal = result.vertices[i].normal;
+            const bool unit = std::abs(glm::dot(glm::dvec3(normal), glm::dvec3(normal)) - 1) < 1e-6;
+            if (!unit) normal = glm::vec3(solver.normal(i));
+            result.vertices[i].tangent =
+                glm::vec4(any_perpendicular(glm::dvec3(normal)), 1);  // of one that nobody uses
+        }
+    }
+    std::vector<bool> taken(mesh.vertices.size());
+    std::unordered_map<Split, uint32_t, SplitHash> splits;
+    for (size_t i = 0; i < mesh.indices.size(); ++i) {
+        const uint32_t vertex = mesh.indices[i];
+        const glm::vec4 tangent = tangents[i];
+        if (!taken[vertex]) {
+            taken[vertex] = true;
+            result.vertices[vertex].tangent = tangent;
+        } else if (result.vertices[vertex].tangent != tangent) {
+            const auto [at, is_new] = splits.try_emplace({vertex, {tangent.x, tangent.y, tangent.z, tangent.w}},
+                                                         uint32_t(result.vertices.size()));
+            if (is_new) {
+                Vertex copy = result.vertices[vertex];
+                copy.tangent = tangent;
+                result.vertices.push_back(copy);
+            }
+            result.indices[i] = at->second;
+        }
+    }
+    return result;
+}
+
+}  // namespace relief

@@ -1,0 +1,187 @@
+#include "framework/staff/slides/deck.h"
+
+#include <fmt/format.h>
+
+#include <regex>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+#include "framework/check/starter.h"
+#include "framework/lab/manifest.h"
+#include "framework/pages/page.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::vector<std::string> words = split(text, ' ');
+    std::erase(words, "");
+    return words;
+}
+
+class Reader {
+public:
+    Reader(const std::string& text, const fs::path& file, std::string name, bool solutions)
+        : lines_(split(text, '\n')), file_(file), name_(std::move(name)), solutions_(solutions) {}
+
+    Deck read() {
+        front_matter();
+        while (at_ < lines_.size()) slide();
+        return std::move(deck_);
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& message) const { throw Error({file_, int(at_) + 1}, message); }
+    const std::string& line() const { return lines_[at_]; }
+
+    void front_matter() {
+        if (line() != "---") fail("a deck begins with Marp's directives between two lines of ---");
+        do {
+            deck_.text += line() + '\n';
+            if (++at_ == lines_.size()) fail("the directives at the top are never closed by ---");
+        } while (line() != "---");
+        deck_.text += "---\n";
+        ++at_;
+    }
+
+    /// Up to and with the --- that ends it.
+    void slide() {
+        const std::string before = deck_.text;
+        const size_t figures = deck_.figures.size();
+        const bool hidden = is_solution();
+        for (; at_ < lines_.size() && line() != "---"; ++at_)
+            if (line().starts_with("```"))
+                block(hidden);
+            else
+                deck_.text += with_figures(line()) + '\n';
+        const bool more = at_ < lines_.size();
+        ++at_;
+        if (hidden && !solutions_) {
+            deck_.text = before;
+            deck_.figures.resize(figures);
+            // The rule before it is now the rule before what follows.
+            if (!more && deck_.text.ends_with("---\n")) deck_.text.erase(deck_.text.size() - 4);
+        } else if (more) {
+            deck_.text += "---\n";
+        }
+    }
+
+    bool is_solution() const {
+        for (size_t i = at_; i < lines_.size() && lines_[i] != "---"; ++i)
+            if (lines_[i].find("_class: solution") != std::string::npos) return true;
+        return false;
+    }
+
+    /// From its opening fence to its closing one.
+    void block(bool hidden) {
+        const size_t opened = at_;
+        const std::vector<std::string> words = words_of(line().substr(3));
+        std::vector<std::string> inside;
+        while (++at_ < lines_.size() && !line().starts_with("```")) inside.push_back(line());
+        if (at_ == lines_.size()) {
+            at_ = opened;
+            fail("this ``` is never closed");
+        }
+        const size_t closed = at_;
+        at_ = opened;  // for what fails
+        if (!words.empty() && words[0] == "mistakes")
+            mistakes({words.begin() + 1, words.end()}, inside);
+        else if (words.size() == 3)
+            quote(words, inside, hidden);
+        else if (words.size() == 2 || words.size() > 3)
+            fail("a block of code that quotes says ```language file region");
+        else
+            for (size_t i = opened; i <= closed; ++i) deck_.text += lines_[i] + '\n';
+        at_ = closed;
+    }
+
+    void quote(const std::vector<std::string>& words, const std::vector<std::string>& inside, bool hidden) {
+        if (!inside.empty()) fail("a block that quotes a file has nothing in it: the file's region goes there");
+        Region region;
+        try {
+            region = region_of(read_file(course_root() / words[1]), words[1], words[2]);
+        } catch (const Error& error) {
+            fail(error.what());
+        }
+        if (region.has_solution && !hidden)
+            fail(fmt::format("{} has a solution in {}: quote it on a slide with <!-- _class: solution -->", words[1],
+                             words[2]));
+        deck_.text +=
+            fmt::format("```{}\n{}```\n\n<p class=\"source\">{}</p>\n", words[0], region.text, html(words[1]));
+    }
+
+    void mistakes(const std::vector<std::string>& words, const std::vector<std::string>& ids) {
+        if (words.empty()) fail("```mistakes says which lab, and how it is drawn: ```mistakes 10 --set view=one");
+        if (ids.empty()) fail("name a mistake of the lab's manifest on each line");
+        std::vector<std::string> pictures, hints;
+        std::vector<std::string> shot = {"shot"};
+        shot.insert(shot.end(), words.begin(), words.end());
+        pictures.push_back(figure(shot));
+        try {
+            const Manifest manifest = load_manifest(find_lab(words[0]));
+            for (const std::string& id : ids) hints.push_back(manifest.mistake(id).hint);
+        } catch (const UsageError& error) {
+            fail(error.what());
+        }
+        for (const std::string& id : ids) {
+            std::vector<std::string> wrong = shot;
+            wrong.insert(wrong.end(), {"--mistake", id});
+            pictures.push_back(figure(wrong));
+        }
+        for (const bool answered : {false, true}) {
+            deck_.text += fmt::format("<!-- _class: mistakes -->\n\n## {}\n\n<div class=\"mistakes\">\n",
+                                      answered ? "What went wrong" : "What went wrong here?");
+            for (size_t i = 0; i < pictures.size(); ++i) {
+                const std::string letter = i == 0 ? "right" : std::string(1, char('A' + i - 1));
+                deck_.text +=
+                    fmt::format("<figure><img src=\"{}\" alt=\"{}\"><figcaption><b>{}</b>{}</figcaption></figure>\n",
+                                pictures[i], i == 0 ? "as it should be" : html("with the mistake " + ids[i - 1]),
+                                letter, answered && i > 0 ? " " + html_with_code(hints[i - 1]) : "");
+            }
+            deck_.text += answered ? "</div>\n" : "</div>\n\n---\n\n";
+        }
+    }
+
+    std::string with_figures(const std::string& line) {
+        static const std::regex form(R"(\]\(<((?:shot|bench) [^>]*)>\))");
+        std::string result;
+        auto rest = line.begin();
+        for (auto match = std::sregex_iterator(line.begin(), line.end(), form); match != std::sregex_iterator();
+             ++match) {
+            result.append(rest, line.begin() + match->position());
+            result += "](" + figure(words_of((*match)[1])) + ")";
+            rest = line.begin() + match->position() + match->length();
+        }
+        return result.append(rest, line.end());
+    }
+
+    std::string figure(const std::vector<std::string>& command) {
+        for (const std::string& word : command)
+            if (word == "-o") fail("a figure has a place of its own: leave -o out");
+        if (command[0] == "bench" && (command.size() < 2 || command[1].starts_with("-")))
+            fail("a plot is of one topic: bench parallax --quick");
+        const std::string file =
+            fmt::format("{}/{:02}.{}", name_, deck_.figures.size() + 1, command[0] == "bench" ? "svg" : "png");
+        deck_.figures.push_back({command, file, int(at_) + 1});
+        return file;
+    }
+
+    std::vector<std::string> lines_;
+    fs::path file_;
+    std::string name_;
+    bool solutions_;
+    size_t at_ = 0;
+    Deck deck_;
+};
+
+}  // namespace
+
+Deck read_deck(const std::string& text, const fs::path& file, const std::string& name, bool solutions) {
+    return Reader(text, file, name, solutions).read();
+}
+
+}  // namespace relief

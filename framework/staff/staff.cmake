@@ -1,0 +1,34 @@
+# librelief-staff and its modules: all that stays with the staff. Programs are linked to it where it is there, and it
+# brings its own commands.
+
+# Links no GL.
+file(GLOB reference_sources CONFIGURE_DEPENDS framework/staff/reference/*.cpp)
+add_library(relief_reference OBJECT ${reference_sources})
+target_link_libraries(relief_reference PUBLIC relief_cpu PRIVATE relief_warnings)
+
+file(GLOB staff_sources CONFIGURE_DEPENDS framework/staff/measure/*.cpp framework/staff/grade/*.cpp
+  framework/staff/handout/*.cpp framework/staff/slides/*.cpp framework/staff/pages/*.cpp framework/staff/app/*.cpp)
+list(FILTER staff_sources EXCLUDE REGEX "(grade/libarchive|measure/peers_module)\\.cpp$")
+add_library(relief_staff SHARED ${staff_sources} $<TARGET_OBJECTS:relief_reference>)
+set_target_properties(relief_staff PROPERTIES OUTPUT_NAME relief-staff)
+target_link_libraries(relief_staff PUBLIC relief_framework
+  PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json relief_warnings)
+relief_takes_precompiled_headers(relief_reference relief_staff)
+# C++ tasks are compiled when they are graded, as the build compiles.
+set_source_files_properties(framework/staff/grade/stage.cpp PROPERTIES COMPILE_DEFINITIONS
+  "RELIEF_COMPILER=\"${CMAKE_CXX_COMPILER}\";RELIEF_BUILD_FOLDER=\"${PROJECT_BINARY_DIR}\"")
+
+# Opened when an archive is graded.
+pkg_check_modules(libarchive REQUIRED IMPORTED_TARGET libarchive)
+add_library(relief_archive MODULE framework/staff/grade/libarchive.cpp)
+target_link_libraries(relief_archive PRIVATE relief_staff PkgConfig::libarchive relief_warnings)
+set_target_properties(relief_archive PROPERTIES PREFIX "" OUTPUT_NAME relief-archive)
+add_dependencies(relief_modules relief_archive)
+# Opened when `relief bench` measures what others do of the same; where there is no Assimp it does without.
+pkg_check_modules(assimp IMPORTED_TARGET assimp)
+if(assimp_FOUND)
+  add_library(relief_peers MODULE framework/staff/measure/peers_module.cpp)
+  target_link_libraries(relief_peers PRIVATE relief_staff PkgConfig::assimp PkgConfig::openimageio relief_warnings)
+  set_target_properties(relief_peers PROPERTIES PREFIX "" OUTPUT_NAME relief-peers)
+  add_dependencies(relief_modules relief_peers)
+endif()

@@ -1,0 +1,116 @@
+#include "framework/window/menu_error_map.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "framework/base/log.h"
+#include "framework/image/visualize.h"
+#include "framework/window/menu_stage.h"
+#include "framework/window/menu_style.h"
+
+namespace relief {
+namespace {
+
+/// From 0 to `largest`, in the map's own colours, as wide as there is room.
+void draw_scale(const std::string& largest) {
+    constexpr int steps = 5;  // between the colours of visualize_error(), which are linear in between
+    Image values(steps + 1, 1, 1);
+    for (int i = 0; i <= steps; ++i) values.values[size_t(i)] = float(i) / steps;
+    const Image colors = visualize_error(values, 1);
+    const auto color = [&](int i) {
+        const float* const c = colors.pixel(i, 0);
+        return ImGui::ColorConvertFloat4ToU32({c[0], c[1], c[2], 1});
+    };
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight() * 0.6f;
+    for (int i = 0; i < steps; ++i)
+        ImGui::GetWindowDrawList()->AddRectFilledMultiColor(
+            {corner.x + width * float(i) / steps, corner.y},
+            {corner.x + width * float(i + 1) / steps, corner.y + height}, color(i), color(i + 1), color(i + 1),
+            color(i));
+    ImGui::Dummy({width, height});
+    quiet_text("0");
+    ImGui::SameLine(ImGui::GetCursorPosX() + width - ImGui::CalcTextSize(largest.c_str()).x);
+    quiet_text(largest);
+}
+
+}  // namespace
+
+void ErrorMap::forget() {
+    done_ = false;
+    picture_.reset();
+    message_.clear();
+}
+
+void ErrorMap::compute(Stage& stage) {
+    forget();
+    done_ = true;
+    try {
+        compare(stage);
+    } catch (const std::exception& error) {  // also what a lab throws: the window stays open
+        message_ = error.what();
+        print_event("error map: " + message_);
+    }
+}
+
+void ErrorMap::compare(Stage& stage) {
+    if (!stage.lab() || stage.failed()) throw Error("There is no picture to compare.");
+    Shot shot = stage.shot();
+    std::vector<ProbeInfo> probes = stage.manifest().probes;
+    if (shot.probe) probes = {stage.manifest().probe(shot.probe.name)};
+    const Target target(TargetKind::probe, shot.size);
+    for (const ProbeInfo& probe : probes) {
+        shot.probe = {probe.name};
+        const Frame frame = frame_of(shot, target);
+        const std::optional<Image> truth = stage.lab()->truth(frame, shot.probe);
+        if (!truth) continue;
+        draw_lab(*stage.lab(), frame);
+        const Image error = error_image(target.read(), *truth, probe.error);
+        probe_ = probe, error_ = summarize(error);
+        picture_.emplace(
+            "error map", [&] { return visualize_error(error, error_.p99); },
+            TextureOptions{.wrap = Wrap::clamp, .mips = false});
+        bind(0, *picture_);  // made now, while the numbers are there
+        print_event(
+            fmt::format("error map: {}, mean {:.6g} {}, rms {:.6g}, 99 % {:.6g}, largest {:.6g}, over {} pixels",
+                        probe.name, error_.mean, probe.unit, error_.rms, error_.p99, error_.largest, error_.count));
+        return;
+    }
+    throw Error(stage.shot().probe ? fmt::format("This lab has no truth for '{}'.", stage.shot().probe.name)
+                                   : "This lab has no truth for any of its probes.");
+}
+
+void ErrorMap::draw(int x, glm::ivec2 size, bool moves) const {
+    if (!on_) return;
+    const float left = float(x), right = float(x + size.x), bottom = float(size.y);
+    if (picture_)  // row 0 of a texture is the bottom
+        ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(GLuint(*picture_))),
+                                                 {left, 0}, {right, bottom}, {0, 1}, {1, 0});
+    ImGui::SetNextWindowPos({left + 12, bottom - 12}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSize({std::max(60.0f, float(size.x) - 24), 0});
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    ImGui::Begin("error map", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    if (!done_) {
+        wrapped(moves ? "The error is computed when the animation is held still: press space." : "computing the truth");
+    } else if (!picture_) {
+        wrapped(message_);
+    } else {
+        const std::string unit = probe_.unit.empty() ? "" : " " + probe_.unit;
+        wrapped(fmt::format("{}: how far from the truth", probe_.name));
+        wrapped(fmt::format("mean {:.3g}    99 % {:.3g}    largest {:.3g}{}", error_.mean, error_.p99, error_.largest,
+                            unit));
+        if (error_.count == 0) wrapped("No pixel has a surface in both.");
+        if (error_.not_finite > 0) {
+            ImGui::PushStyleColor(ImGuiCol_Text, alarm);
+            wrapped(fmt::format("{} pixels, in magenta, are not a number.", error_.not_finite));
+            ImGui::PopStyleColor();
+        }
+        draw_scale(fmt::format("{:.3g}{} and more", error_.p99, unit));
+    }
+    ImGui::End();
+}
+
+}  // namespace relief

@@ -1,0 +1,71 @@
+#include "framework/window/menu_style.h"
+
+#include <filesystem>
+
+namespace relief {
+namespace {
+
+const std::filesystem::path fonts = "/usr/share/fonts/truetype/dejavu";
+
+// What handouts are written with beside Latin letters: Greek, dashes and quotes, small digits, arrows, mathematics,
+// lines of trees, shapes, ticks. In pairs, first and last.
+constexpr ImWchar characters[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2010, 0x205f, 0x2070,
+                                  0x209f, 0x2100, 0x214f, 0x2190, 0x21ff, 0x2200, 0x22ff,
+                                  0x2500, 0x257f, 0x25a0, 0x25ff, 0x2713, 0x2717, 0};
+
+void load_fonts(float scale) {
+    struct File {
+        const char* name;
+        float size;
+    };
+    // By FontRole. Without the files Dear ImGui's own font stands in for all.
+    static constexpr File files[] = {
+        {"DejaVuSans.ttf", 15}, {"DejaVuSans-Bold.ttf", 15}, {"DejaVuSans-Bold.ttf", 21}, {"DejaVuSansMono.ttf", 14}};
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    for (const File& file : files)
+        if (exists(fonts / file.name))
+            atlas.AddFontFromFileTTF((fonts / file.name).c_str(), file.size * scale, nullptr, characters);
+        else
+            atlas.AddFontDefault();
+}
+
+}  // namespace
+
+void style_menu(float scale) {
+    load_fonts(scale);
+    ImGui::StyleColorsDark();
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowPadding = {16, 14};
+    style.FramePadding = {8, 5};
+    style.ItemSpacing = {8, 6};
+    style.FrameRounding = style.GrabRounding = style.PopupRounding = 4;
+    style.WindowBorderSize = 0;
+    style.Colors[ImGuiCol_WindowBg] = {0.09f, 0.095f, 0.11f, 1};
+    style.Colors[ImGuiCol_FrameBg] = {0.16f, 0.17f, 0.20f, 1};
+    style.Colors[ImGuiCol_Button] = {0.20f, 0.21f, 0.25f, 1};
+    for (const int color : {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered})
+        style.Colors[color] = {0.30f, 0.24f, 0.21f, 1};
+    for (const int color : {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_Header, ImGuiCol_HeaderActive})
+        style.Colors[color] = {0.42f, 0.28f, 0.21f, 1};
+    for (const int color : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_CheckMark})
+        style.Colors[color] = accent;
+    style.ScaleAllSizes(scale);
+}
+
+ImFont* font(FontRole role) { return ImGui::GetIO().Fonts->Fonts[int(role)]; }
+
+void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
+
+void wrapped(const std::string& line) {
+    ImGui::PushTextWrapPos(0);
+    text(line);
+    ImGui::PopTextWrapPos();
+}
+
+void quiet_text(const std::string& line) {
+    ImGui::PushStyleColor(ImGuiCol_Text, quiet);
+    wrapped(line);
+    ImGui::PopStyleColor();
+}
+
+}  // namespace relief

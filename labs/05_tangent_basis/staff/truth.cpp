@@ -1,0 +1,60 @@
+// What only the staff has of lab 05: see ../truth.h.
+#include "truth.h"
+
+#include "framework/base/error.h"
+#include "framework/base/parallel.h"
+#include "framework/staff/reference/tangents.h"
+
+namespace relief::basis {
+namespace {
+
+/// The first triangle that a ray meets from either side, as u and v of the surface (Möller and Trumbore 1997).
+std::optional<glm::dvec2> place_seen(const CoarseMesh& coarse, const Ray& ray) {
+    std::optional<glm::dvec2> seen;
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto& [mesh, places] = coarse;
+    for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const uint32_t a = mesh.indices[i], b = mesh.indices[i + 1], c = mesh.indices[i + 2];
+        const glm::dvec3 p(mesh.vertices[a].position);
+        const glm::dvec3 e1 = glm::dvec3(mesh.vertices[b].position) - p, e2 = glm::dvec3(mesh.vertices[c].position) - p;
+        const glm::dvec3 across = glm::cross(ray.direction, e2), from = ray.origin - p;
+        const double determinant = glm::dot(e1, across);
+        if (determinant == 0) continue;
+        const double s = glm::dot(from, across) / determinant;
+        const glm::dvec3 q = glm::cross(from, e1);
+        const double t = glm::dot(ray.direction, q) / determinant, distance = glm::dot(e2, q) / determinant;
+        if (s < 0 || t < 0 || s + t > 1 || distance <= 0 || distance >= nearest) continue;
+        nearest = distance;
+        seen = (1 - s - t) * places[a] + s * places[b] + t * places[c];
+    }
+    return seen;
+}
+
+std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const CoarseMesh& mesh, Shape shape,
+                                  double shear) {
+    Image image(frame.size.x, frame.size.y, 4);
+    std::fill(image.values.begin(), image.values.end(), no_surface);
+    const auto draw = [&](int x, int y) {
+        const auto seen = place_seen(mesh, frame.ray(x, y));
+        if (!seen) return;
+        const Place place = place_on(shape, *seen, shear);
+        glm::dvec3 value(place.tangent);
+        // dP/dv of a surface of revolution is perpendicular to dP/du; a sheared quad's is not, but its frame is.
+        if (probe.name == "bitangent") value = place.tangent.w * glm::cross(place.normal, value);
+        for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = float(value[c]);
+        image.pixel(x, y)[3] = 0;
+    };
+    parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
+        for (size_t y = begin; y < end; ++y)
+            for (int x = 0; x < frame.size.x; ++x) draw(x, int(y));
+    });
+    return image;
+}
+
+Mesh framework_tangents(const Mesh& mesh) { return with_tangents(mesh, TangentMethod::mikktspace); }
+
+const decltype(truth)::Provided provided_truth(truth, exact_values);
+const decltype(with_mikktspace)::Provided provided_with_mikktspace(with_mikktspace, framework_tangents);
+
+}  // namespace
+}  // namespace relief::basis

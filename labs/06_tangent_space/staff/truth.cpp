@@ -1,0 +1,77 @@
+// What only the staff has of lab 06: see ../truth.h.
+#include "truth.h"
+
+#include "framework/base/parallel.h"
+#include "framework/image/asset.h"
+#include "framework/staff/reference/height_field.h"
+#include "framework/staff/reference/surfaces.h"
+
+namespace relief::frames {
+namespace {
+
+struct Sight {
+    SurfacePoint point;  ///< du and dv as the map has its u and v, before it is turned
+    glm::dvec2 uv;       ///< in tiles of the map
+};
+
+template <class Shape>
+std::optional<Sight> look_at(const Shape& shape, const Ray& ray) {
+    const auto hit = first_hit(shape, ray);
+    if (!hit) return {};
+    Sight sight{point_on(shape, hit->place), hit->place * glm::dvec2(shape.repeat)};
+    sight.point.du /= double(shape.repeat.x), sight.point.dv /= double(shape.repeat.y);
+    return sight;
+}
+
+std::optional<Sight> look(const Pose& pose, const Ray& ray) {
+    if (pose.shape == Shape::sphere) return look_at(sphere, ray);
+    if (pose.shape == Shape::column) return look_at(column, ray);
+    auto sight = look_at(wall, ray);
+    if (sight) {
+        const double side = sight->point.position.x < 0 ? -1 : 1;
+        sight->uv.x = std::abs(sight->point.position.x), sight->point.du = {side, 0, 0};
+    }
+    return sight;
+}
+
+glm::dvec3 normal_of(const Sight& sight, const Pose& pose, const HeightField& bricks) {
+    const double c = std::cos(pose.turn_rad), s = std::sin(pose.turn_rad);
+    const glm::dvec2 from_middle = sight.uv - 0.5;
+    const glm::dvec2 uv =
+        glm::dvec2(c * from_middle.x - s * from_middle.y, s * from_middle.x + c * from_middle.y) + 0.5;
+    const glm::dvec2 slope =
+        pose.strength * bricks_depth_in_texels * bricks.central_slope(uv * glm::dvec2(bricks.size()));
+    // The map's normal stands on unit axes along the turned u and v.
+    const auto& [position, normal, du, dv, normal_du, normal_dv] = sight.point;
+    const glm::dvec3 along_u = glm::normalize(c * du - s * dv);
+    const double side = glm::dot(glm::cross(du, dv), normal) < 0 ? -1 : 1;
+    return -slope.x * along_u - slope.y * side * glm::cross(normal, along_u) + normal;
+}
+
+std::optional<Image> exact_values(const Frame& frame, const Pose& pose) {
+    if (glm::determinant(pose.world_from_model) == 0) return {};
+    const HeightField bricks(read_asset("bricks_height.png"), true);
+    const glm::dmat4 model_from_world = glm::inverse(pose.world_from_model);
+    const glm::dmat3 normals = glm::transpose(glm::dmat3(model_from_world));
+    Image image(frame.size.x, frame.size.y, 4);
+    std::fill(image.values.begin(), image.values.end(), no_surface);
+    const auto draw = [&](int x, int y) {
+        const Ray ray = frame.ray(x, y);
+        const auto sight = look(pose, {glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1)),
+                                       glm::dmat3(model_from_world) * ray.direction});
+        if (!sight) return;
+        const glm::dvec3 normal = glm::normalize(normals * normal_of(*sight, pose, bricks));
+        for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = float(normal[c]);
+        image.pixel(x, y)[3] = 0;
+    };
+    parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
+        for (size_t y = begin; y < end; ++y)
+            for (int x = 0; x < frame.size.x; ++x) draw(x, int(y));
+    });
+    return image;
+}
+
+const decltype(truth)::Provided provided_truth(truth, exact_values);
+
+}  // namespace
+}  // namespace relief::frames

@@ -1,0 +1,102 @@
+// What only the staff has of lab 12: see ../truth.h.
+#include "truth.h"
+
+#include "framework/base/parallel.h"
+#include "framework/staff/reference/height_field.h"
+#include "framework/staff/reference/relief_sight.h"
+#include "framework/staff/reference/surfaces.h"
+
+namespace relief::exact {
+namespace {
+
+struct Seen {
+    double distance = std::numeric_limits<double>::infinity();
+    glm::dvec2 texel{};
+    double lit = 0;
+    bool is_ball = false;
+};
+
+class SeenObject {
+public:
+    SeenObject(const Object& object, bool outline)
+        : field_(object.surface->heights(), true),
+          sights_(object.surface->mesh()),
+          lay_(object.surface->lay()),
+          model_from_world_(glm::inverse(object.world_from_model)),
+          is_closed_(object.is_closed()),
+          radius_(object.radius(outline)),
+          border_(object.border(outline)) {}
+
+    void look(const Ray& world, const glm::dvec3& to_light, bool wants_light, Seen& nearest) const {
+        const glm::dmat3 turn(model_from_world_);
+        const Ray ray{glm::dvec3(model_from_world_ * glm::dvec4(world.origin, 1)), turn * world.direction};
+        const auto sight = sights_.look(ray, lay_, is_closed_);
+        if (!sight || (radius_ > 0 && sight->faces_away)) return;
+        double t = 0, bend = 0;
+        if (!sight->faces_away) {
+            double t_end = 1;
+            if (radius_ > 0) {
+                const double across = glm::dot(ray.direction, sight->tangent) * sight->metres_to_ground;
+                bend = across * across / (2 * radius_ * double(lay_.metres));
+                t_end = bend < 0.25 ? 2 / (1 + std::sqrt(1 - 4 * bend)) : 1 / bend;
+            }
+            const auto hit = field_.first_hit(sight->ray.in_texels(), t_end, bend);
+            if (!hit && bend >= 0.25) return;
+            t = hit ? hit->t : t_end;
+        }
+        const double distance = sight->distance + t * sight->metres_to_ground;
+        const glm::dvec2 texel = sight->ray.texel + t * sight->ray.march, uv = texel / double(lay_.texels);
+        const auto [low, high] = border_;
+        if (uv.x < double(low.x) || uv.y < double(low.y) || uv.x > double(high.x) || uv.y > double(high.y)) return;
+        if (distance >= nearest.distance) return;
+        nearest = {distance, texel, 0, false};
+        if (!wants_light) return;
+        const glm::dvec3 light = turn * to_light;
+        const glm::dvec2 across(glm::dot(light, sight->tangent), glm::dot(light, sight->bitangent));
+        nearest.lit = field_.is_lit(
+            texel, {across * glm::dvec2(lay_.depth) * double(lay_.texels), glm::dot(light, sight->normal)});
+    }
+
+private:
+    HeightField field_;
+    ReliefSights sights_;
+    ReliefLay lay_;
+    glm::dmat4 model_from_world_;
+    bool is_closed_;
+    double radius_;
+    std::pair<glm::vec2, glm::vec2> border_;
+};
+
+void look(const Ball& ball, const Ray& ray, Seen& nearest) {
+    const SphereShape sphere{.radius = float(ball.radius)};
+    const auto hit = first_hit(sphere, {ray.origin - ball.centre, ray.direction});
+    if (hit && hit->t < nearest.distance) nearest = {hit->t, {}, 0, true};
+}
+
+std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Sight& sight) {
+    const bool uv = probe.name == "uv", depth = probe.name == "depth", shadow = probe.name == "shadow";
+    if (!uv && !depth && !shadow) return {};
+    std::vector<SeenObject> objects;
+    for (const Object& object : sight.objects) objects.emplace_back(object, sight.outline);
+    Image image(frame.size.x, frame.size.y, 4);
+    std::fill(image.values.begin(), image.values.end(), no_surface);
+    const auto draw = [&](int x, int y) {
+        Seen seen;
+        for (const SeenObject& object : objects) object.look(frame.ray(x, y), sight.to_light, shadow, seen);
+        if (sight.ball) look(*sight.ball, frame.ray(x, y), seen);
+        if (std::isinf(seen.distance) || (seen.is_ball && !depth)) return;
+        const glm::dvec2 value = depth ? glm::dvec2(seen.distance, 0) : uv ? seen.texel : glm::dvec2(seen.lit, 0);
+        float* const pixel = image.pixel(x, y);
+        pixel[0] = float(value.x), pixel[1] = float(value.y), pixel[2] = pixel[3] = 0;
+    };
+    parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
+        for (size_t y = begin; y < end; ++y)
+            for (int x = 0; x < frame.size.x; ++x) draw(x, int(y));
+    });
+    return image;
+}
+
+const decltype(truth)::Provided provided_truth(truth, exact_values);
+
+}  // namespace
+}  // namespace relief::exact

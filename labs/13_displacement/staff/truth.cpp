@@ -1,0 +1,107 @@
+// What only the staff has of lab 13: see ../truth.h.
+#include "truth.h"
+
+#include "framework/base/parallel.h"
+#include "framework/staff/reference/displaced.h"
+#include "framework/staff/reference/height_field.h"
+
+namespace relief::displacement {
+
+namespace {
+
+/// The stretch of a ray, in metres, within a box; empty when it begins behind its end.
+struct Stretch {
+    double begin = 0, end = std::numeric_limits<double>::infinity();
+};
+Stretch within(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high) {
+    Stretch inside;
+    for (int i = 0; i < 3; ++i) {
+        double enters = (low[i] - ray.origin[i]) / ray.direction[i];
+        double leaves = (high[i] - ray.origin[i]) / ray.direction[i];
+        if (enters > leaves) std::swap(enters, leaves);
+        if (ray.direction[i] == 0) {
+            if (ray.origin[i] < low[i] || ray.origin[i] > high[i]) return {1, 0};
+            continue;
+        }
+        inside.begin = std::max(inside.begin, enters), inside.end = std::min(inside.end, leaves);
+    }
+    return inside;
+}
+
+/// A wall of `metres` x `metres` around the origin of z = 0, pressed in by up to `scale`.
+class Wall {
+public:
+    Wall(const Image& heights, double metres, double tiles, double scale)
+        : above_(heights, true),
+          below_(upside_down(heights), true),
+          metres_(metres),
+          scale_(scale),
+          tiles_(tiles / metres),
+          texels_(tiles / metres * glm::dvec2(above_.size())) {}
+
+    struct Seen {
+        double distance;
+        glm::dvec2 slope;  ///< heights per tile
+        glm::dvec3 normal;
+    };
+    std::optional<Seen> look(const Ray& ray) const {
+        const double half = metres_ / 2;
+        const Stretch stretch = within(ray, {-half, -half, -scale_}, {half, half, 0});
+        if (stretch.begin > stretch.end) return {};
+        if (scale_ == 0) return seen(stretch.begin, at_texel(ray, stretch.begin));
+        const glm::dvec3 enters = ray.origin + stretch.begin * ray.direction;
+        const glm::dvec3 unit(texels_, 1 / scale_);  // texels and heights a metre
+        Ray inside{(enters + glm::dvec3(half, half, scale_)) * unit, ray.direction * unit};
+        const bool from_below = inside.origin.z < above_.height(inside.origin);
+        if (from_below) inside.origin.z = 1 - inside.origin.z, inside.direction.z = -inside.direction.z;
+        const auto hit = (from_below ? below_ : above_).first_hit(inside, stretch.end - stretch.begin);
+        if (!hit) return {};
+        return seen(stretch.begin + hit->t, hit->texel);
+    }
+
+private:
+    glm::dvec2 at_texel(const Ray& ray, double t) const {
+        return (glm::dvec2(ray.origin + t * ray.direction) + metres_ / 2) * texels_;
+    }
+    Seen seen(double t, glm::dvec2 texel) const {
+        // What a fragment takes between its texels is the same central difference.
+        const glm::dvec2 slope = above_.central_slope(texel) * glm::dvec2(above_.size());
+        return {t, slope, glm::normalize(glm::dvec3(-slope * tiles_ * scale_, 1))};
+    }
+    static Image upside_down(Image heights) {
+        for (float& value : heights.values) value = 1 - value;
+        return heights;
+    }
+
+    HeightField above_, below_;
+    double metres_, scale_, tiles_;  ///< tiles a metre
+    glm::dvec2 texels_;              ///< a metre
+};
+
+std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const DisplacedSurface& surface) {
+    Image image(frame.size.x, frame.size.y, 4);
+    if (probe.name == "winding") return surface.patches().is_closed ? std::optional(image) : std::nullopt;
+    if (surface.shape != DisplacedSurface::wall || probe.name == "mip" || probe.name == "place") return {};
+    const Wall wall(surface.heights(), DisplacedSurface::wall_metres, surface.tiles().x, double(surface.scale()));
+    parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
+        for (size_t y = begin; y < end; ++y)
+            for (int x = 0; x < frame.size.x; ++x) {
+                float* const pixel = image.pixel(x, int(y));
+                const auto seen = wall.look(frame.ray(x, int(y)));
+                if (!seen)
+                    std::fill_n(pixel, 4, no_surface);
+                else if (probe.name == "depth")
+                    pixel[0] = float(seen->distance);
+                else if (probe.name == "slope")
+                    pixel[0] = float(seen->slope.x), pixel[1] = float(seen->slope.y);
+                else
+                    for (int i = 0; i < 3; ++i) pixel[i] = float(seen->normal[i]);
+            }
+    });
+    return image;
+}
+
+const decltype(truth)::Provided provided_truth(truth, exact_values);
+
+}  // namespace
+}  // namespace relief::displacement

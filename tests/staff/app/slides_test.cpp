@@ -1,0 +1,294 @@
+// The decks of slides: every lab has one, and in a browser every picture is there, every formula is set and no slide
+// runs out of its frame. Without solutions none can be read there.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+#include "framework/check/starter.h"
+#include "framework/lab/manifest.h"
+#include "framework/staff/slides/deck.h"
+#include "tests/browser.h"
+#include "tests/code_shape.h"
+#include "tests/process.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+/// What is wrong with the slides of the page that is open, a line each.
+constexpr const char* find_problems = R"js((async () => {
+  const found = [], sections = [...document.querySelectorAll('svg[data-marpit-svg] section')];
+  const style = document.createElement('style');  // slides that are not shown are not laid out
+  style.textContent = 'svg[data-marpit-svg], svg[data-marpit-svg] * { content-visibility: visible !important; }';
+  document.head.append(style);
+  // Code is shrunk to its slide only after it has been laid out, some frames later: it is looked at when nothing moves.
+  for (let still = 0, last = ''; still < 10;) {
+    await new Promise(requestAnimationFrame);
+    const now = [...document.querySelectorAll('svg[data-marpit-svg] section *')]
+        .map(element => { const box = element.getBoundingClientRect(); return [box.x, box.y, box.width, box.height]; }).join();
+    still = now === last ? still + 1 : 0;
+    last = now;
+  }
+  const loads = address => new Promise(done => {
+    const image = new Image();
+    image.onload = () => done(image.naturalWidth > 0);
+    image.onerror = () => done(false);
+    image.src = address;
+  });
+  for (const svg of document.querySelectorAll('svg[data-marpit-svg]')) {
+    const number = 1 + [...svg.parentElement.children].indexOf(svg), say = text => found.push('slide ' + number + ': ' + text);
+    for (const image of svg.querySelectorAll('img'))
+      if (!await loads(image.src)) say('no picture ' + image.getAttribute('src'));
+      else if (!image.alt.trim()) say('nothing stands in for ' + image.getAttribute('src'));
+    for (const element of svg.querySelectorAll('*'))
+      for (const [, address] of getComputedStyle(element).backgroundImage.matchAll(/url\("([^"]*)"\)/g))
+        if (!await loads(address)) say('no picture ' + address);
+    for (const error of svg.querySelectorAll('mjx-merror, [data-mml-node="merror"]'))
+      say('a formula that is none: ' + (error.getAttribute('data-mjx-error') || error.textContent));
+    for (const section of svg.querySelectorAll('section')) {
+      const walk = document.createTreeWalker(section, NodeFilter.SHOW_TEXT);
+      while (walk.nextNode()) {
+        const text = walk.currentNode.textContent;
+        if (!walk.currentNode.parentElement.closest('code, pre, mjx-container, style') && /\$|\\[a-zA-Z(\[]/.test(text))
+          say('not set: ' + text.trim());
+      }
+      // Where things end, in the slide's own pixels. The picture behind it all has a frame of its own, and a title's
+      // strip goes to the edges.
+      if (['background', 'pseudo'].includes(section.dataset.marpitAdvancedBackground)) continue;
+      const frame = section.getBoundingClientRect(), scale = frame.width / 1280;
+      const [sides, bottom] = section.classList.contains('title') ? [0, 0] : [20, 44];
+      for (const element of section.querySelectorAll('*')) {
+        if (element.closest('footer, mjx-assistive-mml') || element.closest('mjx-container') !== null && element.localName !== 'svg') continue;
+        const box = element.getBoundingClientRect();
+        if (box.width === 0 || box.height === 0) continue;
+        const over = Math.max(Math.max(frame.left - box.left, box.right - frame.right, frame.top - box.top) / scale + sides,
+                              (box.bottom - frame.bottom) / scale + bottom);
+        if (over > 1) { say('runs out of its frame by ' + Math.round(over) + ': ' + element.localName + ' ' + element.textContent.trim().slice(0, 60)); break; }
+      }
+    }
+  }
+  return found;
+})())js";
+
+Browser& browser() {
+    static Browser one;
+    return one;
+}
+
+Names problems_of(const fs::path& page) {
+    browser().open(page);
+    const nlohmann::json answer = browser().call(
+        "Runtime.evaluate", {{"expression", find_problems}, {"returnByValue", true}, {"awaitPromise", true}});
+    if (answer.contains("exceptionDetails")) throw std::runtime_error(answer["exceptionDetails"].dump(1));
+    Names problems = answer["result"]["value"];
+    for (const std::string& complaint : browser().complaints())
+        // That a slide was laid out while it is hidden is what is done here.
+        if (!contains(complaint, "\"level\":\"verbose\"")) problems.push_back(complaint);
+    return problems;
+}
+
+Names decks() {
+    Names names;
+    for (const auto& entry : fs::directory_iterator(course_root() / "slides"))
+        if (entry.path().extension() == ".md") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Deck deck_of(const std::string& name, bool solutions = false) {
+    const fs::path file = course_root() / "slides" / (name + ".md");
+    return read_deck(read_file(file), file, name, solutions);
+}
+
+Deck deck(const std::string& text, bool solutions = false) {
+    return read_deck("---\nmarp: true\n---\n" + text, "d.md", "d", solutions);
+}
+std::string complaint(const std::string& text) {
+    return message_of([&] { deck(text); });
+}
+
+// ---- what is put into a deck ----
+
+TEST(Deck, FiguresAreCommandsThatDrawThem) {
+    const Deck one = deck("a ![w:3 x](<shot 10 --set view=one>) b ![bg y](<bench parallax --quick>)\n\n![z](z.svg)\n");
+    EXPECT_EQ(one.text, "---\nmarp: true\n---\na ![w:3 x](d/01.png) b ![bg y](d/02.svg)\n\n![z](z.svg)\n\n");
+    ASSERT_EQ(one.figures.size(), 2u);
+    EXPECT_EQ(one.figures[0].command, (Names{"shot", "10", "--set", "view=one"}));
+    EXPECT_EQ(one.figures[1].command, (Names{"bench", "parallax", "--quick"}));
+    EXPECT_EQ(one.figures[1].file, "d/02.svg");
+    EXPECT_EQ(one.figures[1].line, 4);
+    EXPECT_EQ(complaint("![x](<shot 10 -o a.png>)"), "d.md:4: a figure has a place of its own: leave -o out");
+    EXPECT_EQ(complaint("\n![x](<bench --quick>)"), "d.md:5: a plot is of one topic: bench parallax --quick");
+}
+
+TEST(Deck, CodeIsARegionOfTheSource) {
+    const std::string quote = "```glsl shaders/10_parallax_offset/surface.frag search\n```\n";
+    const Deck one = deck(quote);
+    EXPECT_TRUE(contains(one.text, "```glsl\nvec2 along = ray_in_relief(to_eye")) << one.text;
+    EXPECT_TRUE(contains(one.text, "shaders/10_parallax_offset/surface.frag</p>")) << one.text;
+    EXPECT_FALSE(contains(one.text, "//(")) << one.text;
+    EXPECT_TRUE(contains(complaint("```glsl shaders/10_parallax_offset/surface.frag serach\n```"),
+                         "d.md:4: shaders/10_parallax_offset/surface.frag: unknown region 'serach': did you mean "
+                         "'search'?"));
+    EXPECT_TRUE(complaint("```glsl no/such.frag x\n```").starts_with("d.md:4: "));
+    EXPECT_TRUE(complaint("a\n```glsl a\n```").starts_with("d.md:5: a block of code that quotes says"));
+    EXPECT_TRUE(complaint("```glsl\n").starts_with("d.md:4: this ``` is never closed"));
+    EXPECT_TRUE(complaint("```glsl a b\nx\n```").starts_with("d.md:4: a block"));
+}
+
+TEST(Deck, SolutionsAreShownWhereTheyAreWanted) {
+    const std::string quote = "```glsl shaders/10_parallax_offset/task.glsl ray\n```\n";
+    EXPECT_TRUE(contains(complaint(quote), "d.md:4: shaders/10_parallax_offset/task.glsl has a solution in ray"));
+    const std::string slides = "first\n---\n<!-- _class: solution -->\n" + quote + "---\nlast";
+    EXPECT_EQ(deck(slides).text, "---\nmarp: true\n---\nfirst\n---\nlast\n");
+    EXPECT_EQ(deck("first\n---\n<!-- _class: solution -->\n" + quote).text, "---\nmarp: true\n---\nfirst\n");
+    EXPECT_TRUE(contains(deck(slides, true).text, "return -seen.xy"));
+}
+
+TEST(Deck, MistakesAreShownBeforeTheyAreExplained) {
+    const Deck one = deck("```mistakes 10 --set view=one\nv-flipped\nnot-divided\n```\n");
+    ASSERT_EQ(one.figures.size(), 3u);
+    EXPECT_EQ(one.figures[0].command, (Names{"shot", "10", "--set", "view=one"}));
+    EXPECT_EQ(one.figures[2].command, (Names{"shot", "10", "--set", "view=one", "--mistake", "not-divided"}));
+    const size_t rule = one.text.find("\n---\n", 20), hint = one.text.find("v grows upwards");
+    ASSERT_NE(hint, std::string::npos) << one.text;
+    EXPECT_GT(hint, rule);
+    EXPECT_TRUE(
+        contains(complaint("```mistakes 10\nv-fliped\n```"), "d.md:4: unknown mistake 'v-fliped': did you mean"));
+    EXPECT_TRUE(contains(complaint("```mistakes 99\nx\n```"), "d.md:4: "));
+}
+
+// ---- the course's decks ----
+
+TEST(Slides, EveryLabHasADeckWithPicturesCodeMistakesAndAnExercise) {
+    const Names names = decks();
+    EXPECT_TRUE(std::find(names.begin(), names.end(), "00_relief") != names.end()) << "the opening deck";
+    for (const LabEntry& lab : registry()) {
+        if (lab.number >= 20) continue;  // somebody's own
+        if (std::find(names.begin(), names.end(), lab.folder) == names.end()) {
+            ADD_FAILURE() << "slides/" << lab.folder << ".md is missing";
+            continue;
+        }
+        const std::string text = read_file(course_root() / "slides" / (lab.folder + ".md"));
+        for (const char* part : {"](<shot ", "```mistakes ", "\n```glsl shaders/", "$$", "_class: exercise"})
+            EXPECT_TRUE(contains(text, part)) << lab.folder << " has no " << part;
+        for (const TaskInfo& task : load_manifest(lab).tasks)
+            EXPECT_TRUE(contains(text, task.id)) << lab.folder << " says nothing of task " << task.id;
+    }
+}
+
+/// Without blanks, since a slide may break lines elsewhere.
+std::string packed(std::string text) {
+    std::erase_if(text, [](unsigned char c) { return std::isspace(c); });
+    return text;
+}
+
+TEST(Slides, ShowNoLineOfASolutionUnlessAsked) {
+    std::map<std::string, std::string> all, with_solutions;
+    for (const std::string& name : decks()) {
+        all[name] = packed(deck_of(name).text);
+        with_solutions[name] = packed(deck_of(name, true).text);
+    }
+    int shown_when_asked = 0;
+    for (const LabEntry& lab : registry())
+        for (const TaskInfo& task : load_manifest(lab).tasks)
+            for (const std::string& line : solution_lines(read_file(course_root() / task.file), task.file)) {
+                const std::string code = packed(line);
+                if (code.size() < 24) continue;
+                for (const auto& [name, text] : all) {
+                    EXPECT_FALSE(contains(text, code)) << "slides/" << name << ".md: " << line;
+                    shown_when_asked += contains(with_solutions[name], code);
+                }
+            }
+    EXPECT_GT(shown_when_asked, 10) << "or this test looks at nothing";
+}
+
+TEST(Slides, ShowNoSolutionUnderOtherNames) {
+    std::map<std::string, std::string> shapes, with_solutions;
+    for (const std::string& name : decks()) {
+        shapes[name] = shape_of(code_in_markdown(deck_of(name).text));
+        with_solutions[name] = shape_of(code_in_markdown(deck_of(name, true).text));
+    }
+    int shown_when_asked = 0;
+    for (const LabEntry& lab : registry()) {
+        std::set<std::string> files;
+        for (const TaskInfo& task : load_manifest(lab).tasks) files.insert(task.file);
+        for (const std::string& file : files)
+            for (const std::string& shape : expressions_of(solution_lines(read_file(course_root() / file), file)))
+                for (const auto& [name, text] : shapes) {
+                    EXPECT_FALSE(contains(text, shape) && !is_common(shape))
+                        << "slides/" << name << ".md has of " << file << ": " << shape;
+                    shown_when_asked += contains(with_solutions[name], shape);
+                }
+    }
+    EXPECT_GT(shown_when_asked, 10) << "or this test looks at nothing";
+}
+
+/// All decks, made once; where they are made otherwise already they may be looked at there.
+const fs::path& made_slides() {
+    static const TemporaryFolder folder;
+    static const Result result =
+        run({relief_program(), "slides", "--solutions", "--no-pdf", "-o", (folder.path() / "s").string()});
+    static const fs::path path = folder.path() / "s";
+    EXPECT_EQ(result.code, 0) << result.err;
+    return path;
+}
+
+class MadeDeck : public testing::TestWithParam<std::string> {};
+
+TEST_P(MadeDeck, HasItsPicturesAndFormulasAndStaysInItsFrame) {
+    const fs::path page = made_slides() / (GetParam() + ".html");
+    EXPECT_EQ(problems_of(page), Names{});
+    EXPECT_GE(int(browser().eval("document.querySelectorAll('svg[data-marpit-svg]').length")), 8);
+    EXPECT_FALSE(contains(read_file(page), "src=\"http")) << "slides need no network";
+}
+
+INSTANTIATE_TEST_SUITE_P(Slides, MadeDeck, testing::ValuesIn(decks()),
+                         [](const auto& name) { return "Deck" + name.param; });
+
+TEST(Slides, ArePrintedAsPdfAndNothingElseIsLeft) {
+    const TemporaryFolder folder;
+    const Result result = run({relief_program(), "slides", "1", "-o", folder.path().string()});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const fs::path page = folder.path() / "01_specular_highlights.html";
+    const std::string pdf = read_file(folder.path() / "01_specular_highlights.pdf");
+    EXPECT_TRUE(pdf.starts_with("%PDF-"));
+    EXPECT_GT(pdf.size(), 1'000'000u) << "its pictures are in it";
+    EXPECT_EQ(result.out, page.string() + "\n" + (folder.path() / "01_specular_highlights.pdf").string() + "\n");
+    EXPECT_FALSE(fs::exists(folder.path() / "01_specular_highlights.md"));
+}
+
+TEST(Slides, AMissingPictureAWrongFormulaAndTooMuchTextAreSeen) {
+    const TemporaryFolder folder;
+    folder.write(
+        "bad.md",
+        "---\nmarp: true\ntheme: relief\n---\n# Good\n\n$x^2$\n\n---\n\n![gone](gone.png)\n\n---\n\n"
+        "$\\frac{1$\n\n---\n\n![bg gone](gone.jpg)\n\n---\n\n\\alpha here\n\n---\n\n" +
+            [] {
+                std::string many;
+                for (int i = 0; i < 30; ++i) many += "- item\n";
+                return many;
+            }());
+    const fs::path source = course_root() / "slides", marp = course_root() / "build/marp/node_modules/.bin/marp";
+    const Result made = run({marp.string(), "--no-stdin", "--config-file", (source / "marp.yml").string(),
+                             "--theme-set", (source / "relief.css").string(), "--", "bad.md"},
+                            {.folder = folder.path(), .environment = {}});
+    ASSERT_EQ(made.code, 0) << made.err;
+    const Names problems = problems_of(folder.path() / "bad.html");
+    const auto said = [&](const std::string& text) {
+        return std::any_of(problems.begin(), problems.end(), [&](const auto& one) { return contains(one, text); });
+    };
+    const std::string all = join(problems, "\n");
+    for (const char* text : {"slide 2: no picture gone.png", "slide 3: ", "slide 4: no picture file:",
+                             "slide 5: not set: ", "slide 6: runs out of its frame by "})
+        EXPECT_TRUE(said(text)) << text << "\n" << all;
+    EXPECT_FALSE(said("slide 1:")) << all;
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,565 @@
+// `relief grade` as an instructor runs it: a class in which some are careless and some hostile. Where this machine has
+// no namespaces the class is graded with --trust, and what only namespaces keep is left out; the first lines say so.
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/check/starter.h"
+#include "framework/staff/grade/sandbox.h"
+#include "tests/process.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* shader = "shaders/02_normal_map_storage/task.glsl";
+constexpr const char* cpp = "labs/05_tangent_basis/task.cpp";
+
+bool has_namespaces() {
+    static const IsolationReport isolation = [] {
+        const IsolationReport report = probe_isolation();
+        std::printf("isolation: %s %s\n", name_of(report.level), report.reason.c_str());
+        return report;
+    }();
+    return isolation.level == Isolation::namespaces;
+}
+
+std::vector<std::string> grade(std::vector<std::string> words) {
+    words.insert(words.begin(), {relief_program(), "grade"});
+    if (!has_namespaces()) words.push_back("--trust");
+    return words;
+}
+
+std::string course_file(const std::string& name) { return read_file(course_root() / name); }
+
+std::string replaced(std::string text, const std::string& find, const std::string& by) {
+    const size_t at = text.find(find);
+    EXPECT_NE(at, std::string::npos) << find;
+    return at == std::string::npos ? text : text.replace(at, find.size(), by);
+}
+
+/// The solution of the C++ tasks, but for what task 5.2's function does first.
+std::string cpp_that(const std::string& lines, const std::string& top = "") {
+    const std::string text = replaced(course_file(cpp), "    const auto& p = triangle.position;\n",
+                                      lines + "\n    const auto& p = triangle.position;\n");
+    return "#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n#include <csignal>\n#include "
+           "<fstream>\n#include <string>\n"
+           "#include <sys/socket.h>\n#include <unistd.h>\n" +
+           top + text;
+}
+
+json result_of(const fs::path& output, const std::string& name) {
+    try {
+        return json::parse(read_file(output / "results" / (name + ".json")));
+    } catch (const std::exception& error) {
+        ADD_FAILURE() << name << ": " << error.what();
+        return {};
+    }
+}
+
+/// The outcomes of a submission's checks, each once.
+std::set<std::string> outcomes(const json& result, const std::string& task = "") {
+    std::set<std::string> all;
+    for (const json& lab : result.value("labs", json::array()))
+        for (const json& one : lab["tasks"])
+            if (task.empty() || one["id"] == task)
+                for (const json& check : one["checks"]) all.insert(check["outcome"]);
+    return all;
+}
+
+std::string found(const json& result, const std::string& outcome) {
+    for (const json& lab : result.value("labs", json::array()))
+        for (const json& task : lab["tasks"])
+            for (const json& check : task["checks"])
+                if (check["outcome"] == outcome) return check["found"];
+    return "nothing of that kind";
+}
+
+using Outcomes = std::set<std::string>;
+
+TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    const std::string solution = course_file(shader);
+    const std::string odd = "o'd \"d\"\n<b>";
+    std::map<std::string, std::string> works = {
+        {"good", solution},
+        {odd, solution},
+        {"untouched", starter_of(solution, shader)},
+        {"truncated", replaced(solution, "(0.5 * normal + 0.5) + 0.5)", "(0.5 * normal + 0.5))")},
+        {"begun",
+         replaced(solution, "return floor(255.0 * (0.5 * normal + 0.5) + 0.5);", "return unfinished(normal);")},
+        {"misspelt", replaced(solution, "return code / 255.0", "retrun code / 255.0")},
+        {"nan", replaced(solution, "return code / 255.0 * 2.0 - 1.0;", "return sqrt(code - 1e9);")},
+        {"loops", replaced(solution, "return code / 255.0 * 2.0 - 1.0;",
+                           "float x = 0.0; for (int i = 0; i < 60000; ++i) for (int j = 0; j < 60000; ++j) "
+                           "x += sin(cos(sin(cos(x + float(j))))); return code / 255.0 * 2.0 - 1.0 + x;")},
+        {"huge", solution + std::string(10 << 20, ' ')},
+        {"binary", std::string("\0\xff\xfe\x01", 4)},
+    };
+    std::vector<std::string> words;
+    for (const auto& [name, text] : works) {
+        folder.write(name + "/" + shader, text);
+        words.push_back((folder.path() / name).string());
+    }
+    folder.write("nothing/readme.txt", "sorry");
+    folder.write("flat/task.glsl", solution);
+    folder.write("damaged.zip", "PK\x03\x04 no more");
+    for (const char* name : {"nothing", "flat", "damaged.zip"}) words.push_back((folder.path() / name).string());
+    words.insert(words.end(), {"-o", output.string(), "--seconds", "8"});
+    const Result graded = run(grade(words));
+    EXPECT_EQ(graded.code, 0) << graded.err;
+
+    EXPECT_EQ(outcomes(result_of(output, "good")), Outcomes{"passed"});
+    EXPECT_EQ(result_of(output, "good")["points"], 11);
+    EXPECT_EQ(outcomes(result_of(output, "untouched")), Outcomes{"unfinished"});
+    EXPECT_EQ(result_of(output, "untouched")["points"], 0);
+    const json truncated = result_of(output, "truncated");
+    EXPECT_EQ(truncated["labs"][0]["tasks"][0]["mistake"], "truncated");
+    EXPECT_LT(truncated["labs"][0]["tasks"][0]["points"], 3);
+    EXPECT_EQ(truncated["labs"][0]["tasks"][3]["points"], 4);
+    const auto at_the_rim = [](const json& result) { return result["labs"][0]["tasks"][2]["checks"][1]; };  // needs 2.1
+    EXPECT_EQ(at_the_rim(truncated)["outcome"], "wrong");
+    EXPECT_EQ(at_the_rim(truncated)["look_at"], "put task 2.1 right first");
+    EXPECT_EQ(outcomes(result_of(output, "begun"), "2.2"), Outcomes{"passed"});
+    EXPECT_EQ(at_the_rim(result_of(output, "begun"))["outcome"], "unfinished");
+    EXPECT_EQ(at_the_rim(result_of(output, "begun"))["found"], "waits for task 2.1, which is not written yet");
+    EXPECT_EQ(outcomes(result_of(output, "misspelt")), Outcomes{"broken"});
+    const auto begin = solution.begin(), spelt = begin + std::ptrdiff_t(solution.find("return code / 255.0"));
+    const std::string place = "task.glsl:" + std::to_string(1 + std::count(begin, spelt, '\n'));
+    EXPECT_TRUE(contains(found(result_of(output, "misspelt"), "broken"), place))
+        << found(result_of(output, "misspelt"), "broken");
+    EXPECT_TRUE(contains(found(result_of(output, "nan"), "broken"), "not finite")) << result_of(output, "nan").dump(1);
+    EXPECT_TRUE(outcomes(result_of(output, "loops"), "2.1").contains("out_of_time"));
+    EXPECT_EQ(outcomes(result_of(output, "huge")), Outcomes{"broken"});
+    EXPECT_TRUE(contains(found(result_of(output, "huge"), "broken"), "larger than 1 MiB"));
+    EXPECT_FALSE(outcomes(result_of(output, "binary")).contains("passed"));
+    EXPECT_EQ(result_of(output, "nothing")["problem"], "there is no task file in it");
+    EXPECT_TRUE(contains(std::string(result_of(output, "flat")["problem"]),
+                         "'task.glsl' must keep its folders, as in shaders/"))
+        << result_of(output, "flat")["problem"];
+    EXPECT_TRUE(contains(std::string(result_of(output, "damaged")["problem"]), "damaged"));
+
+    // What a stranger calls himself is data in every file, and a plain file name.
+    int odd_ones = 0;
+    for (const auto& entry : fs::directory_iterator(output / "results"))
+        odd_ones += json::parse(read_file(entry.path()))["name"] == odd &&
+                    entry.path().filename().string().starts_with("o-d--d");
+    EXPECT_EQ(odd_ones, 1);
+    EXPECT_TRUE(contains(read_file(output / "results.csv"), "\"o'd \"\"d\"\"\\x0a<b>\",graded,11,"));
+    EXPECT_TRUE(contains(read_file(output / "junit.xml"), "o'd &quot;d&quot;\\x0a&lt;b&gt;"));
+    const std::string page = read_file(output / "report.html");
+    EXPECT_TRUE(contains(page, "<bdi>o&#39;d &quot;d&quot;\\x0a&lt;b&gt;</bdi></a>"));
+    EXPECT_FALSE(contains(page, "\n<b>")) << "a name has become markup";
+    EXPECT_TRUE(contains(page, "<code>2.1\u00a0truncated</code>"));
+    EXPECT_FALSE(contains(page, "<img")) << "the class's page must stay small";
+    // Each has a page, with pictures of what did not pass where something was drawn, and of nothing else.
+    // Three a check: what is cut off is seen in 2.1 and at the rim of 2.3.
+    const std::map<std::string, size_t> figures = {
+        {"good", 0}, {"untouched", 0}, {"truncated", 12}, {"misspelt", 0}, {"nan", 9}};
+    for (const auto& [name, count] : figures) {
+        const std::string own = read_file(output / "students" / (name + ".html"));
+        size_t found = 0;
+        for (size_t at = 0; (at = own.find("src=\"data:image/png;base64,", at)) != std::string::npos; ++at) ++found;
+        EXPECT_EQ(found, count) << name;
+        EXPECT_TRUE(contains(page, "href=\"students/" + name + ".html\"")) << name;
+    }
+    const std::string truncated_page = read_file(output / "students/truncated.html");
+    EXPECT_TRUE(contains(truncated_page, "You cut the fraction off"));
+    EXPECT_TRUE(contains(truncated_page, "<span class=\"hidden\">hidden check</span>"));
+    EXPECT_TRUE(contains(read_file(output / "students/misspelt.html"), place));
+    EXPECT_EQ(size_t(std::distance(fs::directory_iterator(output / "students"), {})), works.size() + 3);
+    const json scope = json::parse(read_file(output / "gradescope/good.json"));
+    EXPECT_EQ(scope["score"], 11);
+    bool some_hidden = false;
+    for (const json& test : scope["tests"]) some_hidden |= test["visibility"] == "hidden";
+    EXPECT_TRUE(some_hidden) << "a hidden check must not be shown to its student";
+}
+
+TEST(Grade, HostileProgramsAreToldApartAndHarmNobody) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    const fs::path secret = folder.write("secret.txt", "the answer is 42");
+    const std::string forged =
+        "char frame[16] = \"1RLF\"; for (int i = 0; i < 1000; ++i) fwrite(frame, 1, 16, stdout);";
+    std::map<std::string, std::string> works = {
+        {"good", course_file(cpp)},
+        {"loops", cpp_that("for (volatile int i = 0;; i = i + 1) {}")},
+        {"exits", cpp_that("std::exit(0);")},
+        {"crashes", cpp_that("*(volatile int*)nullptr = 1;")},
+        {"eats", cpp_that("for (;;) { volatile char* more = new char[100 << 20]; more[0] = 1; }")},
+        {"prints", cpp_that("for (;;) std::puts(\"much\");")},
+        {"forges", cpp_that("", "static const int before = [] { " + forged + " std::fflush(stdout); return 0; }();\n")},
+        {"never-compiles", cpp_that("", "template <int n> struct A : A<n - 1>, B<n> {};\n")},
+        {"compiles-forever",
+         "template <int depth, long n> struct T { T<depth - 1, 2 * n> a; T<depth - 1, 2 * n + 1> b; };\n"
+         "template <long n> struct T<0, n> {};\nT<60, 1> tree;\n"},
+    };
+    if (has_namespaces()) {  // without them these would do what they mean to
+        works["bombs"] = cpp_that("for (;;) fork();");
+        works["reads"] =
+            cpp_that("std::ifstream file(\"" + secret.string() +
+                     "\"); std::string text; std::getline(file, text); throw std::runtime_error(\"read \" + text "
+                     "+ (socket(AF_INET, SOCK_STREAM, 0) < 0 || system(\"ls / /tmp\") < 0 ? \"\" : \".\"));");
+        works["refers"] = cpp_that("relief::generate_tangents_of_the_course();",
+                                   "namespace relief { void generate_tangents_of_the_course(); }\n");
+    }
+    std::vector<std::string> words;
+    for (const auto& [name, text] : works) {
+        folder.write(name + "/" + cpp, text);
+        words.push_back((folder.path() / name).string());
+    }
+    // Enough for honest code to be compiled, in three times as long, while other tests have the cores.
+    words.insert(words.end(), {"-o", output.string(), "--seconds", "10"});
+    const Result graded = run(grade(words));
+    EXPECT_EQ(graded.code, 0) << graded.err;
+    const auto of = [&](const std::string& name) { return outcomes(result_of(output, name), "5.2"); };
+    EXPECT_EQ(of("good"), Outcomes{"passed"});
+    EXPECT_EQ(of("loops"), Outcomes{"out_of_time"});
+    EXPECT_EQ(of("exits"), Outcomes{"crashed"});
+    EXPECT_EQ(of("crashes"), Outcomes{"crashed"});
+    EXPECT_EQ(of("eats"), Outcomes{"out_of_memory"});
+    EXPECT_FALSE(of("prints").contains("passed"));
+    EXPECT_EQ(of("forges"), Outcomes{"broken"});
+    EXPECT_EQ(of("never-compiles"), Outcomes{"broken"});
+    EXPECT_TRUE(contains(found(result_of(output, "never-compiles"), "broken"),
+                         "does not compile: labs/05_tangent_basis/task.cpp:"))
+        << found(result_of(output, "never-compiles"), "broken");
+    EXPECT_TRUE(of("compiles-forever") == Outcomes{"out_of_time"} ||
+                of("compiles-forever") == Outcomes{"out_of_memory"});
+    if (!has_namespaces()) {
+        std::printf("not looked at without namespaces: a fork bomb, and what a submission can read\n");
+        return;
+    }
+    EXPECT_FALSE(of("bombs").contains("passed"));
+    EXPECT_TRUE(contains(found(result_of(output, "reads"), "broken"), "it throws: read "))
+        << found(result_of(output, "reads"), "broken");
+    EXPECT_FALSE(contains(result_of(output, "reads").dump(), "the answer is"))
+        << "a submission has read a file of ours";
+    EXPECT_FALSE(of("refers").contains("passed"));
+    // The task that is only in the shader is not there, and every other task of the good one is whole.
+    EXPECT_EQ(outcomes(result_of(output, "good"), "5.4"), Outcomes{"unfinished"});
+}
+
+TEST(Grade, KilledHalfWayItGoesOnWhereItWas) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    std::vector<std::string> words;
+    constexpr int count = 5;
+    for (int i = 0; i < count; ++i) {
+        const std::string name = "s" + std::to_string(i);
+        folder.write(name + "/" + shader, course_file(shader) + "// " + name + "\n");
+        words.push_back((folder.path() / name).string());
+    }
+    words.insert(words.end(), {"-o", output.string(), "--jobs", "1"});
+    const auto results = [&] {
+        std::vector<fs::path> files;
+        std::error_code ignored;
+        for (const auto& entry : fs::directory_iterator(output / "results", ignored))
+            if (entry.path().extension() == ".json") files.push_back(entry.path());
+        return files;
+    };
+    {
+        Process first(grade(words));
+        for (int i = 0; i < 6000 && results().empty() && first.running(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        first.signal(SIGKILL);
+        first.wait();
+    }
+    const std::vector<fs::path> before = results();
+    ASSERT_GE(before.size(), 1u);
+    ASSERT_LT(before.size(), size_t(count)) << "it was too fast to be killed";
+    const auto page_of = [&](const fs::path& result) {
+        return output / "students" / result.filename().replace_extension(".html");
+    };
+    for (const fs::path& result : before) EXPECT_TRUE(fs::exists(page_of(result))) << "a result without its page";
+    const std::string kept = read_file(before[0]);
+    const auto written = fs::last_write_time(before[0]), page_written = fs::last_write_time(page_of(before[0]));
+    const Result second = run(grade(words));
+    EXPECT_EQ(second.code, 0) << second.err;
+    EXPECT_EQ(results().size(), size_t(count));
+    EXPECT_EQ(read_file(before[0]), kept);
+    EXPECT_EQ(fs::last_write_time(before[0]), written) << "it was graded twice";
+    EXPECT_EQ(fs::last_write_time(page_of(before[0])), page_written) << "its pictures are lost";
+    EXPECT_TRUE(contains(second.out, std::to_string(before.size()) + " as before")) << second.out;
+    // A changed one is graded again, and half a result counts for none.
+    folder.write(std::string("s1/") + shader, starter_of(course_file(shader), shader));
+    fs::resize_file(output / "results/s2.json", 100);
+    const Result third = run(grade(words));
+    EXPECT_TRUE(contains(third.out, std::to_string(count - 2) + " as before")) << third.out;
+    EXPECT_EQ(result_of(output, "s1")["points"], 0);
+    EXPECT_EQ(result_of(output, "s2")["points"], 11);
+}
+
+TEST(Grade, AResultIsNeverThereWithoutItsPage) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    folder.write(std::string("jane/") + shader, starter_of(course_file(shader), shader));
+    folder.write("out/students/jane.html/in the way", "");
+    const Result graded = run(grade({(folder.path() / "jane").string(), "-o", output.string()}));
+    EXPECT_EQ(graded.code, 1);
+    EXPECT_TRUE(contains(graded.err, "students/jane.html")) << graded.err;
+    EXPECT_FALSE(fs::exists(output / "results/jane.json"));
+}
+
+TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    const char* const file = "shaders/03_height_to_normal/task.glsl";
+    folder.write(std::string("honest/") + file, course_file(file));
+    folder.write(std::string("tuned/") + file,
+                 replaced(course_file(file), "return normalize(vec3(-slope * texels, 1.0));",
+                          "return normalize(vec3(-slope * (texels.x == texels.y ? vec2(14.0) : texels), 1.0));"));
+    // Right, but by what another file may know.
+    folder.write(std::string("borrows/") + file, "  # include \"common/height_cell.glsl\"\n" + course_file(file));
+    const std::vector<std::string> words = {(folder.path() / "honest").string(), (folder.path() / "tuned").string(),
+                                            (folder.path() / "borrows").string(), "-o", output.string()};
+    std::vector<std::string> seeded = words;
+    seeded.insert(seeded.end(), {"--seed", "midterm"});
+    const Result graded = run(grade(seeded));
+    ASSERT_EQ(graded.code, 0) << graded.err;
+    EXPECT_EQ(outcomes(result_of(output, "honest")), Outcomes{"passed"});
+    const json borrows = result_of(output, "borrows");
+    EXPECT_EQ(outcomes(borrows), Outcomes{"broken"});
+    EXPECT_TRUE(contains(found(borrows, "broken"), "includes common/height_cell.glsl, which is not part of this task"));
+    const json tuned = result_of(output, "tuned");
+    EXPECT_EQ(outcomes(tuned, "3.2"), (Outcomes{"passed", "wrong"}));
+    EXPECT_TRUE(contains(found(tuned, "wrong"), "right in the check's own view, not in a hidden one: "))
+        << found(tuned, "wrong");
+    EXPECT_TRUE(contains(tuned.dump(), "\"view\":\"camera ") && contains(tuned.dump(), "; depth 1")) << tuned.dump(1);
+    EXPECT_FALSE(contains(read_file(output / "gradescope/tuned.json"), "; depth 1"))
+        << "who may hand in again must not read where the hidden view is";
+    EXPECT_LT(tuned["points"], 9);
+    const std::string page = read_file(output / "students/tuned.html");
+    EXPECT_TRUE(contains(page, "hidden view</span>")) << "its pictures are of the view that is right";
+    EXPECT_TRUE(contains(page, "src=\"data:image/png;base64,"));
+
+    // The seed stays the folder's, and another one asks for other marks.
+    const Result again = run(grade(words));
+    EXPECT_TRUE(contains(again.out, "0 graded, 3 as before") && contains(again.out, "seed midterm")) << again.out;
+    std::vector<std::string> other = words;
+    other.insert(other.end(), {"--seed", "final"});
+    EXPECT_TRUE(contains(run(grade(other)).out, "3 graded, 0 as before"));
+}
+
+TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
+    const TemporaryFolder folder;
+    std::vector<std::string> paths;
+    for (int i = 0; i < 5; ++i) {
+        const std::string name = "s" + std::to_string(i);
+        folder.write(name + "/" + shader, course_file(shader) + "// " + name + "\n");
+        paths.push_back((folder.path() / name).string());
+    }
+    const fs::path output = folder.path() / "out";
+    const auto part = [&](const fs::path& into, std::vector<std::string> more, const Circumstances& where = {}) {
+        std::vector<std::string> words = paths;
+        words.insert(words.end(), {"-o", into.string()});
+        words.insert(words.end(), more.begin(), more.end());
+        return run(grade(words), where);
+    };
+    const auto merged = [&] { return run({relief_program(), "grade", "--merge", output.string()}); };
+    const Result seedless = part(output, {"--shard", "1/2"});
+    EXPECT_EQ(seedless.code, 2);
+    EXPECT_TRUE(contains(seedless.err, "--seed WORD")) << seedless.err;
+
+    const Result first = part(output / "one", {"--shard", "1/2", "--seed", "x"});
+    EXPECT_EQ(first.code, 0) << first.err;
+    EXPECT_TRUE(contains(first.out, "3 graded")) << first.out;
+    EXPECT_FALSE(fs::exists(output / "one/results.csv")) << "a part is not the class";
+    const Result early = merged();
+    EXPECT_EQ(early.code, 1);
+    EXPECT_TRUE(contains(early.err, "of 5 submissions 2 without a result: s1, s3")) << early.err;
+
+    const Result second =
+        part(output / "two", {"--seed", "x"},
+             {.folder = {},
+              .environment = {
+                  {"SLURM_ARRAY_TASK_ID", "8"}, {"SLURM_ARRAY_TASK_MIN", "7"}, {"SLURM_ARRAY_TASK_COUNT", "2"}}});
+    EXPECT_TRUE(contains(second.out, "2 graded")) << second.out << second.err;
+    const Result whole = merged();
+    EXPECT_EQ(whole.code, 0) << whole.err;
+    EXPECT_TRUE(contains(whole.out, "5 graded")) << whole.out;
+    const std::string csv = read_file(output / "results.csv");
+    for (int i = 0; i < 5; ++i) EXPECT_TRUE(contains(csv, "\ns" + std::to_string(i) + ",graded,11,")) << csv;
+    EXPECT_TRUE(fs::exists(output / "report.html"));
+    for (int i = 0; i < 5; ++i) {
+        const std::string page = "students/s" + std::to_string(i) + ".html";
+        EXPECT_EQ(read_file(output / page), read_file(output / (i % 2 == 0 ? "one" : "two") / page));
+        EXPECT_TRUE(contains(read_file(output / "report.html"), "href=\"" + page));
+    }
+
+    fs::copy_file(output / "one/results/s0.json", output / "two/results/s0.json");
+    EXPECT_TRUE(contains(merged().err, "1 with several results: s0"));
+    fs::remove(output / "two/results/s0.json");
+    folder.write(std::string("s1/") + shader, course_file(shader));
+    part(output / "two", {"--shard", "1/2", "--seed", "x"});
+    EXPECT_TRUE(contains(merged().err, "names other submissions"));
+}
+
+TEST(Grade, WhenTheMachineFailsNobodyLosesAMark) {
+    if (!has_namespaces()) GTEST_SKIP() << "without namespaces a removed program cannot be told from one that crashed";
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out", temporary = folder.path() / "tmp";
+    fs::create_directory(temporary);
+    fs::permissions(folder.path(), fs::perms(0755)), fs::permissions(temporary, fs::perms(0755));
+    std::vector<std::string> words;
+    for (const char* name : {"a", "b", "c"}) {
+        folder.write(std::string(name) + "/" + shader, course_file(shader) + "// " + name + "\n");
+        words.push_back((folder.path() / name).string());
+    }
+    words.insert(words.end(), {"-o", output.string(), "--jobs", "1"});
+    {
+        Process grader(grade(words), {.folder = {}, .environment = {{"TMPDIR", temporary.string()}}});
+        for (int i = 0; i < 6000 && !fs::exists(output / "results/a.json") && grader.running(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        // Somebody tidies up.
+        for (const auto& entry : fs::directory_iterator(temporary)) fs::remove_all(entry.path() / "bin");
+        const Result failed = grader.wait();
+        EXPECT_EQ(failed.code, 1);
+        EXPECT_TRUE(contains(failed.err, "grade again")) << failed.err;
+    }
+    EXPECT_EQ(outcomes(result_of(output, "a")), Outcomes{"passed"});
+    EXPECT_TRUE(outcomes(result_of(output, "c")).contains("machine"));
+    EXPECT_TRUE(contains(read_file(output / "results.csv"), "c,not graded: the machine failed,,"))
+        << read_file(output / "results.csv");
+    const Result again = run({relief_program(), "grade", "--resume", "-o", output.string()});
+    EXPECT_EQ(again.code, 0) << again.err;
+    for (const char* name : {"a", "b", "c"}) EXPECT_EQ(result_of(output, name)["points"], 11) << name;
+}
+
+TEST(Grade, AnAutograderForGradescopeHasTheCourseAndTwoScripts) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "autograder/source";
+    const Result made =
+        run({relief_program(), "grade", "--gradescope", "-o", output.string(), "--lab", "2", "--seed", "o'x"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(read_file(output / "course" / shader), course_file(shader)) << "it grades with the solutions";
+    EXPECT_FALSE(fs::exists(output / "course/build"));
+    for (const char* script : {"setup.sh", "run_autograder"}) {
+        EXPECT_NE(fs::status(output / script).permissions() & fs::perms::owner_exec, fs::perms::none);
+        EXPECT_EQ(run({"/bin/bash", "-n", (output / script).string()}).code, 0) << script;
+    }
+    EXPECT_EQ(run({relief_program(), "grade", "--gradescope", "-o", output.string()}).code, 0) << "made anew";
+    folder.write("taken/thesis.txt", "years of work");
+    const Result refused = run({relief_program(), "grade", "--gradescope", "-o", (folder.path() / "taken").string()});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(contains(refused.err, "holds something else")) << refused.err;
+
+    // What Gradescope runs, with a grader that only says how it was called.
+    run({relief_program(), "grade", "--gradescope", "-o", output.string(), "--lab", "2", "--seed", "o'x"});
+    folder.write("autograder/source/course/relief",
+                 "#!/bin/sh\nprintf '%s\\n' \"$RELIEF_SEED\" \"$@\" > called\n[ -e fail ] && exit 1\n"
+                 "mkdir -p marks/gradescope && echo graded > marks/gradescope/submission.json\n");
+    const Circumstances here{.folder = folder.path(),
+                             .environment = {{"AUTOGRADER", (folder.path() / "autograder").string()}}};
+    const std::string script = (output / "run_autograder").string();
+    EXPECT_EQ(run({script}, here).code, 0);
+    EXPECT_EQ(read_file(folder.path() / "autograder/results/results.json"), "graded\n");
+    const std::string called = read_file(folder.path() / "autograder/called");
+    EXPECT_TRUE(called.starts_with("o'x\n") && called.ends_with("--trust\n--lab\n02\n")) << called;
+    EXPECT_EQ(fs::status(script).permissions() & (fs::perms::group_all | fs::perms::others_all), fs::perms::none)
+        << "a submission could read the seed";
+    fs::remove_all(folder.path() / "autograder/results");
+    folder.write("autograder/fail", "");
+    EXPECT_NE(run({script}, here).code, 0);
+    EXPECT_FALSE(fs::exists(folder.path() / "autograder/results/results.json"))
+        << "when the machine fails there is no mark";
+}
+
+TEST(Grade, RefusesWhereNothingKeepsASubmissionFromTheMachine) {
+    const TemporaryFolder folder;
+    folder.write(std::string("jane/") + shader, course_file(shader));
+    const std::string jane = (folder.path() / "jane").string(), output = (folder.path() / "out").string();
+    const Circumstances without{.folder = {}, .environment = {{"RELIEF_NO_NAMESPACES", "1"}}};
+    const Result refused = run({relief_program(), "grade", jane, "-o", output}, without);
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_TRUE(contains(refused.err, "--trust")) << refused.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "out/results/jane.json"));
+    const Result trusted = run({relief_program(), "grade", jane, "-o", output, "--trust"}, without);
+    EXPECT_EQ(trusted.code, 0) << trusted.err;
+    EXPECT_TRUE(contains(trusted.err, "isolation: limits")) << trusted.err;
+    EXPECT_EQ(result_of(output, "jane")["isolation"], "limits");
+    EXPECT_EQ(result_of(output, "jane")["points"], 11);
+}
+
+TEST(Grade, WrongUseIsOneClearLine) {
+    const TemporaryFolder folder;
+    folder.write(std::string("a/jane/") + shader, "");
+    folder.write(std::string("b/jane/") + shader, "");
+    const std::string a = (folder.path() / "a/jane").string(), b = (folder.path() / "b/jane").string(),
+                      output = (folder.path() / "out").string();
+    const struct {
+        std::vector<std::string> words;
+        const char* said;
+    } cases[] = {{{"-o", output}, "grade needs submissions"},
+                 {{a}, "-o FOLDER"},
+                 {{a, "-o", output, "--jobs", "0"}, "--jobs takes a whole number from 1 to 256, not '0'"},
+                 {{a, "-o", output, "--lab", "99"}, "unknown lab"},
+                 {{a + "x", "-o", output}, "there is no '"},
+                 {{a, b, "-o", output}, "two submissions are named 'jane'"},
+                 {{a, "-o", output, "--shard", "3/2"}, "--shard asks for part 3 of 2"},
+                 {{a, "-o", output, "--shard", "2"}, "--shard takes i/n, like 2/8, not '2'"},
+                 {{"--resume", "-o", output + "/nowhere"}, "there is nothing to resume"},
+                 {{"--merge", output + "/nowhere"}, "there is no class.json"},
+                 {{a, "--merge", output}, "--merge takes no submissions: '"},
+                 {{"--self-test", a}, "--self-test takes no submissions: '"},
+                 {{"--gradescope", a, "-o", output}, "--gradescope takes no submissions: '"},
+                 {{a, "-o", output, "--context", "window"}, "grade draws without a window"},
+                 {{a, "-o", output, "--sample", "2"}, "--sample is of a self-test"},
+                 {{"--self-test", "--sample", "0"}, "--sample takes a whole number from 1 to 1000, not '0'"}};
+    for (const auto& [words, said] : cases) {
+        const Result result = run(grade(words));
+        EXPECT_EQ(result.code, 2) << said;
+        EXPECT_TRUE(contains(result.err, said)) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+}
+
+TEST(Grade, TestsItselfOnAWholeLab) {
+    const Result tested = run(grade({"--self-test", "--lab", "2"}));
+    EXPECT_EQ(tested.code, 0) << tested.err;
+    EXPECT_TRUE(contains(tested.out,
+                         "lab 02: 14 of 14 known mistakes caught, 14 named; 8 of 8 correct variants get "
+                         "all points"))
+        << tested.out;
+    EXPECT_TRUE(contains(tested.out, "kill rate 100 %, 8 of 8 correct variants get all points, 0 wrong verdicts"))
+        << tested.out;
+    EXPECT_FALSE(contains(tested.out, "a sample")) << tested.out;
+}
+
+TEST(Grade, TestsItselfOnASampleOfEveryLab) {
+    const Result tested = run(grade({"--self-test", "--sample", "1", "--jobs", "2"}));
+    EXPECT_EQ(tested.code, 0) << tested.err;
+    for (const auto& folder : fs::directory_iterator(course_root() / "labs")) {
+        const std::string number = folder.path().filename().string().substr(0, 2);
+        if (!fs::exists(folder.path() / "lab.toml") || number > "19") continue;
+        EXPECT_TRUE(contains(tested.out, "lab " + number +
+                                             ": 1 of 1 known mistakes caught, names not asked; 1 of 1 "
+                                             "correct variants get all points"))
+            << number << '\n'
+            << tested.out;
+    }
+    EXPECT_TRUE(contains(tested.out, "0 wrong verdicts")) << tested.out;
+    EXPECT_TRUE(contains(tested.out, "\na sample: ")) << tested.out;
+}
+
+TEST(Grade, IsTimedByABenchmarkWhoseWorkIsRight) {
+    const TemporaryFolder folder;
+    const Result timed = run({relief_program(), "bench", "grade", "--set", "tasks=shaders", "--quick", "--repeats", "1",
+                              "-o", folder.path().string()});
+    EXPECT_EQ(timed.code, 0) << timed.err;
+    const std::string csv = read_file(folder.path() / "grade.csv");
+    for (const char* hidden : {"no", "yes"})
+        EXPECT_TRUE(contains(csv, std::string("tasks=shaders,relief,hidden_views=") + hidden + ",measured,")) << csv;
+}
+
+}  // namespace
+}  // namespace relief

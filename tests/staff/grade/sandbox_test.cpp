@@ -1,0 +1,127 @@
+// What a command in the sandbox can do, and how each way of going wrong is told from the others. Where this machine has
+// no namespaces the tests run by limits alone, say so, and leave out what only namespaces can keep.
+#include "framework/staff/grade/sandbox.h"
+
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Sandbox : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        isolation_ = probe_isolation();
+        std::printf("isolation: %s %s\n", name_of(isolation_.level), isolation_.reason.c_str());
+    }
+    static SandboxResult shell(const std::string& script, SandboxLimits limits = {.wall = 10}) {
+        return run_sandboxed({.command = {"/bin/sh", "-c", script},
+                              .readable = {},
+                              .environment = {{"A", "b c"}},
+                              .input = "the input",
+                              .limits = limits},
+                             isolation_.level);
+    }
+    static bool has_namespaces() { return isolation_.level == Isolation::namespaces; }
+    static inline IsolationReport isolation_;
+};
+
+TEST_F(Sandbox, PassesOnInputOutputErrorsAndTheExitCode) {
+    const SandboxResult done = shell("cat; echo \"$A\"; echo oh >&2; exit 3");
+    EXPECT_EQ(done.ending, Ending::exited) << done.errors;
+    EXPECT_EQ(done.code, 3);
+    EXPECT_EQ(done.output, "the inputb c\n");
+    EXPECT_EQ(done.errors, "oh\n");
+}
+
+TEST_F(Sandbox, HasAClearedEnvironment) {
+    setenv("RELIEF_SECRET", "x", 1);
+    const SandboxResult done = shell("env | cut -d= -f1 | sort | tr '\\n' ' '");
+    unsetenv("RELIEF_SECRET");
+    EXPECT_EQ(done.output, "A PATH PWD ");
+}
+
+TEST_F(Sandbox, TellsEndingsApart) {
+    EXPECT_EQ(shell("sleep 60", {.wall = 0.3}).ending, Ending::out_of_time);
+    EXPECT_EQ(shell("while :; do :; done", {.wall = 10, .cpu = 1}).ending, Ending::out_of_time);
+    const SandboxResult crashed = shell("kill -SEGV $$");
+    EXPECT_EQ(crashed.ending, Ending::crashed);
+    EXPECT_EQ(crashed.code, SIGSEGV);
+    EXPECT_EQ(shell("exit 97").ending, Ending::out_of_memory);
+    EXPECT_EQ(shell("kill -KILL $$").ending, Ending::out_of_memory);
+    EXPECT_EQ(shell("yes", {.wall = 10, .output = 1 << 20}).ending, Ending::too_much_output);
+    EXPECT_EQ(shell("yes >&2", {.wall = 10}).ending, Ending::too_much_output);
+    const SandboxResult flood = shell("yes", {.wall = 10, .output = 1 << 20});
+    EXPECT_EQ(flood.output.size(), size_t{1} << 20);
+}
+
+TEST_F(Sandbox, BoundsMemoryFilesAndProcesses) {
+    // dd takes its block as memory.
+    EXPECT_NE(shell("dd if=/dev/zero of=/dev/null bs=1G count=1", {.wall = 10, .memory = 256 << 20}).code, 0);
+    EXPECT_EQ(shell("dd if=/dev/zero of=/dev/null bs=64M count=1 2>/dev/null", {.wall = 10, .memory = 256 << 20}).code,
+              0);
+    const SandboxResult full = shell("f=$(mktemp) && dd if=/dev/zero of=$f bs=1M count=100; wc -c < $f; rm -f $f",
+                                     {.wall = 10, .scratch = 8 << 20});
+    EXPECT_LE(std::atol(full.output.c_str()), 8 << 20) << full.errors;
+    const SandboxResult bomb = shell("b() { b | b & }; b; sleep 0.5; echo alive", {.wall = 5, .processes = 30});
+    EXPECT_TRUE(contains(bomb.errors, "fork")) << bomb.errors;
+}
+
+TEST_F(Sandbox, LeavesNoProcessBehind) {
+    if (!has_namespaces()) {
+        std::printf("not looked at without namespaces: a process in a session of its own stays\n");
+        return;
+    }
+    const TemporaryFolder folder;
+    const std::string mark = "31.4159" + std::to_string(getpid());  // a way to know the process by
+    const SandboxResult done = shell("setsid sleep " + mark + " >/dev/null 2>&1 & echo started");
+    EXPECT_EQ(done.output, "started\n");
+    const auto left = [&] {
+        for (const auto& entry : fs::directory_iterator("/proc")) {
+            std::ifstream words(entry.path() / "cmdline");
+            if (contains(std::string(std::istreambuf_iterator<char>(words), {}), mark)) return true;
+        }
+        return false;
+    };
+    // The kernel ends them after the first process of their namespace, on a busy machine a moment later.
+    for (int i = 0; i < 500 && left(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_FALSE(left());
+}
+
+TEST_F(Sandbox, SeesNothingOfTheMachine) {
+    const TemporaryFolder folder;
+    const fs::path secret = folder.write("secret", "the answer");
+    const fs::path open = folder.write("open/file", "yours");
+    const auto look = [&](const std::string& script) {
+        return run_sandboxed({.command = {"/bin/sh", "-c", script},
+                              .readable = {folder.path() / "open"},
+                              .environment = {},
+                              .input = {},
+                              .limits = {.wall = 10}},
+                             isolation_.level)
+            .output;
+    };
+    EXPECT_EQ(look("cat " + open.string()), "yours");
+    if (!has_namespaces()) {
+        std::printf("not looked at without namespaces: the command can read what we can\n");
+        return;
+    }
+    EXPECT_EQ(look("cat " + secret.string() + " /etc/passwd /proc/1/environ"), "");
+    EXPECT_EQ(look("ls / | tr '\\n' ' ' | sed 's/lib32 //; s/libx32 //'"), "bin dev etc lib lib64 sbin tmp usr ");
+    // Nothing can be written but its own /tmp, and that is gone afterwards.
+    EXPECT_EQ(look("for f in /x /usr/x /dev/shm/x /etc/x " + open.string() + "; do echo x > $f && echo wrote $f; done"),
+              "");
+    EXPECT_EQ(look("echo x > /tmp/x && cat /tmp/x"), "x\n");
+    EXPECT_EQ(look("cat /tmp/x"), "");
+    EXPECT_EQ(look("id -u; cat /sys/class/net/*/address; hostname"), "65534\nrelief\n");
+    // No root inside either, and no namespaces in the namespace.
+    EXPECT_EQ(look("unshare -r true && echo made"), "");
+}
+
+}  // namespace
+}  // namespace relief

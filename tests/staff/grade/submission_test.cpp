@@ -1,0 +1,204 @@
+// What is taken of a submission, and what hostile ones do to the reader: nothing.
+#include "framework/staff/grade/submission.h"
+
+#include <unistd.h>
+
+#include "framework/base/sha256.h"
+#include "tests/process.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::set<std::string> wanted = {"shaders/01_a/task.glsl", "labs/05_b/task.cpp"};
+constexpr const char* shader = "shaders/01_a/task.glsl";
+
+/// An archive as a few lines of Python make it: what no honest program would write.
+fs::path python(const TemporaryFolder& folder, const std::string& name, const std::string& lines) {
+    const fs::path path = folder.path() / name;
+    const Result made =
+        run({"python3", "-c", "import io, sys, tarfile, zipfile\npath = sys.argv[1]\n" + lines, path.string()});
+    EXPECT_EQ(made.code, 0) << made.err;
+    return path;
+}
+
+TEST(Sha256, IsThatOfThePublishedExamples) {  // FIPS 180-4's examples, and of nothing at all
+    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+              "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Submission, OfAFolderIsItsTaskFilesWhereverTheyLie) {
+    const TemporaryFolder folder;
+    folder.write("jane/my work/shaders/01_a/task.glsl", "mine");
+    folder.write("jane/old/my work/shaders/01_a/task.glsl", "older");
+    folder.write("jane/labs/05_b/task.cpp", "int x;");
+    folder.write("jane/notes.txt", "");
+    const Submission found = read_submission(folder.path() / "jane", wanted);
+    EXPECT_EQ(found.name, "jane");
+    EXPECT_EQ(found.files, (std::map<std::string, std::string>{{shader, "mine"}, {"labs/05_b/task.cpp", "int x;"}}));
+    EXPECT_EQ(found.ignored_count, 2u);
+    EXPECT_EQ(found.problem, "");
+}
+
+TEST(Submission, OfAnArchiveIsTheSameAsOfItsFolder) {
+    const TemporaryFolder folder;
+    folder.write("jane/shaders/01_a/task.glsl", "mine");
+    folder.write("jane/build/huge.o", std::string(3 << 20, 'x'));
+    const Submission plain = read_submission(folder.path() / "jane", wanted);
+    EXPECT_EQ(plain.hash.size(), 64u);
+    for (const char* kind : {"tar", "tar.gz", "tgz", "tar.xz"}) {
+        const fs::path archive = folder.path() / (std::string("jane.") + kind);
+        ASSERT_EQ(run({"tar", "-caf", archive.string(), "-C", folder.path().string(), "jane"}).code, 0);
+        const Submission packed = read_submission(archive, wanted);
+        EXPECT_EQ(packed.problem, "") << kind;
+        EXPECT_EQ(packed.name, "jane") << kind;
+        EXPECT_EQ(packed.hash, plain.hash) << kind;
+        EXPECT_EQ(packed.ignored_count, plain.ignored_count) << kind;
+    }
+    const fs::path zip = python(folder, "jane.zip", R"(
+with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as z:
+    z.writestr("jane\\shaders\\01_a\\task.glsl", "mine"))");
+    EXPECT_EQ(read_submission(zip, wanted).hash, plain.hash);
+    folder.write("jane/shaders/01_a/task.glsl", "mine!");
+    EXPECT_NE(read_submission(folder.path() / "jane", wanted).hash, plain.hash);
+}
+
+TEST(Submission, MayBePackedInAFolderOfAnyName) {
+    const TemporaryFolder folder;
+    const char* const place =
+        "\xc3\x9c"
+        "bung f\xc3\xbcr J\xc3\xb6rg/shaders/01_a/task.glsl";
+    const std::string name = std::string("'") + place + "'";
+    const fs::path zip =
+        python(folder, "a.zip", "z = zipfile.ZipFile(path, 'w'); z.writestr(" + name + ", 'mine'); z.close()");
+    const fs::path pax = python(folder, "b.tar",
+                                "t = tarfile.open(path, 'w', format=tarfile.PAX_FORMAT); i = tarfile.TarInfo(" + name +
+                                    "); i.size = 4; t.addfile(i, io.BytesIO(b'mine')); t.close()");
+    for (const fs::path& archive : {zip, pax}) {
+        const Submission found = read_submission(archive, wanted);
+        EXPECT_EQ(found.problem, "") << archive;
+        EXPECT_EQ(found.files, (std::map<std::string, std::string>{{shader, "mine"}})) << archive;
+    }
+}
+
+TEST(Submission, OfAFileThatAnArchiveHasTwiceIsTheLast) {
+    const TemporaryFolder folder;
+    const fs::path tar = python(folder, "a.tar", R"(
+with tarfile.open(path, "w") as t:
+    for text in (b"older", b"newer"):
+        i = tarfile.TarInfo("shaders/01_a/task.glsl"); i.size = 5; t.addfile(i, io.BytesIO(text)))");
+    EXPECT_EQ(read_submission(tar, wanted).files.at(shader), "newer");
+}
+
+TEST(Submission, IsReadWhateverLinksLieInIt) {
+    const TemporaryFolder folder;
+    folder.write("jane/shaders/01_a/task.glsl", "mine");
+    fs::create_symlink("loop", folder.path() / "jane/loop");
+    fs::create_symlink("nowhere", folder.path() / "jane/dangling");
+    fs::create_directory_symlink("..", folder.path() / "jane/up");
+    const Submission found = read_submission(folder.path() / "jane", wanted);
+    EXPECT_EQ(found.problem, "");
+    EXPECT_EQ(found.files.at(shader), "mine");
+    EXPECT_EQ(found.ignored_count, 3u);
+}
+
+TEST(Submission, TakesNothingThroughALinkOrFromOutside) {
+    const TemporaryFolder folder;
+    const fs::path secret = folder.write("secret/01_a/task.glsl", "secret");
+    fs::create_directories(folder.path() / "jane/shaders/01_a");
+    fs::create_symlink(secret, folder.path() / "jane" / shader);
+    fs::create_directories(folder.path() / "joe");
+    fs::create_directory_symlink(folder.path() / "secret", folder.path() / "joe/shaders");
+    fs::create_directories(folder.path() / "jim/shaders/01_a");
+    ASSERT_EQ(run({"mkfifo", (folder.path() / "jim" / shader).string()}).code, 0);
+    for (const char* name : {"jane", "joe", "jim"}) {
+        const Submission found = read_submission(folder.path() / name, wanted);
+        EXPECT_TRUE(found.files.empty()) << name;
+        EXPECT_EQ(found.problem, "") << name;
+        EXPECT_EQ(found.ignored_count, 1u) << name;
+    }
+    const fs::path archive = python(folder, "links.tar", R"(
+with tarfile.open(path, "w") as t:
+    for name in ["../shaders/01_a/task.glsl", "/shaders/01_a/task.glsl", "a/../shaders/01_a/task.glsl"]:
+        info = tarfile.TarInfo(name); info.size = 3; t.addfile(info, io.BytesIO(b"bad"))
+    for kind in [tarfile.SYMTYPE, tarfile.LNKTYPE, tarfile.CHRTYPE, tarfile.FIFOTYPE]:
+        info = tarfile.TarInfo("x/shaders/01_a/task.glsl"); info.type = kind; info.linkname = "/etc/passwd"; t.addfile(info))");
+    const Submission found = read_submission(archive, wanted);
+    EXPECT_TRUE(found.files.empty());
+    EXPECT_EQ(found.problem, "");
+    EXPECT_EQ(found.ignored_count, 7u);
+    EXPECT_FALSE(fs::exists(folder.path() / "shaders")) << "something was unpacked";
+}
+
+TEST(Submission, NamesWithQuotesAndNewlinesAreShownOnOneLine) {
+    const TemporaryFolder folder;
+    const std::string odd = "it's \"odd\"\n\x1b[31m & <b>.txt";
+    folder.write("jane/" + odd, "");
+    folder.write("jane/a\nb/shaders/01_a/task.glsl", "mine");
+    const Submission found = read_submission(folder.path() / "jane", wanted);
+    EXPECT_EQ(found.files.count(shader), 1u);
+    ASSERT_EQ(found.ignored.size(), 1u);
+    EXPECT_EQ(found.ignored[0], "it's \"odd\"\\x0a\\x1b[31m & <b>.txt");
+}
+
+TEST(Submission, RefusesATaskFileOfMoreThanAMebibyte) {
+    const TemporaryFolder folder;
+    folder.write(std::string("jane/") + shader, std::string(10 << 20, ' '));
+    folder.write(std::string("joe/") + shader, std::string(1 << 20, ' '));
+    const fs::path archive = folder.path() / "jane.tar.gz";
+    ASSERT_EQ(run({"tar", "-caf", archive.string(), "-C", folder.path().string(), "jane"}).code, 0);
+    for (const fs::path& path : {folder.path() / "jane", archive}) {
+        const Submission found = read_submission(path, wanted);
+        EXPECT_TRUE(found.files.empty()) << path;
+        ASSERT_EQ(found.refused.count(shader), 1u) << path;
+        EXPECT_EQ(found.refused.at(shader), "larger than 1 MiB");
+    }
+    EXPECT_EQ(read_submission(folder.path() / "joe", wanted).files.count(shader), 1u);
+}
+
+TEST(Submission, AnArchiveThatUnpacksToGigabytesIsLeftInTime) {
+    const TemporaryFolder folder;
+    // A gzip file may be many, one after the other: 600 times the same MiB of zeros behind a tar's header.
+    const fs::path tar = python(folder, "bomb.tar.gz", R"(
+import gzip
+info = tarfile.TarInfo("zeros"); info.size = 600 << 20
+with open(path, "wb") as f: f.write(gzip.compress(info.tobuf()) + gzip.compress(bytes(1 << 20)) * 600))");
+    EXPECT_LT(fs::file_size(tar), 1u << 20);
+    EXPECT_EQ(read_submission(tar, wanted).problem, "unpacks to more than 512 MiB");
+    // In a zip, the task file itself is the bomb.
+    const fs::path zip = python(folder, "bomb.zip", R"(
+with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as z:
+    with z.open("shaders/01_a/task.glsl", "w") as f:
+        for i in range(20): f.write(bytes(1 << 20)))");
+    const Submission found = read_submission(zip, wanted);
+    EXPECT_EQ(found.problem, "");
+    EXPECT_EQ(found.refused.at(shader), "larger than 1 MiB");
+    const fs::path many = python(folder, "many.zip", R"(
+with zipfile.ZipFile(path, "w") as z:
+    for i in range(20001): z.writestr(str(i), ""))");
+    EXPECT_EQ(read_submission(many, wanted).problem, "has more than 20000 entries");
+}
+
+TEST(Submission, WhatIsNoArchiveOrDamagedSaysSo) {
+    const TemporaryFolder folder;
+    const fs::path text = folder.write("a.zip", "no archive");
+    EXPECT_TRUE(contains(read_submission(text, wanted).problem, "not a zip or tar archive, or damaged"));
+    EXPECT_FALSE(read_submission(folder.write("empty.zip", ""), wanted).files.size());
+    folder.write(std::string("jane/") + shader, std::string(100000, 'x'));
+    const fs::path archive = folder.path() / "jane.tar.gz";
+    ASSERT_EQ(run({"tar", "-caf", archive.string(), "-C", folder.path().string(), "jane"}).code, 0);
+    fs::resize_file(archive, fs::file_size(archive) / 2);
+    const Submission cut = read_submission(archive, wanted);
+    EXPECT_TRUE(contains(cut.problem, "damaged")) << cut.problem;
+    EXPECT_TRUE(cut.files.empty()) << "half a file was taken for a whole one";
+    EXPECT_TRUE(contains(read_submission(folder.path() / "missing.zip", wanted).problem, "cannot read"));
+    EXPECT_TRUE(contains(read_submission("/dev/null", wanted).problem, "neither a folder nor a file"));
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,330 @@
+// The student's course: what is in it, that it builds, and that a student can earn every point there.
+#include "framework/staff/handout/handout.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+#include "framework/check/starter.h"
+#include "framework/lab/manifest.h"
+#include "tests/code_shape.h"
+#include "tests/process.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> trimmed_lines(const std::string& text) {
+    std::vector<std::string> lines;
+    for (const std::string& line : split(text, '\n'))
+        if (const size_t begin = line.find_first_not_of(' '); begin != std::string::npos)
+            lines.push_back(line.substr(begin));
+    return lines;
+}
+
+class StudentsCourse : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        folder_ = new TemporaryFolder;
+        const Result made = run({relief_program(), "handout", "-o", course().string()});
+        ASSERT_EQ(made.code, 0) << made.err;
+        for (const auto& entry : fs::directory_iterator(course_root() / "labs"))
+            if (fs::exists(entry.path() / "lab.toml")) labs_->push_back(entry.path().filename());
+        ASSERT_GE(labs_->size(), 6u);
+    }
+    static void TearDownTestSuite() { delete folder_; }
+
+    static fs::path course() { return folder_->path() / "a handout"; }
+    static Manifest staff(const std::string& lab) { return load_manifest(course_root() / "labs" / lab / "lab.toml"); }
+    /// All files of a folder by their paths.
+    static std::map<std::string, std::string> files_in(const fs::path& folder) {
+        std::map<std::string, std::string> all;
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            if (entry.is_regular_file()) all.emplace(entry.path().lexically_relative(folder), read_file(entry.path()));
+        return all;
+    }
+    /// Whatever a student could read.
+    static std::map<std::string, std::string> texts() {
+        std::map<std::string, std::string> all = files_in(course());
+        std::erase_if(all,
+                      [](const auto& file) { return file.first.ends_with(".png") || file.first.ends_with(".exr"); });
+        return all;
+    }
+    static Result hand_out(const fs::path& folder, std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {relief_program(), "handout", "-o", folder.string()});
+        return run(more);
+    }
+    static void expect_nowhere(const std::string& secret) {
+        for (const auto& [path, text] : *texts_)
+            EXPECT_FALSE(contains(text, secret)) << "'" << secret << "' can be read in " << path;
+    }
+
+    static inline TemporaryFolder* folder_ = nullptr;
+    static inline std::vector<std::string>* labs_ = new std::vector<std::string>;
+    static inline std::map<std::string, std::string>* texts_ = nullptr;
+};
+
+TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeNoVariantAndNoHiddenCheck) {
+    texts_ = new std::map(texts());
+    size_t lines = 0, hidden = 0, mistakes = 0, variants = 0;
+    for (const std::string& lab : *labs_) {
+        const Manifest manifest = staff(lab);
+        for (const TaskInfo& task : manifest.tasks)
+            for (const std::string& line : solution_lines(read_file(course_root() / task.file), task.file))
+                // Shorter ones are "if (x == 0) return {};", and six turns of a loop are no secret.
+                if (line.size() >= 24 && !line.starts_with("for (int i = 0;")) expect_nowhere(line), ++lines;
+        for (const CheckInfo& check : manifest.checks)
+            if (check.hidden) expect_nowhere('"' + check.name + '"'), ++hidden;
+        for (const MistakeInfo& mistake : manifest.mistakes) expect_nowhere(mistake.hint), ++mistakes;
+        for (const EquivalentInfo& equivalent : manifest.equivalents) {
+            expect_nowhere(equivalent.why), ++variants;
+            for (const Edit& edit : equivalent.edits)
+                for (const std::string& line : trimmed_lines(edit.replace))
+                    if (line.size() >= 24 && !line.starts_with("for (int ") && !contains(edit.find, line))
+                        expect_nowhere(line);
+        }
+    }
+    EXPECT_GT(lines, 30u);
+    EXPECT_GT(hidden, 8u);
+    EXPECT_GT(mistakes, 60u);
+    EXPECT_GT(variants, 54u);
+    delete texts_;
+}
+
+TEST(Shape, OfCodeDoesNotKnowNamesButKnowsWhatIsDone) {
+    EXPECT_EQ(shape_of("a = max(b.xy, 0.5f) * glm::sin( c );  // why"), "@ = max ( @ . xy , 0.5 ) * sin ( @ ) ; ");
+    EXPECT_EQ(expressions_of({"vec3 a = normalize(b.xyz - dot(b.xyz, c) * c);", "return short_;"}),
+              std::vector<std::string>{"normalize ( @ . xyz - dot ( @ . xyz , @ ) * @ ) "});
+}
+
+TEST_F(StudentsCourse, HoldsNoSolutionUnderOtherNames) {
+    std::map<std::string, std::string> shapes;
+    for (const auto& [path, text] : texts())
+        if (!path.ends_with(".toml") && !path.ends_with(".obj"))
+            shapes[path] = shape_of(path.ends_with(".md") ? code_in_markdown(text) : text);
+    size_t looked_for = 0;
+    for (const std::string& lab : *labs_) {
+        std::set<std::string> task_files;
+        for (const TaskInfo& task : staff(lab).tasks) task_files.insert(task.file);
+        for (const std::string& file : task_files)
+            for (const std::string& shape : expressions_of(solution_lines(read_file(course_root() / file), file))) {
+                ++looked_for;
+                if (is_common(shape)) continue;
+                for (const auto& [path, text] : shapes)
+                    EXPECT_FALSE(contains(text, shape)) << file << ": '" << shape << "' can be read in " << path;
+            }
+    }
+    EXPECT_GT(looked_for, 30u);
+}
+
+TEST_F(StudentsCourse, HoldsNothingThatAKnownMistakeOrAVariantIsAnEditOf) {
+    size_t looked_for = 0;
+    const auto look_for = [&](const Edit& edit) {
+        if (!fs::exists(course() / edit.file)) return;
+        const std::string handed_out = read_file(course() / edit.file);
+        const std::vector<std::string> solution = solution_lines(read_file(course_root() / edit.file), edit.file);
+        for (const std::string& find : trimmed_lines(edit.find)) {
+            const bool in_solution = std::any_of(solution.begin(), solution.end(),
+                                                 [&](const std::string& line) { return contains(line, find); });
+            if (!in_solution || find.size() < 12) continue;
+            ++looked_for;
+            EXPECT_FALSE(contains(handed_out, find)) << edit.file << ": " << find;
+        }
+    };
+    for (const std::string& lab : *labs_) {
+        const Manifest manifest = staff(lab);
+        for (const MistakeInfo& mistake : manifest.mistakes)
+            for (const Edit& edit : mistake.edits) look_for(edit);
+        for (const EquivalentInfo& equivalent : manifest.equivalents)
+            for (const Edit& edit : equivalent.edits) look_for(edit);
+    }
+    EXPECT_GT(looked_for, 100u);
+}
+
+TEST_F(StudentsCourse, BeginsWithAReadmeOfItsOwn) {
+    const std::string readme = read_file(course() / "README.md");
+    EXPECT_TRUE(readme.starts_with("# Relief: your labs\n\nSurface detail")) << readme.substr(0, 80);
+    for (const char* command : {"\n./relief list ", "\n./relief run 01 ", "\n./relief check 01 "})
+        EXPECT_TRUE(contains(readme, command)) << command;
+    for (const std::string& lab : *labs_) EXPECT_TRUE(contains(readme, "(labs/" + lab + "/README.md)")) << lab;
+    for (const std::string& lab : *labs_) {  // and each lab with its handout, whose pictures came along
+        const std::string handout = read_file(course() / "labs" / lab / "README.md");
+        size_t pictures = 0;
+        for (size_t at = handout.find("](golden/"); at != std::string::npos;
+             at = handout.find("](golden/", at + 1), ++pictures) {
+            const std::string path = handout.substr(at + 2, handout.find(')', at) - at - 2);
+            EXPECT_TRUE(fs::exists(course() / "labs" / lab / path)) << lab << ": " << path;
+        }
+        EXPECT_GE(pictures, 1u) << lab;
+    }
+}
+
+TEST_F(StudentsCourse, IsTheCourseWithoutFoldersNamedStaffAndWithStarters) {
+    const std::map<std::string, std::string> handed_out = files_in(course());
+    for (const auto& [path, text] : handed_out) {
+        const fs::path parts(path);
+        EXPECT_EQ(std::find(parts.begin(), parts.end(), "staff"), parts.end()) << path;
+    }
+    size_t left = 0, staffs = 0;
+    for (const char* room : {"framework", "labs", "shaders", "assets"})
+        for (const auto& [name, text] : files_in(course_root() / room)) {
+            const fs::path path = fs::path(room) / name;
+            if (std::find(path.begin(), path.end(), "staff") != path.end()) {
+                ++staffs;
+                continue;
+            }
+            ASSERT_TRUE(handed_out.contains(path)) << path;
+            const bool has_tasks = contains(text, "//[solution");
+            EXPECT_EQ(handed_out.at(path) == text, !has_tasks) << path;
+            ++left;
+        }
+    EXPECT_GT(left, 250u);
+    EXPECT_GT(staffs, 100u);
+    for (const char* top : {"tests", "slides", ".git", "CONTRIBUTING.md"})
+        EXPECT_FALSE(fs::exists(course() / top)) << top;
+}
+
+TEST_F(StudentsCourse, HasTheTruthAsPicturesOnly) {
+    for (const std::string& lab : *labs_) {
+        size_t pictures = 0;
+        for (const auto& entry : fs::directory_iterator(course() / "labs" / lab / "expected"))
+            pictures += entry.is_regular_file();
+        size_t wanted = 0;
+        for (const CheckInfo& check : staff(lab).checks)
+            wanted += !check.hidden && (check.against == "truth" || check.against == "solution");
+        EXPECT_EQ(pictures, wanted) << lab;
+    }
+}
+
+TEST_F(StudentsCourse, IsNeverWrittenOverWhatSomebodyElsePutThere) {
+    const TemporaryFolder other;
+    other.write("thesis.txt", "years");
+    const Result taken = hand_out(other.path());
+    EXPECT_EQ(taken.code, 1);
+    EXPECT_TRUE(contains(taken.err, "is there already, not empty and not a handout")) << taken.err;
+    EXPECT_EQ(files_in(other.path()).size(), 1u);
+    EXPECT_FALSE(fs::exists(other.path().string() + ".part")) << "what was not whole yet";
+    const Result file = hand_out(course() / "README.md");
+    EXPECT_EQ(file.code, 1);
+    EXPECT_TRUE(contains(file.err, "README.md: is there already")) << file.err;
+    const Result readonly = hand_out("/proc/handout");
+    EXPECT_EQ(readonly.code, 1);
+    EXPECT_TRUE(contains(readonly.err, "/proc/handout.part: cannot make this folder")) << readonly.err;
+    const Result nowhere = run({relief_program(), "handout"});
+    EXPECT_EQ(nowhere.code, 2);
+    EXPECT_TRUE(contains(nowhere.err, "-o FOLDER")) << nowhere.err;
+}
+
+TEST_F(StudentsCourse, OfSomeLabsIsAPartOfTheWholeAndGrowsIntoIt) {
+    const TemporaryFolder outer;
+    const fs::path part = outer.path() / "part";
+    ASSERT_EQ(hand_out(part, {"--labs", "10"}).code, 0);
+    const std::map<std::string, std::string> whole = files_in(course()), some = files_in(part);
+    for (const auto& [path, text] : some)
+        if (path != "README.md" && path != ".relief-handout") {
+            ASSERT_TRUE(whole.contains(path)) << path;
+            EXPECT_TRUE(text == whole.at(path)) << path;
+        }
+    for (const auto& entry : fs::directory_iterator(part / "labs"))
+        EXPECT_EQ(entry.path().filename(), "10_parallax_offset");
+    for (const auto& entry : fs::directory_iterator(part / "shaders"))
+        EXPECT_TRUE(entry.path().filename() == "10_parallax_offset" || entry.path().filename() == "common");
+    EXPECT_FALSE(contains(some.at("README.md"), "normal_map_storage"));
+    EXPECT_TRUE(contains(some.at("README.md"), "./relief check 10 "));
+    const Result configured =
+        run({"cmake", "-S", part.string(), "-B", (outer.path() / "build").string(), "-G", "Ninja"});
+    EXPECT_EQ(configured.code, 0) << configured.err;
+    const std::string built = read_file(outer.path() / "build/build.ninja");
+    EXPECT_TRUE(contains(built, "\nbuild lab-10:"));
+    EXPECT_FALSE(contains(built, "\nbuild lab-01:"));
+
+    // A student works, and the course goes on.
+    const std::string file = "shaders/10_parallax_offset/task.glsl";
+    write_file(part / file, some.at(file) + "// mine\n");
+    const Result more = hand_out(part, {"--labs", "6,1"});
+    EXPECT_EQ(more.code, 0) << more.err;
+    for (const char* line :
+         {"\nnew      shaders/06_tangent_space/task.glsl\n", "\nupdated  README.md\n", ": 3 labs (1,6,10), "})
+        EXPECT_TRUE(contains('\n' + more.out, line)) << line << more.out;
+    EXPECT_TRUE(contains(read_file(part / "README.md"), "(labs/06_tangent_space/README.md)"));
+    EXPECT_TRUE(contains(hand_out(part).out, "everything is as it should be\n")) << "no --labs: those that are there";
+    const Result none = hand_out(part, {"--labs", "7-9"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_TRUE(contains(none.err, "'7-9' names no lab")) << none.err;
+
+    ASSERT_EQ(hand_out(part, {"--labs", "all"}).code, 0);
+    std::map<std::string, std::string> grown = files_in(part);
+    EXPECT_EQ(grown[file], some.at(file) + "// mine\n");
+    grown[file] = some.at(file);
+    EXPECT_TRUE(grown == whole);
+}
+
+TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutions) {
+    const fs::path build = course() / "build";
+    const auto ninja = [&](const char* target) {
+        const Result built =
+            run({"ninja", "-C", build.string(), target},
+                {{}, {{"CCACHE_BASEDIR", course().string()}, {"CCACHE_NOHASHDIR", "1"}, {"CCACHE_NODIRECT", "1"}}});
+        ASSERT_EQ(built.code, 0) << built.out.substr(built.out.size() > 4000 ? built.out.size() - 4000 : 0);
+    };
+    // With a compiler's cache in the way that this course was built, since most of it is the same; else in the
+    // quickest.
+    const std::string launcher = RELIEF_COMPILER_LAUNCHER;
+    const std::string type = launcher.empty() ? "Debug" : RELIEF_BUILD_TYPE;
+    const Result configured = run({"cmake", "-S", course().string(), "-B", build.string(), "-G", "Ninja",
+                                   "-DCMAKE_BUILD_TYPE=" + type, "-DCMAKE_CXX_COMPILER_LAUNCHER=" + launcher,
+                                   "-DCMAKE_COMPILE_WARNING_AS_ERROR=" RELIEF_STRICT, "-DRELIEF_TESTS=ON"});
+    ASSERT_EQ(configured.code, 0) << configured.err;
+    for (const char* target : {"relief_cpu", "relief_framework", "programs"}) ASSERT_NO_FATAL_FAILURE(ninja(target));
+
+    const auto check = [&](const std::string& lab) {
+        const Result checked = run({(build / "bin/relief").string(), "check", lab, "--json"});
+        return std::pair(checked.code, nlohmann::json::parse(checked.out));
+    };
+    for (const std::string& lab : *labs_) {
+        const auto [code, report] = check(lab);
+        EXPECT_EQ(code, 1) << lab;
+        EXPECT_EQ(report.at("points"), 0) << lab;
+        for (const auto& task : report.at("tasks"))
+            for (const auto& one : task.at("checks"))
+                EXPECT_EQ(one.at("outcome"), "unfinished") << lab << ": " << one.at("name");
+    }
+    const Result shot = run({(build / "bin/relief").string(), "shot", "05", "-o", (build / "x.png").string()});
+    EXPECT_EQ(shot.code, 1);
+    EXPECT_TRUE(contains(shot.err, "task.cpp:") && contains(shot.err, "task 5.1 is not written yet")) << shot.err;
+
+    for (const std::string& lab : *labs_)
+        for (const TaskInfo& task : staff(lab).tasks)
+            fs::copy_file(course_root() / task.file, course() / task.file, fs::copy_options::overwrite_existing);
+    ASSERT_NO_FATAL_FAILURE(ninja("programs"));
+    for (const std::string& lab : *labs_) {
+        const auto [code, report] = check(lab);
+        EXPECT_EQ(code, 0) << lab << report.dump(1);
+        EXPECT_EQ(report.at("points"), report.at("of")) << lab;
+    }
+    // And what was left out or replaced on the way is not missed in any picture.
+    for (const std::string& lab : *labs_) {
+        const Result golden = run({(build / "bin/relief").string(), "golden", lab});
+        EXPECT_EQ(golden.code, 0) << golden.err;
+    }
+    // The site of a student has pictures of every method, and no error maps: there is no truth.
+    const Result site = run({(build / "bin/relief").string(), "gallery", "--labs", "2"});
+    EXPECT_EQ(site.code, 0) << site.err;
+    EXPECT_EQ(site.err, "") << "nothing to be made by commands that are not there";
+    const std::string page = read_file(build / "gallery/02_normal_map_storage.html");
+    EXPECT_TRUE(contains(page, "format-oct16.png") && !contains(page, "-error.png"));
+    for (const char* command : {"bench", "handout", "grade", "slides", "mistakes"}) {
+        const Result asked = run({(build / "bin/relief").string(), command});
+        EXPECT_EQ(asked.code, 2);
+        EXPECT_TRUE(contains(asked.err, std::string("'") + command + "' is in the staff's part of the course"))
+            << asked.err;
+    }
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,205 @@
+// The harness of relief bench: figures, turns, and what it writes.
+#include "framework/staff/measure/rows.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "framework/base/text.h"
+#include "framework/staff/measure/peers.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+TEST(Quantile, LiesBetweenTwoValuesInProportion) {
+    EXPECT_EQ(quantile({3, 1, 2}, 0.5), 2);
+    EXPECT_EQ(quantile({4, 1, 3, 2}, 0.5), 2.5);
+    EXPECT_EQ(quantile({7}, 0.9), 7);
+    EXPECT_EQ(quantile({0, 10}, 0.1), 1);
+    EXPECT_EQ(quantile({5, 1}, 0), 1);
+    EXPECT_EQ(quantile({5, 1}, 1), 5);
+}
+
+TEST(ErrorFigures, AreMeanLargestAndThe99thPercentile) {
+    std::vector<double> errors;
+    for (int i = 0; i <= 100; ++i) errors.push_back(i);
+    const BenchError error = error_figures(errors, "degree");
+    EXPECT_EQ(error.mean, 50);
+    EXPECT_EQ(error.p99, 99);
+    EXPECT_EQ(error.largest, 100);
+    EXPECT_EQ(error_figures({}, "degree").largest, 0);
+}
+
+/// A clock that moves only when a method runs.
+struct Machine {
+    double now = 0;
+    std::vector<std::string> ran;
+    BenchSubject subject(const std::string& name, double seconds) {
+        return {.items = 10, .run = [this, name, seconds] { now += seconds, ran.push_back(name); }};
+    }
+    std::vector<BenchTimes> time(std::vector<BenchSubject> subjects, int repeats) {
+        BenchTurns turns(subjects, [this](const std::function<void()>& run, size_t times) {
+            const double begin = now;
+            for (size_t i = 0; i < times; ++i) run();
+            return now - begin;
+        });
+        for (int i = 0; i < repeats; ++i) turns.round();
+        return turns.times();
+    }
+};
+
+TEST(BenchTurns, GiveNanosecondsAnItem) {
+    Machine machine;
+    const auto times = machine.time({machine.subject("slow", 0.5), machine.subject("quick", 0.01)}, 3);
+    EXPECT_NEAR(times[0].median, 0.5e9 / 10, 1);
+    EXPECT_NEAR(times[1].median, 0.01e9 / 10, 1);
+    EXPECT_NEAR(times[0].p10, times[0].p90, 1);
+}
+
+TEST(BenchTurns, RunAllMethodsInEachRoundInChangingOrder) {
+    Machine machine;
+    machine.time({machine.subject("a", 1), machine.subject("b", 1), machine.subject("c", 1)}, 8);
+    ASSERT_EQ(machine.ran.size(), 6u + 24u) << "twice to warm up, then once a round";
+    std::map<std::string, int> rounds;
+    for (size_t round = 6; round < machine.ran.size(); round += 3) {
+        std::vector<std::string> three(machine.ran.begin() + long(round), machine.ran.begin() + long(round) + 3);
+        ++rounds[three[0] + three[1] + three[2]];
+        std::sort(three.begin(), three.end());
+        EXPECT_EQ(three, (std::vector<std::string>{"a", "b", "c"}));
+    }
+    EXPECT_GT(rounds.size(), 1u);
+}
+
+TEST(BenchTurns, RepeatWhatIsShorterThanAMillisecond) {
+    Machine machine;
+    const auto times = machine.time({machine.subject("short", 1e-5)}, 1);
+    EXPECT_GE(machine.ran.size(), 100u);
+    EXPECT_NEAR(times[0].median, 1e-5 * 1e9 / 10, 1e-3);
+}
+
+TEST(BenchTurns, SeeADriftOfTheMachineInAllMethodsAlike) {
+    // Each run takes a little longer than the one before: the medians stay within that drift of each other.
+    Machine machine;
+    double slower = 1;
+    const auto drifting = [&] { return BenchSubject{.run = [&] { machine.now += slower, slower *= 1.01; }}; };
+    const auto times = machine.time({drifting(), drifting()}, 40);
+    EXPECT_NEAR(times[0].median / times[1].median, 1, 0.03);
+}
+
+std::vector<std::string> fields(const std::string& line) {
+    std::vector<std::string> result(1);
+    bool inside = false;
+    for (size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"' && inside && i + 1 < line.size() && line[i + 1] == '"')
+            result.back() += line[++i];
+        else if (line[i] == '"')
+            inside = !inside;
+        else if (line[i] == ',' && !inside)
+            result.emplace_back();
+        else
+            result.back() += line[i];
+    }
+    return result;
+}
+
+BenchRow measured(const std::string& method) {
+    BenchRow row;
+    row.topic = "topic", row.method = method, row.item = "texel", row.state = "measured", row.repeats = 9;
+    row.times = {4.5, 3, 5};
+    return row;
+}
+
+TEST(BenchCsv, HasAFieldForEachColumnWhateverTheTextsHold) {
+    std::vector<BenchRow> rows = {measured("plain, \"quoted\""), measured("peer"), measured("broken")};
+    rows[0].knobs = {{"a", "1"}, {"b", "2"}}, rows[0].items = 7, rows[0].bytes_per_item = 16;
+    rows[0].error = {1, 2, 3, "degree"}, rows[0].work = {{"taps", 1398101}, {"visits", 2.5}};
+    rows[2].state = "crashed: a, b", rows[2].repeats = 0;
+    std::vector<std::string> lines =
+        split(bench_csv(rows, {.cpu = "A, CPU", .compiler = "gcc", .commit = "abc", .clock = "gpu"}), '\n');
+    ASSERT_EQ(lines.size(), 5u) << "a header, three lines, and the end of the last";
+    for (std::string& line : lines)
+        if (line.ends_with('\r')) line.pop_back();
+    const auto header = fields(lines[0]);
+    const auto field = [&](size_t row, const char* name) {
+        const auto line = fields(lines[row + 1]);
+        EXPECT_EQ(line.size(), header.size()) << lines[row + 1];
+        return line[size_t(std::find(header.begin(), header.end(), name) - header.begin())];
+    };
+    EXPECT_EQ(field(0, "method"), "plain, \"quoted\"");
+    EXPECT_EQ(field(0, "knobs"), "a=1 b=2");
+    EXPECT_EQ(field(0, "repeats"), "9");
+    EXPECT_EQ(field(0, "ns_per_item_p90"), "5");
+    EXPECT_EQ(field(0, "error_p99"), "2");
+    EXPECT_EQ(field(0, "work"), "taps=1398101 visits=2.5");
+    EXPECT_EQ(field(0, "cpu"), "A, CPU");
+    EXPECT_EQ(field(0, "clock"), "gpu");
+    EXPECT_EQ(field(1, "error_mean"), "") << "a peer makes no claim";
+    EXPECT_EQ(field(1, "bytes_per_item"), "");
+    EXPECT_EQ(field(2, "state"), "crashed: a, b");
+    EXPECT_EQ(field(2, "ns_per_item_median"), "") << "what has failed has no time";
+}
+
+TEST(BenchTable, ShowsEveryMethodWithItsFigures) {
+    std::vector<BenchRow> rows = {measured("one"), measured("two")};
+    rows[0].knobs = {{"threads", "2"}}, rows[0].error = {0.125, 2, 3, "degree"};
+    rows[1].state = "failed: no such map";
+    const std::string table = bench_table({"topic", "what it is about", {}}, rows);
+    for (const char* part :
+         {"what it is about", "one", "threads=2", "ns/texel", "4.5", "mean degree", "0.125", "failed: no such map"})
+        EXPECT_TRUE(contains(table, part)) << part;
+}
+
+TEST(BenchTopics, AllMakeMethodsThatRunAndMeasureErrors) {
+    for (const BenchTopic& topic : bench_topics()) {
+        // There is no context here, and there are none of the course's labs: the baseline's test runs the others.
+        if (topic.draws || topic.only_time) continue;
+        size_t with_error = 0;
+        for (const BenchScene& scene : topic.scenes({.repeats = 1, .quick = true}))
+            for (const BenchMethod& method : scene.methods) {
+                const BenchSubject subject = method.prepare();
+                subject.run();
+                with_error += !subject.error.unit.empty();
+                EXPECT_TRUE(std::isfinite(subject.error.largest)) << topic.name << " " << method.name;
+                EXPECT_LE(subject.error.mean, subject.error.largest) << topic.name << " " << method.name;
+                EXPECT_GT(subject.items, 0u);
+            }
+        EXPECT_GT(with_error, 0u) << topic.name;
+    }
+}
+
+TEST(BenchTopics, HaveWhatIsUsual) {
+    for (const BenchTopic& topic : bench_topics()) {
+        if (topic.draws || topic.only_time || topic.name == "intersection") continue;
+        bool has_usual = false;
+        for (const BenchScene& scene : topic.scenes({.quick = true}))
+            for (const BenchMethod& method : scene.methods) has_usual |= method.name == "usual" && method.peer;
+        EXPECT_TRUE(has_usual) << topic.name;
+    }
+}
+
+/// Of a method of a topic, in its quick sweep.
+BenchSubject prepared(const std::string& topic_name, const std::string& method_name) {
+    for (const BenchTopic& topic : bench_topics())
+        if (topic.name == topic_name)
+            for (const BenchScene& scene : topic.scenes({.repeats = 1, .quick = true}))
+                for (const BenchMethod& method : scene.methods)
+                    if (method.name == method_name) return method.prepare();
+    throw std::runtime_error(topic_name + " has no " + method_name);
+}
+
+TEST(Peers, ComputeWhatIsComparedWithThem) {
+    ASSERT_TRUE(has_peers()) << "built without libassimp-dev";
+    // What they make is rough, and it is tangents of this mesh and slopes of this map: in other units, of other signs
+    // or in another order it would be off by tens of degrees.
+    const BenchError tangents = prepared("tangents", "Assimp").error, slopes = prepared("normals", "OpenImageIO").error;
+    EXPECT_LT(tangents.mean, 3);
+    EXPECT_GT(tangents.mean, 0.1);
+    EXPECT_LT(slopes.mean, 2.5);
+    EXPECT_GT(slopes.mean, 1);
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,249 @@
+// relief bench's scenes in processes of their own, what it writes, and what it holds work to.
+#include "framework/staff/measure/run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+
+#include "framework/staff/measure/baseline.h"
+#include "framework/staff/measure/plot.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+using namespace std::string_literals;
+
+BenchMethod good(const std::string& name, double error = 1) {
+    return {name, {{"steps", "8"}}, [error] {
+                return BenchSubject{
+                    .items = 2, .work = {{"taps", 3}}, .error = {error, error, error, "texel"}, .run = [] {}};
+            }};
+}
+
+/// Seen by the parent alone: what a method does to memory stays in its own process.
+std::vector<BenchRow> run(const std::vector<BenchMethod>& methods, int repeats = 2) {
+    const BenchTopic topic{"topic", "help", {}};
+    BenchMachine machine;
+    return run_scene(topic, {{{"map", "bricks"}}, "frame", methods}, {.settings = {.repeats = repeats}}, machine);
+}
+
+TEST(RunScene, TellsWhatEachMethodHas) {
+    const auto rows = run({good("one", 0.5), good("two")}, 3);
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_TRUE(rows[0].is_measured());
+    EXPECT_EQ(rows[0].method, "one");
+    EXPECT_EQ(rows[0].error.mean, 0.5);
+    EXPECT_EQ(rows[0].work, (BenchWork{{"taps", 3}}));
+    EXPECT_EQ(rows[1].repeats, 3);
+    EXPECT_GT(rows[1].times.median, 0);
+}
+
+TEST(RunScene, ACrashIsARowAndTheOthersGoOn) {
+    // As a method is prepared, and as it is timed.
+    const BenchMethod early{"early", {}, []() -> BenchSubject {
+                                std::raise(SIGSEGV);
+                                return {};
+                            }};
+    const BenchMethod late{"late", {}, [] { return BenchSubject{.run = [] { std::raise(SIGFPE); }}; }};
+    const auto rows = run({good("one"), early, late, good("two")});
+    EXPECT_TRUE(contains(rows[1].state, "crashed: Segmentation fault")) << rows[1].state;
+    EXPECT_TRUE(contains(rows[2].state, "crashed: Floating point exception")) << rows[2].state;
+    for (const size_t i : {0u, 3u}) {
+        EXPECT_TRUE(rows[i].is_measured()) << rows[i].state;
+        EXPECT_EQ(rows[i].repeats, 2);
+    }
+}
+
+TEST(RunScene, WhatThrowsIsARowWithItsMessage) {
+    const BenchMethod early{"early", {}, []() -> BenchSubject { throw Error("no such map"); }};
+    const BenchMethod late{"late", {}, [] {
+                               return BenchSubject{.run = [calls = 0]() mutable {
+                                   if (++calls > 3) throw Error("worn out");
+                               }};
+                           }};
+    const auto rows = run({early, good("one"), late});
+    EXPECT_EQ(rows[0].state, "failed: no such map");
+    EXPECT_EQ(rows[2].state, "failed: worn out");
+    EXPECT_EQ(rows[2].repeats, 0) << "times of a method that has failed are none";
+    EXPECT_TRUE(rows[1].is_measured());
+    EXPECT_EQ(rows[1].repeats, 2);
+}
+
+TEST(RunScene, WhatIsNotANumberIsARowThatSaysSo) {
+    const auto rows = run({good("nan", std::nan("")), good("infinite", INFINITY), good("one")});
+    for (const size_t i : {0u, 1u}) EXPECT_TRUE(contains(rows[i].state, "not a number")) << rows[i].state;
+    EXPECT_TRUE(rows[2].is_measured());
+}
+
+TEST(RunScene, ReportsAfterEveryStepSoThatNothingKnownIsLost) {
+    const BenchTopic topic{"topic", "help", {}};
+    const BenchScene scene{{}, "frame", {good("one"), good("two")}};
+    const BenchSettings settings{.repeats = 2};
+    BenchMachine machine;
+    int reports = 0, measured_first = -1;
+    run_scene(topic, scene,
+              {.settings = settings,
+               .report =
+                   [&](const std::vector<BenchRow>& rows, const std::string&) {
+                       if (++reports == 2) measured_first = int(rows[0].is_measured()) + int(rows[1].is_measured());
+                   }},
+              machine);
+    EXPECT_EQ(reports, steps_of(scene, settings));
+    EXPECT_EQ(measured_first, 1) << "the first method is known before the second is begun";
+}
+
+TEST(RunScene, PicturesComeAlong) {
+    const BenchMethod method{"seen", {}, [] {
+                                 Image picture(2, 1, 3, 8);
+                                 picture.values = {0, 1, 0.2f, 0.4f, 0.6f, 0.8f};
+                                 return BenchSubject{.run = [] {}, .picture = picture};
+                             }};
+    const auto rows = run({method});
+    ASSERT_EQ(rows[0].picture.width, 2);
+    for (size_t i = 0; i < 6; ++i)
+        EXPECT_NEAR(rows[0].picture.values[i], (std::vector{0., 1., .2, .4, .6, .8})[i], 1e-6);
+    EXPECT_EQ(rows[0].error_map.width, 0);
+}
+
+BenchRow row_of(const std::string& method, double taps, double error) {
+    BenchRow row;
+    row.topic = "parallax", row.scene = {{"map", "bricks"}}, row.method = method, row.item = "frame";
+    row.knobs = {{"squares", "4 x 4"}}, row.state = "measured", row.work = {{"taps", taps}};
+    row.error = {error, 2 * error, 3 * error, "texel", 0.25};
+    return row;
+}
+
+TEST(BenchCsv, IsReadAsItWasWritten) {
+    const std::vector<BenchRow> rows = {row_of("one, \"two\"", 7.25, 0.125)};
+    const auto read = read_bench_csv(bench_csv(rows, {}));
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_EQ(row_name(read[0]), row_name(rows[0]));
+    EXPECT_EQ(read[0].work, rows[0].work);
+    EXPECT_EQ(read[0].error.p99, 0.25);
+    EXPECT_EQ(read[0].error.wrong, 0.25);
+}
+
+TEST(BenchCsv, ThatIsBrokenIsAnErrorWithItsLine) {
+    const std::string text = bench_csv(std::vector{row_of("one", 1, 1), row_of("two", 1, 1)}, {});
+    EXPECT_THROW(read_bench_csv(""), Error);
+    EXPECT_THROW(read_bench_csv("a,b\n1,2\n"), Error);
+    try {
+        read_bench_csv(text.substr(0, text.size() - 20));  // as a full disk leaves it
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.place().line, 3);
+    }
+}
+
+TEST(Baseline, AcceptsWhatIsTheSameOrLess) {
+    const std::vector<BenchRow> before = {row_of("a", 100, 1)};
+    EXPECT_TRUE(compare_with_baseline(before, before, 0.02).worse.empty());
+    const auto less = compare_with_baseline(std::vector{row_of("a", 90, 0.5)}, before, 0.02);
+    EXPECT_TRUE(less.worse.empty());
+    EXPECT_EQ(less.better.size(), 3u) << "taps, and the error's mean and 99th percentile";
+}
+
+TEST(Baseline, FailsWhenWorkOrErrorGrows) {
+    const std::vector<BenchRow> before = {row_of("a", 100, 1)};
+    const auto work = compare_with_baseline(std::vector{row_of("a", 103, 1)}, before, 0.02);
+    ASSERT_EQ(work.worse.size(), 1u);
+    EXPECT_TRUE(contains(work.worse[0], "taps 103, was 100")) << work.worse[0];
+    EXPECT_TRUE(compare_with_baseline(std::vector{row_of("a", 101, 1.01)}, before, 0.02).worse.empty());
+    EXPECT_EQ(compare_with_baseline(std::vector{row_of("a", 100, 1.1)}, before, 0.02).worse.size(), 2u);
+    EXPECT_FALSE(compare_with_baseline(std::vector{row_of("a", std::nan(""), 1)}, before, 0.02).worse.empty());
+}
+
+TEST(Baseline, FailsForWhatIsNewGoneOrWithoutResult) {
+    const std::vector<BenchRow> before = {row_of("a", 100, 1)};
+    const auto other = compare_with_baseline(std::vector{row_of("b", 100, 1)}, before, 0.02);
+    ASSERT_EQ(other.worse.size(), 2u);
+    EXPECT_TRUE(contains(other.worse[0], "not in the baseline"));
+    EXPECT_TRUE(contains(other.worse[1], "not measured"));
+    std::vector<BenchRow> broken = before;
+    broken[0].state = "failed: no such map";
+    EXPECT_EQ(compare_with_baseline(broken, before, 0.02).worse.size(), 1u);
+}
+
+std::vector<BenchRow> timed_rows() {
+    std::vector<BenchRow> rows;
+    for (const auto& [method, time, error] :
+         {std::tuple{"quick", 1e6, 1.}, {"good", 4e6, 0.01}, {"dominated", 5e6, 0.5}, {"exact", 9e6, 0.}}) {
+        rows.push_back(row_of(method, 1, error));
+        rows.back().times = {time, time * 0.9, time * 1.2}, rows.back().repeats = 10;
+    }
+    return rows;
+}
+
+TEST(ParetoFront, HoldsWhatNoOtherIsBetterThan) {
+    const std::vector<std::pair<double, double>> points = {{1, 5}, {2, 3}, {3, 3}, {4, 1}, {4, 1}, {5, 2}};
+    EXPECT_EQ(pareto_front(points), (std::vector<bool>{true, true, false, true, true, false}));
+    const auto rows = timed_rows();
+    EXPECT_EQ(front_of(rows, {0, 1, 2, 3}), (std::vector<size_t>{0, 1, 3}));
+}
+
+TEST(BenchPlot, HasEachPointWithItsName) {
+    const BenchTopic topic{"parallax", "help", {}};
+    const auto plot = bench_plot(topic, timed_rows(), {.cpu = "A <CPU>", .renderer = "llvmpipe"});
+    ASSERT_TRUE(plot) << "gnuplot (Debian package gnuplot-nox) is missing";
+    EXPECT_TRUE(contains(*plot, "<svg"));
+    for (const char* name : {"quick", "good", "dominated", "exact"})
+        EXPECT_TRUE(contains(*plot, "<title>parallax, map=bricks, "s + name + ", squares=4 x 4</title>")) << name;
+    EXPECT_TRUE(contains(*plot, "class=\"point\" data-row=\"3\""));
+    EXPECT_FALSE(contains(*plot, "gnuplot_svg")) << "no script that is not there";
+    EXPECT_TRUE(contains(*plot, "A &lt;CPU>"));
+}
+
+TEST(BenchPlot, OfTimesAloneAreBars) {
+    auto rows = timed_rows();
+    for (BenchRow& row : rows) row.error = {};
+    const auto plot = bench_plot({"grade", "help", {}}, rows, {});
+    ASSERT_TRUE(plot);
+    EXPECT_TRUE(contains(*plot, "data-row=\"2\""));
+    EXPECT_FALSE(contains(*plot, "mean error"));
+    for (BenchRow& row : rows) row.repeats = 0;
+    EXPECT_EQ(bench_plot({"grade", "help", {}}, rows, {}), "") << "nothing was timed";
+}
+
+BenchTopic sweep() {
+    return {
+        "parallax", "help", [](const BenchSettings&) {
+            std::vector<BenchScene> scenes;
+            for (const char* map : {"bricks", "posts"})
+                scenes.push_back(
+                    {{{"map", map}}, "frame", {{"linear", {{"steps", "8"}}}, {"linear", {{"steps", "16"}}}, {"walk"}}});
+            return scenes;
+        }};
+}
+
+std::vector<std::string> left_of(const std::vector<std::pair<std::string, std::vector<std::string>>>& wanted) {
+    std::vector<std::string> names;
+    for (const BenchScene& scene : only(sweep(), sweep().scenes({}), wanted))
+        for (const BenchMethod& method : scene.methods)
+            names.push_back(scene.knobs[0].second + " " + method.name + " " + knob_text(method.knobs));
+    return names;
+}
+
+TEST(Only, KeepsWhatHasTheValues) {
+    EXPECT_EQ(left_of({}).size(), 6u);
+    EXPECT_EQ(left_of({{"map", {"posts"}}, {"steps", {"16"}}}), std::vector<std::string>{"posts linear steps=16"});
+    EXPECT_EQ(left_of({{"method", {"walk"}}}), (std::vector<std::string>{"bricks walk ", "posts walk "}));
+    EXPECT_EQ(left_of({{"steps", {"8", "16"}}}).size(), 4u);
+}
+
+TEST(Only, AnImpossibleKnobOrValueIsOneLine) {
+    const auto message = [](const std::string& knob, const std::string& value) -> std::string {
+        try {
+            left_of({{knob, {value}}});
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "nothing was thrown";
+    };
+    EXPECT_EQ(message("map", "brick"), "parallax does not measure map = 'brick': there is bricks, posts");
+    EXPECT_TRUE(contains(message("stepz", "8"), "did you mean 'steps'")) << message("stepz", "8");
+}
+
+}  // namespace
+}  // namespace relief

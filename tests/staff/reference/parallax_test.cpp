@@ -1,0 +1,131 @@
+// The searches that shaders make, against the exact hit: what they miss, and that it is what was measured before.
+#include "framework/staff/reference/parallax.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "framework/height/maps.h"
+
+namespace relief {
+namespace {
+
+/// Rays at an angle from the normal, from anywhere in any direction, as in a map of 256² texels that is 20 deep.
+std::vector<ReliefRay> rays_at(double degrees, int count) {
+    std::mt19937 random(unsigned(degrees) + 1);
+    std::uniform_real_distribution<> share(0, 1);
+    std::vector<ReliefRay> rays;
+    for (int i = 0; i < count; ++i) {
+        const double turn = 2 * M_PI * share(random), reach = 20 * std::tan(degrees * M_PI / 180);
+        rays.push_back({{256 * share(random), 256 * share(random)},
+                        {reach * std::cos(turn), reach * std::sin(turn)},
+                        std::cos(degrees * M_PI / 180)});
+    }
+    return rays;
+}
+
+struct Figures {
+    double taps = 0, mean = 0, wrong = 0;  ///< wrong: share off by more than a texel
+};
+
+template <class Search>
+Figures figures(const HeightField& field, const Search& search,
+                std::initializer_list<double> angles = {30, 60, 75, 85}) {
+    constexpr int count = 4000;
+    Figures sum;
+    for (const double angle : angles)
+        for (const ReliefRay& ray : rays_at(angle, count)) {
+            const auto exact = field.first_hit(ray.in_texels(), 1);
+            const ParallaxHit found = search(ray);
+            const double error = exact ? glm::distance(found.texel, exact->texel) : INFINITY;
+            sum.taps += found.taps, sum.mean += error, sum.wrong += error > 1;
+        }
+    const double n = count * double(angles.size());
+    return {sum.taps / n, sum.mean / n, sum.wrong / n};
+}
+
+const HeightField& fbm() {
+    static const HeightField field(make_height_map(HeightMap::fbm, 256), true);
+    return field;
+}
+
+TEST(Parallax, LinearStepsMissWhatWasMeasuredOnAMapOfThisKind) {
+    // Taps, mean error in texels, share wrong: another map of the same spectrum, so within a factor of 2.
+    struct Row {
+        int steps;
+        Figures expected;
+    };
+    for (const auto& [steps, expected] :
+         {Row{8, {5.1, 2.04, .242}}, {16, {8.7, .99, .145}}, {32, {15.9, .40, .0577}}, {64, {30.2, .15, .0097}}}) {
+        const Figures found =
+            figures(fbm(), [&](const ReliefRay& ray) { return march(fbm(), ray, steps, Refinement::linear, 0); });
+        EXPECT_NEAR(std::log2(found.taps / expected.taps), 0, 1) << steps;
+        EXPECT_NEAR(std::log2(found.mean / expected.mean), 0, 1) << steps << ": " << found.mean;
+        EXPECT_NEAR(std::log2(found.wrong / expected.wrong), 0, 1) << steps << ": " << found.wrong;
+    }
+}
+
+TEST(Parallax, OneTapMissesMostRays) {
+    const Figures found = figures(fbm(), [&](const ReliefRay& ray) { return parallax_offset(fbm(), ray); });
+    EXPECT_NEAR(found.wrong, 0.68, 0.15);
+    EXPECT_EQ(found.taps, 1);
+}
+
+TEST(Parallax, EachRefinementIsBetterThanTheLineAlone) {
+    const auto wrong = [&](Refinement refinement, int rounds) {
+        return figures(fbm(), [&](const ReliefRay& ray) { return march(fbm(), ray, 32, refinement, rounds); }).wrong;
+    };
+    const double line = wrong(Refinement::linear, 0);
+    EXPECT_GT(wrong(Refinement::none, 0), 3 * line);
+    EXPECT_LT(wrong(Refinement::bisection, 5), line / 2);
+    EXPECT_LT(wrong(Refinement::secant, 2), line / 2);
+    // An end that never moves keeps the secant away from the root; halving its weight lets go of it.
+    const auto mean = [&](Refinement refinement) {
+        return figures(fbm(), [&](const ReliefRay& ray) { return march(fbm(), ray, 8, refinement, 4); }).mean;
+    };
+    EXPECT_LT(mean(Refinement::illinois), 0.99 * mean(Refinement::secant));
+}
+
+TEST(Parallax, MoreStepsAreNeverWorse) {
+    for (const HeightMap map :
+         {HeightMap::smooth, HeightMap::fbm, HeightMap::bricks, HeightMap::stones, HeightMap::posts}) {
+        const HeightField field(make_height_map(map, 256), true);
+        double before = 1;
+        for (const int steps : {8, 16, 32, 64, 128}) {
+            const double wrong = figures(field, [&](const ReliefRay& ray) {
+                                     return march(field, ray, steps, Refinement::linear, 0);
+                                 }).wrong;
+            // Of 16 000 rays a handful may land well by chance.
+            EXPECT_LE(wrong, before + 0.001) << height_map_names[size_t(map)] << ", " << steps;
+            before = wrong;
+        }
+    }
+}
+
+TEST(Parallax, AFlatMapIsExactForEverySearch) {
+    for (const auto& [map, t] : {std::pair(HeightMap::high, 0.0), {HeightMap::plateau, 0.5}, {HeightMap::low, 1.0}}) {
+        const HeightField field(make_height_map(map, 4), true);
+        for (const ReliefRay& ray : rays_at(60, 20)) {
+            EXPECT_EQ(parallax_offset(field, ray).t, t);
+            for (const Refinement refinement :
+                 {Refinement::linear, Refinement::bisection, Refinement::secant, Refinement::illinois})
+                for (const double steps : {1.0, 3.5, 7.0, 8.0})
+                    EXPECT_NEAR(march(field, ray, steps, refinement, 3).t, t, 1e-12)
+                        << int(refinement) << ", " << steps;
+        }
+    }
+}
+
+TEST(Parallax, StraightDownIsExactForEverySearchButSteep) {
+    for (ReliefRay ray : rays_at(0, 50)) {
+        ray.march = {};
+        const double t = 1 - fbm().height(ray.texel);
+        EXPECT_EQ(parallax_offset(fbm(), ray).t, t);
+        EXPECT_NEAR(march(fbm(), ray, 8, Refinement::linear, 0).t, t, 1e-12);
+        EXPECT_NEAR(march(fbm(), ray, 8, Refinement::bisection, 3).t, t, 1e-12);
+        EXPECT_NEAR(steep_parallax(fbm(), ray, 8).t, t, 1.0 / 8);
+    }
+}
+
+}  // namespace
+}  // namespace relief
