@@ -13,7 +13,7 @@
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
-#include "framework/base/memory.h"
+#include "framework/base/system.h"
 #include "framework/base/text.h"
 #include "framework/check/drawing.h"
 #include "framework/context/backends.h"
@@ -158,7 +158,7 @@ private:
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
-    take_large_pages();
+    os::take_large_pages();
     clean_up_when_interrupted();
     try {
         // How `grade` starts itself in a sandbox: not for people, and not in --help.

@@ -1,6 +1,5 @@
 // relief info: what a bug report needs to say about the machine.
 #include <fmt/format.h>
-#include <sys/utsname.h>
 
 #include <cstdlib>
 #include <thread>
@@ -9,6 +8,7 @@
 #include "framework/app/versions.h"
 #include "framework/base/error.h"
 #include "framework/base/paths.h"
+#include "framework/base/system.h"
 #include "framework/lab/registry.h"
 
 namespace relief {
@@ -29,12 +29,9 @@ void print_context(ContextKind kind) {
 }
 
 int print_info() {
-    utsname system{};
-    uname(&system);
     fmt::print("relief   {} ({})\n", versions::relief, versions::commit);
     fmt::print("course   {} with {} labs\n", course_root().string(), registry().size());
-    fmt::print("system   {} {} {}, {} threads\n", system.sysname, system.release, system.machine,
-               std::thread::hardware_concurrency());
+    fmt::print("system   {}, {} threads\n", os::name(), std::thread::hardware_concurrency());
     for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl, ContextKind::window}) print_context(kind);
     fmt::print("built    by {}\n", versions::compiler);
     fmt::print("         with {}\n", versions::libraries);

@@ -1,37 +1,35 @@
 #include "framework/base/module.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include "framework/base/error.h"
+#include "framework/base/system.h"
 
 namespace relief {
 
 Module::Module(std::span<const char* const> names, const char* package) {
     std::string reason;
     for (const char* name : names) {
-        handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+        std::string why;
+        handle_ = os::open_library(name, why);
         if (handle_) {
             name_ = name;
             return;
         }
-        if (reason.empty()) reason = dlerror();
+        if (reason.empty()) reason = why;
     }
     throw Error(fmt::format("install the Debian package {} ({})", package, reason));
 }
 
 void* Module::address(const char* name) const {
-    void* const found = dlsym(handle_, name);
+    void* const found = os::function(handle_, name);
     if (!found) throw Error(fmt::format("{} has no function {}: it is damaged or too old", name_, name));
     return found;
 }
 
 const std::filesystem::path& framework_folder() {
-    static const std::filesystem::path folder = [] {
-        Dl_info framework{};
-        dladdr(reinterpret_cast<const void*>(&framework_folder), &framework);
-        return std::filesystem::path(framework.dli_fname).parent_path();
-    }();
+    static const std::filesystem::path folder =
+        os::library_of(reinterpret_cast<const void*>(&framework_folder)).parent_path();
     return folder;
 }
 

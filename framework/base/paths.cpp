@@ -1,10 +1,9 @@
 #include "framework/base/paths.h"
 
-#include <sys/auxv.h>
-
 #include <optional>
 
 #include "framework/base/error.h"
+#include "framework/base/system.h"
 
 namespace relief {
 namespace {
@@ -33,11 +32,7 @@ std::optional<fs::path>& found_course() {
 }  // namespace
 
 const fs::path& executable_path() {
-    static const fs::path path = [] {
-        std::error_code no_proc;  // a sandbox has none: there the system's own word counts, what was started
-        const fs::path link = fs::read_symlink("/proc/self/exe", no_proc);
-        return no_proc ? fs::weakly_canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN))) : link;
-    }();
+    static const fs::path path = os::executable();
     return path;
 }
 

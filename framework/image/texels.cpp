@@ -1,14 +1,10 @@
 #include "framework/image/texels.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstring>
 
-#include "framework/base/descriptor.h"
+#include "framework/base/system.h"
 #include "framework/image/file.h"
 
 namespace relief {
@@ -122,15 +118,9 @@ std::optional<Texels> decode_texels(std::string_view bytes, uint64_t source, std
 }
 
 std::optional<Texels> map_texels(const std::filesystem::path& path, uint64_t source) {
-    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    struct stat status {};
-    if (file < 0 || fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return {};
-    const size_t size = size_t(status.st_size);
-    void* const mapped = mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file, 0);
-    if (mapped == MAP_FAILED) return {};
-    std::shared_ptr<const void> memory(mapped, [size](const void* at) { munmap(const_cast<void*>(at), size); });
-    const std::string_view bytes(static_cast<const char*>(mapped), size);
-    return decode_texels(bytes, source, std::move(memory));
+    os::MappedFile file = os::map_file(path);
+    if (!file.memory) return {};
+    return decode_texels(file.bytes, source, std::move(file.memory));
 }
 
 }  // namespace relief

@@ -1,8 +1,6 @@
 #include "framework/pages/page.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 
 #include <cstdlib>
 
@@ -106,26 +104,6 @@ std::string closed_page(const std::string& title, const std::string& style, cons
 )" + policy +
            "<title>" + html(title) + "</title>\n<style>" + common_style + style + "</style></head><body>\n" + body +
            (script.empty() ? "" : "<script>" + script + "</script>\n") + "</body></html>\n";
-}
-
-bool open_page(const fs::path& page) {
-    const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
-    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return false;
-    // In a session of its own and silent: it may run for as long as the browser does.
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    for (const int descriptor : {0, 1, 2})
-        posix_spawn_file_actions_addopen(&files, descriptor, "/dev/null", descriptor == 0 ? O_RDONLY : O_WRONLY, 0);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
-    std::string program = "xdg-open", file = fs::absolute(page).string();
-    char* const arguments[] = {program.data(), file.data(), nullptr};
-    pid_t child = 0;
-    const int result = posix_spawnp(&child, program.c_str(), &files, &attributes, arguments, environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&files);
-    return result == 0;
 }
 
 }  // namespace relief

@@ -33,8 +33,4 @@ enum class PagePictures { inside, beside };
 std::string closed_page(const std::string& title, const std::string& style, const std::string& body,
                         const std::string& script, PagePictures pictures = PagePictures::inside);
 
-/// Shows a page in the browser of whoever sits here, and does not wait for it. False where there is no display, or no
-/// xdg-open.
-bool open_page(const std::filesystem::path& page);
-
 }  // namespace relief

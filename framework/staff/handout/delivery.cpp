@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "framework/base/beneath.h"
+#include "framework/staff/handout/beneath.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/text.h"

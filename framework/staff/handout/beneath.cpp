@@ -1,4 +1,4 @@
-#include "framework/base/beneath.h"
+#include "framework/staff/handout/beneath.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

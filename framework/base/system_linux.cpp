@@ -1,0 +1,93 @@
+// Linux: framework/base/system.h.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <malloc.h>
+#include <spawn.h>
+#include <sys/auxv.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdlib>
+
+#include "framework/base/descriptor.h"
+#include "framework/base/system.h"
+
+namespace relief::os {
+
+namespace fs = std::filesystem;
+
+void* open_library(const char* name, std::string& reason) {
+    void* const library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+    if (!library) reason = dlerror();
+    return library;
+}
+
+void* function(void* library, const char* name) { return dlsym(library, name); }
+
+fs::path library_of(const void* address) {
+    Dl_info library{};
+    dladdr(address, &library);
+    return library.dli_fname;
+}
+
+fs::path executable() {
+    std::error_code no_proc;  // a sandbox has none: there the system's own word counts, what was started
+    const fs::path link = fs::read_symlink("/proc/self/exe", no_proc);
+    return no_proc ? fs::weakly_canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN))) : link;
+}
+
+MappedFile map_file(const fs::path& path) {
+    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    struct stat status {};
+    if (file < 0 || fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return {};
+    const size_t size = size_t(status.st_size);
+    void* const mapped = mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file, 0);
+    if (mapped == MAP_FAILED) return {};
+    return {std::shared_ptr<const void>(mapped, [size](const void* at) { munmap(const_cast<void*>(at), size); }),
+            {static_cast<const char*>(mapped), size}};
+}
+
+void take_large_pages() {
+#if defined __GLIBC__ && !defined __SANITIZE_ADDRESS__
+    constexpr uintptr_t size = 64 << 20, large = 2 << 20;
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that it takes
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    mallopt(M_TOP_PAD, size);
+    void* volatile piece = std::malloc(1 << 20);  // more than there is: the heap grows
+    std::free(piece);
+    mallopt(M_TOP_PAD, 1 << 20);
+    const uintptr_t end = reinterpret_cast<uintptr_t>(sbrk(0)), begin = (end - size + large - 1) / large * large;
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);  // where there are none, all is as it was
+#endif
+}
+
+bool open_on_desktop(const fs::path& wanted) {
+    const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
+    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return false;
+    // In a session of its own and silent: it may run for as long as the browser does.
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    for (const int descriptor : {0, 1, 2})
+        posix_spawn_file_actions_addopen(&files, descriptor, "/dev/null", descriptor == 0 ? O_RDONLY : O_WRONLY, 0);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
+    std::string program = "xdg-open", file = fs::absolute(wanted).string();
+    char* const arguments[] = {program.data(), file.data(), nullptr};
+    pid_t child = 0;
+    const int result = posix_spawnp(&child, program.c_str(), &files, &attributes, arguments, environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+    return result == 0;
+}
+
+std::string name() {
+    utsname system{};
+    uname(&system);
+    return std::string(system.sysname) + ' ' + system.release + ' ' + system.machine;
+}
+
+}  // namespace relief::os
