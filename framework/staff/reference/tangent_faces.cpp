@@ -36,7 +36,7 @@ void angles_of(const double* __restrict y, const double* __restrict x, float* __
 
 // In double precision all sizes of floats can be squared twice over: nothing needs scaling. Differences of floats are
 // exact but for extreme sizes; what is made of two of them is made of the triangle's two shorter edges, so that a
-// sliver keeps its digits.
+// sliver keeps its digits: at a sphere's pole one edge is 1e-17 long, and any other two leave nothing but rounding.
 TangentFace tangent_face(const Vertex* const corners[3], const glm::dvec3 normals[3], TangentMethod method,
                          double area_unit, FaceAngles& angles) {
     TangentFace face{};
