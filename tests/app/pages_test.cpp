@@ -5,7 +5,7 @@
 
 #include "framework/base/file.h"
 #include "framework/pages/page.h"
-#include "framework/staff/app/grade.h"
+#include "framework/staff/pages/summaries.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/student_page.h"
 #include "tests/browser.h"

@@ -1,5 +1,5 @@
 // relief grade: a class marked on one machine.
-#include "framework/staff/app/grade.h"
+#include "framework/staff/pages/summaries.h"
 
 #include <fmt/format.h>
 
@@ -147,25 +147,6 @@ void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
                     fs::exists(part / page) && fs::exists(part / "results" / (file_name_of(mark.name) + ".json")))
                     write_file(folder / page, read_file(part / page));
 }
-
-}  // namespace
-
-fs::path student_page_file(const std::string& name) { return fs::path("students") / (file_name_of(name) + ".html"); }
-
-void write_summaries(const ClassReport& report, const fs::path& folder) {
-    make_folder(folder / "gradescope");
-    make_folder(folder / "students");
-    for (const SubmissionMark& mark : report.marks) {
-        write_file(folder / "gradescope" / (file_name_of(mark.name) + ".json"), to_gradescope(mark));
-        if (const fs::path page = folder / student_page_file(mark.name); !fs::exists(page))
-            write_file(page, student_page(mark, {}));
-    }
-    write_file(folder / "results.csv", to_csv(report.marks));
-    write_file(folder / "junit.xml", to_junit(report.marks));
-    write_file(folder / "report.html", class_page(report));
-}
-
-namespace {
 
 /// 1 when the machine failed a submission, a part of the class is missing, or the self-test finds a wrong mark.
 int grade_submissions(const GradeArguments& arguments) {

@@ -36,15 +36,20 @@ bool is_inside(const std::string& path, const std::string& folder) {
 /// As a handout has it, a folder named `staff` stays with the staff.
 bool is_the_staffs(const fs::path& path) { return std::find(path.begin(), path.end(), "staff") != path.end(); }
 
-/// Every file below a folder of the course that is not the staff's, by its name in the course, in order.
-std::vector<std::string> files_below(const std::string& folder) {
+/// Every file below a folder of the course, by its name in the course, in order.
+std::vector<std::string> all_files_below(const std::string& folder) {
     std::vector<std::string> files;
     if (fs::is_directory(course_root() / folder))
         for (const auto& entry : fs::recursive_directory_iterator(course_root() / folder))
-            if (const fs::path file = entry.path().lexically_relative(course_root());
-                entry.is_regular_file() && !is_the_staffs(file))
-                files.push_back(file.string());
+            if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(course_root()).string());
     std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// Without the staff's.
+std::vector<std::string> files_below(const std::string& folder) {
+    std::vector<std::string> files = all_files_below(folder);
+    std::erase_if(files, is_the_staffs);
     return files;
 }
 
@@ -289,9 +294,10 @@ Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double second
 std::string Stage::hash() const {
     std::string all;
     for (const char* folder : {"labs", "shaders", "assets"})
-        for (const std::string& file : files_below(folder))
+        for (const std::string& file : all_files_below(folder))
             all += file + sha256(read_file(course_root() / file)) + '\n';
-    for (const char* program : {"bin/relief", "bin/librelief.so"}) all += sha256(read_file(folder_.path() / program));
+    for (const char* program : {"bin/relief", "bin/librelief.so", "bin/librelief-staff.so"})
+        all += sha256(read_file(folder_.path() / program));
     return sha256(all);
 }
 

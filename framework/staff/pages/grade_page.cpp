@@ -9,8 +9,8 @@
 
 #include "framework/pages/check_figures.h"
 #include "framework/pages/page.h"
-#include "framework/staff/app/grade.h"
 #include "framework/staff/pages/student_page.h"
+#include "framework/staff/pages/summaries.h"
 
 namespace relief {
 namespace {
