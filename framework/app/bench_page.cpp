@@ -231,13 +231,39 @@ private:
     const char* unit_ = "ns";
 };
 
+/// A topic's part of a page, by its name in HTML.
+struct Section {
+    std::string name, text;
+};
+
+/// Those of a page that bench_page() has made, in its order; what it has escaped cannot look like the marks of one.
+std::vector<Section> sections_of(const std::string& page) {
+    constexpr std::string_view opening = "<section id=\"", closing = "</section>\n";
+    std::vector<Section> sections;
+    for (size_t at = 0; (at = page.find(opening, at)) != std::string::npos;) {
+        const size_t name = at + opening.size(), name_end = page.find('"', name), end = page.find(closing, at);
+        if (end == std::string::npos) break;
+        sections.push_back({page.substr(name, name_end - name), page.substr(at, end + closing.size() - at)});
+        at = end;
+    }
+    return sections;
+}
+
 }  // namespace
 
-std::string bench_page(std::span<const TopicResult> results) {
-    std::string contents, parts;
+std::string bench_page(std::span<const TopicResult> results, const std::string& before) {
+    std::vector<Section> sections = sections_of(before);
     for (const TopicResult& result : results) {
-        contents += fmt::format("<li><a href=\"#{0}\">{0}</a></li>", html(result.topic->name));
-        parts += TopicPart(result).text();
+        const std::string name = html(result.topic->name);
+        const auto found =
+            std::find_if(sections.begin(), sections.end(), [&](const Section& one) { return one.name == name; });
+        Section& section = found == sections.end() ? sections.emplace_back() : *found;
+        section = {name, TopicPart(result).text()};
+    }
+    std::string contents, parts;
+    for (const Section& section : sections) {
+        contents += fmt::format("<li><a href=\"#{0}\">{0}</a></li>", section.name);
+        parts += section.text;
     }
     const std::string body = fmt::format(
         R"(<header><h1>Run time against error</h1>

@@ -264,7 +264,8 @@ private:
         sub->add_option("-o", slides_.output, "where to [the course's build/slides, or build/slides-with-solutions]")
             ->type_name("FOLDER");
         sub->add_flag("--solutions", slides_.solutions, "with the slides that show tasks' solutions");
-        sub->add_flag("!--no-pdf", slides_.pdf, "HTML only, which needs no browser");
+        sub->add_flag_callback(
+            "--no-pdf", [this] { slides_.pdf = false; }, "HTML only, which needs no browser");
     }
 #endif
     void add_new_lab() {

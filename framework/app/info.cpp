@@ -1,8 +1,12 @@
 // relief info: what a bug report needs to say about the machine.
 #include <fmt/format.h>
 #include <sys/utsname.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <thread>
 
 #include "framework/app/commands.h"
@@ -28,6 +32,25 @@ void print_context(ContextKind kind) {
     }
 }
 
+/// In a process of its own: a driver that crashes takes that with it, and no more.
+void print_context_apart(ContextKind kind) {
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child == 0) {
+        print_context(kind);
+        std::fflush(stdout);
+        _exit(0);
+    }
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) != child) throw Error("cannot start a process");
+    if (WIFSIGNALED(status))
+        fmt::print("{:<8} missing: its driver crashes, {}{}\n", name_of(kind), strsignal(WTERMSIG(status)),
+                   driver_variables());
+    else if (WEXITSTATUS(status) != 0)
+        fmt::print("{:<8} missing: its driver ends the process with code {}{}\n", name_of(kind), WEXITSTATUS(status),
+                   driver_variables());
+}
+
 }  // namespace
 
 int print_info() {
@@ -37,7 +60,8 @@ int print_info() {
     fmt::print("course   {} with {} labs\n", course_root().string(), registry().size());
     fmt::print("system   {} {} {}, {} threads\n", system.sysname, system.release, system.machine,
                std::thread::hardware_concurrency());
-    for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl, ContextKind::window}) print_context(kind);
+    for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl, ContextKind::window})
+        print_context_apart(kind);
     fmt::print("built    by {}\n", versions::compiler);
     fmt::print("         with {}\n", versions::libraries);
     return 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/app/menu_stage.h"
@@ -58,7 +59,14 @@ void ErrorMap::compare(Stage& stage) {
     if (!stage.lab() || stage.failed()) throw Error("There is no picture to compare.");
     Shot shot = stage.shot();
     std::vector<ProbeInfo> probes = stage.manifest().probes;
-    if (shot.probe) probes = {stage.manifest().probe(shot.probe.name)};
+    if (shot.probe) {
+        probes = {stage.manifest().probe(shot.probe.name)};
+    } else {
+        // Of a picture the quantity by which the lab's page compares methods, which is what the lab is about.
+        const auto& compare = stage.manifest().compare;
+        const std::string chief = compare ? compare->shot.probe.name : "";
+        std::stable_partition(probes.begin(), probes.end(), [&](const ProbeInfo& one) { return one.name == chief; });
+    }
     const Target target(TargetKind::probe, shot.size);
     for (const ProbeInfo& probe : probes) {
         shot.probe = {probe.name};

@@ -74,11 +74,10 @@ TEST_F(Script, TheSecondTimeAsksNoPackageAndConfiguresNothing) {
 TEST_F(Script, WithoutATerminalEachStepIsALineAndNothingToDoIsNone) {
     installed("libglm-dev|xvfb");
     EXPECT_EQ(script({"list"}).err,
-              "relief: installing 1 packages: libglm-dev\nrelief: configuring\n"
+              "relief: installing 1 package: libglm-dev\nrelief: configuring\n"
               "relief: building, 7 steps\n");
     EXPECT_EQ(script({"list"}).err, "");
-    EXPECT_EQ(script({"test"}).err,
-              "relief: installing 2 packages: libglm-dev xvfb\nrelief: testing\n");
+    EXPECT_EQ(script({"test"}).err, "relief: installing 2 packages: libglm-dev xvfb\nrelief: testing\n");
 }
 
 TEST_F(Script, HelpAndASlipAreAnsweredWithoutInstallingOrBuilding) {
