@@ -58,7 +58,7 @@ std::string escaped_markup(std::string_view text) {
 std::string rounded(double number, int digits) {
     const std::string shortest = fmt::format("{:.{}g}", number, digits);
     const double size = std::abs(number);
-    if (shortest.find('e') == std::string::npos || size < 1e-9 || size >= 1e12) return shortest;
+    if (shortest.find('e') == std::string::npos || size < 1e-6 || size >= 1e12) return shortest;
     if (size >= 1) return fmt::format("{:.0f}", number);
     std::string text = fmt::format("{:.{}f}", number, digits - 1 - int(std::floor(std::log10(size))));
     text.erase(text.find_last_not_of('0') + 1);

@@ -23,7 +23,7 @@ std::string join(std::span<const std::string> words, std::string_view separator)
 std::string escaped_markup(std::string_view text);
 
 /// A number for people, to so many digits: "0.00012", "1235". What stands before the point is never rounded away, and
-/// there is no exponent from a billionth to a thousand billions.
+/// there is no exponent from a millionth to a million millions.
 std::string rounded(double number, int digits = 3);
 
 /// The number as a person would type it, to six digits: "0.5", "32".

@@ -383,7 +383,7 @@ TEST_F(CourseTest, ThePageOfAChecksPicturesHoldsEverythingItself) {
     EXPECT_TRUE(contains(page, "<h3>" + escaped + "</h3>"));
     EXPECT_FALSE(contains(page, "'a' <"));
     for (const char* part :
-         {"8 of 11 points", "(at most 0.176)", "rounding to 8 bits costs", "decode_unorm8 undoes f", "degree and more",
+         {"8 of 11 points", "(at most 0.176)", "rounding to 8 bits costs", "decode_unorm8 undoes f", "degrees and more",
           "./relief shot 02 --size 128x128 --camera 25,15,4.5,0.5,0,0 --set format=unorm8 --set view=one --probe "
           "normal"})
         EXPECT_TRUE(contains(page, part)) << part;

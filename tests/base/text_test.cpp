@@ -51,7 +51,7 @@ TEST(Numbers, OfPeoplesSizeHaveNoExponent) {
     EXPECT_EQ(rounded(-0.0000999999), "-0.0001");
     EXPECT_EQ(rounded(0), "0");
     EXPECT_EQ(plain(16777216), "16777216");
-    EXPECT_EQ(rounded(3.0e-12), "3e-12");
+    EXPECT_EQ(rounded(5.58e-8), "5.58e-08");
     EXPECT_EQ(rounded(2.5e13), "2.5e+13");
     EXPECT_EQ(rounded(INFINITY), "inf");
 }
