@@ -117,8 +117,7 @@ bool has_display() {
 }
 
 // Measured: with these two, one real CPU and four emulated models give the same pictures. Without them a CPU with fused
-// multiply-add differs from one without: mostly by 1/255, but by up to 252/255 in 0.01 % of the pixels, where one bit
-// decides what is in front.
+// multiply-add differs from one without: mostly by 1/255, but by up to 252/255 in 0.01 % of the pixels.
 void pin_software_renderer() {
     setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
