@@ -166,8 +166,7 @@ private:
         page.size = {first.width, first.height};
         if (comparison.probe) {
             page.probe = comparison.probe->name;
-            for (const double part : {1000, 100, 10})
-                page.marks.push_back(fmt::format("{:.3g}", comparison.most / part));
+            for (const double part : {1000, 100, 10}) page.marks.push_back(rounded(comparison.most / part));
             page.marks.push_back(amount_of(comparison.most, comparison.probe->unit));
         }
         for (const ComparedMethod& method : comparison.methods) {

@@ -1,6 +1,9 @@
 // relief golden: the reference screenshots, compared or renewed.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "framework/app/command.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
@@ -27,6 +30,12 @@ std::string driver_of(const Notes& notes) {
     return "an unknown driver";
 }
 
+/// As its PNG has it: a probe's colours lie between the steps of 8 bits.
+Image stored(Image picture) {
+    for (float& value : picture.values) value = float(std::round(255.0 * std::clamp(value, 0.0f, 1.0f)) / 255);
+    return picture;
+}
+
 std::string same_within(const Difference& off) { return fmt::format("same within {:.0f}/255", off.largest * 255); }
 
 class GoldenCheck {
@@ -40,7 +49,8 @@ public:
         ++pictures;
         try {
             Image picture = take(*make_lab(entry, golden.shot), golden.shot);
-            if (golden.shot.probe) picture = visualize_probe(picture, manifest.probe(golden.shot.probe.name).error);
+            if (golden.shot.probe)
+                picture = stored(visualize_probe(picture, manifest.probe(golden.shot.probe.name).error));
             const std::string result = update_ ? renew(file, picture) : compare(file, picture);
             fmt::print("{}/{}: {}\n", entry.folder, golden.name, result);
         } catch (const Error& error) {

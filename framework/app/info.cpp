@@ -1,7 +1,11 @@
 // relief info: what a bug report needs to say about the machine.
 #include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <thread>
 
 #include "framework/app/command.h"
@@ -28,11 +32,31 @@ void print_context(ContextKind kind) {
     }
 }
 
+/// In a process of its own: a driver that crashes takes that with it, and no more.
+void print_context_apart(ContextKind kind) {
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child == 0) {
+        print_context(kind);
+        std::fflush(stdout);
+        _exit(0);
+    }
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) != child) throw Error("cannot start a process");
+    if (WIFSIGNALED(status))
+        fmt::print("{:<8} missing: its driver crashes, {}{}\n", name_of(kind), strsignal(WTERMSIG(status)),
+                   driver_variables());
+    else if (WEXITSTATUS(status) != 0)
+        fmt::print("{:<8} missing: its driver ends the process with code {}{}\n", name_of(kind), WEXITSTATUS(status),
+                   driver_variables());
+}
+
 int print_info() {
     fmt::print("relief   {} ({})\n", versions::relief, versions::commit);
     fmt::print("course   {} with {} labs\n", course_root().string(), registry().size());
     fmt::print("system   {}, {} threads\n", os::name(), std::thread::hardware_concurrency());
-    for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl, ContextKind::window}) print_context(kind);
+    for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl, ContextKind::window})
+        print_context_apart(kind);
     fmt::print("built    by {}\n", versions::compiler);
     fmt::print("         with {}\n", versions::libraries);
     return 0;
@@ -46,5 +70,4 @@ public:
 RELIEF_COMMAND(InfoCommand, 2, "info", "contexts, drivers, libraries: paste it into every bug report");
 
 }  // namespace
-
 }  // namespace relief

@@ -115,8 +115,9 @@ int take_shot(const ShotArguments& arguments) {
         context = open_context(choice);
         image = error_image(draw(false), truth, metric);
         const ErrorSummary error = summarize(image);
-        summary = fmt::format("mean {:.6g} {}, rms {:.6g}, 99 % {:.6g}, largest {:.6g}, over {} pixels\n", error.mean,
-                              manifest.probe(shot.probe.name).unit, error.rms, error.p99, error.largest, error.count);
+        summary = fmt::format("mean {}, rms {}, 99 % {}, largest {}, over {} pixels\n",
+                              amount_of(error.mean, manifest.probe(shot.probe.name).unit, 6), plain(error.rms),
+                              plain(error.p99), plain(error.largest), error.count);
         if (!floats) image = visualize_error(image, error.p99);
     } else {
         context = open_context(choice);

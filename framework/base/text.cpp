@@ -55,7 +55,29 @@ std::string escaped_markup(std::string_view text) {
     return result;
 }
 
-std::string plain(double number) { return fmt::format("{:.6g}", number); }
+std::string rounded(double number, int digits) {
+    const std::string shortest = fmt::format("{:.{}g}", number, digits);
+    const double size = std::abs(number);
+    if (shortest.find('e') == std::string::npos || size < 1e-6 || size >= 1e12) return shortest;
+    if (size >= 1) return fmt::format("{:.0f}", number);
+    std::string text = fmt::format("{:.{}f}", number, digits - 1 - int(std::floor(std::log10(size))));
+    text.erase(text.find_last_not_of('0') + 1);
+    return text;
+}
+
+std::string plain(double number) { return rounded(number, 6); }
+
+std::string plural(std::string_view unit) {
+    if (unit.empty()) return "";
+    const std::string_view counted = unit.substr(0, unit.find(' '));
+    return fmt::format("{}{}{}", counted, counted.ends_with("ch") ? "es" : "s", unit.substr(counted.size()));
+}
+
+std::string amount_of(double number, std::string_view unit, int digits) {
+    const std::string text = rounded(number, digits);
+    if (unit.empty()) return text;
+    return text + " " + (text == "1" ? std::string(unit) : plural(unit));
+}
 
 int edit_distance(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };

@@ -22,8 +22,18 @@ std::string join(std::span<const std::string> words, std::string_view separator)
 /// A text as it may stand in XML or HTML, between tags or in an attribute with double quotes.
 std::string escaped_markup(std::string_view text);
 
-/// The number as a person would type it: "0.5", "32".
+/// A number for people, to so many digits: "0.00012", "1235". What stands before the point is never rounded away, and
+/// there is no exponent from a millionth to a million millions.
+std::string rounded(double number, int digits = 3);
+
+/// The number as a person would type it, to six digits: "0.5", "32".
 std::string plain(double number);
+
+/// "degrees", "patches", "heights per tile", "".
+std::string plural(std::string_view unit);
+
+/// With a unit: "2.5 degrees", "1 texel", "0.1 heights per tile"; the number alone where there is none.
+std::string amount_of(double number, std::string_view unit, int digits = 3);
 
 /// Least number of insertions, deletions, substitutions and swaps of neighbours that turn one word into the
 /// other (optimal string alignment distance), ignoring case.

@@ -8,6 +8,7 @@
 #include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
+#include "framework/base/text.h"
 #include "framework/check/starter.h"
 #include "framework/image/file.h"
 
@@ -31,14 +32,14 @@ public:
         if (!limit) return;
         const bool kept = value <= *limit;
         good_ &= kept;
-        text_ += fmt::format("{}{} {:.4g}{}{}", text_.empty() ? "" : ", ", what, value, unit,
-                             kept ? "" : fmt::format(" (at most {:.4g})", *limit));
+        text_ += fmt::format("{}{} {}{}", text_.empty() ? "" : ", ", what, amount_of(value, unit, 4),
+                             kept ? "" : fmt::format(" (at most {})", rounded(*limit, 4)));
     }
     /// The value that was added last must not be smaller either.
     void must_reach(double value, std::optional<double> least) {
         if (!least || value >= *least) return;
         good_ = false;
-        text_ += fmt::format(" (at least {:.4g})", *least);
+        text_ += fmt::format(" (at least {})", rounded(*least, 4));
     }
     Judgement judgement() const { return {good_ ? Outcome::passed : Outcome::wrong, text_}; }
 
@@ -57,14 +58,13 @@ Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const I
     if (summary.count == 0) return {Outcome::broken, "there is not one pixel to compare"};
     for (const float value : error.values) off += value > 1 && value != no_surface;
     Findings findings;
-    const std::string unit = probe.unit.empty() ? "" : " " + probe.unit;
     const Limits& limits = check.limits;
-    findings.add("mean", summary.mean, limits.mean, unit);
+    findings.add("mean", summary.mean, limits.mean, probe.unit);
     findings.must_reach(summary.mean, limits.at_least);
-    findings.add("99 %", summary.p99, limits.p99, unit);
-    findings.add("largest", summary.largest, limits.largest, unit);
-    findings.add(("share of pixels off by more than 1" + unit).c_str(), double(off) / double(summary.count),
-                 limits.wrong, "");
+    findings.add("99 %", summary.p99, limits.p99, probe.unit);
+    findings.add("largest", summary.largest, limits.largest, probe.unit);
+    findings.add(("share of pixels off by more than " + amount_of(1, probe.unit)).c_str(),
+                 double(off) / double(summary.count), limits.wrong, "");
     if (double(only_one) > limits.outline * double(drawn.pixel_count()))
         findings.add("share of pixels where only one has a surface", double(only_one) / double(drawn.pixel_count()),
                      limits.outline, "");
@@ -144,7 +144,7 @@ std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judge
     return hints;
 }
 
-std::string points_text(double points) { return fmt::format("{:.4g}", points); }
+std::string points_text(double points) { return rounded(points, 4); }
 
 fs::path expectation_file(const LabEntry& lab, const CheckInfo& check) {
     std::string name;

@@ -38,6 +38,9 @@ std::optional<ContextKind> context_kind(const std::string& name);
 const char* name_of(ContextKind kind);
 std::unique_ptr<Context> open_context(std::optional<ContextKind> kind);
 
+/// The variables of the environment that choose a driver, as " (GALLIUM_DRIVER=softpipe is set)"; nothing when none is.
+std::string driver_variables();
+
 /// True when a window can be opened: X11 or Wayland is named in the environment.
 bool has_display();
 

@@ -41,12 +41,12 @@ public:
         for (const EGLDisplay display : displays())
             if (open(display)) {
                 Egl::make_current();
-                load_gl(reinterpret_cast<LoadFunction*>(core<decltype(eglGetProcAddress)>("eglGetProcAddress")));
+                load_gl(reinterpret_cast<LoadFunction*>(get_address_));
                 return;
             }
-        throw Error(
-            "no EGL driver here offers OpenGL 4.1 core without a surface: install the Debian package "
-            "libgl1-mesa-dri");
+        if (!refused_.empty()) throw Error(refused_);
+        throw Error("EGL finds no driver that draws without a surface" +
+                    (driver_variables().empty() ? ": install the Debian package libgl1-mesa-dri" : driver_variables()));
     }
     ~Egl() override {
         make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -101,10 +101,24 @@ private:
         if (count > 0) context_ = create_(display, config, EGL_NO_CONTEXT, attributes);
         display_ = display;
         if (context_ != EGL_NO_CONTEXT) return true;
+        if (count > 0) note_refusal(config);
         terminate_(display);
         return false;
     }
 
+    /// Why there is no context of OpenGL 4.1 core: one of any other version tells.
+    void note_refusal(EGLConfig config) {
+        context_ = create_(display_, config, EGL_NO_CONTEXT, nullptr);
+        if (context_ == EGL_NO_CONTEXT) return;
+        if (make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+            refused_ += (refused_.empty() ? "" : "; ") + too_little(reinterpret_cast<LoadFunction*>(get_address_));
+            make_current_(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        }
+        destroy_(display_, context_);
+        context_ = EGL_NO_CONTEXT;
+    }
+
+    decltype(&eglGetProcAddress) get_address_ = core<decltype(eglGetProcAddress)>("eglGetProcAddress");
     decltype(&eglInitialize) initialize_ = core<decltype(eglInitialize)>("eglInitialize");
     decltype(&eglTerminate) terminate_ = core<decltype(eglTerminate)>("eglTerminate");
     decltype(&eglBindAPI) bind_api_ = core<decltype(eglBindAPI)>("eglBindAPI");
@@ -114,6 +128,7 @@ private:
     decltype(&eglMakeCurrent) make_current_ = core<decltype(eglMakeCurrent)>("eglMakeCurrent");
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
+    std::string refused_;  ///< the drivers that have too little, each with what it has
 };
 
 }  // namespace

@@ -13,6 +13,23 @@ namespace {
     throw NoWindow(std::string("no window: ") + (reason ? reason : "GLFW gives no reason"));
 }
 
+/// Why no window has a context of OpenGL 4.1 core: one of any other version tells.
+[[noreturn]] void fail_to_open() {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    std::string text = reason ? reason : "GLFW gives no reason";
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    if (GLFWwindow* const window = glfwCreateWindow(64, 64, "", nullptr, nullptr)) {
+        glfwMakeContextCurrent(window);
+        text = too_little(glfwGetProcAddress);
+        glfwDestroyWindow(window);
+    } else {
+        text += driver_variables();
+    }
+    throw NoWindow("no window: " + text);
+}
+
 }  // namespace
 
 GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) {
@@ -24,7 +41,7 @@ GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) 
     glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);  // labs draw into targets of their own
     window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
-    if (!window_) fail();
+    if (!window_) fail_to_open();
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
         GlfwWindow& self = noted(window);

@@ -1,9 +1,20 @@
 // A software context without any display, from Mesa's off-screen library.
 #include "framework/gl/gl.h"  // before osmesa.h, which would bring the system's gl.h
 
+// glad takes these names back at its end, and the header of Mesa 25 wants them.
+#ifndef APIENTRY
+    #define APIENTRY GLAD_API_PTR
+#endif
+#ifndef GLAPI
+    #define GLAPI extern
+#endif
 #include <GL/osmesa.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
+#include <cstdlib>
+#include <string_view>
 
 #include "framework/base/error.h"
 #include "framework/context/backends.h"
@@ -25,8 +36,9 @@ public:
                                   OSMESA_CONTEXT_MINOR_VERSION,
                                   1,
                                   0};
+        refuse_drivers_that_crash();
         context_ = create_(attributes, nullptr);
-        if (!context_) throw Error("this OSMesa has no OpenGL 4.1 core profile: it needs Mesa 20 or newer");
+        if (!context_) throw Error(reason());
         OsMesa::make_current();
         load_gl(reinterpret_cast<LoadFunction*>(load_));
     }
@@ -40,6 +52,33 @@ public:
     }
 
 private:
+    /// OSMesa does not look whether it has the driver that GALLIUM_DRIVER names, and crashes without it (Mesa 22.3 with
+    /// zink and no Vulkan): so one that it need not have is tried in a process of its own.
+    void refuse_drivers_that_crash() const {
+        const char* const name = std::getenv("GALLIUM_DRIVER");
+        if (!name || !*name || std::string_view(name) == "llvmpipe" || std::string_view(name) == "softpipe") return;
+        const pid_t child = fork();
+        if (child == 0) {
+            const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, 0};
+            create_(attributes, nullptr);
+            _exit(0);
+        }
+        int status = 0;
+        if (child > 0 && waitpid(child, &status, 0) == child && WIFSIGNALED(status))
+            throw Error("OSMesa crashes, as it does where it lacks the driver that is asked for" + driver_variables());
+    }
+
+    /// Why there is no context of OpenGL 4.1 core: one of any other version tells.
+    std::string reason() {
+        const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, 0};
+        context_ = create_(attributes, nullptr);
+        if (!context_) return "OSMesa has no driver" + driver_variables();
+        OsMesa::make_current();
+        std::string text = too_little(reinterpret_cast<LoadFunction*>(load_));
+        destroy_(context_);
+        return text;
+    }
+
     static const Module& library() {
         static constexpr const char* names[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
         static const Module module(names, "libosmesa6");

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "framework/base/text.h"
 #include "framework/image/visualize.h"
 #include "framework/pages/figures.h"
 #include "framework/pages/page.h"
@@ -117,13 +118,14 @@ ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const 
     if (largest <= 0) largest = summary.largest;  // where less than 1 % of the pixels differ
     if (!(largest > 0) || !std::isfinite(largest)) largest = 1;
     shown.difference = visualize_error(error, largest);
-    shown.differs = fmt::format("{} of {} pixels do; the mean is {:.3g} {}, the largest {:.3g}",
+    shown.differs = fmt::format("{} of {} pixels do; the mean is {}, the largest {}",
                                 std::count_if(error.values.begin(), error.values.end(),
                                               [](float value) { return value != 0 && value != no_surface; }),
-                                error.pixel_count(), probe ? summary.mean : summary.mean * 255,
-                                probe ? probe->unit : "255ths", probe ? summary.largest : summary.largest * 255);
-    shown.scale = error_scale(
-        {"0", probe ? fmt::format("{:.3g} {}", largest, probe->unit) : fmt::format("{:.0f}/255", largest * 255)});
+                                error.pixel_count(),
+                                probe ? amount_of(summary.mean, probe->unit) : rounded(summary.mean * 255) + " 255ths",
+                                rounded(probe ? summary.largest : summary.largest * 255));
+    shown.scale =
+        error_scale({"0", probe ? amount_of(largest, probe->unit) : fmt::format("{:.0f}/255", largest * 255)});
     return shown;
 }
 

@@ -46,13 +46,6 @@ std::string error_scale(const std::vector<std::string>& marks) {
     return text + "</div>";
 }
 
-std::string amount_of(double value, const std::string& unit) {
-    const std::string number = fmt::format("{:.3g}", value);
-    if (unit.empty()) return number;
-    const size_t word = std::min(unit.find(' '), unit.size());  // of "height per tile" the first is counted
-    return number + " " + unit.substr(0, word) + (number == "1" ? "" : "s") + unit.substr(word);
-}
-
 const char* const wipe_function = R"(
 const wipe = (under, over, words, name, value, told) => {
   const make = (tag, kind = "") => Object.assign(document.createElement(tag), {className: kind});

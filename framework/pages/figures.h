@@ -1,4 +1,4 @@
-// What pictures in pages have in common: the wipe between two, the scale of an error map, numbers with their unit.
+// What pictures in pages have in common: the wipe between two, the scale of an error map.
 #pragma once
 
 #include <string>
@@ -11,9 +11,6 @@ std::string figures_style();
 
 /// Below an error map: the colours of visualize_error() with marks at even distances, the last one "and more".
 std::string error_scale(const std::vector<std::string>& marks);
-
-/// "2.5 degrees", "1 texel", "0.1 heights per tile"; the number alone where there is no unit.
-std::string amount_of(double value, const std::string& unit);
 
 /// A script's function, wipe(under, over, words, name, value, told): lays one image upon the other and gives the slider
 /// between them with its `words`, to be put where it belongs, and slide(), for when anything has changed. `name` is the

@@ -189,6 +189,10 @@ private:
     }
 
     void press(int key) {
+        if (key == GLFW_KEY_ESCAPE && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+            ImGui::SetWindowFocus(nullptr);  // closes whatever list is open
+            return;
+        }
         if (handout_.is_open() && press_in_handout(key)) return;
         switch (key) {
             case GLFW_KEY_PAGE_DOWN:

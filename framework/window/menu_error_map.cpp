@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/base/log.h"
+#include "framework/base/text.h"
 #include "framework/image/visualize.h"
 #include "framework/window/menu_stage.h"
 #include "framework/window/menu_style.h"
@@ -58,7 +60,14 @@ void ErrorMap::compare(Stage& stage) {
     if (!stage.lab() || stage.failed()) throw Error("There is no picture to compare.");
     Shot shot = stage.shot();
     std::vector<ProbeInfo> probes = stage.manifest().probes;
-    if (shot.probe) probes = {stage.manifest().probe(shot.probe.name)};
+    if (shot.probe) {
+        probes = {stage.manifest().probe(shot.probe.name)};
+    } else {
+        // Of a picture the quantity by which the lab's page compares methods, which is what the lab is about.
+        const auto& compare = stage.manifest().compare;
+        const std::string chief = compare ? compare->shot.probe.name : "";
+        std::stable_partition(probes.begin(), probes.end(), [&](const ProbeInfo& one) { return one.name == chief; });
+    }
     const Target target(TargetKind::probe, shot.size);
     for (const ProbeInfo& probe : probes) {
         shot.probe = {probe.name};
@@ -72,9 +81,9 @@ void ErrorMap::compare(Stage& stage) {
             "error map", [&] { return visualize_error(error, error_.p99); },
             TextureOptions{.wrap = Wrap::clamp, .mips = false});
         bind(0, *picture_);  // made now, while the numbers are there
-        print_event(
-            fmt::format("error map: {}, mean {:.6g} {}, rms {:.6g}, 99 % {:.6g}, largest {:.6g}, over {} pixels",
-                        probe.name, error_.mean, probe.unit, error_.rms, error_.p99, error_.largest, error_.count));
+        print_event(fmt::format("error map: {}, mean {}, rms {}, 99 % {}, largest {}, over {} pixels", probe.name,
+                                amount_of(error_.mean, probe.unit, 6), plain(error_.rms), plain(error_.p99),
+                                plain(error_.largest), error_.count));
         return;
     }
     throw Error(stage.shot().probe ? fmt::format("This lab has no truth for '{}'.", stage.shot().probe.name)
@@ -98,17 +107,16 @@ void ErrorMap::draw(int x, glm::ivec2 size, bool moves) const {
     } else if (!picture_) {
         wrapped(message_);
     } else {
-        const std::string unit = probe_.unit.empty() ? "" : " " + probe_.unit;
         wrapped(fmt::format("{}: how far from the truth", probe_.name));
-        wrapped(fmt::format("mean {:.3g}    99 % {:.3g}    largest {:.3g}{}", error_.mean, error_.p99, error_.largest,
-                            unit));
+        wrapped(fmt::format("mean {}    99 % {}    largest {}", rounded(error_.mean), rounded(error_.p99),
+                            amount_of(error_.largest, probe_.unit)));
         if (error_.count == 0) wrapped("No pixel has a surface in both.");
         if (error_.not_finite > 0) {
             ImGui::PushStyleColor(ImGuiCol_Text, alarm);
             wrapped(fmt::format("{} pixels, in magenta, are not a number.", error_.not_finite));
             ImGui::PopStyleColor();
         }
-        draw_scale(fmt::format("{:.3g}{} and more", error_.p99, unit));
+        draw_scale(amount_of(error_.p99, probe_.unit) + " and more");
     }
     ImGui::End();
 }

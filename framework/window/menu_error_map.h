@@ -24,8 +24,9 @@ public:
     void forget();
     /// Whether compute() is still to be called for this picture.
     bool wanted() const { return on_ && !done_; }
-    /// The map of what the stage shows: of its probe, or for a picture of the first probe that has a truth. Takes as
-    /// long as the truth does. Whatever goes wrong is shown in the map's place.
+    /// The map of what the stage shows: of its probe, or for a picture of the probe by which the lab compares methods,
+    /// else of the first one that has a truth. Takes as long as the truth does. Whatever goes wrong is shown in the
+    /// map's place.
     void compute(Stage& stage);
 
     /// Right of the picture, at pixel `x`; `moves` when the picture does, so that it waits for nothing.

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "formats.h"
+#include "framework/base/text.h"
 #include "framework/gl/target.h"
 #include "framework/image/compare.h"
 #include "framework/kit/labels.h"
@@ -114,9 +115,10 @@ private:
     void describe(glm::ivec2 size, const Tile& tile, int format, const ErrorSummary& error) {
         const storage::Format& about = storage::formats[size_t(format)];
         labels_.caption(size, tile, 0, about.title);
-        labels_.caption(size, tile, -2, fmt::format("mean {:.3g}~ max {:.3g}~", error.mean, error.largest));
+        labels_.caption(size, tile, -2, fmt::format("mean {}~ max {}~", rounded(error.mean), rounded(error.largest)));
         if (!mismatch_)
-            labels_.caption(size, tile, -1, fmt::format("{} {:.3g}~ {:.3g}~", about.source, about.mean, about.largest),
+            labels_.caption(size, tile, -1,
+                            fmt::format("{} {}~ {}~", about.source, rounded(about.mean), rounded(about.largest)),
                             {0.62f, 0.63f, 0.65f});
     }
 

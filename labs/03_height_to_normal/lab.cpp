@@ -8,6 +8,7 @@
 
 #include "differences.h"
 #include "framework/base/error.h"
+#include "framework/base/text.h"
 #include "framework/gl/target.h"
 #include "framework/image/asset.h"
 #include "framework/image/compare.h"
@@ -201,7 +202,8 @@ private:
         const ErrorSummary& error = maps_.at(filter).error;
         labels_.caption(size, tile, 0, filters[size_t(filter)]);
         if (error.count > 0)
-            labels_.caption(size, tile, -1, fmt::format("mean {:.2g}~ max {:.2g}~", error.mean, error.largest));
+            labels_.caption(size, tile, -1,
+                            fmt::format("mean {}~ max {}~", rounded(error.mean, 2), rounded(error.largest, 2)));
     }
 
     Programs heights_program_{"03_height_to_normal/map.vert", "03_height_to_normal/heights.frag"};

@@ -4,6 +4,7 @@
 // above, the error in texels below. Yours: shaders/10_parallax_offset/task.glsl
 #include <fmt/format.h>
 
+#include "framework/base/text.h"
 #include "framework/gl/target.h"
 #include "framework/image/compare.h"
 #include "framework/kit/labels.h"
@@ -96,7 +97,7 @@ private:
     }
 
     void draw_tile(const Sight& sight) {
-        const auto& [corner, size] = sight.tile;
+        const glm::ivec2 corner = sight.tile.corner, size = sight.tile.size;
         if (size.x <= 0 || size.y <= 0) return;
         glViewport(corner.x, corner.y, size.x, size.y);
         if (sight.frame.probe || show_ == light) return draw_relief(sight, "");
@@ -171,7 +172,7 @@ private:
             const bool one_angle = view_ == strip && surface_.shape == ReliefSurface::wall;
             const std::string name = methods[size_t(method)];
             labels_.caption(size, tile, 0, one_angle ? fmt::format("{} {}~", name, degrees) : name);
-            labels_.caption(size, tile, -1, fmt::format("{:.3g} texels", measured_.means[i]));
+            labels_.caption(size, tile, -1, amount_of(measured_.means[i], "texel"));
         }
         if (show_ != light) labels_.log_scale(size, "0.01", "100 texels", 4);
     }

@@ -6,6 +6,7 @@
 
 #include <tuple>
 
+#include "framework/base/text.h"
 #include "framework/gl/target.h"
 #include "framework/height/bounds.h"
 #include "framework/kit/labels.h"
@@ -190,10 +191,10 @@ private:
 
     void describe(glm::ivec2 size, const Tile& tile, const Method& method, const Figures& figures) {
         labels_.caption(size, tile, 0, method.title);
-        labels_.caption(size, tile, -2,
-                        fmt::format("off {:.3g} texels, {:.2g} % wrong", figures.mean, 100 * figures.wrong));
-        labels_.caption(size, tile, -1, fmt::format("{:.3g} heights read", figures.heights_read),
-                        {0.62f, 0.63f, 0.65f});
+        labels_.caption(
+            size, tile, -2,
+            fmt::format("off {} texels, {} % wrong", rounded(figures.mean), rounded(100 * figures.wrong, 2)));
+        labels_.caption(size, tile, -1, rounded(figures.heights_read) + " heights read", {0.62f, 0.63f, 0.65f});
     }
 
     Programs program_{"common/relief.vert", "11_parallax_occlusion/surface.frag"};

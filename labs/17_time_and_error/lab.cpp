@@ -4,6 +4,7 @@
 // each pixel takes the cheapest method that keeps it. Yours: shaders/17_time_and_error/task.glsl
 #include <fmt/format.h>
 
+#include "framework/base/text.h"
 #include "framework/gl/patches.h"
 #include "framework/gl/target.h"
 #include "framework/kit/labels.h"
@@ -35,8 +36,7 @@ public:
                 describe_methods(frame.size, tiles[i], shares);
             else
                 labels_.caption(frame.size, tiles[i], 0,
-                                method_ == 0 ? fmt::format("budget {:.3g} pixel{}", budget_, budget_ == 1 ? "" : "s")
-                                             : methods[size_t(method_)]);
+                                method_ == 0 ? "budget " + amount_of(budget_, "pixel") : methods[size_t(method_)]);
         }
         labels_.draw(frame);
     }

@@ -117,6 +117,51 @@ TEST_F(BenchCommand, StartTimesShotsAndTheirPhases) {
     }
 }
 
+TEST_F(BenchCommand, StartMeasuresShotsWhereTheTestsAreNotBuilt) {
+    const Result result = course().relief({"bench", "start", "--quick", "--repeats", "1", "-o", "alone"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(contains(result.err, "floor-png: it is built with the tests")) << result.err;
+    const auto rows = read_bench_csv(read_all(course().path() / "alone/start.csv"));
+    ASSERT_EQ(rows.size(), 2u) << "a shot for each of PNG and PPM";
+    for (const BenchRow& row : rows) EXPECT_TRUE(row.is_measured()) << row.state;
+}
+
+TEST_F(BenchCommand, StartGivesTheReasonOfAShotThatFailsAndNotItsEvents) {
+    const CourseCopy broken;
+    broken.overwrite("shaders/01_specular_highlights/task.glsl", "nonsense\n");
+    const Result result = broken.relief({"bench", "start", "--quick", "--repeats", "1", "-o", "failed"});
+    EXPECT_EQ(result.code, 1);
+    for (const BenchRow& row : read_bench_csv(read_all(broken.path() / "failed/start.csv"))) {
+        EXPECT_TRUE(contains(row.state, "shaders/01_specular_highlights/task.glsl:1: ")) << row.state;
+        EXPECT_FALSE(contains(row.state, " ms] ")) << row.state;
+    }
+}
+
+TEST_F(BenchCommand, ThePageKeepsTheTopicsOfEarlierRunsAndRenewsThoseOfThisOne) {
+    const auto bench = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"bench", "--quick", "--repeats", "1", "-o", "kept"});
+        EXPECT_EQ(course().relief(more).code, 0);
+        return read_all(course().path() / "kept/index.html");
+    };
+    const auto times = [](const std::string& text, const std::string& part) {
+        int count = 0;
+        for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+        return count;
+    };
+    const auto section = [](const std::string& page, const std::string& topic) {
+        const size_t at = page.find("<section id=\"" + topic + "\"");
+        return page.substr(at, page.find("</section>", at) - at);
+    };
+    const std::string first = bench({"storage", "--set", "bits=16"});
+    bench({"start"});
+    const std::string last = bench({"start"});
+    EXPECT_EQ(section(last, "storage"), section(first, "storage"));
+    for (const char* topic : {"storage", "start"}) {
+        EXPECT_EQ(times(last, std::string("<section id=\"") + topic + "\""), 1) << topic;
+        EXPECT_EQ(times(last, std::string("<li><a href=\"#") + topic + "\""), 1) << topic;
+    }
+}
+
 // ---- the page ----
 
 /// A topic of two scenes: one of four methods, with a picture and an error map each, and one of times alone with a

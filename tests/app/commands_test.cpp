@@ -168,6 +168,50 @@ TEST_F(CourseTest, AnExplicitContextThatIsMissingFails) {
                    "there is no display");
 }
 
+TEST_F(CourseTest, ADriverWithTooLittleIsNamedWithWhatItHasAndWhatChoseIt) {
+    for (const std::string context : {"osmesa", "egl"}) {
+        const Result result = course().relief({"shot", "1", "--context", context, "-o", "shot.png"},
+                                              {{}, {{"GALLIUM_DRIVER", "softpipe"}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}});
+        expect_failure(result, "no " + context + " context: the driver is softpipe, which has OpenGL 3.3 ");
+        EXPECT_TRUE(contains(result.err, "and no 4.1 core (GALLIUM_DRIVER=softpipe, LIBGL_ALWAYS_SOFTWARE=1 is set)"))
+            << result.err;
+        EXPECT_FALSE(contains(result.err, "Debian package")) << result.err;
+    }
+}
+
+TEST_F(CourseTest, ADriverThatIsNotThereIsNamedAndNothingCrashes) {
+    const Result result =
+        course().relief({"shot", "1", "-o", "shot.png"}, {{}, {{"GALLIUM_DRIVER", "zonk"}, {"DISPLAY", ""}}});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err,
+                         "no osmesa context: OSMesa crashes, as it does where it lacks the driver that is "
+                         "asked for (GALLIUM_DRIVER=zonk is set); trying egl\n"))
+        << result.err;
+    EXPECT_TRUE(contains(result.err,
+                         "no egl context: EGL finds no driver that draws without a surface "
+                         "(GALLIUM_DRIVER=zonk is set)\n"))
+        << result.err;
+    EXPECT_FALSE(contains(result.err, "Debian package")) << result.err;
+}
+
+TEST_F(CourseTest, InfoGoesOnAfterADriverThatCrashes) {
+    // A driver that ends the process as soon as it is asked for anything.
+    const TemporaryFolder libraries;
+    libraries.write("crash.c",
+                    "#include <stdlib.h>\n__attribute__((constructor)) static void crash(void) { abort(); }\n");
+    ASSERT_EQ(run({"cc", "-shared", "-fPIC", "-o", (libraries.path() / "libOSMesa.so.8").string(),
+                   (libraries.path() / "crash.c").string()})
+                  .code,
+              0);
+    const Result result = course().relief(
+        {"info"}, {{}, {{"LD_LIBRARY_PATH", libraries.path().string()}, {"GALLIUM_DRIVER", "llvmpipe"}}});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(contains(result.out, "osmesa   missing: its driver crashes, Aborted (GALLIUM_DRIVER=llvmpipe is set)"))
+        << result.out;
+    EXPECT_TRUE(contains(result.out, "egl      OpenGL 4.")) << result.out;
+    EXPECT_TRUE(contains(result.out, "built    by ")) << result.out;
+}
+
 TEST_F(CourseTest, AHeadlessRunOpensNeitherWindowNorPictureLibrariesThatItDoesNotNeed) {
     const TemporaryFolder libraries;
     const auto where = without_libraries(libraries, {"libglfw.so.3", "libOpenImageIO.so.2.4", "libGL.so.1"});
@@ -339,7 +383,7 @@ TEST_F(CourseTest, ThePageOfAChecksPicturesHoldsEverythingItself) {
     EXPECT_TRUE(contains(page, "<h3>" + escaped + "</h3>"));
     EXPECT_FALSE(contains(page, "'a' <"));
     for (const char* part :
-         {"8 of 11 points", "(at most 0.176)", "rounding to 8 bits costs", "decode_unorm8 undoes f", "degree and more",
+         {"8 of 11 points", "(at most 0.176)", "rounding to 8 bits costs", "decode_unorm8 undoes f", "degrees and more",
           "./relief shot 02 --size 128x128 --camera 25,15,4.5,0.5,0,0 --set format=unorm8 --set view=one --probe "
           "normal"})
         EXPECT_TRUE(contains(page, part)) << part;
@@ -469,6 +513,15 @@ TEST_F(CourseTest, CheckSuggestsTheLabThatWasMeant) {
     const Result result = course().relief({"check", "tangent_bsis"});
     EXPECT_EQ(result.code, 2);
     EXPECT_TRUE(contains(result.err, "did you mean")) << result.err;
+}
+
+TEST_F(CourseTest, NoHelpShowsHowItsOptionsAreWritten) {
+    for (const char* command : {"list", "info", "run", "shot", "gallery", "check", "golden", "new-lab", "bench",
+                                "handout", "grade", "slides", "mistakes"}) {
+        const Result result = course().relief({command, "--help"});
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_FALSE(contains(result.out, "{") || contains(result.out, "!-")) << result.out;
+    }
 }
 
 }  // namespace

@@ -66,6 +66,19 @@ TEST_F(Golden, OneStepOf255IsAllowedAndTwoAreNot) {
     EXPECT_EQ(files_in(course_.path() / "differences").size(), 3u) << "now, reference, difference";
 }
 
+TEST_F(Golden, AProbeIsComparedInTheStepsThatItIsStoredIn) {
+    course_.edit("labs/01_specular_highlights/lab.toml", "distance = 2.4 }", "distance = 2.4 }, probe = \"normal\"");
+    renew();
+    Notes notes;
+    Image image = read_image(file_, &notes);
+    for (float& value : image.values) value += value < 0.5f ? 1.0f / 255 : -1.0f / 255;
+    write_image(file_, image, notes);
+    EXPECT_EQ(golden().out, "01_specular_highlights/close: same within 1/255\n") << golden().err;
+    change_reference(1, "");
+    EXPECT_TRUE(contains(golden().err, "1 of 19200 pixels differ by more than 1/255, the most by 2/255"))
+        << golden().err;
+}
+
 TEST_F(Golden, WhatPassesIsNotRenewed) {
     renew();
     change_reference(1, "");

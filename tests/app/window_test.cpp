@@ -342,6 +342,13 @@ TEST_F(Window, TheErrorMapSaysWhatShotErrorSays) {
     EXPECT_TRUE(eventually([&] { return frames().size() >= 3; })) << "the picture takes its room back";
 }
 
+TEST_F(Window, TheErrorOfAPictureIsOfWhatItsLabCompares) {
+    open("01");
+    press("e");
+    ASSERT_TRUE(eventually([&] { return count("error map: ") == 1; })) << window_->err();
+    EXPECT_EQ(count("error map: normal, mean"), 1u) << "the direction comes first in the manifest: " << window_->err();
+}
+
 TEST_F(Window, TheErrorIsComputedWhenADragIsOver) {
     open("20");
     press("e");
@@ -383,11 +390,38 @@ TEST_F(Window, TheHandoutOpensOverThePictureAndEscapeClosesIt) {
     EXPECT_TRUE(eventually([&] { return !window_->running(); }));
 }
 
+TEST_F(Window, EscapeClosesAListBeforeItEndsTheWindow) {
+    open("20");
+    // Where the list of labs opens, below its closed line.
+    const auto below = [&] {
+        const Image all = screen();
+        return std::vector<float>(all.pixel(0, 45), all.pixel(0, 90));
+    };
+    run({"xdotool", "mousemove", "150", "20"}, where_);
+    std::this_thread::sleep_for(500ms);
+    const std::vector<float> closed = below();
+    run({"xdotool", "click", "1"}, where_);
+    ASSERT_TRUE(eventually([&] { return below() != closed; })) << window_->err();
+    press("Escape");
+    EXPECT_TRUE(eventually([&] { return below() == closed; })) << window_->err();
+    EXPECT_TRUE(window_->running());
+    press("Escape");
+    EXPECT_TRUE(eventually([&] { return !window_->running(); }));
+}
+
 TEST_F(Window, EscapeEndsItWithExitCodeZero) {
     open("20");
     press("Escape");
     EXPECT_TRUE(eventually([&] { return !window_->running(); }));
     EXPECT_EQ(window_->wait().code, 0);
+}
+
+TEST_F(Window, ADriverWithTooLittleIsNamed) {
+    Circumstances where = where_;
+    where.environment["GALLIUM_DRIVER"] = "softpipe";
+    const Result result = run({course_.program("relief"), "shot", "20", "--context", "window", "-o", "w.png"}, where);
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "no window: the driver is softpipe, which has OpenGL ")) << result.err;
 }
 
 TEST_F(Window, GivesAContextToShotsToo) {

@@ -1,6 +1,7 @@
 // Numbers from text, and the word that a mistyped one stands for.
 #include "framework/base/text.h"
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -37,6 +38,32 @@ TEST(Numbers, ArePrintedAsTyped) {
     EXPECT_EQ(plain(32), "32");
     EXPECT_EQ(plain(0.1f), "0.1");
     EXPECT_EQ(plain(-2.25), "-2.25");
+}
+
+TEST(Numbers, OfPeoplesSizeHaveNoExponent) {
+    EXPECT_EQ(rounded(1000), "1000");
+    EXPECT_EQ(rounded(999.6), "1000");
+    EXPECT_EQ(rounded(37474.6, 4), "37475");
+    EXPECT_EQ(rounded(37.474, 4), "37.47");
+    EXPECT_EQ(rounded(-12345), "-12345");
+    EXPECT_EQ(rounded(0.00001), "0.00001");
+    EXPECT_EQ(rounded(0.0000123456), "0.0000123");
+    EXPECT_EQ(rounded(-0.0000999999), "-0.0001");
+    EXPECT_EQ(rounded(0), "0");
+    EXPECT_EQ(plain(16777216), "16777216");
+    EXPECT_EQ(rounded(5.58e-8), "5.58e-08");
+    EXPECT_EQ(rounded(2.5e13), "2.5e+13");
+    EXPECT_EQ(rounded(INFINITY), "inf");
+}
+
+TEST(Numbers, AreOfSeveralUnitsUnlessTheyAre1) {
+    EXPECT_EQ(amount_of(37.474, "degree", 4), "37.47 degrees");
+    EXPECT_EQ(amount_of(1, "pixel"), "1 pixel");
+    EXPECT_EQ(amount_of(0.9999, "pixel"), "1 pixel");
+    EXPECT_EQ(amount_of(0, "texel"), "0 texels");
+    EXPECT_EQ(amount_of(0.1, "height per tile"), "0.1 heights per tile");
+    EXPECT_EQ(amount_of(2, "patch"), "2 patches");
+    EXPECT_EQ(amount_of(0.25, ""), "0.25");
 }
 
 TEST(Split, KeepsEmptyPartsAndJoinUndoesIt) {

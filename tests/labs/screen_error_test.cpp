@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <glm/gtc/constants.hpp>
+#include <numeric>
+#include <optional>
 
 #include "framework/height/maps.h"
 #include "framework/kit/displaced_surface.h"
+#include "framework/staff/measure/drawing.h"
 #include "framework/staff/reference/patches.h"
 #include "tests/labs/shots.h"
 
@@ -87,6 +90,106 @@ TEST(ScreenError, DoesSoOnOtherMapsWithoutCliffs) {
 TEST(ScreenError, OfALevelThatIsTooLowIsSeen) {
     const auto errors = Ground("fbm", {{"method", "uniform"}, {"level", "1"}}).screen_errors(20);
     EXPECT_GT(quantile_of(errors, 0.999), 2);
+}
+
+/// A picture of the ground by one method: what it takes, and by how much its pixels are off, sorted.
+struct Cost {
+    double triangles;
+    std::vector<double> screen;  ///< pixels
+    std::vector<double> along;   ///< metres along the ray, where it meets the ground
+};
+
+Cost cost_of(const char* map, const Orbit& camera, const char* method, const char* knob, const char* value) {
+    Shot shot = shot_of("14",
+                        {{"view", "eye"},
+                         {"surface", "ground"},
+                         {"corners", "4"},
+                         {"patches", "36"},
+                         {"map", map},
+                         {"size", "512"},
+                         {"depth", "0.1"},
+                         {"repeat", "1"},
+                         {"method", method},
+                         {knob, value}},
+                        "place", {128, 96});
+    shot.camera = camera;
+    const std::shared_ptr<Lab> lab = make_lab(find_lab("14"), shot);
+    DisplacedSurface surface;
+    surface.shape = DisplacedSurface::ground, surface.density = 36, surface.material.size = 2, surface.depth = 0.1f;
+    surface.material.map =
+        int(std::find(height_map_names.begin(), height_map_names.end(), map) - height_map_names.begin());
+    const HeightField heights(surface.heights(), true);
+
+    Cost cost{};
+    const BenchSubject subject = drawn(lab, shot);
+    for (const auto& [name, amount] : subject.work)
+        if (name == "triangles") cost.triangles = amount;
+    const Frame frame = frame_of(shot, Target(TargetKind::probe, shot.size));
+    cost.screen = screen_errors(take(*lab, shot), surface.patches(), heights, double(surface.scale()),
+                                frame.camera.clip_from_world());
+    shot.probe = {"depth"};
+    const Image depth = take(*lab, shot);
+    const auto& points = surface.patches().points;
+    const glm::dvec3 origin(points[0].vertex.position);
+    const glm::dvec2 map_size(heights.size()), texel(glm::dvec2(points[0].vertex.uv) * map_size);
+    const double per_metre = map_size.x / DisplacedSurface::ground_metres;
+    const double up = points[3].vertex.position.z < points[0].vertex.position.z ? -per_metre : per_metre;
+    for (int y = 0; y < depth.height; ++y)
+        for (int x = 0; x < depth.width; ++x) {
+            const Ray ray = frame.ray(x, y);
+            const glm::dvec3 from = ray.origin - origin, scale(per_metre, 1 / double(surface.scale()), up);
+            const auto as_texels = [&](glm::dvec3 v) {
+                return glm::dvec3(v.x * scale.x, v.z * scale.z, v.y * scale.y);
+            };
+            if (*depth.pixel(x, y) == no_surface || ray.direction.y >= 0) continue;
+            const auto hit = heights.first_hit({as_texels(from) + glm::dvec3(texel, 1), as_texels(ray.direction)}, 1e3);
+            if (hit && hit->texel == glm::clamp(hit->texel, glm::dvec2(0), map_size))
+                cost.along.push_back(std::abs(hit->t - double(*depth.pixel(x, y))));
+        }
+    std::sort(cost.screen.begin(), cost.screen.end()), std::sort(cost.along.begin(), cost.along.end());
+    return cost;
+}
+
+double mean_of(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+/// How many triangles `error` takes for each that `size` takes where both are off by as much, as `figure` has it.
+template <class Figure>
+double triangles_by_error_to_size(const char* map, const Orbit& camera, const char* budget, Figure figure) {
+    const Cost by_error = cost_of(map, camera, "error", "budget", budget);
+    const double wanted = figure(by_error);
+    std::optional<Cost> coarser;
+    for (const char* segment : {"16", "8", "4", "2", "1"}) {
+        Cost finer = cost_of(map, camera, "size", "segment", segment);
+        if (figure(finer) <= wanted && coarser) {
+            // Both figures fall with a power of the triangles.
+            const double share = std::log(wanted / figure(*coarser)) / std::log(figure(finer) / figure(*coarser));
+            return by_error.triangles / (coarser->triangles * std::pow(finer.triangles / coarser->triangles, share));
+        }
+        coarser = std::move(finer);
+    }
+    ADD_FAILURE() << "no size is off by " << wanted;
+    return 0;
+}
+
+constexpr Orbit from_low{.yaw = 30, .pitch = 7, .distance = 7.5, .target = {0, -0.5, 0}},
+    from_above{.yaw = 200, .pitch = 35, .distance = 7, .target = {-1, -0.8, 1}};
+
+TEST(ScreenError, TakesFewerTrianglesByErrorThanBySizeForTheSame99Percent) {
+    const auto figure = [](const Cost& cost) { return quantile_of(cost.screen, 0.99); };
+    for (const char* map : {"fbm", "stones", "rock"}) {
+        double product = 1;
+        for (const Orbit& camera : {from_low, from_above})
+            product *= triangles_by_error_to_size(map, camera, "2", figure);
+        EXPECT_LT(std::sqrt(product), 0.95) << map;
+        EXPECT_GT(product, 0) << map;
+    }
+}
+
+TEST(ScreenError, TakesMoreByErrorThanBySizeForTheSameMeanAlongTheRayOnStones) {
+    const auto figure = [](const Cost& cost) { return mean_of(cost.along); };
+    EXPECT_GT(triangles_by_error_to_size("stones", from_low, "0.5", figure), 2);
 }
 
 /// Which pixels' centres a mesh covers, in double precision.

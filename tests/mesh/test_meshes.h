@@ -43,6 +43,34 @@ inline Mesh jittered_torus(int columns, int rows, unsigned seed, float jitter = 
     return mesh;
 }
 
+/// A flat grid around x = 0 whose uv are mirrored there, u = |x|. With an odd number of columns the mirror runs through
+/// the middle one, whose triangles have no area in uv.
+inline Mesh mirrored_grid(int columns, int rows) {
+    Mesh mesh;
+    for (int row = 0; row <= rows; ++row)
+        for (int column = 0; column <= columns; ++column) {
+            const float x = float(column) - 0.5f * float(columns);
+            mesh.vertices.push_back(flat_vertex({x, row}, {std::abs(x), row}));
+        }
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const uint32_t a = uint32_t(row * (columns + 1) + column), b = a + 1, c = a + uint32_t(columns) + 1,
+                           d = c + 1;
+            mesh.indices.insert(mesh.indices.end(), {a, b, d, a, d, c});
+        }
+    return mesh;
+}
+
+/// The torus with uv on a coarse grid and mirrored, so that many triangles at random have no area in uv.
+inline Mesh torus_with_rounded_uv(unsigned seed) {
+    Mesh mesh = jittered_torus(14, 9, seed);
+    for (Vertex& vertex : mesh.vertices) {
+        vertex.uv = glm::round(vertex.uv * 6.0f) / 6.0f;
+        if (vertex.uv.x > 0.5f) vertex.uv.x = 1 - vertex.uv.x;
+    }
+    return mesh;
+}
+
 /// Triangles at random among few places, normals and uv: shared edges, mirrored neighbours, edges of three triangles,
 /// two equal corners, uv on a line.
 inline Mesh random_soup(unsigned seed, int triangles) {

@@ -215,7 +215,7 @@ int run_bench(const BenchArguments& arguments) {
     }
     if (!is_plotted) print_note("there are no plots: gnuplot is missing (Debian package gnuplot-nox)");
     const fs::path page = folder / "index.html";
-    write_file(page, bench_page(results));
+    write_file(page, bench_page(results, fs::exists(page) ? read_file(page) : ""));
     fmt::print("{}\n", page.string());
     if (failed == 0) return 0;
     print_error(fmt::format("{} methods have no result: their lines say why", failed));

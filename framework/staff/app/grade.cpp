@@ -82,8 +82,9 @@ int test_the_grader(ClassOptions& options, int sample) {
         std::fflush(stdout);
     }
     for (const std::string& wrong : sum.wrong) print_error(wrong);
-    fmt::print("kill rate {:.4g} %, {} of {} correct variants get all points, {} wrong verdicts\n",
-               sum.mistakes ? 100.0 * sum.caught / sum.mistakes : 100.0, sum.right, sum.equivalents, sum.wrong.size());
+    fmt::print("kill rate {} %, {} of {} correct variants get all points, {} wrong verdicts\n",
+               rounded(sum.mistakes ? 100.0 * sum.caught / sum.mistakes : 100.0, 4), sum.right, sum.equivalents,
+               sum.wrong.size());
     if (sum.left_out > 0)
         fmt::print("a sample: {} mistakes and variants were left out, and no mistake was asked for its name\n",
                    sum.left_out);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "framework/base/sha256.h"
+#include "framework/base/text.h"
 
 namespace relief {
 namespace {
@@ -38,15 +39,15 @@ Shot Variation::of(Shot shot) const {
     shot.camera.yaw += yaw_;
     shot.camera.pitch = std::clamp(shot.camera.pitch + pitch_, -89.0, 89.0);
     shot.camera.distance *= distance_;
-    for (const auto& [knob, value] : set_)
-        if (std::none_of(shot.set.begin(), shot.set.end(), [&](const auto& own) { return own.first == knob; }))
-            shot.set.emplace_back(knob, value);
+    for (const auto& varied : set_)
+        if (std::none_of(shot.set.begin(), shot.set.end(), [&](const auto& own) { return own.first == varied.first; }))
+            shot.set.push_back(varied);
     return shot;
 }
 
 std::string view_text(const Shot& shot) {
-    std::string text =
-        fmt::format("camera {:.4g},{:.4g},{:.4g}", shot.camera.yaw, shot.camera.pitch, shot.camera.distance);
+    std::string text = fmt::format("camera {},{},{}", rounded(shot.camera.yaw, 4), rounded(shot.camera.pitch, 4),
+                                   rounded(shot.camera.distance, 4));
     for (const auto& [knob, value] : shot.set) text += fmt::format("; {} {}", knob, value);
     return text;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "framework/base/text.h"
+
 namespace relief {
 namespace {
 
@@ -47,7 +49,7 @@ BaselineReport compare_with_baseline(std::span<const BenchRow> now, std::span<co
                 continue;
             }
             const double slack = std::max(nothing, tolerance * old->second);
-            const std::string line = fmt::format("{}: {} {:.6g}, was {:.6g}", name, figure, value, old->second);
+            const std::string line = fmt::format("{}: {} {}, was {}", name, figure, plain(value), plain(old->second));
             if (!(value <= old->second + slack)) report.worse.push_back(line);
             if (value < old->second - slack) report.better.push_back(line);
         }

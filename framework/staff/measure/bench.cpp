@@ -59,7 +59,9 @@ std::vector<BenchScene> only(const BenchTopic& topic, std::vector<BenchScene> sc
     const auto sweep = sweep_of(scenes);
     std::vector<std::string> names;
     for (const auto& [knob, values] : sweep) names.push_back(knob);
-    for (const auto& [knob, values] : wanted) {
+    for (const auto& one : wanted) {
+        const std::string& knob = one.first;  // no binding: clang 14 lets no lambda capture one
+        const std::vector<std::string>& values = one.second;
         const auto known = std::find(names.begin(), names.end(), knob);
         if (known == names.end())
             throw UsageError(topic.name + " sweeps no such thing: " + unknown("knob", knob, names));

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "framework/base/error.h"
+#include "framework/base/text.h"
 #include "framework/staff/grade/sandbox.h"
 
 namespace relief {
@@ -75,7 +76,7 @@ private:
         std::string text;
         for (double decade = std::pow(10, std::floor(std::log10(left))); decade < right; decade *= 10)
             for (const int times : {1, 2, 5})
-                text += fmt::format("{}'{:g}' {}", text.empty() ? "" : ", ", times * decade, times * decade);
+                text += fmt::format("{0}'{1}' {1}", text.empty() ? "" : ", ", plain(times * decade));
         return fmt::format("set xtics ({})\n", text);
     }
 
@@ -100,7 +101,7 @@ private:
             "set ylabel 'mean error, {}' noenhanced\nset logscale xy\nset format y '%g'\n"
             "set xrange [{}:{}]\nset yrange [{}:{}]\nset grid xtics ytics lc rgb '#ece8e0'\n"
             "{}",
-            unit, left / 1.25, right * 1.9, floor, ceiling, time_tics(left / 1.25, right * 1.9));
+            plural(unit), left / 1.25, right * 1.9, floor, ceiling, time_tics(left / 1.25, right * 1.9));
         if (any_zero) text += fmt::format("set ytics add ('0' {})\n", floor);
 
         // Nothing but time: an upright line.

@@ -70,9 +70,7 @@ constexpr const char* header =
 std::string work_text(const BenchWork& work) {
     std::string text;
     for (const auto& [name, amount] : work)
-        text +=
-            fmt::format("{}{}={}", text.empty() ? "" : " ", name,
-                        amount == std::floor(amount) ? fmt::format("{:.0f}", amount) : fmt::format("{:.6g}", amount));
+        text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, plain(amount));
     return text;
 }
 
@@ -109,7 +107,7 @@ std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows)
     const bool in_milliseconds = longest >= 1e6;
     const double scale = in_milliseconds ? 1e-6 : 1;
     const auto cell = [](bool known, double value, int width) {
-        return known ? fmt::format("  {:>{}.4g}", value, width) : std::string(size_t(width) + 2, ' ');
+        return known ? fmt::format("  {:>{}}", rounded(value, 4), width) : std::string(size_t(width) + 2, ' ');
     };
     std::string text = fmt::format("{}: {}\n", topic.name, topic.help);
     const BenchRow* before = nullptr;
@@ -127,7 +125,9 @@ std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows)
                 text +=
                     fmt::format("  {:>13}  {:>9}  {:>9}", (in_milliseconds ? "ms/" : "ns/") + row.item, "p10", "p90");
             if (any_rate) text += fmt::format("  {:>6}", "GB/s");
-            if (any_error) text += fmt::format("  {:>12}  {:>10}  {:>10}", "mean " + unit, "p99", "largest");
+            if (any_error)
+                text += fmt::format("  {:>12}  {:>10}  {:>10}", "mean " + (unit == "error" ? unit : plural(unit)),
+                                    "p99", "largest");
             text += (any_wrong ? "   wrong %" : "") + std::string("  work\n");
         }
         before = &row;
@@ -144,7 +144,7 @@ std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows)
         if (any_error)
             text +=
                 cell(known, row.error.mean, 12) + cell(known, row.error.p99, 10) + cell(known, row.error.largest, 10);
-        if (unit == "error" && known) text += " " + row.error.unit;
+        if (unit == "error" && known) text += " " + plural(row.error.unit);
         if (any_wrong) text += cell(row.error.wrong.has_value(), row.error.wrong.value_or(0) * 100, 8);
         text += "  " + work_text(row.work);
         text.erase(text.find_last_not_of(' ') + 1);

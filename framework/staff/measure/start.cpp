@@ -41,9 +41,12 @@ SandboxResult run(const Words& command, bool with_cache = true) {
                                       .environment = environment(with_cache),
                                       .input = {},
                                       .limits = {.wall = 60, .cpu = 60, .memory = size_t{8} << 30}});
-    if (done.ending != Ending::exited || done.code != 0)
-        throw Error(fmt::format("{} fails: {}", command[0], done.errors));
-    return done;
+    if (done.ending == Ending::exited && done.code == 0) return done;
+    // The reason, without the events that --verbose tells before it.
+    std::string reason;
+    for (const std::string& line : split(done.errors, '\n'))
+        if (!line.empty() && !line.starts_with('[')) reason += (reason.empty() ? "" : "; ") + line;
+    throw Error(fmt::format("{} fails: {}", command[0], reason.empty() ? "it does not say why" : reason));
 }
 
 Words shot(const fs::path& output) {
@@ -114,10 +117,10 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
             print_note(fmt::format("there is no {}: it is built with the tests", floor.string()));
         for (const bool with_cache : {true, false}) {
             if (!with_cache && settings.quick) continue;
-            const Words command = shot(folder->path() / ("shot." + kind));
             const auto prepare = [=, repeats = settings.repeats] {
+                const Words command = shot(folder->path() / ("shot." + kind));
                 return BenchSubject{.work = parts_of(command, with_cache, repeats),
-                                    .run = [=] { run(command, with_cache); }};
+                                    .run = [folder, command, with_cache] { run(command, with_cache); }};
             };
             scene.methods.push_back({"shot", {{"shaders", with_cache ? "cached" : "compiled"}}, prepare});
         }

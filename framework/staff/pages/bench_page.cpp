@@ -92,13 +92,6 @@ document.addEventListener('keydown', event => { if (event.key === 'Escape') { ke
 look.querySelector('button').addEventListener('click', () => { kept = null; show(null); });
 )";
 
-std::string amount(double value) { return fmt::format("{:.3g}", value); }
-
-/// Whole numbers as they are: of texture bytes there are millions.
-std::string in_full(double value) {
-    return value >= 1000 || value == std::floor(value) ? fmt::format("{:.0f}", value) : amount(value);
-}
-
 std::optional<double> work_of(const BenchRow& row, const std::string& name) {
     for (const auto& [work, value] : row.work)
         if (work == name) return value;
@@ -157,13 +150,15 @@ private:
             std::set<std::optional<double>> values;
             for (const size_t place : scene) values.insert(work_of(result_.rows[place], name));
             if (scene.size() < 2 || values.size() > 1) return false;
-            same += fmt::format("{}{} {}", same.empty() ? "All: " : ", ", in_full(**values.begin()), spaced(name));
+            same += fmt::format("{}{} {}", same.empty() ? "All: " : ", ", rounded(**values.begin()), spaced(name));
             return true;
         });
         if (!same.empty()) text += "<p class=\"quiet\">" + html(same) + "</p>\n";
         text += "<div class=\"wide\"><table><thead><tr><th>method</th><th>knobs</th>";
         if (any_time) text += fmt::format("<th>{} a {}</th><th>p10 to p90</th>", unit_, html(first.item));
-        if (!unit.empty()) text += fmt::format("<th>mean error, {}</th><th>p99</th><th>largest</th>", html(unit));
+        if (!unit.empty())
+            text += fmt::format("<th>mean error, {}</th><th>p99</th><th>largest</th>",
+                                html(unit == several ? unit : plural(unit)));
         if (any_wrong) text += "<th>wrong</th>";
         for (const std::string& name : works) text += "<th>" + html(spaced(name)) + "</th>";
         if (any_picture) text += "<th>pictures</th>";
@@ -189,16 +184,16 @@ private:
                 text += "<td>" + (has ? value : "") + "</td>";
             };
             if (any_time) {
-                cell(timed, amount(row.times.median * scale_));
-                cell(timed, amount(row.times.p10 * scale_) + " to " + amount(row.times.p90 * scale_));
+                cell(timed, rounded(row.times.median * scale_));
+                cell(timed, rounded(row.times.p10 * scale_) + " to " + rounded(row.times.p90 * scale_));
             }
             if (!unit.empty())
                 for (const double value : {row.error.mean, row.error.p99, row.error.largest})
-                    cell(known, amount(value) + (unit == several ? " " + html(row.error.unit) : ""));
-            if (any_wrong) cell(row.error.wrong.has_value(), amount(row.error.wrong.value_or(0) * 100) + " %");
+                    cell(known, html(amount_of(value, unit == several ? row.error.unit : "")));
+            if (any_wrong) cell(row.error.wrong.has_value(), rounded(row.error.wrong.value_or(0) * 100) + " %");
             for (const std::string& name : works) {
                 const std::optional<double> amount = work_of(row, name);
-                cell(amount.has_value(), amount ? in_full(*amount) : "");
+                cell(amount.has_value(), amount ? rounded(*amount) : "");
             }
             if (any_picture) text += "<td class=\"looks\">" + pictures(row) + "</td>";
             text += "</tr>\n";
@@ -209,16 +204,15 @@ private:
     /// What stands over the pictures of a point.
     std::string words(const BenchRow& row) const {
         std::string text = row_name(row);
-        if (row.repeats > 0) text += fmt::format(": {} {} a {}", amount(row.times.median * scale_), unit_, row.item);
-        if (!row.error.unit.empty()) text += fmt::format(", mean error {} {}", amount(row.error.mean), row.error.unit);
-        if (row.error.wrong) text += fmt::format(", {} % wrong", amount(*row.error.wrong * 100));
+        if (row.repeats > 0) text += fmt::format(": {} {} a {}", rounded(row.times.median * scale_), unit_, row.item);
+        if (!row.error.unit.empty()) text += ", mean error " + amount_of(row.error.mean, row.error.unit);
+        if (row.error.wrong) text += fmt::format(", {} % wrong", rounded(*row.error.wrong * 100));
         return text;
     }
 
     static std::string pictures(const BenchRow& row) {
         std::string text;
-        const std::string error =
-            fmt::format("error: black 0, pale {} {} and more", plain(row.error_map_most), row.error.unit);
+        const std::string error = "error: black 0, pale " + amount_of(row.error_map_most, row.error.unit) + " and more";
         const std::pair<const Image*, std::string> all[] = {{&row.picture, "picture"}, {&row.error_map, error}};
         for (const auto& [image, name] : all)
             if (image->width > 0)
@@ -231,13 +225,39 @@ private:
     const char* unit_ = "ns";
 };
 
+/// A topic's part of a page, by its name in HTML.
+struct Section {
+    std::string name, text;
+};
+
+/// Those of a page that bench_page() has made, in its order; what it has escaped cannot look like the marks of one.
+std::vector<Section> sections_of(const std::string& page) {
+    constexpr std::string_view opening = "<section id=\"", closing = "</section>\n";
+    std::vector<Section> sections;
+    for (size_t at = 0; (at = page.find(opening, at)) != std::string::npos;) {
+        const size_t name = at + opening.size(), name_end = page.find('"', name), end = page.find(closing, at);
+        if (end == std::string::npos) break;
+        sections.push_back({page.substr(name, name_end - name), page.substr(at, end + closing.size() - at)});
+        at = end;
+    }
+    return sections;
+}
+
 }  // namespace
 
-std::string bench_page(std::span<const TopicResult> results) {
-    std::string contents, parts;
+std::string bench_page(std::span<const TopicResult> results, const std::string& before) {
+    std::vector<Section> sections = sections_of(before);
     for (const TopicResult& result : results) {
-        contents += fmt::format("<li><a href=\"#{0}\">{0}</a></li>", html(result.topic->name));
-        parts += TopicPart(result).text();
+        const std::string name = html(result.topic->name);
+        const auto found =
+            std::find_if(sections.begin(), sections.end(), [&](const Section& one) { return one.name == name; });
+        Section& section = found == sections.end() ? sections.emplace_back() : *found;
+        section = {name, TopicPart(result).text()};
+    }
+    std::string contents, parts;
+    for (const Section& section : sections) {
+        contents += fmt::format("<li><a href=\"#{0}\">{0}</a></li>", section.name);
+        parts += section.text;
     }
     const std::string body = fmt::format(
         R"(<header><h1>Run time against error</h1>

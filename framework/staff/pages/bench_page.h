@@ -16,6 +16,7 @@ struct TopicResult {
     std::string plot;  ///< SVG; empty where there is no gnuplot
 };
 
-std::string bench_page(std::span<const TopicResult> results);
+/// `before` is the page that stands there, or nothing: what it has of other topics stays, as it was drawn then.
+std::string bench_page(std::span<const TopicResult> results, const std::string& before = {});
 
 }  // namespace relief

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "framework/base/text.h"
 #include "framework/pages/check_figures.h"
 #include "framework/pages/page.h"
 #include "framework/staff/pages/student_page.h"
@@ -188,7 +189,7 @@ std::string number_card(const char* name, const std::string& value, const char* 
 std::string class_header(const ClassReport& report, const ClassCounts& counts) {
     std::string text = "<header><h1>Marks</h1>\n<dl class=\"numbers\">\n";
     text += number_card("submissions", std::to_string(report.marks.size()));
-    text += number_card("median", fmt::format("{:.3g} points", counts.median()));
+    text += number_card("median", amount_of(counts.median(), "point"));
     if (counts.not_graded > 0) text += number_card("not graded: grade again", std::to_string(counts.not_graded), "bad");
     text += number_card("taken over from before", std::to_string(report.taken_over));
     std::string isolation;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "framework/base/error.h"
+#include "framework/base/text.h"
 
 namespace relief {
 namespace {
@@ -147,7 +148,8 @@ std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_
         }
         if (t1 >= t_stop) return {};
         if (double(count) > max_cells)
-            throw Error(fmt::format("a ray passes {:.3g} cells of a height map; {:.3g} is the most", cells, max_cells));
+            throw Error(fmt::format("a ray passes {} cells of a height map; {} is the most", rounded(cells),
+                                    rounded(max_cells)));
         t0 = t1, from = to;
         if (t_u <= t_v) {
             enter_next(column, stored_column, across_u, size_.x);

@@ -54,17 +54,17 @@ public:
 
     std::vector<glm::dvec4> tangents() {
         std::vector<glm::dvec4> result(mesh_.indices.size(), glm::dvec4(0));
-        decide_handedness();
+        for (const Triangle& t : triangles_) handedness_.push_back(t.handedness);
         std::set<Corner> done;
         for (size_t i = 0; i < triangles_.size(); ++i)
             for (int k = 0; k < 3; ++k) {
                 const Corner corner{i, k};
-                if (triangles_[i].degenerate || handedness_[i * 3 + size_t(k)] == 0 || done.contains(corner)) continue;
+                if (triangles_[i].degenerate || triangles_[i].handedness == 0 || done.contains(corner)) continue;
                 std::set<Corner> group;
                 flood(corner, group);
                 const glm::dvec3 tangent = sum(group);
                 for (const Corner& one : group) {
-                    result[one.triangle * 3 + size_t(one.k)] = glm::dvec4(tangent, handedness_[i * 3 + size_t(k)]);
+                    result[one.triangle * 3 + size_t(one.k)] = glm::dvec4(tangent, handedness_[i]);
                     done.insert(one);
                 }
             }
@@ -89,27 +89,15 @@ private:
         return found;
     }
 
-    void decide_handedness() {
-        for (const Triangle& t : triangles_) handedness_.insert(handedness_.end(), 3, t.degenerate ? 0 : t.handedness);
-        for (bool changed = true; changed;) {
-            changed = false;
-            const std::vector<int> before = handedness_;
-            for (size_t i = 0; i < before.size(); ++i) {
-                if (before[i] != 0 || triangles_[i / 3].degenerate) continue;
-                for (const bool leaving : {true, false})
-                    for (const Corner& c : across({i / 3, int(i % 3)}, leaving))
-                        if (const int theirs = before[c.triangle * 3 + size_t(c.k)]; theirs != 0 && handedness_[i] == 0)
-                            handedness_[i] = theirs, changed = true;
-            }
-        }
-    }
-
-    void flood(Corner c, std::set<Corner>& group) const {
+    /// Adds what is connected with the corner; a triangle without area in uv has the handedness of its first group.
+    void flood(Corner c, std::set<Corner>& group) {
         if (!group.insert(c).second) return;
         for (const bool leaving : {true, false})
-            for (const Corner& other : across(c, leaving))
-                if (handedness_[other.triangle * 3 + size_t(other.k)] == handedness_[c.triangle * 3 + size_t(c.k)])
-                    flood(other, group);
+            for (const Corner& other : across(c, leaving)) {
+                int& theirs = handedness_[other.triangle];
+                if (theirs == 0) theirs = handedness_[c.triangle];
+                if (theirs == handedness_[c.triangle]) flood(other, group);
+            }
     }
 
     glm::dvec3 sum(const std::set<Corner>& group) const {
@@ -125,7 +113,8 @@ private:
         return unit(total);
     }
 
-    /// From the first corner at the same vertex that has a tangent.
+    /// From the first corner at the same vertex that has a tangent; its handedness, too, where the triangle can have
+    /// none.
     void inherit(std::vector<glm::dvec4>& result) const {
         const std::vector<glm::dvec4> own = result;
         for (size_t i = 0; i < own.size(); ++i) {
@@ -133,13 +122,15 @@ private:
             for (size_t j = 0; j < own.size() && glm::dvec3(result[i]) == glm::dvec3(0); ++j)
                 if (glm::dvec3(own[j]) != glm::dvec3(0) &&
                     same(mesh_.vertices[mesh_.indices[i]], mesh_.vertices[mesh_.indices[j]]))
-                    result[i] = own[j];
+                    result[i] = triangles_[i / 3].degenerate
+                                    ? own[j]
+                                    : glm::dvec4(glm::dvec3(own[j]), handedness_[i / 3] < 0 ? -1 : 1);
         }
     }
 
     const Mesh& mesh_;
     std::vector<Triangle> triangles_;
-    std::vector<int> handedness_;
+    std::vector<int> handedness_;  // its own, or what it takes on
 };
 
 }  // namespace

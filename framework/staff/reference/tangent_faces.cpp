@@ -77,10 +77,10 @@ TangentFace tangent_face(const Vertex* const corners[3], const glm::dvec3 normal
     const glm::dvec2 uv[3] = {glm::dvec2(corners[0]->uv), glm::dvec2(corners[1]->uv), glm::dvec2(corners[2]->uv)};
     const glm::dvec2 uv_one = uv[second] - uv[first], uv_two = uv[longest] - uv[second];
     const double uv_area = uv_one.x * uv_two.y - uv_one.y * uv_two.x;
-    face.handedness = int8_t((uv_area > 0) - (uv_area < 0));
+    face.handedness = face.in_no_group ? int8_t(0) : int8_t((uv_area > 0) - (uv_area < 0));
     const glm::dvec3 along = (uv_two.y * one - uv_one.y * two) * double(face.handedness);
     const double squared = glm::dot(along, along);
-    if (squared > 0 && !face.in_no_group)
+    if (squared > 0)
         face.along = along * (1 / std::sqrt(squared));
     else
         face.why = face.in_no_group || twice_area == 0 ? TangentFallback::zero_area : TangentFallback::degenerate_uv;

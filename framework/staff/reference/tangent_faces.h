@@ -7,7 +7,7 @@ namespace relief {
 
 struct TangentFace {
     glm::vec3 along;           ///< unit dP/du; zero where the triangle has none
-    int8_t handedness = 0;     ///< sign of the area in uv; 0 where that has none
+    int8_t handedness = 0;     ///< sign of the area in uv; 0 where that has none, and in no group
     TangentFallback why = {};  ///< why `along` is zero
     bool in_no_group = false;  ///< two corners in one place, or not finite: it connects nothing
     float weight[3] = {};      ///< of its three corners

@@ -34,39 +34,73 @@ uint32_t root_of(Corners corners, uint32_t i) {
     return i;
 }
 
-/// Across the edge that leaves first, then across the one that arrives; what was taken on may be passed on.
-void take_on_handedness(Corners corners, std::vector<uint64_t>& scratch) {
-    for (bool changed = true; changed;) {
-        changed = false;
-        std::vector<int8_t> leaving(corners.size()), arriving(corners.size());
-        for_each_shared_edge(corners, scratch, [&](size_t i, size_t j) {
-            if (corners[i].face->in_no_group || corners[j].face->in_no_group) return;
-            if (leaving[i] == 0) leaving[i] = corners[j].handedness;
-            if (arriving[j] == 0) arriving[j] = corners[i].handedness;
-        });
-        for (size_t i = 0; i < corners.size(); ++i)
-            if (corners[i].handedness == 0)
-                if (const int8_t taken = leaving[i] ? leaving[i] : arriving[i]; taken != 0)
-                    corners[i].handedness = taken, changed = true;
+}  // namespace
+
+void gather_corners(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, const Buffer<TangentFace>& faces,
+                    std::span<const uint32_t> list, std::vector<CornerAtVertex>& corners) {
+    corners.clear();
+    for (const uint32_t corner : list) {
+        const uint32_t first = corner / 3 * 3, k = corner % 3;
+        const auto at = [&](uint32_t i) { return vertex_of[mesh.indices[first + i]]; };
+        corners.push_back(
+            {&faces[corner / 3], at(k == 2 ? 0 : k + 1), at(k == 0 ? 2 : k - 1), uint32_t(corners.size())});
     }
 }
 
-}  // namespace
-
 void group_corners(Corners corners, std::vector<uint64_t>& scratch) {
-    bool undecided = false;
-    for (size_t i = 0; i < corners.size(); ++i) {
-        corners[i].group = uint32_t(i);
-        corners[i].handedness = corners[i].face->in_no_group ? 0 : corners[i].face->handedness;
-        undecided |= corners[i].handedness == 0 && !corners[i].face->in_no_group;
-    }
-    if (undecided) take_on_handedness(corners, scratch);
     for_each_shared_edge(corners, scratch, [&](size_t i, size_t j) {
-        if (corners[i].handedness != corners[j].handedness || corners[i].handedness == 0) return;
+        const int8_t handedness = corners[i].face->handedness;
+        if (handedness == 0 || handedness != corners[j].face->handedness) return;
         const uint32_t a = root_of(corners, uint32_t(i)), b = root_of(corners, uint32_t(j));
         corners[std::max(a, b)].group = std::min(a, b);
     });
     for (size_t i = 0; i < corners.size(); ++i) corners[i].group = root_of(corners, uint32_t(i));
+}
+
+void take_on_handedness(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, const CornerLists& lists,
+                        Buffer<TangentFace>& faces) {
+    std::vector<bool> undecided(faces.size());
+    for (size_t i = 0; i < faces.size(); ++i) undecided[i] = faces[i].handedness == 0 && !faces[i].in_no_group;
+
+    // Pairs of corners that share an edge at a vertex, in both orders, where there are triangles of both kinds.
+    std::vector<std::pair<uint32_t, uint32_t>> links;
+    std::vector<bool> seen(mesh.vertices.size());
+    std::vector<CornerAtVertex> corners;
+    std::vector<uint64_t> scratch;
+    for (size_t i = 0; i < mesh.indices.size(); ++i) {
+        const uint32_t vertex = vertex_of[mesh.indices[i]];
+        if (!undecided[i / 3] || seen[vertex]) continue;
+        seen[vertex] = true;
+        const std::span<const uint32_t> list = lists.at(vertex);
+        if (std::none_of(list.begin(), list.end(), [&](uint32_t at) { return faces[at / 3].handedness != 0; }))
+            continue;
+        gather_corners(mesh, vertex_of, faces, list, corners);
+        for_each_shared_edge(Corners(corners), scratch, [&](size_t a, size_t b) {
+            if (corners[a].face->in_no_group || corners[b].face->in_no_group) return;
+            links.emplace_back(list[a], list[b]), links.emplace_back(list[b], list[a]);
+        });
+    }
+    std::sort(links.begin(), links.end());
+
+    std::vector<bool> grouped(mesh.indices.size());
+    std::vector<uint32_t> ahead;
+    for (const auto& link : links) {
+        if (undecided[link.first / 3] || grouped[link.first]) continue;
+        const int8_t handedness = faces[link.first / 3].handedness;
+        grouped[link.first] = true;
+        for (ahead = {link.first}; !ahead.empty();) {
+            const uint32_t from = ahead.back();
+            ahead.pop_back();
+            for (auto at = std::lower_bound(links.begin(), links.end(), std::pair(from, 0u));
+                 at != links.end() && at->first == from; ++at) {
+                int8_t& theirs = faces[at->second / 3].handedness;
+                if (theirs == 0) theirs = handedness;
+                if (theirs != handedness || grouped[at->second]) continue;
+                grouped[at->second] = true;
+                ahead.push_back(at->second);
+            }
+        }
+    }
 }
 
 }  // namespace relief

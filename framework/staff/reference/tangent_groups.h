@@ -1,10 +1,11 @@
-// Which corners at one vertex share a tangent.
+// Which corners at one vertex share a tangent, and which handedness triangles without area in uv take on.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "framework/mesh/corners.h"
 #include "framework/staff/reference/tangent_faces.h"
 
 namespace relief {
@@ -14,12 +15,20 @@ namespace relief {
 struct CornerAtVertex {
     const TangentFace* face;
     uint32_t next, previous;
-    int8_t handedness;  ///< of the face, or what it takes on
-    uint32_t group;     ///< the place of the group's first corner
+    uint32_t group;  ///< the place of the group's first corner
 };
 
-/// Fills in `group` by MikkTSpace's rules, see corner_tangents; corners in no group are alone. Takes on handedness
-/// where the face has none and a neighbour has. `scratch` is used again from vertex to vertex.
+/// The corners in `list`, all those at one vertex, each in a group of its own.
+void gather_corners(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, const Buffer<TangentFace>& faces,
+                    std::span<const uint32_t> list, std::vector<CornerAtVertex>& corners);
+
+/// Fills in `group` by MikkTSpace's rules, see corner_tangents; corners of a face without handedness are alone.
+/// `scratch` is used again from vertex to vertex.
 void group_corners(std::span<CornerAtVertex> corners, std::vector<uint64_t>& scratch);
+
+/// Gives triangles without area in uv the handedness of the first group that they join, see corner_tangents. Those that
+/// join none keep 0.
+void take_on_handedness(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, const CornerLists& lists,
+                        Buffer<TangentFace>& faces);
 
 }  // namespace relief

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <unordered_map>
@@ -71,6 +72,7 @@ struct Solver {
         parallel_pieces(faces.size(), 1 << 12, threads, [&](size_t begin, size_t end) {
             for (size_t i = begin; i < end; i += batch) make_faces(i, std::min(end, i + batch), area_unit);
         });
+        if (some_undecided_) take_on_handedness(mesh, vertex_of, lists, faces);
     }
 
     glm::dvec3 normal(uint32_t vertex) const {
@@ -86,6 +88,7 @@ private:
     static constexpr size_t batch = 64;
     void make_faces(size_t begin, size_t end, double area_unit) {
         double sines[3 * batch] = {}, cosines[3 * batch] = {};
+        bool undecided = false;
         for (size_t i = begin; i < end; ++i) {
             const uint32_t* const at = &mesh.indices[i * 3];
             const Vertex* const corners[3] = {&mesh.vertices[at[0]], &mesh.vertices[at[1]], &mesh.vertices[at[2]]};
@@ -94,9 +97,11 @@ private:
                 for (int k = 0; k < 3; ++k) normals[k] = normal(at[k]);
             FaceAngles angles;
             faces[i] = tangent_face(corners, normals, method, area_unit, angles);
+            undecided |= faces[i].handedness == 0 && !faces[i].in_no_group;
             std::copy_n(angles.sine, 3, sines + 3 * (i - begin)),
                 std::copy_n(angles.cosine, 3, cosines + 3 * (i - begin));
         }
+        if (undecided) some_undecided_ = true;
         if (method != TangentMethod::angle && method != TangentMethod::mikktspace) return;
         float weights[3 * batch];
         angles_of(sines, cosines, weights, int(3 * (end - begin)));
@@ -115,6 +120,8 @@ private:
         }
         return largest > 0 ? std::sqrt(largest) : 1;
     }
+
+    std::atomic<bool> some_undecided_ = false;  // of the handedness of some triangle
 };
 
 /// The corners at one vertex, from their triangles to their tangents. One a thread, used again from vertex to vertex.
@@ -170,32 +177,29 @@ private:
         const CornerAtVertex& corner = corners_[i];
         const bool has_group = sums_[corner.group] != glm::dvec3(0), has_own = corner.face->along != glm::vec3(0);
         const bool can_inherit = solver_.method != TangentMethod::per_face && lender < corners_.size();
+        // One for all corners of a triangle; one that nobody sees may have what it inherits.
+        const bool has_side = !corner.face->in_no_group || !can_inherit;
+        const float own = side((has_side ? corner : corners_[lender]).face->handedness);
         if (bad_normal_)
             ++report.fell_back[size_t(TangentFallback::bad_normal)];
         else if (!has_group || !has_own)
             ++report.fell_back[size_t(reason(i))];
         if (!bad_normal_ && (has_group ? !has_own : can_inherit)) ++report.inherited;
-        if (has_group) return glm::vec4(sums_[corner.group], side(corner.handedness));
-        if (can_inherit) return glm::vec4(sums_[corners_[lender].group], side(corners_[lender].handedness));
-        return glm::vec4(any_perpendicular(normal_), side(corner.face->handedness));
+        if (has_group) return glm::vec4(sums_[corner.group], own);
+        if (can_inherit) return glm::vec4(sums_[corners_[lender].group], own);
+        return glm::vec4(any_perpendicular(normal_), own);
     }
 
     void gather(std::span<const uint32_t> list) {
-        corners_.clear();
-        for (const uint32_t corner : list) {
-            const uint32_t face = corner / 3 * 3, k = corner % 3;
-            const auto at = [&](uint32_t i) { return solver_.vertex_of[solver_.mesh.indices[face + i]]; };
-            const TangentFace& of = solver_.faces[corner / 3];
-            corners_.push_back(
-                {&of, at(k == 2 ? 0 : k + 1), at(k == 0 ? 2 : k - 1), of.handedness, uint32_t(corners_.size())});
-        }
+        gather_corners(solver_.mesh, solver_.vertex_of, solver_.faces, list, corners_);
         if (solver_.method == TangentMethod::mikktspace) return group_corners(corners_, scratch_);
         if (solver_.method == TangentMethod::per_face) return;
         // One group for each handedness; without one the corner waits for a lender.
         uint32_t first[2] = {UINT32_MAX, UINT32_MAX};
         for (uint32_t i = 0; i < corners_.size(); ++i) {
-            if (corners_[i].handedness == 0 || corners_[i].face->in_no_group) continue;
-            uint32_t& group = first[corners_[i].handedness < 0];
+            const int8_t handedness = corners_[i].face->handedness;
+            if (handedness == 0) continue;
+            uint32_t& group = first[handedness < 0];
             if (group == UINT32_MAX) group = i;
             corners_[i].group = group;
         }

@@ -47,13 +47,15 @@ struct TangentReport {
 /// of its vertex, w the handedness, 1 or -1, from the sign of the triangle's area in uv. Always finite, unit and at
 /// right angles within 1e-6, whatever the mesh holds; positions and uv may have any size that floats have.
 ///
+/// A triangle without area in uv has one handedness, too: that of the first group that reaches it, with the triangles
+/// that have area taken in their order, and the corners of each; 1 where none does. Only a triangle with two corners in
+/// one place, which nobody sees, may have a corner of each.
+///
 /// Vertices with equal position, normal and uv are one, so it does not matter how the mesh shares them. For
 /// `mikktspace` the published semantics: groups at a vertex are triangles connected by edges there that both run along
 /// in opposite directions, of one handedness; each dP/du is projected onto the vertex's tangent plane and made unit
 /// before it is weighed by the angle between the projected edges; a triangle with two equal positions belongs to no
-/// group and inherits. Where those leave the order to chance: a triangle without area in uv joins the neighbour across
-/// its edge that leaves the vertex, else the one across the edge that arrives; where more than two triangles share an
-/// edge all are connected.
+/// group and inherits. Where more than two triangles share an edge all are connected.
 ///
 /// Throws Error when an index has no vertex or the last triangle is not whole. The same for any number of threads (0:
 /// all). Takes some 40 bytes a triangle and 25 a vertex besides the result's 48 a triangle.

@@ -9,6 +9,7 @@
 
 #include "framework/base/text.h"
 #include "framework/staff/measure/peers.h"
+#include "framework/staff/measure/topics.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -167,6 +168,21 @@ TEST(BenchTopics, AllMakeMethodsThatRunAndMeasureErrors) {
                 EXPECT_GT(subject.items, 0u);
             }
         EXPECT_GT(with_error, 0u) << topic.name;
+    }
+}
+
+TEST(BenchTopics, MeasureTangentsOnATorusWithoutAFoldedTriangle) {
+    for (const auto& [columns, rows] : {std::pair(64, 32), {250, 100}, {1000, 500}}) {
+        const Mesh mesh = bench_torus(columns, rows);
+        size_t folded = 0;
+        for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+            const auto at = [&](size_t k) { return mesh.vertices[mesh.indices[i + k]]; };
+            const glm::dvec3 p(at(0).position);
+            const glm::dvec3 across = glm::cross(glm::dvec3(at(1).position) - p, glm::dvec3(at(2).position) - p);
+            const glm::dvec2 uv(at(0).uv), one = glm::dvec2(at(1).uv) - uv, two = glm::dvec2(at(2).uv) - uv;
+            folded += glm::dot(across, glm::dvec3(at(0).normal)) <= 0 || one.x * two.y - one.y * two.x <= 0;
+        }
+        EXPECT_EQ(folded, 0u) << columns << " x " << rows;
     }
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "framework/mesh/shapes.h"
 #include "framework/staff/reference/tangents.h"
 #include "tests/mesh/test_meshes.h"
@@ -101,6 +103,17 @@ TEST(MikkTSpace, ATriangleWithoutAreaInUvTakesItsNeighboursTangent) {
     EXPECT_EQ(glm::dvec3(tangents[4]), glm::dvec3(0)) << "nobody there to take it from";
 }
 
+TEST(MikkTSpace, ATriangleWithoutAreaInUvTakesTheHandednessOfTheFirstGroupThatReachesIt) {
+    // Three quads beside each other; the mirror runs through the middle one, and both sides reach each of its
+    // triangles.
+    Mesh mesh = mirrored_grid(3, 1);
+    auto tangents = mikktspace_reference(mesh);
+    for (size_t i = 6; i < 12; ++i) EXPECT_EQ(tangents[i].w, -1) << "the left one's, corner " << i;
+    std::rotate(mesh.indices.begin(), mesh.indices.begin() + 12, mesh.indices.end());
+    tangents = mikktspace_reference(mesh);
+    for (size_t i = 12; i < 18; ++i) EXPECT_EQ(tangents[i].w, 1) << "the right one's, corner " << i;
+}
+
 TEST(MikkTSpace, ATriangleWithTwoEqualCornersInherits) {
     Mesh mesh{{flat_vertex({0, 0}, {0, 0}), flat_vertex({1, 0}, {1, 0}), flat_vertex({0, 1}, {0, 1}),
                flat_vertex({1, 0}, {1, 0.5f})},
@@ -153,6 +166,18 @@ TEST(MikkTSpaceFast, AgreesWithTheTwinOnRandomTriangles) {
     }
 }
 
+TEST(MikkTSpaceFast, AgreesWithTheTwinWhereTrianglesHaveNoAreaInUv) {
+    expect_same(mirrored_grid(7, 9));
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        const Mesh torus = torus_with_rounded_uv(seed);
+        TangentReport report;
+        corner_tangents(torus, TangentMethod::mikktspace, &report);
+        ASSERT_GT(report.fell_back[size_t(TangentFallback::degenerate_uv)], 50u);
+        expect_same(torus);
+    }
+}
+
 TEST(MikkTSpaceFast, AgreesWithTheTwinAtAVertexOfManyTriangles) {
     // 40 around a point: more than are compared one by one. Every seventh is mirrored, every eleventh is left out.
     Mesh mesh;
@@ -165,6 +190,8 @@ TEST(MikkTSpaceFast, AgreesWithTheTwinAtAVertexOfManyTriangles) {
     for (uint32_t i = 0; i < 40; ++i)
         if (i % 11) mesh.indices.insert(mesh.indices.end(), {0, i + 1, (i + 1) % 40 + 1});
     mesh.vertices[8].uv = {-0.9f, -0.4f};
+    expect_same(mesh);
+    for (uint32_t i = 3; i < 40; i += 5) mesh.vertices[i].uv = mesh.vertices[i + 1].uv;  // and some without area in uv
     expect_same(mesh);
 }
 

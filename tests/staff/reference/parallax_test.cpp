@@ -55,8 +55,10 @@ TEST(Parallax, LinearStepsMissWhatWasMeasuredOnAMapOfThisKind) {
         int steps;
         Figures expected;
     };
-    for (const auto& [steps, expected] :
+    for (const Row& row :
          {Row{8, {5.1, 2.04, .242}}, {16, {8.7, .99, .145}}, {32, {15.9, .40, .0577}}, {64, {30.2, .15, .0097}}}) {
+        const int steps = row.steps;
+        const Figures& expected = row.expected;
         const Figures found =
             figures(fbm(), [&](const ReliefRay& ray) { return march(fbm(), ray, steps, Refinement::linear, 0); });
         EXPECT_NEAR(std::log2(found.taps / expected.taps), 0, 1) << steps;

@@ -121,6 +121,27 @@ TEST(Tangents, AtAFlatQuadWhoseUvFlipInsideKeepTwoSides) {
     for (int i = 0; i < 6; ++i) EXPECT_EQ(tangents[size_t(i)].w, i < 3 ? -1 : 1);
 }
 
+TEST(Tangents, OfATriangleAreOfOneHandednessWhateverItsUv) {
+    std::vector<Mesh> meshes = {mirrored_grid(7, 101), mirrored_grid(1, 5)};
+    for (unsigned seed = 0; seed < 20; ++seed) meshes.push_back(torus_with_rounded_uv(seed));
+    for (unsigned seed = 0; seed < 60; ++seed) meshes.push_back(random_soup(seed, 30));
+    for (size_t which = 0; which < meshes.size(); ++which)
+        for (const M method : methods) {
+            SCOPED_TRACE(testing::Message() << "mesh " << which << ", " << testing::PrintToString(method));
+            const Mesh& mesh = meshes[which];
+            const auto tangents = corner_tangents(mesh, method);
+            size_t mixed = 0;
+            for (size_t i = 0; i < tangents.size(); i += 3) {
+                glm::vec3 at[3];
+                for (size_t k = 0; k < 3; ++k) at[k] = mesh.vertices[mesh.indices[i + k]].position;
+                if (at[0] == at[1] || at[1] == at[2] || at[2] == at[0]) continue;  // nobody sees it
+                mixed += tangents[i].w != tangents[i + 1].w || tangents[i].w != tangents[i + 2].w;
+            }
+            EXPECT_EQ(mixed, 0u);
+            expect_usable(with_tangents(mesh, method));
+        }
+}
+
 TEST(Tangents, WithoutAreaInUvFallBackAndSaySo) {
     Mesh mesh = triangle();
     for (Vertex& vertex : mesh.vertices) vertex.uv = {0.5f, 0.25f};
