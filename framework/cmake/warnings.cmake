@@ -3,4 +3,4 @@ add_library(relief_warnings INTERFACE)
 target_compile_options(relief_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast
     -Woverloaded-virtual -Wduplicated-cond -Wlogical-op -Wformat=2
     # GCC 12 sees overlaps (GCC bug 105651) and, behind a precompiled header, overruns in std::string that are not there.
-    -Wno-restrict $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow$<SEMICOLON>-Wno-array-bounds>)
+    -Wno-restrict $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow$<SEMICOLON>-Wno-array-bounds$<SEMICOLON>-Wno-stringop-overread>)
