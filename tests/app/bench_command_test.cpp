@@ -58,7 +58,7 @@ TEST_F(BenchCommand, BenchSuggestsWhatWasMeant) {
     EXPECT_TRUE(contains(said({"parallax", "--set", "maps=bricks"}), "did you mean 'map'"));
     EXPECT_TRUE(contains(said({"parallax", "--set", "bricks"}), "knob=value"));
     EXPECT_TRUE(contains(said({"--update"}), "--work"));
-    EXPECT_TRUE(contains(said({"storage", "--work", "--update"}), "all of the baseline"));
+    EXPECT_TRUE(contains(said({"storage", "--work", "--update"}), "the whole baseline"));
 }
 
 TEST_F(BenchCommand, ASweepKilledHalfWayLeavesATableThatCanBeRead) {
