@@ -54,25 +54,27 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.choice("view", view_, views, "from the eye, its patches from above, or both");
-        knobs.choice("method", method_, methods, "where the levels come from");
-        knobs.choice("levels_of", levels_of_, levels_ofs, "each edge by itself, or the whole patch: then it cracks");
-        knobs.slider("level", level_, 1, 64, "for uniform");
-        knobs.slider("nearest", nearest_, 0.1f, 32, "for distance: metres, where edges have the finest level");
-        knobs.slider("farthest", farthest_, 0.1f, 64, "for distance: metres, where they have the coarsest");
-        knobs.slider("finest", finest_, 0, 6, "for distance: exponent of 2");
-        knobs.slider("coarsest", coarsest_, 0, 6, "for distance: exponent of 2");
-        knobs.slider("segment", segment_, 1, 64, "for size: pixels that a segment may have");
-        knobs.slider("budget", budget_, 0.125f, 8, "for error: pixels that a vertex may be off");
+        knobs.choice("view", view_, views, "the eye's picture, its patches from above, or both");
+        knobs.choice("method", method_, methods, "rule for the levels");
+        knobs.choice("levels_of", levels_of_, levels_ofs, "a level per edge, or per patch, which opens cracks");
+        knobs.slider("level", level_, 1, 64, "for method = uniform: level of every edge");
+        knobs.slider("nearest", nearest_, 0.1f, 32, "for method = distance: where edges have the finest level, metres");
+        knobs.slider("farthest", farthest_, 0.1f, 64,
+                     "for method = distance: where edges have the coarsest level, metres");
+        knobs.slider("finest", finest_, 0, 6, "for method = distance: the finest level, an exponent of 2");
+        knobs.slider("coarsest", coarsest_, 0, 6, "for method = distance: the coarsest level, an exponent of 2");
+        knobs.slider("segment", segment_, 1, 64, "for method = size: pixels per segment");
+        knobs.slider("budget", budget_, 0.125f, 8, "for method = error: tolerated error, pixels");
         knobs.choice("spacing", spacing_, DisplacedSurface::spacings,
-                     "where the vertices stand when a level is not whole");
-        knobs.choice("cull", cull_, culls, "patches that are not drawn: outside of the picture, and facing away");
+                     "positions of the vertices at a fractional level");
+        knobs.choice("cull", cull_, culls,
+                     "cull no patches, those outside of the picture, or also those that face away");
         knobs.toggle("fade", fade_, "let the displacement fade into the normal map");
-        knobs.slider("fade_begin", fade_begin_, 0, 64, "metres from the eye");
-        knobs.slider("fade_end", fade_end_, 0, 64, "metres from the eye");
+        knobs.slider("fade_begin", fade_begin_, 0, 64, "where the fade begins, metres from the eye");
+        knobs.slider("fade_end", fade_end_, 0, 64, "where the fade ends, metres from the eye");
         knobs.toggle("wire", wire_, "draw the triangles' edges");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "from how high, degrees");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
+        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
         surface_.knobs(knobs);
     }
 

@@ -308,7 +308,7 @@ TEST(StudentPage, HasAllThatWasFoundAndPicturesOnlyOfWhatDidNotPass) {
     EXPECT_EQ(text_of("h1"), "Anna");
     browser().open(graded.student("zoe"));
     const std::string zoe = text_of("main");
-    for (const char* part : {"not looked at", "<i>notes</i>.txt", "and 2 more", "error: '<vec3>' & more"})
+    for (const char* part : {"ignored", "<i>notes</i>.txt", "and 2 more", "error: '<vec3>' & more"})
         EXPECT_TRUE(contains(zoe, part)) << part;
     browser().open(graded.student("empty"));
     EXPECT_TRUE(contains(text_of("header"), "there is no task file in it"));
@@ -323,7 +323,7 @@ TEST(StudentPage, IsThereWithoutPicturesWhereTheyWereNotKept) {
     write_summaries(graded.report, graded.page.parent_path());
     EXPECT_EQ(read_file(graded.student("Anna")), kept) << "its pictures are lost";
     browser().open(graded.student("s9"));
-    EXPECT_TRUE(contains(text_of("footer"), "The pictures were not kept"));
+    EXPECT_TRUE(contains(text_of("footer"), "The pictures were not stored"));
 }
 
 // ---- both ----
