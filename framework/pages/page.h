@@ -1,4 +1,4 @@
-// What the course's web pages share: text made safe, pictures inside the page, a look for light and for dark screens.
+// Shared parts of the course's web pages: escaped text, embedded pictures, a style for light and for dark screens.
 #pragma once
 
 #include <filesystem>
@@ -33,7 +33,7 @@ enum class PagePictures { inside, beside };
 std::string closed_page(const std::string& title, const std::string& style, const std::string& body,
                         const std::string& script, PagePictures pictures = PagePictures::inside);
 
-/// Shows a page in the browser of whoever sits here, and does not wait for it. False where there is no display, or no
+/// Opens a page in the user's browser, and does not wait for it. False if there is no display, or no
 /// xdg-open.
 bool open_page(const std::filesystem::path& page);
 

@@ -12,7 +12,7 @@ namespace relief {
 double pixels_per_metre(const glm::dvec4& clip, const glm::dvec4& along, const glm::dvec2& size);
 
 /// By how much a height in [0, 1] may be off where the screen may show `budget` pixels of it and the relief is `scale`
-/// metres deep; 1e30 where that is nothing.
+/// metres deep; 1e30 for a relief without depth.
 double tolerated(double budget, double pixels_per_metre, double scale);
 
 /// The lowest and the highest height of a relief that is cut off below and above by `most`; the middle for both when
