@@ -147,7 +147,8 @@ std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_
         }
         if (t1 >= t_stop) return {};
         if (double(count) > max_cells)
-            throw Error(fmt::format("a ray passes {:.3g} cells of a height map; {:.3g} is the most", cells, max_cells));
+            throw Error(
+                fmt::format("a ray crosses {:.3g} cells of a height map; the limit is {:.3g}", cells, max_cells));
         t0 = t1, from = to;
         if (t_u <= t_v) {
             enter_next(column, stored_column, across_u, size_.x);
