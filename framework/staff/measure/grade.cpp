@@ -175,7 +175,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic grade_topic() {
-    return {"grade", "submissions marked, against a plain loop of build, draw, idiff", scenes, false, true};
+    return {"grade", "grading submissions, compared with a plain loop of build, draw, idiff", scenes, false, true};
 }
 
 }  // namespace relief
