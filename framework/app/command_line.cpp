@@ -138,7 +138,7 @@ public:
         } catch (const CLI::ExtrasError&) {
             throw UsageError(unexpected(app_));
         } catch (const CLI::ParseError& error) {
-            throw UsageError(std::string(error.what()) + ""; --help shows the options");
+            throw UsageError(std::string(error.what()) + "; --help shows the options");
         }
         set_verbose(verbose_);
         print_event("started: libraries are linked, the command line is read");

@@ -17,7 +17,7 @@ out vec3 v_normal;
 out vec4 v_tangent;
 out vec2 v_uv;
 out vec3 v_base;       // undisplaced
-out vec3 v_direction;  // of the relief; not unit
+out vec3 v_direction;  // of the relief; not normalised
 out vec3 v_place;      // on the patch, and which it is
 out float v_mip;
 out float v_unfinished;
