@@ -1,7 +1,7 @@
 // Lab 02: normal map storage.
 //
 // A sphere of directions, stored in each format and read back: lit on the left, the error in degrees on the right.
-// Yours: shaders/02_normal_map_storage/task.glsl
+// Your tasks: shaders/02_normal_map_storage/task.glsl
 #include <fmt/format.h>
 
 #include <map>

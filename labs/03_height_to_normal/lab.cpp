@@ -1,7 +1,7 @@
 // Lab 03: height to normal.
 //
 // A normal map from a height map, by six filters: on clean heights and on 8-bit ones, with borders that wrap or end.
-// Yours: shaders/03_height_to_normal/task.glsl
+// Your tasks: shaders/03_height_to_normal/task.glsl
 #include <fmt/format.h>
 
 #include <map>

@@ -1,8 +1,8 @@
 // Lab 06: tangent space.
 //
-// A frame at every pixel: light in the world's space or in the tangent's, on models that are scaled and mirrored, with
-// textures that are turned.
-// Yours: shaders/06_tangent_space/task.glsl
+// A frame at every pixel: light in world space or in tangent space, on models that are scaled and mirrored, with
+// rotated textures.
+// Your tasks: shaders/06_tangent_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/kit/labels.h"
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    /// What is done at each pixel; the empty words are the right way.
+    /// The defines of each way; empty ones are the right way.
     struct Way {
         const char *title, *frame, *normals, *turn;
     };

@@ -1,7 +1,7 @@
 // Lab 10: parallax offset.
 //
-// A relief on a flat wall, by three guesses of where the view ray meets it, from straight on to nearly edge-on: lit
-// above, the error in texels below. Yours: shaders/10_parallax_offset/task.glsl
+// A relief on a flat wall, by three estimates of where the view ray meets it, from straight on to nearly edge-on: lit
+// above, the error in texels below. Your tasks: shaders/10_parallax_offset/task.glsl
 #include <fmt/format.h>
 
 #include "framework/gl/target.h"

@@ -1,7 +1,7 @@
 // Lab 11: parallax occlusion mapping.
 //
-// March the view ray through the height map, and take the place where the last two samples' line goes below it.
-// Yours: shaders/11_parallax_occlusion/task.glsl
+// March the view ray through the height map, and intersect the line between the last two samples.
+// Your tasks: shaders/11_parallax_occlusion/task.glsl
 #include <fmt/format.h>
 
 #include <tuple>

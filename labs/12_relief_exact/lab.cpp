@@ -1,8 +1,8 @@
 // Lab 12: the exact hit.
 //
-// Where a view ray meets the relief first, without a guess: six ways to skip what it cannot meet, the shadow, depth and
+// The exact first hit of the view ray and the relief: six ways to skip what it cannot hit, the shadow, depth and
 // outline that follow from the hit.
-// Yours: shaders/12_relief_exact/task.glsl
+// Your tasks: shaders/12_relief_exact/task.glsl
 #include <fmt/format.h>
 
 #include <glm/gtc/constants.hpp>

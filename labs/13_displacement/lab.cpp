@@ -1,7 +1,7 @@
 // Lab 13: displacement by tessellation.
 //
-// The tessellator cuts each patch into triangles, and the evaluation shader moves their vertices: the relief is real,
-// to its outline. Yours: shaders/13_displacement/task.glsl
+// The tessellator divides each patch into triangles, and the evaluation shader displaces their vertices: the relief is
+// real, up to its outline. Your tasks: shaders/13_displacement/task.glsl
 #include <fmt/format.h>
 
 #include "framework/kit/displaced_surface.h"
@@ -141,7 +141,7 @@ private:
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (surface_.is_one_sided() && purpose.text != "PROBE_winding") glEnable(GL_CULL_FACE);
-        // To count is to wait. A probe and lines have no caption; who draws a probe may count for himself.
+        // Counting waits for the GPU. A probe and lines have no caption; a caller that draws a probe may count itself.
         const int triangles = purpose.text.empty() ? surface_.draw_and_count() : (surface_.draw(), 0);
         glDisable(GL_CULL_FACE);
         return triangles;

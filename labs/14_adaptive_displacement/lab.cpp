@@ -1,7 +1,7 @@
 // Lab 14: adaptive displacement.
 //
-// Each edge says how finely it is cut, so that neighbours agree and no crack opens; what is out of sight is not cut at
-// all, and far away the relief is left to the normal map. Yours: shaders/14_adaptive_displacement/task.glsl
+// Each edge chooses its own level, so that neighbours agree and no crack opens; hidden patches are culled, and far
+// away only the normal map is left. Your tasks: shaders/14_adaptive_displacement/task.glsl
 #include <fmt/format.h>
 
 #include "framework/gl/target.h"
@@ -140,7 +140,7 @@ private:
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (one_sided) glEnable(GL_CULL_FACE);
-        // A probe has no caption; whoever draws it may count for himself.
+        // A probe has no caption; a caller that draws it may count itself.
         const int triangles = purpose.text.starts_with("PROBE_") ? (surface_.draw(), 0) : surface_.draw_and_count();
         glDisable(GL_CULL_FACE);
         return triangles;

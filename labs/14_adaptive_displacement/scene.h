@@ -1,4 +1,4 @@
-// What the control shader of lab 14 is told: the planes of the picture, and what is known of each patch.
+// The inputs of lab 14's control shader: the planes of the picture, and the measured bounds of each patch.
 #pragma once
 
 #include <array>

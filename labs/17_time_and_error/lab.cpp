@@ -1,7 +1,7 @@
 // Lab 17: time and error.
 //
-// A wall from the eye to the horizon, and one number to turn: how many pixels the picture may be off. Each patch and
-// each pixel takes the cheapest method that keeps it. Yours: shaders/17_time_and_error/task.glsl
+// A wall from the eye to the horizon, and one number to set: by how many pixels the picture may be off. Each patch and
+// each pixel takes the cheapest method that keeps it. Your tasks: shaders/17_time_and_error/task.glsl
 #include <fmt/format.h>
 
 #include "framework/gl/patches.h"
