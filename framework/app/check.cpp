@@ -51,11 +51,11 @@ nlohmann::ordered_json as_json(const TaskResult& task) {
             {"points", task.points()}, {"of", task.task->points},   {"checks", checks}};
 }
 
-/// A lab's checks on the course's files as they are. 1 when one did not pass. With `open`, or a name for it, also a
+/// Runs a lab's checks on the course's files. Returns 1 if one did not pass. With `open` or a page name also writes a
 /// page with the pictures, below the course's build folder unless it is named.
 int check_own_work(const std::string& lab_text, bool json, bool open, fs::path page) {
     if (!page.empty() && page.extension() != ".html")
-        throw UsageError(fmt::format("-o takes the name of a page, like checks.html, not '{}'", page.string()));
+        throw UsageError(fmt::format("-o takes the name of an HTML file, like checks.html, not '{}'", page.string()));
     const LabEntry& lab = find_lab(lab_text);
     const Manifest manifest = load_manifest(lab);
     if (manifest.tasks.empty()) throw Error(fmt::format("lab {} has no tasks", lab.two_digits()));
@@ -89,7 +89,8 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
         write_file(page, check_page(lab, manifest, tasks));
         const std::string place = fs::absolute(page).lexically_normal().string();
         const bool opened = open && os::open_on_desktop(page);
-        print_note((open && !opened ? "nothing to open it with here, so open it yourself: " : "the page: ") + place);
+        print_note((open && !opened ? "there is no program to open it with, so open it yourself: " : "the page: ") +
+                   place);
     }
     return all ? 0 : 1;
 }
@@ -98,9 +99,9 @@ class CheckCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
         options.lab(lab_, true);
-        options.flag("--json", json_, "for scripts");
-        options.flag("--open", open_, "as a page with the pictures, in the browser");
-        options.value("-o", "FILE.html", page_, "the page into a file, and not opened without --open");
+        options.flag("--json", json_, "print the result as JSON, for scripts");
+        options.flag("--open", open_, "show a page with the pictures in the browser");
+        options.value("-o", "FILE.html", page_, "write the page to this file; it opens only with --open");
     }
     int run() override { return check_own_work(lab_, json_, open_, page_); }
 
@@ -108,7 +109,7 @@ private:
     std::string lab_, page_;
     bool json_ = false, open_ = false;
 };
-RELIEF_COMMAND(CheckCommand, 6, "check", "your work on a lab: what is wrong, and what to look at next");
+RELIEF_COMMAND(CheckCommand, 6, "check", "checks your work on a lab: what is wrong, and what to look at next");
 
 }  // namespace
 

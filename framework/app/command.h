@@ -1,4 +1,4 @@
-// What a command of the command line is: each says what it takes, and is registered by its own file.
+// A command of the command line: it declares its options and is registered by its own file.
 #pragma once
 
 #include <functional>
@@ -11,23 +11,23 @@
 
 namespace relief {
 
-/// What a command takes, named once; the command line reads it, and --help shows it. Numbers are texts here, so that
-/// the command itself can say what would be right.
+/// A command's options, declared once: the command line parses them, and --help shows them. Numbers are strings, so
+/// that the command itself can say what would be right.
 class CommandOptions {
 public:
     virtual ~CommandOptions() = default;
-    /// The lab: a number, a name or any part of one. Of an executable with one lab it is that lab, and need not be
-    /// said.
+    /// The lab: a number, a name or any part of one. In an executable with one lab it is that lab, and is not
+    /// needed.
     virtual void lab(std::string& value, bool required) = 0;
     /// Words without a dash before them.
     virtual void words(const char* name, std::vector<std::string>& values, const char* help) = 0;
     virtual void word(const char* name, std::string& value, const char* help) = 0;
-    /// `name` is "-o" or "--size"; `type` is what help shows for the value. The last one counts.
+    /// `name` is "-o" or "--size"; `type` stands for the value in the help. If given twice, the last one counts.
     virtual void value(const char* name, const char* type, std::string& value, const char* help) = 0;
     /// May be given several times, one value each.
     virtual void values(const char* name, const char* type, std::vector<std::string>& values, const char* help) = 0;
     virtual void flag(const char* name, bool& value, const char* help) = 0;
-    /// What --help ends with.
+    /// The text at the end of --help.
     virtual void footer(std::function<std::string()> text) = 0;
 };
 
@@ -39,16 +39,16 @@ public:
     virtual int run() = 0;
 };
 
-using ContextChoice = std::optional<ContextKind>;  ///< nothing: OSMesa, then EGL
+using ContextChoice = std::optional<ContextKind>;  ///< none: OSMesa, then EGL
 constexpr const char* context_help = "auto (osmesa, then egl), osmesa, egl or window";
 
 struct CommandEntry {
-    int order;  ///< in --help
+    int order;  ///< its place in --help
     const char *name, *help;
     std::unique_ptr<Command> (*make)();
 };
 
-/// All that this program has, in their order.
+/// All commands of this program, in that order.
 const std::vector<CommandEntry>& commands();
 bool has_command(const std::string& name);
 

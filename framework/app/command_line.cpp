@@ -27,7 +27,7 @@ int run_menu(const std::string& lab_folder) {
     return window_module().function<decltype(relief_run_menu)>("relief_run_menu")(lab_folder.c_str());
 }
 
-/// The window where there is a display, else the gallery.
+/// Opens the window if there is a display, else makes the gallery.
 int open_menu_or_gallery(const std::string& lab_folder) {
     try {
         return run_menu(lab_folder);
@@ -37,7 +37,7 @@ int open_menu_or_gallery(const std::string& lab_folder) {
     return make_gallery({}, {}, {});
 }
 
-/// What CLI11 could not place, with the nearest thing that it knows.
+/// The argument that CLI11 could not parse, with the nearest known name.
 std::string unexpected(const CLI::App& app) {
     const CLI::App* command = &app;
     for (const CLI::App* chosen : app.get_subcommands()) command = chosen;
@@ -53,11 +53,11 @@ std::string unexpected(const CLI::App& app) {
     for (const CommandEntry& one : commands()) known.emplace_back(one.name);
     constexpr std::array staffs = {"bench", "handout", "grade", "slides", "mistakes"};
     if (!has_command(word) && std::find(staffs.begin(), staffs.end(), word) != staffs.end())
-        return fmt::format("'{}' is in the staff's part of the course (framework/staff), which is not here", word);
+        return fmt::format("'{}' is a command for staff only (framework/staff), which is not in this course", word);
     return unknown("command", word, known);
 }
 
-/// What a command takes, as CLI11 has it.
+/// A command's options, for CLI11.
 class OptionsOfCommand final : public CommandOptions {
 public:
     /// `only_lab`: of an executable with one lab, its folder.
@@ -88,7 +88,7 @@ public:
 private:
     template <class Value>
     CLI::Option* add(const char* name, Value& value, const char* help) {
-        // An empty word is most often a script's variable that was never set; it must not mean "all" or "as usual".
+        // An empty word is usually an unset variable of a script; it must not mean "all" or "the default".
         static const CLI::Validator not_empty([](std::string& word) { return word.empty() ? "must not be empty" : ""; },
                                               "");
         return command_.add_option(name, value, help)->check(not_empty);
@@ -106,23 +106,23 @@ public:
 private:
     std::string lab_;
 };
-RELIEF_COMMAND(RunCommand, 3, "run", "a lab in a window");
+RELIEF_COMMAND(RunCommand, 3, "run", "opens a lab in a window");
 
 class CommandLine {
 public:
-    // Each lab's executable is named lab-NN and knows one lab: LAB need not be said there.
+    // A lab's executable, lab-NN, has one lab, so LAB is not needed there.
     explicit CommandLine(const std::string& program) {
         app_.name(program);
         if (program.starts_with("lab-") && registry().size() == 1) only_lab_ = registry().front().folder;
         app_.require_subcommand(0, 1);
         app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
         app_.set_version_flag("--version", fmt::format("relief {} ({})", versions::relief, versions::commit));
-        app_.add_flag("--verbose", verbose_, "print each event on standard error");
-        app_.set_help_flag("-h,--help", "this text");
+        app_.add_flag("--verbose", verbose_, "print each event to standard error");
+        app_.set_help_flag("-h,--help", "prints this help");
         app_.get_formatter()->column_width(34);
         for (const CommandEntry& entry : commands()) {
             CLI::App* sub = app_.add_subcommand(entry.name, entry.help);
-            sub->add_flag("--verbose", verbose_, "print each event on standard error");
+            sub->add_flag("--verbose", verbose_, "print each event to standard error");
             Command* const command = made_.emplace_back(entry.make()).get();
             OptionsOfCommand options(*sub, only_lab_);
             command->options(options);
@@ -138,7 +138,7 @@ public:
         } catch (const CLI::ExtrasError&) {
             throw UsageError(unexpected(app_));
         } catch (const CLI::ParseError& error) {
-            throw UsageError(std::string(error.what()) + "; --help shows what is taken");
+            throw UsageError(std::string(error.what()) + "; --help shows the options");
         }
         set_verbose(verbose_);
         print_event("started: libraries are linked, the command line is read");
@@ -148,7 +148,7 @@ public:
 private:
     CLI::App app_{
         "Relief: surface detail in OpenGL, lab by lab.\n"
-        "Without a command: the menu window, or the gallery where there is no display."};
+        "Without a command: opens the menu window, or makes the gallery if there is no display."};
     std::string only_lab_;
     bool verbose_ = false;
     std::vector<std::unique_ptr<Command>> made_;
@@ -161,11 +161,11 @@ int run_command_line(int argc, char** argv) {
     os::take_large_pages();
     clean_up_when_interrupted();
     try {
-        // How `grade` starts itself in a sandbox: not for people, and not in --help.
+        // How `grade` starts itself in a sandbox: an internal command, so not in --help.
         if (argc == 4 && std::string_view(argv[1]) == "draw-checks") draw_request(argv[3]);
         const std::string program = std::filesystem::path(argc > 0 ? argv[0] : "").filename().string();
         const int code = CommandLine(program).run(argc, argv);
-        // A script must not take half an answer, or none, for a whole one.
+        // A script must not mistake a truncated or missing answer for a complete one.
         if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw Error("cannot write to standard output");
         return code;
     } catch (const UsageError& error) {
@@ -175,7 +175,7 @@ int run_command_line(int argc, char** argv) {
         print_error(error.what());
         if (!error.details().empty()) print_event(error.details());
     } catch (const std::bad_alloc&) {
-        print_error("there is not enough memory for this");
+        print_error("there is not enough memory");
     } catch (const std::exception& error) {
         print_error(error.what());
     }

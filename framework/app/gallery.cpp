@@ -42,7 +42,7 @@ header code { white-space: nowrap; }
 constexpr const char* course_in_three_lines =
     "Surface detail in OpenGL: from one normal a vertex to normal maps, parallax, exact intersections and "
     "displacement. "
-    "Each lab holds methods against the exact value in double precision and shows what each of them costs in degrees, "
+    "Each lab compares methods with the exact value in double precision and shows the error of each in degrees, "
     "texels or pixels. Students write the core of every method in a few functions, and <code>./relief check</code> "
     "tells them how far they are.";
 
@@ -253,8 +253,8 @@ private:
         if (has_command("bench") && !bench_.has("index.html"))
             missing.emplace_back("measurements"), makers.emplace_back("relief bench");
         if (!missing.empty())
-            print_note(fmt::format("the site has no {}: {} would make them for the next time",
-                                   join(missing, " and no "), join(makers, " and ")));
+            print_note(fmt::format("the site has no {}: run {} first to include them", join(missing, " and no "),
+                                   join(makers, " and ")));
     }
 
     fs::path folder_;
@@ -283,7 +283,7 @@ int make_gallery(fs::path folder, const std::string& labs, ContextChoice choice)
 class GalleryCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        options.value("-o", "FOLDER", output_, "where to [the course's build/gallery]");
+        options.value("-o", "FOLDER", output_, "folder for the site [the course's build/gallery]");
         options.value("--labs", "LABS", labs_, "like 1-5 or 1,3,10-12 [all]");
         options.value("--context", "NAME", context_, context_help);
     }
@@ -292,6 +292,7 @@ public:
 private:
     std::string output_, labs_, context_ = "auto";
 };
-RELIEF_COMMAND(GalleryCommand, 5, "gallery", "the course's web site: every lab, its methods side by side, its handout");
+RELIEF_COMMAND(GalleryCommand, 5, "gallery",
+               "makes the course's web site: each lab with its methods side by side and its handout");
 
 }  // namespace relief

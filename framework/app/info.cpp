@@ -67,7 +67,7 @@ public:
     void options(CommandOptions&) override {}
     int run() override { return print_info(); }
 };
-RELIEF_COMMAND(InfoCommand, 2, "info", "contexts, drivers, libraries: paste it into every bug report");
+RELIEF_COMMAND(InfoCommand, 2, "info", "lists contexts, drivers and libraries: paste it into every bug report");
 
 }  // namespace
 }  // namespace relief

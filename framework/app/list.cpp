@@ -38,13 +38,13 @@ int list_labs(bool json) {
 
 class ListCommand final : public Command {
 public:
-    void options(CommandOptions& options) override { options.flag("--json", json_, "for scripts"); }
+    void options(CommandOptions& options) override { options.flag("--json", json_, "print JSON, for scripts"); }
     int run() override { return list_labs(json_); }
 
 private:
     bool json_ = false;
 };
-RELIEF_COMMAND(ListCommand, 1, "list", "labs, titles, points");
+RELIEF_COMMAND(ListCommand, 1, "list", "lists the labs with titles and points");
 
 }  // namespace
 

@@ -47,7 +47,7 @@ NewName parse_name(const std::string& text) {
             throw UsageError(fmt::format("lab number {:02} is taken by {}", *number, taken.at(*number)));
     } else {
         while (taken.contains(result.number)) ++result.number;
-        if (result.number > last_number) throw UsageError("all lab numbers are taken");
+        if (result.number > last_number) throw UsageError("all lab numbers are in use");
     }
     const bool good = !result.name.empty() && std::islower(static_cast<unsigned char>(result.name[0])) &&
                       result.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
@@ -58,7 +58,7 @@ NewName parse_name(const std::string& text) {
                         text));
     for (const auto& [number, folder] : taken)
         if (folder.substr(folder.find('_') + 1) == result.name)
-            throw UsageError(fmt::format("there is a lab of that name: {}", folder));
+            throw UsageError(fmt::format("a lab of that name exists: {}", folder));
     return result;
 }
 
@@ -110,14 +110,14 @@ int make_new_lab(const std::string& text) {
 class NewLabCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        options.word("NAME", name_, "like wet_stone (numbered from 20 on) or 21_wet_stone");
+        options.word("NAME", name_, "like wet_stone (gets a number from 20 on) or 21_wet_stone");
     }
     int run() override { return make_new_lab(name_); }
 
 private:
     std::string name_;
 };
-RELIEF_COMMAND(NewLabCommand, 20, "new-lab", "a new lab that builds, runs and is tested");
+RELIEF_COMMAND(NewLabCommand, 20, "new-lab", "makes a new lab that builds, runs and passes the tests");
 
 }  // namespace
 

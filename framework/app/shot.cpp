@@ -54,7 +54,7 @@ void parse_camera(const std::string& text, Orbit& camera) {
     if (!good)
         throw UsageError(
             fmt::format("--camera takes yaw,pitch,distance in degrees and metres (pitch -89 to 89, distance above 0), "
-                        "perhaps ,x,y,z of the point it looks at and ,field of view in degrees (1 to 170), not '{}'",
+                        "optionally ,x,y,z of the point it looks at and ,field of view in degrees (1 to 170), not '{}'",
                         text));
 }
 
@@ -69,9 +69,9 @@ enum class Show { picture, probe, truth, error };
 
 Show what_to_show(const ShotArguments& arguments, Probe& probe) {
     if (!arguments.mistake.empty() && !arguments.truth.empty())
-        throw UsageError("--mistake changes what is drawn, and no --truth");
+        throw UsageError("--mistake changes the drawn picture, so it does not go with --truth");
     const bool several = !arguments.probe.empty() + !arguments.truth.empty() + !arguments.error.empty() > 1;
-    if (several) throw UsageError("--probe, --truth and --error exclude each other");
+    if (several) throw UsageError("give only one of --probe, --truth and --error");
     probe.name = arguments.probe + arguments.truth + arguments.error;
     if (!arguments.probe.empty()) return Show::probe;
     if (!arguments.truth.empty()) return Show::truth;
@@ -137,7 +137,7 @@ int take_shot(const ShotArguments& arguments) {
 }
 
 std::string knobs_and_probes(const std::string& lab_text) {
-    if (lab_text.empty()) return "The knobs and probes of a lab: relief shot LAB --help";
+    if (lab_text.empty()) return "To list the knobs and probes of a lab: relief shot LAB --help";
     try {
         const LabEntry& entry = find_lab(lab_text);
         std::string text = fmt::format("Knobs of {} (--set name=value):\n", entry.folder);
@@ -157,18 +157,18 @@ public:
     void options(CommandOptions& options) override {
         options.lab(shot_.lab, true);
         options.value("-o", "FILE", shot_.output, "FILE.png, .exr, .ppm or .pfm, or - for standard output");
-        options.value("--size", "WxH", shot_.size, "in pixels [1280x720]");
-        options.value("--time", "SECONDS", shot_.time, "of an animation [0]");
+        options.value("--size", "WxH", shot_.size, "size of the picture in pixels [1280x720]");
+        options.value("--time", "SECONDS", shot_.time, "time of an animation, in seconds [0]");
         options.value("--context", "NAME", shot_.context, context_help);
-        options.values("--set", "KNOB=VALUE", shot_.set, "turn a knob; may be repeated");
+        options.values("--set", "KNOB=VALUE", shot_.set, "set a knob; may be repeated");
         options.value("--camera", "YAW,PITCH,DISTANCE[,X,Y,Z[,V]]", shot_.camera,
-                      "degrees and metres; X,Y,Z: where it looks; V: its field of view");
-        options.value("--probe", "NAME", shot_.probe, "the quantity itself, as the shader has it");
-        options.value("--truth", "NAME", shot_.truth, "its exact value");
-        options.value("--error", "NAME", shot_.error, "how far the one is from the other");
+                      "degrees and metres; X,Y,Z: the point it looks at; V: its field of view");
+        options.value("--probe", "NAME", shot_.probe, "a quantity as the shader computes it, instead of the picture");
+        options.value("--truth", "NAME", shot_.truth, "the exact value of that probe");
+        options.value("--error", "NAME", shot_.error, "how far that probe is from its exact value");
         if (draw_with_mistake)
             options.value("--mistake", "ID", shot_.mistake,
-                          "drawn with a known mistake: an id of the lab's staff/grading.toml");
+                          "draw with a known mistake: an id from the lab's staff/grading.toml");
         options.footer([this] { return knobs_and_probes(shot_.lab); });
     }
     int run() override { return take_shot(shot_); }
@@ -176,7 +176,7 @@ public:
 private:
     ShotArguments shot_;
 };
-RELIEF_COMMAND(ShotCommand, 4, "shot", "a picture of a lab, without a display");
+RELIEF_COMMAND(ShotCommand, 4, "shot", "draws a picture of a lab, without a display");
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// What `relief shot` leaves to the staff's library.
+// The part of `relief shot` that is in the staff's library.
 #pragma once
 
 #include <string>

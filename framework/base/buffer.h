@@ -7,7 +7,7 @@
 
 namespace relief {
 
-/// `count` values that nobody has written yet: a vector would write zeros first, which takes as long as the result.
+/// `count` uninitialised values: a vector would write zeros first, which takes as long as computing the result.
 template <class Value>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<Value>);

@@ -18,7 +18,7 @@ public:
         return *this;
     }
     operator int() const { return number_; }
-    /// Whether the system took everything.
+    /// Returns false if the system reports an error.
     bool close() { return number_ < 0 || ::close(release()) == 0; }
 
 private:
@@ -30,7 +30,7 @@ private:
     int number_;
 };
 
-/// Everything, whatever signals come between. False when the system does not take it; errno says why.
+/// Writes everything, also when signals interrupt. False on failure; errno says why.
 bool write_all(int descriptor, std::string_view bytes);
 
 }  // namespace relief

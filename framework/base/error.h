@@ -1,4 +1,4 @@
-// Errors that know their place: what is wrong, in which file and line, and what would be right.
+// Errors with a place: what is wrong, in which file and line, and what would be right.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ struct Place {
     int line = 0;
 };
 
-/// Set-up that cannot go on. `what()` is one line, "file:line: message", fit for a person to act on.
+/// Set-up failed. `what()` is one line, "file:line: message", and tells a person what to do.
 /// The process ends with exit code 1.
 class Error : public std::runtime_error {
 public:
@@ -35,9 +35,9 @@ public:
     using Error::Error;
 };
 
-/// What a student's function does before it is written: throws Error that names the task, and the file and line of the
-/// call (std::source_location is not in every clang that is still about). In a shader, common/unfinished.glsl has its
-/// like.
+/// Called by a student's function that is not written yet: throws Error that names the task, and the file and line of
+/// the call (std::source_location is not in every clang still in use). For shaders, common/unfinished.glsl has the
+/// equivalent.
 [[noreturn]] void unfinished(const std::string& task, const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
 }  // namespace relief

@@ -68,7 +68,7 @@ std::string read_file(const fs::path& path, size_t limit) {
     if (file < 0 || fstat(file, &status) != 0) fail(path, "read");
     if (!S_ISREG(status.st_mode)) throw Error({path}, "cannot read: not a file");
     if (static_cast<size_t>(status.st_size) > limit)
-        throw Error({path}, fmt::format("cannot read: {} bytes, at most {} are taken", status.st_size, limit));
+        throw Error({path}, fmt::format("cannot read: {} bytes, the limit is {}", status.st_size, limit));
     std::string bytes(static_cast<size_t>(status.st_size), '\0');
     size_t have = 0;
     while (have < bytes.size()) {

@@ -1,4 +1,4 @@
-// Files, whole: read at once, and written so that no half of one is ever seen.
+// Whole files: read at once, and written so that no half-written file is ever visible.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@ std::string read_file(const std::filesystem::path& path, size_t limit = size_t{1
 /// Throws Error that names the file and the reason.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same, and returns when it is on the disk: what must be there even when the machine loses its power now.
+/// The same, and returns only when the file is on the disk: it survives a power cut.
 void write_file_to_disk(const std::filesystem::path& path, std::string_view bytes);
 
-/// Writes everything to standard output. Throws Error when the reader went away or the disk is full.
+/// Writes everything to standard output. Throws Error if the reader has closed it or the disk is full.
 void write_standard_output(std::string_view bytes);
 
 /// Makes a folder and those above it. Throws Error that names it and the reason.

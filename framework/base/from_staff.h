@@ -1,4 +1,4 @@
-// A place for a function that only the staff's library has, such as a lab's exact values.
+// A slot for a function that only the staff's library has, such as a lab's exact values.
 #pragma once
 
 #include <utility>
@@ -8,7 +8,7 @@ namespace relief {
 template <class Signature>
 class FromStaff;
 
-/// Called where nobody has filled it, as in a student's course, it gives an empty result.
+/// If the slot is empty, as in a student's course, a call returns an empty result.
 template <class Result, class... Arguments>
 class FromStaff<Result(Arguments...)> {
 public:
@@ -18,7 +18,7 @@ public:
         return function_ ? function_(std::forward<Arguments>(arguments)...) : Result{};
     }
 
-    /// A static object of it, in the staff's files, fills the place when the program starts.
+    /// A static object of this type, in the staff's files, fills the slot when the program starts.
     struct Provided {
         Provided(FromStaff& place, Function* function) { place.function_ = function; }
     };

@@ -1,5 +1,5 @@
-// What a run says on standard error: one line a message, colour only on a terminal, and what it is doing when
-// that takes longer than two seconds.
+// Messages on standard error: one line each, colour only on a terminal, and a progress bar when a run
+// takes longer than two seconds.
 #pragma once
 
 #include <chrono>
@@ -11,10 +11,10 @@ namespace relief {
 /// "relief: message", red on a terminal.
 void print_error(std::string_view message);
 
-/// "relief: message". For what a person should know and a script need not.
+/// "relief: message". For information that is useful to a person and not needed by a script.
 void print_note(std::string_view message);
 
-/// Event by event, what the run does: "[  12.3 ms] message", by the time since the process began. Printed with
+/// An event of the run: "[  12.3 ms] message", with the time since the process began. Printed with
 /// --verbose only.
 void set_verbose(bool on);
 void print_event(std::string_view message);
@@ -31,7 +31,7 @@ private:
 };
 
 /// "[###       ] 3 of 17, 20 s left: lab 03" on a terminal's last line, from the third second on; nothing when standard
-/// error is not a terminal. The line is gone when the object is.
+/// error is not a terminal. The destructor removes the line.
 class Progress {
 public:
     explicit Progress(int total) : total_(total) {}

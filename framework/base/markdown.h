@@ -1,4 +1,4 @@
-// Markdown as blocks of styled text, read by md4c. Knows nothing of how they are shown.
+// Markdown as blocks of styled text, parsed by md4c. How they are shown is up to the caller.
 #pragma once
 
 #include <string>
@@ -29,8 +29,8 @@ struct Block {
     bool operator==(const Block&) const = default;
 };
 
-/// CommonMark with GitHub's tables. What looks like HTML is text. Like every Markdown it takes any text: what is not
-/// closed, or not known, stands as it was written.
+/// CommonMark with GitHub's tables. HTML is treated as text. Any text is valid: syntax that is not
+/// closed, or not known, stays as written.
 std::vector<Block> parse_markdown(std::string_view text);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// Libraries opened when they are used, so that a run pays for none that it does not need.
+// Libraries that are opened at first use, so that a run opens none that it does not need.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +27,7 @@ private:
     std::string name_;
 };
 
-/// Where the framework's library lies, and beside it whatever the build made for it.
+/// The folder of the framework's library, with the other files that the build made for it.
 const std::filesystem::path& framework_folder();
 
 /// Opens one of the project's own modules, which lie beside the framework's library.

@@ -1,4 +1,4 @@
-// Where the course lies on disk. Everything is found from the executable's place, never from the working directory.
+// Where the course is on disk. It is found from the executable's path, never from the working directory.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +28,7 @@ private:
     std::optional<std::filesystem::path> before_;
 };
 
-/// How a path is shown to a person: relative to the course's top folder when inside it, else as it is.
+/// A path as shown to a person: relative to the course's top folder if inside it, else unchanged.
 std::string shown(const std::filesystem::path& path);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4): a name for bytes that nobody can give to other bytes.
+// SHA-256 (FIPS 180-4): a fingerprint that no other bytes can be made to have.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Small helpers for text: numbers that must be whole, markup made safe, the nearest known word for a mistyped one.
+// Small helpers for text: strict parsing of numbers, escaping for XML, the nearest known word for a mistyped one.
 #pragma once
 
 #include <optional>
@@ -39,7 +39,7 @@ std::string amount_of(double number, std::string_view unit, int digits = 3);
 /// other (optimal string alignment distance), ignoring case.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The known word that a mistyped one most likely stands for; nothing when none is near.
+/// The known word nearest to a mistyped one; nothing if none is near.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> known);
 
 /// "unknown knob 'stpes': did you mean 'steps'? There are: steps, scale".

@@ -1,4 +1,4 @@
-// A lab's checks: what the course's own files draw, held against the truth, the solution, or another picture.
+// A lab's checks: compare what the course's own files draw with the exact values, the solution, or another picture.
 #pragma once
 
 #include <functional>
@@ -11,24 +11,24 @@
 namespace relief {
 
 /// `unfinished`: the task, or one that the check needs, still calls unfinished(). `broken`: it does not compile,
-/// throws, or draws nothing. The rest can only be said of a process of its own; `machine`: the grader or the machine
-/// failed, and a student loses nothing by it.
+/// throws, or draws nothing. The others apply only to a separate process; `machine`: the grader or the machine
+/// failed, which costs the student nothing.
 enum class Outcome { passed, wrong, unfinished, broken, crashed, out_of_time, out_of_memory, machine };
 const char* name_of(Outcome outcome);
-/// Throws Error for another word.
+/// Throws Error for an unknown word.
 Outcome outcome_of(const std::string& name);
 
-/// What a check says.
+/// The result of a check.
 struct Judgement {
     Outcome outcome = Outcome::broken;
-    std::string found = {};  ///< what was measured and what is allowed, or what went wrong
+    std::string found = {};  ///< the measured and the allowed value, or the error
 };
 
 struct CheckResult {
     const CheckInfo* check;
     Outcome outcome = Outcome::broken;
     std::string found = {};
-    Image drawn = {}, expected = {};  ///< what was compared; empty where it did not come to that
+    Image drawn = {}, expected = {};  ///< the compared pictures; empty if nothing was compared
     std::string look_at = {};         ///< see hints(); check_lab() alone knows it
 };
 
@@ -45,27 +45,27 @@ std::string points_text(double points);
 /// "waits for task 1.2, which is not written yet", of the tasks that a check needs; empty when all are written.
 std::string waits_for(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written);
 
-/// What a student looks at next, check by check; empty where nothing is wrong or the finding says it all. The check's
-/// own hint, unless a check has failed that is about other tasks and nothing else: one whose task, with all that it
-/// needs, is among what this one needs. Then that comes first. The one that is named is about fewer tasks each time, so
-/// nobody is sent in a circle, and the last one's hint is its own. `said` is by check of the manifest.
+/// The hint for a student, for each check; empty if nothing is wrong or the finding says it all. It is the check's
+/// own hint, unless a check of a prerequisite failed: one whose task, with all that it
+/// needs, is among this one's needs. If several failed, the hint names the one with the fewest prerequisites, so
+/// hints never form a circle, and the last one is a check's own. `said` has the manifest's order of checks.
 std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said);
 
-/// What a check compares with, from the lab's folder `expected` where a handout has left it, else the truth or the
-/// solution of this course itself. Nothing for a check against another. Wants a context for a solution.
+/// The picture that a check compares with: from the lab's folder `expected` if a handout put it there, else the exact
+/// values or the solution of this course. Nothing for a check against another check. A solution needs a context.
 std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check);
-/// The file of it, whether it is there or not.
+/// The path of that file, whether it exists or not.
 std::filesystem::path expectation_file(const LabEntry& lab, const CheckInfo& check);
 
-/// What is said of a picture, whoever has drawn it: first whether it is one at all, then how far it is from what is
-/// expected. `drawn` need not be trusted. Wants no context.
+/// Judges a picture, whoever drew it: first whether it is usable at all, then how far it is from the
+/// expected one. `drawn` need not be trusted. Needs no context.
 Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected);
 
 /// Draws and compares, in the current context. Never throws for what a student's file does.
 CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                       const std::optional<Image>& expected);
 
-/// All checks of a lab, task by task. Throws Error when a task has none: then nothing would be looked at.
+/// Runs all checks of a lab, task by task. Throws Error if a task has none.
 std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest);
 
 }  // namespace relief

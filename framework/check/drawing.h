@@ -1,5 +1,5 @@
-// Shots drawn by a process that may run anything, and the stream in which their pixels come back: no image file is
-// decoded, and no size believed.
+// Shots drawn by an untrusted process, and the stream in which their pixels come back: no image file is
+// decoded, and no size is trusted.
 #pragma once
 
 #include <optional>
@@ -20,24 +20,24 @@ struct Renderer {
     bool pinned = true;                       ///< the same bits on every machine, see pin_software_renderer()
 };
 
-/// A program that notices that it has no memory left ends with this exit code.
+/// A program that runs out of memory ends with this exit code.
 constexpr int out_of_memory_code = 97;
 
-/// What is written to the standard input of the process that draws.
+/// The request that is written to the standard input of the process that draws.
 std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer);
 
 /// That process: reads a request from standard input, and writes to standard output a message "ready" once there is a
 /// context, then each shot's pixels or what went wrong, then "done". `course` is the course to draw. Does not return.
 [[noreturn]] void draw_request(const char* course);
 
-/// What came back of one shot.
+/// The result of one shot.
 struct Drawn {
     std::optional<Image> image;  ///< of the shot's size, as draw_shot() has it; its values can be anything
-    std::string error;           ///< what the process said in its place
+    std::string error;           ///< the process's error message, if there is no image
 };
 
 struct DrawnShots {
-    std::vector<Drawn> shots;  ///< as many as came back whole, from the first on
+    std::vector<Drawn> shots;  ///< the complete ones, from the first on
     bool ready = false, done = false;
     std::string problem;  ///< why the rest cannot be read, or empty
 };

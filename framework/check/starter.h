@@ -1,4 +1,4 @@
-// Marks in source files. Tasks: what stands around a solution, the starter that a handout makes of it, and whether it
+// Marks in source files. Tasks: the marks around a solution, the starter that a handout makes of it, and whether it
 // is written. Regions: what slides quote.
 //
 //     float crossing(float before, float after) {
@@ -10,7 +10,7 @@
 //         //]
 //     }
 //
-// Whatever else must not be handed out stands between the same marks, with or without a starter. Lines between
+// Other lines that must not be handed out are between the same marks, with or without a starter. Lines between
 //
 //     //(name
 //     //)
@@ -24,8 +24,8 @@
 
 namespace relief {
 
-/// The text without its solutions, with what stands after `//|` in their place. A text without marks stays as it is.
-/// Throws Error with file and line where marks do not pair.
+/// The text with each solution replaced by the lines after `//|`. A text without marks stays as it is.
+/// Throws Error with file and line if marks do not pair.
 std::string starter_of(const std::string& text, const std::filesystem::path& file);
 
 /// The lines between the marks of solutions, without blanks around them.

@@ -1,4 +1,4 @@
-// Who gives us an OpenGL 4.1 core context: OSMesa (software, no display), EGL without a surface (software or
+// OpenGL 4.1 core contexts: OSMesa (software, no display), EGL without a surface (software or
 // a GPU, no display), or a GLFW window (a display). Each is opened by dlopen when it is asked for.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace relief {
 
 enum class ContextKind { osmesa, egl, window };
 
-/// There is no window to be had here: no display, no GLFW, or no driver for it.
+/// No window can be opened: no display, no GLFW, or no driver for it.
 class NoWindow : public Error {
 public:
     using Error::Error;
@@ -49,14 +49,14 @@ bool has_display();
 void pin_software_renderer();
 bool is_pinned();
 
-/// What the current context is.
+/// The current context's description.
 struct ContextInfo {
     std::string version, renderer, vendor, shading_language;
     int max_texture = 0, max_samples = 0, max_patch_vertices = 0, max_tessellation = 0;
     float max_anisotropy = 1;
     bool debug = false;
 
-    /// All that decides the bits of a picture, on one line.
+    /// Everything that determines the bits of a picture, in one line.
     std::string driver() const;
 };
 ContextInfo describe_context();

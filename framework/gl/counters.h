@@ -1,5 +1,5 @@
-// Counts of what GL holds and does. They sit behind the GL function pointers themselves, so that they also
-// see what a lab does by raw calls.
+// Counters of GL objects and calls. They are behind the GL function pointers themselves, so they also
+// count a lab's raw calls.
 #pragma once
 
 #include <array>

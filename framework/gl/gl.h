@@ -22,7 +22,7 @@ void label(GLenum kind, GLuint name, const std::string& text);
 /// Where KHR_debug is present: errors are caught with their text as they happen.
 void watch_errors();
 
-/// What went wrong in GL since the last call, one line, or "" when nothing did.
+/// The GL errors since the last call in one line, or "" if there were none.
 std::string take_gl_errors();
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// Patches on the GPU, drawn as GL says they are drawn.
+// Patches on the GPU, and a draw call that works around a limit of Mesa.
 #pragma once
 
 #include <functional>

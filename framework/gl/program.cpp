@@ -22,7 +22,8 @@ GLenum stage_of(const fs::path& path) {
                                                          {".geom", GL_GEOMETRY_SHADER},
                                                          {".frag", GL_FRAGMENT_SHADER}};
     const auto found = stages.find(path.extension().string());
-    if (found == stages.end()) throw Error({path}, "a stage ends in .vert, .tesc, .tese, .geom or .frag");
+    if (found == stages.end())
+        throw Error({path}, "the name of a stage must end in .vert, .tesc, .tese, .geom or .frag");
     return found->second;
 }
 

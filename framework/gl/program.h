@@ -1,4 +1,4 @@
-// Shader programs from files, in as many permutations as a lab asks for.
+// Shader programs from files, in the permutations that a lab uses.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace relief {
 class Texture;
 
 /// A linked program. Uniforms are set by name: one that this permutation does not use is skipped, one that
-/// none of the program's files has ever heard of throws Error and suggests the nearest.
+/// is in none of the program's files throws Error and suggests the nearest name.
 class Program {
 public:
     /// Compiles and links `stages` (paths; the ending says which stage: .vert .tesc .tese .geom .frag).
@@ -87,7 +87,7 @@ private:
     mutable std::map<std::vector<std::string>, std::unique_ptr<Permutation>> permutations_;
 };
 
-/// What became of shader files that were saved.
+/// The result of looking for saved shader files.
 struct ShaderNews {
     bool changed = false;        ///< since the call before, something was compiled anew or is to be tried again
     std::optional<Error> error;  ///< why a program on screen is older than its files; stays until they are mended

@@ -68,7 +68,7 @@ Target::Target(TargetKind kind, glm::ivec2 size) : kind_(kind), size_(size) {
     }
     const std::string errors = take_gl_errors();
     if (status != GL_FRAMEBUFFER_COMPLETE || !errors.empty())
-        throw Error(fmt::format("this driver cannot hold a picture of {}x{}{}", size.x, size.y,
+        throw Error(fmt::format("this driver cannot allocate a picture of {}x{}{}", size.x, size.y,
                                 errors.empty() ? "" : ": " + errors));
 }
 

@@ -1,4 +1,4 @@
-// Between which heights a relief lies, region by region: what a search along a ray can rely on before it looks.
+// The minimum and maximum heights of a relief, region by region, for searches along a ray.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// How far the mip levels of a height map are off: what a march that reads a coarse one can rely on.
+// The error bounds of a height map's mip levels, for a march that reads a coarse one.
 #pragma once
 
 #include <vector>

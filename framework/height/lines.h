@@ -1,4 +1,4 @@
-// Lines of heights and their slopes by definition: what is taken at borders, the cubic spline, levels of detail.
+// Slopes along lines of heights: borders, the cubic spline, levels of detail.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ enum class SlopeFilter {
 };
 
 struct NormalOptions {
-    /// What height 1 is worth, in texels along u and along v (they differ where texels are not square).
+    /// A height of 1, in texels along u and along v (they differ where texels are not square).
     double texels_u = 1;
     double texels_v = 1;
     SlopeFilter filter = SlopeFilter::central;

@@ -1,4 +1,4 @@
-// Height maps to try searches on, made from formulas: each is hard in its own way.
+// Height maps for testing searches, made from formulas: each is hard in its own way.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ enum class HeightMap {
     fbm,      ///< waves down to 4 texels: the spectrum of all of them with amplitudes frequency^-2
     bricks,   ///< flat tops, bevels two texels wide, deep joints
     stones,   ///< rounded cobbles of many heights
-    posts,    ///< one texel wide, every sixteen texels: what a step that is too long misses
+    posts,    ///< one texel wide, every sixteen texels: a step that is too long misses them
     rock,     ///< as from a photograph: ledges, cracks, and grain of one texel
     low,      ///< 0 everywhere
     high,     ///< 1 everywhere
@@ -28,7 +28,7 @@ inline constexpr std::array height_map_names = {"smooth", "fbm", "bricks", "ston
 /// with the map.
 Image make_height_map(HeightMap map, int size);
 
-/// What a search can rely on: every height finite and in [0, 1]. What is not a number becomes 0.
+/// Makes a map safe for searches: every height finite and in [0, 1]. NaN becomes 0.
 void mend_heights(Image& heights);
 
 /// Rounded to the nearest of 256.

@@ -1,5 +1,5 @@
-// What a height map does on each patch of a tessellated surface: between which heights, how steeply, and how far each
-// level is off. What levels and culling can rely on before a vertex is made.
+// A height map's bounds on each patch of a tessellated surface: its heights, its steepness, and the error of each
+// level. For choosing levels and culling before any vertex is made.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What is known of a height map before any ray is cast, so that a search may skip what it cannot hit.
+// Maps that are computed from a height map before any ray is cast, so that a search may skip what it cannot hit.
 //
 // Heights are the bilinear surface through the texel centres of a map that repeats. Cell (x, y) has its lower left
 // corner at the centre of texel (x, y), row 0 lowest; its highest point is a corner. The images have row 0 at the top,
@@ -27,7 +27,7 @@ struct HeightWindows {
 /// on this map. Throws Error when a side is not a power of two.
 HeightWindows height_windows(const Image& heights);
 
-/// Everything that a search wants to know of a cell in one texel of four whole numbers: quadrant by quadrant, row 0
+/// Everything that a search needs of a cell, in one texel of four whole numbers: quadrant by quadrant, row 0
 /// lowest. Number k has in its upper bits a corner's height, in 1 / (2^31 - 256), 23 bits of it (in textureGather's
 /// order: upper left, upper right, lower right, lower left), and in its lower 8 bits what window k stores. 64 bytes a
 /// cell.

@@ -82,7 +82,8 @@ std::optional<Texels> converted(const std::string& name) {
     const std::optional<uint64_t> source = fingerprint_of(course_root() / "assets" / name);
     std::optional<Texels> texels;
     if (source) texels = map_texels(framework_folder() / "textures" / (name + ".texels"), *source);
-    if (source && !texels) print_event(fmt::format("assets/{}: not as the build knows it; read as it is", name));
+    if (source && !texels)
+        print_event(fmt::format("assets/{}: changed since the build; read from the picture itself", name));
     return texels;
 }
 

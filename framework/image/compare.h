@@ -1,4 +1,4 @@
-// Two pictures, or a measured quantity and its truth, held against each other.
+// Comparison of two pictures, or of a measured quantity with its exact values.
 #pragma once
 
 #include <cstddef>

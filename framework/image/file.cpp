@@ -76,8 +76,8 @@ void check_openexr_header(std::string_view bytes) {
         return number;
     };
     const auto refuse = [](const char* what) {
-        throw Error(fmt::format("{}: one flat image of at most {}x{} with 4 channels is taken", what, max_image_side,
-                                max_image_side));
+        throw Error(fmt::format("{}: only one flat image of at most {}x{} with 4 channels is supported", what,
+                                max_image_side, max_image_side));
     };
     constexpr uint32_t deep_or_several = 0x1800;
     if (number_at(4) & deep_or_several) refuse("deep, or several images");

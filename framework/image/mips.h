@@ -12,9 +12,9 @@ namespace relief {
 std::vector<Image> mip_chain(Image image, ColorSpace space);
 
 /// The chain of a normal map (3 channels of 0.5 n + 0.5, or 4 of which the fourth does not count): each level holds the
-/// mean of the unit normals below it, made unit again, as 0.5 n + 0.5, and in a fourth channel the length that the mean
-/// had: 1 where all agree. Averaged normals are right for diffuse light; for highlights the length says how much they
-/// differed. Where they cancel out the normal is straight up, and the length 0. Takes 28 bytes a texel of level 0.
+/// mean of the unit normals below it, normalised again, as 0.5 n + 0.5, and in a fourth channel the length that the
+/// mean had: 1 where all agree. Averaged normals are right for diffuse light; for highlights the length says how much
+/// they differed. Where they cancel out the normal is straight up, and the length 0. Takes 28 bytes a texel of level 0.
 std::vector<Image> normal_mip_chain(const Image& normals);
 
 /// Toksvig's factor (2004), length / (length + shininess (1 - length)): a Blinn-Phong highlight of an averaged normal

@@ -35,7 +35,7 @@ public:
         const std::string_view text = word(what);
         const auto value = parse_int(text);
         if (!value || *value < 1 || *value > largest)
-            throw Error(fmt::format("its {} is '{}': from 1 to {} is taken", what, printable(text), largest));
+            throw Error(fmt::format("its {} is '{}': it must be from 1 to {}", what, printable(text), largest));
         return *value;
     }
     /// What follows the one white space after the last word.
@@ -56,7 +56,7 @@ private:
 
 void check_size(size_t pixels, size_t channels, size_t bytes_each, size_t there) {
     if (pixels * channels * sizeof(float) > max_image_bytes)
-        throw Error(fmt::format("{} pixels with {} channels: at most {} MiB of floats are taken", pixels, channels,
+        throw Error(fmt::format("{} pixels with {} channels: at most {} MiB of floats are supported", pixels, channels,
                                 max_image_bytes >> 20));
     if (there < pixels * channels * bytes_each)
         throw Error(fmt::format("damaged: {} bytes of {} are missing", pixels * channels * bytes_each - there,
@@ -80,7 +80,7 @@ Image decode_integers(Header& header, int width, int height, int channels) {
 Image decode_floats(Header& header, int width, int height, int channels) {
     const std::string_view scale_text = header.word("scale");
     const auto scale = parse_number(scale_text);
-    if (!scale || *scale == 0) throw Error("its scale is not a number other than 0");
+    if (!scale || *scale == 0) throw Error("its scale must be a number other than 0");
     const std::string_view rest = header.rest();
     check_size(size_t(width) * size_t(height), size_t(channels), sizeof(float), rest.size());
     Image image(width, height, channels);

@@ -72,8 +72,9 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
                       spec.height <= max_image_side && spec.nchannels >= 1 && spec.nchannels <= 4 &&
                       spec.image_pixels() * spec.nchannels * sizeof(float) <= max_image_bytes;
     if (!fits)
-        throw Error(fmt::format("{}x{} with {} channels: at most {}x{}, 4 channels and {} MiB are taken", spec.width,
-                                spec.height, spec.nchannels, max_image_side, max_image_side, max_image_bytes >> 20));
+        throw Error(fmt::format("{}x{} with {} channels: at most {}x{}, 4 channels and {} MiB are supported",
+                                spec.width, spec.height, spec.nchannels, max_image_side, max_image_side,
+                                max_image_bytes >> 20));
 
     for (const OIIO::ParamValue& note : spec.extra_attribs) {
         const std::string name = note.name().string();

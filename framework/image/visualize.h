@@ -1,4 +1,4 @@
-// Numbers as colours, for a person to look at.
+// Numbers as colours, for people.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -31,12 +31,12 @@ constexpr std::array<Lay, 8> lays = {{{DisplacedSurface::wall_metres, {2, 2}},
 }  // namespace
 
 void DisplacedSurface::knobs(Knobs& knobs) {
-    knobs.choice("surface", shape, shapes, "what the relief is pressed into");
-    knobs.choice("corners", corners_choice, corner_counts, "of a patch");
-    knobs.steps("patches", density, 1, most_density, "along a side, before tessellation; the urn has its own");
+    knobs.choice("surface", shape, shapes, "shape with the relief");
+    knobs.choice("corners", corners_choice, corner_counts, "corners of a patch");
+    knobs.steps("patches", density, 1, most_density, "patches along a side, before tessellation; the urn has its own");
     material.knobs(knobs);
-    knobs.slider("depth", depth, 0, 0.5f, "of the relief, in widths of a tile");
-    knobs.steps("repeat", repeat, 1, 8, "how often the tile repeats");
+    knobs.slider("depth", depth, 0, 0.5f, "depth of the relief, in widths of a tile");
+    knobs.steps("repeat", repeat, 1, 8, "repeats of the tile");
 }
 
 Define DisplacedSurface::spacing_define(int spacing) { return spacing_defines[size_t(spacing)]; }

@@ -1,4 +1,4 @@
-// What labs 13 and 14 displace: patches of a shape, a height map, and how deep it goes.
+// The surface that labs 13 and 14 displace: patches of a shape, a height map, and its depth.
 #pragma once
 
 #include <optional>
@@ -14,21 +14,21 @@ public:
     enum Shape { wall, ground, sphere, globe, torus, column, box, urn };
     static constexpr float wall_metres = 2, ground_metres = 16;  ///< sides
 
-    /// Where vertices stand when a level is not whole: the choices of a lab's knob.
+    /// The spacings, the positions of vertices at a fractional level: the choices of a lab's knob.
     static constexpr std::array spacings = {"equal", "fractional-odd", "fractional-even"};
 
     void knobs(Knobs& knobs);
 
     const PatchMesh& patches() const;
     const Image& heights() const { return material.heights(); }
-    /// Counts up when patches() or heights() become others.
+    /// Counts up when patches() or heights() change.
     int version() const { return patches(), version_ + material.version(); }
     /// Per unit of the shape's own uv; those of the patches are in tiles.
     glm::vec2 tiles() const;
     /// Of the relief, in metres.
     float scale() const { return depth * tile(); }
 
-    /// Whether backs are never seen from outside.
+    /// Whether back faces are never seen from outside.
     bool is_one_sided() const { return shape == ground || patches().is_closed; }
 
     /// What common/patch_vertex.glsl and the control shader are compiled for: "CORNERS 3" or "CORNERS 4".

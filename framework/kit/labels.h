@@ -1,4 +1,4 @@
-// Words in a picture: the names, numbers and scales of what it shows.
+// Text in a picture: names, numbers and scales.
 #pragma once
 
 #include <cmath>
@@ -32,7 +32,8 @@ public:
     /// From 0 on the left to 1 on the right, as heat() has it.
     void heat_scale(glm::vec2 place, glm::vec2 size);
 
-    /// What heat() means, in the lowest scale_height() pixels of a frame: `low` at its left, ten times as much a tick.
+    /// The scale of heat(), in the lowest scale_height() pixels of a frame: `low` at its left, ten times as much per
+    /// tick.
     static int scale_height(glm::ivec2 size) { return int(std::ceil(line_height(size) * 0.9f)); }
     void log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks);
 

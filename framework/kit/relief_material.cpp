@@ -47,8 +47,8 @@ Image level_of(Image image, int side) {
 
 void ReliefMaterial::knobs(Knobs& knobs) {
     knobs.choice("map", map, maps, "the height map");
-    knobs.choice("size", size, sizes, "of the map, texels; wall and paving have 1024");
-    knobs.choice("bits", bits, bit_counts, "of a height");
+    knobs.choice("size", size, sizes, "size of the map, texels; wall and paving have 1024");
+    knobs.choice("bits", bits, bit_counts, "bits per stored height");
 }
 
 bool ReliefMaterial::is_asset() const { return map >= first_asset && map < after_assets; }

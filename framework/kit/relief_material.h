@@ -1,4 +1,4 @@
-// What a relief is made of: a height map, with its colours and its normals.
+// The material of a relief: a height map, with its colours and its normals.
 #pragma once
 
 #include <array>

@@ -31,14 +31,14 @@ Mesh read_urn() {
 }
 
 void ReliefSurface::knobs(Knobs& knobs) {
-    knobs.choice("surface", shape, shapes, "what the relief is pressed into");
+    knobs.choice("surface", shape, shapes, "shape with the relief");
     material.knobs(knobs);
-    knobs.slider("depth", depth, 0, 1, "of the relief, in widths of a tile");
-    knobs.steps("repeat", repeat, 1, 8, "how often the tile repeats: a metre of wall, a third of the column");
-    knobs.slider("stretch", stretch, 0.25f, 4, "height of a tile over its width: texels that are not square");
+    knobs.slider("depth", depth, 0, 1, "depth of the relief, in widths of a tile");
+    knobs.steps("repeat", repeat, 1, 8, "repeats of the tile: per metre of wall, per third of the column");
+    knobs.slider("stretch", stretch, 0.25f, 4, "height of a tile divided by its width: texels that are not square");
     knobs.slider("extent", extent, 0.25f, 64, "side of the wall, metres");
-    knobs.toggle("mirror", mirror, "let u run the other way");
-    knobs.steps("shift", shift, 0, 10000, "where the uv begin, in tiles");
+    knobs.toggle("mirror", mirror, "mirror the texture: u runs the other way");
+    knobs.steps("shift", shift, 0, 10000, "offset of the uv, in tiles");
 }
 
 const Mesh& ReliefSurface::mesh() const {

@@ -1,4 +1,4 @@
-// What labs 10 to 12 press a relief into: a surface, a height map, and how the one lies on the other.
+// The surface of labs 10 to 12: a mesh, a height map, and how the map lies on the mesh.
 #pragma once
 
 #include <optional>

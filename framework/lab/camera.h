@@ -28,7 +28,7 @@ public:
     glm::dmat4 clip_from_world() const { return clip_from_view_ * view_from_world_; }
     /// The same camera for a picture of another shape.
     Camera with_aspect(double aspect) const { return {orbit_, aspect}; }
-    /// The ray through a point of the picture: x and y in [-1, 1], y up. Its direction is unit.
+    /// The ray through a point of the picture: x and y in [-1, 1], y up. Its direction is normalised.
     Ray ray(glm::dvec2 clip) const;
 
 private:

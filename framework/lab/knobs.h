@@ -7,7 +7,7 @@
 
 namespace relief {
 
-/// What a lab shows its values to, with their ranges (inclusive) and one line of help each.
+/// The visitor to which a lab shows its values, with their ranges (inclusive) and one line of help each.
 class Knobs {
 public:
     virtual ~Knobs() = default;

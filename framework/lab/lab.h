@@ -19,7 +19,7 @@
 
 namespace relief {
 
-/// What the runner hands to a lab for one frame. Draw into `target`; framebuffer 0 does not exist everywhere.
+/// The input of a lab for one frame. Draw into `target`; framebuffer 0 does not exist everywhere.
 /// What decides how a fragment lands is at GL's defaults (tests, masks, blending, culling, depth range), but for these:
 /// the depth test is on, and the clear colour is the background (the picture's, or +infinity for a probe). Viewport,
 /// textures and buffers are the lab's to bind.

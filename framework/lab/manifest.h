@@ -1,4 +1,4 @@
-// lab.toml: what a lab says about itself to everybody; staff/grading.toml: what only the staff knows of it.
+// lab.toml: a lab's description for everybody; staff/grading.toml: the part for staff only.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ struct ProbeInfo {
     double limit = 1e-3;  ///< in the unit
 };
 
-/// Something a student is to write.
+/// A task for students.
 struct TaskInfo {
     std::string id, title, file;  ///< "11.2"; the file is relative to the course's top folder
     int points = 0;
@@ -36,7 +36,7 @@ struct Limits {
     double outline = 0.01;           ///< share of the pixels in which only one of the two has a surface
 };
 
-/// A comparison that tells whether a task is solved. A picture that has no `limits` of its own may have 0.05 % of its
+/// A comparison that decides whether a task is solved. A picture without its own `limits` may have 0.05 % of its
 /// pixels off by more than 2/255, and 4 pixels by more than 32/255.
 struct CheckInfo {
     std::string task, name;
@@ -46,7 +46,7 @@ struct CheckInfo {
     std::string reason;   ///< where the limits come from
     std::string look_at;  ///< what to look at next when it fails
     bool hidden = false;  ///< of the staff's file: never handed out
-    /// The tasks beside its own without which it cannot pass, whatever its own does.
+    /// The other tasks without which it cannot pass.
     std::vector<std::string> needs = {};
 };
 
@@ -55,11 +55,11 @@ struct Edit {
     std::string file, find, replace;
 };
 
-/// Something that students get wrong, as edits of the solution: a check of its task must fail with them.
+/// A known mistake, as edits of the solution: a check of its task must fail with them.
 struct MistakeInfo {
     std::string id, task, hint;
     std::vector<Edit> edits;
-    std::string same_as;  ///< another mistake that no check can tell from this one, or empty
+    std::string same_as;  ///< another mistake that no check can distinguish from this one, or empty
 };
 
 /// A knob that differs in hidden views: within a range, or one of several values.
@@ -69,14 +69,14 @@ struct VaryInfo {
     std::vector<std::string> choices = {};
 };
 
-/// Another right way to do a task, as edits of the solution: with them every task of the lab has all its points.
+/// A correct variant of a solution, as edits of it: with them every task of the lab has all its points.
 struct EquivalentInfo {
     std::string id, task;
-    std::string why;          ///< what it does in another way
+    std::string why;          ///< what it does differently
     std::vector<Edit> edits;  ///< of files that tasks name: no other is taken from a submission
 };
 
-/// What a lab's page lays side by side: one shot by each value of a knob.
+/// The comparison on a lab's page: one shot for each value of a knob.
 struct CompareInfo {
     static constexpr glm::ivec2 usual_size{560, 420};
     std::string knob;

@@ -1,4 +1,4 @@
-// A probe: the quantity under study, written by the shader as true floats in place of the colour.
+// A probe: the quantity under study, written by the shader as floats instead of the colour.
 #pragma once
 
 #include <string>

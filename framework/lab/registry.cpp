@@ -76,7 +76,7 @@ std::vector<const LabEntry*> find_labs(const std::string& text) {
             if (first && last && *first <= lab.number && lab.number <= *last) found[lab.number] = &lab, any = true;
         if (!any)
             throw UsageError(
-                fmt::format("'{}' names no lab: a range is two numbers of labs, the smaller first, like 1-5", part));
+                fmt::format("'{}' contains no lab: a range is two numbers, the smaller first, like 1-5", part));
     }
     std::vector<const LabEntry*> labs;
     for (const auto& [number, lab] : found) labs.push_back(lab);

@@ -60,7 +60,7 @@ void refuse_broken_probe(const Image& image, const Probe& probe) {
         throw Error(fmt::format("probe '{}': {} pixels are not finite, the first at column {}, row {}", probe.name,
                                 broken, first % size_t(image.width), first / size_t(image.width)));
     if (surface == 0)
-        throw Error(fmt::format("probe '{}': no surface was drawn, or the camera looks past it", probe.name));
+        throw Error(fmt::format("probe '{}': no surface was drawn, or the camera does not see it", probe.name));
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ void refuse_unusable(const Image& image, const Shot& shot) {
     if (shot.probe)
         refuse_broken_probe(image, shot.probe);
     else if (image.pixel_count() > 1 && is_one_color(image))
-        throw Error("the picture has one colour: nothing was drawn, or the camera looks past it");
+        throw Error("the picture has one colour: nothing was drawn, or the camera does not see it");
 }
 
 Image take(Lab& lab, const Shot& shot, bool light) {
@@ -129,7 +129,7 @@ Image take(Lab& lab, const Shot& shot, bool light) {
 Image truth_of(const Lab& lab, const Shot& shot) {
     const Frame frame{0, shot.size, shot.time, Camera(shot.camera, aspect(shot.size)), shot.probe};
     auto truth = lab.truth(frame, shot.probe);
-    if (!truth) throw UsageError(fmt::format("this lab has no truth for the probe '{}'", shot.probe.name));
+    if (!truth) throw UsageError(fmt::format("this lab has no exact values for the probe '{}'", shot.probe.name));
     return *std::move(truth);
 }
 

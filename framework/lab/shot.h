@@ -21,8 +21,8 @@ struct Shot {
 /// The frame of a shot in a target of its size.
 Frame frame_of(const Shot& shot, const Target& target);
 
-/// Brings GL to the state that Frame promises, clears nothing, lets the lab draw, and brings GL back. Throws what the
-/// lab throws at first use, and Error for whatever GL complains of.
+/// Sets GL to the state that Frame promises, clears nothing, lets the lab draw, and restores GL. Throws what the
+/// lab throws at first use, and Error for GL errors.
 void draw_lab(Lab& lab, const Frame& frame);
 
 /// A new lab with the shot's knobs set. Needs no context. Throws UsageError for a knob or a value that is not there.
@@ -36,12 +36,12 @@ Image read_picture(const Target& target);
 /// one colour, a probe without a surface) or a probe has a pixel that is neither finite nor background.
 Image take(Lab& lab, const Shot& shot, bool light = false);
 
-/// The two halves of take(), for whom the first must not be trusted with the second. draw_shot() throws for what GL
-/// complains of only.
+/// The two halves of take(), for callers that draw and validate in different processes. draw_shot() throws for GL
+/// errors only.
 Image draw_shot(Lab& lab, const Shot& shot, bool light = false);
 void refuse_unusable(const Image& image, const Shot& shot);
 
-/// The truth of the shot's probe. Throws UsageError when the lab has none. Needs no context.
+/// The exact values of the shot's probe. Throws UsageError if the lab has none. Needs no context.
 Image truth_of(const Lab& lab, const Shot& shot);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// A table of a TOML file, read key by key: a mistake is named with its line, and so is a key that nobody has asked for.
+// A table of a TOML file, read key by key. Errors have a line, and so do unknown keys.
 #pragma once
 
 #include <fmt/format.h>
@@ -121,7 +121,7 @@ public:
         return array && !array->empty() && array->is_homogeneous<std::string>();
     }
 
-    /// Call last: throws for a key that nothing has asked for.
+    /// Call last: throws for a key that was not read.
     void finish() const {
         for (const auto& [key, node] : table_)
             if (std::find(read_.begin(), read_.end(), key.str()) == read_.end())

@@ -1,4 +1,4 @@
-// A direction at right angles to another.
+// A direction perpendicular to another.
 #pragma once
 
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace relief {
 
-/// A unit vector perpendicular to a unit one, without a branch and without a direction in which it fails (Duff et al.
+/// A unit vector perpendicular to a unit one, without a branch, right for every direction (Duff et al.
 /// 2017). It jumps where z changes its sign, as every such choice must somewhere.
 inline glm::dvec3 any_perpendicular(const glm::dvec3& unit) {
     const double sign = std::copysign(1.0, unit.z), a = -1 / (sign + unit.z);

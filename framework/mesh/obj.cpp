@@ -87,7 +87,7 @@ template <class Materials>
 ObjModel read_model(std::string_view text, const fs::path& file, const ObjLimits& limits, Materials materials_of) {
     const size_t most_bytes = std::min(limits.bytes, size_t{1} << 31);  // so that an int counts whatever is in it
     if (text.size() > most_bytes)
-        throw Error({file}, fmt::format("{} bytes, at most {} are taken", text.size(), most_bytes));
+        throw Error({file}, fmt::format("{} bytes, the limit is {}", text.size(), most_bytes));
     obj::Notes notes;
     obj::Faces faces = obj::read_faces(text, file, limits, notes);
     ObjModel model;

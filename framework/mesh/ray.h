@@ -6,7 +6,7 @@
 namespace relief {
 
 struct Ray {
-    glm::dvec3 origin, direction;  ///< the direction need not be unit: distances are counted in its length
+    glm::dvec3 origin, direction;  ///< the direction need not be normalised: distances are in units of its length
 
     glm::dvec3 at(double t) const { return origin + t * direction; }
 };

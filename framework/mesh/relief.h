@@ -1,4 +1,4 @@
-// How a relief lies on a mesh, and what each vertex of its shaders gets.
+// How a relief lies on a mesh, and the inputs of its shaders at each vertex.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +10,7 @@ namespace relief {
 struct ReliefLay {
     glm::vec2 repeat = {1, 1};       ///< tiles per unit of the mesh's uv; x is negative where it is mirrored
     glm::vec2 shift = {0, 0};        ///< tiles
-    glm::vec2 depth = {0.08, 0.08};  ///< what height 1 is worth, in tiles along u and along v
+    glm::vec2 depth = {0.08, 0.08};  ///< a height of 1, in tiles along u and along v
     float metres = 0.08f;            ///< and in metres
     int texels = 512;                ///< along each side of the map
 };

@@ -15,7 +15,7 @@
 namespace relief {
 namespace {
 
-/// The least difference between pictures that has the last colour of the map: eight times what a pixel may be off.
+/// The smallest difference between pictures that gets the last colour of the map: eight times what a pixel may be off.
 constexpr double picture_scale = 16.0 / 255;
 
 const char* sign_of(Outcome outcome) {
@@ -36,17 +36,17 @@ const char* sign_of(Outcome outcome) {
 std::string how_to_read(ErrorMetric metric) {
     switch (metric) {
         case ErrorMetric::angle:
-            return "A direction's x, y and z are red, green and blue, 0 being half of each.";
+            return "x, y and z of a direction are red, green and blue; half of each means 0.";
         case ErrorMetric::distance:
-            return "Each channel rises from dark to bright again and again: compare the bands.";
+            return "Each channel goes from dark to bright again and again: compare the bands.";
         case ErrorMetric::absolute:
-            return "From dark, 0, to bright, the largest value in either picture.";
+            return "Dark is 0, bright is the largest value in either picture.";
     }
     return {};
 }
 
 std::string expected_caption(const CheckInfo& check) {
-    if (check.against == "truth") return "expected: the truth";
+    if (check.against == "truth") return "expected: the exact values";
     if (check.against == "solution") return "expected: the solution";
     return "expected: the same as in “" + check.against + "”";
 }
@@ -118,7 +118,7 @@ ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const 
     if (largest <= 0) largest = summary.largest;  // where less than 1 % of the pixels differ
     if (!(largest > 0) || !std::isfinite(largest)) largest = 1;
     shown.difference = visualize_error(error, largest);
-    shown.differs = fmt::format("{} of {} pixels do; the mean is {}, the largest {}",
+    shown.differs = fmt::format("{} of {} pixels differ; the mean is {}, the largest {}",
                                 std::count_if(error.values.begin(), error.values.end(),
                                               [](float value) { return value != 0 && value != no_surface; }),
                                 error.pixel_count(),
@@ -159,7 +159,7 @@ std::string check_script() {
 for (const pictures of document.querySelectorAll(".pictures")) {
   const mine = pictures.querySelector(".mine img"), expected = pictures.querySelector(".expected img");
   if (!mine || !expected) continue;
-  const words = "wipe to the expected", over = expected.cloneNode();
+  const words = "wipe to the expected picture", over = expected.cloneNode();
   over.alt = "";  // its words stand at the expected picture itself
   const {label} = wipe(mine, over, words, `${words}: ${pictures.dataset.check}`, 0, value => `${value} % expected`);
   pictures.querySelector(".mine").append(label);

@@ -7,7 +7,7 @@
 
 namespace relief {
 
-/// As people read it: "out of time".
+/// In words: "out of time".
 std::string outcome_words(Outcome outcome);
 /// The same with a sign and a colour of its own; with `count`, of so many.
 std::string outcome_badge(Outcome outcome, size_t count = 0);

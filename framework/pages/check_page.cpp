@@ -84,7 +84,9 @@ Outcome worst(const TaskResult& task) {
 
 std::string look_at(const CheckResult& result) {
     if (result.look_at.empty() && result.outcome == Outcome::broken)
-        return "what the message names; nothing is measured until the lab draws";
+        return result.found.find("not finite") != std::string::npos
+                   ? "a root of a negative number, or 0 / 0: nothing can be measured before the values are finite"
+                   : "fix what the message names: nothing can be measured before it compiles and draws";
     return result.look_at;
 }
 

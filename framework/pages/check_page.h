@@ -8,11 +8,11 @@
 
 namespace relief {
 
-/// What the student is to look at next. What does not draw has not been measured: then the check's own advice would
+/// The hint for the student. If nothing was drawn, nothing was measured, and the check's own hint would
 /// mislead.
 std::string look_at(const CheckResult& result);
 
-/// The page, with its pictures in it: it opens from disk and needs no network. Wants a context, to name its driver.
+/// The page, with its pictures in it: it opens from disk and needs no network. Needs a context, to name its driver.
 std::string check_page(const LabEntry& lab, const Manifest& manifest, const std::vector<TaskResult>& tasks);
 
 }  // namespace relief

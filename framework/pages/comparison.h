@@ -1,4 +1,4 @@
-// A lab drawn by each of its methods, for its page: pictures of one shot, and how far each is from the truth.
+// A lab drawn by each of its methods, for its page: pictures of one shot, and their errors.
 #pragma once
 
 #include <optional>

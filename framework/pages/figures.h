@@ -1,4 +1,4 @@
-// What pictures in pages have in common: the wipe between two, the scale of an error map.
+// Shared parts of pages with pictures: the wipe between two, the scale of an error map, numbers with their unit.
 #pragma once
 
 #include <string>

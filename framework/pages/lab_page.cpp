@@ -94,7 +94,8 @@ private:
 
     std::string hero() const {
         return fmt::format(
-            "<img class=\"hero\" src=\"{}\" alt=\"What the lab draws when it opens\" width=\"800\" height=\"450\">\n",
+            "<img class=\"hero\" src=\"{}\" alt=\"The picture that the lab opens with\" width=\"800\" "
+            "height=\"450\">\n",
             html(page_.picture));
     }
 
@@ -124,7 +125,7 @@ private:
         std::string scale = error_scale(page_.marks);
         scale.insert(scale.find("aria-hidden"), "hidden ");
         return fmt::format(
-            R"(<section aria-labelledby="methods"><h2 id="methods">Method against method</h2>
+            R"(<section aria-labelledby="methods"><h2 id="methods">Methods compared</h2>
 <p class="quiet">One view by each value of the knob <code>{}</code>.{}</p>
 <div class="stage" hidden><div class="choose">
 {}{}{}</div>
@@ -134,7 +135,7 @@ private:
 )",
             html(page_.knob),
             has_maps()
-                ? " Beside each stands how far its “" + html(page_.probe) + "” is from the exact value, on average."
+                ? " Beside each: the mean error of its “" + html(page_.probe) + "”, compared with the exact value."
                 : "",
             box("left", 0), box("right", page_.methods.size() - 1), has_maps() ? maps : "",
             html(page_.methods.back().picture), page_.size.x, page_.size.y, has_maps() ? scale : "");
@@ -174,13 +175,15 @@ private:
             text += fmt::format(
                 "<section aria-labelledby=\"tasks\"><h2 id=\"tasks\">You write</h2>\n<table><thead><tr><th "
                 "scope=\"col\">task</th><th scope=\"col\">what</th><th scope=\"col\">points</th></tr></thead><tbody>\n"
-                "{}<tr><td></td><td class=\"quiet\">together</td><td>{}</td></tr></tbody></table>\n"
-                "<p class=\"quiet\">How far you are:</p><p><code>./relief check {}</code></p></section>\n",
+                "{}<tr><td></td><td class=\"quiet\">total</td><td>{}</td></tr></tbody></table>\n"
+                "<p class=\"quiet\">To check your work:</p><p><code>./relief check {}</code></p></section>\n",
                 tasks, manifest_.points(), number);
         text += fmt::format(
-            "<section aria-labelledby=\"try\"><h2 id=\"try\">You try</h2>\n<p class=\"quiet\">The lab in a window, "
+            "<section aria-labelledby=\"try\"><h2 id=\"try\">You try</h2>\n<p class=\"quiet\">To open the lab in a "
+            "window, "
             "with its "
-            "knobs and its error map:</p><p><code>./relief run {0}</code></p>\n<p class=\"quiet\">One picture:</p><p>"
+            "knobs and its error map:</p><p><code>./relief run {0}</code></p>\n<p class=\"quiet\">To draw one "
+            "picture:</p><p>"
             "<code>./relief shot {0}{1}</code></p></section>\n",
             number, page_.methods.empty() ? "" : " --set " + html(page_.knob) + "=" + html(page_.methods.back().name));
         return text + "</div>\n";

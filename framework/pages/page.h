@@ -1,4 +1,4 @@
-// What the course's web pages share: text made safe, pictures inside the page, a look for light and for dark screens.
+// Shared parts of the course's web pages: escaped text, embedded pictures, a style for light and for dark screens.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The menu window: labs, knobs, probes and counters around the picture. It lives in the window module.
+// The menu window: labs, knobs, probes and counters around the picture. Part of the window module.
 #pragma once
 
 #include <string>
@@ -10,5 +10,5 @@ int open_menu(const std::string& lab_folder);
 
 }  // namespace relief
 
-/// What the window module offers to the application.
+/// The functions that the application calls in the window module.
 extern "C" int relief_run_menu(const char* lab_folder);

@@ -86,8 +86,8 @@ void ErrorMap::compare(Stage& stage) {
                                 plain(error_.largest), error_.count));
         return;
     }
-    throw Error(stage.shot().probe ? fmt::format("This lab has no truth for '{}'.", stage.shot().probe.name)
-                                   : "This lab has no truth for any of its probes.");
+    throw Error(stage.shot().probe ? fmt::format("This lab has no exact values for '{}'.", stage.shot().probe.name)
+                                   : "This lab has no exact values for any of its probes.");
 }
 
 void ErrorMap::draw(int x, glm::ivec2 size, bool moves) const {
@@ -103,17 +103,17 @@ void ErrorMap::draw(int x, glm::ivec2 size, bool moves) const {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
     if (!done_) {
-        wrapped(moves ? "The error is computed when the animation is held still: press space." : "computing the truth");
+        wrapped(moves ? "The error map needs a paused animation: press space." : "computing the exact values");
     } else if (!picture_) {
         wrapped(message_);
     } else {
-        wrapped(fmt::format("{}: how far from the truth", probe_.name));
+        wrapped(fmt::format("{}: distance from the exact value", probe_.name));
         wrapped(fmt::format("mean {}    99 % {}    largest {}", rounded(error_.mean), rounded(error_.p99),
                             amount_of(error_.largest, probe_.unit)));
-        if (error_.count == 0) wrapped("No pixel has a surface in both.");
+        if (error_.count == 0) wrapped("No pixel shows a surface in both pictures.");
         if (error_.not_finite > 0) {
             ImGui::PushStyleColor(ImGuiCol_Text, alarm);
-            wrapped(fmt::format("{} pixels, in magenta, are not a number.", error_.not_finite));
+            wrapped(fmt::format("{} pixels, in magenta, are NaN or infinite.", error_.not_finite));
             ImGui::PopStyleColor();
         }
         draw_scale(amount_of(error_.p99, probe_.unit) + " and more");

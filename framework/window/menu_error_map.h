@@ -20,16 +20,15 @@ public:
         forget();
     }
 
-    /// The picture changed: the map is of another one.
+    /// Call it when the picture changed: the map belongs to the old one.
     void forget();
-    /// Whether compute() is still to be called for this picture.
+    /// Whether compute() has not been called yet for this picture.
     bool wanted() const { return on_ && !done_; }
-    /// The map of what the stage shows: of its probe, or for a picture of the probe by which the lab compares methods,
-    /// else of the first one that has a truth. Takes as long as the truth does. Whatever goes wrong is shown in the
-    /// map's place.
+    /// Computes the map of the stage's probe, or for a picture of the probe by which the lab compares its methods, else
+    /// of the first one that has exact values. Takes as long as they do. An error is shown in place of the map.
     void compute(Stage& stage);
 
-    /// Right of the picture, at pixel `x`; `moves` when the picture does, so that it waits for nothing.
+    /// Draws it right of the picture, at pixel `x`. `moves`: the picture is animated, so there is no map.
     void draw(int x, glm::ivec2 size, bool moves) const;
 
 private:

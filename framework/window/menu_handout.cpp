@@ -173,7 +173,7 @@ bool Handout::look() {
     try {
         std::error_code ignored;
         if (!std::filesystem::exists(file_, ignored))
-            throw Error("This lab has no handout: " + shown(file_) + " is not there.");
+            throw Error("This lab has no handout: there is no " + shown(file_) + ".");
         text_ = read_file(file_, size_t{1} << 20);
         problem_.clear();
     } catch (const Error& error) {

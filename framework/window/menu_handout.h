@@ -18,11 +18,11 @@ public:
     void open(const LabEntry& lab);
     void close();
 
-    /// Reads the file again; whether there is anything new to show. Call it a few times a second.
+    /// Reads the file again and returns whether it changed. Call it a few times a second.
     bool look();
-    /// Lines down (or up) from the keyboard.
+    /// Scrolls by lines, down or up, for the keyboard.
     void scroll(float lines) { scroll_ += lines; }
-    /// In the room from pixel `left` to the right. Closes itself when its button is pressed.
+    /// Draws it from pixel `left` to the right edge. Its button closes it.
     void draw(int left, float scale);
 
 private:

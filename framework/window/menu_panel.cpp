@@ -21,7 +21,7 @@ void heading(const char* line) {
     ImGui::Separator();
 }
 
-/// A knob's name beside its widget, its help when the mouse rests on it.
+/// A knob's name beside its widget; its help shows while the mouse rests on it.
 class DrawKnobs final : public Knobs {
 public:
     bool changed = false;
@@ -77,9 +77,9 @@ void draw_letter(ShaderState state) {
         ImVec4 color;
     };
     static const std::map<ShaderState, Letter> letters = {
-        {ShaderState::unchanged, {"U", "unchanged: the shaders that the lab was opened with", quiet}},
+        {ShaderState::unchanged, {"U", "unchanged: the shaders are those that the lab was opened with", quiet}},
         {ShaderState::renewed, {"N", "new: shaders were saved since the lab was opened, and are on screen", good}},
-        {ShaderState::failed, {"F", "failed: what was saved last does not work", alarm}}};
+        {ShaderState::failed, {"F", "failed: the last saved shader has an error; the picture is older", alarm}}};
     const Letter& shown = letters.at(state);
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
@@ -121,7 +121,7 @@ void draw_probes(Stage& stage, bool error_map, PanelWish& wish) {
         if (ImGui::RadioButton(probe.name.c_str(), stage.probe().name == probe.name)) stage.show({probe.name});
     }
     if (ImGui::Checkbox("error map beside it", &error_map)) wish.error_map = true;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("how far the probe is from the truth, at every pixel (E)");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("how far the probe is from the exact value, at each pixel (E)");
 }
 
 void draw_counters(const Stage& stage) {
@@ -169,9 +169,9 @@ PanelWish draw_panel(Stage& stage, int width, bool error_map, const std::string&
     draw_counters(stage);
     heading("Keys");
     quiet_text(
-        "drag: orbit   right drag: pan   wheel: zoom\nleft, right: labs   R: restart   C: camera back\n"
-        "F1: handout   E: error map   S: save a picture\nH: hide this   space: hold an animation still\n"
-        "Esc: quit   Shaders that are saved are taken.");
+        "drag: orbit   right drag: pan   wheel: zoom\nleft, right: labs   R: restart   C: reset the camera\n"
+        "F1: handout   E: error map   S: save a picture\nH: hide this panel   space: pause an animation\n"
+        "Esc: quit   Saved shaders are reloaded at once.");
     if (ImGui::Button("Save a picture")) wish.save = true;
     if (!message.empty()) wrapped(message);
     ImGui::End();
@@ -194,8 +194,8 @@ void draw_error(const Stage& stage, int panel_width) {
     wrapped(error->what());
     ImGui::PopStyleColor();
     if (error->details() != std::string(error->what()) + "\n") wrapped(error->details());  // a log of one line
-    quiet_text(stage.lab() ? "A shader that is mended and saved is taken at once; after anything else press R."
-                           : "Mend it, then press R.");
+    quiet_text(stage.lab() ? "Fix the shader and save it: it reloads at once. After any other change press R."
+                           : "Fix it, then press R.");
     ImGui::End();
 }
 

@@ -1,4 +1,4 @@
-// The lab that the menu shows: drawn anew only when something changed or moves. In the window module only.
+// The lab that the menu shows: redrawn only when something changed or moves. In the window module only.
 #pragma once
 
 #include <memory>
@@ -10,17 +10,17 @@
 
 namespace relief {
 
-/// What is on screen, beside the files of its shaders.
+/// The picture on screen, compared with the shader files.
 enum class ShaderState {
-    unchanged,  ///< what the lab was opened with
-    renewed,    ///< saved since then, and taken
-    failed      ///< saved, and no good: the picture is the last good program's, or there is none
+    unchanged,  ///< drawn with the shaders that the lab was opened with
+    renewed,    ///< drawn with shaders saved since then
+    failed      ///< the saved shader has an error: the picture is that of the last good program, or there is none
 };
 
 class Stage {
 public:
-    /// Drops the present lab with all its GL objects, then makes this one as its manifest says.
-    /// A manifest or a shader that is broken becomes error(); nothing is thrown.
+    /// Deletes the present lab with all its GL objects, then makes this one as its manifest says.
+    /// A broken manifest or shader becomes error(); nothing is thrown.
     void open(const LabEntry& entry);
     void restart() { open(*entry_); }
 
@@ -31,26 +31,26 @@ public:
     const Probe& probe() const { return shot_.probe; }
     void show(Probe probe);
 
-    /// Takes shaders that were saved; knobs and camera stay. Call it a few times a second. Returns whether there is
+    /// Reloads saved shaders; knobs and camera stay. Call it a few times a second. Returns whether there is
     /// anything new to show.
     bool look();
     ShaderState shaders() const;
 
-    /// A knob or the camera moved.
+    /// Call it when a knob or the camera moved.
     void changed() { stale_ = true; }
     /// Draws when something changed since the last call; returns whether it did.
     bool draw(glm::ivec2 size, double time);
 
-    /// What was drawn last without an error (one sample a pixel), for a blit; 0 when there is none.
+    /// The last frame without an error (one sample per pixel), for a blit; 0 if there is none.
     GLuint framebuffer() const { return shown_; }
     const Shot& shot() const { return shot_; }
     glm::ivec2 size() const { return shot_.size; }
-    /// The same as an 8-bit picture. Throws Error when there is none.
+    /// The same as an 8-bit picture. Throws Error if there is none.
     Image picture() const;
 
-    /// Why there is no picture, or why it is older than its shaders. Null when all is well.
+    /// Why there is no picture, or why it is older than its shaders. Null if there is no error.
     const Error* error() const;
-    /// Whether the last frame was not drawn to its end.
+    /// Whether the last frame failed.
     bool failed() const { return failure_.has_value(); }
 
     int64_t frames() const { return frames_; }             ///< drawn since the window opened

@@ -1,7 +1,7 @@
 // Lab 01: specular highlights.
 //
-// Columns of bricks around a lamp: the highlight by the vertex normals is that of a smooth column; a normal
-// map gives every brick its own.
+// Brick columns around a lamp: with vertex normals the highlight is that of a smooth column; a normal
+// map gives every brick its own highlight.
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -29,7 +29,7 @@ public:
                 draw_scene(frame, {size.x / 2, 0}, {size.x - size.x / 2, size.y}, true);
                 draw_line(frame, size.x / 2);
                 break;
-            case wipe:  // one scene twice, each through its own part of the window
+            case wipe:  // one scene drawn twice, into two parts of the window
                 glEnable(GL_SCISSOR_TEST);
                 glScissor(0, 0, split, size.y);
                 draw_scene(frame, {0, 0}, size, false, glm::ivec2(0, split));
@@ -41,12 +41,12 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.choice("method", method_, methods, "where the normal comes from, or both");
-        knobs.slider("wipe", wipe_, 0, 1, "where vertex normals end and the normal map begins, for wipe");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "the lamp's place around the colonnade, degrees");
-        knobs.slider("light_height", light_height_, 0.1f, 5, "the lamp's height, metres");
+        knobs.choice("method", method_, methods, "source of the normal, or both side by side");
+        knobs.slider("wipe", wipe_, 0, 1, "for method = wipe: position of the border in the picture");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the lamp around the colonnade, degrees");
+        knobs.slider("light_height", light_height_, 0.1f, 5, "height of the lamp, metres");
         knobs.slider("shininess", shininess_, 2, 256, "exponent of the highlight");
-        knobs.slider("strength", strength_, 0, 2, "of the normal map; 0 is flat");
+        knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
     }
 
     /// Of the bricks themselves, whichever method draws them.
@@ -78,7 +78,7 @@ private:
         surface.set("u_shininess", shininess_);
         surface.set("u_strength", strength_);
 
-        // The floor last: what stands before it is not shaded twice.
+        // The floor is last, so that its hidden parts are not shaded.
         surface.set("s_albedo", 0, bricks_albedo_);
         surface.set("s_normal", 1, bricks_normal_);
         for (const glm::vec3 place : colonnade::places)
@@ -86,7 +86,7 @@ private:
                 draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
         surface.set("s_albedo", 0, paving_albedo_);
         surface.set("s_normal", 1, paving_normal_);
-        glEnable(GL_CULL_FACE);  // a ball is closed: its far half costs time and is never seen
+        glEnable(GL_CULL_FACE);  // a ball is closed: its far half costs time and is never visible
         for (const glm::vec3 place : colonnade::places)
             if (may_be_seen(clip_from_world, place + colonnade::top, colonnade::ball.radius, part))
                 draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + colonnade::top));

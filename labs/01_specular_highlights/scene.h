@@ -1,4 +1,4 @@
-// The colonnade: what stands where, for the picture and for its truth.
+// The colonnade: positions of its parts, for the picture and for the exact values.
 #pragma once
 
 #include <array>

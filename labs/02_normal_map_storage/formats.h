@@ -1,4 +1,4 @@
-// The formats of lab 02, and what is known of their errors.
+// The formats of lab 02, and their published errors.
 #pragma once
 
 #include <array>
@@ -10,7 +10,8 @@ struct Format {
     const char* name;
     const char* title;
     double mean, largest;
-    const char* source;  ///< Cigolle et al. 2014; "table" where the figures are this project's, of two million directions
+    const char*
+        source;  ///< Cigolle et al. 2014; "table" where the figures are this project's, of two million directions
 };
 
 /// In the order of sphere.frag.

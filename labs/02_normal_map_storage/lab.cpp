@@ -1,7 +1,7 @@
 // Lab 02: normal map storage.
 //
 // A sphere of directions, stored in each format and read back: lit on the left, the error in degrees on the right.
-// Yours: shaders/02_normal_map_storage/task.glsl
+// Your tasks: shaders/02_normal_map_storage/task.glsl
 #include <fmt/format.h>
 
 #include <map>
@@ -41,8 +41,8 @@ public:
             return list;
         }();
         knobs.choice("view", view_, views, "every format, or one of them");
-        knobs.choice("format", format_, names, "for view = one");
-        knobs.toggle("mismatch", mismatch_, "read 8-bit codes by the other rule: 128 is 0, or is not");
+        knobs.choice("format", format_, names, "for view = one: the format of the sphere");
+        knobs.toggle("mismatch", mismatch_, "decode 8-bit codes with the other convention's rule");
         knobs.choice("show", show_, shows, "the lit sphere, the error, or half of each");
     }
 

@@ -1,7 +1,7 @@
 // Lab 03: height to normal.
 //
 // A normal map from a height map, by six filters: on clean heights and on 8-bit ones, with borders that wrap or end.
-// Yours: shaders/03_height_to_normal/task.glsl
+// Your tasks: shaders/03_height_to_normal/task.glsl
 #include <fmt/format.h>
 
 #include <map>
@@ -42,21 +42,22 @@ public:
     void knobs(Knobs& knobs) override {
         const auto before = std::tuple(source_, size_, bits_, wrap_, where_, depth_, stretch_, fine_, middle_, coarse_);
         knobs.choice("view", view_, views, "every filter, or one of them");
-        knobs.choice("filter", filter_, filters, "for view = one");
-        knobs.choice("show", show_, shows, "the lit relief, the error against the known slope, or half of each");
+        knobs.choice("filter", filter_, filters, "for view = one: the filter of the wall");
+        knobs.choice("show", show_, shows, "the lit relief, the error compared with the exact slope, or half of each");
         knobs.choice("source", source_, sources, "a known function, the bricks' height map, or the bricks' colours");
-        knobs.choice("size", size_, sizes, "texels along each side, of the known function");
-        knobs.choice("bits", bits_, bit_counts, "that a height of the known function is stored in");
-        knobs.slider("depth", depth_, 0, 64, "what height 1 is worth, texels");
-        knobs.slider("stretch", stretch_, 0.25f, 4, "how wide a texel is, in its heights");
-        knobs.toggle("wrap", wrap_, "the map goes on at its other side; else it ends at its border");
-        knobs.choice("where", where_, places, "who computes the map: the fragment shader, or the framework on the CPU");
-        knobs.slider("fine", fine_, 0, 3, "strength of what changes over a texel");
-        knobs.slider("middle", middle_, 0, 3, "over two texels");
-        knobs.slider("coarse", coarse_, 0, 3, "over four texels");
-        knobs.steps("repeat", repeat_, 1, 4, "of the map along each side of the wall: look for seams");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light stands around the wall, degrees");
-        knobs.slider("light_height", light_height_, -2, 2, "how high it stands, metres");
+        knobs.choice("size", size_, sizes, "texels along each side of the map (source waves)");
+        knobs.choice("bits", bits_, bit_counts, "bits per stored height (source waves)");
+        knobs.slider("depth", depth_, 0, 64, "depth of the relief: texels of a height of 1");
+        knobs.slider("stretch", stretch_, 0.25f, 4, "width of a texel divided by its height");
+        knobs.toggle("wrap", wrap_, "continue the map at its other side; off: it ends at its border");
+        knobs.choice("where", where_, places,
+                     "the map is computed by a fragment shader, or by the framework on the CPU");
+        knobs.slider("fine", fine_, 0, 3, "strength of detail of one texel");
+        knobs.slider("middle", middle_, 0, 3, "strength of detail of two texels");
+        knobs.slider("coarse", coarse_, 0, 3, "strength of detail of four texels");
+        knobs.steps("repeat", repeat_, 1, 4, "repeats of the map along each side of the wall: look for seams");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light around the wall, degrees");
+        knobs.slider("light_height", light_height_, -2, 2, "height of the light, metres");
         if (before != std::tuple(source_, size_, bits_, wrap_, where_, depth_, stretch_, fine_, middle_, coarse_))
             heights_.reset(), truth_.reset(), maps_.clear();
     }

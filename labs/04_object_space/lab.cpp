@@ -1,7 +1,7 @@
 // Lab 04: object space.
 //
-// One quilted column and three maps of its normals, in the world's space, the object's and the tangent's: twist it,
-// turn it, move it, and see which map goes along. Yours: shaders/04_object_space/task.glsl
+// One quilted column and three maps of its normals, in world, object and tangent space: twist it,
+// rotate it, move it, and see which map follows. Your tasks: shaders/04_object_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/kit/labels.h"
@@ -27,12 +27,12 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.choice("view", view_, views, "every map, or one of them");
-        knobs.choice("map", map_, maps, "for view = one");
-        knobs.slider("twist", twist_, -180, 180, "from the foot of the column to its top, degrees");
-        knobs.slider("rotate", rotate_, -180, 180, "about the vertical, degrees");
-        knobs.slider("translate", translate_, -1, 1, "sideways, metres");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light stands around the column, degrees");
-        knobs.toggle("show_map", show_map_, "the map itself in a corner");
+        knobs.choice("map", map_, maps, "for view = one: the map of the column");
+        knobs.slider("twist", twist_, -180, 180, "twist of the column from its foot to its top, degrees");
+        knobs.slider("rotate", rotate_, -180, 180, "rotation of the column about the vertical, degrees");
+        knobs.slider("translate", translate_, -1, 1, "movement of the column to the side, metres");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light around the column, degrees");
+        knobs.toggle("show_map", show_map_, "show the map in a corner");
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {

@@ -1,7 +1,7 @@
 // Lab 05: the tangent basis.
 //
 // Bricks on a coarse mesh, by the tangents of each method; the angle to dP/du as a heat map; the frames as lines.
-// Yours: labs/05_tangent_basis/task.cpp and shaders/05_tangent_basis/task.glsl
+// Your tasks: labs/05_tangent_basis/task.cpp and shaders/05_tangent_basis/task.glsl
 #include <fmt/format.h>
 
 #include <map>
@@ -33,17 +33,17 @@ public:
     void knobs(Knobs& knobs) override {
         const auto before = std::tuple(shape_, columns_, rows_, jitter_, shear_, collapsed_);
         knobs.choice("view", view_, views, "the methods side by side, or one of them");
-        knobs.choice("method", method_, methods, "for view = one: where the tangent comes from");
-        knobs.choice("shape", shape_, shapes, "what the bricks lie on");
-        knobs.choice("show", show_, shows, "lit, the angle to dP/du, or half of each");
-        knobs.toggle("lines", lines_, "tangent red, bitangent green, normal blue");
-        knobs.slider("line_length", line_length_, 2, 60, "pixels");
-        knobs.steps("columns", columns_, 3, 64, "cells around");
-        knobs.steps("rows", rows_, 2, 64, "cells up");
-        knobs.slider("jitter", jitter_, 0, 1, "how far vertices are out of line");
-        knobs.slider("shear", shear_, -1, 1, "of the quad's texture: how much v grows along x");
-        knobs.toggle("collapsed", collapsed_, "all u are 0: no triangle has an area in uv");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light stands around the shape, degrees");
+        knobs.choice("method", method_, methods, "for view = one: source of the tangent");
+        knobs.choice("shape", shape_, shapes, "shape with the bricks");
+        knobs.choice("show", show_, shows, "the light, the angle to the exact dP/du, or half of each");
+        knobs.toggle("lines", lines_, "draw the frames: tangent red, bitangent green, normal blue");
+        knobs.slider("line_length", line_length_, 2, 60, "length of the drawn axes, pixels");
+        knobs.steps("columns", columns_, 3, 64, "cells of the mesh around the shape");
+        knobs.steps("rows", rows_, 2, 64, "cells of the mesh from bottom to top");
+        knobs.slider("jitter", jitter_, 0, 1, "random shift of the vertices");
+        knobs.slider("shear", shear_, -1, 1, "shear of the quad's texture: how much v grows along x");
+        knobs.toggle("collapsed", collapsed_, "set all u to 0: no triangle has an area in uv");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light around the shape, degrees");
         if (before != std::tuple(shape_, columns_, rows_, jitter_, shear_, collapsed_)) meshes_.clear();
     }
 

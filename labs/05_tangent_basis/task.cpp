@@ -1,4 +1,4 @@
-// Lab 05, yours: solve a triangle for its tangent, weigh it at a vertex, and make it a part of a frame.
+// Lab 05, your tasks: solve a triangle for its tangent, weigh it at a vertex, and make a frame of the result.
 #include "task.h"
 
 #include <cmath>
@@ -10,8 +10,8 @@ namespace relief::basis {
 
 // TASK 5.1 (4 points): along the edges e1 = p1 - p0 and e2 = p2 - p0 the uv change by (s1, t1) and (s2, t2), so
 //     e1 = s1 T + t1 B,   e2 = s2 T + t2 B.
-// Solve for T and B, and make both unit: the weights of 5.2 are to count, not the lengths. The determinant has a sign;
-// where it is 0, all of the result is 0, so that such a triangle does not count in a mean.
+// Solve for T and B, and normalise both: the weights of 5.2 must count, not the lengths. The determinant has a sign.
+// Where it is 0, return 0 everywhere, so that such a triangle does not count in a mean.
 //(solve
 FaceBasis solve(const Triangle& triangle) {
     //[solution
@@ -32,7 +32,7 @@ FaceBasis solve(const Triangle& triangle) {
 //)
 
 // TASK 5.2 (3 points): uniform: 1. By area: the triangle's area. By angle: its angle at the corner, in radians, by the
-// arc tangent of sine and cosine (an arc cosine knows nothing of small angles).
+// arc tangent of sine and cosine (an arc cosine is inexact for small angles).
 double corner_weight(Weight weight, const Triangle& triangle, int corner) {
     //[solution
     const auto& p = triangle.position;
@@ -48,8 +48,8 @@ double corner_weight(Weight weight, const Triangle& triangle, int corner) {
     //]
 }
 
-// TASK 5.3 (3 points): Gram-Schmidt: take from the sum what lies along the normal, and make the rest unit. A sum along
-// the normal, or none at all, leaves nothing: the frame must be one all the same.
+// TASK 5.3 (3 points): Gram-Schmidt: subtract from the sum its part along the normal, and normalise the rest. If the
+// sum is parallel to the normal, or zero, nothing is left: still return a frame.
 glm::dvec4 vertex_tangent(const glm::dvec3& sum, const glm::dvec3& normal, double handedness) {
     //[solution
     const glm::dvec3 across = sum - glm::dot(sum, normal) * normal;

@@ -1,8 +1,8 @@
 // Lab 06: tangent space.
 //
-// A frame at every pixel: light in the world's space or in the tangent's, on models that are scaled and mirrored, with
-// textures that are turned.
-// Yours: shaders/06_tangent_space/task.glsl
+// A frame at every pixel: light in world space or in tangent space, on models that are scaled and mirrored, with
+// rotated textures.
+// Your tasks: shaders/06_tangent_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/kit/labels.h"
@@ -27,25 +27,26 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.choice("view", view_, views, "the right way and three mistakes, or what the knobs say");
-        knobs.choice("shape", shape_, shapes, "the wall's left half is mirrored");
-        knobs.choice("normals", normals_from_, sources, "from the map, or from the vertices alone");
+        knobs.choice("view", view_, views, "the right way and three mistakes, or one picture by the knobs");
+        knobs.choice("shape", shape_, shapes, "shape of the model; the wall's left half is mirrored");
+        knobs.choice("normals", normals_from_, sources, "normals from the map, or from the vertices only");
         knobs.choice("map", map_, maps, "bricks, or one flat texel");
-        knobs.slider("strength", strength_, 0, 2, "of the map; 0 is flat");
-        knobs.choice("light_in", light_in_, spaces, "where light and eye meet the normal");
-        knobs.toggle("gram_schmidt", gram_schmidt_, "for view = one: make each pixel's frame unit and perpendicular");
-        knobs.toggle("inverse_transpose", inverse_transpose_, "for view = one: take normals to the world by it");
-        knobs.toggle("turn_tangent", turn_tangent_, "for view = one: turn the tangent with the texture");
-        knobs.slider("turn", turn_, -180, 180, "of the texture, degrees");
-        knobs.slider("scale_x", scale_.x, -2, 2, "of the model");
-        knobs.slider("scale_y", scale_.y, -2, 2, "of the model");
-        knobs.slider("scale_z", scale_.z, -2, 2, "of the model");
-        knobs.steps("size", size_, -6, 6, "of the model, a power of ten");
-        knobs.slider("rotate", rotate_, -180, 180, "the model about the vertical, degrees");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light stands, degrees");
-        knobs.slider("light_height", light_height_, -3, 3, "how high, metres");
-        knobs.slider("light_distance", light_distance_, 0, 5, "how far from the axis, metres");
-        knobs.choice("trouble", trouble_, troubles, "what the vertices' tangents are");
+        knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
+        knobs.choice("light_in", light_in_, spaces, "space of the lighting");
+        knobs.toggle("gram_schmidt", gram_schmidt_, "for view = one: make each pixel's frame orthonormal");
+        knobs.toggle("inverse_transpose", inverse_transpose_,
+                     "for view = one: transform normals by the inverse transpose");
+        knobs.toggle("turn_tangent", turn_tangent_, "for view = one: rotate the tangent with the texture");
+        knobs.slider("turn", turn_, -180, 180, "rotation of the texture, degrees");
+        knobs.slider("scale_x", scale_.x, -2, 2, "scale of the model along x");
+        knobs.slider("scale_y", scale_.y, -2, 2, "scale of the model along y");
+        knobs.slider("scale_z", scale_.z, -2, 2, "scale of the model along z");
+        knobs.steps("size", size_, -6, 6, "size of the model, a power of ten");
+        knobs.slider("rotate", rotate_, -180, 180, "rotation of the model about the vertical, degrees");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
+        knobs.slider("light_height", light_height_, -3, 3, "height of the light, metres");
+        knobs.slider("light_distance", light_distance_, 0, 5, "distance of the light from the axis, metres");
+        knobs.choice("trouble", trouble_, troubles, "faults in the tangents of the vertices");
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
@@ -57,7 +58,7 @@ public:
     }
 
 private:
-    /// What is done at each pixel; the empty words are the right way.
+    /// The defines of each way; empty ones are the right way.
     struct Way {
         const char *title, *frame, *normals, *turn;
     };

@@ -1,7 +1,7 @@
 // Lab 10: parallax offset.
 //
-// A relief on a flat wall, by three guesses of where the view ray meets it, from straight on to nearly edge-on: lit
-// above, the error in texels below. Yours: shaders/10_parallax_offset/task.glsl
+// A relief on a flat wall, by three estimates of where the view ray meets it, from straight on to nearly edge-on: lit
+// above, the error in texels below. Your tasks: shaders/10_parallax_offset/task.glsl
 #include <fmt/format.h>
 
 #include "framework/base/text.h"
@@ -30,13 +30,13 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.choice("view", view_, views, "every method at five angles on the wall, or one by the camera");
-        knobs.choice("method", method_, methods, "for view = one");
+        knobs.choice("view", view_, views, "every method at five angles on the wall, or one from the camera");
+        knobs.choice("method", method_, methods, "for view = one: the method");
         knobs.steps("steps", steps_, 1, 256, "layers of the steep method");
         knobs.choice("show", show_, shows, "the lit relief, the error, or half of each");
         surface_.knobs(knobs);
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "how high it stands, degrees");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
+        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {

@@ -1,7 +1,7 @@
 // Lab 11: parallax occlusion mapping.
 //
-// March the view ray through the height map, and take the place where the last two samples' line goes below it.
-// Yours: shaders/11_parallax_occlusion/task.glsl
+// March the view ray through the height map, and intersect the line between the last two samples.
+// Your tasks: shaders/11_parallax_occlusion/task.glsl
 #include <fmt/format.h>
 
 #include <tuple>
@@ -45,20 +45,21 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.choice("view", view_, views, "methods side by side, or what the knobs say");
+        knobs.choice("view", view_, views, "methods side by side, or one picture by the knobs");
         knobs.choice("show", show_, shows, "for view = compare: the picture, the error, or both");
-        knobs.choice("count", chosen_.count, counts, "where the number of steps comes from");
-        knobs.steps("steps", steps_, 1, 512, "of the march; by angle, where the ray is level");
-        knobs.steps("least_steps", least_steps_, 1, 512, "by angle, where it looks straight down");
-        knobs.slider("texels_per_step", chosen_.texels_per_step, 0.25f, 8, "by texel, of the level that is read");
-        knobs.choice("refine", chosen_.refine, refinements, "what is made of the last two samples");
-        knobs.steps("rounds", chosen_.rounds, 0, 8, "of bisection, secant or illinois");
-        knobs.choice("mip", mip_, mips, "which level is marched through");
-        knobs.choice("lookup", lookup_, lookups, "implicit lets each sample derive a level: the usual mistake");
-        knobs.toggle("skip", skip_, "do not march what is too short to see, or flat");
-        knobs.toggle("decal", decal_, "paint on a pane that stands at the top of the relief");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "from how high, degrees");
+        knobs.choice("count", chosen_.count, counts, "rule for the number of steps");
+        knobs.steps("steps", steps_, 1, 512, "steps of the march; with count = angle: of a level ray");
+        knobs.steps("least_steps", least_steps_, 1, 512, "for count = angle: steps of a ray straight down");
+        knobs.slider("texels_per_step", chosen_.texels_per_step, 0.25f, 8,
+                     "for count = texel: texels of the mip level per step");
+        knobs.choice("refine", chosen_.refine, refinements, "how the hit is found between the last two samples");
+        knobs.steps("rounds", chosen_.rounds, 0, 8, "rounds of bisection, secant or illinois");
+        knobs.choice("mip", mip_, mips, "mip level that the march reads");
+        knobs.choice("lookup", lookup_, lookups, "implicit: texture() chooses the level, a common mistake");
+        knobs.toggle("skip", skip_, "skip marches that are too short to see, or over level ground");
+        knobs.toggle("decal", decal_, "paint on a pane at the top of the relief");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
+        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
         surface_.knobs(knobs);
     }
 

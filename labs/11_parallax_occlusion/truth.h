@@ -7,8 +7,8 @@
 
 namespace relief::occlusion {
 
-/// Of `uv`, the place in texels where the view ray meets the bilinear relief first; of `depth`, how many metres that is
-/// from the eye. A fragment that is seen from behind has no relief. Nothing for `steps`.
+/// For `uv`, the point in texels where the view ray first meets the bilinear relief; for `depth`, how many metres that
+/// is from the eye. A fragment that is seen from behind has no relief. Nothing for `steps`.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Mesh& mesh, const ReliefLay& lay,
                                       const Image& heights)>
     truth;

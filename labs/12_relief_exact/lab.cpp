@@ -1,8 +1,8 @@
 // Lab 12: the exact hit.
 //
-// Where a view ray meets the relief first, without a guess: six ways to skip what it cannot meet, the shadow, depth and
+// The exact first hit of the view ray and the relief: six ways to skip what it cannot hit, the shadow, depth and
 // outline that follow from the hit.
-// Yours: shaders/12_relief_exact/task.glsl
+// Your tasks: shaders/12_relief_exact/task.glsl
 #include <fmt/format.h>
 
 #include <glm/gtc/constants.hpp>
@@ -52,13 +52,13 @@ public:
     void knobs(Knobs& knobs) override {
         knobs.choice("view", view_, views, "reliefs and a ball, every method, or one of them");
         knobs.choice("method", method_, method_names, "how the search skips; the hit is the same");
-        knobs.choice("show", show_, shows, "the light, how many turns each pixel took, or half of each");
-        knobs.choice("shadow", shadow_, shadows, "of the relief on itself");
-        knobs.toggle("write_depth", write_depth_, "the depth of the hit, or of the base");
-        knobs.toggle("outline", outline_, "end where the relief ends, and bend with a column");
-        knobs.toggle("costs", costs_, "say what each method's map costs to make, and to keep");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light is, degrees");
-        knobs.slider("light_pitch", light_pitch_, -10, 89, "how high, degrees");
+        knobs.choice("show", show_, shows, "the light, the iterations of each pixel (turns), or half of each");
+        knobs.choice("shadow", shadow_, shadows, "shadow of the relief on itself");
+        knobs.toggle("write_depth", write_depth_, "write the depth of the hit; off: of the base");
+        knobs.toggle("outline", outline_, "end where the relief ends, and curve with a column");
+        knobs.toggle("costs", costs_, "show the time and memory of each method's map");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
+        knobs.slider("light_pitch", light_pitch_, -10, 89, "elevation of the light, degrees");
         surface_.knobs(knobs);
     }
 

@@ -1,4 +1,4 @@
-// What lab 12 shows: reliefs in their places, and a ball among them.
+// The scene of lab 12: reliefs at their places, and a ball among them.
 #pragma once
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,4 +1,4 @@
-// What each search of lab 12 knows of a height map beforehand: made when it is first asked for, on the GPU from then
+// The maps that each search of lab 12 uses: computed when first needed, on the GPU from then
 // on.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Lab 13: displacement by tessellation.
 //
-// The tessellator cuts each patch into triangles, and the evaluation shader moves their vertices: the relief is real,
-// to its outline. Yours: shaders/13_displacement/task.glsl
+// The tessellator divides each patch into triangles, and the evaluation shader displaces their vertices: the relief is
+// real, up to its outline. Your tasks: shaders/13_displacement/task.glsl
 #include <fmt/format.h>
 
 #include "framework/kit/displaced_surface.h"
@@ -46,16 +46,16 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.choice("view", view_, views,
-                     "levels side by side, a normal map beside what the knobs say, its spacings, or that alone");
+                     "levels side by side, a normal map beside the knobs' surface, its spacings, or only that surface");
         knobs.choice("show", show_, shows, "the light, the triangles, or half of each");
         knobs.slider("level", chosen_.level, 1, 64, "segments of each edge");
-        knobs.slider("inside", inside_, 0, 64, "segments within; 0: as along the edges");
+        knobs.slider("inside", inside_, 0, 64, "segments of the inside; 0: as along the edges");
         knobs.choice("spacing", chosen_.spacing, DisplacedSurface::spacings,
-                     "where the vertices stand when a level is not whole");
-        knobs.choice("mip", chosen_.mip, mips, "which level of the map a vertex reads");
-        knobs.choice("normals", chosen_.normals, normal_names, "what is lit");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "from how high, degrees");
+                     "positions of the vertices at a fractional level");
+        knobs.choice("mip", chosen_.mip, mips, "mip level that a vertex reads");
+        knobs.choice("normals", chosen_.normals, normal_names, "source of the normals");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
+        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
         surface_.knobs(knobs);
     }
 
@@ -141,7 +141,7 @@ private:
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (surface_.is_one_sided() && purpose.text != "PROBE_winding") glEnable(GL_CULL_FACE);
-        // To count is to wait. A probe and lines have no caption; who draws a probe may count for himself.
+        // Counting waits for the GPU. A probe and lines have no caption; a caller that draws a probe may count itself.
         const int triangles = purpose.text.empty() ? surface_.draw_and_count() : (surface_.draw(), 0);
         glDisable(GL_CULL_FACE);
         return triangles;

@@ -9,7 +9,7 @@
 namespace relief::displacement {
 
 /// `depth`, `slope` and `normal` of the displaced wall, where each view ray meets the bilinear surface first, from
-/// either side; `winding` of whatever is closed. Nothing else is known.
+/// either side; `winding` of closed surfaces. Empty for other probes.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const DisplacedSurface& surface)> truth;
 
 }  // namespace relief::displacement

@@ -1,7 +1,7 @@
 // Lab 14: adaptive displacement.
 //
-// Each edge says how finely it is cut, so that neighbours agree and no crack opens; what is out of sight is not cut at
-// all, and far away the relief is left to the normal map. Yours: shaders/14_adaptive_displacement/task.glsl
+// Each edge chooses its own level, so that neighbours agree and no crack opens; hidden patches are culled, and far
+// away only the normal map is left. Your tasks: shaders/14_adaptive_displacement/task.glsl
 #include <fmt/format.h>
 
 #include "framework/gl/target.h"
@@ -54,25 +54,27 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.choice("view", view_, views, "from the eye, its patches from above, or both");
-        knobs.choice("method", method_, methods, "where the levels come from");
-        knobs.choice("levels_of", levels_of_, levels_ofs, "each edge by itself, or the whole patch: then it cracks");
-        knobs.slider("level", level_, 1, 64, "for uniform");
-        knobs.slider("nearest", nearest_, 0.1f, 32, "for distance: metres, where edges have the finest level");
-        knobs.slider("farthest", farthest_, 0.1f, 64, "for distance: metres, where they have the coarsest");
-        knobs.slider("finest", finest_, 0, 6, "for distance: exponent of 2");
-        knobs.slider("coarsest", coarsest_, 0, 6, "for distance: exponent of 2");
-        knobs.slider("segment", segment_, 1, 64, "for size: pixels that a segment may have");
-        knobs.slider("budget", budget_, 0.125f, 8, "for error: pixels that a vertex may be off");
+        knobs.choice("view", view_, views, "the eye's picture, its patches from above, or both");
+        knobs.choice("method", method_, methods, "rule for the levels");
+        knobs.choice("levels_of", levels_of_, levels_ofs, "a level per edge, or per patch, which opens cracks");
+        knobs.slider("level", level_, 1, 64, "for method = uniform: level of every edge");
+        knobs.slider("nearest", nearest_, 0.1f, 32, "for method = distance: where edges have the finest level, metres");
+        knobs.slider("farthest", farthest_, 0.1f, 64,
+                     "for method = distance: where edges have the coarsest level, metres");
+        knobs.slider("finest", finest_, 0, 6, "for method = distance: the finest level, an exponent of 2");
+        knobs.slider("coarsest", coarsest_, 0, 6, "for method = distance: the coarsest level, an exponent of 2");
+        knobs.slider("segment", segment_, 1, 64, "for method = size: pixels per segment");
+        knobs.slider("budget", budget_, 0.125f, 8, "for method = error: tolerated error, pixels");
         knobs.choice("spacing", spacing_, DisplacedSurface::spacings,
-                     "where the vertices stand when a level is not whole");
-        knobs.choice("cull", cull_, culls, "patches that are not drawn: outside of the picture, and facing away");
+                     "positions of the vertices at a fractional level");
+        knobs.choice("cull", cull_, culls,
+                     "cull no patches, those outside of the picture, or also those that face away");
         knobs.toggle("fade", fade_, "let the displacement fade into the normal map");
-        knobs.slider("fade_begin", fade_begin_, 0, 64, "metres from the eye");
-        knobs.slider("fade_end", fade_end_, 0, 64, "metres from the eye");
+        knobs.slider("fade_begin", fade_begin_, 0, 64, "where the fade begins, metres from the eye");
+        knobs.slider("fade_end", fade_end_, 0, 64, "where the fade ends, metres from the eye");
         knobs.toggle("wire", wire_, "draw the triangles' edges");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "from how high, degrees");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
+        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
         surface_.knobs(knobs);
     }
 
@@ -138,7 +140,7 @@ private:
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (one_sided) glEnable(GL_CULL_FACE);
-        // A probe has no caption; whoever draws it may count for himself.
+        // A probe has no caption; a caller that draws it may count itself.
         const int triangles = purpose.text.starts_with("PROBE_") ? (surface_.draw(), 0) : surface_.draw_and_count();
         glDisable(GL_CULL_FACE);
         return triangles;

@@ -1,4 +1,4 @@
-// What the control shader of lab 14 is told: the planes of the picture, and what is known of each patch.
+// The inputs of lab 14's control shader: the planes of the picture, and the measured bounds of each patch.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace relief::adaptive {
 
-/// The sides of what a camera sees, as planes in a model that stands at `origin`: xyz is unit and points inwards.
+/// The sides of what a camera sees, as planes in a model at `origin`: xyz has unit length and points inwards.
 std::array<glm::vec4, 6> planes_of(const Camera& camera, const glm::dvec3& origin);
 
 /// What an angle of one radian is wide in the middle of the picture, in pixels.

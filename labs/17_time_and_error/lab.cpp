@@ -1,7 +1,7 @@
 // Lab 17: time and error.
 //
-// A wall from the eye to the horizon, and one number to turn: how many pixels the picture may be off. Each patch and
-// each pixel takes the cheapest method that keeps it. Yours: shaders/17_time_and_error/task.glsl
+// A wall from the eye to the horizon, and one number to set: by how many pixels the picture may be off. Each patch and
+// each pixel takes the cheapest method that keeps it. Your tasks: shaders/17_time_and_error/task.glsl
 #include <fmt/format.h>
 
 #include "framework/base/text.h"
@@ -42,16 +42,17 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.slider("budget", budget_, 0.25f, 16, "pixels that any place of the relief may be off");
+        knobs.slider("budget", budget_, 0.25f, 16, "tolerated error of the relief, pixels");
         knobs.choice("view", view_, views, "the picture, the methods as colours, or both");
         knobs.choice("method", method_, methods, "the cheapest that keeps the budget, or one everywhere");
-        knobs.toggle("spend", spend_, "one everywhere: off as it is in labs 11 to 13, on within the budget");
-        knobs.slider("exact_taps", exact_taps_, 0, 1000, "heights that a march reads in the time of an exact search");
-        knobs.slider("triangle_taps", triangle_taps_, 0, 10000, "and in that of a triangle: on a graphics card a few");
+        knobs.toggle("spend", spend_, "for one method: thin the relief by the budget; off: as in labs 11 to 13");
+        knobs.slider("exact_taps", exact_taps_, 0, 1000, "taps of a march that take as long as an exact search");
+        knobs.slider("triangle_taps", triangle_taps_, 0, 10000,
+                     "taps that take as long as a triangle: on a graphics card a few");
         surface_.material.knobs(knobs);
-        knobs.slider("depth", surface_.depth, 0, 0.25f, "of the relief, metres");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "where the light comes from, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "from how high, degrees");
+        knobs.slider("depth", surface_.depth, 0, 0.25f, "depth of the relief, metres");
+        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
+        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {

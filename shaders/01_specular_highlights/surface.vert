@@ -1,5 +1,5 @@
 #version 410 core
-// To the world, with the tangent where a normal map wants it.
+// Transforms to the world, with the tangent if a normal map needs it.
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;

@@ -1,9 +1,10 @@
-// Lab 01, yours: from what a normal map stores to a direction in the world.
+// Lab 01, your tasks: from a texel of a normal map to a direction in the world.
 
 #include "common/unfinished.glsl"
 
-// TASK 1.1 (2 points): the sampler gives each component in [0, 1], where 0 stands for -1 and 1 for 1. Undo that. Then let
-// `strength` make the bumps higher or lower: it multiplies x and y, and 0 is flat. Of any length: 1.2 makes it unit.
+// TASK 1.1 (2 points): the sampler gives each component in [0, 1], where 0 stands for -1 and 1 for 1. Undo that. Then
+// apply `strength`: it multiplies x and y, so that bumps become higher or lower; 0 is flat. The result may have any
+// length: 1.2 normalises it.
 //(texel
 vec3 direction_of_texel(vec3 stored, float strength) {
     //[solution
@@ -15,8 +16,8 @@ vec3 direction_of_texel(vec3 stored, float strength) {
 }
 //)
 
-// TASK 1.2 (3 points): x counts along the tangent, y along the bitangent, z along the normal. The three are directions in
-// the world; where is `direction` in the world? Make it unit: light is a cosine.
+// TASK 1.2 (3 points): transform `direction` to the world: x goes along the tangent, y along the bitangent, z along
+// the normal, and these three are directions in the world. Normalise the result: light is a cosine.
 //(world
 vec3 direction_in_world(vec3 direction, vec3 tangent, vec3 bitangent, vec3 normal) {
     //[solution

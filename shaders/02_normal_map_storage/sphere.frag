@@ -1,5 +1,5 @@
 #version 410 core
-// A sphere of directions: each is stored in FORMAT, read back, and lit or held against what it was.
+// A sphere of directions: each is stored in FORMAT, read back, and lit or compared with the original.
 
 #include "02_normal_map_storage/task.glsl"
 #include "common/heat.glsl"

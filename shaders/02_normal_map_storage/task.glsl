@@ -1,9 +1,9 @@
-// Lab 02, yours: a unit normal as a few small integers, and back. Codes are whole numbers, as floats.
+// Lab 02, your tasks: a normal as a few small integers, and back. Codes are whole numbers, as floats.
 
 #include "common/unfinished.glsl"
 
-// TASK 2.1 (3 points): f(x) = (0.5 x + 0.5) 255 takes x in [-1, 1] to [0, 255]. Store the nearest whole number (a cast
-// truncates, and costs twice the error), and undo f.
+// TASK 2.1 (3 points): f(x) = (0.5 x + 0.5) 255 maps x in [-1, 1] to [0, 255]. Store the nearest whole number (a cast
+// truncates, which doubles the error). Then write the inverse of f.
 //(bytes
 vec3 encode_unorm8(vec3 normal) {
     //[solution
@@ -22,8 +22,8 @@ vec3 decode_unorm8(vec3 code) {
 }
 //)
 
-// TASK 2.2 (2 points): no code of 2.1 stands for 0, so a flat texel tilts by a third of a degree. Pair up two others: x
-// as 127 x + 128, rounded, in which 128 is 0 exactly; and undo that.
+// TASK 2.2 (2 points): no code of 2.1 stands for 0, so a flat texel leans by a third of a degree. Write another pair:
+// store x as 127 x + 128, rounded, so that 128 stands for 0 exactly; then write its inverse.
 vec3 encode_paired8(vec3 normal) {
     //[solution
     return floor(127.0 * normal + 128.5);
@@ -40,8 +40,8 @@ vec3 decode_paired8(vec3 code) {
     //]
 }
 
-// TASK 2.3 (2 points): two channels hold x and y of a unit normal that points out of the surface. What is z? Rounding can
-// make x and y too long: there z is 0, and never NaN.
+// TASK 2.3 (2 points): two channels hold x and y of a normal of unit length that points out of the surface. What is z?
+// Rounding can make (x, y) longer than 1: there z is 0, and never NaN.
 float z_from_xy(vec2 xy) {
     //[solution
     return sqrt(max(0.0, 1.0 - dot(xy, xy)));
@@ -50,9 +50,10 @@ float z_from_xy(vec2 xy) {
     //]
 }
 
-// TASK 2.4 (4 points): the octahedral map. Divide by |x| + |y| + |z|: the upper half of the octahedron, seen from above, is
-// a square standing on its corner; fold the lower half's triangles outwards over its edges. The sign of 0 counts as 1. What
-// is stored is in [-1, 1], both components of it (the framework makes two bytes of them); what is read must be unit.
+// TASK 2.4 (4 points): the octahedral map. Divide by |x| + |y| + |z|: the upper half of the octahedron, seen from
+// above, is a square standing on its corner. Fold the lower half's triangles outwards over its edges. The sign of 0
+// counts as 1. Both components of the result are in [-1, 1] (the framework stores them in two bytes). The decoded
+// normal must have unit length.
 vec2 signs(vec2 v) { return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0); }
 
 //(octahedral

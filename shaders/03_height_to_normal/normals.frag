@@ -42,7 +42,7 @@ float slope_v(ivec2 texel) {
 }
 
 #ifdef SOBEL
-// Beyond a border that does not wrap: along the slope the parabola through three texels goes on, which makes the central
+// Beyond a border that does not wrap: along the slope the parabola through three texels continues, which makes the central
 // difference a one-sided one of the same order; across it the border repeats.
 //(beyond
 float beyond(ivec2 texel, ivec2 along) {

@@ -1,10 +1,11 @@
-// Lab 03, yours: slopes, and the normals that stand on them.
+// Lab 03, your tasks: slopes, and their normals.
 
 #include "common/unfinished.glsl"
 
-// TASK 3.1 (3 points): Sobel's filter. h holds a texel and its eight neighbours, row by row from below, each from left to
-// right: h[0] is below and to the left, h[4] the texel itself, h[7] above it. The slope along u is the central difference
-// (right less left, over two texels), smoothed over the three rows by the weights 1 2 1 over their sum; along v likewise.
+// TASK 3.1 (3 points): Sobel's filter. h holds a texel and its eight neighbours, row by row from below, each row from
+// left to right: h[0] is below and to the left, h[4] the texel itself, h[7] above it. The slope along u is the central
+// difference (right minus left, divided by two texels), averaged over the three rows with the weights 1 2 1. Likewise
+// along v.
 //(sobel
 vec2 sobel(float h[9]) {
     //[solution
@@ -17,9 +18,9 @@ vec2 sobel(float h[9]) {
 }
 //)
 
-// TASK 3.2 (3 points): the unit normal. `slope` is dh/du and dh/dv per texel, of heights in [0, 1]; height 1 is worth
-// `texels.x` texels along u and `texels.y` along v (they differ where texels are not square): twice the texels, twice the
-// slope. A surface that rises to the right leans to the left.
+// TASK 3.2 (3 points): the normal, of unit length. `slope` is dh/du and dh/dv per texel, for heights in [0, 1]. A
+// height of 1 is `texels.x` texels along u and `texels.y` along v (they differ where texels are not square): twice the
+// texels, twice the slope. A surface that rises to the right leans to the left.
 //(normal
 vec3 normal_of_slope(vec2 slope, vec2 texels) {
     //[solution
@@ -30,8 +31,8 @@ vec3 normal_of_slope(vec2 slope, vec2 texels) {
 }
 //)
 
-// TASK 3.3 (3 points): a height from a colour. Light adds up, stored values do not: take the colour to light, weigh red,
-// green and blue by 0.2126, 0.7152 and 0.0722, and take the grey that comes of it back to what sRGB stores.
+// TASK 3.3 (3 points): a height from a colour. You may add light, but not stored values: decode the colour to light,
+// add red, green and blue with the weights 0.2126, 0.7152 and 0.0722, and encode the grey as sRGB again.
 float linear_of(float stored) { return stored <= 0.04045 ? stored / 12.92 : pow((stored + 0.055) / 1.055, 2.4); }
 float stored_of(float light) { return light <= 0.0031308 ? light * 12.92 : 1.055 * pow(light, 1.0 / 2.4) - 0.055; }
 

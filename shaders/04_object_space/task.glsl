@@ -1,9 +1,10 @@
-// Lab 04, yours: normals that move with their model.
+// Lab 04, your tasks: normals that move with their model.
 
 #include "common/unfinished.glsl"
 
-// TASK 4.1 (2 points): a normal from the object's space to the world's, unit. The model may be turned and moved, and
-// scaled by one number, but not sheared: a normal turns as the model does, and does not care where it stands.
+// TASK 4.1 (2 points): transform a normal from object space to world space, of unit length. The model may be rotated
+// and moved, and scaled by one number, but not sheared: the normal rotates with the model, and its position does not
+// matter.
 vec3 world_from_object(vec3 normal, mat4 world_from_model) {
     //[solution
     return normalize(mat3(world_from_model) * normal);
@@ -12,9 +13,9 @@ vec3 world_from_object(vec3 normal, mat4 world_from_model) {
     //]
 }
 
-// TASK 4.2 (4 points): the twist turns what lies at height y about the y axis by a = rate * y radians:
+// TASK 4.2 (4 points): the twist rotates a point at height y about the y axis by a = rate * y radians:
 //     x' = x cos a + z sin a,   y' = y,   z' = -x sin a + z cos a.
-// Its Jacobian: the columns are d(x', y', z')/dx, d/dy and d/dz. (a depends on y: mind the second column.)
+// Write its Jacobian: the columns are d(x', y', z')/dx, d/dy and d/dz. (a depends on y: mind the second column.)
 //(jacobian
 mat3 twist_jacobian(vec3 position, float rate) {
     //[solution
@@ -27,10 +28,11 @@ mat3 twist_jacobian(vec3 position, float rate) {
 }
 //)
 
-// TASK 4.3 (4 points): a normal from tangent space to the moved surface, unit. `tangent` and `bitangent` have moved with the
-// surface: unit and at right angles before, perhaps no longer. n = cross(tangent, bitangent), made unit, is its normal. A
-// slope along the tangent tilts the normal in the plane that holds no bitangent, so the axes for x and y are
-// cross(bitangent, n) and cross(n, tangent); for z it is cross(tangent, bitangent), not made unit.
+// TASK 4.3 (4 points): transform a normal from tangent space to the deformed surface, of unit length. `tangent` and
+// `bitangent` are already transformed: before, they were of unit length and at right angles; now they may be neither.
+// n = cross(tangent, bitangent), normalised, is the normal of the deformed surface. A slope along the tangent tilts
+// the normal at a right angle to the bitangent. So the axes for x and y are cross(bitangent, n) and cross(n, tangent);
+// the axis for z is cross(tangent, bitangent), not normalised.
 //(carried
 vec3 object_from_tangent(vec3 normal, vec3 tangent, vec3 bitangent) {
     //[solution

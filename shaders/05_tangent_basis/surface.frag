@@ -23,7 +23,7 @@ uniform sampler2D s_normals;
 
 layout(location = 0) out vec4 o_color;
 
-// A probe shows what the task has made, and must not be able to call the truth.
+// A probe shows the task's result, and must not be able to call the exact solution.
 #if !defined PROBE_tangent && !defined PROBE_bitangent
 // dP/du of the surface that the mesh stands for.
 vec3 exact_tangent() {

@@ -1,13 +1,13 @@
-// Lab 05, yours: a tangent without vertices that have one.
+// Lab 05, your task: a tangent where the vertices have none.
 
 #include "common/perpendicular.glsl"
 #include "common/unfinished.glsl"
 
-// TASK 5.4 (4 points): from one pixel to the next on the right the position changes by `position_dx` and the uv by `uv_dx`;
-// to the next one above by `position_dy` and `uv_dy`. That is a triangle: solve it for dP/du as in task 5.1, take out what
-// lies along the unit normal, and make it unit. In w goes 1, or -1 where the texture is mirrored: where dP/dv is on the
-// other side than cross(normal, tangent). Where the uv do not change, or along one line only, the determinant is
-// 0: there must be no NaN, and any_perpendicular(normal) will do.
+// TASK 5.4 (4 points): from one pixel to the next on the right the position changes by `position_dx` and the uv by
+// `uv_dx`; to the next one above by `position_dy` and `uv_dy`. That is a triangle: solve it for dP/du as in task 5.1,
+// subtract the part along the normal (which has unit length), and normalise the result. Store 1 in w, or -1 where the
+// texture is mirrored: where dP/dv is on the other side than cross(normal, tangent). Where the uv do not change, or
+// change along one line only, the determinant is 0: return any_perpendicular(normal), and never NaN.
 //(derivatives
 vec4 tangent_of_derivatives(vec3 normal, vec3 position_dx, vec3 position_dy, vec2 uv_dx, vec2 uv_dy) {
     //[solution

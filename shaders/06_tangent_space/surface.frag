@@ -1,5 +1,5 @@
 #version 410 core
-// One light, in the world's space or in the tangent's, by the vertex normal or by the normal map.
+// One light, in world space or in tangent space, by the vertex normal or by the normal map.
 
 #include "06_tangent_space/task.glsl"
 #include "common/light.glsl"

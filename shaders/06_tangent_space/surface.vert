@@ -1,5 +1,5 @@
 #version 410 core
-// To the world; normals and tangents stay the model's, for the fragment stage to take along.
+// Transforms positions to the world; normals and tangents stay in object space, for the fragment stage to transform.
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;

@@ -1,12 +1,13 @@
-// Lab 06, yours: a frame at every pixel, and what is done in it.
+// Lab 06, your tasks: a frame at every pixel, and its use.
 
 #include "common/perpendicular.glsl"
 #include "common/unfinished.glsl"
 
-// TASK 6.1 (4 points): the frame of a pixel: columns tangent, bitangent, normal, unit and at right angles. `normal` is unit;
-// `tangent` is interpolated between vertices: not unit, and no longer quite perpendicular. Keep the normal, take out of the
-// tangent what lies along it (Gram-Schmidt), and mind the handedness in w. A tangent that lies along the normal (little
-// is left of it, beside its length), or none, must not give NaN: any perpendicular will do.
+// TASK 6.1 (4 points): the frame of a pixel: the columns are tangent, bitangent and normal, of unit length and at
+// right angles. `normal` has unit length already. `tangent` is interpolated between vertices: it is not of unit
+// length, and no longer quite perpendicular. Keep the normal, subtract from the tangent its part along the normal
+// (Gram-Schmidt), and use the handedness in w. A tangent parallel to the normal (after the subtraction almost nothing
+// is left, compared with its length), or of length 0, must not give NaN: use any perpendicular.
 //(frame
 mat3 tangent_frame(vec3 normal, vec4 tangent) {
     //[solution
@@ -20,8 +21,8 @@ mat3 tangent_frame(vec3 normal, vec4 tangent) {
 }
 //)
 
-// TASK 6.2 (2 points): a direction of the world in the frame of 6.1. A matrix of perpendicular unit columns is undone by its
-// transpose.
+// TASK 6.2 (2 points): transform a world-space direction into the frame of 6.1. If the columns of a matrix are
+// orthonormal, its transpose is its inverse.
 vec3 to_tangent_space(vec3 direction, mat3 frame) {
     //[solution
     return transpose(frame) * direction;
@@ -30,10 +31,10 @@ vec3 to_tangent_space(vec3 direction, mat3 frame) {
     //]
 }
 
-// TASK 6.3 (4 points): a normal of the model in the world, of any length but the right side. Where the model is scaled more
-// along one axis than along another, a normal does not go along: it takes the inverse transpose. cross(m[1], m[2]),
-// cross(m[2], m[0]) and cross(m[0], m[1]) are the columns of that, times the determinant, whose sign you must undo (0 counts
-// as positive; GLSL's sign(0.0) is 0); and they are finite where a scale is 0.
+// TASK 6.3 (4 points): transform a normal of the model to the world. Any length will do, but it must be on the right
+// side. If the model is scaled by different numbers along its axes, normals need the inverse transpose of m. Its
+// columns, times the determinant, are cross(m[1], m[2]), cross(m[2], m[0]) and cross(m[0], m[1]): they are finite even
+// where a scale is 0. Multiply by the determinant's sign (0 counts as positive; GLSL's sign(0.0) is 0).
 //(normal
 vec3 world_normal(vec3 normal, mat3 m) {
     //[solution
@@ -45,10 +46,10 @@ vec3 world_normal(vec3 normal, mat3 m) {
 }
 //)
 
-// TASK 6.4 (3 points): the texture turned by `angle` (radians): the place of the surface that read the texture at uv reads it
-// at R (uv - 1/2) + 1/2, where R takes (1, 0) to (cos, sin): at (1, 1/2) that is (1/2 + cos/2, 1/2 + sin/2). And the
-// tangent that goes with it: along which direction of the surface does the turned u grow? Not along R: if you turn the
-// coordinates one way, the picture turns the other.
+// TASK 6.4 (3 points): rotate the texture by `angle` (radians). The point of the surface that read the texture at uv
+// now reads it at R (uv - 1/2) + 1/2, where R maps (1, 0) to (cos, sin): at (1, 1/2) that is (1/2 + cos/2, 1/2 +
+// sin/2). Then rotate the tangent: in which direction of the surface does the rotated u grow? Not along R: if you
+// rotate the coordinates one way, the picture turns the other way.
 vec2 turned_uv(vec2 uv, float angle) {
     //[solution
     float c = cos(angle), s = sin(angle);

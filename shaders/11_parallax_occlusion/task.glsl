@@ -1,4 +1,4 @@
-// Lab 11, yours: the march along the view ray, from the number of its steps to what is read where it ends.
+// Lab 11, your tasks: the march along the view ray, from the number of its steps to the taps where it ends.
 
 #include "common/unfinished.glsl"
 
@@ -10,8 +10,8 @@ struct ReliefRay {
     float level;  // of the height map, chosen once, before the march
 };
 
-// Two places on the ray between which it goes below the surface, and how far it runs above the surface there: the first
-// gap is positive, the second is not. Where the ray begins on the surface both places are 0, and both gaps the one there.
+// Two points on the ray between which it goes below the surface, and how far it runs above the surface there: the first
+// gap is positive, the second is not. Where the ray begins on the surface, both points are t = 0, with the same gap.
 struct Bracket {
     float before, after;
     float gap_before, gap_after;
@@ -19,10 +19,10 @@ struct Bracket {
 
 const int bisection = 2, secant = 3, illinois = 4;  // methods of task 11.4
 
-// TASK 11.1 (3 points): how many steps a march takes. Fractions stay, so that no line shows where the number changes.
-// By angle: `most` where the ray is level (slant 0), `least` where it looks straight down (slant 1), a straight line in
-// between. By texel: one step for every `texels_per_step` texels of the march's length, counted on the level that is read,
-// but at least 1 and at most 1024. `size` is that of level 0; a texel of level k is 2^k as wide.
+// TASK 11.1 (3 points): how many steps a march takes. Do not round, so that no line shows where the number changes. By
+// angle: `most` where the ray is level (slant 0), `least` where it looks straight down (slant 1), linear in between.
+// By texel: one step for every `texels_per_step` texels of the march's length, counted on the level that is read, but
+// at least 1 and at most 1024. `size` is that of level 0; a texel of level k is 2^k times as wide.
 float steps_by_angle(float slant, float least, float most) {
     //[solution
     return mix(most, least, slant);
@@ -40,10 +40,10 @@ float steps_by_texel(ReliefRay ray, vec2 size, float texels_per_step) {
     //]
 }
 
-// TASK 11.2 (4 points): the march. gap() says how far the ray runs above the surface at t: read ray.level of the map, and
-// let nothing be derived from neighbouring pixels, which are elsewhere on their way. march() looks at t = 0, then goes on
-// by 1 / steps until the ray is no longer above the surface, and gives the last two places. `steps` may have a fraction:
-// the last step is then a shorter one, for t = 1 is never passed.
+// TASK 11.2 (4 points): the march. gap() returns how far the ray runs above the surface at t: read level ray.level of
+// the map by textureLod, since neighbouring pixels are at other iterations. march() looks at t = 0, then goes on by 1
+// / steps until the ray is no longer above the surface, and returns the last two points. `steps` may have a fraction:
+// then the last step is shorter, since t never passes 1.
 float gap(sampler2D heights, ReliefRay ray, float t) {
     //[solution
     return 1.0 - t - textureLod(heights, ray.uv + t * ray.march, ray.level).r;
@@ -70,9 +70,9 @@ Bracket march(sampler2D heights, ReliefRay ray, float steps) {
 }
 //)
 
-// TASK 11.3 (3 points): between two places the ray's height goes from b to b + db, the surface's, taken for straight, from
-// h to h + dh. They meet at the share x of the way: x = (h - b) / (db - dh). Write it with the gaps, b - h at either end.
-// Where both gaps are 0 the lines meet everywhere; any x from 0 to 1 is right, but it must be a number.
+// TASK 11.3 (3 points): between two points the ray's height goes from b to b + db, and the surface's from h to h + dh,
+// assumed straight. They meet at the share x of the way: x = (h - b) / (db - dh). Write it with the gaps, b - h at
+// either end. Where both gaps are 0 the lines meet everywhere: any x from 0 to 1 is right, but it must not be NaN.
 //(crossing
 float crossing(float gap_before, float gap_after) {
     //[solution
@@ -84,11 +84,12 @@ float crossing(float gap_before, float gap_after) {
 }
 //)
 
-// TASK 11.4 (3 points): `rounds` times, look at one place within the bracket and make it one of its ends, so that the ray
-// still goes below the surface between them. By bisection the place is the middle, by secant it is where the lines of 11.3
-// cross. By illinois it is that, too, but an end that has stayed for two rounds running (three, ...) counts with half its gap
-// (a quarter, ...) in the next, and with all of it again once it is replaced: that draws the place to its side, where else
-// one end may stay for ever. Only what it counts is halved: the bracket that you return has the gaps as they are.
+// TASK 11.4 (3 points): `rounds` times, look at one point within the bracket and make it one of the ends, so that the
+// ray still goes below the surface between them. Bisection takes the point in the middle, secant the point where the
+// lines of 11.3 cross. Illinois: like secant, but an end that is kept for a second round (a third, ...) counts with
+// half its gap (a quarter, ...) in the next one, and with the whole gap again once it is replaced. That draws the
+// point to the end that stays, which otherwise might stay for ever. Only the weight is halved: the bracket that you
+// return has the full gaps.
 Bracket refined(sampler2D heights, ReliefRay ray, Bracket b, int rounds, int method) {
     //[solution
     vec2 weight = vec2(1.0);
@@ -115,10 +116,10 @@ Bracket refined(sampler2D heights, ReliefRay ray, Bracket b, int rounds, int met
     //]
 }
 
-// TASK 11.5 (2 points): a pixel now has two coordinates. on_surface() reads a map of the surface: where the ray ended, but
-// from the levels that the original coordinate asks for (dFdx, dFdy, textureGrad), since the displaced one jumps from one
-// bump to another between two pixels. above_surface() says where in its texture a pane lies that stands above the relief,
-// at height 1.
+// TASK 11.5 (2 points): a pixel now has two coordinates. on_surface() reads a map of the surface: at the point where
+// the ray ended, but with the mip level of the original coordinate (dFdx, dFdy, textureGrad), since the displaced one
+// jumps from one bump to another between two pixels. above_surface() returns the coordinate of a pane above the
+// relief, at height 1.
 vec4 on_surface(sampler2D map, vec2 original, vec2 displaced) {
     //[solution
     return textureGrad(map, displaced, dFdx(original), dFdy(original));

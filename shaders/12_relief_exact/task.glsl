@@ -1,4 +1,4 @@
-// Lab 12, yours: how far a ray may go before it has to look, and what follows from where it hits.
+// Lab 12, your tasks: how far a ray may go before it must read again, and what follows from the hit.
 
 #include "common/unfinished.glsl"
 
@@ -11,10 +11,10 @@ struct ReliefRay {
     vec3 height;
 };
 
-// TASK 12.1 (3 points): the ray is in the square from `low` to `low` + `side` (texels). At which t does it leave it along u,
-// through the right wall or the left one, whichever lies ahead, and at which t along v? (It leaves at the sooner of the
-// two.) `inverse` is 1 / ray.along, finite and never 0: its sign says which wall lies ahead, also along an axis on which
-// the ray does not move.
+// TASK 12.1 (3 points): the ray is in the square from `low` to `low` + `side` (texels). At which t does it leave it
+// along u, through the right or the left wall, whichever lies ahead, and at which t along v? (It leaves at the smaller
+// of the two.) `inverse` is 1 / ray.along, finite and never 0: its sign says which wall lies ahead, also along an axis
+// on which the ray does not move.
 vec2 leave_square(ReliefRay ray, vec2 inverse, vec2 low, float side) {
     //[solution
     vec2 wall = low + side * step(0.0, inverse);
@@ -24,9 +24,10 @@ vec2 leave_square(ReliefRay ray, vec2 inverse, vec2 low, float side) {
     //]
 }
 
-// TASK 12.2 (4 points): skip what cannot be hit. The ray is about to leave its cell at `leaves_cell`. Around it are four
-// windows: nothing in window k is as high as the ray until t = above_until[k], and the ray is in that window until leaves_window[k]:
-// while both hold there is nothing to hit. How far may it go? As far as leaves_cell always; each window may allow more.
+// TASK 12.2 (4 points): skip what cannot be hit. The ray is about to leave its cell at `leaves_cell`. Around it are
+// four windows. Nothing in window k is as high as the ray until t = above_until[k], and the ray is in that window
+// until t = leaves_window[k]: while both hold there is nothing to hit. How far may it go? At least to leaves_cell;
+// each window may allow more.
 //(next-look
 float next_look(float leaves_cell, vec4 leaves_window, vec4 above_until) {
     //[solution
@@ -38,10 +39,10 @@ float next_look(float leaves_cell, vec4 leaves_window, vec4 above_until) {
 }
 //)
 
-// TASK 12.3 (3 points): the ray from the hit towards the light, to see whether the relief is in its own shadow. `hit` is
-// the hit's place (texels, as in ReliefRay) and its height; `to_light` the direction of the light in tangent space; `depth`
-// what height 1 is worth, in texels along u and along v. At t = 1 the ray is to be at height 1: nothing stands higher. The
-// light is above the horizon: to_light.z > 0.
+// TASK 12.3 (3 points): the ray from the hit towards the light, to see whether the relief shadows itself. `hit` is the
+// position of the hit (texels, as in ReliefRay) and its height; `to_light` the direction to the light in tangent
+// space; `depth` a height of 1, in texels along u and along v. At t = 1 the ray must be at height 1: no height is
+// above that. The light is above the horizon: to_light.z > 0.
 //(shadow
 ReliefRay shadow_ray(vec3 hit, vec3 to_light, vec2 depth) {
     //[solution
@@ -53,8 +54,8 @@ ReliefRay shadow_ray(vec3 hit, vec3 to_light, vec2 depth) {
 }
 //)
 
-// TASK 12.4 (2 points): the depth that the depth test is to compare, for a point of the world: 0 at the near plane, 1 at
-// the far one, as the rasteriser makes it (glDepthRange is 0 to 1).
+// TASK 12.4 (2 points): the depth for the depth test, for a point of the world: 0 at the near plane, 1 at the far one,
+// as the rasteriser computes it (glDepthRange is 0 to 1).
 float window_depth(vec3 world, mat4 clip_from_world) {
     //[solution
     vec4 clip = clip_from_world * vec4(world, 1.0);
@@ -64,10 +65,11 @@ float window_depth(vec3 world, mat4 clip_from_world) {
     //]
 }
 
-// TASK 12.5 (3 points): a base that bends away. Seen from the fragment, a cylinder of radius `radius` (metres) falls away
-// from its tangent plane by x * x / (2 * radius) at the distance x along the tangent. So a view ray that moves `across`
-// metres along the tangent from t = 0 to t = 1 gains height over the base. By how much at t = 1, in heights (`depth_metres`
-// each)? That is the ray's height.z: it comes down less and less, may turn, and leave the relief without a hit.
+// TASK 12.5 (3 points): a curved base. Seen from the fragment, a cylinder of radius `radius` (metres) falls away below
+// its tangent plane by x * x / (2 * radius) at the distance x along the tangent. So a view ray that moves `across`
+// metres along the tangent from t = 0 to t = 1 gains height over the base. By how much at t = 1, in heights
+// (`depth_metres` each)? That is the ray's height.z: the ray sinks ever more slowly, and may turn up and leave the
+// relief without a hit.
 float bend(float across, float radius, float depth_metres) {
     //[solution
     return across * across / (2.0 * radius * depth_metres);

@@ -1,5 +1,5 @@
 #version 410 core
-// Passes a patch's corners through, and says how finely it is cut: the same everywhere.
+// Passes a patch's corners through, and sets its levels: the same everywhere.
 
 #include "common/patch_corner.glsl"
 

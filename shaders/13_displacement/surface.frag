@@ -1,5 +1,5 @@
 #version 410 core
-// A displaced surface, lit with normals from one of four places.
+// A displaced surface, lit with normals from one of four sources.
 
 #include "13_displacement/task.glsl"
 #include "common/light.glsl"

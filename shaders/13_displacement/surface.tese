@@ -1,5 +1,5 @@
 #version 410 core
-// The vertices that the tessellator makes, pressed in by the height map.
+// The vertices that the tessellator makes, displaced by the height map.
 
 #include "13_displacement/task.glsl"
 #include "common/patch_vertex.glsl"
@@ -11,13 +11,13 @@ uniform float u_scale;  // of the relief, metres
 uniform float u_level;  // along the edges
 uniform sampler2D s_heights;
 
-// What no permutation reads costs nothing.
+// Outputs that no permutation reads cost nothing.
 out vec3 v_position;
 out vec3 v_normal;
 out vec4 v_tangent;
 out vec2 v_uv;
 out vec3 v_base;       // undisplaced
-out vec3 v_direction;  // of the relief; not unit
+out vec3 v_direction;  // of the relief; not normalised
 out vec3 v_place;      // on the patch, and which it is
 out float v_mip;
 out float v_unfinished;

@@ -1,5 +1,5 @@
 #version 410 core
-// How finely each edge of a patch is cut, and whether the patch is drawn at all.
+// The level of each edge of a patch, and whether the patch is culled.
 
 #include "14_adaptive_displacement/task.glsl"
 #include "common/patch_corner.glsl"
@@ -47,7 +47,7 @@ float nearest(vec3 centre, float radius) {
     return away;
 }
 
-// Whether the displacement has faded away in all of a sphere.
+// Whether the displacement has faded out in the whole sphere.
 bool is_faded(vec3 centre, float radius) {
 #ifdef FADE
     return remaining(nearest(centre, radius), u_fade.x, u_fade.y) == 0.0;
@@ -99,7 +99,7 @@ float steepest(vec4 flat_, float flat_rise, vec4 facing, float inside, float lea
     return rest > 0.0 ? facing.x * stretch / rest : 1e30;
 }
 
-// What is left of the displacement on a patch: the most and the least.
+// The displacement that is left on a patch: maximum and minimum.
 vec2 left_on(vec4 flat_) {
 #ifdef FADE
     return vec2(remaining(nearest(flat_.xyz, flat_.w), u_fade.x, u_fade.y),
@@ -109,7 +109,7 @@ vec2 left_on(vec4 flat_) {
 #endif
 }
 
-// Around all that the relief makes of a patch.
+// A sphere around the patch with its relief.
 vec4 bounds_of(vec4 flat_, vec2 left) {
     vec4 heights = known(0);
     float lowest = 1.0 + left.x * (heights.x - 1.0);

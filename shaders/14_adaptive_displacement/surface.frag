@@ -1,5 +1,5 @@
 #version 410 core
-// A displaced surface with a normal map, or what became of its patches in colours.
+// A displaced surface with a normal map, or the state of its patches in colours.
 
 #include "14_adaptive_displacement/task.glsl"
 #include "common/heat.glsl"

@@ -1,5 +1,5 @@
 #version 410 core
-// The vertices that the tessellator makes, pressed in by what is left of the relief at their distance.
+// The vertices that the tessellator makes, displaced by the part of the relief that is left at their distance.
 
 #include "14_adaptive_displacement/task.glsl"
 #include "common/patch_vertex.glsl"

@@ -1,12 +1,12 @@
-// Lab 14, yours: how finely the edges of a patch are cut, which patches are not drawn, and where displacement fades away.
+// Lab 14, your tasks: the levels of a patch's edges, which patches to cull, and where displacement fades out.
 
 #include "common/unfinished.glsl"
 
-// TASK 14.1 (3 points): the level of an edge by distance: 2^finest where the middle of the edge from a to b is `nearest` metres
-// from the eye, or nearer; 2^coarsest where it is `farthest` metres, or farther; in between the exponent is a straight line
-// over the distance. The patch on the other side of the edge has a and b the other way round, and must get the very same
-// bits: so nothing may depend on which end is which. `precise` keeps a compiler from fusing a product with one sum and not
-// with another.
+// TASK 14.1 (3 points): the level of an edge by distance: 2^finest if the middle of the edge from a to b is `nearest`
+// metres from the eye, or nearer; 2^coarsest if it is `farthest` metres away, or farther; in between, interpolate the
+// exponent linearly over the distance. The patch on the other side of the edge has a and b exchanged, and must get the
+// same level bit for bit: so the result may not depend on which end is which. `precise` prevents a compiler from
+// fusing a product with one sum and not with another.
 float level_by_distance(vec3 a, vec3 b, vec3 eye, float nearest, float farthest, float finest, float coarsest) {
     //[solution
     precise float share = clamp((distance(0.5 * (a + b), eye) - nearest) / (farthest - nearest), 0.0, 1.0);
@@ -17,12 +17,12 @@ float level_by_distance(vec3 a, vec3 b, vec3 eye, float nearest, float farthest,
     //]
 }
 
-// TASK 14.2 (3 points): by size. Take the edge as the diameter of a sphere around its middle: so many pixels has that on the
-// screen, and one segment may have `pixels_per_segment` of them. What is seen under an angle of one radian has
-// `pixels_per_radian` pixels. Unlike the edge's own length on the screen, this does not shrink when the edge turns towards
-// the eye. level_by_size() gives what possible_level() makes of that: it keeps a level within 1 and 64, which is what the
-// tessellator can do, and makes 1 of one that is not a number: level 0 would cull the whole patch, and so an edge without
-// length would.
+// TASK 14.2 (3 points): the level by size. Take the edge as the diameter of a sphere around its middle. How many
+// pixels does that cover on the screen? One segment may have `pixels_per_segment` of them. An angle of one radian
+// covers `pixels_per_radian` pixels. Unlike the edge's own length on the screen, the diameter does not shrink when the
+// edge turns towards the eye. level_by_size() returns possible_level() of that. possible_level() clamps a level to 1
+// and 64, the limits of the tessellator, and returns 1 for NaN: level 0 would cull the whole patch, and an edge
+// without length would have level 0.
 float possible_level(float level) {
     //[solution
     return level > 1.0 ? min(level, 64.0) : 1.0;
@@ -40,11 +40,11 @@ float level_by_size(vec3 a, vec3 b, vec3 eye, float pixels_per_radian, float pix
     //]
 }
 
-// TASK 14.3 (4 points): by error. tolerated() says how far a height in [0, 1] may be off where the screen may show `budget`
-// pixels of it: the relief is `scale` metres deep and `distance_` metres away; one without depth tolerates anything, 1e30.
-// How far heights are off at the levels 1, 2, 4, 8 (coarse) and 16, 32, 64 (the first three of fine) is known, and never rises.
-// level_by_error() is the least level whose error is tolerated, 64 where none is; between two levels the error is a straight
-// line over the exponent of 2.
+// TASK 14.3 (4 points): the level by error. tolerated() returns by how much a height in [0, 1] may be off if the error
+// on the screen may be `budget` pixels: the relief is `scale` metres deep and `distance_` metres away. A relief
+// without depth tolerates any error: return 1e30. The errors of the heights at the levels 1, 2, 4, 8 (coarse) and 16,
+// 32, 64 (the first three of fine) are known, and never rise. level_by_error() returns the lowest level whose error is
+// tolerated, or 64 if there is none; between two levels the error is interpolated linearly over the exponent of 2.
 float tolerated(float distance_, float pixels_per_radian, float budget, float scale) {
     //[solution
     return scale > 0.0 ? budget * distance_ / (pixels_per_radian * scale) : 1e30;
@@ -68,9 +68,10 @@ float level_by_error(vec4 coarse, vec4 fine, float tolerance) {
 }
 //)
 
-// TASK 14.4 (3 points): the edges' levels in the order of gl_TessLevelOuter. Edge i goes from corner i to the next. The corners
-// of a triangle are where gl_TessCoord is (1, 0, 0), (0, 1, 0) and (0, 0, 1), and level 0 is that of the edge where its first
-// is 0; those of a quad are at (0, 0), (1, 0), (1, 1) and (0, 1), and levels 0 to 3 are those of u = 0, v = 0, u = 1, v = 1.
+// TASK 14.4 (3 points): the levels of the edges in the order of gl_TessLevelOuter. Edge i goes from corner i to the
+// next. The corners of a triangle are where gl_TessCoord is (1, 0, 0), (0, 1, 0) and (0, 0, 1), and outer level 0
+// belongs to the edge where its first coordinate is 0. The corners of a quad are at (0, 0), (1, 0), (1, 1) and (0, 1),
+// and outer levels 0 to 3 belong to u = 0, v = 0, u = 1, v = 1.
 vec4 outer_levels_of_triangle(vec3 edges) {
     //[solution
     return vec4(edges.yzx, 0.0);
@@ -87,12 +88,13 @@ vec4 outer_levels_of_quad(vec4 edges) {
     //]
 }
 
-// TASK 14.5 (4 points): what is not in the picture. A flat patch lies within a sphere (centre, radius). Each of its places is
-// moved by scale (h - 1), h from `lowest` to `highest`, along a unit vector whose difference from the unit vector `axis` is
-// `spread` long at most. relief_bounds() is a sphere around all that can come of it: its centre moves along the axis to the
-// middle of the relief, and its radius grows by half of what lies between lowest and highest, and by what `spread` can do to
-// the longest way, that of the lowest height. is_outside() says whether a sphere is wholly behind one of six planes; xyz is unit and points into the
-// picture, dot(plane.xyz, p) + plane.w is how far p is in front of it.
+// TASK 14.5 (4 points): cull what is outside of the picture. A flat patch lies within a sphere (centre, radius). Each
+// of its points is moved by scale (h - 1), with h from `lowest` to `highest`, along a vector of unit length that
+// differs from `axis` (also of unit length) by a vector of length `spread` at most. relief_bounds() returns a sphere
+// around every possible result: its centre moves along the axis to the middle of the relief. Its radius grows by half
+// of the thickness between lowest and highest, and by `spread` times the longest way, that of the lowest height.
+// is_outside() returns whether a sphere is wholly behind one of six planes; xyz of a plane has unit length and points
+// into the picture, and dot(plane.xyz, p) + plane.w is the distance of p in front of it.
 vec4 relief_bounds(vec4 flat_, vec3 axis, float spread, float lowest, float highest, float scale) {
     //[solution
     float low = scale * (lowest - 1.0), high = scale * (highest - 1.0);
@@ -113,10 +115,11 @@ bool is_outside(vec4 planes[6], vec4 sphere) {
     //]
 }
 
-// TASK 14.6 (3 points): what only shows its back. All triangles of a patch have normals within an angle of `axis` (unit) whose tangent
-// is `slope`, and lie in a sphere; lines of sight to it differ by an angle from the one to its centre, too. The patch faces
-// away when even both angles together leave less than 90 degrees between a normal and the way that a line of sight goes on.
-// It never does while the eye is in the sphere, where the sphere has no angle.
+// TASK 14.6 (3 points): cull what faces away. The normals of all triangles of a patch are within an angle of `axis`
+// (of unit length) whose tangent is `slope`, and the triangles lie in a sphere: lines of sight to it also differ by an
+// angle from the one to its centre. The patch faces away if, even with both angles added, the angle between a normal
+// and the direction of a line of sight is less than 90 degrees. It never does if the eye is in the sphere, where the
+// sphere has no angle.
 //(faces-away
 bool faces_away(vec3 axis, float slope, vec4 sphere, vec3 eye) {
     //[solution
@@ -131,8 +134,9 @@ bool faces_away(vec3 axis, float slope, vec4 sphere, vec3 eye) {
 }
 //)
 
-// TASK 14.7 (2 points): how much of the displacement is left at a distance: all of it up to `begin`, nothing from `end` on, a
-// straight line in between; `begin` is less than `end`. It is taken at the undisplaced place of a vertex: two patches that share it know it alike.
+// TASK 14.7 (2 points): how much of the displacement is left at a distance: all of it up to `begin`, none from `end`
+// on, linear in between; `begin` is less than `end`. The distance is that of a vertex's undisplaced position, so two
+// patches that share the vertex get the same bits.
 float remaining(float distance_, float begin, float end) {
     //[solution
     return clamp((end - distance_) / (end - begin), 0.0, 1.0);

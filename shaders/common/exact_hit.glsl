@@ -1,4 +1,4 @@
-// Where a view ray meets a relief first, exactly: what a guess is held against in the very picture that shows it.
+// The exact first hit of a view ray and a relief: a picture compares its method with it.
 
 #include "common/height_cell.glsl"
 

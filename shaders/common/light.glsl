@@ -1,4 +1,4 @@
-// Reflection of one light of unit strength, the cosine included. All directions are unit and point away from the
+// Reflection of one light of strength 1, the cosine included. All directions have unit length and point away from the
 // surface.
 
 // Lambert plus Blinn-Phong (Blinn 1977). The highlight is scaled by (shininess + 8) / 8, so that a sharper one is

@@ -40,7 +40,7 @@ mat2x3 by_uv(vec3 along_x, vec3 along_y, vec2 uv_x, vec2 uv_y) {
     return mat2x3(scale * (uv_y.y * along_x - uv_x.y * along_y), scale * (uv_x.x * along_y - uv_y.x * along_x));
 }
 
-// How a vector made unit turns, when it would change so without.
+// The derivative of a normalised vector, from that of the vector itself.
 vec3 turn_of_unit(vec3 vector, vec3 change) {
     float squared = dot(vector, vector);
     return squared > 0.0 ? inversesqrt(squared) * (change - vector * (dot(vector, change) / squared)) : vec3(0.0);

@@ -5,7 +5,7 @@ struct PatchCorner {
     vec3 position, normal;
     vec4 tangent;
     vec2 uv;
-    vec3 direction;  // unit: what the relief is pressed in along; one for all corners that meet here
+    vec3 direction;  // of unit length: the direction of displacement; the same for all corners that meet here
     vec2 height_uv;  // where this corner reads its height
     vec4 edge_uv;    // the same along the edge from here to the next corner: here (xy) and there (zw)
     vec2 spacing;    // mean length of the edges that meet here: metres, and units of uv

@@ -1,4 +1,4 @@
-// In the evaluation shader: the undisplaced surface at gl_TessCoord. CORNERS is 3 or 4, SPACING what layout() takes.
+// For the evaluation shader: the undisplaced surface at gl_TessCoord. CORNERS is 3 or 4, SPACING an argument of layout().
 
 #include "common/patch.glsl"
 #include "common/patch_corner.glsl"
@@ -13,10 +13,10 @@ in PatchCorner c_corner[];
 
 struct PatchVertex {
     vec3 position;
-    vec3 normal;   // for shading; not unit
+    vec3 normal;   // for shading; not normalised
     vec4 tangent;  // the same
     vec2 uv;
-    vec3 direction;  // of the relief; not unit
+    vec3 direction;  // of the relief; not normalised
     vec2 height_uv;  // where the height is read
     vec2 spacing;
 };

@@ -1,4 +1,4 @@
-// A unit vector perpendicular to a unit one, without a branch and without a direction in which it fails (Duff et al. 2017).
+// A unit vector perpendicular to a unit one, without a branch, right for every direction (Duff et al. 2017).
 // It jumps where z changes its sign, as every such choice must somewhere.
 //(any-perpendicular
 vec3 any_perpendicular(vec3 unit) {

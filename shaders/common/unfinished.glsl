@@ -1,5 +1,5 @@
-// What a student's function returns before it is written: `return unfinished(vec3(0.0));`. The stage that calls
-// finished() last then paints a magenta chequer, so that a hole is seen as one.
+// The result of a student's function before it is written: `return unfinished(vec3(0.0));`. The stage that calls
+// finished() last then paints a magenta chequer, so that the missing task is visible.
 
 bool is_unfinished = false;
 

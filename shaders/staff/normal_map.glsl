@@ -7,7 +7,7 @@ vec3 decode_normal(vec3 stored) { return stored * 2.0 - 1.0; }
 // Of an 8-bit map with c = 127 x + 128, where 128 is 0 exactly.
 vec3 decode_normal_128(vec3 stored) { return (stored * 255.0 - 128.0) / 127.0; }
 
-// Of x and y alone, in [-1, 1]: the normal points out of the surface and is unit. Filtering can make x and y too long by a
+// Of x and y alone, in [-1, 1]: the normal points out of the surface and has unit length. Filtering can make x and y too long by a
 // rounding, and the root of a negative number is not a number.
 vec3 decode_normal_xy(vec2 xy) { return vec3(xy, sqrt(max(0.0, 1.0 - dot(xy, xy)))); }
 

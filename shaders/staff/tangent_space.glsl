@@ -2,14 +2,14 @@
 // bitangent = tangent.w * cross(normal, tangent.xyz).
 
 // Columns tangent, bitangent, normal: unit and at right angles by Gram-Schmidt, which keeps the normal's direction. Both
-// may be interpolated and need not be unit or perpendicular.
+// may be interpolated and need not be normalised or perpendicular.
 mat3 tangent_frame(vec3 normal, vec4 tangent) {
     vec3 n = normalize(normal);
     vec3 t = normalize(tangent.xyz - dot(tangent.xyz, n) * n);
     return mat3(t, tangent.w * cross(n, t), n);
 }
 
-// From tangent space to the space of `normal` and `tangent`, unit.
+// From tangent space to the space of `normal` and `tangent`, normalised.
 vec3 from_tangent_space(vec3 direction, vec3 normal, vec4 tangent) {
     return normalize(tangent_frame(normal, tangent) * direction);
 }

@@ -54,11 +54,11 @@ TEST_F(BenchCommand, BenchSuggestsWhatWasMeant) {
     EXPECT_TRUE(contains(said({"tangent"}), "did you mean 'tangents'"));
     EXPECT_TRUE(contains(said({"--repeats", "9"}), "from 10 to 1000"));
     EXPECT_TRUE(contains(said({"--quick", "--repeats", "0"}), "from 1 to 1000"));
-    EXPECT_TRUE(contains(said({"parallax", "--set", "map=brick"}), "there is bricks, stones, posts"));
+    EXPECT_TRUE(contains(said({"parallax", "--set", "map=brick"}), "choose from bricks, stones, posts"));
     EXPECT_TRUE(contains(said({"parallax", "--set", "maps=bricks"}), "did you mean 'map'"));
     EXPECT_TRUE(contains(said({"parallax", "--set", "bricks"}), "knob=value"));
     EXPECT_TRUE(contains(said({"--update"}), "--work"));
-    EXPECT_TRUE(contains(said({"storage", "--work", "--update"}), "all of the baseline"));
+    EXPECT_TRUE(contains(said({"storage", "--work", "--update"}), "the whole baseline"));
 }
 
 TEST_F(BenchCommand, ASweepKilledHalfWayLeavesATableThatCanBeRead) {

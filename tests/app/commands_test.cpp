@@ -323,7 +323,7 @@ TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
     const Result broken = course().relief({"check", "2"});
     EXPECT_EQ(broken.code, 1);
     EXPECT_TRUE(contains(broken.out, "broken ") && contains(broken.out, "task.glsl:") && contains(broken.out, "cde") &&
-                contains(broken.out, "nothing is measured until the lab draws"))
+                contains(broken.out, "nothing can be measured before"))
         << broken.out;
     course().overwrite(file, "");
     EXPECT_EQ(course().relief({"check", "2"}).code, 1) << "an emptied file is a failed check, and no crash";
@@ -437,7 +437,7 @@ TEST_F(CourseTest, ThePageShowsWhatIsExpectedOfAnUnfinishedTaskAndTheMessageOfAB
     course().edit(file, "unfinished(code)", "<cde>");
     EXPECT_EQ(course().relief({"check", "2", "-o", "broken.html"}).code, 1);
     const std::string broken = read_all(course().path() / "broken.html");
-    EXPECT_TRUE(contains(broken, "nothing is measured until the lab draws"));
+    EXPECT_TRUE(contains(broken, "nothing can be measured before"));
     EXPECT_TRUE(contains(broken, "<dt>message</dt><dd>" + file)) << "with its place";
 }
 

@@ -63,7 +63,7 @@ TEST_F(NewLab, WithoutGoldenPicturesIsToldSo) {
 }
 
 TEST_F(NewLab, RefusesANameOrNumberThatIsTakenOrIsNone) {
-    const std::pair<const char*, const char*> cases[] = {{"test_wall", "there is a lab of that name: 20_test_wall"},
+    const std::pair<const char*, const char*> cases[] = {{"test_wall", "a lab of that name exists: 20_test_wall"},
                                                          {"01_other", "number 01 is taken by 01_specular_highlights"},
                                                          {"Wet Stone", "lower case with underscores"},
                                                          {"../x", "lower case with underscores"},

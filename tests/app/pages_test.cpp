@@ -203,14 +203,14 @@ TEST(ClassPage, SaysWhereTheTimeWentAndWhatCameFromBefore) {
     browser().open(graded.page);
     // 8 labs at 0.5, 1 and 0.25 seconds; 7 submissions at 4 seconds each, less what is named.
     const std::string time = text_of("#time");
-    for (const char* part :
-         {"compiling 14 % (4.0 s)", "drawing 29 % (8.0 s)", "comparing 7 % (2.0 s)",
-          "waiting, reading and telling known mistakes apart 50 % (14.0 s)", "took 12.5 seconds, 3.2"})
+    for (const char* part : {"compiling 14 % (4.0 s)", "drawing 29 % (8.0 s)", "comparing 7 % (2.0 s)",
+                             "waiting, reading and recognising known mistakes 50 % (14.0 s)", "took 12.5 seconds, 3.2"})
         EXPECT_TRUE(contains(time, part)) << part << "\n" << time;
-    EXPECT_EQ(browser().eval("[...document.querySelectorAll('.numbers div')].map(card => "
-                             "[...card.children].map(part => part.textContent).join(': ')).join('; ')"),
-              "submissions: 7; median: 4.5 points; not graded: grade again: 1; taken over from before: 2; isolation: "
-              "namespaces");
+    EXPECT_EQ(
+        browser().eval("[...document.querySelectorAll('.numbers div')].map(card => "
+                       "[...card.children].map(part => part.textContent).join(': ')).join('; ')"),
+        "submissions: 7; median: 4.5 points; not graded: grade again: 1; unchanged, not graded again: 2; isolation: "
+        "namespaces");
 }
 
 TEST(ClassPage, IsMadeOfWhatTheResultsHold) {
@@ -308,7 +308,7 @@ TEST(StudentPage, HasAllThatWasFoundAndPicturesOnlyOfWhatDidNotPass) {
     EXPECT_EQ(text_of("h1"), "Anna");
     browser().open(graded.student("zoe"));
     const std::string zoe = text_of("main");
-    for (const char* part : {"not looked at", "<i>notes</i>.txt", "and 2 more", "error: '<vec3>' & more"})
+    for (const char* part : {"ignored", "<i>notes</i>.txt", "and 2 more", "error: '<vec3>' & more"})
         EXPECT_TRUE(contains(zoe, part)) << part;
     browser().open(graded.student("empty"));
     EXPECT_TRUE(contains(text_of("header"), "there is no task file in it"));
@@ -323,7 +323,7 @@ TEST(StudentPage, IsThereWithoutPicturesWhereTheyWereNotKept) {
     write_summaries(graded.report, graded.page.parent_path());
     EXPECT_EQ(read_file(graded.student("Anna")), kept) << "its pictures are lost";
     browser().open(graded.student("s9"));
-    EXPECT_TRUE(contains(text_of("footer"), "The pictures were not kept"));
+    EXPECT_TRUE(contains(text_of("footer"), "The pictures were not stored"));
 }
 
 // ---- both ----

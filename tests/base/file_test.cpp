@@ -58,7 +58,7 @@ TEST(Files, ReadingSaysWhichFileAndWhy) {
     EXPECT_EQ(message_of([&] { read_file(missing); }), missing.string() + ": cannot read: No such file or directory");
     EXPECT_EQ(message_of([&] { read_file(folder.path()); }), folder.path().string() + ": cannot read: not a file");
     const fs::path file = folder.write("a.txt", "12345");
-    EXPECT_EQ(message_of([&] { read_file(file, 4); }), file.string() + ": cannot read: 5 bytes, at most 4 are taken");
+    EXPECT_EQ(message_of([&] { read_file(file, 4); }), file.string() + ": cannot read: 5 bytes, the limit is 4");
     EXPECT_EQ(read_file(file, 5), "12345");
 }
 

@@ -26,9 +26,9 @@ TEST(FindLabs, TakesNumbersNamesAndRangesOnceEachInOrder) {
 
 TEST(FindLabs, NamesThePartThatIsNoLab) {
     const auto message = [](const std::string& text) { return message_of<UsageError>([&] { find_labs(text); }); };
-    EXPECT_TRUE(contains(message("1,4-9"), "'4-9' names no lab"));
-    EXPECT_TRUE(contains(message("3-1"), "'3-1' names no lab"));
-    EXPECT_TRUE(contains(message("1-x"), "'1-x' names no lab"));
+    EXPECT_TRUE(contains(message("1,4-9"), "'4-9' contains no lab"));
+    EXPECT_TRUE(contains(message("3-1"), "'3-1' contains no lab"));
+    EXPECT_TRUE(contains(message("1-x"), "'1-x' contains no lab"));
     EXPECT_TRUE(contains(message("1,briks"), "did you mean '03_bricks'?"));
     for (const char* text : {"", "1,", "2", "-", "1-2-3", "view"}) EXPECT_NE(message(text), "") << text;
 }

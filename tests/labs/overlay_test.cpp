@@ -34,11 +34,7 @@ TEST(CourseOverlay, EditsReplaceWhatStandsThereExactlyOnce) {
     ASSERT_EQ(files.size(), 1u);
     EXPECT_TRUE(contains(files.at(task), "vec3 X {") && contains(files.at(task), "vec3 Y {"));
     for (const char* find : {"nowhere to be found", "vec3", ""})
-        EXPECT_TRUE(contains(message_of([&] {
-                                 edited({{task, find, "x"}});
-                             }),
-                             "must stand there exactly once"))
-            << find;
+        EXPECT_TRUE(contains(message_of([&] { edited({{task, find, "x"}}); }), "must occur exactly once")) << find;
     EXPECT_TRUE(contains(message_of([&] { edited({{"no/file", "a", "b"}}); }), "no/file: cannot read"));
 }
 

@@ -220,7 +220,7 @@ TEST(ObjErrors, RefuseJunkAndShowItInPrint) {
 
 TEST(ObjErrors, RefuseWhatIsTooLarge) {
     EXPECT_EQ(error_of(square + "f 1 2 3\nf 1 2 3\n", {.corners = 5}), "a/b.obj:6: the faces have more than 5 corners");
-    EXPECT_EQ(error_of(square + "f 1 2 3\n", {.bytes = 10}), "a/b.obj: 40 bytes, at most 10 are taken");
+    EXPECT_EQ(error_of(square + "f 1 2 3\n", {.bytes = 10}), "a/b.obj: 40 bytes, the limit is 10");
     std::string face = "f";
     for (int i = 0; i < 1025; ++i) face += " 1";
     EXPECT_EQ(error_of(square + face), "a/b.obj:5: a face of more than 1024 corners");
@@ -228,7 +228,7 @@ TEST(ObjErrors, RefuseWhatIsTooLarge) {
     EXPECT_EQ(parse_obj(square + face).mesh.indices.size(), 3u * 1022);
     const TemporaryFolder folder;
     const auto file = folder.write("large.obj", square + "f 1 2 3\n");
-    EXPECT_TRUE(contains(message_of([&] { read_obj(file, {.bytes = 10}); }), "at most 10 are taken"));
+    EXPECT_TRUE(contains(message_of([&] { read_obj(file, {.bytes = 10}); }), "the limit is 10"));
 }
 
 TEST(ObjErrors, ThePathOfAMissingFileIsInTheMessage) {

@@ -66,7 +66,7 @@ BenchSettings settings_of(const BenchArguments& arguments) {
     return settings;
 }
 
-/// A topic's scenes, one after the other, into rows that are complete at any time.
+/// Measures a topic's scenes one after the other; the rows are a complete table at any time.
 class TopicRun {
 public:
     TopicRun(const BenchTopic& topic, std::vector<BenchScene> scenes, BenchRun run)
@@ -77,7 +77,7 @@ public:
 
     BenchMachine machine{.cpu = cpu_name(), .compiler = versions::compiler, .commit = versions::commit};
 
-    /// `changed` is called as often as something more is known.
+    /// `changed` is called whenever a new result is known.
     std::vector<BenchRow> measure(const std::function<void(std::span<const BenchRow>)>& changed) {
         int steps = 0;
         for (const BenchScene& scene : scenes_) steps += steps_of(scene, run_.settings);
@@ -107,7 +107,7 @@ private:
     std::vector<BenchRow> rows_;
 };
 
-/// A file that is always a whole table, and never more than a second behind.
+/// A file that is a complete table at any time, and at most a second behind.
 class GrowingTable {
 public:
     GrowingTable(fs::path file, const BenchMachine& machine) : file_(std::move(file)), machine_(machine) {}
@@ -128,7 +128,7 @@ int hold_to_baseline(const BenchArguments& arguments) {
     const fs::path file = course_root() / "tests/staff/measure/baseline.csv";
     const Wanted wanted = wanted_of(arguments.set);
     if (arguments.update && (!arguments.topics.empty() || !wanted.empty()))
-        throw UsageError("--update renews all of the baseline: it takes neither TOPIC nor --set");
+        throw UsageError("--update renews the whole baseline: it takes neither TOPIC nor --set");
     std::vector<BenchRow> rows, baseline;
     BenchMachine machine;
     for (const BenchTopic* topic : chosen(arguments.topics)) {
@@ -137,7 +137,7 @@ int hold_to_baseline(const BenchArguments& arguments) {
         TopicRun run(*topic, only(*topic, topic->scenes(settings), wanted),
                      {.settings = settings, .context = context_kind(arguments.context), .pinned = true});
         for (BenchRow& row : run.measure([](auto) {})) rows.push_back(std::move(row));
-        // What is in the file must not depend on whose machine it was.
+        // The file must not depend on the machine.
         if (topic->draws) machine.renderer = run.machine.renderer.substr(0, run.machine.renderer.find(' '));
     }
     if (arguments.update) {
@@ -152,7 +152,7 @@ int hold_to_baseline(const BenchArguments& arguments) {
     } catch (const Error& error) {
         throw Error({file, error.place().line}, error.what());
     }
-    // Of a part only that part is asked for.
+    // A partial run is compared with its part of the baseline only.
     if (!arguments.topics.empty() || !wanted.empty())
         std::erase_if(baseline, [&](const BenchRow& old) {
             return std::none_of(rows.begin(), rows.end(),
@@ -167,7 +167,7 @@ int hold_to_baseline(const BenchArguments& arguments) {
                report.worse.empty() ? "no more work and no larger error than in the baseline"
                                     : fmt::format("{} figures are worse than in the baseline", report.worse.size()));
     if (!report.worse.empty() || !report.better.empty())
-        print_note("if that is meant, and looked at: ./relief bench --work --update");
+        print_note("if the change is intended and you know why: ./relief bench --work --update");
     return report.worse.empty() ? 0 : 1;
 }
 
@@ -178,14 +178,14 @@ std::string bench_topics_text() {
     return text;
 }
 
-/// 1 when a method failed or, with `work`, when work or error has grown.
+/// Returns 1 if a method failed or, with `work`, if work or error has grown.
 int run_bench(const BenchArguments& arguments) {
     if (arguments.work) return hold_to_baseline(arguments);
     if (arguments.update) throw UsageError("--update goes with --work");
     const BenchSettings settings = settings_of(arguments);
     const Wanted wanted = wanted_of(arguments.set);
     const std::vector<const BenchTopic*> topics = chosen(arguments.topics);
-    // What is wrong with the question is said before anything is measured.
+    // Wrong arguments are reported before anything is measured.
     std::vector<std::vector<BenchScene>> scenes;
     for (const BenchTopic* topic : topics) scenes.push_back(only(*topic, topic->scenes(settings), wanted));
     const fs::path folder = arguments.output.empty() ? course_root() / "build" / "bench" : fs::path(arguments.output);
@@ -213,29 +213,29 @@ int run_bench(const BenchArguments& arguments) {
         fmt::print("{}{}\n\n", bench_table(topic, result.rows), file.string());
         std::fflush(stdout);
     }
-    if (!is_plotted) print_note("there are no plots: gnuplot is missing (Debian package gnuplot-nox)");
+    if (!is_plotted) print_note("no plots: gnuplot is missing (Debian package gnuplot-nox)");
     const fs::path page = folder / "index.html";
     write_file(page, bench_page(results, fs::exists(page) ? read_file(page) : ""));
     fmt::print("{}\n", page.string());
     if (failed == 0) return 0;
-    print_error(fmt::format("{} methods have no result: their lines say why", failed));
+    print_error(fmt::format("{} methods have no result: their rows say why", failed));
     return 1;
 }
 
 class BenchCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        options.words("TOPIC", bench_.topics, "all of them when none is named");
-        options.value("-o", "FOLDER", bench_.output, "where they go [the course's build/bench]");
+        options.words("TOPIC", bench_.topics, "a topic [all]");
+        options.value("-o", "FOLDER", bench_.output, "folder for the results [the course's build/bench]");
         options.values("--set", "KNOB=VALUE,...", bench_.set,
-                       "of what is swept only this: map=bricks,posts or method=linear; may be repeated");
+                       "sweep only these values: map=bricks,posts or method=linear; may be repeated");
         options.value("--repeats", "N", bench_.repeats,
-                      "samples of each method, in turns, 10 or more [15; with --quick 3]");
+                      "runs of each method, interleaved, 10 or more [15; with --quick 3]");
         options.value("--context", "NAME", bench_.context, context_help);
         options.flag("--quick", bench_.quick, "few scenes and small sizes, for a first look");
         options.flag("--work", bench_.work,
-                     "no times: hold work and error of the quick sweep to tests/staff/measure/baseline.csv");
-        options.flag("--update", bench_.update, "with --work: renew what they are held to");
+                     "compare work and error of the quick sweep with tests/staff/measure/baseline.csv; no timing");
+        options.flag("--update", bench_.update, "with --work: renew that baseline");
         options.footer(bench_topics_text);
     }
     int run() override { return run_bench(bench_); }
@@ -244,7 +244,7 @@ private:
     BenchArguments bench_;
 };
 RELIEF_COMMAND(BenchCommand, 10, "bench",
-               "run time against error: tables, a CSV and a plot for each topic, a page of them all");
+               "measures run time against error: tables, a CSV and a plot per topic, one page of them all");
 
 }  // namespace
 

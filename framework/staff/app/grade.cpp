@@ -1,5 +1,4 @@
-// relief grade: a class marked on one machine.
-#include "framework/staff/pages/summaries.h"
+// relief grade: grades a class on one machine.
 
 #include <fmt/format.h>
 
@@ -44,7 +43,8 @@ ClassOptions options_of(const GradeArguments& arguments) {
     setup.seed = arguments.seed.empty() && seed ? seed : arguments.seed;
     setup.renderer = {context_kind(arguments.context), whole_number(arguments.threads, "--threads", 0, 16),
                       !arguments.unpinned};
-    if (setup.renderer.context == ContextKind::window) throw UsageError("grade draws without a window: osmesa or egl");
+    if (setup.renderer.context == ContextKind::window)
+        throw UsageError("grade draws without a window: choose osmesa or egl");
     options.trust = arguments.trust, options.fresh = arguments.fresh;
     for (const std::string& lab : arguments.labs) {
         const LabEntry& entry = find_lab(lab);
@@ -75,7 +75,7 @@ int test_the_grader(ClassOptions& options, int sample) {
         for (const std::string& wrong : test.wrong) sum.wrong.push_back("lab " + lab->two_digits() + ": " + wrong);
         fmt::print("lab {}: {} of {} known mistakes caught, {}; {} of {} correct variants get all points; {:.1f} s\n",
                    lab->two_digits(), test.caught, test.mistakes,
-                   sample > 0 ? "names not asked" : fmt::format("{} named", test.named), test.right, test.equivalents,
+                   sample > 0 ? "names not tested" : fmt::format("{} named", test.named), test.right, test.equivalents,
                    test.seconds);
         if (!options.setup.seed.empty())
             fmt::print("        hidden views of {} of {} checks\n", test.hidden_views, test.checks);
@@ -86,7 +86,7 @@ int test_the_grader(ClassOptions& options, int sample) {
                rounded(sum.mistakes ? 100.0 * sum.caught / sum.mistakes : 100.0, 4), sum.right, sum.equivalents,
                sum.wrong.size());
     if (sum.left_out > 0)
-        fmt::print("a sample: {} mistakes and variants were left out, and no mistake was asked for its name\n",
+        fmt::print("a sample: {} mistakes and variants were left out, and the names of mistakes were not tested\n",
                    sum.left_out);
     return sum.wrong.empty() ? 0 : 1;
 }
@@ -97,17 +97,17 @@ int make_gradescope(const ClassOptions& options) {
     fmt::print("{}: setup.sh, run_autograder and the course with its solutions; seed {}\n", options.output.string(),
                seed);
     fmt::print(
-        "zip what is in it and give that to Gradescope, with an image of Debian 12: cd '{}' && zip -r "
+        "zip its contents and upload that to Gradescope, with an image of Debian 12: cd '{}' && zip -r "
         "../autograder.zip .\n",
         options.output.string());
     return 0;
 }
 
-/// What was asked for, or what the last run into the folder was.
+/// The submissions asked for, or those of the last run into the folder.
 void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
     if (arguments.resume) {
         if (!arguments.paths.empty() || !arguments.labs.empty())
-            throw UsageError("--resume takes submissions and labs of the last run: name none");
+            throw UsageError("--resume uses the submissions and labs of the last run: name none");
         const auto roster = read_roster(options.output);
         if (!roster) throw UsageError(fmt::format("there is nothing to resume in '{}'", options.output.string()));
         for (const std::string& lab : roster->labs) options.labs.push_back(&find_lab(lab));
@@ -126,15 +126,15 @@ int print(const ClassReport& report, const std::string& folder, const Shard& sha
     fmt::print("{}", to_table(report.marks));
     size_t failed = 0;
     for (const SubmissionMark& mark : report.marks) failed += !mark.graded();
-    fmt::print("{}: {} graded, {} as before, {} not graded; {:.1f} s, of them {:.1f} for the solutions; seed {}\n",
+    fmt::print("{}: {} graded, {} unchanged, {} not graded; {:.1f} s, of them {:.1f} for the solutions; seed {}\n",
                folder, report.marks.size() - report.taken_over - failed, report.taken_over, failed, report.seconds,
                report.prepared, report.seed);
     fmt::print("all jobs together: {:.1f} s compiling, {:.1f} s drawing, {:.1f} s comparing\n", report.times.compile,
                report.times.draw, report.times.compare);
     if (!shard.whole())
-        print_note(fmt::format("part {} of {} ({}); when all are done: relief grade --merge {}", shard.index + 1,
+        print_note(fmt::format("part {} of {} ({}); when all parts are done: relief grade --merge {}", shard.index + 1,
                                shard.count, shard.from, folder));
-    if (failed > 0) print_error("the machine failed some submissions: grade again, and only those are done");
+    if (failed > 0) print_error("the machine failed on some submissions: grade again, only those are repeated");
     return failed == 0 ? 0 : 1;
 }
 
@@ -149,7 +149,8 @@ void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
                     write_file(folder / page, read_file(part / page));
 }
 
-/// 1 when the machine failed a submission, a part of the class is missing, or the self-test finds a wrong mark.
+/// Returns 1 if the machine failed on a submission, a part of the class is missing, or the self-test finds a wrong
+/// mark.
 int grade_submissions(const GradeArguments& arguments) {
     for (const auto& [given, option] : {std::pair(!arguments.merge.empty(), "--merge"),
                                         {arguments.self_test, "--self-test"},
@@ -166,8 +167,8 @@ int grade_submissions(const GradeArguments& arguments) {
     ClassOptions options = options_of(arguments);
     const int sample = arguments.sample.empty() ? 0 : whole_number(arguments.sample, "--sample", 1, 1000);
     if (arguments.self_test) return test_the_grader(options, sample);
-    if (sample > 0) throw UsageError("--sample is of a self-test: --self-test --sample N");
-    if (arguments.output.empty()) throw UsageError("grade needs a folder for what it finds: -o FOLDER");
+    if (sample > 0) throw UsageError("--sample needs --self-test: --self-test --sample N");
+    if (arguments.output.empty()) throw UsageError("grade needs a folder for its results: -o FOLDER");
     options.output = arguments.output;
     if (arguments.gradescope) return make_gradescope(options);
     name_submissions(arguments, options);
@@ -186,34 +187,36 @@ class GradeCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
         options.words("PATH", grade_.paths, "submissions");
-        options.value("-o", "FOLDER", grade_.output, "where to; what is there and unchanged is not graded again");
-        options.values("--lab", "LAB", grade_.labs, "only this lab; may be given several times [those handed in]");
-        options.value("--jobs", "N", grade_.jobs, "submissions at a time [one for each processor]");
-        options.value("--seconds", "S", grade_.seconds, "for drawing a lab once [20, more where the solution is slow]");
-        options.value("--seed", "WORD", grade_.seed, "of the hidden views [RELIEF_SEED; the folder's; by chance]");
+        options.value("-o", "FOLDER", grade_.output,
+                      "folder for the results; unchanged submissions in it are not graded again");
+        options.values("--lab", "LAB", grade_.labs, "grade only this lab; may be repeated [all that were handed in]");
+        options.value("--jobs", "N", grade_.jobs, "submissions graded at a time [one per processor]");
+        options.value("--seconds", "S", grade_.seconds,
+                      "time limit for drawing a lab once [20, more if the solution is slow]");
+        options.value("--seed", "WORD", grade_.seed,
+                      "seed of the hidden views [RELIEF_SEED, else the folder's, else random]");
         options.value("--shard", "I/N", grade_.shard,
-                      "the i-th of n parts of the class [a Slurm array's, TEST_SHARD_INDEX or GTEST_SHARD_INDEX]");
-        options.value("--merge", "FOLDER", grade_.merge,
-                      "no submissions: put the parts together that lie in this folder");
-        options.flag("--gradescope", grade_.gradescope, "no submissions: an autograder for Gradescope into -o FOLDER");
-        options.flag("--resume", grade_.resume, "the submissions of the last run into the folder, where it ended");
+                      "grade the i-th of n parts [from SLURM_ARRAY_TASK_ID, TEST_SHARD_INDEX or GTEST_SHARD_INDEX]");
+        options.value("--merge", "FOLDER", grade_.merge, "merge the parts in this folder; takes no submissions");
+        options.flag("--gradescope", grade_.gradescope,
+                     "write an autograder for Gradescope to -o FOLDER; takes no submissions");
+        options.flag("--resume", grade_.resume, "continue the last run into this folder where it ended");
         options.value("--context", "NAME", grade_.context, "auto (osmesa, then egl), osmesa or egl");
-        options.value("--threads", "N", grade_.threads, "of the software renderer, for each submission [0]");
+        options.value("--threads", "N", grade_.threads, "threads of the software renderer, for each submission [0]");
         options.flag("--unpinned", grade_.unpinned,
                      "use every CPU feature: results are reproducible on this machine only");
         options.flag("--trust", grade_.trust, "grade even without a sandbox");
         options.flag("--self-test", grade_.self_test,
-                     "no submissions: solutions, starters, known mistakes and correct variants");
-        options.value("--sample", "N", grade_.sample,
-                      "of each lab so many mistakes and variants, for a quick self-test");
-        options.flag("--fresh", grade_.fresh, "everything anew");
+                     "grade solutions, starters, known mistakes and correct variants; no submissions");
+        options.value("--sample", "N", grade_.sample, "with --self-test: only N mistakes and variants per lab");
+        options.flag("--fresh", grade_.fresh, "grade everything again");
     }
     int run() override { return grade_submissions(grade_); }
 
 private:
     GradeArguments grade_;
 };
-RELIEF_COMMAND(GradeCommand, 12, "grade", "marks for a class: submissions are folders or archives of task files");
+RELIEF_COMMAND(GradeCommand, 12, "grade", "grades a class: submissions are folders or archives of task files");
 
 }  // namespace
 

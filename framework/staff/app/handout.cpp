@@ -1,4 +1,4 @@
-// relief handout: the student's course.
+// relief handout: makes the students' course.
 #include "framework/staff/handout/handout.h"
 
 #include <fmt/format.h>
@@ -22,14 +22,14 @@ int make_handout(const std::string& folder, const std::string& labs) {
     if (!report.is_new) {  // of a new folder everything is new
         for (const std::string& file : done.added) fmt::print("new      {}\n", file);
         for (const std::string& file : done.updated) fmt::print("updated  {}\n", file);
-        for (const std::string& file : done.removed) fmt::print("removed  {}, which the course has no more\n", file);
+        for (const std::string& file : done.removed) fmt::print("removed  {}, which the course no longer has\n", file);
         for (const auto& [file, beside] : done.kept)
             fmt::print("kept     your {}{}\n", file,
-                       beside.empty() ? ", which the course has no more"
-                                      : "; the new one lies beside it as " + fs::path(beside).filename().string());
+                       beside.empty() ? ", which the course no longer has"
+                                      : "; the new version is beside it as " + fs::path(beside).filename().string());
         for (const std::string& path : done.not_open)
-            fmt::print("left     {}, which is not a folder: nothing is handed out through a link\n", path);
-        if (done.changed_nothing() && done.not_open.empty()) fmt::print("everything is as it should be\n");
+            fmt::print("left     {}, which is not a folder: nothing is written through a link\n", path);
+        if (done.changed_nothing() && done.not_open.empty()) fmt::print("nothing to do: everything is up to date\n");
     }
     fmt::print("{}: {} labs{}, {} tasks, {} files, {} of them expected pictures\n", folder, report.labs,
                report.choice == "all" ? "" : " (" + report.choice + ")", report.tasks, report.files, report.expected);
@@ -39,18 +39,16 @@ int make_handout(const std::string& folder, const std::string& labs) {
 class HandoutCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        options.value(
-            "-o", "FOLDER", output_,
-            "where to: new, or a handout, which is brought up to date without touching what its owner changed");
-        options.value("--labs", "LABS", labs_,
-                      "like 1-5 or 1,3,10-12, added to those that are there [new: all; else those that are there]");
+        options.value("-o", "FOLDER", output_,
+                      "a new folder, or a handout to update; files that its owner changed are not touched");
+        options.value("--labs", "LABS", labs_, "labs to add, like 1-5 or 1,3,10-12 [a new folder: all; else none]");
     }
     int run() override { return make_handout(output_, labs_); }
 
 private:
     std::string output_, labs_;
 };
-RELIEF_COMMAND(HandoutCommand, 11, "handout", "the course for students: starters, no solutions, no hidden checks");
+RELIEF_COMMAND(HandoutCommand, 11, "handout", "makes the students' course: starters, no solutions, no hidden checks");
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// relief mistakes: a page of all known mistakes, each as the picture that shows it best beside the right one. For
+// relief mistakes: a page of all known mistakes, each with the picture that shows it best beside the right one. For
 // staff.
 #include <fmt/format.h>
 
@@ -156,14 +156,14 @@ private:
     static std::string same(const Manifest& manifest, const MistakeInfo& mistake) {
         if (!mistake.same_as.empty())
             return fmt::format(
-                "<p class=\"quiet\">No check can tell it from <code>{}</code>: that is what the grader names.</p>\n",
+                "<p class=\"quiet\">No check distinguishes it from <code>{}</code>: the grader names that one.</p>\n",
                 html(mistake.same_as));
         std::string others;
         for (const MistakeInfo& other : manifest.mistakes)
             if (other.same_as == mistake.id)
                 others += (others.empty() ? "" : ", ") + fmt::format("<code>{}</code>", html(other.id));
         return others.empty() ? ""
-                              : "<p class=\"quiet\">Stands for " + others + " too, which no check tells from it.</p>\n";
+                              : "<p class=\"quiet\">Also stands for " + others + ": no check distinguishes them.</p>\n";
     }
 
     static std::string edits(const MistakeInfo& mistake) {
@@ -181,8 +181,8 @@ private:
     int count_ = 0, failures_ = 0;
 };
 
-/// A page of the known mistakes of one lab, or of all when `lab` is empty, into `folder`, or below the course's build
-/// folder when it is empty. 1 when one of them has no picture.
+/// Writes a page of the known mistakes of one lab, or of all if `lab` is empty, to `folder`, or to the course's build
+/// folder if that is empty. Returns 1 if one of them has no picture.
 int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice) {
     if (folder.empty()) folder = course_root() / "build" / "mistakes";
     std::vector<const LabEntry*> labs;
@@ -193,7 +193,7 @@ int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice)
         if (mistakes > 0) labs.push_back(&entry);
         count += mistakes;
     }
-    if (labs.empty()) throw UsageError("there is no known mistake to show");
+    if (labs.empty()) throw UsageError("there are no known mistakes to show");
     make_folder(folder);
     const auto context = open_context(choice);
     MistakesPage page(folder);
@@ -213,7 +213,7 @@ class MistakesCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
         options.lab(lab_, false);
-        options.value("-o", "FOLDER", output_, "where to [the course's build/mistakes]");
+        options.value("-o", "FOLDER", output_, "folder for the page [the course's build/mistakes]");
         options.value("--context", "NAME", context_, context_help);
     }
     int run() override { return show_mistakes(lab_, output_, context_kind(context_)); }
@@ -221,8 +221,7 @@ public:
 private:
     std::string lab_, output_, context_ = "auto";
 };
-RELIEF_COMMAND(MistakesCommand, 14, "mistakes",
-               "a page of the known mistakes, each beside what is right: the grader's legend");
+RELIEF_COMMAND(MistakesCommand, 14, "mistakes", "makes a page of all known mistakes, each beside the right picture");
 
 Image picture_with_mistake(const LabEntry& entry, const std::string& id, const Shot& shot, bool light,
                            ContextChoice choice) {

@@ -31,7 +31,7 @@ using Words = std::vector<std::string>;
 
 fs::path source_folder() { return course_root() / "slides"; }
 
-/// Names of decks, without .md; those that are asked for, or all.
+/// Names of the requested decks, or of all, without .md.
 Words decks_asked_for(const Words& asked) {
     Words all, chosen;
     if (fs::is_directory(source_folder()))
@@ -54,7 +54,7 @@ Words decks_asked_for(const Words& asked) {
     return chosen;
 }
 
-/// Runs a program of ours or of the system's to its end, in a folder.
+/// Runs a program in a folder and waits for its end.
 SandboxResult run_tool(Words command, const fs::path& folder, double seconds) {
     Words words = {"/bin/sh", "-c", "cd \"$1\" && shift && exec \"$@\"", "sh", folder.string()};
     words.insert(words.end(), command.begin(), command.end());
@@ -68,7 +68,7 @@ SandboxResult run_tool(Words command, const fs::path& folder, double seconds) {
     return run_trusted({.command = words, .readable = {}, .environment = environment, .input = {}, .limits = limits});
 }
 
-/// What it said last, which is what went wrong.
+/// The last line of its output, which names the error.
 std::string last_words(const SandboxResult& done) {
     if (done.ending != Ending::exited) return name_of(done.ending);
     Words lines = split(done.errors, '\n');
@@ -81,14 +81,14 @@ std::string last_words(const SandboxResult& done) {
 
 bool went_well(const SandboxResult& done) { return done.ending == Ending::exited && done.code == 0; }
 
-/// One command of `relief`, and where its picture is wanted.
+/// One command of `relief`, and the file for its picture.
 struct Drawing {
     Words command;
     std::vector<fs::path> files;
     std::string asked_by;  ///< deck and line, of the first that asks
 };
 
-/// What went wrong, or nothing.
+/// The error, or an empty text.
 std::string draw(const Drawing& drawing, const fs::path& folder) {
     constexpr double patience = 1200;
     const fs::path& file = drawing.files.front();
@@ -109,7 +109,7 @@ std::string draw(const Drawing& drawing, const fs::path& folder) {
         const bool is_there = fs::exists(plot);
         if (is_there) fs::rename(plot, file);
         fs::remove_all(scratch);
-        if (problem.empty() && !is_there) return "there is no plot: is gnuplot installed (gnuplot-nox)?";
+        if (problem.empty() && !is_there) return "there is no plot: is gnuplot installed (Debian package gnuplot-nox)?";
     }
     if (!problem.empty()) return problem;
     for (size_t i = 1; i < drawing.files.size(); ++i)
@@ -120,7 +120,7 @@ std::string draw(const Drawing& drawing, const fs::path& folder) {
 fs::path marp() {
     const fs::path program = course_root() / "build/marp/node_modules/.bin/marp";
     if (!fs::exists(program))
-        throw Error("marp-cli is not installed: ./relief slides, the script at the course's top, does that");
+        throw Error("marp-cli is not installed: run the script ./relief slides at the course's top, which installs it");
     return program;
 }
 
@@ -135,10 +135,10 @@ void convert(const Words& decks, const fs::path& folder, bool as_pdf) {
         throw Error(fmt::format("marp-cli fails: {}", last_words(done)));
     for (const std::string& name : decks)
         if (!fs::exists(folder / (name + (as_pdf ? ".pdf" : ".html"))))
-            throw Error({folder / (name + ".md")}, "marp-cli has made nothing of it");
+            throw Error({folder / (name + ".md")}, "marp-cli made no file from it");
 }
 
-/// 1 when a figure of a deck cannot be drawn.
+/// Returns 1 if a figure of a deck cannot be drawn.
 int make_slides(const SlidesArguments& arguments) {
     const Words names = decks_asked_for(arguments.decks);
     marp();  // or pictures would be drawn for nothing
@@ -147,7 +147,7 @@ int make_slides(const SlidesArguments& arguments) {
     const fs::path folder = fs::absolute(arguments.output.empty() ? usual : fs::path(arguments.output));
     make_folder(folder);
     if (fs::equivalent(folder, source_folder()))
-        throw UsageError("the decks themselves lie there: name another folder");
+        throw UsageError("that folder holds the sources of the decks: name another folder");
     if (fs::exists(source_folder() / "diagrams"))
         fs::copy(source_folder() / "diagrams", folder / "diagrams",
                  fs::copy_options::recursive | fs::copy_options::overwrite_existing);
@@ -211,18 +211,18 @@ int make_slides(const SlidesArguments& arguments) {
 class SlidesCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        options.words("DECK", slides_.decks, "a number, a name or any part of one; all of them when none is named");
+        options.words("DECK", slides_.decks, "a number, a name or any part of one [all]");
         options.value("-o", "FOLDER", slides_.output,
-                      "where to [the course's build/slides, or build/slides-with-solutions]");
-        options.flag("--solutions", slides_.solutions, "with the slides that show tasks' solutions");
-        options.flag("--no-pdf", slides_.no_pdf, "HTML only, which needs no browser");
+                      "folder for the decks [the course's build/slides, or build/slides-with-solutions]");
+        options.flag("--solutions", slides_.solutions, "add the slides that show the tasks' solutions");
+        options.flag("--no-pdf", slides_.no_pdf, "make HTML only, which needs no browser");
     }
     int run() override { return make_slides(slides_); }
 
 private:
     SlidesArguments slides_;
 };
-RELIEF_COMMAND(SlidesCommand, 13, "slides", "what an instructor shows: a deck for each lab, as HTML and PDF");
+RELIEF_COMMAND(SlidesCommand, 13, "slides", "makes the slides: a deck for each lab, as HTML and PDF");
 
 }  // namespace
 

@@ -60,7 +60,7 @@ private:
         const std::optional<Roster> before = read_roster(options_.output);
         if (setup_.seed.empty() && before) setup_.seed = before->seed;
         if (setup_.seed.empty() && !options_.shard.whole())
-            throw UsageError("parts of a class need the same hidden views: give each the same --seed WORD");
+            throw UsageError("all parts of a class need the same hidden views: give each part the same --seed WORD");
         if (setup_.seed.empty()) setup_.seed = new_seed();
         report_.seed = setup_.seed;
     }
@@ -229,8 +229,8 @@ IsolationReport isolation_for(bool trust) {
     const IsolationReport isolation = probe_isolation();
     if (isolation.level != Isolation::namespaces && !trust)
         throw Error(
-            fmt::format("submissions cannot be kept from the rest of this machine: {}. With --trust they run all "
-                        "the same, with limits on time and memory only",
+            fmt::format("submissions cannot be isolated on this machine: {}. With --trust they run anyway, "
+                        "with limits on time and memory only",
                         isolation.reason));
     return isolation;
 }

@@ -33,7 +33,7 @@ std::string quoted(const std::string& word) {
 void write_gradescope(const fs::path& folder, const std::vector<const LabEntry*>& labs, const std::string& seed) {
     const fs::path run = folder / "run_autograder", templates = course_root() / "framework/staff/grade/gradescope";
     if (fs::exists(folder) && !fs::exists(run) && !(fs::is_directory(folder) && fs::is_empty(folder)))
-        throw UsageError(fmt::format("'{}' holds something else: name a new folder", folder.string()));
+        throw UsageError(fmt::format("'{}' has other files in it: name a new folder", folder.string()));
     make_folder(folder);
     const fs::path course = folder / "course";
     fs::remove_all(course);

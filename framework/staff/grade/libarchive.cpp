@@ -88,7 +88,7 @@ extern "C" [[gnu::visibility("default")]] void relief_read_archive(
         if (entries.size() == max_entries) throw Error(fmt::format("has more than {} entries", max_entries));
         ArchiveEntry& entry = entries.emplace_back();
         const char* const name = archive_entry_pathname(found);
-        if (!name) throw Error("has a file whose name cannot be read: pack it anew, as zip or tar");
+        if (!name) throw Error("has a file whose name cannot be read: pack it again, as zip or tar");
         entry.name = name;
         const bool linked = archive_entry_hardlink(found) || archive_entry_symlink(found);
         entry.is_file = archive_entry_filetype(found) == AE_IFREG && !linked;

@@ -54,7 +54,7 @@ struct LabMark {
 
     double points() const;
     int of() const;
-    bool graded() const;  ///< nothing in it failed for the machine's sake
+    bool graded() const;  ///< no check failed through the grader's fault
 };
 
 /// How submissions are drawn.

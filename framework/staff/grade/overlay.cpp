@@ -20,7 +20,7 @@ CourseFiles edited(const std::vector<Edit>& edits) {
         std::string& text = files[edit.file];
         const size_t at = text.find(edit.find);
         if (edit.find.empty() || at == std::string::npos || text.find(edit.find, at + 1) != std::string::npos)
-            throw Error({path}, fmt::format("'{}' must stand there exactly once", edit.find));
+            throw Error({path}, fmt::format("'{}' must occur exactly once", edit.find));
         text.replace(at, edit.find.size(), edit.replace);
     }
     return files;

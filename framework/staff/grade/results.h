@@ -21,7 +21,7 @@ struct SubmissionMark {
 
     double points() const;
     int of() const;
-    /// Nothing failed for the machine's sake.
+    /// No check failed through the grader's fault.
     bool graded() const;
     const LabMark* lab(const std::string& folder) const;
 };

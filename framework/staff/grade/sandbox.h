@@ -1,4 +1,4 @@
-// Runs a command that may be anything: apart from the machine, with bounds on all it can use.
+// Runs an untrusted command, isolated and limited.
 #pragma once
 
 #include <filesystem>

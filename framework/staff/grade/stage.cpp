@@ -113,7 +113,7 @@ Stage::Stage(Isolation isolation)
     remove_abandoned();
     // A submission sees all of /usr, and the library that it runs with.
     if (is_inside(fs::weakly_canonical(course_root()).string(), "/usr"))
-        throw Error("the course lies below /usr, which every submission can read: move it to another folder");
+        throw Error("the course is below /usr, which every submission can read: move it to another folder");
     copy_programs();
     copy_assets();
     make_public(folder_.path() / "courses");

@@ -94,7 +94,7 @@ int open_beneath(int folder, const std::string& name) {
     const int file = int(syscall(SYS_openat2, folder, name.c_str(), &how, sizeof how));
     if (file < 0 && (errno == ENOSYS || errno == EPERM))
         throw Error(
-            "this system cannot open a stranger's files safely (openat2, Linux 5.6): hand it over as an archive");
+            "this system cannot open untrusted folders safely (it needs openat2, Linux 5.6): pass an archive instead");
     return file;
 }
 

@@ -35,7 +35,7 @@ Beneath::Beneath(const fs::path& folder)
     : folder_(folder), top_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (top_ < 0) fail({}, "open this folder");
     if (flock(top_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-        throw Error({folder}, "another run is writing here: wait until it has ended");
+        throw Error({folder}, "another run is writing here: wait until it ends");
 }
 
 void Beneath::fail(const fs::path& path, const char* action) const {

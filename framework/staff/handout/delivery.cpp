@@ -76,7 +76,7 @@ std::optional<Record> read_record(const fs::path& folder) {
         if (fs::is_regular_file(fs::symlink_status(file, ignored))) return parse_record(read_file(file), file);
         if (fs::is_empty(folder, ignored)) return {};
     }
-    throw Error({folder}, "is there already, not empty and not a handout: a handout wants a folder of its own");
+    throw Error({folder}, "is there already, not empty and not a handout: name a new folder");
 }
 
 /// Compares what is to be in a folder with what is, writes nothing, and knows then what has to be done.

@@ -1,4 +1,4 @@
-// Files handed out into a folder in which somebody has worked since: what they changed stays, the rest is renewed.
+// Files handed out into a folder in which somebody has worked since: changed files stay, the others are updated.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct HandedFile {
 /// By paths relative to the folder.
 using HandedFiles = std::map<std::string, HandedFile>;
 
-/// What a delivery did, by path. A file that is as it should be is in none of the lists.
+/// The result of a delivery, by path. An up-to-date file is in none of the lists.
 struct Delivery {
     std::vector<std::string> added, updated, removed;
     struct Kept {
@@ -28,8 +28,8 @@ struct Delivery {
     bool changed_nothing() const;
 };
 
-/// What the last delivery into a folder noted about its choice (see deliver); nothing for a folder that is empty or not
-/// there. Throws Error for any other folder: what is there was not handed out.
+/// The choice that the last delivery into a folder recorded (see deliver); nothing for a folder that is empty or not
+/// there. Throws Error for any other folder: it is not a handout.
 std::optional<std::string> delivered_choice(const std::filesystem::path& folder);
 
 /// Brings a folder up to date. A file that is there as it was once handed out, or not at all, becomes the new one; one

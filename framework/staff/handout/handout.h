@@ -1,5 +1,5 @@
-// The student's course: starters in place of solutions, no hidden checks, no mistakes or variants, and the truth as
-// pictures.
+// The students' course: starters instead of solutions, no hidden checks, no mistakes or variants, and the exact values
+// as pictures.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Work and error held to what they were: they do not depend on who else uses the machine.
+// Work and error compared with a baseline: they do not depend on the load of the machine.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 namespace relief {
 
 struct BaselineReport {
-    /// A line for each that is worse: work or error that grew, a method that fails or is gone, a new one that nobody
-    /// holds.
+    /// A line for each that is worse: work or error that grew, a method that fails or is gone, a new one that is not
+    /// in the baseline.
     std::vector<std::string> worse;
-    /// A line for each figure that fell: fit to be kept.
+    /// A line for each figure that fell, and could be the new baseline.
     std::vector<std::string> better;
 };
 

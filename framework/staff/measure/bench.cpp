@@ -64,11 +64,11 @@ std::vector<BenchScene> only(const BenchTopic& topic, std::vector<BenchScene> sc
         const std::vector<std::string>& values = one.second;
         const auto known = std::find(names.begin(), names.end(), knob);
         if (known == names.end())
-            throw UsageError(topic.name + " sweeps no such thing: " + unknown("knob", knob, names));
+            throw UsageError(topic.name + " does not sweep this: " + unknown("knob", knob, names));
         const std::vector<std::string>& possible = sweep[size_t(known - names.begin())].second;
         for (const std::string& value : values)
             if (std::find(possible.begin(), possible.end(), value) == possible.end())
-                throw UsageError(fmt::format("{} does not measure {} = '{}': there is {}", topic.name, knob, value,
+                throw UsageError(fmt::format("{} does not measure {} = '{}': choose from {}", topic.name, knob, value,
                                              join(possible, ", ")));
         for (BenchScene& scene : scenes)
             std::erase_if(scene.methods, [&](const BenchMethod& method) {
@@ -77,7 +77,7 @@ std::vector<BenchScene> only(const BenchTopic& topic, std::vector<BenchScene> sc
             });
     }
     std::erase_if(scenes, [](const BenchScene& scene) { return scene.methods.empty(); });
-    if (scenes.empty()) throw UsageError(topic.name + " measures nothing that has all of these values at once");
+    if (scenes.empty()) throw UsageError(topic.name + " has no method with all of these values");
     return scenes;
 }
 

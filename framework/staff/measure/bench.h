@@ -1,4 +1,4 @@
-// Run time against error: methods that do the same thing, timed in turns and measured against the truth.
+// Run time against error: methods for the same purpose, timed interleaved and compared with exact values.
 #pragma once
 
 #include <functional>
@@ -12,18 +12,18 @@
 
 namespace relief {
 
-/// How far a method is from the truth. Of one that computes nothing: no unit.
+/// A method's distance from the exact values. No unit for a method that computes nothing.
 struct BenchError {
     double mean = 0, p99 = 0, largest = 0;
     std::string unit = {};             ///< "degree", "texel"
     std::optional<double> wrong = {};  ///< share off by more than one unit, where that is a kind of its own
 };
 
-/// What no clock can move: {"taps", 7.2}, {"triangles", 2048}. An item's, or the frame's.
+/// Work that does not depend on the clock: {"taps", 7.2}, {"triangles", 2048}. Per item, or per frame.
 using BenchWork = std::vector<std::pair<std::string, double>>;
 using BenchKnobs = std::vector<std::pair<std::string, std::string>>;
 
-/// A method that is ready to run: what it needs lives in its closure.
+/// A method that is ready to run: its closure owns its data.
 struct BenchSubject {
     size_t items = 1;           ///< that one run works on
     double bytes_per_item = 0;  ///< what it reads and writes, or stores; 0 where it is no claim
@@ -34,7 +34,7 @@ struct BenchSubject {
     double error_map_most = 0;           ///< what its brightest colour stands for, in the error's unit
 };
 
-/// One way of doing it. Made by a topic without any work; `prepare` does it, with a context where the topic draws.
+/// A method. A topic lists it without any work; `prepare` does the work, with a context if the topic draws.
 struct BenchMethod {
     std::string name;
     BenchKnobs knobs = {};  ///< how it is tuned: {"threads", "2"}
@@ -83,9 +83,9 @@ double quantile(std::vector<double> values, double share);
 /// The figures over a sample of errors; all zero when it is empty.
 BenchError error_figures(std::vector<double> errors, std::string unit);
 
-/// Seconds that so many runs take.
+/// Seconds of `n` runs.
 using BenchClock = std::function<double(const std::function<void()>& run, size_t times)>;
-/// By the wall's clock. What is run must end with what it does: glFinish.
+/// By the wall clock. The work must be finished when a run returns: glFinish.
 double by_wall_clock(const std::function<void()>& run, size_t times);
 
 /// Subjects that are timed in turns: each round runs every one of them once, in a new order, so that whatever else the

@@ -89,7 +89,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic budget_topic() {
-    return {"budget", "lab 17's wall within a budget of pixels, 512 x 512 pixels; taps are heights read a pixel",
+    return {"budget", "lab 17's wall within a budget of pixels, 512 x 512 pixels; taps are heights read per pixel",
             scenes, true};
 }
 

@@ -1,4 +1,4 @@
-// What topics that draw have in common: a lab's shot as something to time, with the work that GL counts.
+// Shared parts of topics that draw: a lab's shot as a subject to time, with the work that GL counts.
 #pragma once
 
 #include <functional>

@@ -46,7 +46,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic frames_topic() {
-    return {"frames", "frames of each lab at 512 x 512, and the error of its probe", scenes, true};
+    return {"frames", "a frame of each lab at 512 x 512, and the error of its probe", scenes, true};
 }
 
 }  // namespace relief

@@ -142,7 +142,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
     const int count = int(hardware_threads()) * (settings.quick ? 1 : 2);
     const Isolation isolation = isolation_for(true).level;
     const bool has_idiff = fs::exists("/usr/bin/idiff");
-    if (!has_idiff) print_note("the plain loop is left out: there is no idiff (Debian package openimageio-tools)");
+    if (!has_idiff) print_note("the plain loop is skipped: there is no idiff (Debian package openimageio-tools)");
     for (const auto& [number, kind] : {std::pair{"02", "shaders"}, {"05", "C++"}}) {
         if (settings.quick && kind == std::string("C++")) continue;  // a compiler takes its time
         const LabEntry& lab = find_lab(number);
@@ -159,7 +159,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
                                          return subject([graded](size_t i) {
                                              const LabMark mark = graded->grader->mark(graded->submissions[i]);
                                              if (mark.points() != mark.of())
-                                                 throw Error("right work does not get all points");
+                                                 throw Error("a correct submission does not get all points");
                                          });
                                      }});
         if (!has_idiff) continue;
@@ -175,7 +175,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic grade_topic() {
-    return {"grade", "submissions marked, against a plain loop of build, draw, idiff", scenes, false, true};
+    return {"grade", "grading submissions, compared with a plain loop of build, draw, idiff", scenes, false, true};
 }
 
 }  // namespace relief

@@ -1,5 +1,5 @@
-// What other libraries do of the same, to be measured beside it: a module of its own, opened when it is wanted and
-// where it was built (Debian packages libassimp-dev and libopenimageio-dev).
+// Other libraries' methods, to be measured beside ours: a separate module, opened when it is needed and
+// if it was built (Debian packages libassimp-dev and libopenimageio-dev).
 #pragma once
 
 #include <memory>

@@ -37,7 +37,7 @@ public:
         if (!importer_.ReadFileFromMemory(text.data(), text.size(), aiProcess_JoinIdenticalVertices, "obj") ||
             importer_.GetScene()->mNumMeshes != 1 ||
             importer_.GetScene()->mMeshes[0]->mNumFaces != mesh.indices.size() / 3)
-            throw Error(std::string("Assimp does not read the mesh: ") + importer_.GetErrorString());
+            throw Error(std::string("Assimp cannot read the mesh: ") + importer_.GetErrorString());
     }
 
     void run() override {
@@ -89,7 +89,7 @@ void relief_openimageio_slopes(const relief::Image& heights, relief::Image& slop
     settings.attribute("maketx:nomipmap", 1);
     char name[] = "/tmp/relief-slopes-XXXXXX.exr";
     const int file = mkstemps(name, 4);
-    if (file < 0) throw relief::Error("no place for OpenImageIO's texture");
+    if (file < 0) throw relief::Error("cannot make a file for OpenImageIO's texture");
     close(file);
     const bool made = OIIO::ImageBufAlgo::make_texture(OIIO::ImageBufAlgo::MakeTxBumpWithSlopes, map, name, settings);
     OIIO::ImageBuf texture(name);

@@ -1,4 +1,4 @@
-// What was measured of a method, as a line of a table, of a CSV, and as text from one process to another.
+// The results of a method, as a line of a table, of a CSV, and as text from one process to another.
 #pragma once
 
 #include <span>
@@ -32,7 +32,7 @@ struct BenchRow {
 /// The rows of a scene, all open.
 std::vector<BenchRow> open_rows(const BenchTopic& topic, const BenchScene& scene);
 
-/// What is known of the machine and the build, for each line of the CSV.
+/// The machine and the build, for each line of the CSV.
 struct BenchMachine {
     std::string cpu = {}, compiler = {}, commit = {};
     std::string renderer = "none";  ///< what drew; "none" when only the CPU worked
@@ -43,7 +43,7 @@ std::string cpu_name();
 
 /// A table for people: a part for each scene.
 std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows);
-/// RFC 4180, with a header line. What is not known is empty: 0 would be a claim.
+/// RFC 4180, with a header line. Unknown values are empty: 0 would be a claim.
 std::string bench_csv(std::span<const BenchRow> rows, const BenchMachine& machine);
 /// Work and errors of bench_csv(). Throws Error with the line for anything else.
 std::vector<BenchRow> read_bench_csv(const std::string& text);

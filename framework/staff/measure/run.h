@@ -1,4 +1,4 @@
-// A scene measured in a process of its own: a method that crashes takes nothing along.
+// A scene measured in a separate process: a method that crashes does not end the others.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,14 @@
 
 namespace relief {
 
-/// By timer queries: what the GPU itself took, from the first command to the last. Wants a context.
+/// By timer queries: the GPU's own time, from the first command to the last. Needs a context.
 double by_gpu_clock(const std::function<void()>& run, size_t times);
 
 struct BenchRun {
     BenchSettings settings;
     std::optional<ContextKind> context = {};  ///< for topics that draw; nothing: whichever opens
     bool pinned = false;                      ///< the same bits on every machine, at the cost of time
-    /// Told of every step: what is known by then, and what is done next ("linear-32, error", "round 3").
+    /// Called at every step with the results so far and the next step ("linear-32, error", "round 3").
     std::function<void(const std::vector<BenchRow>& rows, const std::string& next)> report = {};
 };
 

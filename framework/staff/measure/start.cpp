@@ -131,8 +131,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic start_topic() {
-    return {"start", "one picture at 512 x 512 from an empty process on, against one quad by hand", scenes, false,
-            true};
+    return {"start", "one picture at 512 x 512 from the start of the process, compared with one hand-written quad",
+            scenes, false, true};
 }
 
 }  // namespace relief

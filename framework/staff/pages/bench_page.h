@@ -1,4 +1,4 @@
-// What relief bench found, as a page that has all it needs: plots, tables, and the pictures behind the points.
+// The results of relief bench as a self-contained page: plots, tables, and the pictures of the points.
 #pragma once
 
 #include <span>

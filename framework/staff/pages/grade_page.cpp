@@ -191,7 +191,7 @@ std::string class_header(const ClassReport& report, const ClassCounts& counts) {
     text += number_card("submissions", std::to_string(report.marks.size()));
     text += number_card("median", amount_of(counts.median(), "point"));
     if (counts.not_graded > 0) text += number_card("not graded: grade again", std::to_string(counts.not_graded), "bad");
-    text += number_card("taken over from before", std::to_string(report.taken_over));
+    text += number_card("unchanged, not graded again", std::to_string(report.taken_over));
     std::string isolation;
     for (const std::string& one : counts.isolations) isolation += (isolation.empty() ? "" : ", ") + one;
     text += number_card("isolation", html(isolation.empty() ? "none needed" : isolation));
@@ -282,7 +282,7 @@ std::string check_histogram(const ClassCounts& counts) {
         return double(a->passed()) * double(b->all()) < double(b->passed()) * double(a->all());
     });
     if (!hardest.empty()) {
-        text += "<p class=\"quiet\">Fewest pass ";
+        text += "<p class=\"quiet\">The hardest checks: ";
         for (size_t i = 0; i < std::min<size_t>(3, hardest.size()); ++i)
             text += fmt::format("{}<b>{} {}</b> ({} of {})", i > 0 ? ", " : "", html(hardest[i]->task),
                                 html(hardest[i]->name), hardest[i]->passed(), hardest[i]->all());
@@ -339,7 +339,7 @@ std::string time_part(const ClassReport& report, const ClassCounts& counts) {
         {"compile", counts.times.compile, "compiling"},
         {"draw", counts.times.draw, "drawing"},
         {"compare", counts.times.compare, "comparing"},
-        {"waiting", counts.waiting, "waiting, reading and telling known mistakes apart"}};
+        {"waiting", counts.waiting, "waiting, reading and recognising known mistakes"}};
     std::string bar, key;
     for (const auto& [kind, seconds, words] : parts) {
         bar += fmt::format("<i class=\"{}\" style=\"flex:{:.4f}\"></i>", kind, seconds / all);
@@ -347,7 +347,7 @@ std::string time_part(const ClassReport& report, const ClassCounts& counts) {
                            100 * seconds / all, seconds);
     }
     return text + "<div class=\"time\"><div class=\"bar\" aria-hidden=\"true\">" + bar + "</div><ul>" + key +
-           "</ul></div>\n<p class=\"quiet\">Of all submissions' time together, whenever they were "
+           "</ul></div>\n<p class=\"quiet\">The time of all submissions together, whenever they were "
            "graded.</p></section>\n";
 }
 

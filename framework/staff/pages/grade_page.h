@@ -1,4 +1,4 @@
-// The instructor's page: the class in one table, check by check, and what it took.
+// The instructor's page: the class in one table, check by check, and the time.
 #pragma once
 
 #include <string>

@@ -49,7 +49,8 @@ private:
             name_html(mark_.name) + "</h1>\n";
         if (!mark_.graded())
             text +=
-                "<p class=\"problem\"><b>Not graded:</b> the machine failed. This costs nobody a point; grade again."
+                "<p class=\"problem\"><b>Not graded:</b> the grading machine failed. This costs nobody a point; grade "
+                "again."
                 "</p>\n";
         else if (mark_.problem.empty())
             text += fmt::format(
@@ -141,7 +142,7 @@ private:
 
     std::string ignored() const {
         if (mark_.ignored_count == 0) return {};
-        std::string text = fmt::format("<details class=\"more\"><summary>{}, not looked at</summary><ul>\n",
+        std::string text = fmt::format("<details class=\"more\"><summary>{}, ignored</summary><ul>\n",
                                        count_of(mark_.ignored_count, "other file"));
         for (const std::string& name : mark_.ignored) text += "<li><bdi>" + html(name) + "</bdi></li>\n";
         if (mark_.ignored.size() < mark_.ignored_count)
@@ -151,8 +152,8 @@ private:
 
     std::string footer() const {
         std::string text = "Made by <code>./relief grade</code>.";
-        if (any_hidden_) text += " What is marked as hidden is not in the students' course.";
-        if (lost_pictures_) text += " The pictures were not kept: <code>--fresh</code> draws them again.";
+        if (any_hidden_) text += " Hidden checks and views are not in the students' course.";
+        if (lost_pictures_) text += " The pictures were not stored: <code>--fresh</code> draws them again.";
         return text;
     }
 

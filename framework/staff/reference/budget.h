@@ -11,8 +11,8 @@ namespace relief {
 /// space for each metre.
 double pixels_per_metre(const glm::dvec4& clip, const glm::dvec4& along, const glm::dvec2& size);
 
-/// By how much a height in [0, 1] may be off where the screen may show `budget` pixels of it and the relief is `scale`
-/// metres deep; 1e30 where that is nothing.
+/// By how much a height in [0, 1] may be off if the error on the screen may be `budget` pixels and the relief is
+/// `scale` metres deep; 1e30 for a relief without depth.
 double tolerated(double budget, double pixels_per_metre, double scale);
 
 /// The lowest and the highest height of a relief that is cut off below and above by `most`; the middle for both when
@@ -23,7 +23,7 @@ glm::dvec2 thinned(double lowest, double highest, double most);
 /// above it, the last where it ends below. There is an error at least.
 double coarsest_level(std::span<const float> errors, double tolerance);
 
-/// What is left of bumps that a pixel reads from `level` where from `flat_level` on there are none, and `budget` pixels
+/// The rest of bumps that a pixel reads from `level` if from `flat_level` on there are none, and `budget` pixels
 /// may be off: from 1 a level before that to 0.
 double bumps_left(double level, double flat_level, double budget);
 

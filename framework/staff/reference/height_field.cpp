@@ -148,7 +148,7 @@ std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_
         }
         if (t1 >= t_stop) return {};
         if (double(count) > max_cells)
-            throw Error(fmt::format("a ray passes {} cells of a height map; {} is the most", rounded(cells),
+            throw Error(fmt::format("a ray crosses {} cells of a height map; the limit is {}", rounded(cells),
                                     rounded(max_cells)));
         t0 = t1, from = to;
         if (t_u <= t_v) {

@@ -1,5 +1,5 @@
-// A height map as the surface that it stands for, in double precision: its height, its slope, and where a ray meets it
-// first. What the shaders' searches are measured against.
+// A height map as a surface, in double precision: its height, its slope, and where a ray meets it
+// first. The reference for the shaders' searches.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The slope of a height map at a texel, taken word by word from its definition: what normals_from_heights is held to.
+// The slope of a height map at a texel, written directly from its definition: the reference for normals_from_heights.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-// How wrong a place on a relief is that a ray is said to meet: by how much the relief would have to move to make it
+// The error of a claimed hit: by how much the relief would have to move to make it
 // right.
 #pragma once
 
@@ -15,9 +15,9 @@ struct ReliefMove {
 };
 
 /// The ray (x and y in texels, z in heights, going down) is said to meet the relief first at t, as a shader has it.
-/// Then the relief must be there, at the ray's height, and nowhere before that above the ray. The relief has to move by
-/// nothing when that is so; else by the larger of what it lies apart from the ray at t, and of what it stands above the
-/// ray before. So a place that is hidden in truth is as wrong as what hides it is high. A t below 0 or beyond t_end is
+/// Then the relief must be there, at the ray's height, and nowhere before that above the ray. If that is so, it has to
+/// move by nothing; else by its distance from the ray at t, or by how far it rises above the ray before t, whichever is
+/// larger. So the error of a hidden place is the height of what hides it above the ray. A t below 0 or beyond t_end is
 /// taken for these, t_end being where the ray has reached the lowest height.
 ///
 /// With this a method that shows a relief whose heights are off by e at most is off by e at most, whatever hides what:

@@ -23,7 +23,7 @@ glm::dvec2 uv_on_edge(double here, double there, const glm::dvec4& edge_uv, glm:
 
 /// dF/du and dF/dv where F and uv change so along two directions; 0 where the uv do not tell them apart.
 std::array<glm::dvec3, 2> by_uv(const glm::dvec3& along_x, const glm::dvec3& along_y, glm::dvec2 uv_x, glm::dvec2 uv_y);
-/// How a vector made unit turns, when it would change so without; 0 for the vector 0.
+/// The derivative of a normalised vector, from that of the vector itself; 0 for the vector 0.
 glm::dvec3 turn_of_unit(const glm::dvec3& vector, const glm::dvec3& change);
 
 /// What gl_TessCoord says: the weights of three corners, or x and y in the domain of four.

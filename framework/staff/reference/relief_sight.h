@@ -12,8 +12,8 @@
 namespace relief {
 
 struct ReliefSight {
-    double distance;                ///< in lengths of the ray's direction, which is unit
-    glm::dvec3 position, normal;    ///< on the triangle; the interpolated normal, made unit
+    double distance;                ///< in lengths of the ray's direction, which is normalised
+    glm::dvec3 position, normal;    ///< on the triangle; the interpolated normal, normalised
     glm::dvec3 tangent, bitangent;  ///< unit and at right angles, by Gram-Schmidt
     glm::dvec2 uv;                  ///< tiles
     ReliefRay ray;                  ///< the slant is at least least_slant

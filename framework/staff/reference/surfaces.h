@@ -11,14 +11,14 @@
 namespace relief {
 
 /// A place of a parametric surface P(u, v), u and v in [0, 1] over the whole shape, with u and v as on its mesh but not
-/// repeated. `normal` is unit and points outside.
+/// repeated. `normal` has unit length and points outwards.
 struct SurfacePoint {
     glm::dvec3 position, normal;
     glm::dvec3 du, dv;                ///< dP/du, dP/dv
     glm::dvec3 normal_du, normal_dv;  ///< how the normal turns
 };
 
-/// The tangent of a SurfacePoint: dP/du made unit and perpendicular to the normal. Where dP/du is 0 (at a sphere's
+/// The tangent of a SurfacePoint: dP/du made orthonormal to the normal. Where dP/du is 0 (at a sphere's
 /// pole) it is not a number.
 glm::dvec3 tangent_of(const SurfacePoint& point);
 

@@ -6,11 +6,11 @@
 namespace relief {
 
 /// Columns tangent, bitangent, normal: unit and at right angles by Gram-Schmidt, which keeps the normal's direction;
-/// bitangent = tangent.w cross(normal, tangent). Neither need be unit; a tangent along the normal, or a zero one of
-/// either, gives a frame that is not a number.
+/// bitangent = tangent.w cross(normal, tangent). Neither need be normalised; a tangent along the normal, or a zero one
+/// of either, gives a frame that is not a number.
 glm::dmat3 tangent_frame(const glm::dvec3& normal, const glm::dvec4& tangent);
 
-/// From tangent space to the space of `normal` and `tangent`, unit.
+/// From tangent space to the space of `normal` and `tangent`, normalised.
 glm::dvec3 from_tangent_space(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent);
 
 /// The other way round; a frame at right angles is undone by its transpose.

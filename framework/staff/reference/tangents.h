@@ -10,7 +10,7 @@
 
 namespace relief {
 
-/// A triangle's tangent is dP/du, made unit (Lengyel 2001 solves the same equations). A vertex takes the mean of those
+/// A triangle's tangent is dP/du, normalised (Lengyel 2001 solves the same equations). A vertex takes the mean of those
 /// of its triangles with the same handedness, made perpendicular to its normal.
 enum class TangentMethod {
     per_face,   ///< no mean at all: facets
@@ -44,8 +44,8 @@ struct TangentReport {
 };
 
 /// The tangent of each corner (three a triangle, in the order of the indices): xyz unit and perpendicular to the normal
-/// of its vertex, w the handedness, 1 or -1, from the sign of the triangle's area in uv. Always finite, unit and at
-/// right angles within 1e-6, whatever the mesh holds; positions and uv may have any size that floats have.
+/// of its vertex, w the handedness, 1 or -1, from the sign of the triangle's area in uv. Always finite, normalised and
+/// at right angles within 1e-6, whatever the mesh holds; positions and uv may have any size that floats have.
 ///
 /// A triangle without area in uv has one handedness, too: that of the first group that reaches it, with the triangles
 /// that have area taken in their order, and the corners of each; 1 where none does. Only a triangle with two corners in
@@ -53,7 +53,7 @@ struct TangentReport {
 ///
 /// Vertices with equal position, normal and uv are one, so it does not matter how the mesh shares them. For
 /// `mikktspace` the published semantics: groups at a vertex are triangles connected by edges there that both run along
-/// in opposite directions, of one handedness; each dP/du is projected onto the vertex's tangent plane and made unit
+/// in opposite directions, of one handedness; each dP/du is projected onto the vertex's tangent plane and normalised
 /// before it is weighed by the angle between the projected edges; a triangle with two equal positions belongs to no
 /// group and inherits. Where more than two triangles share an edge all are connected.
 ///
@@ -67,7 +67,8 @@ void corner_tangents(const Mesh& mesh, TangentMethod method, std::vector<glm::ve
                      TangentReport* report = nullptr, unsigned threads = 0);
 
 /// The mesh with tangents at its vertices: a vertex whose corners have several is split, one for each, and the others
-/// keep their places. Normals that are zero, not finite or not unit are repaired. New vertices come after the old ones.
+/// keep their places. Normals that are zero, not finite or not normalised are repaired. New vertices come after the old
+/// ones.
 Mesh with_tangents(const Mesh& mesh, TangentMethod method, TangentReport* report = nullptr, unsigned threads = 0);
 
 }  // namespace relief

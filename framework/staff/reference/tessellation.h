@@ -42,7 +42,7 @@ glm::dvec4 outer_levels_of_quad(const glm::dvec4& edges);
 glm::dvec4 relief_bounds(const glm::dvec4& flat, const glm::dvec3& axis, double spread, double lowest, double highest,
                          double scale);
 
-/// Whether a sphere is wholly behind one of the planes; xyz is unit and points to where one sees.
+/// Whether a sphere is wholly behind one of the planes; xyz has unit length and points into the picture.
 bool is_outside(std::span<const glm::dvec4> planes, const glm::dvec4& sphere);
 
 /// Whether triangles in a sphere, whose normals are within atan(slope) of `axis`, all show their backs: a cone of

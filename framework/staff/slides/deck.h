@@ -1,10 +1,10 @@
-// A deck of slides: Marp Markdown in which pictures, plots, code and known mistakes are named, and are put in by the
+// A deck of slides: Marp Markdown that names pictures, plots, code and known mistakes; they are inserted by the
 // course itself, so that no slide disagrees with what is built.
 //
 //     ![w:560 A wall by one tap](<shot 10 --set view=one --set method=offset>)
 //     ![Time against error](<bench parallax --quick>)
 //
-// is what that command of `relief` draws;
+// is the picture that this command of `relief` draws;
 //
 //     ```glsl shaders/10_parallax_offset/surface.frag lookup
 //     ```

@@ -241,7 +241,7 @@ TEST(Only, AnImpossibleKnobOrValueIsOneLine) {
         }
         return "nothing was thrown";
     };
-    EXPECT_EQ(message("map", "brick"), "parallax does not measure map = 'brick': there is bricks, posts");
+    EXPECT_EQ(message("map", "brick"), "parallax does not measure map = 'brick': choose from bricks, posts");
     EXPECT_TRUE(contains(message("stepz", "8"), "did you mean 'steps'")) << message("stepz", "8");
 }
 
