@@ -1,4 +1,5 @@
 // relief grade: grades a class on one machine.
+#include "framework/staff/pages/summaries.h"
 
 #include <fmt/format.h>
 
