@@ -34,7 +34,10 @@ protected:
     void change_reference(int steps, const std::string& driver, size_t pixels = 1) const {
         Notes notes;
         Image image = read_image(file_, &notes);
-        for (size_t i = 0; i < pixels; ++i) image.values[i * size_t(image.channels)] += float(steps) / 255;
+        for (size_t i = 0; i < pixels; ++i) {
+            float& red = image.values[i * size_t(image.channels)];
+            red += (red < 0.5f ? 1.0f : -1.0f) * float(steps) / 255;
+        }
         if (!driver.empty()) notes = {{"driver", driver}};
         write_image(file_, image, notes);
     }
