@@ -1,8 +1,7 @@
 // Lab 12: the exact hit.
 //
-// Where a view ray meets the relief first, without a guess: six ways to skip what it cannot meet, the shadow, depth and
-// outline that follow from the hit.
-// Yours: shaders/12_relief_exact/task.glsl
+// Where a view ray meets the relief first, without a guess: five ways to skip what it cannot meet, the shadow, depth
+// and outline that follow from the hit. Yours: shaders/12_relief_exact/task.glsl
 #include <fmt/format.h>
 
 #include <glm/gtc/constants.hpp>
@@ -107,7 +106,6 @@ private:
     void draw_object(const Frame& frame, const Object& object, Method method, float turns_from) {
         const ReliefSurface& surface = *object.surface;
         Skips& skips = skips_of(surface);
-        method = skips.usable(method);
         const double radius = object.radius(outline_);
         const Program& program = surface_program_.with(
             {frame.probe, method_defines[method], frame.probe ? "" : shadow_defines[size_t(shadow_)],
@@ -171,7 +169,7 @@ private:
     std::optional<Target> small_;
     Labels labels_;
 
-    int view_ = scene, method_ = cells, show_ = 0, shadow_ = 1;
+    int view_ = scene, method_ = windows, show_ = 0, shadow_ = 1;
     bool write_depth_ = true, outline_ = true, costs_ = false;
     float light_yaw_ = 55, light_pitch_ = 40;
 };

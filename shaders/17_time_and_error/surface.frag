@@ -58,9 +58,8 @@ uniform vec3 u_colors[5];       // of the methods
 uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
-uniform sampler2D s_windows;  // for the exact hit
+uniform sampler2DArray s_windows;  // for the exact hit
 uniform vec4 u_grown;
-uniform int u_most_turns;
 
 layout(location = 0) out vec4 o_color;
 
@@ -145,7 +144,7 @@ float seen(Ray ray, Choice c, int method) {
     if (method == parallax) return marched(ray, between, c.level, c.taps);
 #endif
 #if HAS(EXACT)
-    if (method == exact) return exact_hit(s_heights, s_windows, u_grown, ray.place, ray.along, between, u_most_turns);
+    if (method == exact) return exact_hit(s_heights, s_windows, u_grown, ray.place, ray.along, between);
 #endif
     return between.y;
 }
