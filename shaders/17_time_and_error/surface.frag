@@ -120,6 +120,9 @@ Choice look(Ray ray) {
     c.taps = max(1.0, (c.left.y - c.left.x) * length(ray.along * u_texels) * exp2(-floor(c.level)));
 #if !IS_ONE
     if (off < u_errors[0]) c.taps = 1e30;  // no level will do
+#else
+    // A march that is to keep the budget all the same: steps of half a texel are off by half as much.
+    if (off > 0.0) c.taps = min(c.taps * max(1.0, u_errors[0] / off), float(most_turns));
 #endif
 #endif
 #endif
