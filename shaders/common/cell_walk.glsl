@@ -18,11 +18,11 @@ vec2 way_of(vec2 along) { return mix(vec2(-1.0), vec2(1.0), greaterThanEqual(alo
 // Where a ray starts in its cell, counted along its way.
 vec2 start_along(vec2 start, vec2 way) { return mix(1.0 - start, start, greaterThan(way, vec2(0.0))); }
 
-//(next
 // The cell after `passed`, whose walls ahead the ray reaches at leaves.x and leaves.y: through the one that it
 // reaches first. Or a later cell, where it has skipped to `place`; on a line between two that is the one it enters.
 // The ten-thousandth of a cell is for speed: without it a ray that was rounded to just before a line looks at the
 // cell behind once more.
+//(next
 vec2 next_cell(vec2 passed, vec2 leaves, vec2 place) {
     return max(passed + vec2(lessThanEqual(leaves, leaves.yx)), floor(place + 1e-4));
 }
