@@ -135,7 +135,7 @@ void draw_request(const char* course) {
     std::string text(std::istreambuf_iterator<char>(std::cin), {});
     if (const int nothing = open("/dev/null", O_RDONLY); nothing >= 0) dup2(nothing, STDIN_FILENO);  // read once, by us
     const json request = json::parse(text.substr(0, longest_request));
-    const LabEntry& lab = find_lab(request.at("lab"));
+    const LabEntry& lab = find_lab(request.at("lab").get<std::string>());
     std::vector<Shot> shots;
     for (const json& one : request.at("shots")) shots.push_back(shot_of(one));
     if (request.at("pinned")) pin_software_renderer();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <tuple>
 
 #include "framework/base/error.h"
@@ -87,37 +88,47 @@ std::shared_ptr<const Texture::Loaded> Texture::create() const {
     }();
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (std::max(first.width, first.height) > largest)
+    if (std::max(first.width, first.height / options_.layers) > largest)
         throw Error(
             fmt::format("{}: {}x{} is larger than this driver's {}", title_, first.width, first.height, largest));
 
     // Made in the middle of a draw that has textures bound: whatever is on the active unit must stay there.
+    const GLenum target = this->target();
+    const bool layered = target == GL_TEXTURE_2D_ARRAY;
     GLint bound = 0;
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    glGetIntegerv(layered ? GL_TEXTURE_BINDING_2D_ARRAY : GL_TEXTURE_BINDING_2D, &bound);
     const auto loaded = std::make_shared<Loaded>();
-    glBindTexture(GL_TEXTURE_2D, loaded->name);
+    glBindTexture(target, loaded->name);
     label(GL_TEXTURE, loaded->name, title_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     // First what it will be: a driver that hears of levels when the first is there makes room, and copies, twice.
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(texels.levels.size()) - 1);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, options_.mips ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, layered ? 0 : GLint(texels.levels.size()) - 1);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, layered ? GL_NEAREST : GL_LINEAR);
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER,
+                    layered         ? GL_NEAREST
+                    : options_.mips ? GL_LINEAR_MIPMAP_LINEAR
+                                    : GL_LINEAR);
     const GLint wrap = options_.wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
     const float anisotropy = options_.anisotropy.value_or(is_software_renderer() ? 1.0f : 8.0f);
-    if (GLAD_GL_EXT_texture_filter_anisotropic && options_.mips && anisotropy > 1) {
+    if (GLAD_GL_EXT_texture_filter_anisotropic && options_.mips && !layered && anisotropy > 1) {
         float most = 1;
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
-        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, anisotropy));
+        glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, anisotropy));
     }
-    for (GLint i = 0; const Texels::Level& level : texels.levels) {
-        glTexImage2D(GL_TEXTURE_2D, i++, GLint(format.internal), level.width, level.height, 0, format.external,
-                     format.type, level.rows);
+    const std::span<const Texels::Level> levels(texels.levels.data(), layered ? 1 : texels.levels.size());
+    for (GLint i = 0; const Texels::Level& level : levels) {
+        if (layered)
+            glTexImage3D(target, i++, GLint(format.internal), level.width, level.height / options_.layers,
+                         options_.layers, 0, format.external, format.type, level.rows);
+        else
+            glTexImage2D(target, i++, GLint(format.internal), level.width, level.height, 0, format.external,
+                         format.type, level.rows);
         loaded->bytes += int64_t(texels.bytes(level));
     }
     counters().texture_bytes += loaded->bytes;
-    glBindTexture(GL_TEXTURE_2D, GLuint(bound));
+    glBindTexture(target, GLuint(bound));
     print_event(fmt::format("texture: {}, {}x{}, {:.1f} ms", title_, first.width, first.height, watch.milliseconds()));
     return loaded;
 }
@@ -141,7 +152,7 @@ Texture load_texture(const char* asset, ColorSpace space) {
 
 void bind(int unit, const Texture& texture) {
     glActiveTexture(GLenum(GL_TEXTURE0 + unit));
-    glBindTexture(GL_TEXTURE_2D, texture);
+    glBindTexture(texture.target(), texture);
 }
 
 }  // namespace relief

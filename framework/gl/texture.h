@@ -21,13 +21,16 @@ struct TextureOptions {
     Wrap wrap = Wrap::repeat;
     /// Trilinear over the chain of mip_chain(), else bilinear on level 0 alone.
     bool mips = true;
+    /// More than 1: a 2-D array of the picture cut into as many of the same height, layer 0 lowest. It is read by the
+    /// nearest texel of level 0.
+    int layers = 1;
     /// Samples along the longer side of a pixel's footprint, where the driver can; 1 is none. Unless it is said, a GPU
     /// takes 8 and a software renderer 1: there 4 samples make the whole frame of lab 01 four times as long.
     std::optional<float> anisotropy = {};
 };
 
-/// A 2-D texture, named at first use. Row 0 of the image is the top, and v grows up. 8-bit images become
-/// GL_R8 to GL_RGBA8 or GL_SRGB8(_ALPHA8), 16-bit ones GL_R16 to GL_RGBA16, floats GL_R32F to GL_RGBA32F.
+/// A 2-D texture, or an array of them, named at first use. Row 0 of the image is the top, and v grows up. 8-bit images
+/// become GL_R8 to GL_RGBA8 or GL_SRGB8(_ALPHA8), 16-bit ones GL_R16 to GL_RGBA16, floats GL_R32F to GL_RGBA32F.
 class Texture {
 public:
     Texture(std::string title, std::function<Image()> make, TextureOptions options = {});
@@ -38,6 +41,7 @@ public:
 
     /// Throws Error when the image cannot be made or is too large for the driver.
     operator GLuint() const;
+    GLenum target() const { return options_.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D; }
 
 private:
     /// What the driver holds.

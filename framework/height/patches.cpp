@@ -222,7 +222,7 @@ LevelErrors level_errors(int cuts, const Error& error) {
 LevelErrors edge_errors(const Image& heights, glm::vec4 uv, float& middle) {
     const glm::dvec2 begin(uv.x, uv.y), end(uv.z, uv.w);
     const int cuts = cuts_for(end - begin, heights, dense_on_edges);
-    std::array<float, dense_on_edges * most_texels + 1> samples;
+    std::array<float, dense_on_edges * most_texels + 1> samples{};
     for (int i = 0; i <= cuts; ++i) {
         const double t = double(i) / cuts;
         samples[size_t(i)] = float(height_at(heights, begin * (1 - t) + end * t));

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
 #include <random>
@@ -187,9 +186,9 @@ Image image_of(const Grid& grid) {
 
 HeightWindows height_windows(const Image& heights) {
     const Grid cells = highest_in_cells(heights);
-    const int block = std::max(1, std::min(cells.width, cells.height) / 256);
+    const int side = std::min(cells.width, cells.height), block = side < 512 ? 1 : std::max(2, side / 512);
     const Grid blocks = highest_in_blocks(cells, block);
-    HeightWindows windows{block, best_windows(cells, blocks, block), Image(4 * blocks.width, blocks.height, 4, 8)};
+    HeightWindows windows{block, best_windows(cells, blocks, block), Image(blocks.width, 4 * blocks.height, 4, 8)};
     for (int k = 0; k < 4; ++k) {
         // The squares of the other quadrants are those of other blocks.
         const int grown = windows.grown[size_t(k)] / block;
@@ -198,39 +197,11 @@ HeightWindows height_windows(const Image& heights) {
             for (int y = 0; y < blocks.height; ++y)
                 for (int x = 0; x < blocks.width; ++x) {
                     const glm::ivec2 from = glm::ivec2(x, y) - behind(quadrant, grown);
-                    windows.clear.pixel(quadrant * blocks.width + x, blocks.height - 1 - y)[k] =
+                    windows.clear.pixel(x, (4 - quadrant) * blocks.height - 1 - y)[k] =
                         clear_of(ahead.wrapped(from.x, from.y)) / 255;
                 }
     }
     return windows;
-}
-
-CellMap cell_map(const Image& heights) {
-    const Grid cells = highest_in_cells(heights);
-    const std::array<int, 4> grown = best_windows(cells, cells, 1);
-    const size_t layer = cells.values.size() * 4;
-    CellMap map{cells.width, cells.height, grown, std::vector<int32_t>(layer * 4)};
-    const auto corner = [&](int x, int y) {
-        const float height = *heights.pixel(x & (cells.width - 1), cells.height - 1 - (y & (cells.height - 1)));
-        return int32_t(std::lround(double(height) * 8388607)) * 256;
-    };
-    for (int k = 0; k < 4; ++k) {
-        const int size = grown[size_t(k)];
-        // The squares of the other quadrants are those of other cells.
-        const Grid ahead = highest_in_squares(cells, 0, 1 + size);
-        parallel_pieces(size_t(cells.height), 16, 0, [&](size_t begin, size_t end) {
-            for (int y = int(begin); y < int(end); ++y)
-                for (int x = 0; x < cells.width; ++x) {
-                    const int32_t height = corner(x + (k == 1 || k == 2), y + (k < 2));
-                    int32_t* const texel = &map.texels[(size_t(y) * size_t(cells.width) + size_t(x)) * 4 + size_t(k)];
-                    for (int quadrant = 0; quadrant < 4; ++quadrant) {
-                        const glm::ivec2 from = glm::ivec2(x, y) - behind(quadrant, size);
-                        texel[layer * size_t(quadrant)] = height + int32_t(clear_of(ahead.wrapped(from.x, from.y)));
-                    }
-                }
-        });
-    }
-    return map;
 }
 
 Image highest_in_5x5(const Image& heights) { return image_of(highest_in_squares(highest_in_cells(heights), 2, 5)); }

@@ -6,37 +6,24 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <vector>
 
 #include "framework/image/image.h"
 
 namespace relief {
 
-/// A ray only looks ahead, so each cell (or block of cells) has its windows in four quadrants: 0 for rays along +u and
-/// +v, 1 for -u, 2 for -v, 3 for both. Window k of a quadrant is the cell (or block) and `grown[k]` cells more on the
+/// A ray only looks ahead, so each block of cells has its windows in four quadrants: 0 for rays along +u and
+/// +v, 1 for -u, 2 for -v, 3 for both. Window k of a quadrant is the block and `grown[k]` cells more on the
 /// two sides ahead. What is stored is 1 - (the highest height in it) in 1/255, rounded down: a ray that enters at
 /// height 1 and falls by 1 is above everything in the window until t is that number.
 struct HeightWindows {
     int block = 1;               ///< cells along a block's side, a power of two
     std::array<int, 4> grown{};  ///< cells, rising; whole blocks
-    Image clear;                 ///< a texel a block, 4 channels of 8 bits; the quadrants side by side
+    Image clear;                 ///< a texel a block, 4 channels of 8 bits; quadrant above quadrant, 0 lowest
 };
 
-/// As few cells a block as leave 256 x 256 of them, and the windows with which rays of all slants take the fewest turns
-/// on this map. Throws Error when a side is not a power of two.
+/// Blocks of 2 x 2 cells, of one where the map is small, and of more where there would be over 512 x 512; the windows
+/// with which rays of all slants take the fewest turns on this map. Throws Error when a side is not a power of two.
 HeightWindows height_windows(const Image& heights);
-
-/// Everything that a search needs of a cell, in one texel of four whole numbers: quadrant by quadrant, row 0
-/// lowest. Number k has in its upper bits a corner's height, in 1 / (2^31 - 256), 23 bits of it (in textureGather's
-/// order: upper left, upper right, lower right, lower left), and in its lower 8 bits what window k stores. 64 bytes a
-/// cell.
-struct CellMap {
-    int width = 0, height = 0;
-    std::array<int, 4> grown{};
-    std::vector<int32_t> texels;
-};
-CellMap cell_map(const Image& heights);
 
 /// The highest height in the 5 x 5 cells around each cell.
 Image highest_in_5x5(const Image& heights);

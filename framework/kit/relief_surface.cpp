@@ -38,7 +38,8 @@ void ReliefSurface::knobs(Knobs& knobs) {
     knobs.slider("stretch", stretch, 0.25f, 4, "height of a tile divided by its width: texels that are not square");
     knobs.slider("extent", extent, 0.25f, 64, "side of the wall, metres");
     knobs.toggle("mirror", mirror, "mirror the texture: u runs the other way");
-    knobs.steps("shift", shift, 0, 10000, "offset of the uv, in tiles");
+    knobs.steps("shift", shift, 0, 10000,
+                "offset of the uv, in tiles; all but three whole ones are dropped before the shader");
 }
 
 const Mesh& ReliefSurface::mesh() const {
@@ -59,7 +60,9 @@ ReliefLay ReliefSurface::lay() const {
     const float tile = shape == wall ? 1.0f / float(repeat) : metres.x / float(3 * repeat);
     glm::vec2 tiles = metres / glm::vec2(tile, tile * stretch);
     if (mirror) tiles.x = -tiles.x;
-    return {tiles, glm::vec2(float(shift)), glm::vec2(depth, depth / stretch), depth * tile, heights().width};
+    // A float that holds 10,000 tiles is off by a quarter of a texel; and a map that repeats looks the same without
+    // them. A few stay, so that what takes it for granted that uv are below 1 shows.
+    return {tiles, glm::vec2(float(shift % 4)), glm::vec2(depth, depth / stretch), depth * tile, heights().width};
 }
 
 void ReliefSurface::set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model) const {
@@ -76,17 +79,16 @@ void ReliefSurface::set(const Program& program, const Frame& frame, const glm::d
 }
 
 void ReliefSurface::set_exact_hit(const Program& program, int unit) const {
-    if (glGetUniformLocation(program, "u_most_turns") < 0) return;  // this permutation shows no error
+    if (glGetUniformLocation(program, "u_grown") < 0) return;  // this permutation shows no error
     if (!windows_ || windows_version_ != version()) {
         windows_version_ = version();
         windows_ = height_windows(heights());
         window_texture_.emplace(
-            "windows", [this] { return windows_->clear; }, TextureOptions{.mips = false});
+            "windows", [this] { return windows_->clear; }, TextureOptions{.mips = false, .layers = 4});
     }
     const auto& grown = windows_->grown;
     program.set("s_windows", unit, *window_texture_);
     program.set("u_grown", glm::vec4(grown[0], grown[1], grown[2], grown[3]));
-    program.set("u_most_turns", 4096);
 }
 
 void ReliefSurface::draw() const {

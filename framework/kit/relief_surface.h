@@ -29,7 +29,7 @@ public:
     /// The program is in use.
     void set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model = glm::dmat4(1)) const;
     void draw() const;
-    /// For exact_hit() of shaders/common/exact_hit.glsl: s_windows on a unit, u_grown and u_most_turns; nothing where
+    /// For exact_hit() of shaders/common/exact_hit.glsl: s_windows on a unit, and u_grown; nothing where
     /// the permutation does not use it.
     void set_exact_hit(const Program& program, int unit) const;
 
@@ -40,7 +40,7 @@ public:
     float stretch = 1;    ///< height of a tile over its width: texels that are not square
     float extent = 4;     ///< side of the wall, metres
     bool mirror = false;
-    int shift = 0;  ///< tiles
+    int shift = 0;  ///< tiles; lay() has what is left of it when fours are dropped
 
 private:
     mutable std::optional<HeightWindows> windows_;

@@ -30,7 +30,7 @@ LabRegistration::LabRegistration(const char* folder, std::unique_ptr<Lab> (*make
     entries().insert(place, std::move(entry));
 }
 
-const LabEntry& find_lab(const std::string& text) {
+const LabEntry& find_lab(std::string_view text) {
     std::vector<const LabEntry*> exact, partial;
     const auto number = parse_int(text);
     for (const LabEntry& lab : registry()) {

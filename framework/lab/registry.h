@@ -22,7 +22,7 @@ struct LabEntry {
 const std::vector<LabEntry>& registry();
 
 /// "7", "07", "planet", "07_planet" or any part of a name that only one lab has. Throws UsageError that suggests.
-const LabEntry& find_lab(const std::string& text);
+const LabEntry& find_lab(std::string_view text);
 
 /// "1-5", "1,3,10-12", "normal_map,4": the labs of every part, by number and once each; a range takes the labs that
 /// there are between its ends. Throws UsageError for a part that names none.

@@ -16,7 +16,7 @@
 namespace relief::obj {
 namespace {
 
-constexpr int most_materials = 4096;
+constexpr size_t most_materials = 4096;
 
 /// The options of a map with all their numbers, and its name. Both may be empty.
 std::string with_whole_options(std::string_view rest) {
@@ -47,8 +47,6 @@ std::string checked(const Statements& statement, Notes& notes) {
     static const std::set<std::string_view> maps = {"map_Kd", "map_bump", "map_Bump", "bump",
                                                     "norm",   "map_disp", "map_Disp", "disp"};
     const std::string keyword(statement.keyword());
-    if (keyword == "newmtl")  // a diffuse colour, because tinyobjloader's default depends on the materials before
-        return fmt::format("newmtl {}\nKd 1 1 1\n", statement.rest());
     if (maps.contains(keyword)) return fmt::format("{} {}\n", keyword, with_whole_options(statement.rest()));
 
     const int numbers = keyword == "Kd" || keyword == "Ks" ? 3 : keyword == "d" || keyword == "Tr" || keyword == "Ns";
@@ -84,14 +82,20 @@ std::filesystem::path map_path(std::string name, const std::filesystem::path& fo
 std::vector<Material> read_materials(std::string_view text, const std::filesystem::path& file,
                                      const std::filesystem::path& folder, Notes& notes) {
     std::string shown;
-    int count = 0;
+    std::vector<std::string> names;
     Statements statements(text, file);
     try {
         while (statements.next()) {
-            if (statements.keyword() == "newmtl" && (statements.rest().empty() || ++count > most_materials))
-                statements.fail(statements.rest().empty() ? "a material without a name; the rest is not read"
-                                                          : "too many materials; the rest is not read");
-            if (count > 0) shown += checked(statements, notes);
+            if (statements.keyword() == "newmtl") {
+                if (statements.rest().empty()) statements.fail("a material without a name; the rest is not read");
+                if (names.size() == most_materials) statements.fail("too many materials; the rest is not read");
+                // Under a number, because newer releases of tinyobjloader end a name at its first blank. And with a
+                // diffuse colour, because its default depends on the materials before.
+                shown += fmt::format("newmtl {}\nKd 1 1 1\n", names.size());
+                names.emplace_back(statements.rest());
+            } else if (!names.empty()) {
+                shown += checked(statements, notes);
+            }
         }
     } catch (const Error& error) {
         notes.add(error);
@@ -104,7 +108,7 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
     std::vector<Material> materials;
     for (const tinyobj::material_t& material : read) {
         if (material.name.empty()) continue;  // there is always one more
-        materials.push_back({.name = material.name,
+        materials.push_back({.name = names[materials.size()],
                              .diffuse = color(material.diffuse, 1),
                              .specular = color(material.specular, 0),
                              .shininess = finite_or(material.shininess, 1),

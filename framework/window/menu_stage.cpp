@@ -74,7 +74,6 @@ bool Stage::draw(glm::ivec2 size, double time) {
         const TargetKind kind = shot_.probe ? TargetKind::probe : TargetKind::picture;
         if (!target_ || target_->size() != size || target_->kind() != kind) {
             shown_ = 0;
-            target_.reset();
             target_.emplace(kind, size);
         }
         draw_lab(*lab_, frame_of(shot_, *target_));

@@ -1,6 +1,6 @@
 // Lab 12: the exact hit.
 //
-// The exact first hit of the view ray and the relief: six ways to skip what it cannot hit, the shadow, depth and
+// The exact first hit of the view ray and the relief: five ways to skip what it cannot hit, the shadow, depth and
 // outline that follow from the hit.
 // Your tasks: shaders/12_relief_exact/task.glsl
 #include <fmt/format.h>
@@ -107,7 +107,6 @@ private:
     void draw_object(const Frame& frame, const Object& object, Method method, float turns_from) {
         const ReliefSurface& surface = *object.surface;
         Skips& skips = skips_of(surface);
-        method = skips.usable(method);
         const double radius = object.radius(outline_);
         const Program& program = surface_program_.with(
             {frame.probe, method_defines[method], frame.probe ? "" : shadow_defines[size_t(shadow_)],
@@ -171,7 +170,7 @@ private:
     std::optional<Target> small_;
     Labels labels_;
 
-    int view_ = scene, method_ = cells, show_ = 0, shadow_ = 1;
+    int view_ = scene, method_ = windows, show_ = 0, shadow_ = 1;
     bool write_depth_ = true, outline_ = true, costs_ = false;
     float light_yaw_ = 55, light_pitch_ = 40;
 };

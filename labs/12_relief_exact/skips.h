@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
 
 #include "framework/gl/counters.h"
 #include "framework/height/bounds.h"
@@ -13,9 +12,9 @@
 
 namespace relief::exact {
 
-enum Method : int { walk, coarse, windows, cells, max_mip, cones };
-inline constexpr std::array method_names = {"walk", "coarse", "windows", "cells", "max-mips", "cones"};
-inline constexpr std::array method_defines = {"WALK", "COARSE", "WINDOWS", "CELLS", "MAX_MIPS", "CONES"};
+enum Method : int { walk, coarse, windows, max_mip, cones };
+inline constexpr std::array method_names = {"walk", "coarse", "windows", "max-mips", "cones"};
+inline constexpr std::array method_defines = {"WALK", "COARSE", "WINDOWS", "MAX_MIPS", "CONES"};
 
 class Skips {
 public:
@@ -24,9 +23,7 @@ public:
           highest_(heights.values.empty() ? 0 : *std::max_element(heights.values.begin(), heights.values.end())) {}
     Skips(const Skips&) = delete;
 
-    /// A cell map is 64 bytes a cell: on a larger map than 1024 x 1024, windows take its place.
-    Method usable(Method method) const { return method == cells && heights_.width > 1024 ? windows : method; }
-    /// Uniforms and textures (from unit 3 on) for shaders/12_relief_exact/search.glsl; the program is in use.
+    /// Uniforms, and a texture on unit 3, for shaders/12_relief_exact/search.glsl; the program is in use.
     void set(const Program& program, Method method);
 
     struct Costs {
@@ -40,12 +37,10 @@ private:
 
     const Image& heights_;
     float highest_;
-    std::array<Costs, 6> costs_{};
-    std::array<bool, 6> made_{};
+    std::array<Costs, method_names.size()> costs_{};
+    std::array<bool, method_names.size()> made_{};
     HeightWindows windows_;
-    std::array<int, 4> cells_grown_{};
-    std::optional<TextureName> cells_;
-    Texture window_texture_{"windows", [this] { return windows_.clear; }, {.mips = false}};
+    Texture window_texture_{"windows", [this] { return windows_.clear; }, {.mips = false, .layers = 4}};
     Texture around_{"highest in 5 x 5", [this] { return highest_in_5x5(heights_); }, {.mips = false}};
     Texture bounds_{"bounds", [this] { return min_max_atlas(heights_); }, {.mips = false}};
     Texture cones_{"cones", [this] { return cone_map(heights_); }, {.mips = false}};

@@ -28,9 +28,8 @@ uniform vec3 u_to_light;
 uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
-uniform sampler2D s_windows;  // for the exact hit
+uniform sampler2DArray s_windows;  // for the exact hit
 uniform vec4 u_grown;
-uniform int u_most_turns;
 
 layout(location = 0) out vec4 o_color;
 
@@ -87,7 +86,7 @@ void main() {
 #elif defined PROBE_steps
     o_color = vec4(taps(t), 0.0, 0.0, 0.0);
 #elif defined ERROR || defined MEASURE
-    float exact = cosine > 0.0 ? exact_hit(s_heights, s_windows, u_grown, v_uv, along, vec2(0.0, 1.0), u_most_turns) : 0.0;
+    float exact = cosine > 0.0 ? exact_hit(s_heights, s_windows, u_grown, v_uv, along, vec2(0.0, 1.0)) : 0.0;
     float texels = abs(t - exact) * length(along * vec2(textureSize(s_heights, 0)));
 #ifdef MEASURE
     o_color = vec4(texels, 0.0, 0.0, 0.0);

@@ -32,9 +32,8 @@ in vec2 v_uv;
 uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
-uniform sampler2D s_windows;  // for the exact hit
+uniform sampler2DArray s_windows;  // for the exact hit
 uniform vec4 u_grown;
-uniform int u_most_turns;
 
 uniform vec3 u_eye;
 uniform vec3 u_to_light;  // unit
@@ -139,7 +138,7 @@ void main() {
     vec2 uv = v_uv + t * ray.march;
 
 #if defined ERROR || defined MEASURE
-    float exact = has_relief ? exact_hit(s_heights, s_windows, u_grown, v_uv, ray.march, vec2(0.0, 1.0), u_most_turns) : 0.0;
+    float exact = has_relief ? exact_hit(s_heights, s_windows, u_grown, v_uv, ray.march, vec2(0.0, 1.0)) : 0.0;
     float off = abs(t - exact) * length(ray.march * vec2(textureSize(s_heights, 0)));  // texels
 #endif
 #if defined PROBE_uv

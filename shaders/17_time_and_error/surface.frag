@@ -58,9 +58,8 @@ uniform vec3 u_colors[5];       // of the methods
 uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
-uniform sampler2D s_windows;  // for the exact hit
+uniform sampler2DArray s_windows;  // for the exact hit
 uniform vec4 u_grown;
-uniform int u_most_turns;
 
 layout(location = 0) out vec4 o_color;
 
@@ -121,6 +120,9 @@ Choice look(Ray ray) {
     c.taps = max(1.0, (c.left.y - c.left.x) * length(ray.along * u_texels) * exp2(-floor(c.level)));
 #if !IS_ONE
     if (off < u_errors[0]) c.taps = 1e30;  // no level will do
+#else
+    // A march that is to keep the budget all the same: steps of half a texel are off by half as much.
+    if (off > 0.0) c.taps = min(c.taps * max(1.0, u_errors[0] / off), float(most_turns));
 #endif
 #endif
 #endif
@@ -145,7 +147,7 @@ float seen(Ray ray, Choice c, int method) {
     if (method == parallax) return marched(ray, between, c.level, c.taps);
 #endif
 #if HAS(EXACT)
-    if (method == exact) return exact_hit(s_heights, s_windows, u_grown, ray.place, ray.along, between, u_most_turns);
+    if (method == exact) return exact_hit(s_heights, s_windows, u_grown, ray.place, ray.along, between);
 #endif
     return between.y;
 }

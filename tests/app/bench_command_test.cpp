@@ -184,7 +184,7 @@ struct Page {
         }
         for (const char* state : {"measured", "crashed: Segmentation fault"}) {
             BenchRow row = result.rows.back();
-            row.scene = {{"map", "posts"}}, row.method = "cells", row.state = state, row.error = {};
+            row.scene = {{"map", "posts"}}, row.method = "windows", row.state = state, row.error = {};
             row.picture = row.error_map = {}, row.repeats = row.is_measured() ? 10 : 0;
             result.rows.push_back(row);
         }

@@ -20,9 +20,9 @@ std::string with_mistake(std::string text, const PlantedMistake& mistake) {
     return text.replace(at, mistake.find.size(), mistake.replace);
 }
 
-std::string stage_text(const std::string& file, const std::string& expression) {
-    std::string text =
-        "#version 410 core\n#include \"" + file + "\"\nuniform sampler2D s_map, s_other;\nout vec4 o_result;\n";
+std::string stage_text(const std::string& file, const std::string& expression, const char* other) {
+    std::string text = "#version 410 core\n#include \"" + file + "\"\nuniform sampler2D s_map;\nuniform " + other +
+                       " s_other;\nout vec4 o_result;\n";
     for (int i = 0; i < 8; ++i) text += "layout(location = " + std::to_string(i) + ") in vec4 " + names[i] + ";\n";
     return text + "void main() { o_result = " + expression + "; }\n";
 }
@@ -56,7 +56,8 @@ std::vector<glm::vec4> evaluate_glsl(const std::string& file, const std::string&
     const TemporaryFolder folder;
     const std::string name = std::filesystem::path(file).filename().string();
     folder.write(name, with_mistake(read_file(course_root() / "shaders" / file), mistake));
-    const ShaderSource source = load_shader(folder.write("call.vert", stage_text(name, expression)), {});
+    const char* const sampler = other && other->target() == GL_TEXTURE_2D_ARRAY ? "sampler2DArray" : "sampler2D";
+    const ShaderSource source = load_shader(folder.write("call.vert", stage_text(name, expression, sampler)), {});
     const ProgramName program = link(source.text, source.lines);
     glUseProgram(program);
     if (map) bind(0, *map);

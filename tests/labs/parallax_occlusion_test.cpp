@@ -294,14 +294,14 @@ std::pair<double, double> apart(const Image& a, const Image& b, glm::vec2 shift,
 
 const std::vector<Knob> stones = {{"map", "stones"}, {"size", "256"}, {"steps", "64"}};
 
-TEST(ParallaxOcclusion, AShiftOfUpTo16TilesFindsTheSameHits) {
+TEST(ParallaxOcclusion, AShiftOfAnyNumberOfTilesFindsTheSameHits) {
     Shot shot = one(stones);
     shot.camera = {.yaw = 50, .pitch = 20, .distance = 0.8};
     const Image first = drawn("11", shot);
-    for (const int tiles : {1, 5, 16}) {
+    for (const int tiles : {1, 3, 10000}) {
         shot.set = with(one(stones).set, {{"shift", std::to_string(tiles)}});
-        const auto [mean, wrong] = apart(first, drawn("11", shot), glm::vec2(-256.0f * float(tiles)));
-        // Coordinates of 20 tiles in floats are 0.0005 texels apart; at an edge that decides.
+        const auto [mean, wrong] = apart(first, drawn("11", shot), glm::vec2(-256.0f * float(tiles % 4)));
+        // Coordinates of 7 tiles in floats are 0.0001 texels apart; at an edge that decides.
         EXPECT_LT(mean, 0.02) << tiles;
         EXPECT_LT(wrong, 0.002) << tiles;
     }

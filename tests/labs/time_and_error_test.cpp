@@ -1,5 +1,6 @@
 // Lab 17: the budget is kept, by every method and from one frame to the next; and what it saves.
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -33,7 +34,7 @@ public:
           field_([map] {
               ReliefMaterial material;
               material.asset_texels = int(texels), material.size = 2;
-              material.map = map == std::string("wall") ? 6 : map == std::string("fbm") ? 1 : 0;
+              material.map = std::map<std::string, int>{{"fbm", 1}, {"stones", 3}, {"posts", 4}, {"wall", 6}}[map];
               return HeightField(material.heights(), true);
           }()) {}
 
@@ -96,6 +97,20 @@ TEST(TimeAndError, AMarchAndTrianglesKeepItToo) {
             const Image methods = wall.drawn(view.camera, "method");
             EXPECT_GT(std::count(methods.values.begin(), methods.values.end(), float(method)), 1000)
                 << view.name << ", " << knob;
+        }
+    }
+}
+
+TEST(TimeAndError, AMarchAloneKeepsTheBudgetOnAnyMap) {
+    for (const char* map : {"posts", "stones", "wall", "fbm"}) {
+        Wall wall(map);
+        wall.set("method", "parallax");
+        wall.set("spend", "on");
+        for (const double budget : {0.25, 1.0}) {
+            wall.set("budget", std::to_string(budget));
+            for (const View& view : {views[0], views[1]})
+                EXPECT_LE(largest(wall.errors(view.camera)), budget * 1.01 + 0.001)
+                    << map << ", " << view.name << ", " << budget;
         }
     }
 }

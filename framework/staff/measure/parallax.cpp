@@ -33,7 +33,7 @@ std::vector<Search> searches() {
                        "11",
                        {{"texels_per_step", texels}},
                        {{"count", "texel"}, {"refine", "secant"}, {"rounds", "2"}}});
-    for (const char* method : {"walk", "coarse", "windows", "cells", "max-mips", "cones"})
+    for (const char* method : {"walk", "coarse", "windows", "max-mips", "cones"})
         all.push_back(
             {method, "12", {}, {{"method", method}, {"shadow", "none"}, {"write_depth", "off"}, {"outline", "off"}}});
     return all;
