@@ -45,10 +45,13 @@ std::string points_text(double points);
 /// "waits for task 1.2, which is not written yet", of the tasks that a check needs; empty when all are written.
 std::string waits_for(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written);
 
-/// What a student looks at next, check by check; empty where nothing is wrong or the finding says it all. The check's
-/// own hint, unless a check has failed that is about other tasks and nothing else: one whose task, with all that it
-/// needs, is among what this one needs. Then that comes first. The one that is named is about fewer tasks each time, so
-/// nobody is sent in a circle, and the last one's hint is its own. `said` is by check of the manifest.
+/// For each check that has failed, the one to be put right first: one that has failed too and is about other tasks and
+/// nothing else, its task, with all that it depends on, being among what this one depends on. Else nothing. It is about
+/// fewer tasks each time, so nobody is sent in a circle. `said` is by check of the manifest.
+std::vector<const CheckInfo*> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said);
+
+/// What a student looks at next, check by check; empty where nothing is wrong or the finding says it all. The task that
+/// comes first, see above, else the check's own hint.
 std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said);
 
 /// What a check compares with, from the lab's folder `expected` where a handout has left it, else the truth or the

@@ -48,6 +48,9 @@ struct CheckInfo {
     bool hidden = false;  ///< never handed out
     /// The tasks beside its own without which it cannot pass, whatever its own does.
     std::vector<std::string> needs = {};
+    /// Those that it can do without while they are not written, and that spoil it when they are wrong.
+    std::vector<std::string> leans_on = {};
+    bool depends_on(const std::string& other_task) const;
 };
 
 /// A change to a file: `find` stands in it exactly once.
