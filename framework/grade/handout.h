@@ -24,7 +24,8 @@ struct HandoutReport {
 /// Left out are the tests, the exact values in framework/reference, the benchmark, and what the manifests of the whole
 /// course name in `keep_back`, whichever labs are handed out; of shaders/common only what the handed out labs include
 /// goes along. What a public check compares with lies in the lab's folder `expected`. Wants a context. Throws Error
-/// when that is not possible, also when any lab of the course includes what another keeps back, or a shader of another.
+/// when that is not possible, also when any lab of the course includes what another keeps back, or a shader of another,
+/// and when a lab that is to be handed out has a check that its own solution does not pass: nobody could.
 HandoutReport write_handout(const std::filesystem::path& folder, const std::optional<std::string>& labs = {});
 
 /// A manifest's text without its hidden checks, its mistakes and its correct variants, and without the comments right

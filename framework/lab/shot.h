@@ -41,6 +41,9 @@ Image take(Lab& lab, const Shot& shot, bool light = false);
 Image draw_shot(Lab& lab, const Shot& shot, bool light = false);
 void refuse_unusable(const Image& image, const Shot& shot);
 
+/// Why there is no truth of a probe; of any, without a name. A students' course has not what computes it.
+std::string no_truth(const std::string& probe = "");
+
 /// The truth of the shot's probe. Throws UsageError when the lab has none. Needs no context.
 Image truth_of(const Lab& lab, const Shot& shot);
 

@@ -1,4 +1,5 @@
 // What `relief new-lab` makes builds, runs and passes, untouched.
+#include "framework/grade/starter.h"
 #include "framework/image/file.h"
 #include "tests/app/course_with_new_lab.h"
 
@@ -24,6 +25,16 @@ TEST_F(NewLab, IsListedByItsFolderAlone) {
     const Result list = run({course_.program("relief"), "list"});
     EXPECT_EQ(list.code, 0) << list.err;
     EXPECT_TRUE(contains(list.out, "20  test_wall                Test wall\n")) << list.out;
+}
+
+TEST_F(NewLab, KeepsItsTruthBetweenMarksThatAHandoutLeavesOut) {
+    const std::filesystem::path file = "labs/20_test_wall/lab.cpp";
+    const std::string whole = read_all(course_.course.path() / file), handed_out = starter_of(whole, file);
+    for (const char* part : {"truth(", "ray.direction"}) {
+        EXPECT_TRUE(contains(whole, part)) << part;
+        EXPECT_FALSE(contains(handed_out, part)) << handed_out;
+    }
+    EXPECT_TRUE(contains(handed_out, "RELIEF_LAB(TestWall);"));
 }
 
 TEST_F(NewLab, PassesTheTestsOfEveryLab) {

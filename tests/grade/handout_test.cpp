@@ -305,6 +305,11 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
     const std::string page = read_file(build / "gallery/02_normal_map_storage.html");
     EXPECT_TRUE(contains(page, "format-oct16.png") && !contains(page, "-error.png"));
     EXPECT_EQ(run({(build / "bin/relief").string(), "mistakes", "2"}).code, 2);
+    const Result error = run({(build / "bin/relief").string(), "shot", "1", "--error", "normal", "-o", "-"});
+    EXPECT_EQ(error.code, 2);
+    EXPECT_TRUE(
+        contains(error.err, "the code that computes the exact values of 'normal' is not included in this course"))
+        << error.err;
 }
 
 TEST(PublicManifest, LosesHiddenChecksMistakesAndVariantsAndKeepsTheRestAsItStands) {
