@@ -88,14 +88,17 @@ int make_new_lab(const std::string& text) {
     std::vector<std::pair<const char*, fs::path>> files = {{"surface.vert", shaders / "surface.vert"},
                                                            {"surface.frag", shaders / "surface.frag"},
                                                            {"README.md", lab / "README.md"},
+                                                           {"truth.h", lab / "truth.h"},
                                                            {"lab.cpp", lab / "lab.cpp"}};
-    // A students' course has no slides.
+    // A students' course has no exact values and no slides.
+    if (has_command("handout")) files.emplace_back("truth.cpp", lab / "staff" / "truth.cpp");
     if (fs::exists(root / "slides")) files.emplace_back("deck.md", root / "slides" / (name.folder() + ".md"));
     // The manifest last: a lab is a folder that has one, so a half-made folder is no lab.
     files.emplace_back("lab.toml", lab / "lab.toml");
     for (const auto& [from, file] : files) {
         std::string content = read_file(templates / (std::string(from) + ".in"));
         content = replace_all(content, "@Class@", class_name(name.name));
+        content = replace_all(content, "@name@", name.name);
         content = replace_all(content, "@title@", title(name.name));
         content = replace_all(content, "@number@", fmt::format("{:02}", name.number));
         content = replace_all(content, "@folder@", name.folder());

@@ -89,12 +89,14 @@ bool has_failed(Outcome outcome) {
     return outcome != Outcome::passed && outcome != Outcome::unfinished && outcome != Outcome::machine;
 }
 
-/// Whether `other` is about nothing but what `check` needs.
+/// How many other tasks can make it fail.
+size_t dependences(const CheckInfo& check) { return check.needs.size() + check.leans_on.size(); }
+
+/// Whether `other` is about nothing but what `check` depends on.
 bool is_below(const CheckInfo& other, const CheckInfo& check) {
-    const auto is_needed = [&](const std::string& task) {
-        return std::find(check.needs.begin(), check.needs.end(), task) != check.needs.end();
-    };
-    return is_needed(other.task) && std::all_of(other.needs.begin(), other.needs.end(), is_needed);
+    const auto is_needed = [&](const std::string& task) { return check.depends_on(task); };
+    return is_needed(other.task) && std::all_of(other.needs.begin(), other.needs.end(), is_needed) &&
+           std::all_of(other.leans_on.begin(), other.leans_on.end(), is_needed);
 }
 
 }  // namespace
@@ -124,23 +126,30 @@ std::string waits_for(const CheckInfo& check, const std::function<bool(const std
     return fmt::format("waits for tasks {} and {}, which are not written yet", fmt::join(open, ", "), last);
 }
 
-std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said) {
-    std::vector<std::string> hints(said.size());
+std::vector<const CheckInfo*> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said) {
+    std::vector<const CheckInfo*> before(said.size());
     for (size_t i = 0; i < said.size(); ++i) {
-        if (said[i].outcome != Outcome::wrong && said[i].outcome != Outcome::broken) continue;
+        if (!has_failed(said[i].outcome)) continue;
         const CheckInfo& check = manifest.checks[i];
-        const CheckInfo* first = nullptr;
+        const CheckInfo*& first = before[i];
         for (size_t j = 0; j < said.size(); ++j) {
             // One message for both is a compiler's: it names the place itself.
             const bool is_same = said[i].outcome == Outcome::broken && said[i].found == said[j].found;
             if (!has_failed(said[j].outcome) || is_same || !is_below(manifest.checks[j], check)) continue;
-            if (!first || manifest.checks[j].needs.size() < first->needs.size()) first = &manifest.checks[j];
+            if (!first || dependences(manifest.checks[j]) < dependences(*first)) first = &manifest.checks[j];
         }
-        if (first)
-            hints[i] = fmt::format("put task {} right first", first->task);
-        else if (said[i].outcome == Outcome::wrong)
-            hints[i] = check.look_at;
     }
+    return before;
+}
+
+std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said) {
+    const std::vector<const CheckInfo*> before = put_right_first(manifest, said);
+    std::vector<std::string> hints(said.size());
+    for (size_t i = 0; i < said.size(); ++i)
+        if (before[i])
+            hints[i] = fmt::format("put task {} right first", before[i]->task);
+        else if (said[i].outcome == Outcome::wrong)
+            hints[i] = manifest.checks[i].look_at;
     return hints;
 }
 

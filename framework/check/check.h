@@ -45,10 +45,13 @@ std::string points_text(double points);
 /// "waits for task 1.2, which is not written yet", of the tasks that a check needs; empty when all are written.
 std::string waits_for(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written);
 
-/// The hint for a student, for each check; empty if nothing is wrong or the finding says it all. It is the check's
-/// own hint, unless a check of a prerequisite failed: one whose task, with all that it
-/// needs, is among this one's needs. If several failed, the hint names the one with the fewest prerequisites, so
-/// hints never form a circle, and the last one is a check's own. `said` has the manifest's order of checks.
+/// For each check that has failed, the one to put right first: one that has failed too, and whose task, with all that
+/// it depends on, is among the tasks that this one depends on. Else nothing. It is about fewer tasks each time, so
+/// hints never form a circle. `said` has the manifest's order of checks.
+std::vector<const CheckInfo*> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said);
+
+/// The hint for a student, for each check; empty if nothing is wrong or the finding says it all. It names the task that
+/// comes first, see above; else it is the check's own hint.
 std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said);
 
 /// The picture that a check compares with: from the lab's folder `expected` if a handout put it there, else the exact

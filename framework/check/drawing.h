@@ -23,11 +23,13 @@ struct Renderer {
 /// A program that runs out of memory ends with this exit code.
 constexpr int out_of_memory_code = 97;
 
-/// The request that is written to the standard input of the process that draws.
+/// What the process that draws is sent when it asks for it, and with what its output begins when it does.
 std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer);
+std::string drawing_asks();
 
-/// That process: reads a request from standard input, and writes to standard output a message "ready" once there is a
-/// context, then each shot's pixels or what went wrong, then "done". `course` is the course to draw. Does not return.
+/// That process: asks for its request, by a message "ask" on standard output, and reads it from `request_descriptor`:
+/// so nothing is there yet while a task's own static objects are made. Then it writes "ready" once there is a context,
+/// each shot's pixels or what went wrong, and "done". `course` is the course to draw. Does not return.
 [[noreturn]] void draw_request(const char* course);
 
 /// The result of one shot.
@@ -38,7 +40,7 @@ struct Drawn {
 
 struct DrawnShots {
     std::vector<Drawn> shots;  ///< the complete ones, from the first on
-    bool ready = false, done = false;
+    bool asked = false, ready = false, done = false;
     std::string problem;  ///< why the rest cannot be read, or empty
 };
 /// Reads the stream that draws `shots`.

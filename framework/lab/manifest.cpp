@@ -151,15 +151,18 @@ CheckInfo read_check(Table& table, const Manifest& manifest) {
     if (auto limits = table.table("limit")) check.limits = read_limits(*limits);
     table.read("reason", check.reason);
     check.look_at = table.text("look_at");
-    table.read("needs", check.needs);
+    table.read("needs", check.needs), table.read("leans_on", check.leans_on);
     table.finish();
     require(table, "task", [&] { manifest.task(check.task); });
-    for (auto needed = check.needs.begin(); needed != check.needs.end(); ++needed) {
-        require(table, "needs", [&] { manifest.task(*needed); });
-        if (*needed == check.task) table.fail("needs", "'needs' names other tasks than the check's own");
-        if (std::find(check.needs.begin(), needed, *needed) != needed)
-            table.fail("needs", fmt::format("'needs' names task {} twice", *needed));
-    }
+    const auto refuse_wrong = [&](const char* key, const std::vector<std::string>& tasks) {
+        for (auto one = tasks.begin(); one != tasks.end(); ++one) {
+            require(table, key, [&] { manifest.task(*one); });
+            if (*one == check.task) table.fail(key, fmt::format("'{}' names other tasks than the check's own", key));
+            if (std::find(tasks.begin(), one, *one) != one)
+                table.fail(key, fmt::format("'{}' names task {} twice", key, *one));
+        }
+    };
+    refuse_wrong("needs", check.needs), refuse_wrong("leans_on", check.leans_on);
     if (check.shot.probe) require(table, "probe", [&] { manifest.probe(check.shot.probe.name); });
     const Limits& limits = check.limits;
     const bool limited = limits.mean || limits.p99 || limits.largest || limits.wrong;
@@ -261,6 +264,13 @@ GoldenInfo read_golden(Table& table, const Manifest& manifest) {
 }
 
 }  // namespace
+
+bool CheckInfo::depends_on(const std::string& other_task) const {
+    const auto has = [&](const auto& tasks) {
+        return std::find(tasks.begin(), tasks.end(), other_task) != tasks.end();
+    };
+    return has(needs) || has(leans_on);
+}
 
 int Manifest::points() const {
     int sum = 0;

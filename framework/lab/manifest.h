@@ -48,6 +48,9 @@ struct CheckInfo {
     bool hidden = false;  ///< of the staff's file: never handed out
     /// The other tasks without which it cannot pass.
     std::vector<std::string> needs = {};
+    /// Those that it can do without while they are not written, and that spoil it when they are wrong.
+    std::vector<std::string> leans_on = {};
+    bool depends_on(const std::string& other_task) const;
 };
 
 /// A change to a file: `find` stands in it exactly once.

@@ -41,6 +41,9 @@ Image take(Lab& lab, const Shot& shot, bool light = false);
 Image draw_shot(Lab& lab, const Shot& shot, bool light = false);
 void refuse_unusable(const Image& image, const Shot& shot);
 
+/// Why a probe has no exact values; without a name, of any probe. A students' course does not have what computes them.
+std::string no_truth(const std::string& probe = "");
+
 /// The exact values of the shot's probe. Throws UsageError if the lab has none. Needs no context.
 Image truth_of(const Lab& lab, const Shot& shot);
 

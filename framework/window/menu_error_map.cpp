@@ -86,8 +86,9 @@ void ErrorMap::compare(Stage& stage) {
                                 plain(error_.largest), error_.count));
         return;
     }
-    throw Error(stage.shot().probe ? fmt::format("This lab has no exact values for '{}'.", stage.shot().probe.name)
-                                   : "This lab has no exact values for any of its probes.");
+    std::string reason = no_truth(stage.shot().probe.name);
+    reason[0] = char(std::toupper(static_cast<unsigned char>(reason[0])));
+    throw Error(reason + ".");
 }
 
 void ErrorMap::draw(int x, glm::ivec2 size, bool moves) const {

@@ -14,8 +14,9 @@ protected:
 TEST_F(NewLab, SaysWhatItMadeAndTakesTheFirstNumberAboveTheCourses) {
     EXPECT_EQ(course_.made.code, 0) << course_.made.err;
     for (const char* file :
-         {"labs/20_test_wall/lab.cpp", "labs/20_test_wall/lab.toml", "labs/20_test_wall/README.md",
-          "shaders/20_test_wall/surface.vert", "shaders/20_test_wall/surface.frag", "slides/20_test_wall.md"})
+         {"labs/20_test_wall/lab.cpp", "labs/20_test_wall/staff/truth.cpp", "labs/20_test_wall/lab.toml",
+          "labs/20_test_wall/README.md", "shaders/20_test_wall/surface.vert", "shaders/20_test_wall/surface.frag",
+          "slides/20_test_wall.md"})
         EXPECT_TRUE(contains(course_.made.out, std::string(file) + "\n")) << course_.made.out;
     EXPECT_TRUE(contains(course_.made.out, "./relief run 20")) << course_.made.out;
 }
@@ -24,6 +25,13 @@ TEST_F(NewLab, IsListedByItsFolderAlone) {
     const Result list = run({course_.program("relief"), "list"});
     EXPECT_EQ(list.code, 0) << list.err;
     EXPECT_TRUE(contains(list.out, "20  test_wall                Test wall\n")) << list.out;
+}
+
+TEST_F(NewLab, KeepsItsTruthWithTheStaff) {
+    const std::filesystem::path lab = course_.course.path() / "labs/20_test_wall";
+    EXPECT_TRUE(contains(read_all(lab / "staff/truth.cpp"), "ray.direction"));
+    for (const char* file : {"lab.cpp", "truth.h"})
+        EXPECT_FALSE(contains(read_all(lab / file), "ray.direction")) << file;
 }
 
 TEST_F(NewLab, PassesTheTestsOfEveryLab) {

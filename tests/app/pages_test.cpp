@@ -5,9 +5,9 @@
 
 #include "framework/base/file.h"
 #include "framework/pages/page.h"
-#include "framework/staff/pages/summaries.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/student_page.h"
+#include "framework/staff/pages/summaries.h"
 #include "tests/browser.h"
 
 namespace relief {
@@ -219,7 +219,8 @@ TEST(ClassPage, IsMadeOfWhatTheResultsHold) {
     read.taken_over = report.taken_over, read.seconds = report.seconds, read.prepared = report.prepared;
     for (const SubmissionMark& mark : report.marks) read.marks.push_back(from_json(to_json(mark)));
     EXPECT_EQ(class_page(read), class_page(report));
-    EXPECT_EQ(student_page(read.marks[4], {}), student_page(report.marks[4], {}));
+    for (const PageFor reader : {PageFor::instructor, PageFor::student})
+        EXPECT_EQ(student_page(read.marks[4], {}, reader), student_page(report.marks[4], {}, reader));
 }
 
 TEST(ClassPage, IsSmallWithAThousandSubmissions) {
@@ -244,12 +245,16 @@ TEST(ClassPage, IsSmallWithAThousandSubmissions) {
 
 // ---- a submission ----
 
-/// Pages of Anna (wrong, with pictures) and zoe (unfinished) beside the class's.
+/// Pages of Anna (wrong, with pictures; in check 2 only from a hidden view) and zoe (unfinished) beside the class's.
 struct GradedWithPictures : Graded {
-    fs::path student(const std::string& name) const { return page.parent_path() / student_page_file(name); }
+    fs::path student(const std::string& name, PageFor reader = PageFor::instructor) const {
+        return page.parent_path() / page_file(name, reader);
+    }
     GradedWithPictures() {
         report.marks[2].labs[0].tasks[0] = task("2.1", 3, {wrong, Outcome::broken, passed, unfinished}, "truncated");
-        write_file(student("Anna"), student_page(report.marks[2], two_pictures()));
+        report.marks[2].labs[0].tasks[0].checks[1].view = "camera 12.5 7 3";
+        for (const PageFor reader : {PageFor::instructor, PageFor::student})
+            write_file(student("Anna", reader), student_page(report.marks[2], two_pictures(), reader));
     }
 };
 
@@ -316,6 +321,37 @@ TEST(StudentPage, HasAllThatWasFoundAndPicturesOnlyOfWhatDidNotPass) {
     EXPECT_TRUE(contains(text_of("header"), "This costs nobody a point"));
 }
 
+TEST(StudentPage, ForItsStudentTellsNothingThatIsHiddenAndLeadsNowhere) {
+    GradedWithPictures graded;
+    // A hidden check that is wrong: its name, numbers and pictures stay here, and how it went and the hint do not.
+    TaskMark& anna = graded.report.marks[2].labs[0].tasks[0];
+    anna.checks[2].outcome = wrong, anna.checks[2].name = "from below", anna.checks[2].look_at = "mind the sign";
+    std::vector<CheckPictures> pictures = two_pictures();
+    pictures.push_back(pictures[0]);
+    pictures[2].check.name = "from below", pictures[2].check.hidden = true, pictures[2].check.reason = "unknown below";
+    const auto page = [&](PageFor reader) { return student_page(graded.report.marks[2], pictures, reader); };
+    write_file(graded.student("Anna", PageFor::student), page(PageFor::student));
+    browser().open(graded.student("Anna", PageFor::student));
+    const std::string all = text_of("main");
+    for (const char* part : {"found 1", "rounding", "a hidden check", "mind the sign", "look here", "check 2",
+                             "right in the view that you know, and not in another one"})
+        EXPECT_TRUE(contains(all, part)) << part;
+    EXPECT_EQ(browser().eval("document.querySelectorAll('figure').length"), 3) << "of check 1 alone";
+    const std::vector<std::string> secrets = {"camera 12.5",   "found 2",     "found 3",    "from below",
+                                              "unknown below", "report.html", "hidden view"};
+    for (const std::string& secret : secrets) {
+        EXPECT_FALSE(contains(page(PageFor::student), secret)) << secret;
+        EXPECT_TRUE(contains(page(PageFor::instructor), secret)) << secret;
+    }
+    for (const char* name : {"Anna", "zoe", "machine", "empty"}) {
+        browser().open(graded.student(name, PageFor::student));
+        EXPECT_EQ(browser().eval("[...document.links].filter(link => link.pathname != location.pathname).length"), 0);
+        const std::string text = read_file(graded.student(name, PageFor::student));
+        for (const char* other : {"s10", "Anna", "o&#39;d", "zoe"})
+            EXPECT_TRUE(other == std::string(name) || !contains(text, other)) << other << " on the page of " << name;
+    }
+}
+
 TEST(StudentPage, IsThereWithoutPicturesWhereTheyWereNotKept) {
     const GradedWithPictures graded;
     const std::string kept = read_file(graded.student("Anna"));
@@ -338,7 +374,8 @@ TEST(Pages, AStrangersNameIsTextAndNoScriptButOurs) {
     report.marks[0].labs[0].log = report.marks[0].labs[0].tasks[0].checks[0].found = name;
     report.marks[0].labs[0].tasks[0].mistake = report.marks[0].labs[0].tasks[0].hint = name;
     write_summaries(report, folder.path());
-    for (const fs::path& page : {folder.path() / "report.html", folder.path() / student_page_file(name)}) {
+    for (const fs::path& page : {folder.path() / "report.html", folder.path() / page_file(name, PageFor::instructor),
+                                 folder.path() / page_file(name, PageFor::student)}) {
         browser().open(page);
         EXPECT_NE(browser().eval("document.title"), "ran");
         EXPECT_EQ(browser().eval("document.images.length"), 0);
@@ -354,7 +391,8 @@ TEST(Pages, AStrangersNameIsTextAndNoScriptButOurs) {
 
 TEST(Pages, EveryControlHasANameAndEveryLinkAnEnd) {
     const GradedWithPictures graded;
-    for (const fs::path& page : {graded.page, graded.student("Anna"), graded.student("zoe"), graded.student("s10")}) {
+    for (const fs::path& page : {graded.page, graded.student("Anna"), graded.student("zoe"), graded.student("s10"),
+                                 graded.student("Anna", PageFor::student)}) {
         browser().open(page);
         std::multiset<std::string> named;
         for (const Browser::Control& control : browser().controls()) {
@@ -379,7 +417,8 @@ TEST(Pages, EveryTextStandsOutInLightAndInDark) {
     const GradedWithPictures graded;
     for (const bool dark : {false, true}) {
         browser().dark(dark);
-        for (const fs::path& page : {graded.page, graded.student("Anna"), graded.student("zoe")}) {
+        for (const fs::path& page :
+             {graded.page, graded.student("Anna"), graded.student("zoe"), graded.student("Anna", PageFor::student)}) {
             browser().open(page);
             EXPECT_EQ(browser().faint_texts(), Names{}) << page << (dark ? " in the dark" : " in light");
         }

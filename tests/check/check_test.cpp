@@ -54,6 +54,24 @@ TEST(Hints, NameTheNeededTaskThatIsWrongByItself) {
     EXPECT_EQ(crashed[1], "put task 1.2 right first");
 }
 
+TEST(Hints, NameWhatComesFirstHoweverACheckHasFailed) {
+    for (const Outcome outcome : {Outcome::wrong, Outcome::crashed, Outcome::out_of_time, Outcome::out_of_memory}) {
+        const std::vector<Judgement> said = {right, right, wrong, right, {outcome, "off"}};
+        EXPECT_EQ(hints(manifest(), said)[4], "put task 1.2 right first") << name_of(outcome);
+        const Manifest all = manifest();
+        const std::vector<const CheckInfo*> first = put_right_first(all, said);
+        EXPECT_EQ(first, (std::vector<const CheckInfo*>{nullptr, nullptr, nullptr, nullptr, &all.checks[2]}));
+    }
+}
+
+TEST(Hints, NameWhatACheckLeansOnAndDoNotWaitForIt) {
+    Manifest all = manifest();
+    all.checks[4].needs = {"1.1"}, all.checks[4].leans_on = {"1.2"};
+    EXPECT_EQ(hints(all, {right, right, wrong, right, wrong})[4], "put task 1.2 right first");
+    EXPECT_EQ(hints(all, {right, wrong, right, right, wrong})[4], "put task 1.1 right first");
+    EXPECT_EQ(waits_for(all.checks[4], [](const std::string& task) { return task != "1.2"; }), "");
+}
+
 TEST(Hints, SendNobodyInACircle) {
     // Each of the two is wrong only where the other takes part: nothing says which.
     EXPECT_EQ(hints(manifest(), {right, wrong, right, wrong, right}),

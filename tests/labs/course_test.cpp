@@ -1,5 +1,6 @@
 // Every lab as a course: solutions pass, starters say that they are unfinished, and each known mistake is caught. That
 // correct variants pass is `relief grade --self-test`.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -160,10 +161,27 @@ std::string starter_of_task(const std::string& text, const std::string& file, co
     return before + starter_of(own, file) + after;
 }
 
+/// What a starter gives, and wrong values in its place that do not tell that they are wrong: near it, far from it
+/// either way, and none at all.
+constexpr int wrong_versions = 4;
+std::string not_yet() {
+    std::string text = "const float no_number = uintBitsToFloat(0x7fc00000u);\n";
+    for (const char* type : {"float", "vec2", "vec3", "vec4", "mat3"})
+        text += fmt::format(
+            "{0} not_yet({0} v) {{\n"
+            "    {0} one = {0}(1.0);\n"
+            "    if (u_wrong == 0) return unfinished(v);\n"
+            "    return u_wrong == 1 ? 0.5 * v + 0.3 * one : u_wrong == 2 ? 3.0 * v + 2.0 * one\n"
+            "         : u_wrong == 3 ? -40.0 * v - 2.0 * one : no_number * one;\n"
+            "}}\n",
+            type);
+    return text + "ivec2 not_yet(ivec2 v) { return u_wrong == 0 ? unfinished(v) : u_wrong * v + 1; }\n";
+}
+
 /// A task file that has every task's starter as well: a uniform says which of them is in use, counted from 1. So a
 /// lab's programs are compiled once for all of them. (Each block of a solution is the whole body of a function.)
 std::string with_starters(const std::string& text, const std::vector<TaskInfo>& tasks) {
-    std::string result = "#define not_yet unfinished\n", solution, starter;
+    std::string result, solution, starter;
     std::string* part = &result;
     for (const auto& [task, line] : lines_by_task(text)) {
         const std::string word = line.substr(std::min(line.find_first_not_of(' '), line.size()));
@@ -180,40 +198,52 @@ std::string with_starters(const std::string& text, const std::vector<TaskInfo>& 
             solution.clear(), starter.clear(), part = &result;
         } else {
             *part += (part == &starter ? word.substr(3) : line) + '\n';
-            if (word.starts_with("#include \"common/unfinished.glsl\"")) result += "uniform int u_starter;\n";
+            if (word.starts_with("#include \"common/unfinished.glsl\""))
+                result += "uniform int u_starter;\nuniform int u_wrong;\n" + not_yet();
         }
     }
     return result;
 }
 
-/// Sets u_starter in every program that has it, whoever uses it.
+/// Sets u_starter and u_wrong in every program that has them, whoever uses it.
 class StarterInUse {
 public:
     StarterInUse() : before_(glad_glUseProgram) { real_ = before_, glad_glUseProgram = use_program; }
     ~StarterInUse() { glad_glUseProgram = before_; }
     StarterInUse(const StarterInUse&) = delete;
     StarterInUse& operator=(const StarterInUse&) = delete;
-    void set(size_t number) { number_ = GLint(number); }
+    void set(size_t number, int wrong) { number_ = GLint(number), wrong_ = wrong; }
 
 private:
     static void GLAD_API_PTR use_program(GLuint program) {
         real_(program);
-        const GLint place = program == 0 ? -1 : glGetUniformLocation(program, "u_starter");
-        if (place >= 0) glUniform1i(place, number_);
+        for (const auto& [name, value] : {std::pair("u_starter", number_), std::pair("u_wrong", wrong_)})
+            if (const GLint place = program == 0 ? -1 : glGetUniformLocation(program, name); place >= 0)
+                glUniform1i(place, value);
     }
     static inline PFNGLUSEPROGRAMPROC real_ = nullptr;
-    static inline GLint number_ = 0;
+    static inline GLint number_ = 0, wrong_ = 0;
     PFNGLUSEPROGRAMPROC before_;
 };
 
+/// Whether a known mistake in the shader of a task fails a check.
+bool is_failed_by_mistake(const LabEntry& lab, const Manifest& manifest, const std::string& task,
+                          const CheckInfo& check, const std::optional<Image>& expected) {
+    return std::any_of(manifest.mistakes.begin(), manifest.mistakes.end(), [&](const MistakeInfo& mistake) {
+        if (mistake.task != task || !is_shader(mistake.edits.front().file)) return false;
+        const CourseOverlay overlay(edited(mistake.edits));
+        return run_check(lab, manifest, check, expected).outcome != Outcome::passed;
+    });
+}
+
 // A student who reads "waits for task 1.2" must not wait for nothing, and one who has done all that a check needs must
-// not be called wrong.
+// not be called wrong; where something else is wrong, that is to be named and no mistake of this task.
 TEST_P(Course, ChecksNeedTheTasksTheySayAndNoOthers) {
     Manifest blind = manifest_;  // draws, whatever is missing
     for (CheckInfo& check : blind.checks) check.needs.clear();
     Expectations expected;
     for (const CheckInfo& check : blind.checks) expected[check.name] = expectation(GetParam(), check);
-    std::map<std::string, std::set<std::string>> needs;  // by check
+    std::map<std::string, std::set<std::string>> needs, leans_on;  // by check
     CourseFiles shaders;
     for (const std::string& file : task_files())
         if (is_shader(file)) shaders[file] = with_starters(read_file(course_root() / file), manifest_.tasks);
@@ -222,15 +252,19 @@ TEST_P(Course, ChecksNeedTheTasksTheySayAndNoOthers) {
         StarterInUse starter;
         for (size_t i = 0; i <= manifest_.tasks.size(); ++i) {
             if (i > 0 && !is_shader(manifest_.tasks[i - 1].file)) continue;
-            starter.set(i);
-            for (const CheckInfo& check : blind.checks) {
-                if (i > 0 && check.task == manifest_.tasks[i - 1].id) continue;
-                const CheckResult result = run_check(GetParam(), blind, check, expected[check.name]);
-                const bool passed = result.outcome == Outcome::passed;
-                if (i == 0)
-                    EXPECT_TRUE(passed) << check.name << " by the solutions: " << result.found;
-                else if (!passed)
-                    needs[check.name].insert(manifest_.tasks[i - 1].id);
+            for (int wrong = 0; wrong <= (i > 0 ? wrong_versions : 0); ++wrong) {
+                starter.set(i, wrong);
+                for (const CheckInfo& check : blind.checks) {
+                    const std::string task = i > 0 ? manifest_.tasks[i - 1].id : "";
+                    if (check.task == task || needs[check.name].contains(task) || leans_on[check.name].contains(task))
+                        continue;
+                    const CheckResult result = run_check(GetParam(), blind, check, expected[check.name]);
+                    const bool passed = result.outcome == Outcome::passed;
+                    if (i == 0)
+                        EXPECT_TRUE(passed) << check.name << " by the solutions: " << result.found;
+                    else if (!passed)
+                        (wrong == 0 ? needs : leans_on)[check.name].insert(task);
+                }
             }
         }
     }
@@ -248,13 +282,18 @@ TEST_P(Course, ChecksNeedTheTasksTheySayAndNoOthers) {
     }
     for (const CheckInfo& check : manifest_.checks) {
         // Held against another picture it is worth no more than that one.
-        std::set<std::string> all = needs[check.name];
+        std::set<std::string> all = needs[check.name], wrong = leans_on[check.name];
         for (const CheckInfo* last = &check; last->against != "truth" && last->against != "solution";) {
             last = &manifest_.check(last->against);
-            all.insert(last->task), all.merge(std::set(needs[last->name]));
+            all.insert(last->task), all.merge(std::set(needs[last->name])), wrong.merge(std::set(leans_on[last->name]));
         }
         all.erase(check.task);
         EXPECT_EQ(check.needs, std::vector(all.begin(), all.end())) << check.name;
+        for (const std::string& task : check.leans_on)
+            if (!wrong.contains(task) && is_failed_by_mistake(GetParam(), blind, task, check, expected[check.name]))
+                wrong.insert(task);
+        std::erase_if(wrong, [&](const std::string& task) { return task == check.task || all.contains(task); });
+        EXPECT_EQ(check.leans_on, std::vector(wrong.begin(), wrong.end())) << "leans_on of " << check.name;
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "framework/app/command.h"
+#include "framework/app/commands.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
@@ -119,7 +120,7 @@ void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
     }
     for (const fs::path& path : options.submissions)
         if (std::error_code unknown; !fs::exists(path, unknown))
-            throw UsageError(fmt::format("there is no '{}'", printable(path)));
+            throw UsageError(fmt::format("there is no '{}'", printable(path.string())));
 }
 
 int print(const ClassReport& report, const std::string& folder, const Shard& shard) {
@@ -141,13 +142,13 @@ int print(const ClassReport& report, const std::string& folder, const Shard& sha
 
 /// Where parts of a class were graded into folders of this one, their pages are the class's.
 void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
-    make_folder(folder / "students");
     for (const fs::path& part : class_parts(folder))
         if (part != folder)
             for (const SubmissionMark& mark : report.marks)
-                if (const fs::path page = student_page_file(mark.name);
-                    fs::exists(part / page) && fs::exists(part / "results" / (file_name_of(mark.name) + ".json")))
-                    write_file(folder / page, read_file(part / page));
+                for (const PageFor reader : page_readers)
+                    if (const fs::path page = page_file(mark.name, reader);
+                        fs::exists(part / page) && fs::exists(part / "results" / (file_name_of(mark.name) + ".json")))
+                        write_page(folder / page, read_file(part / page));
 }
 
 /// Returns 1 if the machine failed on a submission, a part of the class is missing, or the self-test finds a wrong
@@ -160,6 +161,10 @@ int grade_submissions(const GradeArguments& arguments) {
             throw UsageError(
                 fmt::format("{} takes no submissions: '{}' is one argument too many", option, arguments.paths.front()));
     if (!arguments.merge.empty()) {
+        std::vector<Descriptor> at_work;
+        if (fs::is_directory(arguments.merge)) at_work.push_back(hold_output(arguments.merge, {}));
+        for (const fs::path& part : class_parts(arguments.merge))
+            if (part != arguments.merge) at_work.push_back(hold_output(part, {}));
         const ClassReport report = merge_class(arguments.merge);
         bring_pages_of_parts(report, arguments.merge);
         write_summaries(report, arguments.merge);
@@ -174,11 +179,13 @@ int grade_submissions(const GradeArguments& arguments) {
     if (arguments.gradescope) return make_gradescope(options);
     name_submissions(arguments, options);
     options.shard = shard_of(arguments.shard);
-    make_folder(options.output / "students");
-    // Before its result: a run that is killed leaves none without its page.
+    make_folder(options.output);
+    const Descriptor at_work = hold_output(options.output, options.shard);
+    // Before its result: a run that is killed leaves none without its pages.
     const ClassReport report =
         grade_class(options, [&](const SubmissionMark& mark, const std::vector<CheckPictures>& pictures) {
-            write_file(options.output / student_page_file(mark.name), student_page(mark, pictures));
+            for (const PageFor reader : page_readers)
+                write_page(options.output / page_file(mark.name, reader), student_page(mark, pictures, reader));
         });
     if (options.shard.whole()) write_summaries(report, options.output);
     return print(report, arguments.output, options.shard);

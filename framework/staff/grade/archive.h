@@ -11,10 +11,13 @@ namespace relief {
 /// Bounds that an honest submission keeps even with a build folder in it.
 constexpr size_t max_archive_bytes = size_t{256} << 20, max_unpacked_bytes = size_t{512} << 20;
 constexpr size_t max_entries = 20000;
+/// Of one name, and of all names together: of files, folders and links.
+constexpr size_t max_name_bytes = 4096, max_names_bytes = size_t{16} << 20;
 
 struct ArchiveEntry {
     std::string name;      ///< as the archive has it: whatever bytes a stranger wrote
     bool is_file = false;  ///< not a folder, a link or a device
+    bool is_link = false;  ///< symbolic or hard
     bool too_large = false;
     std::string content;  ///< of wanted files that are not too large
 };

@@ -11,6 +11,9 @@
 namespace relief {
 namespace {
 
+/// Of what a compiler says, in bytes.
+constexpr size_t longest_log = size_t{16} << 10;
+
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// The line of a compiler's output that says what is wrong.
@@ -33,7 +36,7 @@ Judgement blame(const SandboxResult& result, const std::string& problem) {
         case Ending::too_much_output:
             return {Outcome::broken, "it prints without end"};
         case Ending::failed:
-            return {Outcome::machine, first_line(result.errors)};
+            return {Outcome::machine, printable(first_line(result.errors), 400)};
         case Ending::exited:
             break;
     }
@@ -42,41 +45,42 @@ Judgement blame(const SandboxResult& result, const std::string& problem) {
     return {Outcome::crashed, fmt::format("the program ends in the middle, with exit code {}{}", result.code, said)};
 }
 
+/// What strangers' code or a compiler says of it, on a line.
+std::string message(const std::string& text) { return printable(first_line(text), 400); }
+
+/// Draws the shots from `from` to `end` by as many processes as it takes. `left`: seconds, for all of them.
 void draw_staged(const Stage& stage, const LabEntry& lab, const StagedCourse& course, const std::vector<Shot>& shots,
-                 const Renderer& renderer, const AttemptLimits& limits, Attempt& attempt) {
+                 size_t from, size_t end, const Renderer& renderer, const AttemptLimits& limits, double& left,
+                 Attempt& attempt) {
     const bool own_program = course.program.parent_path() == course.folder->path();
-    double left = 2 * limits.seconds;
     bool tried_again = false;
-    for (size_t from = 0; from < shots.size();) {
-        const auto fail_rest = [&](size_t begin, size_t end, const Judgement& why) {
-            for (size_t i = begin; i < end; ++i)
+    while (from < end) {
+        const auto fail_rest = [&](size_t begin, size_t last, const Judgement& why) {
+            for (size_t i = begin; i < last; ++i)
                 attempt.shots[i].outcome = why.outcome, attempt.shots[i].error = why.found;
         };
-        if (left <= 0)
-            return fail_rest(from, shots.size(), {Outcome::out_of_time, "the checks before it took all the time"});
-        const std::vector<Shot> rest(shots.begin() + std::ptrdiff_t(from), shots.end());
+        if (left <= 0) return fail_rest(from, end, {Outcome::out_of_time, "the checks before it took all the time"});
+        const std::vector<Shot> rest(shots.begin() + std::ptrdiff_t(from), shots.begin() + std::ptrdiff_t(end));
         SandboxJob job;
         job.command = {course.program.string(), "draw-checks", "--course", course.folder->path().string()};
         job.readable = course.readable;
         job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course.libraries.string()}};
         // In the sandbox's own memory, gone with it: the next shot need not compile the same shader again.
         if (stage.isolation() == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
-        job.input = drawing_request(lab, rest, renderer);
+        job.request = drawing_request(lab, rest, renderer), job.asks = drawing_asks();
         job.limits.wall = std::min(left, limits.seconds), job.limits.cpu = std::ceil(job.limits.wall);
         job.limits.memory = limits.memory, job.limits.output = drawings_size(rest);
-        job.limits.processes = 32;
+        job.limits.processes = 32, job.makes_processes = false;
         const SandboxResult result = run_sandboxed(job, stage.isolation());
         DrawnShots drawn = read_drawings(result.output, rest);
         left -= result.wall, attempt.draw += result.wall;
         for (size_t i = 0; i < drawn.shots.size(); ++i) {
             DrawnAttempt& one = attempt.shots[from + i];
-            one.image = std::move(drawn.shots[i].image), one.error = first_line(drawn.shots[i].error), one.told = true;
-            // A program of the student's may say what it likes, to him as well: let it be short.
-            if (own_program) one.error = printable(one.error);
+            one.image = std::move(drawn.shots[i].image), one.error = message(drawn.shots[i].error), one.told = true;
             if (drawn.shots[i].error != one.error && attempt.log.empty()) attempt.log = drawn.shots[i].error;
         }
         from += drawn.shots.size();
-        if (drawn.done || from == shots.size()) return;
+        if (drawn.done || from == end) return;
         const Judgement why = blame(result, drawn.problem);
         // Before there is a context none of a shader has run: then it is not the student's doing. A program of his own
         // may have done anything.
@@ -85,9 +89,9 @@ void draw_staged(const Stage& stage, const LabEntry& lab, const StagedCourse& co
                 tried_again = true;
                 continue;
             }
-            return fail_rest(from, shots.size(), {Outcome::machine, "the machine failed: " + why.found});
+            return fail_rest(from, end, {Outcome::machine, "the machine failed: " + why.found});
         }
-        if (!drawn.ready || !drawn.problem.empty()) return fail_rest(from, shots.size(), why);
+        if (!drawn.ready || !drawn.problem.empty()) return fail_rest(from, end, why);
         fail_rest(from, from + 1, why);
         ++from;
     }
@@ -96,24 +100,36 @@ void draw_staged(const Stage& stage, const LabEntry& lab, const StagedCourse& co
 }  // namespace
 
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
-                const Renderer& renderer, const AttemptLimits& limits) {
+                const Renderer& renderer, const AttemptLimits& limits, size_t apart) {
     Attempt result;
     result.shots.resize(shots.size());
     StagedCourse course = stage.course(lab, files);
     const Compiled compiled = stage.compile(lab, course, 3 * limits.seconds);
     result.compile = compiled.seconds;
     if (compiled.message.empty()) {
-        draw_staged(stage, lab, course, shots, renderer, limits, result);
+        double left = 2 * limits.seconds;
+        // Shaders cannot tell what they were asked for; a program of a student's can.
+        const bool own_program = course.program.parent_path() == course.folder->path();
+        const size_t first = own_program ? std::min(apart, shots.size()) : shots.size();
+        draw_staged(stage, lab, course, shots, 0, first, renderer, limits, left, result);
+        const std::string log = result.log;
+        draw_staged(stage, lab, course, shots, first, shots.size(), renderer, limits, left, result);
+        result.log = printable_lines(log, longest_log);
         return result;
     }
-    result.log = compiled.message;
-    const SandboxResult ended{
-        .ending = compiled.ending, .code = 1, .output = {}, .errors = {}, .wall = compiled.seconds};
-    const Judgement why = compiled.ending == Ending::exited ? Judgement{Outcome::broken, first_error(compiled.message)}
-                                                            : blame(ended, {});
+    result.log = printable_lines(compiled.message, longest_log);
     for (DrawnAttempt& one : result.shots) {
+        if (compiled.ending == Ending::failed) {
+            one.outcome = Outcome::machine, one.error = "the machine failed: " + message(compiled.message);
+            continue;
+        }
+        const SandboxResult ended{
+            .ending = compiled.ending, .code = 1, .output = {}, .errors = {}, .wall = compiled.seconds};
+        const Judgement why = compiled.ending == Ending::exited
+                                  ? Judgement{Outcome::broken, message(first_error(compiled.message))}
+                                  : blame(ended, {});
         one.outcome = why.outcome;
-        one.error = "it does not compile: " + (why.found.empty() ? first_line(compiled.message) : why.found);
+        one.error = "it does not compile: " + (why.found.empty() ? message(compiled.message) : why.found);
     }
     return result;
 }

@@ -15,7 +15,7 @@ namespace relief {
 struct DrawnAttempt {
     std::optional<Image> image;
     Outcome outcome = Outcome::broken;  ///< where there is no image
-    std::string error;                  ///< one line
+    std::string error;                  ///< one line, see printable()
     bool told = false;                  ///< the error came from the lab as it drew
 };
 
@@ -31,8 +31,9 @@ struct AttemptLimits {
 };
 
 /// The lab must have been added to the stage. A process that dies takes the shot it was at with it; the others are
-/// drawn by another. Never throws for what the files do.
+/// drawn by another. The shots from `apart` on are asked of other processes than those before where a C++ task could
+/// say what it was asked for; their log is not kept. Never throws for what the files do.
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
-                const Renderer& renderer, const AttemptLimits& limits);
+                const Renderer& renderer, const AttemptLimits& limits, size_t apart = size_t(-1));
 
 }  // namespace relief

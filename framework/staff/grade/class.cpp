@@ -1,8 +1,11 @@
 #include "framework/staff/grade/class.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <mutex>
 #include <random>
@@ -170,7 +173,7 @@ private:
         mark.isolation = name_of(report_.isolation.level);
         mark.problem = submission.problem;
         if (mark.problem.empty() && submission.files.empty() && submission.refused.empty())
-            mark.problem = "there is no task file in it" + misplaced(submission.ignored);
+            mark.problem = "there is no task file in it" + why_none(submission);
         mark.ignored = submission.ignored, mark.ignored_count = submission.ignored_count;
         std::vector<CheckPictures> pictures;
         for (const LabEntry* lab : entry.labs)
@@ -183,10 +186,12 @@ private:
         write_file_to_disk(result_file(entry), to_json(mark));
     }
 
-    /// Says of a task file that was handed in without its folders what they are; nothing where there is none.
-    std::string misplaced(const std::vector<std::string>& names) const {
+    /// Says of a link that it is one, and of a task file that was handed in without its folders what they are.
+    std::string why_none(const Submission& submission) const {
+        if (!submission.links.empty())
+            return fmt::format(": '{}' is a link, and links are not followed", submission.links.front());
         for (const std::string& task : wanted())
-            for (const std::string& name : names)
+            for (const std::string& name : submission.ignored)
                 if (fs::path(name).filename() == fs::path(task).filename())
                     return fmt::format(": '{}' must keep its folders, as in {}", name, task);
         return {};
@@ -235,6 +240,15 @@ IsolationReport isolation_for(bool trust) {
     return isolation;
 }
 
+Descriptor hold_output(const fs::path& folder, const Shard& shard) {
+    Descriptor held(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    // Where a file system has no locks there is nothing to hold.
+    if (held >= 0 && flock(held, (shard.whole() ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        throw Error(fmt::format("another grader is at work in '{}': wait until it has ended, or name another folder",
+                                printable(folder.string())));
+    return held;
+}
+
 ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done) {
     if (options.submissions.empty()) throw UsageError("grade needs submissions: folders or archives");
     return Grading(options, done).run();
@@ -247,6 +261,22 @@ SubmissionMark read_result(const fs::path& file) {
         return from_json(read_file(file, size_t{1} << 26));
     } catch (const Error& error) {
         throw Error({file}, error.what());
+    }
+}
+
+/// Points that a task of this course does not give are nobody's.
+void refuse_other_points(const SubmissionMark& mark, const std::map<std::string, Manifest>& manifests,
+                         const fs::path& file) {
+    for (const LabMark& lab : mark.labs) {
+        const auto manifest = manifests.find(lab.lab);
+        for (const TaskMark& task : lab.tasks) {
+            const bool is_known =
+                manifest != manifests.end() && std::any_of(manifest->second.tasks.begin(), manifest->second.tasks.end(),
+                                                           [&](const TaskInfo& info) { return info.id == task.id; });
+            if (!is_known || manifest->second.task(task.id).points != task.of)
+                throw Error({file}, fmt::format("has a task {} of {} points, which this course does not have",
+                                                printable(task.id), task.of));
+        }
     }
 }
 
@@ -282,6 +312,8 @@ ClassReport merge_class(const fs::path& folder) {
     const std::vector<fs::path> parts = class_parts(folder);
     const Roster roster = *read_roster(parts.front());
     std::map<std::string, std::vector<SubmissionMark>> found;
+    std::map<std::string, Manifest> manifests;
+    for (const LabEntry& lab : registry()) manifests.emplace(lab.folder, load_manifest(lab));
     for (const fs::path& part : parts) {
         const Roster other = *read_roster(part);
         if (other.course != roster.course || other.seed != roster.seed || other.labs != roster.labs)
@@ -296,6 +328,7 @@ ClassReport merge_class(const fs::path& folder) {
         for (const auto& entry : fs::directory_iterator(part / "results"))
             if (entry.path().extension() == ".json") {
                 SubmissionMark mark = read_result(entry.path());
+                refuse_other_points(mark, manifests, entry.path());
                 found[mark.name].push_back(std::move(mark));
             }
     }

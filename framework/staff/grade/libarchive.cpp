@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <locale.h>
 
+#include <cstring>
 #include <memory>
 
 #include "framework/base/error.h"
@@ -21,6 +22,8 @@ using Reader = std::unique_ptr<archive, Free>;
     const char* const reason = archive_error_string(reader);
     throw Error(fmt::format("not a zip or tar archive, or damaged: {}", reason ? reason : "no reason given"));
 }
+
+[[noreturn]] void too_much() { throw Error(fmt::format("unpacks to more than {} MiB", max_unpacked_bytes >> 20)); }
 
 Reader open(int descriptor) {
     Reader reader(archive_read_new());
@@ -45,8 +48,7 @@ void read_content(archive* reader, ArchiveEntry& entry, bool keep, size_t larges
         if (state == ARCHIVE_EOF) return;
         if (state < ARCHIVE_WARN) fail(reader);
         unpacked += size;
-        if (unpacked > max_unpacked_bytes)
-            throw Error(fmt::format("unpacks to more than {} MiB", max_unpacked_bytes >> 20));
+        if (unpacked > max_unpacked_bytes) too_much();
         // A sparse file's holes are not blocks: its end decides.
         entry.too_large |= offset < 0 || uint64_t(offset) + size > largest;
         if (!keep || entry.too_large) continue;
@@ -79,19 +81,26 @@ extern "C" [[gnu::visibility("default")]] void relief_read_archive(
     using namespace relief;
     const Utf8Names utf8;
     const Reader reader = open(descriptor);
-    size_t unpacked = 0;
+    size_t unpacked = 0, names = 0;
     archive_entry* found = nullptr;
     for (;;) {
         const int state = archive_read_next_header(reader.get(), &found);
         if (state == ARCHIVE_EOF) return;
         if (state < ARCHIVE_WARN) fail(reader.get());
         if (entries.size() == max_entries) throw Error(fmt::format("has more than {} entries", max_entries));
-        ArchiveEntry& entry = entries.emplace_back();
         const char* const name = archive_entry_pathname(found);
-        if (!name) throw Error("has a file whose name cannot be read: pack it again, as zip or tar");
+        if (!name) throw Error("has a file whose name cannot be read: pack it anew, as zip or tar");
+        // All that has been unpacked to get here, a tar's headers with their long names included.
+        if (archive_filter_bytes(reader.get(), 0) > int64_t(max_unpacked_bytes)) too_much();
+        const size_t length = std::strlen(name);
+        if (length > max_name_bytes) throw Error(fmt::format("has a name of more than {} bytes", max_name_bytes));
+        names += length;
+        if (names > max_names_bytes)
+            throw Error(fmt::format("has names of more than {} MiB in all", max_names_bytes >> 20));
+        ArchiveEntry& entry = entries.emplace_back();
         entry.name = name;
-        const bool linked = archive_entry_hardlink(found) || archive_entry_symlink(found);
-        entry.is_file = archive_entry_filetype(found) == AE_IFREG && !linked;
+        entry.is_link = archive_entry_hardlink(found) || archive_entry_symlink(found);
+        entry.is_file = archive_entry_filetype(found) == AE_IFREG && !entry.is_link;
         const bool keep = entry.is_file && wanted(entry.name);
         // Of a zip, which has an index, what is not wanted costs nothing to skip.
         const bool is_zip = (archive_format(reader.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;

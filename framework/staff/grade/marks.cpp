@@ -221,10 +221,14 @@ Attempt LabGrader::draw(const CourseFiles& files, const std::vector<bool>& wante
     pictures.shots.resize(views_.size());
     std::vector<size_t> which;
     std::vector<Shot> shots;
-    for (size_t i = 0; i < wanted.size(); ++i)
-        if (wanted[i]) which.push_back(i), shots.push_back(views_[i].shot);
+    size_t apart = 0;
+    for (const bool secret : {false, true}) {
+        if (secret) apart = which.size();
+        for (size_t i = 0; i < wanted.size(); ++i)
+            if (wanted[i] && is_secret(i) == secret) which.push_back(i), shots.push_back(views_[i].shot);
+    }
     if (which.empty()) return pictures;
-    Attempt drawn = attempt(stage_, lab_, files, shots, setup_.renderer, {setup_.seconds, setup_.memory});
+    Attempt drawn = attempt(stage_, lab_, files, shots, setup_.renderer, {setup_.seconds, setup_.memory}, apart);
     for (size_t i = 0; i < which.size(); ++i) pictures.shots[which[i]] = std::move(drawn.shots[i]);
     drawn.shots = std::move(pictures.shots);
     return drawn;
@@ -304,19 +308,19 @@ std::map<size_t, LabGrader::Sampled> LabGrader::pictures_of(const MistakeInfo& m
     return result;
 }
 
-void LabGrader::name_mistake(TaskMark& task, const Attempt& pictures, const std::vector<bool>& looked_at) const {
+void LabGrader::name_mistake(TaskMark& task, const Attempt& pictures, const std::vector<bool>& compared) const {
     // Only what was drawn, or what the lab itself has complained of, can be like a mistake.
     bool any = false;
     for (size_t i = 0; i < manifest_.checks.size(); ++i) {
         const DrawnAttempt& one = pictures.shots[i];
-        any |= manifest_.checks[i].task == task.id && looked_at[i] && one.told;
+        any |= manifest_.checks[i].task == task.id && compared[i] && one.told;
     }
     if (!any) return;
     double best = agreement;
     for (const Signature& signature : signatures(task.id)) {
         Likeness likeness;
         for (const auto& [check, picture] : signature.pictures)
-            if (looked_at[check])
+            if (compared[check])
                 compare(Sampled(pictures.shots[check].image, pictures.shots[check].error), picture,
                         lazy_->solution[check], bool(manifest_.checks[check].shot.probe), likeness);
         const double share = likeness.differ > 0 ? double(likeness.agree) / double(likeness.differ) : 0;
@@ -350,8 +354,8 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
         else if (file == submission.files.end())
             given_up[task.id] = {Outcome::unfinished, fmt::format("there is no {}", task.file)};
         else if (const std::string more = foreign_include(task.file, file->second); !more.empty())
-            given_up[task.id] = {Outcome::broken,
-                                 fmt::format("{} includes {}, which is not part of this task", task.file, more)};
+            given_up[task.id] = {Outcome::broken, fmt::format("{} includes {}, which is not part of this task",
+                                                              task.file, printable(more))};
         else if (is_unfinished(file->second, task.id))
             given_up[task.id] = {Outcome::unfinished, "not written yet"};
     }
@@ -383,6 +387,9 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
         if (kept && mark.outcome != Outcome::passed) keep_pictures(view, pictures, *kept);
     }
     const std::vector<std::string> all_hints = hints(manifest_, said);
+    const std::vector<const CheckInfo*> first = put_right_first(manifest_, said);
+    for (size_t i = 0; i < first.size(); ++i)
+        if (first[i]) looked_at[i] = false;
     for (const TaskInfo& info : manifest_.tasks) {
         TaskMark& task = lab.tasks.emplace_back();
         task.id = info.id, task.title = info.title, task.file = info.file, task.of = info.points;

@@ -97,6 +97,10 @@ private:
         size_t against = 0;                  ///< for those: the view that is looked at in the same way
     };
 
+    /// A hidden check or a hidden view. Whoever is asked for one has nothing to say to students.
+    bool is_secret(size_t view) const {
+        return view >= manifest_.checks.size() || manifest_.checks[views_[view].check].hidden;
+    }
     void look_from_hidden_views(const CourseFiles& solution);
     void expect(View& view, const Attempt& solution, size_t first) const;
     /// By view; what is not wanted stays empty.
@@ -105,8 +109,9 @@ private:
     /// `view` becomes the one that the mark speaks of.
     CheckMark judge_check(size_t check, const Attempt& pictures, size_t& view) const;
     void keep_pictures(size_t view, const Attempt& pictures, std::vector<CheckPictures>& kept) const;
-    /// `looked_at`: the checks that were drawn for it.
-    void name_mistake(TaskMark& task, const Attempt& pictures, const std::vector<bool>& looked_at) const;
+    /// `compared`: the checks that are about this task's own code, since they were drawn and no other task has to be
+    /// put right first.
+    void name_mistake(TaskMark& task, const Attempt& pictures, const std::vector<bool>& compared) const;
     std::map<size_t, Sampled> pictures_of(const MistakeInfo& mistake) const;
     const std::vector<Signature>& signatures(const std::string& task) const;
     std::vector<bool> views_of(const std::vector<bool>& checks, bool with_hidden) const;

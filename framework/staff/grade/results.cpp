@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "framework/base/error.h"
@@ -51,7 +52,15 @@ TaskMark task_from(const ordered_json& json) {
                   .checks = {},
                   .mistake = json.at("mistake"),
                   .hint = json.at("hint")};
-    for (const ordered_json& check : json.at("checks")) task.checks.push_back(check_from(check));
+    size_t passed = 0;
+    for (const ordered_json& check : json.at("checks")) {
+        task.checks.push_back(check_from(check));
+        passed += task.checks.back().outcome == Outcome::passed;
+    }
+    const double earned = task.of * double(passed) / double(std::max<size_t>(task.checks.size(), 1));
+    if (task.of < 0 || !(std::abs(task.points - earned) < 1e-6))
+        throw Error(fmt::format("task {} has {} of {} points, with {} of {} checks passed", printable(task.id),
+                                task.points, task.of, passed, task.checks.size()));
     return task;
 }
 
@@ -115,9 +124,9 @@ std::string state_of(const SubmissionMark& mark) {
     return !mark.graded() ? "not graded: the machine failed" : mark.problem.empty() ? "graded" : mark.problem;
 }
 
-/// What a student reads of a check.
+/// What is read of a check on Gradescope, where hidden ones are kept from students.
 std::string sentence(const CheckMark& check) {
-    std::string text = check.found;
+    std::string text = check.hidden ? check.found : found_for_students(check);
     if (!check.look_at.empty()) text += "\nlook at: " + check.look_at;
     return text;
 }
@@ -152,9 +161,14 @@ std::string file_name_of(const std::string& name) {
     return plain == name && !name.empty() ? plain : plain + "-" + sha256(name).substr(0, 8);
 }
 
+std::string found_for_students(const CheckMark& check) {
+    if (check.hidden) return {};
+    return check.view.empty() ? check.found : "right in the view that you know, and not in another one";
+}
+
 std::string to_json(const SubmissionMark& mark) {
     ordered_json json = {{"schema", schema},
-                         {"name", mark.name},
+                         {"name", utf8_of_bytes(mark.name)},
                          {"graded", mark.graded()},
                          {"problem", mark.problem},
                          {"points", mark.points()},
@@ -174,7 +188,8 @@ SubmissionMark from_json(const std::string& text) try {
     const ordered_json json = ordered_json::parse(text);
     if (json.at("schema") != schema) throw Error("its schema is not 1");
     SubmissionMark mark;
-    mark.name = json.at("name"), mark.hash = json.at("hash"), mark.course = json.at("course");
+    mark.name = bytes_of_utf8(json.at("name").get<std::string>()), mark.hash = json.at("hash"),
+    mark.course = json.at("course");
     mark.isolation = json.at("isolation"), mark.problem = json.at("problem"), mark.seconds = json.at("seconds");
     mark.ignored = json.at("ignored").get<std::vector<std::string>>(), mark.ignored_count = json.at("ignored_count");
     for (const ordered_json& lab : json.at("labs")) mark.labs.push_back(lab_from(lab));

@@ -29,7 +29,11 @@ struct SubmissionMark {
 /// A file name for any name: the name itself when it is plain, else what is plain of it and a part of its hash.
 std::string file_name_of(const std::string& name);
 
-/// The whole of it, schema 1. The other way throws Error for what is not that.
+/// What was found, as far as its student may read it: of a hidden check nothing, and of a hidden view that it was one.
+std::string found_for_students(const CheckMark& check);
+
+/// The whole of it, schema 1. The other way throws Error for what is not that, and for points that do not come of its
+/// checks.
 std::string to_json(const SubmissionMark& mark);
 SubmissionMark from_json(const std::string& text);
 

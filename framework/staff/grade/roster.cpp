@@ -8,6 +8,7 @@
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/text.h"
+#include "framework/staff/grade/strangers_text.h"
 
 namespace relief {
 namespace {
@@ -43,7 +44,8 @@ std::string to_json(const Roster& roster) {
                          {"labs", roster.labs},
                          {"submissions", ordered_json::array()}};
     for (const Roster::One& one : roster.submissions)
-        json["submissions"].push_back({{"name", one.name}, {"hash", one.hash}, {"path", one.path.string()}});
+        json["submissions"].push_back(
+            {{"name", utf8_of_bytes(one.name)}, {"hash", one.hash}, {"path", utf8_of_bytes(one.path.string())}});
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -57,7 +59,8 @@ std::optional<Roster> read_roster(const fs::path& folder) {
         if (!json.at("submissions").is_array())
             throw Error({file}, "has no list of submissions: remove it, or use a new folder");
         for (const ordered_json& one : json.at("submissions"))
-            roster.submissions.push_back({one.at("name"), one.at("hash"), one.at("path").get<std::string>()});
+            roster.submissions.push_back({bytes_of_utf8(one.at("name").get<std::string>()), one.at("hash"),
+                                          bytes_of_utf8(one.at("path").get<std::string>())});
         return roster;
     } catch (const ordered_json::exception&) {
         throw Error({file}, "is no roster of a class: remove it, or use a new folder");

@@ -2,11 +2,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/sched.h>
+#include <linux/seccomp.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -40,6 +44,16 @@ struct Pipe {
     bool good() const { return read >= 0; }
 };
 
+/// What is sent through it needs no reader to be sent, and ends nobody where the reader has gone.
+struct Wire {
+    Descriptor ours{-1}, theirs{-1};
+    Wire() {
+        int ends[2];
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) == 0)
+            ours = Descriptor(ends[0]), theirs = Descriptor(ends[1]);
+    }
+};
+
 /// A file in memory that holds the input, so that nobody waits for a reader.
 Descriptor input_file(const std::string& input) {
     Descriptor file(memfd_create("input", MFD_CLOEXEC));
@@ -47,7 +61,8 @@ Descriptor input_file(const std::string& input) {
     return file;
 }
 
-/// The descriptor on which bubblewrap tells that the command has begun, and how it ended.
+/// The descriptor on which bubblewrap tells that the command has begun, and how it ended; without it, on which we are
+/// told why it has not begun.
 constexpr int status_descriptor = 3;
 
 Words bubblewrap(const SandboxJob& job) {
@@ -90,10 +105,9 @@ Words bubblewrap(const SandboxJob& job) {
 /// What the new process needs between fork and exec, where nothing may take memory: other threads may hold the lock.
 struct Start {
     std::vector<const char*> words, environment;
-    int in = -1, out = -1, err = -1, status = -1;
+    int in = -1, out = -1, err = -1, status = -1, request = -1;
     rlim_t cpu = 0, memory = 0, file = 0;
-    rlim_t processes = RLIM_INFINITY;
-    bool drop = false;
+    bool wrapped = false, drop = false, makes_processes = true;
 };
 
 void limit(int resource, rlim_t value, rlim_t more = 0) {
@@ -101,13 +115,70 @@ void limit(int resource, rlim_t value, rlim_t more = 0) {
     setrlimit(__rlimit_resource_t(resource), &both);
 }
 
+/// From here on a new thread is all that can be made. A limit on processes would count those of the user that others
+/// have started, wherever they run on this machine: then an honest program fails for its neighbour's sake.
+bool refuse_processes() {
+#if defined __x86_64__ || defined __aarch64__
+    #if defined __x86_64__
+    constexpr unsigned own = AUDIT_ARCH_X86_64;
+    #else
+    constexpr unsigned own = AUDIT_ARCH_AARCH64;
+    #endif
+    constexpr unsigned other_numbers = 0x40000000;  // the same machine's calls of another kind
+    constexpr unsigned not_here = SECCOMP_RET_ERRNO | ENOSYS, refused = SECCOMP_RET_ERRNO | EPERM;
+    const auto read = [](size_t offset) { return sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, unsigned(offset)); };
+    const auto give = [](unsigned what) { return sock_filter BPF_STMT(BPF_RET | BPF_K, what); };
+    const auto skip_unless = [](unsigned value) {
+        return sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1);
+    };
+    sock_filter steps[] = {
+        read(offsetof(seccomp_data, arch)),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, own, 1, 0),
+        give(not_here),
+        read(offsetof(seccomp_data, nr)),
+        BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, other_numbers, 0, 1),
+        give(not_here),
+        // Its flags are out of sight: the library then takes clone.
+        skip_unless(SYS_clone3),
+        give(not_here),
+    #if defined __x86_64__
+        skip_unless(SYS_fork),
+        give(refused),
+        skip_unless(SYS_vfork),
+        give(refused),
+    #endif
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone, 0, 3),
+        read(offsetof(seccomp_data, args)),
+        BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0),
+        give(refused),
+        give(SECCOMP_RET_ALLOW),
+    };
+    sock_fprog program{std::size(steps), steps};
+    return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+#else
+    return true;
+#endif
+}
+
+/// It has not begun: says why, where the parent can be told.
+[[noreturn]] void give_up(const Start& s) {
+    const int reason = errno;
+    if (!s.wrapped) {
+        [[maybe_unused]] const ssize_t written = write(status_descriptor, &reason, sizeof reason);
+    }
+    _exit(126);
+}
+
 [[noreturn]] void start(const Start& s) {
     setsid();
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     dup2(s.in, 0), dup2(s.out, 1), dup2(s.err, 2);
-    if (s.status >= 0) dup2(s.status, status_descriptor);
+    dup2(s.status, status_descriptor);
+    if (!s.wrapped) fcntl(status_descriptor, F_SETFD, FD_CLOEXEC);  // open until it has begun
+    if (s.request >= 0) dup2(s.request, request_descriptor);
     // Whatever else is open here is none of its business.
-    syscall(SYS_close_range, s.status >= 0 ? status_descriptor + 1 : 3, ~0U, 0);
+    syscall(SYS_close_range, status_descriptor + 1, request_descriptor - 1, 0);
+    syscall(SYS_close_range, request_descriptor + (s.request >= 0 ? 1 : 0), ~0U, 0);
     // When the machine has no memory left, it is this that goes, and no neighbour.
     if (const int score = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); score >= 0) {
         [[maybe_unused]] const ssize_t written = write(score, "1000", 4);
@@ -122,27 +193,13 @@ void limit(int resource, rlim_t value, rlim_t more = 0) {
         // The system calls themselves: the library's would try to tell other threads, which are not here.
         if (syscall(SYS_setgroups, 0, nullptr) != 0 || syscall(SYS_setresgid, nobody, nobody, nobody) != 0 ||
             syscall(SYS_setresuid, nobody, nobody, nobody) != 0)
-            _exit(126);
+            give_up(s);
         prctl(PR_SET_PDEATHSIG, SIGKILL);  // a change of user takes it away
     }
-    limit(RLIMIT_NPROC, s.processes);
     prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    if (!s.wrapped && !s.makes_processes && !refuse_processes()) give_up(s);
     execve(s.words[0], const_cast<char* const*>(s.words.data()), const_cast<char* const*>(s.environment.data()));
-    _exit(127);
-}
-
-/// How many processes and threads a user has here.
-rlim_t tasks_of(unsigned user) {
-    rlim_t count = 0;
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator("/proc", ignored)) {
-        struct stat status {};
-        const std::string path = entry.path().string();
-        if (!std::isdigit(static_cast<unsigned char>(path.back())) || stat(path.c_str(), &status) != 0) continue;
-        if (status.st_uid != user) continue;
-        for ([[maybe_unused]] const auto& task : fs::directory_iterator(path + "/task", ignored)) ++count;
-    }
-    return count;
+    give_up(s);
 }
 
 /// Reads what there is. False at the end.
@@ -170,7 +227,7 @@ public:
     Running(const SandboxJob& job, Isolation isolation, bool drop) : job_(job), isolation_(isolation), drop_(drop) {}
 
     SandboxResult run() {
-        if (!out_.good() || !err_.good() || !status_.good()) return failed("no pipe");
+        if (!out_.good() || !err_.good() || !status_.good() || wire_.ours < 0) return failed("no pipe");
         if (!launch()) return failed("no new process");
         const auto begin = Clock::now();
         watch(begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(job_.limits.wall)));
@@ -201,31 +258,38 @@ private:
         for (const std::string& word : environment) s.environment.push_back(word.c_str());
         s.words.push_back(nullptr), s.environment.push_back(nullptr);
         s.in = in, s.out = out_.write, s.err = err_.write;
-        if (wrapped) s.status = status_.write;
+        s.status = status_.write, s.wrapped = wrapped;
+        if (!job_.request.empty()) s.request = wire_.theirs;
+        s.makes_processes = job_.makes_processes;
         s.cpu = rlim_t(job_.limits.cpu), s.memory = job_.limits.memory, s.file = job_.limits.scratch;
         s.drop = drop_;
-        if (!wrapped) s.processes = tasks_of(s.drop ? nobody : getuid()) + rlim_t(job_.limits.processes);
         // dup2 must not hit an end that is still wanted.
-        for (int* end : {&s.in, &s.out, &s.err, &s.status})
-            if (*end >= 0) *end = fcntl(*end, F_DUPFD_CLOEXEC, 10), copies_.push_back(*end);
+        std::vector<Descriptor> copies;
+        for (int* end : {&s.in, &s.out, &s.err, &s.status, &s.request}) {
+            if (*end < 0) continue;
+            *end = copies.emplace_back(fcntl(*end, F_DUPFD_CLOEXEC, request_descriptor + 1));
+            if (*end < 0) return false;
+        }
         process_ = fork();
         if (process_ == 0) start(s);
-        for (const int copy : copies_) close(copy);
-        out_.write.close(), err_.write.close(), status_.write.close();
+        out_.write.close(), err_.write.close(), status_.write.close(), wire_.theirs.close();
         return process_ > 0;
     }
 
     /// Until both pipes are closed, or a bound is reached.
     void watch(Clock::time_point deadline) {
         size_t out_taken = 0, err_taken = 0, status_taken = 0;
-        bool out_open = true, err_open = true, status_open = isolation_ == Isolation::namespaces;
+        bool out_open = true, err_open = true, status_open = true;
         while (out_open || err_open || status_open) {
             const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
             if (left <= 0) return stop(Ending::out_of_time);
-            pollfd ends[3] = {{out_open ? out_.read : -1, POLLIN, 0},
+            const bool sends = wire_.ours >= 0 && !job_.request.empty() && result_.output.starts_with(job_.asks);
+            pollfd ends[4] = {{out_open ? out_.read : -1, POLLIN, 0},
                               {err_open ? err_.read : -1, POLLIN, 0},
-                              {status_open ? status_.read : -1, POLLIN, 0}};
-            if (poll(ends, 3, int(std::min<int64_t>(left, 1000))) < 0 && errno != EINTR) return;
+                              {status_open ? status_.read : -1, POLLIN, 0},
+                              {sends ? wire_.ours : -1, POLLOUT, 0}};
+            if (poll(ends, 4, int(std::min<int64_t>(left, 1000))) < 0 && errno != EINTR) return;
+            if (ends[3].revents) send_request();
             if (ends[0].revents) out_open = take_from(out_.read, result_.output, job_.limits.output, out_taken);
             if (ends[1].revents) err_open = take_from(err_.read, result_.errors, errors_kept, err_taken);
             if (ends[2].revents) status_open = take_from(status_.read, status_text_, 1 << 12, status_taken);
@@ -234,6 +298,8 @@ private:
             if (isolation_ == Isolation::limits && has_ended()) {
                 while (out_open && readable(out_.read) && out_taken <= job_.limits.output)
                     out_open = take_from(out_.read, result_.output, job_.limits.output, out_taken);
+                if (status_open && readable(status_.read))
+                    take_from(status_.read, status_text_, sizeof(int), status_taken);
                 return;
             }
         }
@@ -241,6 +307,15 @@ private:
             if (Clock::now() >= deadline) return stop(Ending::out_of_time);
             usleep(1000);
         }
+    }
+
+    /// As much as goes; what was sent whole is ended.
+    void send_request() {
+        const std::string_view rest = std::string_view(job_.request).substr(sent_);
+        const ssize_t sent = send(wire_.ours, rest.data(), rest.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (sent > 0) sent_ += size_t(sent);
+        const bool later = sent < 0 && (errno == EAGAIN || errno == EINTR);
+        if (sent_ == job_.request.size() || (sent < 0 && !later)) wire_.ours.close();
     }
 
     static bool readable(int descriptor) {
@@ -270,6 +345,12 @@ private:
             if (result_.errors.empty()) result_.errors = fmt::format("bubblewrap ended with {}", code);
             return;
         }
+        if (int reason = 0; isolation_ == Isolation::limits && status_text_.size() == sizeof reason) {
+            std::memcpy(&reason, status_text_.data(), sizeof reason);
+            result_.ending = Ending::failed;
+            result_.errors = fmt::format("cannot start {}: {}", job_.command.front(), std::strerror(reason));
+            return;
+        }
         result_.code = code, result_.ending = Ending::exited;
         if (code == out_of_memory_code) result_.ending = Ending::out_of_memory;
         if (code <= 128) return;
@@ -284,7 +365,8 @@ private:
     Isolation isolation_;
     bool drop_;  ///< from root to nobody
     Pipe out_, err_, status_;
-    std::vector<int> copies_;
+    Wire wire_;
+    size_t sent_ = 0;  ///< of the request
     pid_t process_ = -1;
     int wait_status_ = 0;
     bool reaped_ = false, stopped_ = false;

@@ -28,16 +28,25 @@ struct SandboxLimits {
     size_t memory = size_t{4} << 30;    ///< bytes of address space of each process
     size_t output = size_t{64} << 20;   ///< bytes on standard output
     size_t scratch = size_t{64} << 20;  ///< bytes in the only folder it can write to, /tmp, which nobody else sees
-    int processes = 64;                 ///< with namespaces: of this command; else of the user
+    /// With namespaces. By limits alone nothing bounds them: what the system counts for us there are all processes of
+    /// the user on the whole machine, whoever has started them. See SandboxJob::makes_processes.
+    int processes = 64;
 };
 
 struct SandboxJob {
     std::vector<std::string> command;                ///< whole path first
     std::vector<std::filesystem::path> readable;     ///< seen at the same places, besides /usr
     std::map<std::string, std::string> environment;  ///< all of it, but for PATH
-    std::string input;
+    std::string input;                               ///< on its standard input
+    /// Comes on `request_descriptor` once the output begins with `asks`: nothing is there to be read before.
+    std::string request = {}, asks = {};
     SandboxLimits limits;
+    /// False: by limits alone it can start threads, and no other process.
+    bool makes_processes = true;
 };
+
+/// Where a command reads its request.
+constexpr int request_descriptor = 97;
 
 /// `failed`: it never ran, and that is the machine's fault or ours.
 enum class Ending { exited, crashed, out_of_time, out_of_memory, too_much_output, failed };

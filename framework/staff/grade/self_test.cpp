@@ -109,10 +109,26 @@ private:
                 wrong(fmt::format("the starter of task {} gets points{}", task.id, told(task, Outcome::unfinished)));
     }
 
+    /// What is right must not be called wrong for another task's sake, but by a check that says that it depends on it.
+    void look_at_others(const MistakeInfo& info, const LabMark& mark) {
+        for (const TaskMark& task : mark.tasks) {
+            if (task.id == info.task) continue;
+            if (!task.mistake.empty())
+                wrong(fmt::format("'{}' is of task {}, and '{}' is named at task {}, which is right", info.id,
+                                  info.task, task.mistake, task.id));
+            for (const CheckMark& check : task.checks) {
+                if (check.outcome != Outcome::passed && !grader_.manifest().check(check.name).depends_on(info.task))
+                    wrong(fmt::format("'{}' fails '{}' of task {}: neither its needs nor its leans_on have {}", info.id,
+                                      check.name, task.id, info.task));
+            }
+        }
+    }
+
     void mistake(const MistakeInfo& info) {
         const LabMark mark = mark_with(info.edits);
         const std::lock_guard lock(mutex_);
         ++result_.mistakes;
+        look_at_others(info, mark);
         for (const TaskMark& task : mark.tasks) {
             if (task.id != info.task) continue;
             if (!mark.graded() || task.points == task.of)

@@ -251,9 +251,43 @@ StagedCourse Stage::course(const LabEntry& lab, const CourseFiles& files) const 
     return course;
 }
 
+namespace {
+
+/// Whether a compiler could not start its parts. What it says of a source begins with the place in it; but a source
+/// can call its place what it likes.
+bool may_be_the_machines(const SandboxResult& done) {
+    static const std::regex own(
+        "(^|\n)[^ :\n]*(sh: [0-9]+: Cannot fork|(\\+\\+|cc|gcc|clang|collect2|ld|as)(-[0-9]+)?: "
+        "(fatal error|error|fatal): [^\n]*(cannot execute|cannot fork|vfork|posix_spawn|"
+        "Resource temporarily unavailable|Cannot allocate memory))");
+    return done.ending == Ending::failed ||
+           (done.ending == Ending::exited && done.code != 0 && std::regex_search(done.errors, own));
+}
+
+}  // namespace
+
 Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double seconds) const {
+    if (labs_.at(lab.folder).sources.empty()) return {};
+    SandboxResult done = run_compiler(lab, course, seconds);
+    if (may_be_the_machines(done)) done = run_compiler(lab, course, seconds);  // others may be done by now
+    // Our own code in its place tells whose fault it is.
+    if (may_be_the_machines(done) && may_be_the_machines(run_compiler(lab, this->course(lab, {}), seconds)))
+        done.ending = Ending::failed;
+    Compiled compiled{.ending = done.ending, .message = {}, .seconds = done.wall};
+    if (done.ending == Ending::exited && done.code == 0) {
+        course.program = course.folder->path() / "program";
+        put(course.program, done.output, true);
+        return compiled;
+    }
+    if (done.errors.find("virtual memory exhausted") != std::string::npos ||
+        done.errors.find("out of memory allocating") != std::string::npos)
+        compiled.ending = Ending::out_of_memory;
+    compiled.message = done.errors.empty() ? "the compiler says nothing" : done.errors;
+    return compiled;
+}
+
+SandboxResult Stage::run_compiler(const LabEntry& lab, const StagedCourse& course, double seconds) const {
     const LabPart& part = labs_.at(lab.folder);
-    if (part.sources.empty()) return {};
     const fs::path& root = course.folder->path();
     const fs::path library = folder_.path() / "students" / lab.folder;
     // The program comes back through the pipe, so that nothing need be writable but the sandbox's own memory.
@@ -267,28 +301,17 @@ Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double second
          {(library / "librelief.so").string(), "-Wl,-rpath," + library.string(), std::string("-Wl,-z,lazy"),
           std::string("-Wl,--allow-shlib-undefined"), std::string("-lfmt")})
         command.push_back(word);
-    const SandboxResult done = run_sandboxed({.command = command,
-                                              .readable = course.readable,
-                                              .environment = {{"LC_ALL", "C.UTF-8"}, {"TMPDIR", "/tmp"}},
-                                              .input = {},
-                                              .limits = {.wall = seconds,
-                                                         .cpu = seconds,
-                                                         .memory = compiler_memory,
-                                                         .output = size_t{32} << 20,
-                                                         .scratch = size_t{128} << 20,
-                                                         .processes = 16}},
-                                             isolation_);
-    Compiled compiled{.ending = done.ending, .message = {}, .seconds = done.wall};
-    if (done.ending == Ending::exited && done.code == 0) {
-        course.program = root / "program";
-        put(course.program, done.output, true);
-        return compiled;
-    }
-    if (done.errors.find("virtual memory exhausted") != std::string::npos ||
-        done.errors.find("out of memory allocating") != std::string::npos)
-        compiled.ending = Ending::out_of_memory;
-    compiled.message = done.errors.empty() ? "the compiler says nothing" : done.errors;
-    return compiled;
+    return run_sandboxed({.command = command,
+                          .readable = course.readable,
+                          .environment = {{"LC_ALL", "C.UTF-8"}, {"TMPDIR", "/tmp"}},
+                          .input = {},
+                          .limits = {.wall = seconds,
+                                     .cpu = seconds,
+                                     .memory = compiler_memory,
+                                     .output = size_t{32} << 20,
+                                     .scratch = size_t{128} << 20,
+                                     .processes = 16}},
+                         isolation_);
 }
 
 std::string Stage::hash() const {

@@ -59,7 +59,8 @@ public:
     /// The lab's course with `files` in place of its task files; starters stand where one is missing.
     StagedCourse course(const LabEntry& lab, const CourseFiles& files) const;
 
-    /// Compiles the C++ tasks of a course, when the lab has any, into a program that becomes the course's.
+    /// Compiles the C++ tasks of a course, when the lab has any, into a program that becomes the course's. `failed`:
+    /// the machine could not run the compiler.
     Compiled compile(const LabEntry& lab, StagedCourse& course, double seconds) const;
 
     /// SHA-256 of all that a mark depends on beside the submission.
@@ -77,6 +78,7 @@ private:
     std::filesystem::path textures() const { return folder_.path() / "bin/textures"; }
     void build_lab(const LabEntry& lab, LabPart& part);
     std::vector<std::string> compiler(const LabEntry& lab) const;
+    SandboxResult run_compiler(const LabEntry& lab, const StagedCourse& course, double seconds) const;
     void must(const std::vector<std::string>& command, const char* what) const;
 
     Isolation isolation_;

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t ignored_shown = 100;
+constexpr size_t ignored_shown = 100, links_shown = 10;
 
 class Descriptor {
 public:
@@ -49,6 +49,16 @@ std::optional<std::string> task_file_of(std::string name, const std::set<std::st
     return {};
 }
 
+/// Whether a link of that name may stand for a task file or a folder on its way.
+bool may_lead_to_task(std::string name, const std::set<std::string>& wanted) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    const std::string last = fs::path(name).filename().string();
+    for (const std::string& file : wanted)
+        for (const fs::path& part : fs::path(file))
+            if (part == last) return true;
+    return false;
+}
+
 std::string too_large() { return fmt::format("larger than {} MiB", max_task_bytes >> 20); }
 
 /// Gathers what is found, whichever way it came.
@@ -58,6 +68,10 @@ public:
 
     void add(ArchiveEntry entry) {
         const std::optional<std::string> file = task_file_of(entry.name, wanted_);
+        if (entry.is_link && may_lead_to_task(entry.name, wanted_)) {
+            if (submission_.links.size() < links_shown) submission_.links.push_back(printable(entry.name));
+            if (file) links_.insert(*file);
+        }
         if (!file || !entry.is_file) return ignore(entry.name);
         const auto depth =
             std::count_if(entry.name.begin(), entry.name.end(), [](char c) { return c == '/' || c == '\\'; });
@@ -74,6 +88,12 @@ public:
             submission_.files[*file] = std::move(entry.content);
     }
 
+    /// When all has been added.
+    void refuse_links() {
+        for (const std::string& file : links_)
+            if (!places_.contains(file)) submission_.refused[file] = "a link, and links are not followed";
+    }
+
     void ignore(const std::string& name) {
         if (name.ends_with("/")) return;  // a folder in an archive
         ++submission_.ignored_count;
@@ -84,6 +104,7 @@ private:
     Submission& submission_;
     const std::set<std::string>& wanted_;
     std::map<std::string, std::pair<std::ptrdiff_t, std::string>> places_;
+    std::set<std::string> links_;  ///< task files in whose place there is one
 };
 
 /// Opens below a folder, through no link and never outside it, whatever is moved about meanwhile.
@@ -101,6 +122,8 @@ int open_beneath(int folder, const std::string& name) {
 ArchiveEntry read_beneath(int folder, const std::string& name) {
     ArchiveEntry entry;
     entry.name = name;
+    struct stat link {};
+    entry.is_link = fstatat(folder, name.c_str(), &link, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(link.st_mode);
     const Descriptor file(open_beneath(folder, name));
     struct stat status {};
     if (file < 0 || fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return entry;
@@ -121,16 +144,17 @@ void gather_folder(const fs::path& path, const std::set<std::string>& wanted, Ga
     const Descriptor folder(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (folder < 0) throw Error(fmt::format("cannot read: {}", std::strerror(errno)));
     std::vector<std::string> names;
+    size_t entries = 0;
     for (fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied), end; entry != end;
          ++entry) {
-        if (names.size() == max_entries) throw Error(fmt::format("has more than {} files", max_entries));
+        if (++entries > max_entries) throw Error(fmt::format("has more than {} files and folders", max_entries));
         std::error_code unknown;  // a link that leads to itself is a name like any other
         if (!entry->is_symlink(unknown) && entry->is_directory(unknown)) continue;
         names.push_back(entry->path().lexically_relative(path).string());
     }
     std::sort(names.begin(), names.end());
     for (const std::string& name : names)
-        if (task_file_of(name, wanted))
+        if (task_file_of(name, wanted) || may_lead_to_task(name, wanted))
             gathering.add(read_beneath(folder, name));
         else
             gathering.ignore(name);
@@ -144,16 +168,6 @@ std::string hash_of(const Submission& submission) {
 }
 
 }  // namespace
-
-std::string printable(const std::string& text) {
-    std::string result;
-    for (const char c : text.substr(0, 200))
-        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')
-            result += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-        else
-            result += c;
-    return text.size() > 200 ? result + "..." : result;
-}
 
 std::string submission_name(const fs::path& path) {
     const fs::path plain = path.lexically_normal();
@@ -191,9 +205,10 @@ Submission read_submission(const fs::path& path, const std::set<std::string>& wa
             const auto is_wanted = [&](const std::string& name) { return task_file_of(name, wanted).has_value(); };
             for (ArchiveEntry& entry : read_archive(path, max_task_bytes, is_wanted)) gathering.add(std::move(entry));
         }
+        gathering.refuse_links();
         submission.hash = hash_of(submission);
     } catch (const std::exception& error) {  // also what the file system's iterators throw
-        submission.problem = error.what();
+        submission.problem = printable(error.what(), 400);
         submission.files.clear();
     }
     return submission;

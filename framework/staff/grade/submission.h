@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/staff/grade/strangers_text.h"
+
 namespace relief {
 
 /// A task file is a page or two; nobody types a million characters.
@@ -18,7 +20,8 @@ struct Submission {
     std::map<std::string, std::string> refused;  ///< task files that were not taken, and why
     std::vector<std::string> ignored;            ///< names of all else, printable; a hundred at most
     size_t ignored_count = 0;                    ///< how many there are
-    std::string problem;                         ///< why nothing could be read, or empty
+    std::vector<std::string> links;  ///< printable names of links that may stand for task files; ten at most
+    std::string problem;             ///< why nothing could be read, or empty
     /// SHA-256 of all that a mark can depend on. Empty where nothing could be read.
     std::string hash;
 };
@@ -28,10 +31,8 @@ std::string submission_name(const std::filesystem::path& path);
 
 /// Takes the files that end in one of `wanted` ("shaders/02_x/task.glsl"), in whatever folders they lie; of several,
 /// the one in the fewest folders, of those the first by name, and where an archive has it twice the last. Never
-/// throws for what is in the submission, follows no link in it and writes nothing.
+/// throws for what is in the submission, follows no link in it and writes nothing: a link in a task file's place is
+/// refused, unless the file lies elsewhere.
 Submission read_submission(const std::filesystem::path& path, const std::set<std::string>& wanted);
-
-/// A stranger's text on one line of a terminal or a page: control characters as \xNN, cut at 200 bytes.
-std::string printable(const std::string& text);
 
 }  // namespace relief

@@ -99,16 +99,36 @@ std::string readme(const std::vector<const LabEntry*>& labs) {
     return text;
 }
 
+/// Throws Error where a check, hidden or not, asks for what the lab's own solution does not give.
+void refuse_unsolved(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
+                     const std::optional<Image>& expected) {
+    const CheckResult result = run_check(lab, manifest, check, expected);
+    if (result.outcome != Outcome::passed)
+        throw Error(fmt::format("lab {} cannot be handed out: its own solution does not pass '{}' ({}: {})",
+                                lab.two_digits(), check.name, name_of(result.outcome), result.found));
+}
+
+/// What the solution draws or what is true; refuses a lab whose solution does not draw at all.
+std::optional<Image> expected_of(const LabEntry& lab, const CheckInfo& check) {
+    try {
+        return expectation(lab, check);
+    } catch (const Error& error) {
+        throw Error(fmt::format("lab {} cannot be handed out: there is nothing to hold '{}' against ({})",
+                                lab.two_digits(), check.name, error.what()));
+    }
+}
+
 /// What the public checks compare with; gives their number.
 int add_expected(const std::vector<const LabEntry*>& labs, HandedFiles& files) {
     Progress progress(int(labs.size()));
     int count = 0;
     for (const LabEntry* lab : labs) {
         progress.next("expected pictures of " + lab->folder);
-        for (const CheckInfo& check : load_manifest(*lab).checks) {
-            if (check.hidden) continue;
-            const std::optional<Image> image = expectation(*lab, check);
-            if (!image) continue;
+        const Manifest manifest = load_manifest(*lab);
+        for (const CheckInfo& check : manifest.checks) {
+            const std::optional<Image> image = expected_of(*lab, check);
+            refuse_unsolved(*lab, manifest, check, image);
+            if (check.hidden || !image) continue;
             const fs::path file = expectation_file(*lab, check).lexically_relative(course_root());
             if (!files.emplace(file, HandedFile{encode_image(*image, format_of(file))}).second)
                 throw Error(fmt::format("labs/{}/lab.toml: two checks have names like '{}'", lab->folder, check.name));

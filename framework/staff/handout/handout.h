@@ -23,7 +23,8 @@ struct HandoutReport {
 ///
 /// A folder named `staff` never leaves, nor do the tests and the slides; everything else does, with starters in place
 /// of solutions. What a public check compares with lies in the lab's folder `expected`. Wants a context. Throws Error
-/// when that is not possible.
+/// when that is not possible, and when a lab that is to be handed out has a check that its own solution does not pass:
+/// nobody could.
 HandoutReport write_handout(const std::filesystem::path& folder, const std::optional<std::string>& labs = {});
 
 }  // namespace relief

@@ -243,8 +243,8 @@ std::string class_table(const ClassReport& report, const ClassCounts& counts) {
         "<th scope=\"col\" class=\"plain\">checks that did not pass</th><th scope=\"col\" class=\"plain\">known "
         "mistakes</th></tr></thead><tbody>\n";
     for (const SubmissionMark& mark : report.marks) {
-        text += fmt::format("<tr><th scope=\"row\"><a href=\"{}\">{}</a></th>", student_page_file(mark.name).string(),
-                            name_html(mark.name));
+        text += fmt::format("<tr><th scope=\"row\"><a href=\"{}\">{}</a></th>",
+                            page_file(mark.name, PageFor::instructor).string(), name_html(mark.name));
         const auto cell = [&](double points, int of, bool graded) {
             if (of == 0) return std::string("<td class=\"number none\">–</td>");
             if (!graded) return std::string("<td class=\"number none\">not graded</td>");

@@ -33,8 +33,8 @@ pre { overflow-x: auto; background: var(--code); border-radius: 8px; padding: 12
 
 class StudentPage {
 public:
-    StudentPage(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures)
-        : mark_(mark), pictures_(pictures) {}
+    StudentPage(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures, PageFor reader)
+        : mark_(mark), pictures_(pictures), for_student_(reader == PageFor::student) {}
 
     std::string text() {
         for (const LabMark& lab : mark_.labs) add(lab);
@@ -43,15 +43,16 @@ public:
 
 private:
     std::string header() const {
-        std::string text =
-            "<header><p class=\"up\"><a href=\"../report.html\"><span aria-hidden=\"true\">←</span> The "
-            "class</a></p>\n<h1>" +
-            name_html(mark_.name) + "</h1>\n";
-        if (!mark_.graded())
+        std::string text = "<header>";
+        if (!for_student_)
             text +=
-                "<p class=\"problem\"><b>Not graded:</b> the grading machine failed. This costs nobody a point; grade "
-                "again."
-                "</p>\n";
+                "<p class=\"up\"><a href=\"../report.html\"><span aria-hidden=\"true\">←</span> The class</a></p>\n";
+        text += "<h1>" + name_html(mark_.name) + "</h1>\n";
+        if (!mark_.graded())
+            text += fmt::format(
+                "<p class=\"problem\"><b>Not graded:</b> the grading machine failed. This costs nobody a "
+                "point{}.</p>\n",
+                for_student_ ? "" : "; grade again");
         else if (mark_.problem.empty())
             text += fmt::format(
                 "<p class=\"points\">{0} of {1} points</p>\n<meter min=\"0\" max=\"{1}\" value=\"{0}\" "
@@ -102,6 +103,7 @@ private:
     }
 
     void add(const LabMark& lab, const TaskMark& task, const CheckMark& check) {
+        if (for_student_ && (check.hidden || !check.view.empty())) return add_secret(check);
         const std::string name = html(check.name) + (check.hidden ? " <span class=\"hidden\">hidden check</span>" : "");
         any_hidden_ |= check.hidden;
         const auto one_line = [&](const std::string& said) {
@@ -130,6 +132,22 @@ private:
         body_ += "</details>\n";
     }
 
+    /// What a student may know of what he cannot look at.
+    void add_secret(const CheckMark& check) {
+        any_hidden_ |= check.hidden;
+        const std::string name = check.hidden ? "a <span class=\"hidden\">hidden check</span>" : html(check.name);
+        if (check.outcome == Outcome::passed) {
+            body_ +=
+                fmt::format("<div class=\"check kept\">{}<span>{}</span></div>\n", outcome_badge(check.outcome), name);
+            return;
+        }
+        body_ += fmt::format("<details class=\"check\" open><summary><h4>{}</h4>{}</summary>\n<dl>", name,
+                             outcome_badge(check.outcome));
+        line("found", found_for_students(check));
+        line("look at", check.look_at);
+        body_ += "</dl>\n</details>\n";
+    }
+
     void line(const char* name, const std::string& value) {
         if (!value.empty()) body_ += fmt::format("<dt>{}</dt><dd>{}</dd>", name, html(value));
     }
@@ -153,12 +171,14 @@ private:
     std::string footer() const {
         std::string text = "Made by <code>./relief grade</code>.";
         if (any_hidden_) text += " Hidden checks and views are not in the students' course.";
-        if (lost_pictures_) text += " The pictures were not stored: <code>--fresh</code> draws them again.";
+        if (lost_pictures_ && !for_student_)
+            text += " The pictures were not stored: <code>--fresh</code> draws them again.";
         return text;
     }
 
     const SubmissionMark& mark_;
     const std::vector<CheckPictures>& pictures_;
+    bool for_student_;
     std::string body_, contents_;
     bool any_hidden_ = false, lost_pictures_ = false;
 };
@@ -179,12 +199,13 @@ std::string count_of(size_t count, const std::string& what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures) {
+std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures, PageFor reader) {
     const std::string title =
         printable(mark.name) + (mark.graded() && mark.problem.empty()
                                     ? fmt::format(": {} of {} points", points_text(mark.points()), mark.of())
                                     : "");
-    return closed_page(title, check_style() + student_style, StudentPage(mark, pictures).text(), check_script());
+    return closed_page(title, check_style() + student_style, StudentPage(mark, pictures, reader).text(),
+                       check_script());
 }
 
 }  // namespace relief

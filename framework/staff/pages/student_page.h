@@ -8,9 +8,13 @@
 
 namespace relief {
 
+/// Who reads a page. A student's can be given away: it says nothing of a hidden view, of a hidden check only how it
+/// went and what to look at, and it leads nowhere.
+enum class PageFor { instructor, student };
+
 /// Needs nothing else. A check has its figures where `pictures` has it. What strangers wrote is text in it, never
 /// markup.
-std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures);
+std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures, PageFor reader);
 
 /// The number of a lab and its name in words: "02", "normal map storage".
 std::string number_of(const std::string& folder);

@@ -2,21 +2,27 @@
 
 #include "framework/base/file.h"
 #include "framework/staff/pages/grade_page.h"
-#include "framework/staff/pages/student_page.h"
 
 namespace relief {
 
 namespace fs = std::filesystem;
 
-fs::path student_page_file(const std::string& name) { return fs::path("students") / (file_name_of(name) + ".html"); }
+fs::path page_file(const std::string& name, PageFor reader) {
+    return fs::path(reader == PageFor::student ? "students" : "submissions") / (file_name_of(name) + ".html");
+}
+
+void write_page(const fs::path& file, const std::string& text) {
+    make_folder(file.parent_path());
+    write_file(file, text);
+}
 
 void write_summaries(const ClassReport& report, const fs::path& folder) {
     make_folder(folder / "gradescope");
-    make_folder(folder / "students");
     for (const SubmissionMark& mark : report.marks) {
         write_file(folder / "gradescope" / (file_name_of(mark.name) + ".json"), to_gradescope(mark));
-        if (const fs::path page = folder / student_page_file(mark.name); !fs::exists(page))
-            write_file(page, student_page(mark, {}));
+        for (const PageFor reader : page_readers)
+            if (const fs::path page = folder / page_file(mark.name, reader); !fs::exists(page))
+                write_page(page, student_page(mark, {}, reader));
     }
     write_file(folder / "results.csv", to_csv(report.marks));
     write_file(folder / "junit.xml", to_junit(report.marks));

@@ -4,14 +4,21 @@
 #include <filesystem>
 
 #include "framework/staff/grade/class.h"
+#include "framework/staff/pages/student_page.h"
 
 namespace relief {
 
-/// The page of a submission, relative to the folder of all results.
-std::filesystem::path student_page_file(const std::string& name);
+inline constexpr PageFor page_readers[] = {PageFor::instructor, PageFor::student};
+
+/// The page of a submission, relative to the folder of all results: students/NAME.html can be given to its student,
+/// submissions/NAME.html has all that is known.
+std::filesystem::path page_file(const std::string& name, PageFor reader);
+
+/// With the folder that it lies in.
+void write_page(const std::filesystem::path& file, const std::string& text);
 
 /// results.csv, junit.xml, report.html and gradescope/NAME.json, from what the results hold alone. A submission that
-/// has no page yet gets one without pictures.
+/// has no pages yet gets them without pictures.
 void write_summaries(const ClassReport& report, const std::filesystem::path& folder);
 
 }  // namespace relief

@@ -1,12 +1,17 @@
 // `relief grade` as an instructor runs it: a class in which some are careless and some hostile. Where this machine has
 // no namespaces the class is graded with --trust, and what only namespaces keep is left out; the first lines say so.
+#include <fcntl.h>
+#include <sys/file.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <regex>
 #include <thread>
 
+#include "framework/base/descriptor.h"
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/check/starter.h"
@@ -166,15 +171,17 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
     const std::map<std::string, size_t> figures = {
         {"good", 0}, {"untouched", 0}, {"truncated", 12}, {"misspelt", 0}, {"nan", 9}};
     for (const auto& [name, count] : figures) {
-        const std::string own = read_file(output / "students" / (name + ".html"));
+        const std::string own = read_file(output / "submissions" / (name + ".html"));
         size_t found = 0;
         for (size_t at = 0; (at = own.find("src=\"data:image/png;base64,", at)) != std::string::npos; ++at) ++found;
         EXPECT_EQ(found, count) << name;
-        EXPECT_TRUE(contains(page, "href=\"students/" + name + ".html\"")) << name;
+        EXPECT_TRUE(contains(page, "href=\"submissions/" + name + ".html\"")) << name;
     }
     const std::string truncated_page = read_file(output / "students/truncated.html");
     EXPECT_TRUE(contains(truncated_page, "You truncate"));
-    EXPECT_TRUE(contains(truncated_page, "<span class=\"hidden\">hidden check</span>"));
+    EXPECT_TRUE(contains(truncated_page, "a <span class=\"hidden\">hidden check</span>"));
+    EXPECT_FALSE(contains(truncated_page, "href=\"..")) << "its folder can be published as it is";
+    EXPECT_FALSE(contains(truncated_page, std::string(json::parse(read_file(output / "class.json"))["seed"])));
     EXPECT_TRUE(contains(read_file(output / "students/misspelt.html"), place));
     EXPECT_EQ(size_t(std::distance(fs::directory_iterator(output / "students"), {})), works.size() + 3);
     const json scope = json::parse(read_file(output / "gradescope/good.json"));
@@ -182,6 +189,26 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
     bool some_hidden = false;
     for (const json& test : scope["tests"]) some_hidden |= test["visibility"] == "hidden";
     EXPECT_TRUE(some_hidden) << "a hidden check must not be shown to its student";
+}
+
+// Green flipped before 1.2 gives the very pictures of a bitangent that is flipped in it.
+TEST(Grade, NoMistakeIsNamedAtATaskThatIsRight) {
+    const TemporaryFolder folder;
+    const char* const file = "shaders/01_specular_highlights/task.glsl";
+    folder.write(std::string("jane/") + file, replaced(course_file(file), "vec3(direction.xy * strength,",
+                                                       "vec3(direction.xy * strength * vec2(1.0, -1.0),"));
+    folder.write(std::string("joe/") + file,
+                 replaced(course_file(file), "+ direction.y * bitangent", "- direction.y * bitangent"));
+    const fs::path output = folder.path() / "out";
+    const Result graded =
+        run(grade({(folder.path() / "jane").string(), (folder.path() / "joe").string(), "-o", output}));
+    ASSERT_EQ(graded.code, 0) << graded.err;
+    const json jane = result_of(output, "jane")["labs"][0]["tasks"], joe = result_of(output, "joe")["labs"][0]["tasks"];
+    EXPECT_EQ(jane[0]["mistake"], "green-flipped");
+    EXPECT_EQ(jane[1]["mistake"], "") << "1.2 is right";
+    for (const json& check : jane[1]["checks"]) EXPECT_EQ(check["look_at"], "put task 1.1 right first");
+    EXPECT_EQ(joe[0]["points"], joe[0]["of"]);
+    EXPECT_EQ(joe[1]["mistake"], "bitangent-flipped");
 }
 
 TEST(Grade, HostileProgramsAreToldApartAndHarmNobody) {
@@ -199,6 +226,31 @@ TEST(Grade, HostileProgramsAreToldApartAndHarmNobody) {
         {"prints", cpp_that("for (;;) std::puts(\"much\");")},
         {"forges", cpp_that("", "static const int before = [] { " + forged + " std::fflush(stdout); return 0; }();\n")},
         {"never-compiles", cpp_that("", "template <int n> struct A : A<n - 1>, B<n> {};\n")},
+        // Before main there is no request to be read, in no place where one might look for it.
+        {"looks-early", cpp_that("", R"(#include <poll.h>
+static const int before = [] {
+    char text[400] = {};
+    for (const int from : {0, 97}) {
+        pollfd one{from, POLLIN, 0};
+        if (poll(&one, 1, 200) > 0 && read(from, text, 399) < 0) text[0] = 0;
+        std::fprintf(stderr, "[%s]", text);
+    }
+    _exit(1);
+    return 0;
+}();
+)")},
+        // One who asks in main's place gets it; but what was asked from a hidden view is nothing that he can say.
+        {"asks-early", cpp_that("", R"(
+static const int before = [] {
+    static char text[1 << 16];
+    if (write(1, "1RLF\0\0\0\0\0\0\0\0\0\0\0\0", 16) < 0) _exit(2);
+    ssize_t size = 0;
+    for (ssize_t got = 0; (got = read(97, text + size, sizeof text - 1 - size)) > 0;) size += got;
+    std::fprintf(stderr, "asked: %s", size > 190 ? text + size - 190 : "");
+    _exit(1);
+    return 0;
+}();
+)")},
         {"compiles-forever",
          "template <int depth, long n> struct T { T<depth - 1, 2 * n> a; T<depth - 1, 2 * n + 1> b; };\n"
          "template <long n> struct T<0, n> {};\nT<60, 1> tree;\n"},
@@ -229,6 +281,21 @@ TEST(Grade, HostileProgramsAreToldApartAndHarmNobody) {
     EXPECT_EQ(of("eats"), Outcomes{"out_of_memory"});
     EXPECT_FALSE(of("prints").contains("passed"));
     EXPECT_EQ(of("forges"), Outcomes{"broken"});
+    EXPECT_EQ(found(result_of(output, "looks-early"), "crashed"),
+              "the program ends in the middle, with exit code 1: [][]");
+    const json asked = result_of(output, "asks-early");
+    const std::string students = read_file(output / "students/asks-early.html");
+    size_t public_ones = 0, hidden_ones = 0;
+    for (const json& check : asked["labs"][0]["tasks"][1]["checks"]) {
+        const std::string said = check["found"];
+        const size_t at = said.find("\"set\":[");
+        ASSERT_NE(at, std::string::npos) << said;
+        const std::string knobs = said.substr(at, said.find("]]", at) - at);
+        const bool is_shown = contains(students, std::regex_replace(knobs, std::regex("\""), "&quot;"));
+        EXPECT_EQ(is_shown, !check["hidden"]) << said;
+        ++(check["hidden"] ? hidden_ones : public_ones);
+    }
+    EXPECT_TRUE(public_ones > 0 && hidden_ones > 0);
     EXPECT_EQ(of("never-compiles"), Outcomes{"broken"});
     EXPECT_TRUE(contains(found(result_of(output, "never-compiles"), "broken"),
                          "does not compile: labs/05_tangent_basis/task.cpp:"))
@@ -335,10 +402,17 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
     EXPECT_TRUE(contains(found(tuned, "wrong"), "right in the check's own view, not in a hidden one: "))
         << found(tuned, "wrong");
     EXPECT_TRUE(contains(tuned.dump(), "\"view\":\"camera ") && contains(tuned.dump(), "; depth 1")) << tuned.dump(1);
-    EXPECT_FALSE(contains(read_file(output / "gradescope/tuned.json"), "; depth 1"))
-        << "who may hand in again must not read where the hidden view is";
+    std::string on_gradescope;
+    const json scope = json::parse(read_file(output / "gradescope/tuned.json"));
+    for (const json& test : scope["tests"])
+        if (test["visibility"] == "visible") on_gradescope += test.dump() + '\n';
+    for (const std::string& students : {on_gradescope, read_file(output / "students/tuned.html")}) {
+        EXPECT_TRUE(contains(students, "right in the view that you know, and not in another one")) << students;
+        for (const char* secret : {"; depth 1", "in a hidden one", "midterm"})
+            EXPECT_FALSE(contains(students, secret)) << "who may hand in again must not read '" << secret << "'";
+    }
     EXPECT_LT(tuned["points"], 9);
-    const std::string page = read_file(output / "students/tuned.html");
+    const std::string page = read_file(output / "submissions/tuned.html");
     EXPECT_TRUE(contains(page, "hidden view</span>")) << "its pictures are of the view that is right";
     EXPECT_TRUE(contains(page, "src=\"data:image/png;base64,"));
 
@@ -391,10 +465,30 @@ TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
     for (int i = 0; i < 5; ++i) EXPECT_TRUE(contains(csv, "\ns" + std::to_string(i) + ",graded,11,")) << csv;
     EXPECT_TRUE(fs::exists(output / "report.html"));
     for (int i = 0; i < 5; ++i) {
-        const std::string page = "students/s" + std::to_string(i) + ".html";
-        EXPECT_EQ(read_file(output / page), read_file(output / (i % 2 == 0 ? "one" : "two") / page));
-        EXPECT_TRUE(contains(read_file(output / "report.html"), "href=\"" + page));
+        for (const char* kind : {"students", "submissions"}) {
+            const std::string page = std::string(kind) + "/s" + std::to_string(i) + ".html";
+            EXPECT_EQ(read_file(output / page), read_file(output / (i % 2 == 0 ? "one" : "two") / page));
+        }
+        EXPECT_TRUE(contains(read_file(output / "report.html"), "href=\"submissions/s" + std::to_string(i) + ".html"));
     }
+
+    const fs::path result = output / "one/results/s0.json";
+    const std::string kept = read_file(result);
+    const auto with_points = [&](double points, int of) {
+        json changed = json::parse(kept);
+        json& task = changed["labs"][0]["tasks"][0];
+        task["points"] = points, task["of"] = of;
+        folder.write("out/one/results/s0.json", changed.dump());
+        const Result refused = merged();
+        EXPECT_EQ(refused.code, 1) << points;
+        return refused.err;
+    };
+    EXPECT_TRUE(contains(with_points(999, 3), "s0.json: task 2.1 has 999 of 3 points, with "));
+    EXPECT_TRUE(contains(with_points(1e308, 3), " of 3 points, with "));
+    EXPECT_TRUE(contains(with_points(-1, 3), "has -1 of 3 points"));
+    EXPECT_TRUE(
+        contains(with_points(999, 999), "s0.json: has a task 2.1 of 999 points, which this course does not have"));
+    folder.write("out/one/results/s0.json", kept);
 
     fs::copy_file(output / "one/results/s0.json", output / "two/results/s0.json");
     EXPECT_TRUE(contains(merged().err, "1 with several results: s0"));
@@ -488,6 +582,69 @@ TEST(Grade, RefusesWhereNothingKeepsASubmissionFromTheMachine) {
     EXPECT_TRUE(contains(trusted.err, "isolation: limits")) << trusted.err;
     EXPECT_EQ(result_of(output, "jane")["isolation"], "limits");
     EXPECT_EQ(result_of(output, "jane")["points"], 11);
+}
+
+TEST(Grade, TwoGradersDoNotShareAFolder) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    folder.write("jane/notes.txt", "");
+    fs::create_directories(output);
+    const std::vector<std::string> words = grade({(folder.path() / "jane").string(), "-o", output.string()});
+    {
+        const Descriptor other(open(output.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        ASSERT_EQ(flock(other, LOCK_EX | LOCK_NB), 0);
+        const Result refused = run(words);
+        EXPECT_EQ(refused.code, 1);
+        EXPECT_TRUE(contains(refused.err, "another grader is at work in '" + output.string() + "'")) << refused.err;
+        EXPECT_TRUE(fs::is_empty(output)) << "something was written beside the other one";
+        flock(other, LOCK_SH);  // a part of a class
+        std::vector<std::string> part = words;
+        part.insert(part.end(), {"--shard", "1/2", "--seed", "x"});
+        EXPECT_EQ(run(part).code, 0);
+        EXPECT_EQ(run({relief_program(), "grade", "--merge", output.string()}).code, 1);
+    }
+    EXPECT_EQ(run(words).code, 0);
+}
+
+TEST(Grade, ANameOfAnyBytesIsGradedShownAndResumed) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    folder.write("m\xfcller/notes.txt", "");
+    folder.write("jane \xe2\x80\xae/notes.txt", "");
+    std::vector<std::string> words;
+    for (const auto& entry : fs::directory_iterator(folder.path())) words.push_back(entry.path());
+    words.insert(words.end(), {"-o", output.string()});
+    ASSERT_EQ(run(grade(words)).code, 0);
+    const std::string csv = read_file(output / "results.csv");
+    EXPECT_TRUE(contains(csv, "\nm\\xfcller,there is no task file in it,")) << csv;
+    EXPECT_TRUE(contains(csv, "\njane \\u202e,")) << csv;
+    const Result resumed = run({relief_program(), "grade", "--resume", "-o", output.string()});
+    EXPECT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_TRUE(contains(resumed.out, "0 graded, 2 as before")) << resumed.out;
+}
+
+TEST(Grade, ALinkInATaskFilesPlaceIsCalledALink) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    const fs::path work = folder.write("work/task.glsl", course_file(shader)).parent_path();
+    fs::create_directories((folder.path() / "jane" / shader).parent_path().parent_path());
+    fs::create_directory_symlink(work, (folder.path() / "jane" / shader).parent_path());
+    const Result graded = run(grade({(folder.path() / "jane").string(), "-o", output.string()}));
+    EXPECT_EQ(graded.code, 0) << graded.err;
+    EXPECT_EQ(result_of(output, "jane")["problem"],
+              "there is no task file in it: 'shaders/02_normal_map_storage' is a link, and links are not followed");
+}
+
+// As on a machine where others have used up what a user may run.
+TEST(Grade, ACompilerThatCannotForkIsTheMachinesFault) {
+    if (geteuid() != 0) GTEST_SKIP() << "only root's submissions run as another user, who alone can be bounded";
+    const TemporaryFolder folder;
+    folder.write(std::string("jane/") + cpp, course_file(cpp));
+    const Result graded = run({"prlimit", "--nproc=1:1", relief_program(), "grade", "--trust",
+                               (folder.path() / "jane").string(), "-o", (folder.path() / "out").string()},
+                              {.folder = {}, .environment = {{"RELIEF_NO_NAMESPACES", "1"}}});
+    EXPECT_EQ(graded.code, 1);
+    EXPECT_TRUE(contains(graded.err, "(machine: the machine failed: ")) << graded.err;
 }
 
 TEST(Grade, WrongUseIsOneClearLine) {

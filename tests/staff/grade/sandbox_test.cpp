@@ -27,6 +27,15 @@ protected:
                               .limits = limits},
                              isolation_.level);
     }
+    static SandboxResult by_limits(std::vector<std::string> command, bool makes_processes = true) {
+        return run_sandboxed({.command = std::move(command),
+                              .readable = {},
+                              .environment = {},
+                              .input = {},
+                              .limits = {.wall = 10},
+                              .makes_processes = makes_processes},
+                             Isolation::limits);
+    }
     static bool has_namespaces() { return isolation_.level == Isolation::namespaces; }
     static inline IsolationReport isolation_;
 };
@@ -68,8 +77,65 @@ TEST_F(Sandbox, BoundsMemoryFilesAndProcesses) {
     const SandboxResult full = shell("f=$(mktemp) && dd if=/dev/zero of=$f bs=1M count=100; wc -c < $f; rm -f $f",
                                      {.wall = 10, .scratch = 8 << 20});
     EXPECT_LE(std::atol(full.output.c_str()), 8 << 20) << full.errors;
+    if (!has_namespaces()) return;
     const SandboxResult bomb = shell("b() { b | b & }; b; sleep 0.5; echo alive", {.wall = 5, .processes = 30});
     EXPECT_TRUE(contains(bomb.errors, "fork")) << bomb.errors;
+}
+
+// The system counts a user's processes on the whole machine, those of other containers included: a limit would fail an
+// honest command for what others do.
+TEST_F(Sandbox, ByLimitsAloneCountsNobodyElsesProcesses) {
+    std::ifstream file("/proc/self/limits");
+    std::string line;
+    while (std::getline(file, line) && !line.starts_with("Max processes")) {
+    }
+    ASSERT_FALSE(line.empty());
+    const SandboxResult own = by_limits({"/bin/sh", "-c", "grep '^Max processes' /proc/self/limits"});
+    EXPECT_EQ(own.output, line + "\n") << own.errors;
+}
+
+TEST_F(Sandbox, ByLimitsAloneACommandThatIsToMakeNoProcessCanStartThreads) {
+    const std::string fork =
+        "import os\ntry:\n  os.fork(); print('forked')\nexcept PermissionError: print('refused')\n";
+    const std::string thread =
+        "import threading\nt = threading.Thread(target=lambda: print('thread')); t.start(); t.join()";
+    const SandboxResult alone = by_limits({"/usr/bin/python3", "-c", fork + thread}, false);
+    EXPECT_EQ(alone.output, "refused\nthread\n") << alone.errors;
+    EXPECT_TRUE(contains(by_limits({"/usr/bin/python3", "-c", fork}).output, "forked"));
+}
+
+TEST_F(Sandbox, ACommandThatCannotBeStartedIsTheMachinesFault) {
+    for (const Isolation isolation : {Isolation::limits, isolation_.level}) {
+        const SandboxResult none = run_sandboxed(
+            {.command = {"/nowhere/at/all"}, .readable = {}, .environment = {}, .input = {}, .limits = {.wall = 10}},
+            isolation);
+        if (isolation == Isolation::limits) {
+            EXPECT_EQ(none.ending, Ending::failed);
+            EXPECT_EQ(none.errors, "cannot start /nowhere/at/all: No such file or directory");
+        }
+        EXPECT_FALSE(none.ending == Ending::exited && none.code == 0);
+    }
+}
+
+TEST_F(Sandbox, ARequestComesOnlyWhenItIsAskedFor) {
+    const std::string request(300000, 'r');  // more than a pipe holds
+    const auto ask = [&](const std::string& script) {
+        return run_sandboxed({.command = {"/usr/bin/python3", "-c", "import os, select, sys\n" + script},
+                              .readable = {},
+                              .environment = {},
+                              .input = {},
+                              .request = request,
+                              .asks = "please",
+                              .limits = {.wall = 10}},
+                             isolation_.level);
+    };
+    const std::string number = std::to_string(request_descriptor);
+    const SandboxResult early = ask("print(select.select([" + number + "], [], [], 0.3)[0], os.read(0, 9))");
+    EXPECT_EQ(early.output, "[] b''\n") << early.errors;
+    const SandboxResult asked =
+        ask("print('please', flush=True)\nwith os.fdopen(" + number + ") as f: print(len(f.read()))");
+    EXPECT_EQ(asked.output, "please\n300000\n") << asked.errors;
+    EXPECT_EQ(ask("print('please', flush=True); os.close(" + number + ")").ending, Ending::exited);
 }
 
 TEST_F(Sandbox, LeavesNoProcessBehind) {

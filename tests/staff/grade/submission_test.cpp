@@ -123,6 +123,13 @@ TEST(Submission, TakesNothingThroughALinkOrFromOutside) {
         EXPECT_EQ(found.problem, "") << name;
         EXPECT_EQ(found.ignored_count, 1u) << name;
     }
+    const std::map<std::string, std::string> a_link{{shader, "a link, and links are not followed"}};
+    EXPECT_EQ(read_submission(folder.path() / "jane", wanted).refused, a_link);
+    EXPECT_EQ(read_submission(folder.path() / "joe", wanted).links, std::vector<std::string>{"shaders"});
+    EXPECT_TRUE(read_submission(folder.path() / "jim", wanted).links.empty());
+    folder.write("jane/work/shaders/01_a/task.glsl", "mine");
+    EXPECT_EQ(read_submission(folder.path() / "jane", wanted).files.at(shader), "mine");
+    EXPECT_TRUE(read_submission(folder.path() / "jane", wanted).refused.empty());
     const fs::path archive = python(folder, "links.tar", R"(
 with tarfile.open(path, "w") as t:
     for name in ["../shaders/01_a/task.glsl", "/shaders/01_a/task.glsl", "a/../shaders/01_a/task.glsl"]:
@@ -133,6 +140,7 @@ with tarfile.open(path, "w") as t:
     EXPECT_TRUE(found.files.empty());
     EXPECT_EQ(found.problem, "");
     EXPECT_EQ(found.ignored_count, 7u);
+    EXPECT_EQ(found.refused, a_link);
     EXPECT_FALSE(fs::exists(folder.path() / "shaders")) << "something was unpacked";
 }
 
@@ -183,6 +191,30 @@ with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as z:
 with zipfile.ZipFile(path, "w") as z:
     for i in range(20001): z.writestr(str(i), ""))");
     EXPECT_EQ(read_submission(many, wanted).problem, "has more than 20000 entries");
+}
+
+TEST(Submission, NamesAndFoldersCountTowardsAnArchivesBounds) {
+    const TemporaryFolder folder;
+    const auto tar = [&](const std::string& name, const std::string& entries) {
+        return read_submission(python(folder, name, R"(
+with tarfile.open(path, "w:gz", format=tarfile.PAX_FORMAT) as t:
+    def add(name, folder=False, **more):
+        info = tarfile.TarInfo(name); info.type = tarfile.DIRTYPE if folder else tarfile.REGTYPE
+        info.pax_headers = more; t.addfile(info)
+)" + entries),
+                               wanted)
+            .problem;
+    };
+    EXPECT_EQ(tar("long.tar.gz", "    add('x' * 5000)"), "has a name of more than 4096 bytes");
+    EXPECT_EQ(tar("folders.tar.gz", "    for i in range(5000): add('d/' * 2000 + str(i), True)"),
+              "has names of more than 16 MiB in all");
+    const fs::path headers = python(folder, "headers.tar.gz", R"(
+import gzip
+info = tarfile.TarInfo("x"); info.pax_headers = {"comment": "x" * (800 << 10)}
+with open(path, "wb") as f: f.write(gzip.compress(info.tobuf(tarfile.PAX_FORMAT)) * 700))");
+    EXPECT_EQ(read_submission(headers, wanted).problem, "unpacks to more than 512 MiB");
+    for (int i = 0; i < 20001; ++i) fs::create_directories(folder.path() / "many" / std::to_string(i));
+    EXPECT_EQ(read_submission(folder.path() / "many", wanted).problem, "has more than 20000 files and folders");
 }
 
 TEST(Submission, WhatIsNoArchiveOrDamagedSaysSo) {

@@ -326,6 +326,11 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
         EXPECT_EQ(asked.code, 2);
         EXPECT_TRUE(contains(asked.err, std::string("'") + command + "' is a command for staff only")) << asked.err;
     }
+    const Result error = run({(build / "bin/relief").string(), "shot", "1", "--error", "normal", "-o", "-"});
+    EXPECT_EQ(error.code, 2);
+    EXPECT_TRUE(
+        contains(error.err, "the code that computes the exact values of 'normal' is not included in this course"))
+        << error.err;
 }
 
 }  // namespace

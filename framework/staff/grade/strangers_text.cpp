@@ -1,0 +1,97 @@
+#include "framework/staff/grade/strangers_text.h"
+
+#include <fmt/format.h>
+
+namespace relief {
+namespace {
+
+struct Character {
+    char32_t code = 0;
+    size_t size = 0;  ///< bytes; 0: these are not UTF-8
+};
+
+/// The first character of a text that is not empty. What is longer than it need be is not UTF-8, nor is half a pair.
+Character first_of(std::string_view text) {
+    const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const unsigned first = byte(0);
+    if (first < 0x80) return {first, 1};
+    const size_t size = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    if (first < 0xc2 || first > 0xf4) return {};
+    char32_t code = first & (0x7fu >> size);
+    for (size_t i = 1; i < size; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return {};
+        code = code << 6 | (byte(i) & 0x3f);
+    }
+    const bool is_good = code >= (size == 4   ? 0x10000u
+                                  : size == 3 ? 0x800u
+                                              : 0x80u) &&
+                         code <= 0x10ffff && (code < 0xd800 || code > 0xdfff);
+    return is_good ? Character{code, size} : Character{};
+}
+
+bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7f && code < 0xa0); }
+
+/// What nobody sees: marks and turns of the direction, breaks of lines, characters without a width.
+bool is_unseen(char32_t code) {
+    const auto is_in = [&](char32_t low, char32_t high) { return code >= low && code <= high; };
+    return code == 0xad || code == 0x61c || code == 0x180e || is_in(0x200b, 0x200f) || is_in(0x2028, 0x202e) ||
+           is_in(0x2060, 0x206f) || code == 0xfeff || is_in(0xfff9, 0xfffb) || is_in(0xe0000, 0xe007f);
+}
+
+std::string shown(std::string_view text, size_t most, bool lines) {
+    std::string result;
+    for (size_t at = 0; at < text.size();) {
+        const Character one = first_of(text.substr(at));
+        const std::string_view bytes = text.substr(at, std::max<size_t>(one.size, 1));
+        if (at + bytes.size() > most) return result + "...";
+        at += bytes.size();
+        if (lines && (bytes == "\n" || bytes == "\t"))
+            result += bytes;
+        else if (one.size == 0 || is_control(one.code))
+            for (const char byte : bytes) result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+        else if (is_unseen(one.code))
+            result += fmt::format("\\u{:04x}", uint32_t(one.code));
+        else
+            result += bytes;
+    }
+    return result;
+}
+
+constexpr char32_t first_private = 0xf780, last_private = 0xf7ff;
+
+}  // namespace
+
+std::string printable(std::string_view text, size_t most) { return shown(text, most, false); }
+
+std::string printable_lines(std::string_view text, size_t most) { return shown(text, most, true); }
+
+std::string utf8_of_bytes(std::string_view bytes) {
+    std::string result;
+    for (size_t at = 0; at < bytes.size();) {
+        const Character one = first_of(bytes.substr(at));
+        const bool stays = one.size > 0 && (one.code < first_private || one.code > last_private);
+        const std::string_view part = bytes.substr(at, stays ? one.size : 1);
+        if (stays)
+            result += part;
+        else  // U+F700 and the byte, which is 0x80 at least
+            result += {'\xef', char(0x9c | (part[0] >> 6 & 3)), char(0x80 | (part[0] & 0x3f))};
+        at += part.size();
+    }
+    return result;
+}
+
+std::string bytes_of_utf8(std::string_view text) {
+    std::string result;
+    for (size_t at = 0; at < text.size();) {
+        const Character one = first_of(text.substr(at));
+        const size_t size = std::max<size_t>(one.size, 1);
+        if (one.code >= first_private && one.code <= last_private)
+            result += char(one.code & 0xff);
+        else
+            result += text.substr(at, size);
+        at += size;
+    }
+    return result;
+}
+
+}  // namespace relief
