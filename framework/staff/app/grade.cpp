@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "framework/app/command.h"
-#include "framework/app/commands.h"
+#include "framework/app/command.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"

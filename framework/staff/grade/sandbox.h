@@ -45,9 +45,6 @@ struct SandboxJob {
     bool makes_processes = true;
 };
 
-/// Where a command reads its request.
-constexpr int request_descriptor = 97;
-
 /// `failed`: it never ran, and that is the machine's fault or ours.
 enum class Ending { exited, crashed, out_of_time, out_of_memory, too_much_output, failed };
 const char* name_of(Ending ending);

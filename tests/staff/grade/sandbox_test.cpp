@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include "framework/check/drawing.h"
 #include "tests/support.h"
 
 namespace relief {
