@@ -14,6 +14,7 @@ protected:
         namespace fs = std::filesystem;
         const fs::path source = RELIEF_SOURCE_FOLDER;
         fs::create_directories(folder_.path() / "framework/cmake");
+        fs::create_directories(folder_.path() / "tests");
         fs::copy(source / "relief", folder_.path());
         fs::copy(source / "framework/cmake/packages.txt", folder_.path() / "framework/cmake");
         stand_in("cmake",
@@ -77,7 +78,7 @@ TEST_F(Script, WithoutATerminalEachStepIsALineAndNothingToDoIsNone) {
               "relief: installing 1 package: libglm-dev\nrelief: configuring\n"
               "relief: building, 7 steps\n");
     EXPECT_EQ(script({"list"}).err, "");
-    EXPECT_EQ(script({"test"}).err, "relief: installing 2 packages: libglm-dev xvfb\nrelief: testing\n");
+    EXPECT_EQ(script({"test"}).err, "relief: installing 1 package: libglm-dev\nrelief: testing\n");
 }
 
 TEST_F(Script, HelpAndASlipAreAnsweredWithoutInstallingOrBuilding) {
@@ -136,7 +137,7 @@ TEST_F(Script, ItsListOfCommandsIsTheProgramsInTheCourseAndInTheStudents) {
         for (const std::string& one : program)
             if (one.starts_with(std::string(staff) + ":")) students.insert(one);
     EXPECT_EQ(students, program);
-    folder_.write("framework/staff/measure/bench.h", "");
+    folder_.write("framework/staff/staff.cmake", "");
     EXPECT_EQ(commands_in(script({"--help"}).out, "Commands:"), program);
 }
 
@@ -166,7 +167,22 @@ TEST_F(Script, RootInstallsWhatIsMissingAndNoMore) {
     EXPECT_TRUE(contains(called, "apt-get install -y --no-install-recommends libglm-dev\n")) << called;
     EXPECT_EQ(script({"test"}).code, 0);
     called = calls();
-    EXPECT_TRUE(contains(called, "--no-install-recommends libglm-dev xvfb\n")) << "a test wants Xvfb, too: " << called;
+    EXPECT_FALSE(contains(called, "xvfb")) << "what is run every day wants no X server: " << called;
+    EXPECT_EQ(script({"test", "--ci"}).code, 0);
+    called = calls();
+    EXPECT_TRUE(contains(called, "--no-install-recommends libglm-dev xvfb\n")) << called;
+}
+
+TEST_F(Script, TheLongerProofsAloneAreRunWhereTheRestHasPassed) {
+    EXPECT_EQ(script({"test"}).code, 0);
+    EXPECT_TRUE(contains(calls(), "--label-exclude ^ci$\n"));
+    EXPECT_EQ(script({"test", "--ci"}).code, 0);
+    EXPECT_TRUE(contains(calls(), "--label-regex ^ci$\n"));
+    folder_.write("shaders/changed.glsl", "");
+    EXPECT_EQ(script({"test", "--ci"}).code, 0);
+    EXPECT_FALSE(contains(calls(), "--label"));
+    EXPECT_EQ(script({"test", "-R", "handout"}).code, 0);
+    EXPECT_TRUE(contains(calls(), "-R handout\n")) << "among all tests";
 }
 
 TEST_F(Script, WithoutRootOrSudoItPrintsTheLineToRunAndStops) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 #include "framework/base/error.h"
@@ -56,9 +57,28 @@ void add(const fs::path& path, const std::set<std::string>& labs, HandedFiles& f
     files[path] = {content, executable};
 }
 
+/// Throws Error where a shader includes what students do not get, or what another lab may bring later.
+void refuse_lost_includes(const HandedFiles& files) {
+    static const std::regex form("(^|\n)[ \t]*#[ \t]*include[ \t]*\"([^\"\n]+)\"");
+    for (const auto& [path, file] : files) {
+        if (!path.starts_with("shaders/") || !is_text(path)) continue;
+        for (auto match = std::sregex_iterator(file.bytes.begin(), file.bytes.end(), form);
+             match != std::sregex_iterator(); ++match) {
+            const std::string name = (*match)[2], included = "shaders/" + name, lab = lab_of(included);
+            if (!lab.empty() && lab != lab_of(path) && lab != staff)
+                throw Error({path}, fmt::format("includes {} of another lab, which may be handed out later: what both "
+                                                "need belongs in shaders/common",
+                                                included));
+            if (!files.contains(included))
+                throw Error({path}, fmt::format("includes {}, which students do not get", included));
+        }
+    }
+}
+
 HandedFiles students_course(const std::set<std::string>& labs) {
     HandedFiles files;
     for (const char* part : course_parts) add(part, labs, files);
+    refuse_lost_includes(files);
     return files;
 }
 
