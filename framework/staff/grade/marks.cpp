@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <cstring>
 #include <mutex>
+#include <set>
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
@@ -30,6 +31,32 @@ std::string foreign_include(const std::string& file, const std::string& text) {
     for (const std::string& name : included_by(text))
         if (!own.contains(name)) return name;
     return {};
+}
+
+/// Whether a failure of one of two tasks that are seen through each other is the other's: that one has passed no check
+/// at all, and this one has passed one that does without the other.
+bool is_anothers(const Manifest& manifest, const std::vector<Judgement>& said, size_t failed) {
+    const CheckInfo& check = manifest.checks[failed];
+    const auto is_attested = [&](const std::string& other) {
+        for (size_t i = 0; i < said.size(); ++i)
+            if (manifest.checks[i].task == check.task && said[i].outcome == Outcome::passed &&
+                !manifest.checks[i].depends_on(other))
+                return true;
+        return false;
+    };
+    const auto has_only_failed = [&](const std::string& other) {
+        size_t failures = 0;
+        for (size_t i = 0; i < said.size(); ++i) {
+            if (manifest.checks[i].task != other || said[i].outcome == Outcome::unfinished) continue;
+            if (said[i].outcome == Outcome::passed) return false;
+            ++failures;
+        }
+        return failures > 0;
+    };
+    return said[failed].outcome != Outcome::passed &&
+           std::any_of(manifest.tasks.begin(), manifest.tasks.end(), [&](const TaskInfo& other) {
+               return check.depends_on(other.id) && has_only_failed(other.id) && is_attested(other.id);
+           });
 }
 
 // ---- which known mistake a picture shows ----
@@ -388,8 +415,11 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
     }
     const std::vector<std::string> all_hints = hints(manifest_, said);
     const std::vector<const CheckInfo*> first = put_right_first(manifest_, said);
-    for (size_t i = 0; i < first.size(); ++i)
-        if (first[i]) looked_at[i] = false;
+    std::set<std::string> suspects;  // tasks with a failure that may be of their own
+    for (size_t i = 0; i < said.size(); ++i) {
+        if (first[i] || is_anothers(manifest_, said, i)) looked_at[i] = false;
+        if (looked_at[i] && said[i].outcome != Outcome::passed) suspects.insert(manifest_.checks[i].task);
+    }
     for (const TaskInfo& info : manifest_.tasks) {
         TaskMark& task = lab.tasks.emplace_back();
         task.id = info.id, task.title = info.title, task.file = info.file, task.of = info.points;
@@ -406,8 +436,7 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
     }
     lab.times.compare = seconds_since(begin);
     for (TaskMark& task : lab.tasks)
-        if (name_mistakes && task.points < task.of && !given_up.contains(task.id) && lab.graded())
-            name_mistake(task, pictures, looked_at);
+        if (name_mistakes && suspects.contains(task.id) && lab.graded()) name_mistake(task, pictures, looked_at);
     return lab;
 }
 
