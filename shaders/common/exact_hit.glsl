@@ -37,17 +37,17 @@ float exact_hit(sampler2D heights, sampler2DArray windows, vec4 grown, vec2 uv, 
     }
     return between.y;
     //]starter
-    //| vec2 way = way_of(march);
-    //| vec2 per_cell = 1.0 / max(abs(march), vec2(1e-9)), begin = from + between.x * march;
-    //| vec2 first = abs(max(way, 0.0) - fract(begin)), passed = vec2(0.0);  // walls ahead, in texels, and behind
+    //| vec2 first = floor(from), start = from - first;
+    //| vec2 way = way_of(march), per_cell = 1.0 / max(abs(march), vec2(1e-9));
+    //| vec2 ahead = start_along(start, way), passed = floor(ahead + between.x * abs(march));
     //| float t = between.x;
     //| for (int i = 0; i < most && t < between.y; ++i) {
-    //|     vec2 cell = floor(begin) + way * passed, next = between.x + (first + passed) * per_cell;
-    //|     float end = min(min(next.x, next.y), between.y);
-    //|     vec3 gap = gap_above_cell(cell_corners(heights, ivec2(cell)), vec3(from + t * march - cell, 1.0 - t),
-    //|                               vec3(from + end * march - cell, 1.0 - end));
+    //|     vec2 cell = way * passed, leaves = (passed + 1.0 - ahead) * per_cell;
+    //|     float end = clamp(min(leaves.x, leaves.y), t, between.y);
+    //|     vec3 gap = gap_above_cell(cell_corners(heights, ivec2(first + cell)),
+    //|                               vec3(start + t * march - cell, 1.0 - t), vec3(start + end * march - cell, 1.0 - end));
     //|     if (closes(gap)) return mix(t, end, first_closing(gap));
-    //|     passed += vec2(lessThanEqual(next, vec2(end)));
+    //|     passed = next_cell(passed, leaves, ahead + end * abs(march));
     //|     t = end;
     //| }
     //| return between.y;
