@@ -6,6 +6,7 @@
 #   MIRROR=http://deb.debian.org/debian     where packages come from
 #   ROOTS=build/bare_roots                  where roots are kept as they were made, to be copied by the next run, and logs
 #   KEEP=1                                  the copy in which the commands ran stays, as ROOTS/NAME-used
+#   PROOFS=1                                ./relief test --ci as well, as CI runs it
 #   CACHE=FOLDER                            a compiler's cache from one run to the next, for whoever mends what it found
 #
 # Needs root, since it makes and enters root folders; takes half an hour and more, and 6 GB, for each.
@@ -103,6 +104,15 @@ run_in() { # bookworm or trixie
     return 1
   fi
   say "$name: $(grep -E 'tests passed' "$roots/$name-test.log"), after $((SECONDS - begin)) s"
+  if [[ -n ${PROOFS:-} ]]; then
+    begin=$SECONDS
+    say "$name: ./relief test --ci"
+    if ! inside "$used" bash -c 'cd /course && ./relief test --ci' >"$roots/$name-proofs.log" 2>&1; then
+      grep -E '^\[  FAILED  \]|\*\*\*|tests passed' "$roots/$name-proofs.log" | sort -u >&2 || true
+      return 1
+    fi
+    say "$name: $(grep -E 'tests passed' "$roots/$name-proofs.log"), after $((SECONDS - begin)) s"
+  fi
   [[ -n ${KEEP:-} ]] || rm -rf --one-file-system "$used"
 }
 
