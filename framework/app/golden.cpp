@@ -197,7 +197,7 @@ private:
     std::string lab_, output_, context_ = "auto";
     bool update_ = false;
 };
-RELIEF_COMMAND(GoldenCommand, 7, "golden", "compare with the reference screenshots");
+RELIEF_COMMAND(GoldenCommand, 7, "golden", "compares pictures with the reference screenshots");
 
 }  // namespace
 

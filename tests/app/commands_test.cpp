@@ -417,7 +417,7 @@ TEST_F(CourseTest, ThePageOfAChecksPicturesHasAWipeForEach) {
         if (control.role == "slider") names.insert(control.name);
     }
     EXPECT_EQ(names.size(), checks) << "each says what it wipes";
-    EXPECT_TRUE(names.contains("wipe to the expected: three bytes and back"));
+    EXPECT_TRUE(names.contains("wipe to the expected picture: three bytes and back"));
     ASSERT_TRUE(browser.tab_to(".wipe input"));
     browser.press("ArrowRight", 3);
     EXPECT_EQ(browser.eval("getComputedStyle(document.querySelector('.laid img + img')).clipPath"),

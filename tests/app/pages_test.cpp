@@ -194,7 +194,7 @@ TEST(ClassPage, CountsTheOutcomesOfEachCheck) {
     EXPECT_NEAR(double(browser().eval("(() => { const bar = document.querySelector('#checks .bar'); return "
                                       "bar.querySelector('.passed').offsetWidth / bar.offsetWidth; })()")),
                 0.5, 0.02);
-    EXPECT_TRUE(contains(text_of("#checks p"), "Fewest pass 2.1 check 2 (1 of 5)")) << text_of("#checks p");
+    EXPECT_TRUE(contains(text_of("#checks p"), "The hardest checks: 2.1 check 2 (1 of 5)")) << text_of("#checks p");
     EXPECT_TRUE(contains(text_of("#mistakes tbody"), "2.1\u00a0truncatedThe hint of truncatedshow 2"));
 }
 
@@ -275,7 +275,7 @@ TEST(StudentPage, AWipeFollowsTheKeyboard) {
     browser().press("ArrowLeft");
     EXPECT_EQ(clip(0), "inset(0px 1% 0px 0px)");
     EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-valuetext')"), "99 % expected");
-    EXPECT_EQ(browser().eval("document.activeElement.labels[0].textContent"), "wipe to the expected");
+    EXPECT_EQ(browser().eval("document.activeElement.labels[0].textContent"), "wipe to the expected picture");
     EXPECT_EQ(
         browser().eval("(() => { const [mine, over] = document.querySelectorAll('.laid img'), a = "
                        "mine.getBoundingClientRect(), b = over.getBoundingClientRect(); return a.left == b.left && "

@@ -732,7 +732,7 @@ TEST(ShaderFunction, ExactHitsAreThoseOfTheHeightField) {
         off += std::abs(double(found[i].x) - (hit ? begin + hit->t : end)) > 1e-4;
     }
     EXPECT_LE(off, 4) << "of 4000 a few graze an edge";
-    const PlantedMistake one_too_far{"next_cell(passed,", "next_cell(passed + 1.0,"};
+    const PlantedMistake one_too_far{"next_cell(passed, leaves, ahead + t", "next_cell(passed + 1.0, leaves, ahead + t"};
     const auto wrong = evaluate_glsl("common/exact_hit.glsl", hit_of, inputs, one_too_far, &map, &other);
     EXPECT_NE(wrong, found);
 }
