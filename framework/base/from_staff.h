@@ -27,4 +27,7 @@ private:
     Function* function_ = nullptr;
 };
 
+/// Whether the staff's library is in this course.
+inline FromStaff<bool()> staff_is_here;
+
 }  // namespace relief
