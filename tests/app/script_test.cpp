@@ -78,7 +78,7 @@ TEST_F(Script, WithoutATerminalEachStepIsALineAndNothingToDoIsNone) {
               "relief: installing 1 package: libglm-dev\nrelief: configuring\n"
               "relief: building, 7 steps\n");
     EXPECT_EQ(script({"list"}).err, "");
-    EXPECT_EQ(script({"test"}).err, "relief: installing 1 package: libglm-dev\nrelief: testing\n");
+    EXPECT_EQ(script({"test"}).err, "relief: installing 1 package: libglm-dev\nrelief: configuring\nrelief: testing\n");
 }
 
 TEST_F(Script, HelpAndASlipAreAnsweredWithoutInstallingOrBuilding) {
