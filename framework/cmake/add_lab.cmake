@@ -30,10 +30,12 @@ function(relief_add_labs folder)
 
     add_executable(lab-${number} ${RELIEF_MAIN})
     target_link_libraries(lab-${number} PRIVATE lab_objects_${number})
+    target_link_options(lab-${number} PRIVATE LINKER:--no-as-needed)
     list(APPEND programs lab-${number})
   endforeach()
   add_executable(relief ${RELIEF_MAIN})
   target_link_libraries(relief PRIVATE ${labs})
+  target_link_options(relief PRIVATE LINKER:--no-as-needed)
   # `programs` is all that a user runs, without the tests.
   add_custom_target(programs DEPENDS relief ${programs} relief_modules)
   set(RELIEF_LABS ${labs} PARENT_SCOPE)
