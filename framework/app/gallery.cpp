@@ -151,7 +151,7 @@ private:
         page.lab = &entry, page.manifest = &manifest;
         Shot shot;
         shot.camera = manifest.camera, shot.size = {800, 450};
-        page.picture = put(entry.folder + ".png", take(*make_lab(entry, shot), shot));
+        page.picture = put(entry.folder + ".png", render_shot(*make_lab(entry, shot), shot));
         if (const auto comparison = compare_methods(entry, manifest)) add(*comparison, page);
         page.handout = add_handout(entry, manifest);
         page.slides = slides_.place(entry.folder + ".html"),
@@ -166,8 +166,8 @@ private:
         page.size = {first.width, first.height};
         if (comparison.probe) {
             page.probe = comparison.probe->name;
-            for (const double part : {1000, 100, 10}) page.marks.push_back(rounded(comparison.most / part));
-            page.marks.push_back(amount_of(comparison.most, comparison.probe->unit));
+            for (const double part : {1000, 100, 10}) page.marks.push_back(rounded(comparison.max / part));
+            page.marks.push_back(amount_of(comparison.max, comparison.probe->unit));
         }
         for (const ComparedMethod& method : comparison.methods) {
             const std::string name = page.lab->folder + "/" + as_file_name(comparison.knob + "-" + method.name);

@@ -80,7 +80,7 @@ public:
         const fs::path file = course_root() / "labs" / entry.folder / "golden" / (golden.name + ".png");
         ++pictures;
         try {
-            Image picture = take(*make_lab(entry, golden.shot), golden.shot);
+            Image picture = render_shot(*make_lab(entry, golden.shot), golden.shot);
             if (golden.shot.probe)
                 picture = stored(visualize_probe(picture, manifest.probe(golden.shot.probe.name).error));
             const std::string result = update_ ? renew(file, picture) : compare(file, picture);

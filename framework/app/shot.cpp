@@ -40,7 +40,7 @@ double parse_time(const std::string& text) {
 void parse_camera(const std::string& text, Orbit& camera) {
     const struct {
         double& value;
-        double least, most;
+        double min, max;
     } parts[] = {{camera.yaw, -36000, 36000},   {camera.pitch, -89, 89},      {camera.distance, 1e-3, 1e6},
                  {camera.target.x, -1e6, 1e6},  {camera.target.y, -1e6, 1e6}, {camera.target.z, -1e6, 1e6},
                  {camera.field_of_view, 1, 170}};
@@ -48,7 +48,7 @@ void parse_camera(const std::string& text, Orbit& camera) {
     bool good = words.size() == 3 || words.size() == 6 || words.size() == 7;
     for (size_t i = 0; good && i < words.size(); ++i) {
         const auto number = parse_number(words[i]);
-        good = number && *number >= parts[i].least && *number <= parts[i].most;
+        good = number && *number >= parts[i].min && *number <= parts[i].max;
         if (good) parts[i].value = *number;
     }
     if (!good)
@@ -103,7 +103,7 @@ int take_shot(const ShotArguments& arguments) {
     const auto draw = [&](bool light) {
         if (!arguments.mistake.empty())
             return draw_with_mistake(entry, arguments.mistake, shot, light && !shot.probe, choice);
-        return take(*lab, shot, light);
+        return render_shot(*lab, shot, light);
     };
 
     Image image;

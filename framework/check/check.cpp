@@ -36,10 +36,10 @@ public:
                              kept ? "" : fmt::format(" (at most {})", rounded(*limit, 4)));
     }
     /// The value that was added last must not be smaller either.
-    void must_reach(double value, std::optional<double> least) {
-        if (!least || value >= *least) return;
+    void must_reach(double value, std::optional<double> min) {
+        if (!min || value >= *min) return;
         good_ = false;
-        text_ += fmt::format(" (at least {})", rounded(*least, 4));
+        text_ += fmt::format(" (at least {})", rounded(*min, 4));
     }
     Judgement judgement() const { return {good_ ? Outcome::passed : Outcome::wrong, text_}; }
 
@@ -83,7 +83,7 @@ Judgement compare_pictures(const Image& drawn, const Image& expected) {
     return findings.judgement();
 }
 
-Image draw(const LabEntry& lab, const Shot& shot) { return take(*make_lab(lab, shot), shot); }
+Image draw(const LabEntry& lab, const Shot& shot) { return render_shot(*make_lab(lab, shot), shot); }
 
 bool has_failed(Outcome outcome) {
     return outcome != Outcome::passed && outcome != Outcome::unfinished && outcome != Outcome::machine;

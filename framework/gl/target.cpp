@@ -45,9 +45,9 @@ Target::Samples::Samples(int count) : resolve(resolving(count)) {}
 
 Target::Target(TargetKind kind, glm::ivec2 size) : kind_(kind), size_(size) {
     const GLenum format = kind == TargetKind::picture ? GL_RGBA8 : GL_RGBA32F;
-    GLint most = 1;
-    glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most);
-    const int samples = kind == TargetKind::probe ? 0 : std::min(most, samples_of_pictures);
+    GLint max_samples = 1;
+    glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &max_samples);
+    const int samples = kind == TargetKind::probe ? 0 : std::min(max_samples, samples_of_pictures);
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
     attach(GL_DEPTH_ATTACHMENT, depth_, GL_DEPTH_COMPONENT32F, samples, size);
     if (samples > 1) {

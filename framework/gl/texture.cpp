@@ -113,9 +113,9 @@ std::shared_ptr<const Texture::Loaded> Texture::create() const {
     glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
     const float anisotropy = options_.anisotropy.value_or(is_software_renderer() ? 1.0f : 8.0f);
     if (GLAD_GL_EXT_texture_filter_anisotropic && options_.mips && !layered && anisotropy > 1) {
-        float most = 1;
-        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
-        glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(most, anisotropy));
+        float max_anisotropy = 1;
+        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &max_anisotropy);
+        glTexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(max_anisotropy, anisotropy));
     }
     const std::span<const Texels::Level> levels(texels.levels.data(), layered ? 1 : texels.levels.size());
     for (GLint i = 0; const Texels::Level& level : levels) {

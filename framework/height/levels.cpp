@@ -33,7 +33,7 @@ void row_at(const Image& image, double place, double offset, std::vector<float>&
 /// The most that two surfaces are apart. Both are bilinear between lines half a texel of the larger one apart, so it is
 /// enough to look where these cross. The samples of `coarse` lie `offset` of its own texels within its border.
 float most_apart(const Image& fine, const Image& coarse, double offset) {
-    float most = 0;
+    float largest = 0;
     std::mutex mutex;
     const double u = double(coarse.width) / fine.width / 2, v = double(coarse.height) / fine.height / 2;
     std::vector<Between> in_fine, in_coarse;
@@ -48,9 +48,9 @@ float most_apart(const Image& fine, const Image& coarse, double offset) {
                 here = std::max(here, std::abs(in_fine[x].of(a.data()) - in_coarse[x].of(b.data())));
         }
         const std::scoped_lock lock(mutex);
-        most = std::max(most, here);
+        largest = std::max(largest, here);
     });
-    return most;
+    return largest;
 }
 
 /// Of the squares between the samples of an image: how much they are twisted; and how much the slope changes at a
@@ -59,18 +59,18 @@ struct Bend {
     float twist = 0, kink = 0;
 };
 Bend most_bent(const Image& image) {
-    Bend most;
+    Bend largest;
     const auto at = [&](int x, int y) {
         return *image.pixel((x + image.width) % image.width, (y + image.height) % image.height);
     };
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const float here = at(x, y), right = at(x + 1, y), below = at(x, y + 1);
-            most.twist = std::max(most.twist, std::abs(here - right - below + at(x + 1, y + 1)));
-            most.kink =
-                std::max(most.kink, std::hypot(at(x - 1, y) - 2 * here + right, at(x, y - 1) - 2 * here + below));
+            largest.twist = std::max(largest.twist, std::abs(here - right - below + at(x + 1, y + 1)));
+            largest.kink =
+                std::max(largest.kink, std::hypot(at(x - 1, y) - 2 * here + right, at(x, y - 1) - 2 * here + below));
         }
-    return most;
+    return largest;
 }
 
 /// Adds an error to those that never fall; false when it is enough, and is not the first.

@@ -99,7 +99,7 @@ Grid highest_in_squares(const Grid& cells, int behind, int side) {
     return result;
 }
 
-glm::ivec2 behind(int quadrant, int grown) { return {quadrant & 1 ? grown : 0, quadrant & 2 ? grown : 0}; }
+glm::ivec2 behind(int quadrant, int extent) { return {quadrant & 1 ? extent : 0, quadrant & 2 ? extent : 0}; }
 
 /// 1 - height in 1/255, rounded down: less than what is certain where rounding could say more.
 float clear_of(float highest) { return std::max(0.0f, std::floor((1 - highest) * 255 - 1e-3f)); }
@@ -109,7 +109,7 @@ float clear_of(float highest) { return std::max(0.0f, std::floor((1 - highest) *
 class Turns {
 public:
     struct Window {
-        int grown;
+        int extent;
         Grid highest;  ///< of the squares that begin at each block, for rays along +u and +v
     };
     Turns(const Grid& cells, int block) : cells_(cells), block_(block) {
@@ -136,7 +136,7 @@ public:
                 if (1 - std::min(next, 1.0) < cells_.wrapped(cell.x, cell.y)) break;
                 for (const Window* window : windows) {
                     const double highest = window->highest.wrapped(block.x / block_, block.y / block_);
-                    next = std::max(next, std::min(leave(block + block_ + window->grown), 1 - highest));
+                    next = std::max(next, std::min(leave(block + block_ + window->extent), 1 - highest));
                 }
                 t = next + 1e-6;
             }
@@ -156,24 +156,24 @@ private:
 /// One window after the other, each the one that helps most beside those before it. `blocks` are of `block` cells.
 std::array<int, 4> best_windows(const Grid& cells, const Grid& blocks, int block) {
     std::vector<Turns::Window> candidates;
-    for (const int grown : {0, 1, 2, 3, 5, 7, 10, 14, 20, 28, 40, 56})
-        if (grown == 0 || (grown < std::min(blocks.width, blocks.height) && grown * block <= 56))
-            candidates.push_back({grown * block, highest_in_squares(blocks, 0, 1 + grown)});
+    for (const int extent : {0, 1, 2, 3, 5, 7, 10, 14, 20, 28, 40, 56})
+        if (extent == 0 || (extent < std::min(blocks.width, blocks.height) && extent * block <= 56))
+            candidates.push_back({extent * block, highest_in_squares(blocks, 0, 1 + extent)});
     const Turns turns(cells, block);
-    std::array<int, 4> grown{};
+    std::array<int, 4> extent{};
     std::vector<const Turns::Window*> chosen;
-    for (int& size : grown) {
+    for (int& size : extent) {
         const Turns::Window* best = nullptr;
-        double least = std::numeric_limits<double>::infinity();
+        double fewest = std::numeric_limits<double>::infinity();
         chosen.push_back(nullptr);
         for (const Turns::Window& candidate : candidates) {
             chosen.back() = &candidate;
-            if (const double mean = turns.mean(chosen); mean < least) least = mean, best = &candidate;
+            if (const double mean = turns.mean(chosen); mean < fewest) fewest = mean, best = &candidate;
         }
-        chosen.back() = best, size = best->grown;
+        chosen.back() = best, size = best->extent;
     }
-    std::sort(grown.begin(), grown.end());
-    return grown;
+    std::sort(extent.begin(), extent.end());
+    return extent;
 }
 
 Image image_of(const Grid& grid) {
@@ -191,13 +191,13 @@ HeightWindows height_windows(const Image& heights) {
     HeightWindows windows{block, best_windows(cells, blocks, block), Image(blocks.width, 4 * blocks.height, 4, 8)};
     for (int k = 0; k < 4; ++k) {
         // The squares of the other quadrants are those of other blocks.
-        const int grown = windows.grown[size_t(k)] / block;
-        const Grid ahead = highest_in_squares(blocks, 0, 1 + grown);
+        const int extent = windows.extent[size_t(k)] / block;
+        const Grid ahead = highest_in_squares(blocks, 0, 1 + extent);
         for (int quadrant = 0; quadrant < 4; ++quadrant)
             for (int y = 0; y < blocks.height; ++y)
                 for (int x = 0; x < blocks.width; ++x) {
-                    const glm::ivec2 from = glm::ivec2(x, y) - behind(quadrant, grown);
-                    windows.clear.pixel(x, (4 - quadrant) * blocks.height - 1 - y)[k] =
+                    const glm::ivec2 from = glm::ivec2(x, y) - behind(quadrant, extent);
+                    windows.clearance.pixel(x, (4 - quadrant) * blocks.height - 1 - y)[k] =
                         clear_of(ahead.wrapped(from.x, from.y)) / 255;
                 }
     }

@@ -12,13 +12,13 @@
 namespace relief {
 
 /// A ray only looks ahead, so each block of cells has its windows in four quadrants: 0 for rays along +u and
-/// +v, 1 for -u, 2 for -v, 3 for both. Window k of a quadrant is the block and `grown[k]` cells more on the
+/// +v, 1 for -u, 2 for -v, 3 for both. Window k of a quadrant is the block and `extent[k]` cells more on the
 /// two sides ahead. What is stored is 1 - (the highest height in it) in 1/255, rounded down: a ray that enters at
 /// height 1 and falls by 1 is above everything in the window until t is that number.
 struct HeightWindows {
-    int block = 1;               ///< cells along a block's side, a power of two
-    std::array<int, 4> grown{};  ///< cells, rising; whole blocks
-    Image clear;                 ///< a texel a block, 4 channels of 8 bits; quadrant above quadrant, 0 lowest
+    int block = 1;                ///< cells along a block's side, a power of two
+    std::array<int, 4> extent{};  ///< cells, rising; whole blocks
+    Image clearance;              ///< a texel a block, 4 channels of 8 bits; quadrant above quadrant, 0 lowest
 };
 
 /// Blocks of 2 x 2 cells, of one where the map is small, and of more where there would be over 512 x 512; the windows

@@ -95,7 +95,7 @@ std::optional<Texels> decode_texels(std::string_view bytes, uint64_t source, std
     Header header;
     if (bytes.size() < sizeof header) return {};
     std::memcpy(&header, bytes.data(), sizeof header);
-    const auto within = [](int value, int most) { return value >= 1 && value <= most; };
+    const auto within = [](int value, int max) { return value >= 1 && value <= max; };
     if (std::memcmp(header.magic, Header().magic, sizeof header.magic) != 0 || header.source != source ||
         !within(header.width, max_image_side) || !within(header.height, max_image_side) ||
         !within(header.channels, 4) || (header.bits != 8 && header.bits != 16 && header.bits != 32))

@@ -52,7 +52,7 @@ const Mesh& ReliefSurface::mesh() const {
     return *mesh;
 }
 
-ReliefLay ReliefSurface::lay() const {
+ReliefMapping ReliefSurface::mapping() const {
     const glm::vec2 metres = shape == wall     ? glm::vec2(extent)
                              : shape == column ? glm::vec2(around_column, column_shape.height)
                                                : glm::vec2(around_urn, up_urn);
@@ -66,7 +66,7 @@ ReliefLay ReliefSurface::lay() const {
 }
 
 void ReliefSurface::set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model) const {
-    const ReliefLay here = lay();
+    const ReliefMapping here = mapping();
     program.set("u_clip_from_world", frame.camera.clip_from_world());
     program.set("u_world_from_model", world_from_model);
     program.set("u_eye", frame.camera.eye());
@@ -79,16 +79,16 @@ void ReliefSurface::set(const Program& program, const Frame& frame, const glm::d
 }
 
 void ReliefSurface::set_exact_hit(const Program& program, int unit) const {
-    if (glGetUniformLocation(program, "u_grown") < 0) return;  // this permutation shows no error
+    if (glGetUniformLocation(program, "u_window_extent") < 0) return;  // this permutation shows no error
     if (!windows_ || windows_version_ != version()) {
         windows_version_ = version();
         windows_ = height_windows(heights());
         window_texture_.emplace(
-            "windows", [this] { return windows_->clear; }, TextureOptions{.mips = false, .layers = 4});
+            "windows", [this] { return windows_->clearance; }, TextureOptions{.mips = false, .layers = 4});
     }
-    const auto& grown = windows_->grown;
+    const std::array<int, 4>& cells = windows_->extent;
     program.set("s_windows", unit, *window_texture_);
-    program.set("u_grown", glm::vec4(grown[0], grown[1], grown[2], grown[3]));
+    program.set("u_window_extent", glm::vec4(cells[0], cells[1], cells[2], cells[3]));
 }
 
 void ReliefSurface::draw() const {

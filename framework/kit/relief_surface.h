@@ -22,14 +22,14 @@ public:
 
     const Image& heights() const { return material.heights(); }
     const Mesh& mesh() const;
-    ReliefLay lay() const;
+    ReliefMapping mapping() const;
     int version() const { return material.version(); }
 
     /// For shaders/common/relief.vert and what follows it; binds s_heights to unit 0, s_albedo to 1, s_normals to 2.
     /// The program is in use.
     void set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model = glm::dmat4(1)) const;
     void draw() const;
-    /// For exact_hit() of shaders/common/exact_hit.glsl: s_windows on a unit, and u_grown; nothing where
+    /// For exact_hit() of shaders/common/exact_hit.glsl: s_windows on a unit, and u_window_extent; nothing where
     /// the permutation does not use it.
     void set_exact_hit(const Program& program, int unit) const;
 
@@ -40,7 +40,7 @@ public:
     float stretch = 1;    ///< height of a tile over its width: texels that are not square
     float extent = 4;     ///< side of the wall, metres
     bool mirror = false;
-    int shift = 0;  ///< tiles; lay() has what is left of it when fours are dropped
+    int shift = 0;  ///< tiles; mapping() has what is left of it when fours are dropped
 
 private:
     mutable std::optional<HeightWindows> windows_;

@@ -121,7 +121,7 @@ void refuse_unusable(const Image& image, const Shot& shot) {
         throw Error("the picture has one colour: nothing was drawn, or the camera does not see it");
 }
 
-Image take(Lab& lab, const Shot& shot, bool light) {
+Image render_shot(Lab& lab, const Shot& shot, bool light) {
     Image image = draw_shot(lab, shot, light);
     refuse_unusable(image, shot);
     return image;

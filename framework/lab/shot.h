@@ -34,10 +34,10 @@ Image read_picture(const Target& target);
 /// draw_lab() into a new target, then the pixels: 8-bit sRGB (3 channels) for a picture, linear floats (3
 /// channels) when `light`, floats (4 channels) for a probe. Throws Error when nothing was drawn (a picture of
 /// one colour, a probe without a surface) or a probe has a pixel that is neither finite nor background.
-Image take(Lab& lab, const Shot& shot, bool light = false);
+Image render_shot(Lab& lab, const Shot& shot, bool light = false);
 
-/// The two halves of take(), for callers that draw and validate in different processes. draw_shot() throws for GL
-/// errors only.
+/// The two halves of render_shot(), for callers that draw and validate in different processes. draw_shot() throws for
+/// GL errors only.
 Image draw_shot(Lab& lab, const Shot& shot, bool light = false);
 void refuse_unusable(const Image& image, const Shot& shot);
 

@@ -89,7 +89,7 @@ private:
         return traits_type::eof();
     }
 
-    void show_numbers(int least, int wanted, int most) {
+    void show_numbers(int min, int wanted, int max) {
         shown_ = statements_.keyword();
         std::string_view rest = statements_.rest();
         int count = 0;
@@ -97,8 +97,8 @@ private:
             if (!is_number(word)) statements_.fail(fmt::format("'{}' is not a finite number", excerpt(word)));
             if (++count <= wanted) shown_.append(" ").append(word);
         }
-        if (count < least || count > most)
-            statements_.fail(fmt::format("'{}' takes {} numbers, here are {}", statements_.keyword(), least, count));
+        if (count < min || count > max)
+            statements_.fail(fmt::format("'{}' takes {} numbers, here are {}", statements_.keyword(), min, count));
         shown_ += '\n';
     }
 

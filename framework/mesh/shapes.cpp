@@ -15,7 +15,7 @@ struct Place {
 /// With less than 1e18 sums and squared lengths stay finite in float, too.
 double extent(float size) { return std::isfinite(size) ? std::min(std::abs(size), 1e18f) : 0; }
 
-int count_of(int count, int least) { return std::clamp(count, least, 4096); }
+int count_of(int count, int min) { return std::clamp(count, min, 4096); }
 
 /// Adds a grid of (columns + 1) x (rows + 1) vertices; `vertex` gives the surface at a place.
 template <class Surface>

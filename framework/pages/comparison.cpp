@@ -93,12 +93,13 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
         shot.set.emplace_back(info.knob, value), shot.probe = {};
         ComparedMethod& method = result.methods.emplace_back(ComparedMethod{value, {}, {}, {}});
         const std::unique_ptr<Lab> drawn = make_lab(lab, shot);
-        method.picture = take(*drawn, shot);
+        method.picture = render_shot(*drawn, shot);
         if (!probe) continue;
         shot.probe = probe;
         shot.size = shot.size * 3 / 4;  // a probe has no edges to be smooth, and its truth is what takes time
         try {
-            method.error = error_image(take(*drawn, shot), truths.of(*drawn, shot), manifest.probe(probe.name).error);
+            method.error =
+                error_image(render_shot(*drawn, shot), truths.of(*drawn, shot), manifest.probe(probe.name).error);
         } catch (const UsageError&) {  // no truth, as in a student's course
             probe = {};
             continue;
@@ -108,15 +109,15 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
     }
     if (kept.empty()) return result;
     result.probe = &manifest.probe(probe.name);
-    result.most = rounded_up(*std::max_element(kept.begin(), kept.end()));
-    result.least = result.most / decades;
+    result.max = rounded_up(*std::max_element(kept.begin(), kept.end()));
+    result.min = result.max / decades;
     return result;
 }
 
 Image error_map(const Comparison& comparison, const Image& error) {
     Image place = error;  // along the scale
     for (float& value : place.values)
-        if (std::isfinite(value)) value = float(std::max(0.0, std::log(value / comparison.least) / std::log(decades)));
+        if (std::isfinite(value)) value = float(std::max(0.0, std::log(value / comparison.min) / std::log(decades)));
     return visualize_error(place, 1);
 }
 

@@ -23,7 +23,7 @@ struct Comparison {
     std::vector<ComparedMethod> methods;
     /// The ends of the error maps' scale, the same for all methods. It is logarithmic: methods differ by powers of ten.
     /// `most`: what all but 1 % of each one's pixels keep to, rounded up to 1, 2 or 5 times a power of ten.
-    double least = 0, most = 0;
+    double min = 0, max = 0;
 };
 
 /// What the manifest's [compare] says; without it the knob `method`, where there is one, by the manifest's camera, with

@@ -37,9 +37,9 @@ Look look_of(const Span& span, FontRole base) {
 }
 
 /// Sets words from left to right in lines of a width; what is wider than a line is cut.
-class Setter {
+class TextLayout {
 public:
-    Setter(ImVec2 corner, float width, FontRole base, bool visible)
+    TextLayout(ImVec2 corner, float width, FontRole base, bool visible)
         : corner_(corner), width_(width), base_(base), visible_(visible), line_(font(base)->FontSize * 1.35f) {}
 
     void set(const Spans& spans) {
@@ -128,9 +128,9 @@ private:
 /// Sets spans at the cursor and moves it below them.
 void set_spans(const Spans& spans, float width, FontRole base = FontRole::text, float indent = 0) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    Setter setter({at.x + indent, at.y}, width - indent, base, true);
-    setter.set(spans);
-    ImGui::Dummy({width, setter.height()});
+    TextLayout layout({at.x + indent, at.y}, width - indent, base, true);
+    layout.set(spans);
+    ImGui::Dummy({width, layout.height()});
 }
 
 void draw_code(const std::string& text, float width) {
@@ -231,10 +231,10 @@ void Handout::draw_block(const Block& block, float width) {
         case BlockKind::item: {
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const std::string marker = block.marker == "*" ? "\u2022" : block.marker;
-            Setter size({}, width, FontRole::text, false);
+            TextLayout size({}, width, FontRole::text, false);
             size.set({{.text = marker}});
-            Setter number({at.x + indent + std::max(0.0f, 1.6f * em - size.widest()), at.y}, width, FontRole::text,
-                          true);
+            TextLayout number({at.x + indent + std::max(0.0f, 1.6f * em - size.widest()), at.y}, width, FontRole::text,
+                              true);
             number.set({{.text = marker}});
             set_spans(block.spans, width, FontRole::text, indent + 2 * em);
             break;
@@ -271,9 +271,9 @@ void Handout::draw_table(const Block& block, float width) const {
     std::vector<float> widths(columns, 0);
     for (size_t row = 0; row < block.rows.size(); ++row)
         for (size_t column = 0; column < columns; ++column) {
-            Setter setter({}, std::numeric_limits<float>::max(), FontRole::text, false);
-            setter.set(cell(row, column));
-            widths[column] = std::max(widths[column], setter.widest() + 1);
+            TextLayout layout({}, std::numeric_limits<float>::max(), FontRole::text, false);
+            layout.set(cell(row, column));
+            widths[column] = std::max(widths[column], layout.widest() + 1);
         }
     float left = std::max(1.0f, width - padding * 2 * float(columns));
     std::vector<float> sorted = widths;
@@ -294,9 +294,9 @@ void Handout::draw_table(const Block& block, float width) const {
     for (size_t row = 0; row < block.rows.size(); ++row) {
         float height = 0, x = corner.x;
         for (size_t column = 0; column < columns; ++column) {
-            Setter setter({x + padding, y + padding / 2}, widths[column], FontRole::text, true);
-            setter.set(cell(row, column));
-            height = std::max(height, setter.height());
+            TextLayout layout({x + padding, y + padding / 2}, widths[column], FontRole::text, true);
+            layout.set(cell(row, column));
+            height = std::max(height, layout.height());
             x += widths[column] + 2 * padding;
         }
         y += height + padding;

@@ -65,7 +65,7 @@ public:
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
-            return occlusion::truth(part, probe, surface_.mesh(), surface_.lay(), surface_.heights());
+            return occlusion::truth(part, probe, surface_.mesh(), surface_.mapping(), surface_.heights());
         });
     }
 
@@ -106,12 +106,12 @@ private:
         int version = 0;
         Orbit orbit;
         glm::ivec2 size{};
-        ReliefLay lay;
+        ReliefMapping mapping;
         int shape = 0;
         Figures figures;
         bool same_as(const Measured& other) const {
             const auto all = [](const Measured& m) {
-                return std::tuple(m.by, m.version, m.size, m.lay.repeat, m.lay.shift, m.lay.depth, m.shape);
+                return std::tuple(m.by, m.version, m.size, m.mapping.repeat, m.mapping.shift, m.mapping.depth, m.shape);
             };
             return all(*this) == all(other) && orbit == other.orbit;
         }
@@ -154,7 +154,7 @@ private:
         program.set("u_to_light",
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_steps", method.steps);
-        program.set("u_least_steps", method.least_steps);
+        program.set("u_min_steps", method.least_steps);
         program.set("u_texels_per_step", method.texels_per_step);
         program.set("u_rounds", method.rounds);
         program.set("u_level_bias", level_bias);
@@ -167,7 +167,8 @@ private:
     const Figures& measure(size_t tile, const Frame& frame) {
         const Program& program =
             use(frame, method_of(tile), "MEASURE", std::log2(float(measured.y) / float(std::max(1, frame.size.y))));
-        Measured now{program, surface_.version(), frame.camera.orbit(), frame.size, surface_.lay(), surface_.shape, {}};
+        Measured now{program, surface_.version(), frame.camera.orbit(), frame.size, surface_.mapping(), surface_.shape,
+                     {}};
         Measured& known = measured_[tile];
         if (now.same_as(known)) return known.figures;
         const Target target(TargetKind::probe, measured);

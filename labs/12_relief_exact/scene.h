@@ -22,8 +22,9 @@ struct Object {
     std::pair<glm::vec2, glm::vec2> border(bool outline) const {
         const glm::vec2 far(1e30f);
         if (!outline || surface->shape == ReliefSurface::urn) return {-far, far};
-        const ReliefLay lay = surface->lay();
-        glm::vec2 low = glm::min(lay.shift, lay.shift + lay.repeat), high = glm::max(lay.shift, lay.shift + lay.repeat);
+        const ReliefMapping mapping = surface->mapping();
+        glm::vec2 low = glm::min(mapping.shift, mapping.shift + mapping.repeat),
+                  high = glm::max(mapping.shift, mapping.shift + mapping.repeat);
         if (surface->shape == ReliefSurface::column) low.x = -far.x, high.x = far.x;  // it closes around
         return {low, high};
     }

@@ -26,8 +26,8 @@ void Skips::set(const Program& program, Method method) {
     program.set("s_cones", 3, cones_);
     program.set("u_top_level", std::min(4, std::countr_zero(unsigned(heights_.width))));
     if (method == windows) {
-        const auto& grown = windows_.grown;
-        program.set("u_grown", glm::vec4(grown[0], grown[1], grown[2], grown[3]));
+        const auto& extent = windows_.extent;
+        program.set("u_window_extent", glm::vec4(extent[0], extent[1], extent[2], extent[3]));
         program.set("u_block", float(windows_.block));
         program.set("u_per_block", 1.0f / float(windows_.block));
     }

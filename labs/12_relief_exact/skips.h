@@ -40,7 +40,7 @@ private:
     std::array<Costs, method_names.size()> costs_{};
     std::array<bool, method_names.size()> made_{};
     HeightWindows windows_;
-    Texture window_texture_{"windows", [this] { return windows_.clear; }, {.mips = false, .layers = 4}};
+    Texture window_texture_{"windows", [this] { return windows_.clearance; }, {.mips = false, .layers = 4}};
     Texture around_{"highest in 5 x 5", [this] { return highest_in_5x5(heights_); }, {.mips = false}};
     Texture bounds_{"bounds", [this] { return min_max_atlas(heights_); }, {.mips = false}};
     Texture cones_{"cones", [this] { return cone_map(heights_); }, {.mips = false}};

@@ -57,7 +57,7 @@ public:
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
-            return budget::truth(probe, question(part), known(), surface_.heights());
+            return budget::truth(probe, frame_budget(part), map_errors(), surface_.heights());
         });
     }
 
@@ -87,13 +87,14 @@ private:
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const { return tiles_of(size, view_ == both ? 2 : 1); }
 
-    const Known& known() const {
-        if (!known_ || known_version_ != surface_.version())
-            known_.emplace(surface_.heights(), surface_.material.normals()), known_version_ = surface_.version();
-        return *known_;
+    const MapErrors& map_errors() const {
+        if (!map_errors_ || map_errors_version_ != surface_.version())
+            map_errors_.emplace(surface_.heights(), surface_.material.normals()),
+                map_errors_version_ = surface_.version();
+        return *map_errors_;
     }
 
-    Question question(const Frame& frame) const {
+    FrameBudget frame_budget(const Frame& frame) const {
         // Most of the budget goes into thinning, which every method gains by; of two methods that meet, each is off by
         // no more than the rest beyond that, so that together they are within the budget, too.
         double thinning = 0.875, precision = 0.125;
@@ -103,7 +104,7 @@ private:
     }
 
     /// What is drawn, by the program that draws it.
-    std::map<Group, std::vector<glm::vec2>> groups_of(const Question& question, const std::string& probe) const {
+    std::map<Group, std::vector<glm::vec2>> groups_of(const FrameBudget& budget, const std::string& probe) const {
         // What decides a pixel is a question to each of them, where its patch has decided already, too.
         const bool is_of_choice = probe == "pixels" || probe == "left" || probe == "level" || probe == "bumps";
         std::map<Group, std::vector<glm::vec2>> groups;
@@ -117,10 +118,10 @@ private:
         };
         const Methods forced = method_ == 0 ? 0 : bit(Method(method_ - 1));
         if (forced != 0 && forced != bit(displacement) && !is_of_choice) {
-            if (question.frame.camera.eye().z > 0) add(groups[{forced, true}], wall_low, wall_high, false);
+            if (budget.frame.camera.eye().z > 0) add(groups[{forced, true}], wall_low, wall_high, false);
             return groups;
         }
-        for (const Patch& patch : patches_for(question, known())) {
+        for (const Patch& patch : patches_for(budget, map_errors())) {
             Methods wanted = forced != 0 ? forced : patch.methods;
             if (is_of_choice || (probe == "method" && wanted != bit(displacement))) wanted = any_of_a_pixel;
             if (wanted != 0 && wanted != bit(displacement))
@@ -134,7 +135,7 @@ private:
     }
 
     void draw_wall(const Frame& frame, const Define& purpose) {
-        const Question asked = question(frame);
+        const FrameBudget budget = frame_budget(frame);
         if (!uploaded_) {
             uploaded_.emplace();
             glBindVertexArray(uploaded_->layout);
@@ -144,12 +145,12 @@ private:
         }
         glBindVertexArray(uploaded_->layout);
         glBindBuffer(GL_ARRAY_BUFFER, uploaded_->places);
-        for (const auto& [group, places] : groups_of(asked, frame.probe.name)) {
+        for (const auto& [group, places] : groups_of(budget, frame.probe.name)) {
             const bool displaced = group.methods == bit(displacement);
             glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(places.size() * sizeof(glm::vec2)), places.data(), GL_STREAM_DRAW);
             set((displaced ? displaced_ : flat_)
                     .with({purpose, fmt::format("METHODS {}", group.methods), group.may_leave ? "MAY_LEAVE" : ""}),
-                asked, displaced ? known().pieces() : known().levels);
+                budget, displaced ? map_errors().pieces() : map_errors().levels);
             if (displaced)
                 draw_patches(int(places.size()) / 4, 4);
             else
@@ -158,27 +159,27 @@ private:
     }
 
     /// `errors` are of what the program makes coarser.
-    void set(const Program& program, const Question& asked, const std::vector<float>& errors) {
-        const Known& maps = known();
-        const glm::dmat4 clip_from_world = asked.frame.camera.clip_from_world();
+    void set(const Program& program, const FrameBudget& budget, const std::vector<float>& errors) {
+        const MapErrors& maps = map_errors();
+        const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
         const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         glUseProgram(program);
         surface_.material.set(program);
         surface_.set_exact_hit(program, 3);
         program.set("u_clip_from_world", clip_from_world);
         program.set("u_clip_along", glm::vec4(clip_from_world * glm::dvec4(0, 0, 1, 0)));
-        program.set("u_eye", asked.frame.camera.eye());
+        program.set("u_eye", budget.frame.camera.eye());
         program.set("u_to_light",
                     glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
         program.set("u_border", glm::vec4(wall_low, wall_high));
-        program.set("u_size", glm::vec2(asked.frame.size));
-        program.set("u_first_level", first_level(asked, maps));
-        program.set("u_budget", asked.budget);
-        program.set("u_shares[0]", asked.thinning);
-        program.set("u_shares[1]", asked.precision);
-        program.set("u_scale", asked.scale);
+        program.set("u_size", glm::vec2(budget.frame.size));
+        program.set("u_first_level", first_level(budget, maps));
+        program.set("u_budget", budget.pixels);
+        program.set("u_shares[0]", budget.thinning);
+        program.set("u_shares[1]", budget.precision);
+        program.set("u_scale", budget.scale);
         program.set("u_range", maps.range);
-        program.set("u_exact_taps", asked.exact_taps);
+        program.set("u_exact_taps", budget.exact_taps);
         program.set("u_levels", int(errors.size()));
         for (size_t i = 0; i < errors.size(); ++i) program.set(fmt::format("u_errors[{}]", i).c_str(), errors[i]);
         program.set("u_texels", float(maps.texels));
@@ -227,8 +228,8 @@ private:
     Programs displaced_{"17_time_and_error/cell.vert", "17_time_and_error/wall.tesc", "17_time_and_error/wall.tese",
                         "17_time_and_error/surface.frag"};
     ReliefSurface surface_;
-    mutable std::optional<Known> known_;
-    mutable int known_version_ = 0;
+    mutable std::optional<MapErrors> map_errors_;
+    mutable int map_errors_version_ = 0;
     std::optional<Uploaded> uploaded_;
     std::optional<Target> small_;
     Labels labels_;

@@ -9,7 +9,7 @@
 
 namespace relief::budget {
 
-inline FromStaff<std::optional<Image>(const Probe& probe, const Question& question, const Known& known,
+inline FromStaff<std::optional<Image>(const Probe& probe, const FrameBudget& budget, const MapErrors& maps,
                                       const Image& heights)>
     truth;
 

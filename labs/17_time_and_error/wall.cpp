@@ -32,14 +32,14 @@ struct Corner {
 };
 
 /// What the picture shows of a patch (Sutherland and Hodgman 1974), and a pixel around, for samples beside the centres.
-std::vector<Corner> seen_of(const Patch& patch, const Question& question) {
-    const glm::dmat4 clip_from_world = question.frame.camera.clip_from_world();
+std::vector<Corner> seen_of(const Patch& patch, const FrameBudget& budget) {
+    const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
     std::vector<Corner> polygon;
     for (const glm::dvec2 place : {patch.low, {patch.high.x, patch.low.y}, patch.high, {patch.low.x, patch.high.y}})
         polygon.push_back({place, clip_from_world * glm::dvec4(place, 0, 1)});
     for (int plane = 0; plane < 6; ++plane) {
         const int axis = plane / 2;
-        const double grown = axis < 2 ? 1 + 2.0 / std::max(1, question.frame.size[axis]) : 1;
+        const double grown = axis < 2 ? 1 + 2.0 / std::max(1, budget.frame.size[axis]) : 1;
         const auto inside = [&](const Corner& corner) {
             return grown * corner.clip.w + (plane % 2 == 0 ? corner.clip[axis] : -corner.clip[axis]);
         };
@@ -58,7 +58,7 @@ std::vector<Corner> seen_of(const Patch& patch, const Question& question) {
 }
 
 struct Interval {
-    double least, most;
+    double min, max;
 };
 
 /// What the pixels of a patch have in common.
@@ -72,66 +72,66 @@ struct Bounds {
 /// Over what is seen the inverse distance ahead is linear on the screen, and so is the vector whose length, times that,
 /// says how fast a pixel runs when its place moves along the normal. So neither is anywhere more than at the worst
 /// corner.
-Bounds bounds_of(const std::vector<Corner>& seen, const Question& question) {
-    const glm::dvec3 eye = question.frame.camera.eye();
-    const glm::dvec4 along = question.frame.camera.clip_from_world() * glm::dvec4(0, 0, 1, 0);
-    const glm::dvec2 half_size = glm::dvec2(question.frame.size) / 2.0;
+Bounds bounds_of(const std::vector<Corner>& seen, const FrameBudget& budget) {
+    const glm::dvec3 eye = budget.frame.camera.eye();
+    const glm::dvec4 along = budget.frame.camera.clip_from_world() * glm::dvec4(0, 0, 1, 0);
+    const glm::dvec2 half_size = glm::dvec2(budget.frame.size) / 2.0;
     Bounds bounds{{0, 0}, {0, 0}, {INFINITY, 0}, false};
     std::vector<glm::dvec2> runs;
     glm::dvec2 sum(0), low(INFINITY), high(-INFINITY);
     for (const auto& [place, clip] : seen) {
-        bounds.ahead = {std::min(bounds.ahead.least, clip.w), std::max(bounds.ahead.most, clip.w)};
-        bounds.reach.most = std::max(bounds.reach.most, glm::distance(place, glm::dvec2(eye)) / eye.z);
+        bounds.ahead = {std::min(bounds.ahead.min, clip.w), std::max(bounds.ahead.max, clip.w)};
+        bounds.reach.max = std::max(bounds.reach.max, glm::distance(place, glm::dvec2(eye)) / eye.z);
         runs.push_back(half_size * (glm::dvec2(along) - glm::dvec2(clip) / clip.w * along.w));
         sum += runs.back(), low = glm::min(low, place), high = glm::max(high, place);
     }
-    bounds.reach.least = glm::distance(glm::clamp(glm::dvec2(eye), low, high), glm::dvec2(eye)) / eye.z;
-    const double reach = bounds.reach.most * question.scale;
+    bounds.reach.min = glm::distance(glm::clamp(glm::dvec2(eye), low, high), glm::dvec2(eye)) / eye.z;
+    const double reach = bounds.reach.max * budget.scale;
     bounds.may_leave =
         glm::any(glm::lessThan(low - reach, wall_low)) || glm::any(glm::greaterThan(high + reach, wall_high));
     // No run is less than along the mean of all.
     const glm::dvec2 mean = glm::length(sum) > 0 ? glm::normalize(sum) : glm::dvec2(1, 0);
     Interval run{INFINITY, 0};
     for (const glm::dvec2& one : runs)
-        run = {std::min(run.least, std::max(0.0, glm::dot(one, mean))), std::max(run.most, glm::length(one))};
-    bounds.pixels_per_metre = {run.least / bounds.ahead.most, run.most / bounds.ahead.least};
+        run = {std::min(run.min, std::max(0.0, glm::dot(one, mean))), std::max(run.max, glm::length(one))};
+    bounds.pixels_per_metre = {run.min / bounds.ahead.max, run.max / bounds.ahead.min};
     return bounds;
 }
 
 /// The level up to which errors are within `most`; -1: none is.
-double whole_level(const std::vector<float>& errors, double most) {
-    return double(std::upper_bound(errors.begin(), errors.end(), float(most)) - errors.begin()) - 1;
+double whole_level(const std::vector<float>& errors, double max_error) {
+    return double(std::upper_bound(errors.begin(), errors.end(), float(max_error)) - errors.begin()) - 1;
 }
 
 /// Where this says that a method is not needed, no pixel of the patch asks for it; floats may round by a thousandth.
-Methods methods_of(const Bounds& bounds, const Question& question, const Known& known) {
-    const double range = double(known.range.y - known.range.x), slack = 1.001;
-    const auto tolerance = [&](double pixels) { return question.budget / std::max(pixels * question.scale, 1e-30); };
-    const Interval tolerated{tolerance(bounds.pixels_per_metre.most), tolerance(bounds.pixels_per_metre.least)};
+Methods methods_of(const Bounds& bounds, const FrameBudget& budget, const MapErrors& maps) {
+    const double range = double(maps.range.y - maps.range.x), slack = 1.001;
+    const auto tolerance = [&](double pixels) { return budget.pixels / std::max(pixels * budget.scale, 1e-30); };
+    const Interval tolerated{tolerance(bounds.pixels_per_metre.max), tolerance(bounds.pixels_per_metre.min)};
     Methods methods = 0;
-    if (2 * question.thinning * tolerated.most * slack >= range) {
+    if (2 * budget.thinning * tolerated.max * slack >= range) {
         const auto level = [&](double ahead) {
-            return std::max(0.0, first_level(question, known) + 1.5 * std::log2(ahead)) + std::log2(question.budget);
+            return std::max(0.0, first_level(budget, maps) + 1.5 * std::log2(ahead)) + std::log2(budget.pixels);
         };
-        if (level(bounds.ahead.least) < double(known.flat_level) + 1e-3) methods |= bit(normal_map);
-        if (level(bounds.ahead.most) > double(known.flat_level) - 1e-3) methods |= bit(plain);
+        if (level(bounds.ahead.min) < double(maps.flat_level) + 1e-3) methods |= bit(normal_map);
+        if (level(bounds.ahead.max) > double(maps.flat_level) - 1e-3) methods |= bit(plain);
     }
-    if (2 * question.thinning * tolerated.least > range * slack) return methods;
-    const auto taps = [&](double reach, double most, double rounding) {
-        const double off = question.precision * most;
-        if (off * rounding < double(known.levels[0])) return 1e30;
-        const double left = std::max(0.0, range - 2 * question.thinning * most);
+    if (2 * budget.thinning * tolerated.min > range * slack) return methods;
+    const auto taps = [&](double reach, double max_error, double rounding) {
+        const double off = budget.precision * max_error;
+        if (off * rounding < double(maps.levels[0])) return 1e30;
+        const double left = std::max(0.0, range - 2 * budget.thinning * max_error);
         return std::max(
-            1.0, left * reach * question.scale * known.texels / std::exp2(whole_level(known.levels, off * rounding)));
+            1.0, left * reach * budget.scale * maps.texels / std::exp2(whole_level(maps.levels, off * rounding)));
     };
-    if (taps(bounds.reach.least, tolerated.most, slack) <= question.exact_taps * slack) methods |= bit(parallax);
-    if (taps(bounds.reach.most, tolerated.least, 1 / slack) * slack >= question.exact_taps) methods |= bit(exact);
+    if (taps(bounds.reach.min, tolerated.max, slack) <= budget.exact_taps * slack) methods |= bit(parallax);
+    if (taps(bounds.reach.max, tolerated.min, 1 / slack) * slack >= budget.exact_taps) methods |= bit(exact);
     return methods;
 }
 
 /// Whether its triangles take less time than the search in its pixels.
 bool is_better_displaced(const Patch& patch, const std::vector<Corner>& seen, const Bounds& bounds,
-                         const Question& question, const Known& known) {
+                         const FrameBudget& budget, const MapErrors& maps) {
     if (!(patch.methods & (bit(parallax) | bit(exact)))) return false;
     const glm::dvec2 size = patch.high - patch.low;
     double pixels = 0;  // twice the area of what is seen, then in pixels
@@ -139,19 +139,19 @@ bool is_better_displaced(const Patch& patch, const std::vector<Corner>& seen, co
         const glm::dvec4 &a = seen[i].clip, &b = seen[(i + 1) % seen.size()].clip;
         pixels += glm::determinant(glm::dmat2(glm::dvec2(a) / a.w, glm::dvec2(b) / b.w));
     }
-    pixels = std::abs(pixels) / 2 * question.frame.size.x * question.frame.size.y / 4;
+    pixels = std::abs(pixels) / 2 * budget.frame.size.x * budget.frame.size.y / 4;
     const auto pays = [&](double side) {  // of squares of two triangles
-        return 2 * size.x * size.y / (side * side) * question.triangle_taps < pixels * question.exact_taps;
+        return 2 * size.x * size.y / (side * side) * budget.triangle_taps < pixels * budget.exact_taps;
     };
     if (!pays(cell_metres)) return false;
-    const double off = question.precision * question.budget / (bounds.pixels_per_metre.most * question.scale);
-    const double side = std::exp2(whole_level(known.pieces(), off)) / known.texels;
+    const double off = budget.precision * budget.pixels / (bounds.pixels_per_metre.max * budget.scale);
+    const double side = std::exp2(whole_level(maps.pieces(), off)) / maps.texels;
     return side * 64 >= cell_metres && pays(std::min(side, cell_metres));  // no finer than the tessellator goes
 }
 
 }  // namespace
 
-Known::Known(const Image& heights, const Image& normals)
+MapErrors::MapErrors(const Image& heights, const Image& normals)
     : texels(heights.width), normal_texels(normals.width), heights_(heights) {
     const auto [low, high] = std::minmax_element(heights.values.begin(), heights.values.end());
     range = {*low, *high};
@@ -169,7 +169,7 @@ Known::Known(const Image& heights, const Image& normals)
     flat_normal = normal(mips.back().values.data());
 }
 
-const std::vector<float>& Known::pieces() const {
+const std::vector<float>& MapErrors::pieces() const {
     if (pieces_.empty()) {
         pieces_ = piece_errors(heights_, (range.y - range.x) / 2);
         pieces_.resize(std::min(pieces_.size(), most_levels));
@@ -177,25 +177,25 @@ const std::vector<float>& Known::pieces() const {
     return pieces_;
 }
 
-double first_level(const Question& question, const Known& known) {
-    const Frame& frame = question.frame;
+double first_level(const FrameBudget& budget, const MapErrors& maps) {
+    const Frame& frame = budget.frame;
     const double pixels = frame.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2));
-    return std::log2(known.normal_texels / pixels / std::sqrt(std::max(frame.camera.eye().z, 1e-6)));
+    return std::log2(maps.normal_texels / pixels / std::sqrt(std::max(frame.camera.eye().z, 1e-6)));
 }
 
-std::vector<Patch> patches_for(const Question& question, const Known& known) {
-    const glm::dvec3 eye = question.frame.camera.eye();
+std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps) {
+    const glm::dvec3 eye = budget.frame.camera.eye();
     std::vector<Patch> patches, displaced;
     if (eye.z <= 0) return patches;  // its back is not drawn
     const std::vector<double> columns = lines(eye.x);
     for (size_t i = 0; i + 1 < columns.size(); ++i) {
         Patch patch{{columns[i], wall_low.y}, {columns[i + 1], wall_high.y}, 0, false};
-        if (const std::vector<Corner> seen = seen_of(patch, question); !seen.empty()) {
-            const Bounds bounds = bounds_of(seen, question);
-            patch.methods = methods_of(bounds, question, known), patch.may_leave = bounds.may_leave;
-            if (is_better_displaced(patch, seen, bounds, question, known)) {
+        if (const std::vector<Corner> seen = seen_of(patch, budget); !seen.empty()) {
+            const Bounds bounds = bounds_of(seen, budget);
+            patch.methods = methods_of(bounds, budget, maps), patch.may_leave = bounds.may_leave;
+            if (is_better_displaced(patch, seen, bounds, budget, maps)) {
                 patch.methods = bit(displacement);
-                const double reach = bounds.reach.most * question.scale;
+                const double reach = bounds.reach.max * budget.scale;
                 displaced.push_back({patch.low - reach, patch.high + reach, 0, false});
             }
         }

@@ -1,4 +1,4 @@
-// The wall of lab 17: what is known of its maps, and which methods each of its patches needs.
+// The wall of lab 17: the errors of its maps, and which methods each of its patches needs.
 #pragma once
 
 #include <vector>
@@ -17,10 +17,10 @@ constexpr Methods any_of_a_pixel = bit(plain) | bit(normal_map) | bit(parallax) 
 constexpr glm::dvec2 wall_low{-8, -4}, wall_high{248, 12};
 constexpr double cell_metres = 0.25;  ///< a side of what the tessellator cuts, up to 64 times
 
-/// What the maps say once and for all.
-class Known {
+/// Errors and ranges of the maps, independent of any frame.
+class MapErrors {
 public:
-    Known(const Image& heights, const Image& normals);
+    MapErrors(const Image& heights, const Image& normals);
 
     glm::vec2 range{};          ///< the lowest and the highest height
     std::vector<float> levels;  ///< level_errors() of those that are better than the plane in the middle
@@ -38,10 +38,10 @@ private:
 };
 constexpr size_t most_levels = 12;  ///< that shaders take, of levels and of pieces
 
-/// What a frame asks of each patch.
-struct Question {
+/// What a frame allows and costs, the same for each of its patches.
+struct FrameBudget {
     Frame frame;
-    double budget;               ///< pixels
+    double pixels;               ///< the largest error allowed
     double scale;                ///< of the relief, metres
     double thinning, precision;  ///< shares of the budget: to thin the relief, and for what a method is off by
     double exact_taps;           ///< heights that a march reads in the time of an exact search
@@ -57,11 +57,11 @@ struct Patch {
 };
 
 /// What the picture may show of the wall, in pieces from its lower to its upper end.
-std::vector<Patch> patches_for(const Question& question, const Known& known);
+std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps);
 
 /// The level of the normal map whose texels are as wide as a pixel that shows a place a metre ahead, in the mean of
 /// both directions; at `ahead` metres it is this + 1.5 log2(ahead), at least 0: a pixel covers ahead³ / (p² e) square
 /// metres of a wall that is e metres from the eye, where p pixels are a metre wide a metre ahead.
-double first_level(const Question& question, const Known& known);
+double first_level(const FrameBudget& budget, const MapErrors& maps);
 
 }  // namespace relief::budget

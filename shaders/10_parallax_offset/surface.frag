@@ -29,7 +29,7 @@ uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 uniform sampler2DArray s_windows;  // for the exact hit
-uniform vec4 u_grown;
+uniform vec4 u_window_extent;
 
 layout(location = 0) out vec4 o_color;
 
@@ -86,7 +86,7 @@ void main() {
 #elif defined PROBE_steps
     o_color = vec4(taps(t), 0.0, 0.0, 0.0);
 #elif defined ERROR || defined MEASURE
-    float exact = cosine > 0.0 ? exact_hit(s_heights, s_windows, u_grown, v_uv, along, vec2(0.0, 1.0)) : 0.0;
+    float exact = cosine > 0.0 ? exact_hit(s_heights, s_windows, u_window_extent, v_uv, along, vec2(0.0, 1.0)) : 0.0;
     float texels = abs(t - exact) * length(along * vec2(textureSize(s_heights, 0)));
 #ifdef MEASURE
     o_color = vec4(texels, 0.0, 0.0, 0.0);

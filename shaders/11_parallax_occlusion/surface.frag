@@ -33,7 +33,7 @@ uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 uniform sampler2DArray s_windows;  // for the exact hit
-uniform vec4 u_grown;
+uniform vec4 u_window_extent;
 
 uniform vec3 u_eye;
 uniform vec3 u_to_light;  // unit
@@ -42,7 +42,7 @@ uniform float u_depth_metres;
 uniform vec2 u_normal_strength;
 
 uniform float u_steps;
-uniform float u_least_steps;
+uniform float u_min_steps;
 uniform float u_texels_per_step;
 uniform int u_rounds;
 uniform float u_level_bias;  // where a pixel stands for a smaller one
@@ -71,7 +71,7 @@ bool is_flat(ReliefRay ray, vec2 size, out float height) {
 
 float steps_of(ReliefRay ray, vec2 size) {
 #if defined BY_ANGLE
-    return steps_by_angle(ray.slant, u_least_steps, u_steps);
+    return steps_by_angle(ray.slant, u_min_steps, u_steps);
 #elif defined BY_TEXEL
     return steps_by_texel(ray, size, u_texels_per_step);
 #else
@@ -138,7 +138,7 @@ void main() {
     vec2 uv = v_uv + t * ray.march;
 
 #if defined ERROR || defined MEASURE
-    float exact = has_relief ? exact_hit(s_heights, s_windows, u_grown, v_uv, ray.march, vec2(0.0, 1.0)) : 0.0;
+    float exact = has_relief ? exact_hit(s_heights, s_windows, u_window_extent, v_uv, ray.march, vec2(0.0, 1.0)) : 0.0;
     float off = abs(t - exact) * length(ray.march * vec2(textureSize(s_heights, 0)));  // texels
 #endif
 #if defined PROBE_uv

@@ -23,9 +23,9 @@ const int bisection = 2, secant = 3, illinois = 4;  // methods of task 11.4
 // angle: `most` where the ray is level (slant 0), `least` where it looks straight down (slant 1), linear in between.
 // By texel: one step for every `texels_per_step` texels of the march's length, counted on the level that is read, but
 // at least 1 and at most 1024. `size` is that of level 0; a texel of level k is 2^k times as wide.
-float steps_by_angle(float slant, float least, float most) {
+float steps_by_angle(float slant, float min_steps, float max_steps) {
     //[solution
-    return mix(most, least, slant);
+    return mix(max_steps, min_steps, slant);
     //]starter
     //| return unfinished(8.0);
     //]

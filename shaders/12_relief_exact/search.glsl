@@ -1,8 +1,8 @@
 // The first hit of a ray and a height map, exactly: one test of what can be hit, and five ways to skip what cannot.
 //
-// Every turn of the loop looks at one cell, the bilinear surface between four texel centres, and then goes on to a
-// place that the ray reaches without a hit: at least to the next cell. So the ways differ in their number of turns
-// and in what a turn costs, and not in their result. Each is a file of its own, with one function: next_t().
+// Every iteration of the loop looks at one cell, the bilinear surface between four texel centres, and then goes on to a
+// place that the ray reaches without a hit: at least to the next cell. So the ways differ in their number of
+// iterations and in what one costs, and not in their result. Each is a file of its own, with one function: next_t().
 
 #include "common/cell_walk.glsl"
 #include "common/height_cell.glsl"
@@ -14,11 +14,11 @@ uniform float u_highest;  // of all heights
 struct ReliefHit {
     float t;
     bool missed;   // came to the ray's end
-    bool stopped;  // had no turns left, and ends in the air
-    int turns;
+    bool stopped;  // had no iterations left, and ends in the air
+    int iterations;
 };
 
-// What a turn knows of a ray that did not hit its cell. Places are in texels from the cell that the ray starts in,
+// What an iteration knows of a ray that did not hit its cell. Places are in texels from the cell that the ray starts in,
 // and so is `cell`; in the map that one is cell `first`.
 struct Look {
     ReliefRay ray;
@@ -36,11 +36,11 @@ float height_of(ReliefRay ray, float t) {
     return ray.height.x + t * (ray.height.y + t * ray.height.z);
 }
 
-// Until which t the ray stays above 1 - clear. A ray that bends runs above its tangent, so that is never too late.
-vec4 above_until(Look at, vec4 clear) {
-    if (at.plain) return clear;
+// Until which t the ray stays above 1 - clearance. A ray that bends runs above its tangent, so that is never too late.
+vec4 above_until(Look at, vec4 clearance) {
+    if (at.plain) return clearance;
     float falls = -(at.ray.height.y + 2.0 * at.t * at.ray.height.z);
-    return at.t + (height_of(at.ray, at.t) - 1.0 + clear) / max(falls, 1e-9);
+    return at.t + (height_of(at.ray, at.t) - 1.0 + clearance) / max(falls, 1e-9);
 }
 
 #if defined COARSE
@@ -67,8 +67,8 @@ vec3 gap_between(vec4 corners, ReliefRay ray, float t0, float t1, vec2 cell) {
 }
 
 //(search
-// From t to t_end; at t the ray is not below the surface. `turns` are what the pixel has had before.
-ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int turns) {
+// From t to t_end; at t the ray is not below the surface. `before` counts the iterations that the pixel has had.
+ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int before) {
     vec2 size = vec2(textureSize(s_heights, 0)), texel = 1.0 / size, first = floor(mod(ray.start, size));
     ray.start = fract(ray.start);
     vec2 way = way_of(ray.along), per_cell = 1.0 / max(abs(ray.along), vec2(1e-9)), inverse = way * per_cell;
@@ -76,8 +76,8 @@ ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int turns) 
     vec2 ahead = start_along(ray.start, way), by = abs(ray.along), passed = floor(ahead + t * by);
     vec3 gap = vec3(0.0);
     float leaves = t;
-    int turn = 0, most = min(turns_between(ray.along, t, t_end), most_turns - turns);
-    for (; turn < most && t < t_end; ++turn) {
+    int iteration = 0, last = min(iterations_between(ray.along, t, t_end), max_iterations - before);
+    for (; iteration < last && t < t_end; ++iteration) {
         vec2 cell = way * passed, out_of_cell = leave_square(ray, inverse, cell, 1.0);
         leaves = clamp(min(out_of_cell.x, out_of_cell.y), t, t_end);
         vec4 corners = textureGather(s_heights, (first + cell + 1.0) * texel);
@@ -86,7 +86,7 @@ ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int turns) 
         t = next_t(Look(ray, inverse, per_cell, quadrant, plain, texel, first, cell, t, leaves, out_of_cell, corners));
         passed = next_cell(passed, out_of_cell, ahead + t * by);
     }
-    bool missed = t >= t_end, stopped = !missed && turn >= most;
-    return ReliefHit(missed ? t_end : stopped ? t : t + (leaves - t) * first_closing(gap), missed, stopped, turn + 1);
+    bool missed = t >= t_end, stopped = !missed && iteration >= last;
+    return ReliefHit(missed ? t_end : stopped ? t : t + (leaves - t) * first_closing(gap), missed, stopped, iteration + 1);
 }
 //)

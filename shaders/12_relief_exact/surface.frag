@@ -24,7 +24,7 @@ uniform vec2 u_normal_strength;
 uniform float u_radius;        // of the cylinder that the base is, metres
 uniform vec4 u_border;         // lowest u and v, highest u and v
 uniform int u_soft_samples;
-uniform float u_turns_from;    // pixels: to the right of it the picture shows how many turns were taken
+uniform float u_turns_from;    // pixels: to the right of it the picture shows how many iterations were taken
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 
@@ -36,7 +36,7 @@ layout(depth_greater) out float gl_FragDepth;  // a relief lies behind its base:
 const float least_slant = 0.002;  // a flatter view ray counts as no flatter: a float could not follow it
 
 // 1 in the light, 0 in the shadow.
-float light_at(ReliefRay ray, int turns) {
+float light_at(ReliefRay ray, int iterations) {
 #if defined SOFT_SHADOW
     // How far the relief reaches above the ray, against how far away: what covers more of a light that has a size.
     const float hardness = 3.0;
@@ -49,19 +49,19 @@ float light_at(ReliefRay ray, int turns) {
     }
     return 1.0 - min(covered, 1.0);
 #else
-    return first_hit(ray, false, 0.0, 1.0, turns).missed ? 1.0 : 0.0;
+    return first_hit(ray, false, 0.0, 1.0, iterations).missed ? 1.0 : 0.0;
 #endif
 }
 
-// The same for a hit, whose place is in tiles and whose height in heights; the light's direction in tangent space; the turns that
+// The same for a hit, whose place is in tiles and whose height in heights; the light's direction in tangent space; the iterations that
 // the pixel has had.
-float lit_at(vec2 uv, float height, vec3 to_light, int turns) {
+float lit_at(vec2 uv, float height, vec3 to_light, int iterations) {
 #if defined HARD_SHADOW || defined SOFT_SHADOW || defined PROBE_shadow
     if (to_light.z <= 0.0) return 0.0;
     if (height >= u_highest - 1e-4) return 1.0;
     // From a little above the relief, so that a hit does not shade itself.
     vec2 size = vec2(textureSize(s_heights, 0));
-    return light_at(shadow_ray(vec3(uv * size - 0.5, height + 1e-4), to_light, u_depth * size), turns);
+    return light_at(shadow_ray(vec3(uv * size - 0.5, height + 1e-4), to_light, u_depth * size), iterations);
 #else
     return 1.0;
 #endif
@@ -107,12 +107,12 @@ void main() {
 #elif defined PROBE_depth
     o_color = vec4(distance(u_eye, position), 0.0, 0.0, 0.0);
 #elif defined PROBE_steps
-    o_color = vec4(float(hit.turns), hit.stopped ? 1.0 : 0.0, 0.0, 0.0);
+    o_color = vec4(float(hit.iterations), hit.stopped ? 1.0 : 0.0, 0.0, 0.0);
 #elif defined PROBE_shadow
-    o_color = vec4(lit_at(uv, height, u_to_light * frame, hit.turns), 0.0, 0.0, 0.0);
+    o_color = vec4(lit_at(uv, height, u_to_light * frame, hit.iterations), 0.0, 0.0, 0.0);
 #else
     if (gl_FragCoord.x > u_turns_from) {
-        o_color = finished(vec4(heat(log2(float(max(hit.turns, 1))) / 8.0), 1.0), gl_FragCoord.xy);
+        o_color = finished(vec4(heat(log2(float(max(hit.iterations, 1))) / 8.0), 1.0), gl_FragCoord.xy);
         return;
     }
     vec3 albedo = textureGrad(s_albedo, uv, dx, dy).rgb;
@@ -121,7 +121,7 @@ void main() {
     vec3 light = albedo * mix(vec3(0.1, 0.09, 0.08), vec3(0.25, 0.28, 0.34), 0.5 + 0.5 * n.y);
     // What is turned away from the light needs no search to be dark.
     if (dot(n, u_to_light) > 0.0)
-        light += lit_at(uv, height, u_to_light * frame, hit.turns) * vec3(1.35, 1.22, 1.02) * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
+        light += lit_at(uv, height, u_to_light * frame, hit.iterations) * vec3(1.35, 1.22, 1.02) * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
     o_color = finished(vec4(srgb_from_linear(light), 1.0), gl_FragCoord.xy);
 #endif
 }

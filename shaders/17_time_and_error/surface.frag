@@ -59,7 +59,7 @@ uniform sampler2D s_heights;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 uniform sampler2DArray s_windows;  // for the exact hit
-uniform vec4 u_grown;
+uniform vec4 u_window_extent;
 
 layout(location = 0) out vec4 o_color;
 
@@ -122,7 +122,7 @@ Choice look(Ray ray) {
     if (off < u_errors[0]) c.taps = 1e30;  // no level will do
 #else
     // A march that is to keep the budget all the same: steps of half a texel are off by half as much.
-    if (off > 0.0) c.taps = min(c.taps * max(1.0, u_errors[0] / off), float(most_turns));
+    if (off > 0.0) c.taps = min(c.taps * max(1.0, u_errors[0] / off), float(max_iterations));
 #endif
 #endif
 #endif
@@ -147,7 +147,7 @@ float seen(Ray ray, Choice c, int method) {
     if (method == parallax) return marched(ray, between, c.level, c.taps);
 #endif
 #if HAS(EXACT)
-    if (method == exact) return exact_hit(s_heights, s_windows, u_grown, ray.place, ray.along, between);
+    if (method == exact) return exact_hit(s_heights, s_windows, u_window_extent, ray.place, ray.along, between);
 #endif
     return between.y;
 }

@@ -2,14 +2,14 @@
 //
 // Cells are counted, in whole numbers along the ray's way from the one that it starts in: cell `passed` of the count
 // lies way * passed cells from there. A float holds whole numbers exactly up to 2^24, so a cell's walls stay where
-// they are however far the ray has come; its t may be rounded, and each turn still goes on by a cell at least.
+// they are however far the ray has come; its t may be rounded, and each iteration still goes on by a cell at least.
 
-// A pixel gets no more turns, whatever it looks for: Mesa 22.3's software renderer ends its loops after 65,535 in all.
-const int most_turns = 65000;
+// A pixel gets no more, whatever it looks for: Mesa 22.3's software renderer ends its loops after 65,535 in all.
+const int max_iterations = 65000;
 
 // As many as a ray needs from t0 to t1 without a skip: one for each wall, and one for each end.
-int turns_between(vec2 along, float t0, float t1) {
-    return int(min((abs(along.x) + abs(along.y)) * (t1 - t0), float(most_turns))) + 4;
+int iterations_between(vec2 along, float t0, float t1) {
+    return int(min((abs(along.x) + abs(along.y)) * (t1 - t0), float(max_iterations))) + 4;
 }
 
 // 1 or -1 along each axis.

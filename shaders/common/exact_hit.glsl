@@ -6,15 +6,15 @@
 // A ray goes from `uv` at height 1, t = 0, to uv + along at height 0, t = 1. The first t from between.x to between.y at
 // which it is not above the bilinear surface: from cell to cell (Amanatides and Woo 1987).
 //[solution
-// And at once past what lies below it: `windows` and `grown` are height_windows() of the heights. Students get a walk
+// And at once past what lies below it: `windows` and `extent` are height_windows() of the heights. Students get a walk
 // that skips nothing, as how to skip is what lab 12 asks for.
 //]starter
-//| // It skips nothing, so `windows` and `grown` are not read: how to skip is for lab 12.
+//| // It skips nothing, so `windows` and `extent` are not read: how to skip is for lab 12.
 //]
-// between.y where there is none, or not in most_turns.
-float exact_hit(sampler2D heights, sampler2DArray windows, vec4 grown, vec2 uv, vec2 along, vec2 between) {
+// between.y where there is none, or not in max_iterations.
+float exact_hit(sampler2D heights, sampler2DArray windows, vec4 extent, vec2 uv, vec2 along, vec2 between) {
     vec2 size = vec2(textureSize(heights, 0)), from = fract(uv) * size - 0.5, march = along * size;
-    int most = turns_between(march, between.x, between.y);
+    int last = iterations_between(march, between.x, between.y);
     //[solution
     vec2 first = floor(from), start = from - first, texel = 1.0 / size;
     vec2 block = size / vec2(textureSize(windows, 0).xy), per_block = 1.0 / block;
@@ -22,7 +22,7 @@ float exact_hit(sampler2D heights, sampler2DArray windows, vec4 grown, vec2 uv, 
     vec2 ahead = start_along(start, way), passed = floor(ahead + between.x * abs(march));
     vec2 first_ahead = mix(-first - 1.0, first, greaterThan(way, vec2(0.0)));
     float quadrant = dot(vec2(1.0, 2.0), max(-way, 0.0)), t = between.x;
-    for (int i = 0; i < most && t < between.y; ++i) {
+    for (int i = 0; i < last && t < between.y; ++i) {
         vec2 cell = way * passed, place = first + cell, leaves = (passed + 1.0 - ahead) * per_cell;
         float end = clamp(min(leaves.x, leaves.y), t, between.y);
         vec3 gap = gap_above_cell(cell_corners(heights, ivec2(place)), vec3(start + t * march - cell, 1.0 - t),
@@ -30,8 +30,8 @@ float exact_hit(sampler2D heights, sampler2DArray windows, vec4 grown, vec2 uv, 
         if (closes(gap)) return mix(t, end, first_closing(gap));
         vec2 block_ends = (floor((first_ahead + passed) * per_block) + 1.0) * block - first_ahead;
         vec2 leaves_block = (block_ends - ahead) * per_cell;
-        vec4 clear = textureLod(windows, vec3((place + 0.5) * texel, quadrant), 0.0);
-        vec4 safe = min(min(leaves_block.x + grown * per_cell.x, leaves_block.y + grown * per_cell.y), clear);
+        vec4 clearance = textureLod(windows, vec3((place + 0.5) * texel, quadrant), 0.0);
+        vec4 safe = min(min(leaves_block.x + extent * per_cell.x, leaves_block.y + extent * per_cell.y), clearance);
         t = max(max(end, max(safe.x, safe.y)), max(safe.z, safe.w));
         passed = next_cell(passed, leaves, ahead + t * abs(march));
     }
@@ -41,7 +41,7 @@ float exact_hit(sampler2D heights, sampler2DArray windows, vec4 grown, vec2 uv, 
     //| vec2 way = way_of(march), per_cell = 1.0 / max(abs(march), vec2(1e-9));
     //| vec2 ahead = start_along(start, way), passed = floor(ahead + between.x * abs(march));
     //| float t = between.x;
-    //| for (int i = 0; i < most && t < between.y; ++i) {
+    //| for (int i = 0; i < last && t < between.y; ++i) {
     //|     vec2 cell = way * passed, leaves = (passed + 1.0 - ahead) * per_cell;
     //|     float end = clamp(min(leaves.x, leaves.y), t, between.y);
     //|     vec3 gap = gap_above_cell(cell_corners(heights, ivec2(first + cell)),

@@ -180,7 +180,7 @@ struct Page {
             row.topic = "parallax", row.scene = {{"map", "bricks"}}, row.method = method, row.item = "frame";
             row.state = "measured", row.times = {time, time * 0.9, time * 1.2}, row.repeats = 10;
             row.error = {error, error, error, "texel", 0.25}, row.work = {{"taps", time / 1e6}, {"draws", 1}};
-            row.picture = Image(8, 8, 3, 8), row.error_map = Image(8, 8, 3, 8), row.error_map_most = 4;
+            row.picture = Image(8, 8, 3, 8), row.error_map = Image(8, 8, 3, 8), row.error_map_max = 4;
         }
         for (const char* state : {"measured", "crashed: Segmentation fault"}) {
             BenchRow row = result.rows.back();

@@ -1,5 +1,5 @@
-// Every function of shaders/common and shaders/staff against its twin in double precision, over thousands of inputs; and the same with a
-// mistake planted in the shader, which must be seen.
+// Every function of shaders/common and shaders/staff against its twin in double precision, over thousands of inputs;
+// and the same with a mistake planted in the shader, which must be seen.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -243,16 +243,16 @@ std::vector<Twin> cell_walks() {
              return next;
          },
          {"lessThanEqual(leaves", "greaterThanEqual(leaves"}},
-        {"turns_between",
+        {"iterations_between",
          "common/cell_walk.glsl",
-         "vec4(turns_between(d.xy * 1000.0, b.x, b.x + b.y), turns_between(d.xy * 1e6, 0.0, 1e3), 0.0, 0.0)",
+         "vec4(iterations_between(d.xy * 1000.0, b.x, b.x + b.y), iterations_between(d.xy * 1e6, 0.0, 1e3), 0.0, 0.0)",
          random_walk,
          [](const GlslInput& in) {
              const double way = 1000 * (std::abs(double(in[3].x)) + std::abs(double(in[3].y)));
              return glm::dvec4(way * double(in[1].y) + 4, 65004, 0, 0);
          },
          {"abs(along.y)", "along.y"},
-         1e-4},  // whole turns, of tens of thousands
+         1e-4},  // whole iterations, of tens of thousands
     };
 }
 
@@ -709,15 +709,16 @@ TEST(ShaderFunction, ExactHitsAreThoseOfTheHeightField) {
     Image image = make_height_map(HeightMap::stones, 64);
     const Texture map("heights", [&] { return image; });
     const HeightWindows windows = height_windows(image);
-    const Texture other("windows", [&] { return windows.clear; }, {.mips = false, .layers = 4});
-    const glm::vec4 grown(windows.grown[0], windows.grown[1], windows.grown[2], windows.grown[3]);
+    const Texture other("windows", [&] { return windows.clearance; }, {.mips = false, .layers = 4});
+    const glm::vec4 extent(windows.extent[0], windows.extent[1], windows.extent[2], windows.extent[3]);
     std::vector<GlslInput> inputs;
     for (int i = 0; i < 4000; ++i) {
         const float reach = i % 50 == 0 ? 0 : dice.between(0, 2);
         const float turn = dice.between(0, 6.3f);
         const float begin = i % 2 == 0 ? 0 : dice.between(0, 0.6f);
         inputs.push_back(
-            {grown, glm::vec4(dice.between(-2, 2), dice.between(-2, 2), reach * std::cos(turn), reach * std::sin(turn)),
+            {extent,
+             glm::vec4(dice.between(-2, 2), dice.between(-2, 2), reach * std::cos(turn), reach * std::sin(turn)),
              glm::vec4(begin, i % 2 == 0 ? 1 : dice.between(begin, 1), 0, 0)});
     }
     const char* const hit_of = "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, c.xy))";
@@ -732,7 +733,8 @@ TEST(ShaderFunction, ExactHitsAreThoseOfTheHeightField) {
         off += std::abs(double(found[i].x) - (hit ? begin + hit->t : end)) > 1e-4;
     }
     EXPECT_LE(off, 4) << "of 4000 a few graze an edge";
-    const PlantedMistake one_too_far{"next_cell(passed, leaves, ahead + t", "next_cell(passed + 1.0, leaves, ahead + t"};
+    const PlantedMistake one_too_far{"next_cell(passed, leaves, ahead + t",
+                                     "next_cell(passed + 1.0, leaves, ahead + t"};
     const auto wrong = evaluate_glsl("common/exact_hit.glsl", hit_of, inputs, one_too_far, &map, &other);
     EXPECT_NE(wrong, found);
 }
@@ -749,8 +751,8 @@ TEST(ShaderFunction, ExactHitsAreTheHeightFieldsHoweverFarTheRayStartsAndGoes) {
         const HeightField field(image, true);
         const Texture map("heights", [&] { return image; });
         const HeightWindows windows = height_windows(image);
-        const Texture other("windows", [&] { return windows.clear; }, {.mips = false, .layers = 4});
-        const glm::vec4 grown(windows.grown[0], windows.grown[1], windows.grown[2], windows.grown[3]);
+        const Texture other("windows", [&] { return windows.clearance; }, {.mips = false, .layers = 4});
+        const glm::vec4 extent(windows.extent[0], windows.extent[1], windows.extent[2], windows.extent[3]);
         // A float resolves 6e-8 of what it holds: at the end of 250 tiles, 64,000 texels, 0.004 texels.
         for (const FarRays& rays : {FarRays{1, 8, 0.01}, FarRays{512, 30, 0.02}, FarRays{4, 250, 0.1}}) {
             Dice dice{std::mt19937(seed)};
@@ -758,8 +760,8 @@ TEST(ShaderFunction, ExactHitsAreTheHeightFieldsHoweverFarTheRayStartsAndGoes) {
             for (int i = 0; i < 2000; ++i) {
                 const float turn = float(i % 4) * 1.5707964f + dice.between(0, 0.2f) * dice.between(0, 1);
                 const glm::vec2 along = dice.between(0.9f, 1) * rays.reach * glm::vec2(std::cos(turn), std::sin(turn));
-                inputs.push_back({grown, glm::vec4(dice.between(-rays.start, rays.start),
-                                                   dice.between(-rays.start, rays.start), along)});
+                inputs.push_back({extent, glm::vec4(dice.between(-rays.start, rays.start),
+                                                    dice.between(-rays.start, rays.start), along)});
             }
             const auto found =
                 evaluate_glsl("common/exact_hit.glsl", "vec4(exact_hit(s_map, s_other, a, b.xy, b.zw, vec2(0.0, 1.0)))",

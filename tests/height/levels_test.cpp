@@ -56,18 +56,18 @@ TEST(HeightLevels, NoMarchIsOffByMore) {
         std::uniform_real_distribution<double> place(0, 128), turn(0, 6.2831853);
         for (size_t k = 0; k < levels.size(); ++k) {
             const HeightField level(levels[k], true);
-            double most = 0;
+            double largest = 0;
             for (int i = 0; i < 3000; ++i) {
                 const glm::dvec2 from(place(random), place(random));
                 const double angle = turn(random), texel = std::exp2(double(k));
                 const glm::dvec2 to = from + texel * glm::dvec2(std::cos(angle), std::sin(angle));
                 const double a = level.height(from / texel), b = level.height(to / texel);
                 for (int j = 0; j <= 8; ++j)
-                    most = std::max(most,
-                                    std::abs(field.height(from + (to - from) * (j / 8.0)) - (a + (b - a) * (j / 8.0))));
+                    largest = std::max(
+                        largest, std::abs(field.height(from + (to - from) * (j / 8.0)) - (a + (b - a) * (j / 8.0))));
             }
-            EXPECT_LE(most, double(errors[k]) + 1e-6) << int(map) << " level " << k;
-            EXPECT_GE(most, 0.25 * double(errors[k])) << int(map) << " level " << k << ": a bound that says nothing";
+            EXPECT_LE(largest, double(errors[k]) + 1e-6) << int(map) << " level " << k;
+            EXPECT_GE(largest, 0.25 * double(errors[k])) << int(map) << " level " << k << ": a bound that says nothing";
         }
     }
 }
@@ -80,20 +80,20 @@ TEST(HeightLevels, NoTriangleIsOffByMoreThanItsPiece) {
     std::uniform_real_distribution<double> share(0, 1);
     for (size_t k = 0; k < errors.size(); ++k) {
         const int side = 1 << k;
-        double most = 0;
+        double largest = 0;
         for (int i = 0; i < 4000; ++i) {
             const glm::dvec2 low(double(random() % (128u >> k)) * side, double(random() % (128u >> k)) * side);
             glm::dvec2 at(share(random), share(random));
             const auto h = [&](double x, double y) { return field.height(low + glm::dvec2(x, y) * double(side)); };
             // The lower triangle of one diagonal, then that of the other.
             if (at.x + at.y > 1) at = 1.0 - at;
-            most = std::max(
-                most, std::abs(h(at.x, at.y) - (h(0, 0) + at.x * (h(1, 0) - h(0, 0)) + at.y * (h(0, 1) - h(0, 0)))));
+            largest = std::max(
+                largest, std::abs(h(at.x, at.y) - (h(0, 0) + at.x * (h(1, 0) - h(0, 0)) + at.y * (h(0, 1) - h(0, 0)))));
             if (at.y > at.x) std::swap(at.x, at.y);
-            most = std::max(
-                most, std::abs(h(at.x, at.y) - (h(0, 0) + at.x * (h(1, 0) - h(0, 0)) + at.y * (h(1, 1) - h(1, 0)))));
+            largest = std::max(
+                largest, std::abs(h(at.x, at.y) - (h(0, 0) + at.x * (h(1, 0) - h(0, 0)) + at.y * (h(1, 1) - h(1, 0)))));
         }
-        EXPECT_LE(most, double(errors[k]) + 1e-6) << "pieces of " << side;
+        EXPECT_LE(largest, double(errors[k]) + 1e-6) << "pieces of " << side;
     }
 }
 

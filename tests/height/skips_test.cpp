@@ -48,8 +48,8 @@ std::vector<Image> maps() {
 }
 
 /// Where window k of a quadrant begins, beside a cell or block at (x, y).
-glm::ivec2 first_of(int x, int y, int quadrant, int grown) {
-    return {x - (quadrant & 1 ? grown : 0), y - (quadrant & 2 ? grown : 0)};
+glm::ivec2 first_of(int x, int y, int quadrant, int extent) {
+    return {x - (quadrant & 1 ? extent : 0), y - (quadrant & 2 ? extent : 0)};
 }
 
 TEST(HeightSkips, NothingInAWindowIsHigherThanItSaysAndItSaysNoMuchLess) {
@@ -60,19 +60,20 @@ TEST(HeightSkips, NothingInAWindowIsHigherThanItSaysAndItSaysNoMuchLess) {
         const Cells cells(map);
         const HeightWindows windows = height_windows(map);
         const int columns = map.width / windows.block, rows = map.height / windows.block;
-        ASSERT_EQ(windows.clear.width, columns);
-        ASSERT_EQ(windows.clear.height, 4 * rows);
+        ASSERT_EQ(windows.clearance.width, columns);
+        ASSERT_EQ(windows.clearance.height, 4 * rows);
         ASSERT_EQ(windows.block, map.width < 512 ? 1 : 2);
         for (int quadrant = 0; quadrant < 4; ++quadrant)
             for (int y = 0; y < rows; y += step)
                 for (int x = 0; x < columns; x += step)
                     for (int k = 0; k < 4; ++k) {
-                        const int grown = windows.grown[size_t(k)], side = windows.block + grown;
-                        const auto from = first_of(x * windows.block, y * windows.block, quadrant, grown);
+                        const int extent = windows.extent[size_t(k)], side = windows.block + extent;
+                        const auto from = first_of(x * windows.block, y * windows.block, quadrant, extent);
                         const float highest = cells.top(from.x, from.y, side, side);
-                        const float clear = windows.clear.pixel(x, (4 - quadrant) * rows - 1 - y)[k];
-                        ASSERT_LE(clear, 1 - highest) << map.width << ": " << x << ", " << y << ", " << k;
-                        ASSERT_GT(clear, 1 - highest - 2.0f / 255) << map.width << ": " << x << ", " << y << ", " << k;
+                        const float clearance = windows.clearance.pixel(x, (4 - quadrant) * rows - 1 - y)[k];
+                        ASSERT_LE(clearance, 1 - highest) << map.width << ": " << x << ", " << y << ", " << k;
+                        ASSERT_GT(clearance, 1 - highest - 2.0f / 255)
+                            << map.width << ": " << x << ", " << y << ", " << k;
                     }
     }
 }
@@ -110,9 +111,9 @@ TEST(HeightSkips, NoCellRisesIntoACone) {
 
 TEST(HeightSkips, WindowsFitTheMap) {
     // Between posts that stand sixteen texels apart the widest empty square is of fourteen cells or less.
-    const auto posts = height_windows(make_height_map(HeightMap::posts, 256)).grown;
+    const auto posts = height_windows(make_height_map(HeightMap::posts, 256)).extent;
     EXPECT_LE(posts[2], 14);
-    const auto smooth = height_windows(make_height_map(HeightMap::smooth, 256)).grown;
+    const auto smooth = height_windows(make_height_map(HeightMap::smooth, 256)).extent;
     EXPECT_GT(smooth[3], posts[3]);
 }
 

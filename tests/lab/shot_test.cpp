@@ -71,7 +71,7 @@ public:
 
 Image take_left_half(glm::vec4 value, Shot shot) {
     LeftHalf lab(value);
-    return take(lab, shot);
+    return render_shot(lab, shot);
 }
 
 Shot small_shot(Probe probe = {}) {
@@ -104,28 +104,28 @@ TEST(Shot, AProbeWithoutAnySurfaceFails) {
 
 TEST(Shot, APictureOfOneColourFails) {
     LeftHalf half({1, 0, 0, 1});
-    EXPECT_NO_THROW(take(half, small));
-    const Image background = take(half, small);
+    EXPECT_NO_THROW(render_shot(half, small));
+    const Image background = render_shot(half, small);
     const float* const pixel = background.pixel(15, 0);
     EXPECT_TRUE(contains(message_of([&] { take_left_half({pixel[0], pixel[1], pixel[2], 1}, small); }), "one colour"));
 }
 
 TEST(Shot, AGlErrorFailsThePicture) {
     WithGlError lab;
-    EXPECT_TRUE(contains(message_of([&] { take(lab, small); }), "GL_INVALID_ENUM"));
+    EXPECT_TRUE(contains(message_of([&] { render_shot(lab, small); }), "GL_INVALID_ENUM"));
 }
 
 TEST(Shot, WhatAnotherLabLeftBehindDoesNotShow) {
     BadNeighbour bad;
     const Image before = take_left_half({0, 1, 0, 1}, small);
-    EXPECT_THROW(take(bad, small), Error) << "it draws nothing";
+    EXPECT_THROW(render_shot(bad, small), Error) << "it draws nothing";
     const Image after = take_left_half({0, 1, 0, 1}, small);
     EXPECT_EQ(before.values, after.values);
 }
 
 TEST(Shot, ALabThatGivesUpHalfwayLeavesACleanState) {
     GivesUpHalfway lab;
-    EXPECT_THROW(take(lab, small), Error);
+    EXPECT_THROW(render_shot(lab, small), Error);
     for (const GLenum one : {GL_SCISSOR_TEST, GL_BLEND, GL_RASTERIZER_DISCARD}) EXPECT_FALSE(glIsEnabled(one));
     GLboolean mask[4];
     glGetBooleanv(GL_COLOR_WRITEMASK, mask);
@@ -146,12 +146,12 @@ TEST(Shot, HandsTheTimeToTheLab) {
     Clock lab;
     Shot shot = small_probe;
     shot.time = 2.5;
-    EXPECT_EQ(take(lab, shot).values[0], 2.5f);
+    EXPECT_EQ(render_shot(lab, shot).values[0], 2.5f);
 }
 
 TEST(Shot, AFloatPictureIsLight) {
     LeftHalf lab({0.5f, 1.5f, 0, 1});
-    const Image light = take(lab, small, true);
+    const Image light = render_shot(lab, small, true);
     ASSERT_EQ(light.bits, 32);
     EXPECT_NEAR(light.pixel(0, 0)[0], std::pow((0.5 + 0.055) / 1.055, 2.4), 1e-6);
     EXPECT_GT(light.pixel(0, 0)[1], 1.0f) << "nothing is clipped";

@@ -206,9 +206,9 @@ TEST(AdaptiveDisplacement, LevelsAreThoseOfTheTwins) {
             surface.material.map = 0, surface.material.size = 1, surface.depth = 0.1f;
             const Twin twin(surface, shot, method == "error");
             const auto lab = make_lab(find_lab("14"), shot);
-            const Image places = take(*lab, shot);
+            const Image places = render_shot(*lab, shot);
             shot.probe = {"level"};
-            const Image levels = take(*lab, shot);
+            const Image levels = render_shot(*lab, shot);
             size_t seen = 0;
             for (size_t i = 0; i < places.values.size(); i += 4) {
                 if (places.values[i] == no_surface) continue;
@@ -283,11 +283,11 @@ TEST(AdaptiveDisplacement, LevelsAreWithinWhatGlTakesFromAnywhere) {
             for (const Orbit& camera : cameras) {
                 set_knob(*lab, "depth", depth);
                 shot.camera = camera;
-                const auto [least, most] = range_of(take(*lab, shot));
-                EXPECT_GE(least, 1) << method << " " << camera.pitch;
-                EXPECT_LE(most, 64.0001f) << method << " " << camera.pitch;
+                const auto [min, max] = range_of(render_shot(*lab, shot));
+                EXPECT_GE(min, 1) << method << " " << camera.pitch;
+                EXPECT_LE(max, 64.0001f) << method << " " << camera.pitch;
                 if (std::string(depth) == "0" && *method == 'e') {
-                    EXPECT_EQ(most, 1) << "nothing can be off";
+                    EXPECT_EQ(max, 1) << "nothing can be off";
                 }
             }
     }

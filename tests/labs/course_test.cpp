@@ -101,7 +101,7 @@ TEST_P(Course, AStarterIsUnfinishedInEveryCheckAndPaintsTheChequer) {
         return;
     Shot shot;
     shot.size = {160, 120}, shot.camera = manifest_.camera;
-    const Image picture = take(*make_lab(GetParam(), shot), shot);
+    const Image picture = render_shot(*make_lab(GetParam(), shot), shot);
     size_t magenta = 0;
     for (size_t i = 0; i < picture.pixel_count(); ++i) {
         const float* const pixel = &picture.values[i * 3];

@@ -29,7 +29,7 @@ public:
     Image drawn(const std::vector<Knob>& knobs, const char* probe) {
         for (const auto& [name, value] : knobs) set_knob(*lab_, name, value);
         shot_.probe = {probe};
-        return take(*lab_, shot_);
+        return render_shot(*lab_, shot_);
     }
 
 private:
@@ -76,18 +76,18 @@ TEST(Displacement, FractionalSpacingsMoveWithTheLevelAndEqualOnesJump) {
         shot.camera = before_the_wall;
         const auto lab = make_lab(find_lab("13"), shot);
         std::optional<Image> before;
-        double most = 0;
+        double step = 0;
         for (int i = 0; i <= 80; ++i) {
             set_knob(*lab, "level", std::to_string(12 + i * 0.025));
-            const Image now = take(*lab, shot);
+            const Image now = render_shot(*lab, shot);
             double sum = 0, count = 0;
             for (size_t p = 0; before && p < now.values.size(); p += 4)
                 if (now.values[p] != no_surface && before->values[p] != no_surface)
                     sum += std::abs(double(now.values[p] - before->values[p])), ++count;
-            if (before) most = std::max(most, sum / count);
+            if (before) step = std::max(step, sum / count);
             before = now;
         }
-        largest.push_back(most);
+        largest.push_back(step);
     }
     EXPECT_GT(largest[0], 5 * largest[1]);
     EXPECT_GT(largest[0], 5 * largest[2]);
@@ -337,7 +337,7 @@ TEST(Displacement, EveryRayThatEntersAClosedSurfaceLeavesIt) {
                 const auto lab = make_lab(find_lab("13"), shot);
                 for (const char* level : {"1", "3.3", "10"}) {
                     set_knob(*lab, "level", level);
-                    const Image winding = take(*lab, shot);
+                    const Image winding = render_shot(*lab, shot);
                     size_t open = 0;
                     for (size_t i = 0; i < winding.values.size(); i += 4) open += winding.values[i] != 0;
                     EXPECT_EQ(open, 0u) << surface << " " << corners << " " << spacing << " " << level;

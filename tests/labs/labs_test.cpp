@@ -21,7 +21,7 @@ protected:
     Shot shot(Probe probe = {}) const {
         return {.size = {160, 120}, .time = 0.5, .camera = manifest_.camera, .probe = std::move(probe), .set = {}};
     }
-    Image picture(const Shot& wanted) const { return take(*make_lab(GetParam(), wanted), wanted); }
+    Image picture(const Shot& wanted) const { return render_shot(*make_lab(GetParam(), wanted), wanted); }
 };
 
 /// All values of a knob at which something may break: its ends, or each of its choices.
@@ -104,7 +104,7 @@ TEST_P(EveryLab, EachProbeIsFiniteOnTheSurfaceAndAgreesWithItsTruth) {
     for (const ProbeInfo& info : manifest_.probes) {
         const Shot wanted = shot({info.name});
         const auto lab = make_lab(GetParam(), wanted);
-        const Image probe = take(*lab, wanted);  // throws when it is not a number anywhere
+        const Image probe = render_shot(*lab, wanted);  // throws when it is not a number anywhere
         const Frame frame{0, wanted.size, wanted.time, Camera(wanted.camera, 4.0 / 3), wanted.probe};
         const auto truth = lab->truth(frame, wanted.probe);
         if (!truth) continue;
@@ -125,14 +125,14 @@ TEST_P(EveryLab, GivesBackEveryObjectAndByte) {
 TEST_P(EveryLab, ComesBackIdenticalAfterAnyOtherLab) {
     const Shot own = shot();
     const auto lab = make_lab(GetParam(), own);
-    const Image before = take(*lab, own);
+    const Image before = render_shot(*lab, own);
     const Counters objects = counters();
     for (const LabEntry& other : registry()) {
         Shot theirs;
         theirs.size = {64, 48};
         theirs.camera = load_manifest(other).camera;
-        take(*make_lab(other, theirs), theirs);
-        EXPECT_EQ(take(*lab, own).values, before.values) << "after " << other.folder;
+        render_shot(*make_lab(other, theirs), theirs);
+        EXPECT_EQ(render_shot(*lab, own).values, before.values) << "after " << other.folder;
     }
     EXPECT_EQ(counters().live, objects.live);
 }

@@ -54,12 +54,12 @@ TEST(MistakePictures, LeaveTheCourseAsItWas) {
     const LabEntry& lab = find_lab("02");
     Shot shot;
     shot.size = {64, 48}, shot.camera = load_manifest(lab).camera;
-    const Image before = take(*make_lab(lab, shot), shot);
+    const Image before = render_shot(*make_lab(lab, shot), shot);
     const auto root = course_root();
     MistakePictures pictures(lab);
     pictures.draw(pictures.manifest().mistakes.front(), {shot});
     EXPECT_EQ(course_root(), root);
-    EXPECT_EQ(take(*make_lab(lab, shot), shot).values, before.values);
+    EXPECT_EQ(render_shot(*make_lab(lab, shot), shot).values, before.values);
 }
 
 TEST(MistakePictures, WhatDoesNotCompileSaysWhere) {

@@ -41,11 +41,11 @@ public:
         field_.emplace(is_8_bit ? with_8_bits(heights) : heights, true);
         const Mesh wall = make_quad({.width = 64, .height = 64});
         const ReliefSights sights(wall);
-        const ReliefLay lay{{64, 64}, {0, 0}, glm::vec2(float(depth)), float(depth), 256};
+        const ReliefMapping mapping{{64, 64}, {0, 0}, glm::vec2(float(depth)), float(depth), 256};
         const Frame frame{0, shot.size, 0, Camera(shot.camera, double(shot.size.x) / shot.size.y), {}};
         for (int y = 0; y < shot.size.y; ++y)
             for (int x = 0; x < shot.size.x; ++x) {
-                const auto sight = sights.look(frame.ray(x, y), lay);
+                const auto sight = sights.look(frame.ray(x, y), mapping);
                 if (!sight) throw std::runtime_error("the wall does not fill the picture");
                 rays_.push_back(sight->ray);
                 exact_.push_back(field_->first_hit(sight->ray.in_texels(), 1).value().texel);

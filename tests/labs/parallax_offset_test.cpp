@@ -77,7 +77,7 @@ struct Twin {
         Image errors(shot.size.x, shot.size.y, 1);
         for (int y = 0; y < shot.size.y; ++y)
             for (int x = 0; x < shot.size.x; ++x) {
-                const auto sight = sights.look(frame.ray(x, y), surface.lay());
+                const auto sight = sights.look(frame.ray(x, y), surface.mapping());
                 const auto exact = sight ? heights.first_hit(sight->ray.in_texels(), 1) : std::nullopt;
                 *errors.pixel(x, y) =
                     exact ? float(glm::distance(guess(method, sight->ray).texel, exact->texel)) : no_surface;
@@ -88,7 +88,7 @@ struct Twin {
 
 Image errors_of(const Shot& shot) {
     const auto lab = make_lab(find_lab("10"), shot);
-    return error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
+    return error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
 }
 
 TEST(ParallaxOffset, EachMethodIsAsWrongAsItsTwinInDoublePrecision) {
@@ -163,7 +163,7 @@ TEST(ParallaxOffset, SeenStraightOnOneTapIsExact) {
     }
     Shot depth = wall_at(0, {{"method", "offset"}}, "depth", {33, 33});
     const auto lab = make_lab(find_lab("10"), depth);
-    const Image error = error_image(take(*lab, depth), truth_of(*lab, depth), ErrorMetric::absolute);
+    const Image error = error_image(render_shot(*lab, depth), truth_of(*lab, depth), ErrorMetric::absolute);
     EXPECT_LT(*error.pixel(16, 16), 0.06 / 255 / 2);  // metres: 8-bit heights are interpolated in 8 bits
 }
 
@@ -196,8 +196,8 @@ TEST(ParallaxOffset, EveryPixelIsFiniteAndNoRayTooLongWhateverTheAngleTheMapOrTh
         const bool edge_on = std::abs(scenes[i].yaw - 90) < 1;  // a long lens, to see the horizon in more than a pixel
         shot.camera = {scenes[i].yaw, scenes[i].pitch, 0.3, scenes[i].target, edge_on ? 1.0 : 60.0};
         const auto lab = make_lab(find_lab("10"), shot);
-        const ReliefLay lay = surface_of(shot).surface.lay();
-        const double longest = glm::compMax(lay.depth) * lay.texels / least_slant * 1.001;
+        const ReliefMapping mapping = surface_of(shot).surface.mapping();
+        const double longest = glm::compMax(mapping.depth) * mapping.texels / least_slant * 1.001;
         for (const char* method : methods)
             for (const char* probe : {"", "uv", "depth", "ray", "steps"}) {
                 set_knob(*lab, "method", method);

@@ -49,7 +49,7 @@ TEST(ReliefExact, OneRayInTenThousandAtMostIsOffByATwentiethOfATexel) {
                     Shot shot = first;
                     shot.camera.yaw = yaw, shot.camera.pitch = pitch;
                     tally.add(up_to_89_degrees(
-                        error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance), shot));
+                        error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance), shot));
                 }
             }
             EXPECT_GT(tally.pixels, 100'000u);
@@ -86,7 +86,7 @@ TEST(ReliefExact, MirroredStretchedRepeatedAndOnAnySurfaceItIsExact) {
             Shot shot = seen(lay, 35, 15);
             if (column) shot.camera.distance = 1.2;
             const auto lab = make_lab(find_lab("12"), shot);
-            const Image error = error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
+            const Image error = error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
             tally.add(error);
         }
         EXPECT_LE(tally.share(), 2e-4) << method << ": " << tally.off << " of " << tally.pixels;
@@ -98,7 +98,7 @@ TEST(ReliefExact, AnUrnIsExactWhereARayComesInSteeperThanADegree) {
     Shot shot = seen({{"surface", "urn"}, {"map", "stones"}, {"method", "windows"}}, 20, 10, "uv", {192, 192});
     shot.camera.distance = 3.2, shot.camera.target = {};
     const auto lab = make_lab(find_lab("12"), shot);
-    const Image error = error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
+    const Image error = error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
     Shot base = shot;  // how far in a ray goes at most, from a relief that is 0 everywhere
     base.set.emplace_back("map", "low"), base.probe = {"depth"};
     const Image ground = drawn("12", base);
@@ -147,7 +147,7 @@ TEST(ReliefExact, ABallAndThreeReliefsMeetWhereTheyReallyDo) {
         Shot shot = shot_of("12", {}, "depth", {256, 192});
         shot.camera.yaw = yaw;
         const auto lab = make_lab(find_lab("12"), shot);
-        const Image depth = take(*lab, shot), truth = truth_of(*lab, shot);
+        const Image depth = render_shot(*lab, shot), truth = truth_of(*lab, shot);
         size_t off = 0, outline = 0;
         for (size_t i = 0; i < depth.values.size(); i += 4) {
             const bool here = std::isfinite(depth.values[i]), there = std::isfinite(truth.values[i]);
@@ -179,7 +179,7 @@ TEST(ReliefExact, ItsShadowIsTheReliefs) {
             Shot shot = seen({{"map", map}, {"light_yaw", yaw}, {"light_pitch", pitch}}, 25, 20, "shadow");
             const auto lab = make_lab(find_lab("12"), shot);
             const ErrorSummary error =
-                summarize(error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::absolute));
+                summarize(error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::absolute));
             EXPECT_LT(error.mean, 0.01) << map << ", " << yaw << ", " << pitch;
         }
 }
@@ -252,7 +252,7 @@ TEST(ReliefExact, FromInsideTheReliefAndOnAMapOf4096ItIsFinite) {
     const Shot large = seen({{"map", "posts"}, {"size", "4096"}, {"method", "windows"}}, 60, 10, "uv", {64, 64});
     const auto lab = make_lab(find_lab("12"), large);
     Tally tally;
-    tally.add(error_image(take(*lab, large), truth_of(*lab, large), ErrorMetric::distance));
+    tally.add(error_image(render_shot(*lab, large), truth_of(*lab, large), ErrorMetric::distance));
     EXPECT_LE(tally.off, 20u) << "a float resolves five hundredths of such a texel";
 }
 
@@ -296,7 +296,7 @@ TEST(ReliefExact, AtTheEndsOfTheKnobsNoRayStallsAndWindowsStopNone) {
             shot.camera.distance = 1.5, shot.camera.field_of_view = 25, shot.camera.target = {};
             const auto lab = make_lab(find_lab("12"), shot);
             Tally tally;
-            tally.add(error_image(take(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance));
+            tally.add(error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance));
             EXPECT_LE(tally.share(), end.wrong) << method << ", " << end.yaw << ", " << knobs[0].second;
         }
     for (const auto& [yaw, stretch] : {std::pair(84.0, "1"), {89.5, "0.25"}, {89.9, "4"}}) {

@@ -125,10 +125,10 @@ Cost cost_of(const char* map, const Orbit& camera, const char* method, const cha
     for (const auto& [name, amount] : subject.work)
         if (name == "triangles") cost.triangles = amount;
     const Frame frame = frame_of(shot, Target(TargetKind::probe, shot.size));
-    cost.screen = screen_errors(take(*lab, shot), surface.patches(), heights, double(surface.scale()),
+    cost.screen = screen_errors(render_shot(*lab, shot), surface.patches(), heights, double(surface.scale()),
                                 frame.camera.clip_from_world());
     shot.probe = {"depth"};
-    const Image depth = take(*lab, shot);
+    const Image depth = render_shot(*lab, shot);
     const auto& points = surface.patches().points;
     const glm::dvec3 origin(points[0].vertex.position);
     const glm::dvec2 map_size(heights.size()), texel(glm::dvec2(points[0].vertex.uv) * map_size);
@@ -238,12 +238,12 @@ TEST(Outline, ApproachesThatOfMicroPolygonsAsTheLevelRises) {
     const double all = double(std::count(exact.begin(), exact.end(), true));
     const auto lab = make_lab(find_lab("13"), shot);
     double before = 1;
-    for (const auto& [level, most] : {std::pair("4", 0.15), {"16", 0.02}, {"64", 0.004}}) {
+    for (const auto& [level, max] : {std::pair("4", 0.15), {"16", 0.02}, {"64", 0.004}}) {
         set_knob(*lab, "level", level);
-        const Image place = take(*lab, shot);
+        const Image place = render_shot(*lab, shot);
         double apart = 0;
         for (size_t i = 0; i < exact.size(); ++i) apart += exact[i] != (place.values[i * 4] != no_surface);
-        EXPECT_LT(apart / all, most) << "level " << level;
+        EXPECT_LT(apart / all, max) << "level " << level;
         EXPECT_LT(apart / all, before / 3) << "level " << level;
         before = apart / all;
     }

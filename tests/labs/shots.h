@@ -18,13 +18,14 @@ inline Shot shot_of(const char* lab, std::vector<Knob> knobs, const char* probe 
 }
 
 /// The picture, or the probe, of a shot. Throws where a pixel of a probe is not finite.
-inline Image drawn(const char* lab, const Shot& shot) { return take(*make_lab(find_lab(lab), shot), shot); }
+inline Image drawn(const char* lab, const Shot& shot) { return render_shot(*make_lab(find_lab(lab), shot), shot); }
 
 /// How far the probe of a shot is from its truth.
 inline ErrorSummary error_of(const char* lab, const Shot& shot) {
     const auto made = make_lab(find_lab(lab), shot);
     const Manifest manifest = load_manifest(find_lab(lab));
-    return summarize(error_image(take(*made, shot), truth_of(*made, shot), manifest.probe(shot.probe.name).error));
+    return summarize(
+        error_image(render_shot(*made, shot), truth_of(*made, shot), manifest.probe(shot.probe.name).error));
 }
 
 /// At most `pixels` of two pictures differ by more than `steps` of 255.

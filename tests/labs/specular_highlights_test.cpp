@@ -20,7 +20,7 @@ protected:
         wanted.set = {{"method", "vertex-normal"}};
         return wanted;
     }
-    Image probe(const char* name) const { return take(*make_lab(lab_, shot(name)), shot(name)); }
+    Image probe(const char* name) const { return render_shot(*make_lab(lab_, shot(name)), shot(name)); }
 };
 
 TEST_F(SpecularHighlightsFloor, ItsNormalPointsUp) {
@@ -53,7 +53,8 @@ ErrorSummary error_near(glm::dvec3 target, Orbit orbit, const char* probe, const
     orbit.target = target, orbit.field_of_view = 20;
     Shot shot{.size = {128, 96}, .time = 0, .camera = orbit, .probe = {probe}, .set = {{"method", method}}};
     const auto made = make_lab(lab, shot);
-    return summarize(error_image(take(*made, shot), truth_of(*made, shot), load_manifest(lab).probe(probe).error));
+    return summarize(
+        error_image(render_shot(*made, shot), truth_of(*made, shot), load_manifest(lab).probe(probe).error));
 }
 const glm::dvec3 floor_stones(0.3, 0, 2.4), column_bricks(1.4, 1.3, 1.65);
 const Orbit from_above{.yaw = 10, .pitch = 60, .distance = 0.6}, from_before{.yaw = 0, .pitch = 8, .distance = 0.5};
@@ -87,11 +88,13 @@ TEST(SpecularHighlightsTruth, FollowsTheStrengthAndEachHalfOfSideBySide) {
     Shot shot{.size = {96, 64}, .time = 0, .camera = load_manifest(lab).camera, .probe = {"uv"}, .set = {}};
     shot.set = {{"method", "side-by-side"}};
     auto made = make_lab(lab, shot);
-    const ErrorSummary sides = summarize(error_image(take(*made, shot), truth_of(*made, shot), ErrorMetric::distance));
+    const ErrorSummary sides =
+        summarize(error_image(render_shot(*made, shot), truth_of(*made, shot), ErrorMetric::distance));
     EXPECT_LT(sides.mean, 30) << "a few pixels see another column than the mesh does";
     shot.probe = {"normal"}, shot.set = {{"strength", "0"}, {"method", "normal-map"}};
     made = make_lab(lab, shot);
-    const ErrorSummary flat = summarize(error_image(take(*made, shot), truth_of(*made, shot), ErrorMetric::angle));
+    const ErrorSummary flat =
+        summarize(error_image(render_shot(*made, shot), truth_of(*made, shot), ErrorMetric::angle));
     EXPECT_LT(flat.mean, 0.2) << "without strength only the facets are wrong";
 }
 

@@ -35,7 +35,7 @@ TEST(TangentBasis, LinesThatAreOffCostNoDrawNoProgramAndNoPixel) {
         const Shot shot = shot_of("05", {{"lines", lines}});
         const auto lab = make_lab(find_lab("05"), shot);
         const int64_t draws = counters().draw_calls, programs = counters().live[size_t(GlKind::program)];
-        take(*lab, shot);
+        render_shot(*lab, shot);
         return std::pair(counters().draw_calls - draws, counters().live[size_t(GlKind::program)] - programs);
     };
     const auto [draws_off, programs_off] = cost("off");

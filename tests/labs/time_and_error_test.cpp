@@ -40,7 +40,7 @@ public:
 
     void set(const char* knob, const std::string& value) { set_knob(*lab_, knob, value); }
     Image drawn(const Orbit& camera, const char* probe, glm::ivec2 size = pixels) {
-        return take(*lab_, shot(camera, probe, size));
+        return render_shot(*lab_, shot(camera, probe, size));
     }
     Image truth(const Orbit& camera, const char* probe) { return truth_of(*lab_, shot(camera, probe, pixels)); }
     std::vector<ShownError> errors(const Orbit& camera) {
@@ -68,9 +68,9 @@ private:
 };
 
 double largest(const std::vector<ShownError>& shown) {
-    double most = 0;
-    for (const ShownError& one : shown) most = std::max(most, one.pixels);
-    return most;
+    double largest = 0;
+    for (const ShownError& one : shown) largest = std::max(largest, one.pixels);
+    return largest;
 }
 
 TEST(TimeAndError, NoPixelIsOffByMoreThanTheBudget) {
@@ -152,14 +152,14 @@ TEST(TimeAndError, WhatAPatchLeavesOutNoPixelOfItAsksFor) {
     using namespace budget;
     ReliefMaterial material;
     material.asset_texels = int(texels);
-    const Known known(material.heights(), material.normals());
+    const MapErrors maps(material.heights(), material.normals());
     Wall wall("wall");
     size_t decided = 0, all = 0;
     for (const View& view : views)
         for (const double pixels_off : {0.25, 0.5, 1.0, 4.0}) {
             wall.set("budget", std::to_string(pixels_off));
             const Frame frame{0, pixels, 0, Camera(view.camera, 1), {}};
-            const auto patches = patches_for({frame, pixels_off, depth, 0.875, 0.125, 5, 1000}, known);
+            const auto patches = patches_for({frame, pixels_off, depth, 0.875, 0.125, 5, 1000}, maps);
             const Image methods = wall.drawn(view.camera, "method");
             for (int y = 0; y < pixels.y; ++y)
                 for (int x = 0; x < pixels.x; ++x) {
@@ -199,7 +199,7 @@ TEST(TimeAndError, NothingJumpsWhileTheEyeMovesSlowly) {
     for (const char* map : {"wall", "smooth"}) {
         Wall wall(map);
         wall.set("budget", std::to_string(budget));
-        double most = 0;
+        double largest = 0;
         std::optional<Image> left = wall.truth(step(0), "left");
         for (int frame = 0; frame < 8; ++frame) {
             const Camera here(step(frame), 1), next(step(frame + 1), 1);
@@ -215,12 +215,12 @@ TEST(TimeAndError, NothingJumpsWhileTheEyeMovesSlowly) {
                     continue;
                 const double moved = glm::distance(pixel_of(next, one.texel, thinned),
                                                    pixel_of(next, one.texel, within(left_next, there, truth)));
-                most = std::max(most, apart + moved + budget / 8);
+                largest = std::max(largest, apart + moved + budget / 8);
             }
             left = left_next;
         }
-        EXPECT_LE(most, budget) << map;
-        EXPECT_GT(most, budget / 8) << map << ": nothing has moved at all";
+        EXPECT_LE(largest, budget) << map;
+        EXPECT_GT(largest, budget / 8) << map << ": nothing has moved at all";
     }
 }
 

@@ -231,8 +231,8 @@ TEST(CubeSphere, HasNoPolesAndCellsOfAlikeArea) {
 
 TEST(ShapeSurfaces, UnusableNumbersGiveFinitePositionsAndUnitFrames) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity(),
-                    most = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::denorm_min();
-    for (const float x : {0.0f, -1.0f, nan, infinity, most, least})
+                    largest = std::numeric_limits<float>::max(), smallest = std::numeric_limits<float>::denorm_min();
+    for (const float x : {0.0f, -1.0f, nan, infinity, largest, smallest})
         for (const int n : {0, 2, std::numeric_limits<int>::min()})
             for (const glm::vec2 repeat : {glm::vec2(1, 1), glm::vec2(x, -x)})
                 for (const Mesh& mesh :

@@ -4,6 +4,13 @@
 // itself.
 #include <glad/gl.h>  // before osmesa.h, which would bring the system's gl.h
 
+// glad takes these names back at its end, and the header of Mesa 25 wants them.
+#ifndef APIENTRY
+    #define APIENTRY GLAD_API_PTR
+#endif
+#ifndef GLAPI
+    #define GLAPI extern
+#endif
 #include <GL/osmesa.h>
 
 #include <algorithm>

@@ -134,7 +134,7 @@ int hold_to_baseline(const BenchArguments& arguments) {
     for (const BenchTopic* topic : chosen(arguments.topics)) {
         if (topic->only_time) continue;
         const BenchSettings settings{.repeats = 0, .quick = true};
-        TopicRun run(*topic, only(*topic, topic->scenes(settings), wanted),
+        TopicRun run(*topic, filter_scenes(*topic, topic->scenes(settings), wanted),
                      {.settings = settings, .context = context_kind(arguments.context), .pinned = true});
         for (BenchRow& row : run.measure([](auto) {})) rows.push_back(std::move(row));
         // The file must not depend on the machine.
@@ -187,7 +187,7 @@ int run_bench(const BenchArguments& arguments) {
     const std::vector<const BenchTopic*> topics = chosen(arguments.topics);
     // Wrong arguments are reported before anything is measured.
     std::vector<std::vector<BenchScene>> scenes;
-    for (const BenchTopic* topic : topics) scenes.push_back(only(*topic, topic->scenes(settings), wanted));
+    for (const BenchTopic* topic : topics) scenes.push_back(filter_scenes(*topic, topic->scenes(settings), wanted));
     const fs::path folder = arguments.output.empty() ? course_root() / "build" / "bench" : fs::path(arguments.output);
     make_folder(folder);
 

@@ -149,7 +149,7 @@ double LabMark::points() const {
     for (const TaskMark& task : tasks) sum += task.points;
     return sum;
 }
-int LabMark::of() const {
+int LabMark::max_points() const {
     int sum = 0;
     for (const TaskMark& task : tasks) sum += task.of;
     return sum;
@@ -207,7 +207,7 @@ void LabGrader::look_from_hidden_views(const CourseFiles& solution) {
         const Variation variation(manifest_, lab_.folder, setup_.seed, attempt);
         std::vector<bool> wanted(2 * count);
         for (size_t i = 0; i < count; ++i)
-            views_.push_back({i, variation.of(manifest_.checks[i].shot)}), wanted[count + i] = true;
+            views_.push_back({i, variation.vary(manifest_.checks[i].shot)}), wanted[count + i] = true;
         const Attempt pictures = draw(solution, wanted);
         std::vector<bool> good(count);
         for (size_t i = 0; i < count; ++i) {

@@ -53,7 +53,7 @@ struct LabMark {
     MarkTimes times;
 
     double points() const;
-    int of() const;
+    int max_points() const;
     bool graded() const;  ///< no check failed through the grader's fault
 };
 

@@ -66,7 +66,7 @@ const MistakePictures::Right& MistakePictures::right(const CheckInfo& check) {
     if (!is_new) return right;
     const auto draw = [&](bool probe) {
         const Shot shot = enlarged(check, probe);
-        return take(*make_lab(lab_, shot), shot);
+        return render_shot(*make_lab(lab_, shot), shot);
     };
     right.expected = expectation(lab_, check);
     right.lit = draw(false);
@@ -93,7 +93,7 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
     const std::vector<DrawnAttempt> drawn = draw(mistake, shots);
 
     MistakePicture best;
-    double most = -1;
+    double best_score = -1;
     for (const Look& look : looks) {
         const CheckInfo& check = *look.check;
         const Right& good = right(check);
@@ -111,7 +111,7 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
             score = share_that_differs(one, other);
             shown.is_probe = true, shown.right = good.probe, shown.wrong = *probe.image;
         }
-        if (score > most) most = score, best = std::move(shown);
+        if (score > best_score) best_score = score, best = std::move(shown);
     }
     if (!best.check) throw Error("no check of task " + mistake.task + " fails with '" + mistake.id + "'");
     return best;

@@ -68,7 +68,7 @@ ordered_json as_json(const LabMark& lab) {
     ordered_json json = {
         {"lab", lab.lab},
         {"points", lab.points()},
-        {"of", lab.of()},
+        {"of", lab.max_points()},
         {"seconds", {{"compile", lab.times.compile}, {"draw", lab.times.draw}, {"compare", lab.times.compare}}},
         {"log", lab.log},
         {"tasks", ordered_json::array()}};
@@ -138,9 +138,9 @@ double SubmissionMark::points() const {
     for (const LabMark& one : labs) sum += one.points();
     return sum;
 }
-int SubmissionMark::of() const {
+int SubmissionMark::max_points() const {
     int sum = 0;
-    for (const LabMark& one : labs) sum += one.of();
+    for (const LabMark& one : labs) sum += one.max_points();
     return sum;
 }
 bool SubmissionMark::graded() const {
@@ -172,7 +172,7 @@ std::string to_json(const SubmissionMark& mark) {
                          {"graded", mark.graded()},
                          {"problem", mark.problem},
                          {"points", mark.points()},
-                         {"of", mark.of()},
+                         {"of", mark.max_points()},
                          {"hash", mark.hash},
                          {"course", mark.course},
                          {"isolation", mark.isolation},
@@ -292,10 +292,10 @@ std::string to_table(const std::vector<SubmissionMark>& marks) {
         text += fmt::format("{:<{}}", printable(mark.name), width);
         for (const std::string& lab : labs) {
             const LabMark* const one = mark.lab(lab);
-            text +=
-                fmt::format("  {:>7}", !one             ? "-"
-                                       : !one->graded() ? "?"
-                                                        : fmt::format("{}/{}", points_text(one->points()), one->of()));
+            text += fmt::format("  {:>7}", !one ? "-"
+                                           : !one->graded()
+                                               ? "?"
+                                               : fmt::format("{}/{}", points_text(one->points()), one->max_points()));
         }
         text += mark.graded() ? fmt::format("  {:>7}", points_text(mark.points())) : "        ?";
         if (mark.problem.size() || !mark.graded()) text += "  " + state_of(mark);

@@ -20,7 +20,7 @@ struct SubmissionMark {
     double seconds = 0;  ///< from reading it to its mark
 
     double points() const;
-    int of() const;
+    int max_points() const;
     /// No check failed through the grader's fault.
     bool graded() const;
     const LabMark* lab(const std::string& folder) const;

@@ -203,13 +203,13 @@ bool refuse_processes() {
 }
 
 /// Reads what there is. False at the end.
-bool take_from(int descriptor, std::string& into, size_t most, size_t& taken) {
+bool take_from(int descriptor, std::string& into, size_t max_size, size_t& taken) {
     char block[1 << 16];
     const ssize_t got = read(descriptor, block, sizeof block);
     if (got < 0 && errno == EINTR) return true;
     if (got <= 0) return false;
     taken += size_t(got);
-    if (into.size() < most) into.append(block, std::min(size_t(got), most - into.size()));
+    if (into.size() < max_size) into.append(block, std::min(size_t(got), max_size - into.size()));
     return true;
 }
 

@@ -38,12 +38,12 @@ bool is_unseen(char32_t code) {
            is_in(0x2060, 0x206f) || code == 0xfeff || is_in(0xfff9, 0xfffb) || is_in(0xe0000, 0xe007f);
 }
 
-std::string shown(std::string_view text, size_t most, bool lines) {
+std::string shown(std::string_view text, size_t max_length, bool lines) {
     std::string result;
     for (size_t at = 0; at < text.size();) {
         const Character one = first_of(text.substr(at));
         const std::string_view bytes = text.substr(at, std::max<size_t>(one.size, 1));
-        if (at + bytes.size() > most) return result + "...";
+        if (at + bytes.size() > max_length) return result + "...";
         at += bytes.size();
         if (lines && (bytes == "\n" || bytes == "\t"))
             result += bytes;
@@ -61,9 +61,9 @@ constexpr char32_t first_private = 0xf780, last_private = 0xf7ff;
 
 }  // namespace
 
-std::string printable(std::string_view text, size_t most) { return shown(text, most, false); }
+std::string printable(std::string_view text, size_t max_length) { return shown(text, max_length, false); }
 
-std::string printable_lines(std::string_view text, size_t most) { return shown(text, most, true); }
+std::string printable_lines(std::string_view text, size_t max_length) { return shown(text, max_length, true); }
 
 std::string utf8_of_bytes(std::string_view bytes) {
     std::string result;

@@ -35,7 +35,7 @@ Variation::Variation(const Manifest& manifest, const std::string& lab, const std
     }
 }
 
-Shot Variation::of(Shot shot) const {
+Shot Variation::vary(Shot shot) const {
     shot.camera.yaw += yaw_;
     shot.camera.pitch = std::clamp(shot.camera.pitch + pitch_, -89.0, 89.0);
     shot.camera.distance *= distance_;

@@ -17,7 +17,7 @@ public:
     Variation(const Manifest& manifest, const std::string& lab, const std::string& seed, int attempt);
 
     /// A knob that the shot sets is what its check is about, and stays.
-    Shot of(Shot shot) const;
+    Shot vary(Shot shot) const;
 
 private:
     double yaw_, pitch_;  ///< degrees, to be added

@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <set>
 
-#include "framework/staff/handout/beneath.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/text.h"
+#include "framework/staff/handout/confined_folder.h"
 
 namespace relief {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = Beneath::Kind;
+using Kind = ConfinedFolder::Kind;
 
 constexpr const char* record_name = ".relief-handout";
 constexpr const char* record_head =
@@ -82,7 +82,8 @@ std::optional<Record> read_record(const fs::path& folder) {
 /// Compares what is to be in a folder with what is, writes nothing, and knows then what has to be done.
 class Plan {
 public:
-    Plan(const HandedFiles& files, const Record& before, const Beneath& folder) : before_(before), folder_(folder) {
+    Plan(const HandedFiles& files, const Record& before, const ConfinedFolder& folder)
+        : before_(before), folder_(folder) {
         for (const auto& [path, file] : files) place(path, file);
         for (const auto& [path, fingerprints] : before.files)
             if (!files.contains(path) && !after.files.contains(path)) clear(path);
@@ -106,7 +107,7 @@ public:
 
 private:
     void place(const std::string& path, const HandedFile& file) {
-        const Beneath::Found found = folder_.look(path);
+        const ConfinedFolder::Found found = folder_.look(path);
         after.files[path] = {fingerprint(file.bytes)};
         if (found.kind == Kind::behind) {
             note_behind(path, found);
@@ -131,7 +132,7 @@ private:
     void put_beside(const std::string& path, const HandedFile& file, bool is_news) {
         for (int i = 1;; ++i) {
             const std::string name = beside(path, i);
-            const Beneath::Found found = folder_.look(name);
+            const ConfinedFolder::Found found = folder_.look(name);
             const bool is_there = found.kind == Kind::file && found.bytes == file.bytes;
             const bool is_ours = is_there || (found.kind == Kind::file && before_.has(name, found.bytes));
             if (found.kind != Kind::nothing && !is_ours) {
@@ -147,7 +148,7 @@ private:
 
     /// It was handed out once, and is not any more.
     void clear(const std::string& path) {
-        const Beneath::Found found = folder_.look(path);
+        const ConfinedFolder::Found found = folder_.look(path);
         if (found.kind == Kind::behind)
             note_behind(path, found);
         else if (found.kind == Kind::file && before_.has(path, found.bytes))
@@ -157,7 +158,7 @@ private:
     }
 
     /// Nothing is handed out there, so what the record says of it stays as it was.
-    void note_behind(const std::string& path, const Beneath::Found& found) {
+    void note_behind(const std::string& path, const ConfinedFolder::Found& found) {
         const auto known = before_.files.find(path);
         if (known != before_.files.end())
             after.files[path] = known->second;
@@ -169,13 +170,13 @@ private:
     }
 
     const Record& before_;
-    const Beneath& folder_;
+    const ConfinedFolder& folder_;
     std::map<std::string, const HandedFile*> writes_;
     std::set<std::string> theirs_;  ///< once put beside a file, and changed since
 };
 
 Delivery update(const HandedFiles& files, const std::string& choice, const Record& before, const fs::path& folder) {
-    const Beneath place(folder);
+    const ConfinedFolder place(folder);
     Plan plan(files, before, place);
     plan.carry_out(choice);
     return plan.done;

@@ -54,8 +54,8 @@ std::string knob_text(const BenchKnobs& knobs) {
     return text;
 }
 
-std::vector<BenchScene> only(const BenchTopic& topic, std::vector<BenchScene> scenes,
-                             std::span<const std::pair<std::string, std::vector<std::string>>> wanted) {
+std::vector<BenchScene> filter_scenes(const BenchTopic& topic, std::vector<BenchScene> scenes,
+                                      std::span<const std::pair<std::string, std::vector<std::string>>> wanted) {
     const auto sweep = sweep_of(scenes);
     std::vector<std::string> names;
     for (const auto& [knob, values] : sweep) names.push_back(knob);

@@ -31,7 +31,7 @@ struct BenchSubject {
     BenchError error = {};
     std::function<void()> run;
     Image picture = {}, error_map = {};  ///< to look at, 8 bits; empty where there is nothing to see
-    double error_map_most = 0;           ///< what its brightest colour stands for, in the error's unit
+    double error_map_max = 0;            ///< what its brightest colour stands for, in the error's unit
 };
 
 /// A method. A topic lists it without any work; `prepare` does the work, with a context if the topic draws.
@@ -66,8 +66,8 @@ std::span<const BenchTopic> bench_topics();
 /// Keeps what agrees with all of `wanted`, each a knob of a scene or of a method with the values it may have, or
 /// "method" with names of methods. Throws UsageError, with what there is, for a knob or a value that is nowhere in the
 /// topic.
-std::vector<BenchScene> only(const BenchTopic& topic, std::vector<BenchScene> scenes,
-                             std::span<const std::pair<std::string, std::vector<std::string>>> wanted);
+std::vector<BenchScene> filter_scenes(const BenchTopic& topic, std::vector<BenchScene> scenes,
+                                      std::span<const std::pair<std::string, std::vector<std::string>>> wanted);
 
 /// "a=1 b=2".
 std::string knob_text(const BenchKnobs& knobs);

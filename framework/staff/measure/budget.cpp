@@ -64,7 +64,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
                          Shot timed = shot;
                          if (draws == "picture") timed.probe = {};
                          BenchSubject subject = drawn(lab, timed);
-                         const Image errors = wall->errors(take(*lab, shot), Camera(shot.camera, 1));
+                         const Image errors = wall->errors(render_shot(*lab, shot), Camera(shot.camera, 1));
                          subject.error = error_over(errors, "pixel");
                          subject.work.emplace_back("taps", mean_of_probe(*lab, shot, "work"));
                          if (settings.pictures) show_picture(subject, *lab, shot), show_errors(subject, errors, 4);

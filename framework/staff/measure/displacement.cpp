@@ -43,11 +43,11 @@ BenchMethod of_lab(const char* number, const std::string& name, const BenchKnobs
                 const auto depth = [&] {
                     Shot deep = shot;
                     deep.probe = {"depth"};
-                    return take(*lab, deep);
+                    return render_shot(*lab, deep);
                 };
                 if (settings.pictures) show_picture(subject, *lab, shot);
                 if (!errors_of) return subject;
-                const Image place = take(*lab, shot);
+                const Image place = render_shot(*lab, shot);
                 const std::vector<double> errors = errors_of(place, depth);
                 subject.error = figures_of(place, errors);
                 if (settings.pictures)

@@ -78,7 +78,7 @@ BenchError error_over(const Image& errors, const std::string& unit) {
 
 double mean_of_probe(Lab& lab, Shot shot, const char* name) {
     shot.probe = {name};
-    const Image probe = take(lab, shot);
+    const Image probe = render_shot(lab, shot);
     double sum = 0, count = 0;
     for (size_t i = 0; i < probe.values.size(); i += 4)
         if (std::isfinite(probe.values[i])) sum += double(probe.values[i]), ++count;
@@ -87,11 +87,11 @@ double mean_of_probe(Lab& lab, Shot shot, const char* name) {
 
 void show_picture(BenchSubject& subject, Lab& lab, Shot shot) {
     shot.probe = {}, shot.size = glm::ivec2(shown_side);
-    subject.picture = take(lab, shot);
+    subject.picture = render_shot(lab, shot);
 }
 
-void show_errors(BenchSubject& subject, const Image& errors, double most) {
-    subject.error_map = visualize_error(worst_of(errors), most), subject.error_map_most = most;
+void show_errors(BenchSubject& subject, const Image& errors, double max_error) {
+    subject.error_map = visualize_error(worst_of(errors), max_error), subject.error_map_max = max_error;
 }
 
 }  // namespace relief

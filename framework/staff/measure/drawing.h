@@ -29,6 +29,6 @@ double mean_of_probe(Lab& lab, Shot shot, const char* name);
 void show_picture(BenchSubject& subject, Lab& lab, Shot shot);
 /// and its error as a map of heat, `most` and more being the brightest. Of the pixels that share one of the map's the
 /// worst counts.
-void show_errors(BenchSubject& subject, const Image& errors, double most);
+void show_errors(BenchSubject& subject, const Image& errors, double max_error);
 
 }  // namespace relief

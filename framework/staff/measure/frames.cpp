@@ -14,7 +14,7 @@ BenchError error_of(const LabEntry& entry, const Manifest& manifest) {
         const auto lab = make_lab(entry, shot);
         const auto truth = lab->truth({0, shot.size, 0, Camera(shot.camera, 1), shot.probe}, shot.probe);
         if (!truth) continue;
-        const ErrorSummary error = summarize(error_image(take(*lab, shot), *truth, probe.error));
+        const ErrorSummary error = summarize(error_image(render_shot(*lab, shot), *truth, probe.error));
         return {error.mean, error.p99, error.largest, probe.unit};
     }
     return {};

@@ -158,7 +158,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
                                              lab, GradeSetup{.isolation = isolation, .seed = seed}, count);
                                          return subject([graded](size_t i) {
                                              const LabMark mark = graded->grader->mark(graded->submissions[i]);
-                                             if (mark.points() != mark.of())
+                                             if (mark.points() != mark.max_points())
                                                  throw Error("a correct submission does not get all points");
                                          });
                                      }});

@@ -23,7 +23,8 @@ BenchMethod lit(const char* number, const std::string& name, const BenchKnobs& k
                     if (info.name == probe) {
                         Shot measured = shot;
                         measured.probe = {probe};
-                        const Image errors = error_image(take(*lab, measured), truth_of(*lab, measured), info.error);
+                        const Image errors =
+                            error_image(render_shot(*lab, measured), truth_of(*lab, measured), info.error);
                         subject.error = error_over(errors, info.unit);
                         subject.error.wrong.reset();
                         if (settings.pictures) show_errors(subject, errors, 10);

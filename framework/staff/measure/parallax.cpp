@@ -59,7 +59,7 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
             const std::shared_ptr<Lab> lab = make_lab(find_lab(lab_number), shot);
             if (!*truth) *truth = truth_of(*lab, shot);
             BenchSubject subject = drawn(lab, shot);
-            const Image errors = error_image(take(*lab, shot), **truth, ErrorMetric::distance);
+            const Image errors = error_image(render_shot(*lab, shot), **truth, ErrorMetric::distance);
             subject.error = error_over(errors, "texel");
             // Heights read, of lab 11; of lab 12 the cells, blocks or cones that were looked at.
             subject.work.emplace_back(lab_number == std::string("11") ? "taps" : "visits",

@@ -24,7 +24,7 @@ struct BenchRow {
     int repeats = 0;   ///< samples behind the times; 0: there are none
     BenchTimes times;  ///< nanoseconds an item
     Image picture, error_map;
-    double error_map_most = 0;
+    double error_map_max = 0;
 
     bool is_measured() const { return state == "measured"; }
 };

@@ -49,7 +49,7 @@ json as_json(const BenchSubject& subject) {
             {"wrong", error.wrong ? json(*error.wrong) : json()},
             {"picture", as_json(subject.picture)},
             {"error_map", as_json(subject.error_map)},
-            {"most", subject.error_map_most}};
+            {"max", subject.error_map_max}};
 }
 
 void read_subject(const json& message, BenchRow& row) {
@@ -58,7 +58,7 @@ void read_subject(const json& message, BenchRow& row) {
     row.error = {error[0], error[1], error[2], message.at("unit")};
     if (!message.at("wrong").is_null()) row.error.wrong = message.at("wrong").get<double>();
     row.picture = image_from(message.at("picture")), row.error_map = image_from(message.at("error_map"));
-    row.error_map_most = message.at("most");
+    row.error_map_max = message.at("max");
 }
 
 /// Messages from the measuring process: a length, then CBOR, which keeps an infinity.

@@ -212,7 +212,7 @@ private:
 
     static std::string pictures(const BenchRow& row) {
         std::string text;
-        const std::string error = "error: black 0, pale " + amount_of(row.error_map_most, row.error.unit) + " and more";
+        const std::string error = "error: black 0, pale " + amount_of(row.error_map_max, row.error.unit) + " and more";
         const std::pair<const Image*, std::string> all[] = {{&row.picture, "picture"}, {&row.error_map, error}};
         for (const auto& [image, name] : all)
             if (image->width > 0)

@@ -251,10 +251,10 @@ std::string class_table(const ClassReport& report, const ClassCounts& counts) {
             return fmt::format("<td class=\"number share\" style=\"--p:{:.0f}%\">{} / {}</td>", 100 * points / of,
                                points_text(points), of);
         };
-        text += cell(mark.points(), mark.of(), mark.graded());
+        text += cell(mark.points(), mark.max_points(), mark.graded());
         for (const auto& [lab, checks] : counts.checks) {
             const LabMark* const one = mark.lab(lab);
-            text += one ? cell(one->points(), one->of(), one->graded()) : "<td class=\"number none\">–</td>";
+            text += one ? cell(one->points(), one->max_points(), one->graded()) : "<td class=\"number none\">–</td>";
         }
         text += outcome_cells(mark) + "</tr>\n";
     }

@@ -57,7 +57,7 @@ private:
             text += fmt::format(
                 "<p class=\"points\">{0} of {1} points</p>\n<meter min=\"0\" max=\"{1}\" value=\"{0}\" "
                 "aria-label=\"points\"></meter>\n",
-                points_text(mark_.points()), mark_.of());
+                points_text(mark_.points()), mark_.max_points());
         if (!mark_.problem.empty()) text += "<p class=\"problem\">" + html(mark_.problem) + "</p>\n";
         if (!contents_.empty()) text += "<nav aria-label=\"tasks\"><ul>" + contents_ + "</ul></nav>\n";
         return text + "</header>\n";
@@ -70,7 +70,8 @@ private:
             "{1}</h2>\n",
             id, html(words_of(lab.lab)));
         if (lab.graded())
-            body_ += fmt::format("<p class=\"quiet\">{} of {} points</p>\n", points_text(lab.points()), lab.of());
+            body_ +=
+                fmt::format("<p class=\"quiet\">{} of {} points</p>\n", points_text(lab.points()), lab.max_points());
         if (!lab.log.empty())
             body_ += fmt::format(
                 "<details class=\"more\"{}><summary>What the compiler said</summary><pre "
@@ -202,7 +203,7 @@ std::string count_of(size_t count, const std::string& what) {
 std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures, PageFor reader) {
     const std::string title =
         printable(mark.name) + (mark.graded() && mark.problem.empty()
-                                    ? fmt::format(": {} of {} points", points_text(mark.points()), mark.of())
+                                    ? fmt::format(": {} of {} points", points_text(mark.points()), mark.max_points())
                                     : "");
     return closed_page(title, check_style() + student_style, StudentPage(mark, pictures, reader).text(),
                        check_script());

@@ -15,8 +15,8 @@ double tolerated(double budget, double pixels_per_metre, double scale) {
     return scale * pixels_per_metre > 0 ? budget / pixels_per_metre / scale : 1e30;
 }
 
-glm::dvec2 thinned(double lowest, double highest, double most) {
-    const double cut = std::min(most, (highest - lowest) / 2);
+glm::dvec2 thinned(double lowest, double highest, double max_cut) {
+    const double cut = std::min(max_cut, (highest - lowest) / 2);
     return {lowest + cut, highest - cut};
 }
 

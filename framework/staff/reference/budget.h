@@ -17,7 +17,7 @@ double tolerated(double budget, double pixels_per_metre, double scale);
 
 /// The lowest and the highest height of a relief that is cut off below and above by `most`; the middle for both when
 /// nothing is left.
-glm::dvec2 thinned(double lowest, double highest, double most);
+glm::dvec2 thinned(double lowest, double highest, double max_cut);
 
 /// The level, in parts, at which the polygon through errors that never fall reaches `tolerance`; 0 where it begins
 /// above it, the last where it ends below. There is an error at least.

@@ -28,9 +28,9 @@ ReliefMove least_move(const HeightField& field, const Ray& ray, double t) {
     };
     const double begin = std::max(0.0, (field.highest() - ray.origin.z) / ray.direction.z);
     t = std::clamp(t, 0.0, std::max(begin, (field.lowest() - ray.origin.z) / ray.direction.z));
-    ReliefMove most{t, -above(t)};
+    ReliefMove largest{t, -above(t)};
     const auto consider = [&](double at, double height) {
-        if (height > std::abs(most.height)) most = {at, -height};
+        if (height > std::abs(largest.height)) largest = {at, -height};
     };
     for (double from = begin, before = above(from); from < t;) {
         const double to = std::min(
@@ -43,7 +43,7 @@ ReliefMove least_move(const HeightField& field, const Ray& ray, double t) {
             consider(from + s * (to - from), before + s * (slope + s * bend));
         from = to, before = after;
     }
-    return most;
+    return largest;
 }
 
 std::vector<ShownError> wall_errors(const Image& texels, const HeightField& field, double texels_per_metre,

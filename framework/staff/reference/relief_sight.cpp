@@ -11,7 +11,7 @@ ReliefSights::ReliefSights(const Mesh& mesh) : mesh_(mesh) {
         triangles_.push_back({position(i), position(i + 1) - position(i), position(i + 2) - position(i)});
 }
 
-std::optional<ReliefSight> ReliefSights::look(const Ray& ray, const ReliefLay& lay, bool front_only) const {
+std::optional<ReliefSight> ReliefSights::look(const Ray& ray, const ReliefMapping& mapping, bool front_only) const {
     double nearest = std::numeric_limits<double>::infinity();
     size_t seen = 0;
     glm::dvec3 shares{};
@@ -43,20 +43,20 @@ std::optional<ReliefSight> ReliefSights::look(const Ray& ray, const ReliefLay& l
         uv += shares[i] * glm::dvec2(vertex.uv);
         handedness = double(vertex.tangent.w);
     }
-    const double side = lay.repeat.x < 0 ? -1 : 1;
+    const double side = mapping.repeat.x < 0 ? -1 : 1;
     sight.normal = glm::normalize(sight.normal);
     sight.tangent = side * glm::normalize(tangent - glm::dot(tangent, sight.normal) * sight.normal);
     sight.bitangent = side * handedness * glm::cross(sight.normal, sight.tangent);
-    sight.uv = uv * glm::dvec2(lay.repeat) + glm::dvec2(lay.shift);
+    sight.uv = uv * glm::dvec2(mapping.repeat) + glm::dvec2(mapping.shift);
 
     const glm::dvec3 to_eye = -ray.direction;
     const double cosine = glm::dot(to_eye, sight.normal);
     sight.faces_away = cosine <= 0;
     sight.ray.slant = std::max(cosine, least_slant);
-    sight.ray.texel = sight.uv * double(lay.texels);
+    sight.ray.texel = sight.uv * double(mapping.texels);
     sight.ray.march = -glm::dvec2(glm::dot(to_eye, sight.tangent), glm::dot(to_eye, sight.bitangent)) /
-                      sight.ray.slant * glm::dvec2(lay.depth) * double(lay.texels);
-    sight.metres_to_ground = double(lay.metres) / sight.ray.slant;
+                      sight.ray.slant * glm::dvec2(mapping.depth) * double(mapping.texels);
+    sight.metres_to_ground = double(mapping.metres) / sight.ray.slant;
     return sight;
 }
 

@@ -29,7 +29,7 @@ public:
     explicit ReliefSights(const Mesh& mesh);
     /// The first triangle that the ray meets (Möller and Trumbore 1997), from either side, or from the front alone as
     /// where back faces are culled.
-    std::optional<ReliefSight> look(const Ray& ray, const ReliefLay& lay, bool front_only = false) const;
+    std::optional<ReliefSight> look(const Ray& ray, const ReliefMapping& mapping, bool front_only = false) const;
 
 private:
     struct Triangle {

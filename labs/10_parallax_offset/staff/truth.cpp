@@ -22,7 +22,7 @@ std::vector<Image> exact_values(const std::vector<Frame>& frames, const Probe& p
     if (probe.name == "steps") return {};
     const ReliefSights sights(surface.mesh());
     const HeightField heights(surface.heights(), true);
-    const ReliefLay lay = surface.lay();
+    const ReliefMapping mapping = surface.mapping();
     std::vector<Image> images;
     for (const Frame& frame : frames) {
         Image& image = images.emplace_back(frame.size.x, frame.size.y, 4);
@@ -30,7 +30,7 @@ std::vector<Image> exact_values(const std::vector<Frame>& frames, const Probe& p
         parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
             for (size_t y = begin; y < end; ++y)
                 for (int x = 0; x < frame.size.x; ++x)
-                    if (const auto sight = sights.look(frame.ray(x, int(y)), lay)) {
+                    if (const auto sight = sights.look(frame.ray(x, int(y)), mapping)) {
                         const glm::dvec4 value = value_of(probe.name, *sight, heights);
                         for (int c = 0; c < 4; ++c) image.pixel(x, int(y))[c] = float(value[c]);
                     }

@@ -7,15 +7,15 @@
 namespace relief::occlusion {
 namespace {
 
-std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Mesh& mesh, const ReliefLay& lay,
-                                  const Image& heights) {
+std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Mesh& mesh,
+                                  const ReliefMapping& mapping, const Image& heights) {
     if (probe.name != "uv" && probe.name != "depth") return {};
     const HeightField field(heights, true);
     const ReliefSights sights(mesh);
     Image image(frame.size.x, frame.size.y, 4);
     std::fill(image.values.begin(), image.values.end(), no_surface);
     const auto draw = [&](int x, int y) {
-        const auto sight = sights.look(frame.ray(x, y), lay);
+        const auto sight = sights.look(frame.ray(x, y), mapping);
         if (!sight) return;
         double t = 0;
         if (!sight->faces_away) {

@@ -21,7 +21,7 @@ public:
     SeenObject(const Object& object, bool outline)
         : field_(object.surface->heights(), true),
           sights_(object.surface->mesh()),
-          lay_(object.surface->lay()),
+          mapping_(object.surface->mapping()),
           model_from_world_(glm::inverse(object.world_from_model)),
           is_closed_(object.is_closed()),
           radius_(object.radius(outline)),
@@ -30,14 +30,14 @@ public:
     void look(const Ray& world, const glm::dvec3& to_light, bool wants_light, Seen& nearest) const {
         const glm::dmat3 turn(model_from_world_);
         const Ray ray{glm::dvec3(model_from_world_ * glm::dvec4(world.origin, 1)), turn * world.direction};
-        const auto sight = sights_.look(ray, lay_, is_closed_);
+        const auto sight = sights_.look(ray, mapping_, is_closed_);
         if (!sight || (radius_ > 0 && sight->faces_away)) return;
         double t = 0, bend = 0;
         if (!sight->faces_away) {
             double t_end = 1;
             if (radius_ > 0) {
                 const double across = glm::dot(ray.direction, sight->tangent) * sight->metres_to_ground;
-                bend = across * across / (2 * radius_ * double(lay_.metres));
+                bend = across * across / (2 * radius_ * double(mapping_.metres));
                 t_end = bend < 0.25 ? 2 / (1 + std::sqrt(1 - 4 * bend)) : 1 / bend;
             }
             const auto hit = field_.first_hit(sight->ray.in_texels(), t_end, bend);
@@ -45,7 +45,7 @@ public:
             t = hit ? hit->t : t_end;
         }
         const double distance = sight->distance + t * sight->metres_to_ground;
-        const glm::dvec2 texel = sight->ray.texel + t * sight->ray.march, uv = texel / double(lay_.texels);
+        const glm::dvec2 texel = sight->ray.texel + t * sight->ray.march, uv = texel / double(mapping_.texels);
         const auto [low, high] = border_;
         if (uv.x < double(low.x) || uv.y < double(low.y) || uv.x > double(high.x) || uv.y > double(high.y)) return;
         if (distance >= nearest.distance) return;
@@ -54,13 +54,13 @@ public:
         const glm::dvec3 light = turn * to_light;
         const glm::dvec2 across(glm::dot(light, sight->tangent), glm::dot(light, sight->bitangent));
         nearest.lit = field_.is_lit(
-            texel, {across * glm::dvec2(lay_.depth) * double(lay_.texels), glm::dot(light, sight->normal)});
+            texel, {across * glm::dvec2(mapping_.depth) * double(mapping_.texels), glm::dot(light, sight->normal)});
     }
 
 private:
     HeightField field_;
     ReliefSights sights_;
-    ReliefLay lay_;
+    ReliefMapping mapping_;
     glm::dmat4 model_from_world_;
     bool is_closed_;
     double radius_;

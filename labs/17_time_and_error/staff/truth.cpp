@@ -10,18 +10,18 @@
 namespace relief::budget {
 namespace {
 
-std::optional<Image> exact_values(const Probe& probe, const Question& question, const Known& known,
+std::optional<Image> exact_values(const Probe& probe, const FrameBudget& budget, const MapErrors& maps,
                                   const Image& heights) {
     const bool uv = probe.name == "uv", pixels = probe.name == "pixels", left = probe.name == "left";
     const bool level = probe.name == "level", bumps = probe.name == "bumps";
     if (!uv && !pixels && !left && !level && !bumps) return {};
     const HeightField field(heights, true);
     const glm::dvec2 size(field.size());
-    const glm::dmat4 clip_from_world = question.frame.camera.clip_from_world();
-    Image image(question.frame.size.x, question.frame.size.y, 4);
+    const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
+    Image image(budget.frame.size.x, budget.frame.size.y, 4);
     std::fill(image.values.begin(), image.values.end(), no_surface);
     const auto draw = [&](int x, int y) {
-        const Ray ray = question.frame.ray(x, y);
+        const Ray ray = budget.frame.ray(x, y);
         const double away = -ray.origin.z / ray.direction.z;
         if (!(away > 0) || ray.direction.z >= 0) return;
         const glm::dvec3 front = ray.at(away);
@@ -30,7 +30,7 @@ std::optional<Image> exact_values(const Probe& probe, const Question& question, 
             return;
         float* const pixel = image.pixel(x, y);
         if (uv) {
-            const glm::dvec2 along = glm::dvec2(ray.direction) * (question.scale / -ray.direction.z);
+            const glm::dvec2 along = glm::dvec2(ray.direction) * (budget.scale / -ray.direction.z);
             const auto hit = field.first_hit({{glm::dvec2(front) * size, 1}, {along * size, -1}}, 1);
             const glm::dvec2 place = glm::dvec2(front) + (hit ? hit->t : 1) * along;
             if (glm::any(glm::lessThan(place, wall_low)) || glm::any(glm::greaterThan(place, wall_high))) return;
@@ -40,17 +40,17 @@ std::optional<Image> exact_values(const Probe& probe, const Question& question, 
         }
         std::fill_n(pixel, 4, 0.0f);
         const glm::dvec4 clip = clip_from_world * glm::dvec4(front, 1);
-        const double metre = pixels_per_metre(clip, clip_from_world[2], glm::dvec2(question.frame.size));
-        const double most = tolerated(question.budget, metre, question.scale);
-        if (pixels) pixel[0] = float(metre * question.scale);
+        const double metre = pixels_per_metre(clip, clip_from_world[2], glm::dvec2(budget.frame.size));
+        const double max_error = tolerated(budget.pixels, metre, budget.scale);
+        if (pixels) pixel[0] = float(metre * budget.scale);
         if (left) {
-            const glm::dvec2 between = thinned(double(known.range.x), double(known.range.y), question.thinning * most);
+            const glm::dvec2 between = thinned(double(maps.range.x), double(maps.range.y), budget.thinning * max_error);
             pixel[0] = float(between.x), pixel[1] = float(between.y);
         }
-        if (level) pixel[0] = float(coarsest_level(known.levels, question.precision * most));
+        if (level) pixel[0] = float(coarsest_level(maps.levels, budget.precision * max_error));
         if (bumps) {
-            const double read = std::max(0.0, first_level(question, known) + 1.5 * std::log2(clip.w));
-            pixel[0] = float(bumps_left(read, double(known.flat_level), question.budget));
+            const double read = std::max(0.0, first_level(budget, maps) + 1.5 * std::log2(clip.w));
+            pixel[0] = float(bumps_left(read, double(maps.flat_level), budget.pixels));
         }
     };
     parallel_pieces(size_t(image.height), 1, 0, [&](size_t begin, size_t end) {

@@ -19,7 +19,7 @@ Manifest varied() {
 TEST(Variation, IsDecidedBySeedLabAndAttemptAlone) {
     const Manifest manifest = varied();
     const auto view = [&](const char* lab, const char* seed, int attempt) {
-        return view_text(Variation(manifest, lab, seed, attempt).of({}));
+        return view_text(Variation(manifest, lab, seed, attempt).vary({}));
     };
     EXPECT_EQ(view("01", "x", 0), view("01", "x", 0));
     std::set<std::string> all = {view("01", "x", 0), view("02", "x", 0), view("01", "y", 0), view("01", "x", 1)};
@@ -31,7 +31,7 @@ TEST(Variation, StaysInItsRangesAndIsNeverTheKnownView) {
     std::set<std::string> maps;
     const Shot known;
     for (int i = 0; i < 200; ++i) {
-        const Shot shot = Variation(manifest, "01", std::to_string(i), 0).of(known);
+        const Shot shot = Variation(manifest, "01", std::to_string(i), 0).vary(known);
         const double yaw = std::abs(shot.camera.yaw - known.camera.yaw);
         EXPECT_TRUE(yaw >= 5.9 && yaw <= 20.1) << yaw;
         EXPECT_TRUE(std::abs(shot.camera.distance / known.camera.distance - 1) <= 0.151);
@@ -45,7 +45,7 @@ TEST(Variation, StaysInItsRangesAndIsNeverTheKnownView) {
 TEST(Variation, LeavesWhatACheckIsAbout) {
     Shot shot;
     shot.set = {{"map", "posts"}};
-    const Shot hidden = Variation(varied(), "01", "x", 0).of(shot);
+    const Shot hidden = Variation(varied(), "01", "x", 0).vary(shot);
     EXPECT_EQ(hidden.set[0], (std::pair<std::string, std::string>{"map", "posts"}));
     EXPECT_EQ(hidden.set.size(), 2u);
 }

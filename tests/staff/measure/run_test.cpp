@@ -219,7 +219,7 @@ BenchTopic sweep() {
 
 std::vector<std::string> left_of(const std::vector<std::pair<std::string, std::vector<std::string>>>& wanted) {
     std::vector<std::string> names;
-    for (const BenchScene& scene : only(sweep(), sweep().scenes({}), wanted))
+    for (const BenchScene& scene : filter_scenes(sweep(), sweep().scenes({}), wanted))
         for (const BenchMethod& method : scene.methods)
             names.push_back(scene.knobs[0].second + " " + method.name + " " + knob_text(method.knobs));
     return names;

@@ -51,12 +51,12 @@ TEST(LeastMove, FindsATopBetweenTheLinesOfACell) {
     // chord.
     const Ray ray{{3.5, 4.0, 1.0}, {2, 1, -1}};
     const ReliefMove move = least_move(field, ray, 1);
-    double most = 0;
+    double largest = 0;
     for (int i = 0; i <= 100000; ++i) {
         const glm::dvec3 p = ray.at(i / 100000.0);
-        most = std::max(most, field.height(glm::dvec2(p)) - p.z);
+        largest = std::max(largest, field.height(glm::dvec2(p)) - p.z);
     }
-    EXPECT_NEAR(-move.height, most, 1e-9);
+    EXPECT_NEAR(-move.height, largest, 1e-9);
 }
 
 TEST(LeastMove, IsNothingExactlyAtTheFirstHit) {
@@ -83,15 +83,15 @@ TEST(LeastMove, IsNoMoreThanASurfaceIsOff) {
     std::uniform_real_distribution<double> place(0, 64), reach(-60, 60), off(-0.05, 0.05);
     for (float& height : other.values) height = float(double(height) + off(random));
     const HeightField field(image, true), shown(other, true);
-    double most = 0;
+    double largest = 0;
     for (int i = 0; i < 2000; ++i) {
         const Ray ray{{place(random), place(random), 1.05}, {reach(random), reach(random), -1}};
         const auto hit = shown.first_hit(ray, 1.1);
         if (!hit) continue;
-        most = std::max(most, std::abs(least_move(field, ray, hit->t).height));
+        largest = std::max(largest, std::abs(least_move(field, ray, hit->t).height));
     }
-    EXPECT_LE(most, 0.05 + 1e-7);
-    EXPECT_GT(most, 0.03);
+    EXPECT_LE(largest, 0.05 + 1e-7);
+    EXPECT_GT(largest, 0.03);
 }
 
 }  // namespace

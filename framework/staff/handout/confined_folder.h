@@ -10,10 +10,10 @@
 namespace relief {
 
 /// Paths are relative to the folder. The folder itself may be named through links; below it none is followed.
-class Beneath {
+class ConfinedFolder {
 public:
     /// The folder must exist. Throws Error if it does not, or if another process has it open in this way.
-    explicit Beneath(const std::filesystem::path& folder);
+    explicit ConfinedFolder(const std::filesystem::path& folder);
 
     enum class Kind { nothing, file, other, behind };
     struct Found {

@@ -1,4 +1,4 @@
-#include "framework/staff/handout/beneath.h"
+#include "framework/staff/handout/confined_folder.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -31,18 +31,18 @@ bool read_all(int descriptor, std::string& bytes) {
 
 }  // namespace
 
-Beneath::Beneath(const fs::path& folder)
+ConfinedFolder::ConfinedFolder(const fs::path& folder)
     : folder_(folder), top_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (top_ < 0) fail({}, "open this folder");
     if (flock(top_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         throw Error({folder}, "another run is writing here: wait until it ends");
 }
 
-void Beneath::fail(const fs::path& path, const char* action) const {
+void ConfinedFolder::fail(const fs::path& path, const char* action) const {
     throw Error({path.empty() ? folder_ : folder_ / path}, fmt::format("cannot {}: {}", action, std::strerror(errno)));
 }
 
-Descriptor Beneath::open_parent(const fs::path& path, bool make, fs::path& reached) const {
+Descriptor ConfinedFolder::open_parent(const fs::path& path, bool make, fs::path& reached) const {
     Descriptor here(openat(top_, ".", folder_flags));
     for (const fs::path& name : path.parent_path()) {
         reached /= name;
@@ -55,7 +55,7 @@ Descriptor Beneath::open_parent(const fs::path& path, bool make, fs::path& reach
     return here;
 }
 
-Beneath::Found Beneath::look(const fs::path& path) const {
+ConfinedFolder::Found ConfinedFolder::look(const fs::path& path) const {
     fs::path reached;
     const Descriptor parent = open_parent(path, false, reached);
     if (parent < 0) {
@@ -76,7 +76,7 @@ Beneath::Found Beneath::look(const fs::path& path) const {
     return found;
 }
 
-void Beneath::write(const fs::path& path, std::string_view bytes, bool executable) const {
+void ConfinedFolder::write(const fs::path& path, std::string_view bytes, bool executable) const {
     fs::path reached;
     const Descriptor parent = open_parent(path, true, reached);
     if (parent < 0) fail(reached, "make this folder");
@@ -92,7 +92,7 @@ void Beneath::write(const fs::path& path, std::string_view bytes, bool executabl
     fail(path, "write");
 }
 
-void Beneath::remove(const fs::path& path) const {
+void ConfinedFolder::remove(const fs::path& path) const {
     fs::path reached;
     const Descriptor parent = open_parent(path, false, reached);
     if (parent < 0 || unlinkat(parent, path.filename().c_str(), 0) != 0) fail(path, "remove");
