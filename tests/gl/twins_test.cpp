@@ -521,7 +521,7 @@ std::vector<Twin> displacement_and_levels() {
              return GlslInput{glm::vec4(dice.between(0, 0.5f), dice.between(0.5f, 1), dice.between(0, 0.6f), 0)};
          },
          [](const GlslInput& in) { return glm::dvec4(thinned(in[0].x, in[0].y, in[0].z), 0, 0); },
-         {"highest - most", "highest + most"}},
+         {"highest - max_error", "highest + max_error"}},
         {"coarsest_level",
          "17_time_and_error/task.glsl",
          "vec4(coarsest_level(float[12](a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, 9.0, 9.0, 9.0, 9.0), 8, c.x), "
