@@ -138,6 +138,29 @@ TEST(Sources, RoundNumbersForPeopleInOnePlace) {
     EXPECT_EQ(places, 1);
 }
 
+/// Calls by which a file starts processes, bounds them or waits for them, without comments and texts.
+bool handles_processes(const std::string& text) {
+    static const std::regex dropped("//[^\n]*|\"(\\\\.|[^\"\\\\\n])*\"");
+    static const std::regex call(
+        "\\b(v?fork|f?exec(l|le|lp|v|ve|vp|vpe)|execveat|posix_spawnp?|popen|system|waitpid|waitid|wait[34]|"
+        "setrlimit|prlimit)\\s*\\(");
+    return std::regex_search(std::regex_replace(text, dropped, ""), call);
+}
+
+TEST(Sources, StartProcessesInOnePlace) {
+    for (const char* planted : {"const pid_t child = fork();", "execvp (a, b);", "std::system(\"ls\");",
+                                "::waitpid(child, &status, 0);", "posix_spawnp(&child, a, b, c, d, e);", "popen(a, b);",
+                                "setrlimit(RLIMIT_CPU, &both);", "say(\"fork()\"); vfork();"})
+        EXPECT_TRUE(handles_processes(planted)) << planted;
+    for (const char* other : {"// fork() copies\n", "say(\"a \\\"fork() call\");", "utsname system{};", "wait();"})
+        EXPECT_FALSE(handles_processes(other)) << other;
+    Lines places;
+    each_source([&](const std::string& file, const std::string& text) {
+        if (handles_processes(text)) places.push_back(file);
+    });
+    EXPECT_EQ(places, Lines{"framework/base/process_linux.cpp"});
+}
+
 TEST(Arrows, APlantedOneIsFound) {
     const struct {
         const char *file, *include;

@@ -10,7 +10,7 @@
 #include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
-#include "framework/base/system.h"
+#include "framework/base/process.h"
 #include "framework/check/check.h"
 #include "framework/pages/check_page.h"
 #include "framework/pages/page.h"
@@ -88,7 +88,7 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
         make_folder(fs::absolute(page).parent_path());
         write_file(page, check_page(lab, manifest, tasks));
         const std::string place = fs::absolute(page).lexically_normal().string();
-        const bool opened = open && os::open_on_desktop(page);
+        const bool opened = open && open_on_desktop(page);
         print_note((open && !opened ? "there is no program to open it with, so open it yourself: " : "the page: ") +
                    place);
     }

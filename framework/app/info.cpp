@@ -1,17 +1,13 @@
 // relief info: what a bug report needs to say about the machine.
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <thread>
 
 #include "framework/app/command.h"
 #include "framework/app/versions.h"
 #include "framework/base/error.h"
 #include "framework/base/paths.h"
+#include "framework/base/process.h"
 #include "framework/base/system.h"
 #include "framework/lab/registry.h"
 
@@ -34,20 +30,11 @@ void print_context(ContextKind kind) {
 
 /// In a process of its own: a driver that crashes takes that with it, and no more.
 void print_context_apart(ContextKind kind) {
-    std::fflush(stdout);
-    const pid_t child = fork();
-    if (child == 0) {
-        print_context(kind);
-        std::fflush(stdout);
-        _exit(0);
-    }
-    int status = 0;
-    if (child < 0 || waitpid(child, &status, 0) != child) throw Error("cannot start a process");
-    if (WIFSIGNALED(status))
-        fmt::print("{:<8} missing: its driver crashes, {}{}\n", name_of(kind), strsignal(WTERMSIG(status)),
-                   driver_variables());
-    else if (WEXITSTATUS(status) != 0)
-        fmt::print("{:<8} missing: its driver ends the process with code {}{}\n", name_of(kind), WEXITSTATUS(status),
+    const ChildEnd end = ChildProcess([kind] { print_context(kind); }).wait();
+    if (!end.crash.empty())
+        fmt::print("{:<8} missing: its driver crashes, {}{}\n", name_of(kind), end.crash, driver_variables());
+    else if (end.code != 0)
+        fmt::print("{:<8} missing: its driver ends the process with code {}{}\n", name_of(kind), end.code,
                    driver_variables());
 }
 

@@ -14,4 +14,14 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
+bool read_all(int descriptor, void* bytes, size_t size) {
+    for (char* at = static_cast<char*>(bytes); size > 0;) {
+        const ssize_t got = ::read(descriptor, at, size);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        at += got, size -= size_t(got);
+    }
+    return true;
+}
+
 }  // namespace relief

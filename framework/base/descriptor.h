@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <cstddef>
 #include <string_view>
 
 namespace relief {
@@ -32,5 +33,7 @@ private:
 
 /// Writes everything, also when signals interrupt. False on failure; errno says why.
 bool write_all(int descriptor, std::string_view bytes);
+/// Reads so many bytes. False on failure, or where the end comes before.
+bool read_all(int descriptor, void* bytes, size_t size);
 
 }  // namespace relief

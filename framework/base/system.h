@@ -1,5 +1,5 @@
 // What differs from one operating system to the next, in one file a system: libraries that are opened, the program's
-// place, mapped files, the heap's pages, programs that are started.
+// place, mapped files, the heap's pages. Processes: framework/base/process.h.
 #pragma once
 
 #include <filesystem>
@@ -30,10 +30,6 @@ MappedFile map_file(const std::filesystem::path& path);
 /// end. Textures and pictures come and go in pieces of megabytes: in small pages the system's work for them is a sixth
 /// of a shot's time. Call it first.
 void take_large_pages();
-
-/// Shows a file in the browser, or whatever is set for it, and does not wait. False where there is no display, or no
-/// xdg-open.
-bool open_on_desktop(const std::filesystem::path& file);
 
 /// "Linux 6.1.0-18-amd64 x86_64"
 std::string name();

@@ -2,7 +2,6 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <malloc.h>
-#include <spawn.h>
 #include <sys/auxv.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -62,26 +61,6 @@ void take_large_pages() {
     const uintptr_t end = reinterpret_cast<uintptr_t>(sbrk(0)), begin = (end - size + large - 1) / large * large;
     madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);  // where there are none, all is as it was
 #endif
-}
-
-bool open_on_desktop(const fs::path& wanted) {
-    const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
-    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return false;
-    // In a session of its own and silent: it may run for as long as the browser does.
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    for (const int descriptor : {0, 1, 2})
-        posix_spawn_file_actions_addopen(&files, descriptor, "/dev/null", descriptor == 0 ? O_RDONLY : O_WRONLY, 0);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
-    std::string program = "xdg-open", file = fs::absolute(wanted).string();
-    char* const arguments[] = {program.data(), file.data(), nullptr};
-    pid_t child = 0;
-    const int result = posix_spawnp(&child, program.c_str(), &files, &attributes, arguments, environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&files);
-    return result == 0;
 }
 
 std::string name() {

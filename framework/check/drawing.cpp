@@ -11,9 +11,9 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
-#include "framework/base/descriptor.h"
 #include "framework/base/error.h"
 #include "framework/base/paths.h"
+#include "framework/base/process.h"
 #include "framework/lab/registry.h"
 
 namespace relief {

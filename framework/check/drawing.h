@@ -23,9 +23,6 @@ struct Renderer {
 /// A program that runs out of memory ends with this exit code.
 constexpr int out_of_memory_code = 97;
 
-/// Where a command reads its request.
-constexpr int request_descriptor = 97;
-
 /// What the process that draws is sent when it asks for it, and with what its output begins when it does.
 std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer);
 std::string drawing_asks();

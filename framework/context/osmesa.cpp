@@ -9,14 +9,13 @@
     #define GLAPI extern
 #endif
 #include <GL/osmesa.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdlib>
 #include <string_view>
 
 #include "framework/base/error.h"
+#include "framework/base/process.h"
 #include "framework/context/backends.h"
 
 namespace relief {
@@ -57,14 +56,11 @@ private:
     void refuse_drivers_that_crash() const {
         const char* const name = std::getenv("GALLIUM_DRIVER");
         if (!name || !*name || std::string_view(name) == "llvmpipe" || std::string_view(name) == "softpipe") return;
-        const pid_t child = fork();
-        if (child == 0) {
+        const auto attempt = [this] {
             const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, 0};
             create_(attributes, nullptr);
-            _exit(0);
-        }
-        int status = 0;
-        if (child > 0 && waitpid(child, &status, 0) == child && WIFSIGNALED(status))
+        };
+        if (!ChildProcess(attempt).wait().crash.empty())
             throw Error("OSMesa crashes, as it does where it lacks the driver that is asked for" + driver_variables());
     }
 

@@ -12,9 +12,9 @@
 #include "framework/base/log.h"
 #include "framework/base/parallel.h"
 #include "framework/base/paths.h"
+#include "framework/base/process.h"
 #include "framework/base/text.h"
 #include "framework/lab/registry.h"
-#include "framework/staff/grade/sandbox.h"
 #include "framework/staff/slides/deck.h"
 
 namespace relief {
@@ -55,7 +55,7 @@ Words decks_asked_for(const Words& asked) {
 }
 
 /// Runs a program in a folder and waits for its end.
-SandboxResult run_tool(Words command, const fs::path& folder, double seconds) {
+ProcessResult run_tool(Words command, const fs::path& folder, double seconds) {
     Words words = {"/bin/sh", "-c", "cd \"$1\" && shift && exec \"$@\"", "sh", folder.string()};
     words.insert(words.end(), command.begin(), command.end());
     std::map<std::string, std::string> environment;
@@ -63,13 +63,14 @@ SandboxResult run_tool(Words command, const fs::path& folder, double seconds) {
         if (const char* value = std::getenv(name)) environment[name] = value;
     // Decks are our own, and a browser that root starts does not run otherwise.
     environment["CHROME_NO_SANDBOX"] = "1";
-    SandboxLimits limits{.wall = seconds, .cpu = 4 * seconds};
-    limits.memory = ~size_t{0}, limits.scratch = size_t{1} << 32, limits.processes = 100'000;
-    return run_trusted({.command = words, .readable = {}, .environment = environment, .input = {}, .limits = limits});
+    return run_process(
+        {.command = words,
+         .environment = environment,
+         .limits = {.wall = seconds, .cpu = 4 * seconds, .memory = ~size_t{0}, .file = size_t{1} << 32}});
 }
 
 /// The last line of its output, which names the error.
-std::string last_words(const SandboxResult& done) {
+std::string last_words(const ProcessResult& done) {
     if (done.ending != Ending::exited) return name_of(done.ending);
     Words lines = split(done.errors, '\n');
     std::erase(lines, "");
@@ -78,8 +79,6 @@ std::string last_words(const SandboxResult& done) {
     if (said.starts_with("relief: ")) said.erase(0, 8);
     return said;
 }
-
-bool went_well(const SandboxResult& done) { return done.ending == Ending::exited && done.code == 0; }
 
 /// One command of `relief`, and the file for its picture.
 struct Drawing {
@@ -102,8 +101,8 @@ std::string draw(const Drawing& drawing, const fs::path& folder) {
     } else {
         command.insert(command.end(), {"-o", file.string()});
     }
-    const SandboxResult done = run_tool(command, folder, patience);
-    const std::string problem = went_well(done) ? "" : last_words(done);
+    const ProcessResult done = run_tool(command, folder, patience);
+    const std::string problem = done.succeeded() ? "" : last_words(done);
     if (!scratch.empty()) {
         const fs::path plot = scratch / (drawing.command.at(1) + ".svg");
         const bool is_there = fs::exists(plot);
@@ -131,7 +130,7 @@ void convert(const Words& decks, const fs::path& folder, bool as_pdf) {
     if (as_pdf) command.push_back("--pdf");
     command.push_back("--");
     for (const std::string& name : decks) command.push_back(name + ".md");
-    if (const SandboxResult done = run_tool(command, folder, 1200); !went_well(done))
+    if (const ProcessResult done = run_tool(command, folder, 1200); !done.succeeded())
         throw Error(fmt::format("marp-cli fails: {}", last_words(done)));
     for (const std::string& name : decks)
         if (!fs::exists(folder / (name + (as_pdf ? ".pdf" : ".html"))))

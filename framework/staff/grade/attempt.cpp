@@ -24,7 +24,7 @@ std::string first_error(const std::string& output) {
 }
 
 /// What a process' ending says of the student's code in it.
-Judgement blame(const SandboxResult& result, const std::string& problem) {
+Judgement blame(const ProcessResult& result, const std::string& problem) {
     switch (result.ending) {
         case Ending::out_of_time:
             return {Outcome::out_of_time, fmt::format("not done after {:.0f} seconds", result.wall)};
@@ -61,17 +61,17 @@ void draw_staged(const Stage& stage, const LabEntry& lab, const StagedCourse& co
         };
         if (left <= 0) return fail_rest(from, end, {Outcome::out_of_time, "the checks before it took all the time"});
         const std::vector<Shot> rest(shots.begin() + std::ptrdiff_t(from), shots.begin() + std::ptrdiff_t(end));
-        SandboxJob job;
+        ProcessJob job;
         job.command = {course.program.string(), "draw-checks", "--course", course.folder->path().string()};
-        job.readable = course.readable;
         job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course.libraries.string()}};
         // In the sandbox's own memory, gone with it: the next shot need not compile the same shader again.
         if (stage.isolation() == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
         job.request = drawing_request(lab, rest, renderer), job.asks = drawing_asks();
         job.limits.wall = std::min(left, limits.seconds), job.limits.cpu = std::ceil(job.limits.wall);
         job.limits.memory = limits.memory, job.limits.output = drawings_size(rest);
-        job.limits.processes = 32, job.makes_processes = false;
-        const SandboxResult result = run_sandboxed(job, stage.isolation());
+        job.makes_processes = false;
+        const ProcessResult result =
+            run_sandboxed(job, {.isolation = stage.isolation(), .readable = course.readable, .processes = 32});
         DrawnShots drawn = read_drawings(result.output, rest);
         left -= result.wall, attempt.draw += result.wall;
         for (size_t i = 0; i < drawn.shots.size(); ++i) {
@@ -123,8 +123,7 @@ Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& file
             one.outcome = Outcome::machine, one.error = "the machine failed: " + message(compiled.message);
             continue;
         }
-        const SandboxResult ended{
-            .ending = compiled.ending, .code = 1, .output = {}, .errors = {}, .wall = compiled.seconds};
+        const ProcessResult ended{.ending = compiled.ending, .code = 1, .wall = compiled.seconds};
         const Judgement why = compiled.ending == Ending::exited
                                   ? Judgement{Outcome::broken, message(first_error(compiled.message))}
                                   : blame(ended, {});

@@ -173,11 +173,9 @@ Words Stage::compiler(const LabEntry& lab) const {
 
 /// Our own sources, so not in the sandbox; by the same means all the same.
 void Stage::must(const Words& command, const char* what) const {
-    SandboxLimits limits{.wall = 600, .cpu = 600};
-    limits.scratch = size_t{1} << 30;
-    const SandboxResult done =
-        run_trusted({.command = command, .readable = {}, .environment = {}, .input = {}, .limits = limits});
-    if (done.ending != Ending::exited || done.code != 0)
+    const ProcessResult done =
+        run_process({.command = command, .limits = {.wall = 600, .cpu = 600, .file = size_t{1} << 30}});
+    if (!done.succeeded())
         throw Error(fmt::format("cannot {}: {}", what, done.errors.substr(0, done.errors.find('\n'))));
 }
 
@@ -255,7 +253,7 @@ namespace {
 
 /// Whether a compiler could not start its parts. What it says of a source begins with the place in it; but a source
 /// can call its place what it likes.
-bool may_be_the_machines(const SandboxResult& done) {
+bool may_be_the_machines(const ProcessResult& done) {
     static const std::regex own(
         "(^|\n)[^ :\n]*(sh: [0-9]+: Cannot fork|(\\+\\+|cc|gcc|clang|collect2|ld|as)(-[0-9]+)?: "
         "(fatal error|error|fatal): [^\n]*(cannot execute|cannot fork|vfork|posix_spawn|"
@@ -268,13 +266,13 @@ bool may_be_the_machines(const SandboxResult& done) {
 
 Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double seconds) const {
     if (labs_.at(lab.folder).sources.empty()) return {};
-    SandboxResult done = run_compiler(lab, course, seconds);
+    ProcessResult done = run_compiler(lab, course, seconds);
     if (may_be_the_machines(done)) done = run_compiler(lab, course, seconds);  // others may be done by now
     // Our own code in its place tells whose fault it is.
     if (may_be_the_machines(done) && may_be_the_machines(run_compiler(lab, this->course(lab, {}), seconds)))
         done.ending = Ending::failed;
     Compiled compiled{.ending = done.ending, .message = {}, .seconds = done.wall};
-    if (done.ending == Ending::exited && done.code == 0) {
+    if (done.succeeded()) {
         course.program = course.folder->path() / "program";
         put(course.program, done.output, true);
         return compiled;
@@ -286,7 +284,7 @@ Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double second
     return compiled;
 }
 
-SandboxResult Stage::run_compiler(const LabEntry& lab, const StagedCourse& course, double seconds) const {
+ProcessResult Stage::run_compiler(const LabEntry& lab, const StagedCourse& course, double seconds) const {
     const LabPart& part = labs_.at(lab.folder);
     const fs::path& root = course.folder->path();
     const fs::path library = folder_.path() / "students" / lab.folder;
@@ -302,16 +300,13 @@ SandboxResult Stage::run_compiler(const LabEntry& lab, const StagedCourse& cours
           std::string("-Wl,--allow-shlib-undefined"), std::string("-lfmt")})
         command.push_back(word);
     return run_sandboxed({.command = command,
-                          .readable = course.readable,
                           .environment = {{"LC_ALL", "C.UTF-8"}, {"TMPDIR", "/tmp"}},
-                          .input = {},
                           .limits = {.wall = seconds,
                                      .cpu = seconds,
                                      .memory = compiler_memory,
                                      .output = size_t{32} << 20,
-                                     .scratch = size_t{128} << 20,
-                                     .processes = 16}},
-                         isolation_);
+                                     .file = size_t{128} << 20}},
+                         {.isolation = isolation_, .readable = course.readable, .processes = 16});
 }
 
 std::string Stage::hash() const {

@@ -78,7 +78,7 @@ private:
     std::filesystem::path textures() const { return folder_.path() / "bin/textures"; }
     void build_lab(const LabEntry& lab, LabPart& part);
     std::vector<std::string> compiler(const LabEntry& lab) const;
-    SandboxResult run_compiler(const LabEntry& lab, const StagedCourse& course, double seconds) const;
+    ProcessResult run_compiler(const LabEntry& lab, const StagedCourse& course, double seconds) const;
     void must(const std::vector<std::string>& command, const char* what) const;
 
     Isolation isolation_;

@@ -105,14 +105,11 @@ private:
     }
     void must(const Words& command) const {
         const std::string libraries = (course(0) / "bin").string();
-        const SandboxResult done = run_trusted(
+        const ProcessResult done = run_process(
             {.command = command,
-             .readable = {},
              .environment = {{"LC_ALL", "C.UTF-8"}, {"LP_NUM_THREADS", "0"}, {"LD_LIBRARY_PATH", libraries}},
-             .input = {},
              .limits = {.wall = 600, .cpu = 600, .memory = size_t{8} << 30}});
-        if (done.ending != Ending::exited || done.code != 0)
-            throw Error(fmt::format("{} fails: {}{}", command[0], done.errors, done.output));
+        if (!done.succeeded()) throw Error(fmt::format("{} fails: {}{}", command[0], done.errors, done.output));
     }
 
     const LabEntry& lab_;

@@ -10,8 +10,8 @@
 #include <map>
 
 #include "framework/base/error.h"
+#include "framework/base/process.h"
 #include "framework/base/text.h"
-#include "framework/staff/grade/sandbox.h"
 
 namespace relief {
 namespace {
@@ -227,14 +227,13 @@ std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, c
 /// Nothing when there is no gnuplot.
 std::optional<std::string> run_gnuplot(const std::string& script) {
     const char* const path = std::getenv("PATH");
-    const SandboxResult done =
-        run_trusted({.command = {"/usr/bin/env", "gnuplot", "-"},
-                     .readable = {},
+    const ProcessResult done =
+        run_process({.command = {"/usr/bin/env", "gnuplot", "-"},
                      .environment = {{"PATH", path ? path : "/usr/bin:/bin"}, {"LC_ALL", "C.UTF-8"}},
                      .input = script,
                      .limits = {.wall = 120, .cpu = 120}});
     if (done.ending == Ending::exited && done.code == 127) return {};
-    if (done.ending != Ending::exited || done.code != 0)
+    if (!done.succeeded())
         throw Error(fmt::format("gnuplot fails ({}): {}", name_of(done.ending), done.errors.substr(0, 300)));
     return done.output;
 }

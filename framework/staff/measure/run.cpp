@@ -1,20 +1,16 @@
 #include "framework/staff/measure/run.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "framework/base/descriptor.h"
 #include "framework/base/error.h"
+#include "framework/base/process.h"
 #include "framework/gl/gl.h"
 #include "framework/gl/object.h"
 
@@ -70,21 +66,11 @@ void send(int pipe, const json& message) {
         _exit(1);  // nobody reads any more
 }
 
-bool read_whole(int pipe, void* bytes, size_t size) {
-    for (char* at = static_cast<char*>(bytes); size > 0;) {
-        const ssize_t got = read(pipe, at, size);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return false;
-        at += got, size -= size_t(got);
-    }
-    return true;
-}
-
 std::optional<json> receive(int pipe) {
     uint32_t size = 0;
-    if (!read_whole(pipe, &size, sizeof size)) return {};
+    if (!read_all(pipe, &size, sizeof size)) return {};
     std::vector<uint8_t> bytes(size);
-    if (!read_whole(pipe, bytes.data(), size)) return {};
+    if (!read_all(pipe, bytes.data(), size)) return {};
     return json::from_cbor(bytes);
 }
 
@@ -177,9 +163,8 @@ private:
     void* page_;
 };
 
-std::string ending(int status) {
-    if (WIFSIGNALED(status)) return std::string("crashed: ") + strsignal(WTERMSIG(status));
-    return fmt::format("ended the process, exit code {}", WEXITSTATUS(status));
+std::string text_of(const ChildEnd& end) {
+    return end.crash.empty() ? fmt::format("ended the process, exit code {}", end.code) : "crashed: " + end.crash;
 }
 
 /// What the measuring process has to say, written into the rows.
@@ -264,42 +249,24 @@ std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene
             if (rows[i].state == "open" || rows[i].is_measured()) methods.push_back(i), rows[i].state = "open";
         if (methods.empty()) break;
         current.value() = -1;
-        int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0) throw Error(fmt::format("no pipe: {}", std::strerror(errno)));
-        Descriptor hears(ends[0]), says(ends[1]);
-        std::fflush(nullptr);
-        const pid_t child = fork();
-        if (child < 0) throw Error(fmt::format("no process: {}", std::strerror(errno)));
-        if (child == 0) {
-            prctl(PR_SET_PDEATHSIG, SIGKILL);
-            hears.close();
+        Pipe pipe;
+        ChildProcess child([&] {
+            pipe.read.close();
             try {
-                Measuring(topic, scene, run, says, current.value()).measure(methods);
+                Measuring(topic, scene, run, pipe.write, current.value()).measure(methods);
             } catch (const UsageError& error) {
-                send(says, {{"wrong use", error.what()}});
+                send(pipe.write, {{"wrong use", error.what()}});
             } catch (const std::exception& error) {
-                send(says, {{"stopped", error.what()}});
+                send(pipe.write, {{"stopped", error.what()}});
             }
-            std::fflush(nullptr);
-            _exit(0);
-        }
-        says.close();
-        std::exception_ptr stopped;
-        try {
-            while (const auto message = receive(hears)) listener.hear(*message);
-        } catch (...) {
-            stopped = std::current_exception();
-            kill(child, SIGKILL);
-        }
-        int status = 0;
-        while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-        }
-        if (stopped) std::rethrow_exception(stopped);
-        if (WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
-        if (current.value() < 0)
-            throw Error("the measuring process " + ending(status) + " before it measured anything");
+        });
+        pipe.write.close();
+        while (const auto message = receive(pipe.read)) listener.hear(*message);
+        const ChildEnd end = child.wait();
+        if (end.crash.empty() && end.code == 0) break;
+        if (current.value() < 0) throw Error("the measuring process " + text_of(end) + " before it measured anything");
         BenchRow& row = rows[size_t(current.value())];
-        row.state = ending(status), row.repeats = 0;
+        row.state = text_of(end), row.repeats = 0;
         again = true;
     }
     return rows;

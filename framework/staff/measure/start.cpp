@@ -10,10 +10,10 @@
 #include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
+#include "framework/base/process.h"
 #include "framework/base/text.h"
 #include "framework/image/asset.h"
 #include "framework/image/file.h"
-#include "framework/staff/grade/sandbox.h"
 #include "framework/staff/grade/stage.h"
 #include "framework/staff/measure/topics.h"
 
@@ -35,13 +35,11 @@ Environment environment(bool with_cache) {
     return result;
 }
 
-SandboxResult run(const Words& command, bool with_cache = true) {
-    SandboxResult done = run_trusted({.command = command,
-                                      .readable = {},
+ProcessResult run(const Words& command, bool with_cache = true) {
+    ProcessResult done = run_process({.command = command,
                                       .environment = environment(with_cache),
-                                      .input = {},
                                       .limits = {.wall = 60, .cpu = 60, .memory = size_t{8} << 30}});
-    if (done.ending == Ending::exited && done.code == 0) return done;
+    if (done.succeeded()) return done;
     // The reason, without the events that --verbose tells before it.
     std::string reason;
     for (const std::string& line : split(done.errors, '\n'))
@@ -60,7 +58,7 @@ using Milliseconds = std::array<double, phases.size()>;
 /// From what --verbose says: "[  12.3 ms] drawn", "[  9.1 ms] texture: assets/x.png, 64x64, 1.2 ms".
 Milliseconds phases_of(Words command, bool with_cache) {
     command.emplace_back("--verbose");
-    const SandboxResult done = run(command, with_cache);
+    const ProcessResult done = run(command, with_cache);
     std::map<std::string, double> at, inside;
     for (const std::string& line : split(done.errors, '\n')) {
         const size_t end = line.find(" ms] ");

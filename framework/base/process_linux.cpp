@@ -1,0 +1,372 @@
+// Linux: framework/base/process.h.
+#include "framework/base/process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/sched.h>
+#include <linux/seccomp.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "framework/base/error.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr size_t output_block = size_t{64} << 10;
+/// More than this on standard error is a flood.
+constexpr size_t max_errors = size_t{16} << 20;
+constexpr unsigned nobody = 65534;
+/// On which a new process says why the program has not begun.
+constexpr int told_descriptor = report_descriptor + 1;
+
+/// What is sent through it needs no reader to be sent, and ends nobody where the reader has gone.
+struct Wire {
+    Descriptor ours{-1}, theirs{-1};
+    Wire() {
+        int ends[2];
+        if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+            throw Error(fmt::format("no pipe: {}", std::strerror(errno)));
+        ours = Descriptor(ends[0]), theirs = Descriptor(ends[1]);
+    }
+};
+
+/// A file in memory that holds the input, so that nobody waits for a reader.
+Descriptor input_file(const std::string& input) {
+    Descriptor file(memfd_create("input", MFD_CLOEXEC));
+    if (file < 0 || !write_all(file, input) || lseek(file, 0, SEEK_SET) != 0)
+        throw Error(fmt::format("no memory for the input: {}", std::strerror(errno)));
+    return file;
+}
+
+/// What the new process needs between fork and exec, where nothing may take memory: other threads may hold the lock.
+struct Start {
+    std::vector<const char*> words, environment;
+    int in = -1, out = -1, err = -1, report = -1, request = -1, told = -1;
+    const ProcessJob* limited_by = nullptr;  ///< none: it outlives us, and takes what it likes
+};
+
+void limit(int resource, rlim_t value, rlim_t more = 0) {
+    const rlimit both{value, value + more};
+    setrlimit(__rlimit_resource_t(resource), &both);
+}
+
+/// From here on a new thread is all that can be made. A limit on processes would count those of the user that others
+/// have started, wherever they run on this machine: then an honest program fails for its neighbour's sake.
+bool refuse_processes() {
+#if defined __x86_64__ || defined __aarch64__
+    #if defined __x86_64__
+    constexpr unsigned own = AUDIT_ARCH_X86_64;
+    #else
+    constexpr unsigned own = AUDIT_ARCH_AARCH64;
+    #endif
+    constexpr unsigned other_numbers = 0x40000000;  // the same machine's calls of another kind
+    constexpr unsigned not_here = SECCOMP_RET_ERRNO | ENOSYS, refused = SECCOMP_RET_ERRNO | EPERM;
+    const auto read = [](size_t offset) { return sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, unsigned(offset)); };
+    const auto give = [](unsigned what) { return sock_filter BPF_STMT(BPF_RET | BPF_K, what); };
+    const auto skip_unless = [](unsigned value) {
+        return sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1);
+    };
+    sock_filter steps[] = {
+        read(offsetof(seccomp_data, arch)),
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, own, 1, 0),
+        give(not_here),
+        read(offsetof(seccomp_data, nr)),
+        BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, other_numbers, 0, 1),
+        give(not_here),
+        // Its flags are out of sight: the library then takes clone.
+        skip_unless(SYS_clone3),
+        give(not_here),
+    #if defined __x86_64__
+        skip_unless(SYS_fork),
+        give(refused),
+        skip_unless(SYS_vfork),
+        give(refused),
+    #endif
+        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone, 0, 3),
+        read(offsetof(seccomp_data, args)),
+        BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0),
+        give(refused),
+        give(SECCOMP_RET_ALLOW),
+    };
+    sock_fprog program{std::size(steps), steps};
+    return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+#else
+    return true;
+#endif
+}
+
+/// In the new process. False where it cannot; errno says why.
+bool take_limits(const ProcessJob& job) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // When the machine has no memory left, it is this that goes, and no neighbour.
+    if (const int score = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); score >= 0) {
+        [[maybe_unused]] const ssize_t written = write(score, "1000", 4);
+        close(score);
+    }
+    limit(RLIMIT_CPU, rlim_t(job.limits.cpu), 1);  // SIGXCPU, and SIGKILL for who does not listen
+    limit(RLIMIT_AS, job.limits.memory);
+    limit(RLIMIT_FSIZE, job.limits.file);
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_NOFILE, 256);
+    if (job.as_nobody && geteuid() == 0) {
+        // The system calls themselves: the library's would try to tell other threads, which are not here.
+        if (syscall(SYS_setgroups, 0, nullptr) != 0 || syscall(SYS_setresgid, nobody, nobody, nobody) != 0 ||
+            syscall(SYS_setresuid, nobody, nobody, nobody) != 0)
+            return false;
+        prctl(PR_SET_PDEATHSIG, SIGKILL);  // a change of user takes it away
+    }
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    return job.makes_processes || refuse_processes();
+}
+
+/// The new process, to its end.
+[[noreturn]] void become(const Start& s) {
+    setsid();
+    dup2(s.in, 0), dup2(s.out, 1), dup2(s.err, 2);
+    dup3(s.told, told_descriptor, O_CLOEXEC);  // open until the program has begun
+    if (s.report >= 0)
+        dup2(s.report, report_descriptor);
+    else
+        close(report_descriptor);
+    if (s.request >= 0) dup2(s.request, request_descriptor);
+    // Whatever else is open here is none of its business.
+    syscall(SYS_close_range, told_descriptor + 1, request_descriptor - 1, 0);
+    syscall(SYS_close_range, request_descriptor + (s.request >= 0 ? 1 : 0), ~0U, 0);
+    if (!s.limited_by || take_limits(*s.limited_by))
+        execvpe(s.words[0], const_cast<char* const*>(s.words.data()), const_cast<char* const*>(s.environment.data()));
+    const int reason = errno;
+    [[maybe_unused]] const ssize_t written = write(told_descriptor, &reason, sizeof reason);
+    _exit(126);
+}
+
+/// Its status, as the system has it.
+int wait_for(pid_t process) {
+    int status = 0;
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
+/// Returns when the program has begun, in a session of its own. Throws Error if it cannot.
+pid_t spawn(Start s) {
+    Pipe told;
+    s.told = told.write;
+    // dup2 must not hit an end that is still wanted.
+    std::vector<Descriptor> copies;
+    for (int* end : {&s.in, &s.out, &s.err, &s.report, &s.request, &s.told}) {
+        if (*end < 0) continue;
+        *end = copies.emplace_back(fcntl(*end, F_DUPFD_CLOEXEC, request_descriptor + 1));
+        if (*end < 0) throw Error(fmt::format("no descriptor: {}", std::strerror(errno)));
+    }
+    const pid_t process = fork();
+    if (process == 0) become(s);
+    if (process < 0) throw Error(fmt::format("no new process: {}", std::strerror(errno)));
+    copies.clear(), told.write.close();
+    int reason = 0;
+    if (!read_all(told.read, &reason, sizeof reason)) return process;
+    wait_for(process);
+    throw Error(fmt::format("cannot start {}: {}", s.words[0], std::strerror(reason)));
+}
+
+/// What a running process writes into a pipe.
+struct Stream {
+    std::string& into;
+    size_t kept;              ///< bytes, the first ones
+    size_t max = ~size_t{0};  ///< bytes; more are a flood
+    bool is_open = true;
+    size_t taken = 0;
+    Pipe pipe = {};
+
+    bool floods() const { return taken > max; }
+
+    /// All that is there to be read now.
+    void take() {
+        char block[output_block];
+        for (pollfd end{pipe.read, POLLIN, 0}; is_open && !floods() && poll(&end, 1, 0) > 0;) {
+            const ssize_t got = read(pipe.read, block, sizeof block);
+            if (got < 0 && errno == EINTR) continue;
+            is_open = got > 0;
+            if (!is_open) return;
+            taken += size_t(got);
+            if (into.size() < kept) into.append(block, std::min(size_t(got), kept - into.size()));
+        }
+    }
+};
+
+/// A running program with its pipes.
+class Running {
+public:
+    explicit Running(const ProcessJob& job) : job_(job) {}
+
+    ProcessResult run() {
+        const auto begin = Clock::now();
+        launch();
+        watch(begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(job_.limits.wall)));
+        kill(-process_, SIGKILL), kill(process_, SIGKILL);
+        if (!has_ended_) status_ = wait_for(process_);
+        result_.wall = std::chrono::duration<double>(Clock::now() - begin).count();
+        if (!result_.stopped) result_.exit_with(WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_));
+        return std::move(result_);
+    }
+
+private:
+    void launch() {
+        const Descriptor in = input_file(job_.input);
+        std::vector<std::string> environment = {"PATH=/usr/bin:/bin"};
+        for (const auto& [name, value] : job_.environment) environment.push_back(name + "=" + value);
+        Start s;
+        for (const std::string& word : job_.command) s.words.push_back(word.c_str());
+        for (const std::string& word : environment) s.environment.push_back(word.c_str());
+        s.words.push_back(nullptr), s.environment.push_back(nullptr);
+        s.in = in, s.out = out_.pipe.write, s.err = err_.pipe.write;
+        if (job_.reports) s.report = report_.pipe.write;
+        if (!job_.request.empty()) s.request = wire_.theirs;
+        s.limited_by = &job_;
+        process_ = spawn(s);
+        for (Stream* stream : streams_) stream->pipe.write.close();
+        wire_.theirs.close();
+    }
+
+    /// Until all pipes are closed, the program has ended, or a bound is reached.
+    void watch(Clock::time_point deadline) {
+        while (!has_ended_) {
+            const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+            if (left <= 0) return stop(Ending::out_of_time);
+            wait_for_news(int(std::min<int64_t>(left, 1000)));
+            // A process that was left behind may hold the pipes: the program itself decides.
+            has_ended_ = waitpid(process_, &status_, WNOHANG) == process_;
+            for (Stream* stream : streams_) stream->take();
+            if (out_.floods() || err_.floods()) return stop(Ending::too_much_output);
+        }
+    }
+
+    void wait_for_news(int milliseconds) {
+        std::vector<pollfd> ends;
+        for (const Stream* stream : streams_)
+            if (stream->is_open) ends.push_back({stream->pipe.read, POLLIN, 0});
+        // Nothing is left to be read, and its end makes no sign.
+        if (ends.empty()) milliseconds = 1;
+        const bool sends = wire_.ours >= 0 && !job_.request.empty() && result_.output.starts_with(job_.asks);
+        if (sends) ends.push_back({wire_.ours, POLLOUT, 0});
+        poll(ends.data(), ends.size(), milliseconds);
+        if (sends && ends.back().revents) send_request();
+    }
+
+    /// As much as goes; what was sent whole is ended.
+    void send_request() {
+        const std::string_view rest = std::string_view(job_.request).substr(sent_);
+        const ssize_t sent = send(wire_.ours, rest.data(), rest.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (sent > 0) sent_ += size_t(sent);
+        const bool later = sent < 0 && (errno == EAGAIN || errno == EINTR);
+        if (sent_ == job_.request.size() || (sent < 0 && !later)) wire_.ours.close();
+    }
+
+    void stop(Ending ending) { result_.stopped = true, result_.ending = ending; }
+
+    const ProcessJob& job_;
+    ProcessResult result_;
+    Stream out_{result_.output, job_.limits.output, job_.limits.output};
+    Stream err_{result_.errors, size_t{64} << 10, max_errors};
+    Stream report_{result_.report, size_t{4} << 10};
+    const std::array<Stream*, 3> streams_ = {&out_, &err_, &report_};
+    Wire wire_;
+    size_t sent_ = 0;  ///< of the request
+    pid_t process_ = -1;
+    int status_ = 0;
+    bool has_ended_ = false;
+};
+
+}  // namespace
+
+const char* name_of(Ending ending) {
+    constexpr const char* names[] = {"exited", "crashed", "out of time", "out of memory", "too much output", "failed"};
+    return names[int(ending)];
+}
+
+void ProcessResult::exit_with(int shell_code) {
+    code = shell_code > 128 ? shell_code - 128 : shell_code, ending = Ending::exited;
+    if (shell_code <= 128) return;
+    // We have not sent it: the system does when memory runs out.
+    ending = code == SIGKILL ? Ending::out_of_memory : code == SIGXCPU ? Ending::out_of_time : Ending::crashed;
+}
+
+ProcessResult run_process(const ProcessJob& job) {
+    try {
+        return Running(job).run();
+    } catch (const Error& error) {
+        return {.ending = Ending::failed, .errors = error.what()};
+    }
+}
+
+Pipe::Pipe() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw Error(fmt::format("no pipe: {}", std::strerror(errno)));
+    read = Descriptor(ends[0]), write = Descriptor(ends[1]);
+}
+
+ChildProcess::ChildProcess(const std::function<void()>& work) {
+    std::fflush(nullptr);  // or what waits to be written would be written twice
+    process_ = fork();
+    if (process_ < 0) throw Error(fmt::format("no new process: {}", std::strerror(errno)));
+    if (process_ > 0) return;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    int code = 0;
+    try {
+        work();
+    } catch (...) {
+        code = 1;
+    }
+    std::fflush(nullptr);
+    _exit(code);
+}
+
+ChildProcess::~ChildProcess() {
+    if (process_ < 0) return;
+    kill(process_, SIGKILL);
+    wait_for(process_);
+}
+
+ChildEnd ChildProcess::wait() {
+    const int status = wait_for(process_);
+    process_ = -1;
+    return {.code = WEXITSTATUS(status), .crash = WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : ""};
+}
+
+bool open_on_desktop(const fs::path& wanted) {
+    const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
+    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return false;
+    // Silent, and without limits: it may run for as long as the browser does.
+    const Descriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
+    const std::string file = fs::absolute(wanted).string();
+    Start s{.words = {"xdg-open", file.c_str(), nullptr}, .environment = {}, .in = null, .out = null, .err = null};
+    for (char** variable = environ; *variable; ++variable) s.environment.push_back(*variable);
+    s.environment.push_back(nullptr);
+    try {
+        spawn(s);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+}  // namespace relief

@@ -1,0 +1,124 @@
+// Programs that are started with limits, and functions that run where a crash is not ours. More of what limits do is
+// told by the sandbox's tests.
+#include "framework/base/process.h"
+
+#include <csignal>
+#include <cstdlib>
+
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+ProcessResult run_shell(const std::string& script, ProcessLimits limits = {.wall = 10}) {
+    return run_process({.command = {"/bin/sh", "-c", script}, .input = "the input", .limits = limits});
+}
+
+TEST(Processes, GiveOutputErrorsAndTheExitCode) {
+    const ProcessResult done = run_shell("cat; echo oh >&2; exit 3");
+    EXPECT_EQ(done.ending, Ending::exited);
+    EXPECT_EQ(done.code, 3);
+    EXPECT_EQ(done.output, "the input");
+    EXPECT_EQ(done.errors, "oh\n");
+}
+
+TEST(Processes, EndAtTheirLimits) {
+    EXPECT_EQ(run_shell("sleep 60", {.wall = 0.2}).ending, Ending::out_of_time);
+    EXPECT_EQ(run_shell("exec >&- 2>&-; sleep 60", {.wall = 0.2}).ending, Ending::out_of_time);
+    EXPECT_EQ(run_shell("yes", {.wall = 10, .output = 1 << 20}).ending, Ending::too_much_output);
+    EXPECT_EQ(run_shell("kill -SEGV $$").ending, Ending::crashed);
+}
+
+TEST(Processes, AreDoneWhenTheProgramIsWhoeverHoldsItsOutput) {
+    const ProcessResult done = run_shell("sleep 60 & echo started");
+    EXPECT_EQ(done.output, "started\n");
+    EXPECT_TRUE(done.succeeded()) << name_of(done.ending);
+}
+
+TEST(Processes, ReportBesideTheirOutput) {
+    const ProcessResult done = run_process(
+        {.command = {"/bin/sh", "-c", "echo seen; echo told >&3"}, .limits = {.wall = 10}, .reports = true});
+    EXPECT_EQ(done.output, "seen\n");
+    EXPECT_EQ(done.report, "told\n");
+}
+
+TEST(Processes, SayWhyAProgramCannotBeStarted) {
+    const ProcessResult none = run_process({.command = {"/nowhere/at/all"}, .limits = {.wall = 10}});
+    EXPECT_EQ(none.ending, Ending::failed);
+    EXPECT_EQ(none.errors, "cannot start /nowhere/at/all: No such file or directory");
+}
+
+// The system counts a user's processes on the whole machine, those of other containers included: a limit would fail an
+// honest command for what others do.
+TEST(Processes, AreNotCounted) {
+    std::ifstream file("/proc/self/limits");
+    std::string line;
+    while (std::getline(file, line) && !line.starts_with("Max processes")) {
+    }
+    ASSERT_FALSE(line.empty());
+    EXPECT_EQ(run_shell("grep '^Max processes' /proc/self/limits").output, line + "\n");
+}
+
+TEST(Processes, ThatAreToMakeNoOtherCanStartThreads) {
+    const std::string fork =
+        "import os\ntry:\n  os.fork(); print('forked')\nexcept PermissionError: print('refused')\n";
+    const std::string thread =
+        "import threading\nt = threading.Thread(target=lambda: print('thread')); t.start(); t.join()";
+    const auto python = [](const std::string& script, bool makes_processes) {
+        return run_process({.command = {"/usr/bin/python3", "-c", script},
+                            .limits = {.wall = 10},
+                            .makes_processes = makes_processes})
+            .output;
+    };
+    EXPECT_EQ(python(fork + thread, false), "refused\nthread\n");
+    EXPECT_TRUE(contains(python(fork, true), "forked"));
+}
+
+TEST(Processes, AChildsCrashIsNotOurs) {
+    EXPECT_EQ(ChildProcess([] { std::signal(SIGSEGV, SIG_DFL), std::raise(SIGSEGV); }).wait().crash,
+              "Segmentation fault");
+    const ChildEnd ended = ChildProcess([] { std::_Exit(7); }).wait();
+    EXPECT_EQ(ended.code, 7);
+    EXPECT_EQ(ended.crash, "");
+    EXPECT_EQ(ChildProcess([] { throw std::runtime_error("not ours"); }).wait().code, 1);
+    EXPECT_EQ(ChildProcess([] {}).wait().code, 0);
+}
+
+TEST(Processes, AChildEndsWithItsOwner) {
+    Pipe pipe;
+    {
+        const ChildProcess endless([&] {
+            pipe.read.close();
+            for (;;) write_all(pipe.write, "x");
+        });
+        pipe.write.close();
+        char first = 0;
+        EXPECT_TRUE(read_all(pipe.read, &first, 1));
+    }
+    std::string rest(1 << 20, ' ');  // more than a pipe holds: only an end ends this
+    EXPECT_FALSE(read_all(pipe.read, rest.data(), rest.size()));
+}
+
+TEST(Processes, NoBrowserIsOpenedWithoutADisplay) {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) unsetenv(name);
+    EXPECT_FALSE(open_on_desktop("page.html"));
+    setenv("DISPLAY", ":0", 1);
+    const TemporaryFolder empty;
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", empty.path().c_str(), 1);
+    EXPECT_FALSE(open_on_desktop("page.html")) << "there is no xdg-open";
+    const auto opened = empty.path() / "opened";
+    std::ofstream(empty.path() / "xdg-open") << "#!/bin/sh\necho \"$1\" > '" << opened.string() << "'\n";
+    std::filesystem::permissions(empty.path() / "xdg-open", std::filesystem::perms::owner_all);
+    EXPECT_TRUE(open_on_desktop("/page.html"));
+    const auto text = [&] {
+        std::ifstream file(opened);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    for (int i = 0; i < 1000 && text().empty(); ++i) usleep(10'000);
+    EXPECT_EQ(text(), "/page.html\n");
+    setenv("PATH", path.c_str(), 1), unsetenv("DISPLAY");
+}
+
+}  // namespace
+}  // namespace relief
