@@ -18,8 +18,8 @@ struct ReliefHit {
     int iterations;
 };
 
-// What an iteration knows of a ray that did not hit its cell. Places are in texels from the cell that the ray starts in,
-// and so is `cell`; in the map that one is cell `first`.
+// What an iteration knows of a ray that did not hit its cell. Places are in texels from the cell that the ray starts
+// in, and so is `cell`; in the map that one is cell `first`.
 struct Look {
     ReliefRay ray;
     vec2 inverse, per_cell;  // 1 / ray.along, finite, and its absolute
@@ -55,6 +55,10 @@ vec4 above_until(Look at, vec4 clearance) {
 float next_t(Look at) { return at.leaves; }  // cell by cell
 #endif
 
+#ifndef WINDOWS
+void prepare(vec2 per_cell) {}  // what a way needs once a ray
+#endif
+
 // gap_above_cell() for a ray that may bend: its middle coefficient is the blossom of both.
 vec3 gap_between(vec4 corners, ReliefRay ray, float t0, float t1, vec2 cell) {
     vec2 a = ray.start + t0 * ray.along - cell, b = ray.start + t1 * ray.along - cell;
@@ -74,11 +78,14 @@ ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int before)
     vec2 way = way_of(ray.along), per_cell = 1.0 / max(abs(ray.along), vec2(1e-9)), inverse = way * per_cell;
     float quadrant = dot(vec2(1.0, 2.0), max(-way, 0.0));
     vec2 ahead = start_along(ray.start, way), by = abs(ray.along), passed = floor(ahead + t * by);
+    // A software renderer computes again in each iteration what does not change in it: so it is done before.
+    vec2 out_of_first = leave_square(ray, inverse, vec2(0.0), 1.0);
+    prepare(per_cell);
     vec3 gap = vec3(0.0);
     float leaves = t;
     int iteration = 0, last = min(iterations_between(ray.along, t, t_end), max_iterations - before);
     for (; iteration < last && t < t_end; ++iteration) {
-        vec2 cell = way * passed, out_of_cell = leave_square(ray, inverse, cell, 1.0);
+        vec2 cell = way * passed, out_of_cell = out_of_first + passed * per_cell;
         leaves = clamp(min(out_of_cell.x, out_of_cell.y), t, t_end);
         vec4 corners = textureGather(s_heights, (first + cell + 1.0) * texel);
         gap = gap_between(corners, ray, t, leaves, cell);
@@ -87,6 +94,7 @@ ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int before)
         passed = next_cell(passed, out_of_cell, ahead + t * by);
     }
     bool missed = t >= t_end, stopped = !missed && iteration >= last;
-    return ReliefHit(missed ? t_end : stopped ? t : t + (leaves - t) * first_closing(gap), missed, stopped, iteration + 1);
+    if (!missed && !stopped) t += (leaves - t) * first_closing(gap);
+    return ReliefHit(missed ? t_end : t, missed, stopped, iteration + 1);
 }
 //)

@@ -53,8 +53,8 @@ float light_at(ReliefRay ray, int iterations) {
 #endif
 }
 
-// The same for a hit, whose place is in tiles and whose height in heights; the light's direction in tangent space; the iterations that
-// the pixel has had.
+// The same for a hit, whose place is in tiles and whose height in heights; the light's direction in tangent space; the
+// iterations that the pixel has had.
 float lit_at(vec2 uv, float height, vec3 to_light, int iterations) {
 #if defined HARD_SHADOW || defined SOFT_SHADOW || defined PROBE_shadow
     if (to_light.z <= 0.0) return 0.0;
@@ -121,7 +121,8 @@ void main() {
     vec3 light = albedo * mix(vec3(0.1, 0.09, 0.08), vec3(0.25, 0.28, 0.34), 0.5 + 0.5 * n.y);
     // What is turned away from the light needs no search to be dark.
     if (dot(n, u_to_light) > 0.0)
-        light += lit_at(uv, height, u_to_light * frame, hit.iterations) * vec3(1.35, 1.22, 1.02) * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
+        light += lit_at(uv, height, u_to_light * frame, hit.iterations) * vec3(1.35, 1.22, 1.02)
+               * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
     o_color = finished(vec4(srgb_from_linear(light), 1.0), gl_FragCoord.xy);
 #endif
 }

@@ -1,15 +1,17 @@
 // To where the ray leaves, or comes down to, the best of four windows ahead of its block.
 
 uniform sampler2DArray s_windows;  // see height_windows(): a layer a quadrant, a texel a block, a channel a window
-uniform vec4 u_window_extent;              // cells that each window reaches beyond the block
+uniform vec4 u_window_extent;        // cells that each window reaches beyond the block
 uniform float u_block, u_per_block;  // cells along a block's side, and 1 over it
+
+vec4 beyond_u, beyond_v;  // the time in which the ray crosses those cells, along u and along v
+void prepare(vec2 per_cell) { beyond_u = u_window_extent * per_cell.x, beyond_v = u_window_extent * per_cell.y; }
 
 //(windows
 float next_t(Look at) {
     vec2 place = at.first + at.cell, low = floor(place * u_per_block) * u_block - at.first;
     vec2 out_of_block = leave_square(at.ray, at.inverse, low, u_block);
-    vec4 out_of_window = min(out_of_block.x + u_window_extent * at.per_cell.x,
-                             out_of_block.y + u_window_extent * at.per_cell.y);
+    vec4 out_of_window = min(out_of_block.x + beyond_u, out_of_block.y + beyond_v);
     vec4 clearance = textureLod(s_windows, vec3((place + 0.5) * at.texel, at.quadrant), 0.0);
     return next_look(at.leaves, out_of_window, above_until(at, clearance));
 }

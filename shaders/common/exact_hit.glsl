@@ -21,6 +21,7 @@ float exact_hit(sampler2D heights, sampler2DArray windows, vec4 extent, vec2 uv,
     vec2 way = way_of(march), per_cell = 1.0 / max(abs(march), vec2(1e-9));
     vec2 ahead = start_along(start, way), passed = floor(ahead + between.x * abs(march));
     vec2 first_ahead = mix(-first - 1.0, first, greaterThan(way, vec2(0.0)));
+    vec4 beyond_u = extent * per_cell.x, beyond_v = extent * per_cell.y;
     float quadrant = dot(vec2(1.0, 2.0), max(-way, 0.0)), t = between.x;
     for (int i = 0; i < last && t < between.y; ++i) {
         vec2 cell = way * passed, place = first + cell, leaves = (passed + 1.0 - ahead) * per_cell;
@@ -31,7 +32,7 @@ float exact_hit(sampler2D heights, sampler2DArray windows, vec4 extent, vec2 uv,
         vec2 block_ends = (floor((first_ahead + passed) * per_block) + 1.0) * block - first_ahead;
         vec2 leaves_block = (block_ends - ahead) * per_cell;
         vec4 clearance = textureLod(windows, vec3((place + 0.5) * texel, quadrant), 0.0);
-        vec4 safe = min(min(leaves_block.x + extent * per_cell.x, leaves_block.y + extent * per_cell.y), clearance);
+        vec4 safe = min(min(leaves_block.x + beyond_u, leaves_block.y + beyond_v), clearance);
         t = max(max(end, max(safe.x, safe.y)), max(safe.z, safe.w));
         passed = next_cell(passed, leaves, ahead + t * abs(march));
     }
