@@ -13,7 +13,6 @@
 #include "framework/base/text.h"
 #include "framework/image/file.h"
 #include "framework/pages/comparison.h"
-#include "framework/pages/figures.h"
 #include "framework/pages/lab_page.h"
 #include "framework/pages/markdown_page.h"
 #include "framework/pages/page.h"
@@ -23,52 +22,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* index_style = R"(
-main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 360px), 1fr)); gap: 28px; }
-article { background: var(--card); border: 1px solid var(--line); border-radius: 14px; overflow: hidden; display: flex; flex-direction: column; break-inside: avoid; }
-article img { display: block; width: 100%; height: auto; }
-article > div { padding: 16px 20px 20px; display: flex; flex-direction: column; flex: 1; }
-h2 a { color: inherit; text-decoration: none; } h2 a:hover { text-decoration: underline; }
-article ul:not(.links) { margin: 0 0 8px; padding-left: 20px; color: var(--quiet); font-size: 15px; flex: 1; }
-article .points { margin: 0 0 8px; color: var(--quiet); font-size: 15px; font-variant-numeric: tabular-nums; }
-article .links a { padding: 4px 12px; background: var(--ground); font-size: 15px; }
-.broken { border-color: var(--bad); } .broken p { overflow-wrap: anywhere; }
-.sum { display: flex; flex-wrap: wrap; gap: 4px 28px; margin: 18px 0 0; padding: 0; list-style: none; font-size: 17px; color: var(--quiet); }
-header code { white-space: nowrap; }
-.sum b { color: var(--text); font-size: 24px; margin-right: 4px; }
-@media print { main { grid-template-columns: 1fr 1fr; gap: 14px; } article img { max-height: 60mm; object-fit: cover; } }
-)";
-
-constexpr const char* course_in_three_lines =
-    "Surface detail in OpenGL: from one normal a vertex to normal maps, parallax, exact intersections and "
-    "displacement. "
-    "Each lab compares methods with the exact value in double precision and shows the error of each in degrees, "
-    "texels or pixels. Students write the core of every method in a few functions, and <code>./relief check</code> "
-    "tells them how far they are.";
-
-std::string card(const LabPage& page) {
+Fields card(const LabPage& page) {
     const Manifest& manifest = *page.manifest;
-    std::string learns;
-    for (const std::string& line : manifest.learns) learns += fmt::format("<li>{}</li>", html(line));
     const size_t tasks = manifest.tasks.size();
-    const std::string points =
-        tasks == 0 ? "" : fmt::format("{} {}, {} points", tasks, tasks == 1 ? "task" : "tasks", manifest.points());
     const std::string file = lab_page_file(*page.lab);
-    return fmt::format(R"(<article id="lab-{0}">
-<a href="{1}"><img src="{2}" alt="Lab {0}: {3}" width="800" height="450" loading="lazy"></a>
-<div><h2><span class="number">{0}</span> <a href="{1}">{3}</a></h2><p class="points">{4}</p><ul>{5}</ul>{6}</div>
-</article>
-)",
-                       page.lab->two_digits(), html(file), html(page.picture), html(manifest.title), points, learns,
-                       link_row({{"Lab", file}, {"Handout", page.handout}, {"Slides", page.slides}}));
-}
-
-std::string broken_card(const LabEntry& entry, const std::string& reason) {
-    return fmt::format(R"(<article id="lab-{0}" class="broken">
-<div><h2><span class="number">{0}</span> {1}</h2><p>No picture: {2}</p></div>
-</article>
-)",
-                       entry.two_digits(), html(entry.name), html(reason));
+    return {
+        {"broken", ""},
+        {"number", page.lab->two_digits()},
+        {"title", manifest.title},
+        {"file", file},
+        {"picture", page.picture},
+        {"learns", List(manifest.learns.begin(), manifest.learns.end())},
+        {"tasks",
+         tasks == 0 ? "" : fmt::format("{} {}, {} points", tasks, tasks == 1 ? "task" : "tasks", manifest.points())},
+        {"links", link_row({{"Lab", file}, {"Handout", page.handout}, {"Slides", page.slides}})}};
 }
 
 /// A knob's value as a part of a file's name.
@@ -113,7 +80,7 @@ public:
 
     /// How many labs are broken.
     int make() {
-        std::string cards;
+        List cards;
         int failures = 0;
         {
             Progress progress(int(labs_.size()));
@@ -121,12 +88,13 @@ public:
                 progress.next("lab " + entry->two_digits());
                 try {
                     add(*entry);
-                    cards += card(pages_.back());
+                    cards.push_back(card(pages_.back()));
                 } catch (const CannotWrite&) {
                     throw;
                 } catch (const Error& error) {
                     print_error(fmt::format("{}: {}", entry->folder, error.what()));
-                    cards += broken_card(*entry, error.what());
+                    cards.push_back(
+                        Fields{{"broken", error.what()}, {"number", entry->two_digits()}, {"title", entry->name}});
                     ++failures;
                 }
             }
@@ -134,7 +102,7 @@ public:
         link_neighbours();
         for (const LabPage& page : pages_) write_file(folder_ / lab_page_file(*page.lab), lab_page(page));
         slides_.copy(), bench_.copy();
-        write_file(folder_ / "index.html", index(cards));
+        write_file(folder_ / "index.html", index(std::move(cards)));
         say_what_is_missing();
         return failures;
     }
@@ -206,13 +174,13 @@ private:
             }};
         const std::string text =
             markdown_html(parse_markdown(read_file(course_root() / home / "README.md", size_t{1} << 24)), places);
-        const std::string body = fmt::format(
-            "<header><p class=\"up\"><a href=\"{}\"><span aria-hidden=\"true\">←</span> {} {}</a></p></header>\n"
-            "<main><div class=\"text\">{}</div></main>\n<footer><nav class=\"turn\" aria-label=\"the course\"><a "
-            "href=\"index.html\">All labs</a></nav></footer>\n",
-            lab_page_file(entry), entry.two_digits(), html(manifest.title), text);
-        const std::string page = closed_page("Handout " + entry.two_digits() + ": " + manifest.title,
-                                             std::string(site_style) + markdown_style, body, "", PagePictures::beside);
+        const std::string page = render(
+            {.title = "Handout " + entry.two_digits() + ": " + manifest.title,
+             .body = "handout",
+             .styles = {"site", "markdown"},
+             .scripts = {},
+             .pictures = PagePictures::beside},
+            {{"lab", lab_page_file(entry)}, {"number", entry.two_digits()}, {"title", manifest.title}, {"text", text}});
         write_beside_page(folder_ / handout_file(entry), page);
         return handout_file(entry);
     }
@@ -226,23 +194,21 @@ private:
         }
     }
 
-    std::string index(const std::string& cards) const {
+    std::string index(List cards) const {
         size_t tasks = 0;
         int points = 0;
         for (const LabPage& page : pages_) tasks += page.manifest->tasks.size(), points += page.manifest->points();
-        const std::string body = fmt::format(
-            R"(<header><h1>Relief</h1>
-<p>{}</p>
-<ul class="sum"><li><b>{}</b>labs</li><li><b>{}</b>tasks</li><li><b>{}</b>points</li></ul>
-{}</header>
-<main>
-{}</main>
-<footer>Rendered by {}.</footer>
-)",
-            course_in_three_lines, labs_.size(), tasks, points,
-            link_row({{"Run time against error", bench_.place("index.html")}}), cards,
-            html(describe_context().driver()));
-        return closed_page("Relief: the labs", std::string(site_style) + index_style, body, "", PagePictures::beside);
+        return render({.title = "Relief: the labs",
+                       .body = "index",
+                       .styles = {"site", "index"},
+                       .scripts = {},
+                       .pictures = PagePictures::beside},
+                      {{"labs", labs_.size()},
+                       {"tasks", tasks},
+                       {"points", points},
+                       {"links", link_row({{"Run time against error", bench_.place("index.html")}})},
+                       {"cards", std::move(cards)},
+                       {"driver", describe_context().driver()}});
     }
 
     void say_what_is_missing() const {

@@ -4,14 +4,14 @@
 #include <string>
 
 #include "framework/check/check.h"
+#include "framework/pages/template.h"
 
 namespace relief {
 
 /// In words: "out of time".
 std::string outcome_words(Outcome outcome);
-/// The same with a sign and a colour of its own; with `count`, of so many.
-std::string outcome_badge(Outcome outcome, size_t count = 0);
-extern const char* const badge_style;
+/// The same for {{> badge}}, with a sign and a colour of its own; with `count`, of so many.
+Fields badge(Outcome outcome, size_t count = 0);
 
 /// Whose picture it is, as the page calls it: the reader's own, or that of somebody's submission.
 enum class DrawnBy { reader, submission };
@@ -20,20 +20,16 @@ enum class DrawnBy { reader, submission };
 struct ComparedImages {
     Image drawn, expected, difference;  ///< 8-bit RGB, or empty
     std::string differs;                ///< how much they do, in words
-    std::string scale;                  ///< of the map, as HTML
+    Value scale;                        ///< of the map
 };
 /// `probe`: what the images hold; nullptr where they are a lab's pictures. Their values can be anything. The map's last
 /// colour stands for what 99 % of the pixels keep, and for no less than `allowed`, in the probe's unit.
 ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const Image& expected, double allowed = 0);
 
-/// Where both pictures are, they are shown alike and with a map of the difference; an empty picture is left out. What
-/// was drawn need not be trusted: values may be anything.
-std::string check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
-                          DrawnBy who);
-
-/// For closed_page(): the look of checks, their badges and figures, and what makes the wipe. Without the script the
-/// pictures lie side by side.
-std::string check_style();
-std::string check_script();
+/// For {{> check_figures}}: where both pictures are, they are shown alike and with a map of the difference; an empty
+/// picture is left out. What was drawn need not be trusted: values may be anything. Without scripts the pictures lie
+/// side by side.
+Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
+                     DrawnBy who);
 
 }  // namespace relief

@@ -26,53 +26,19 @@ std::string command_for(const LabEntry& lab, const Manifest& manifest, const Sho
     return command + " -o mine.png";
 }
 
-class Page {
-public:
-    Page(const LabEntry& lab, const Manifest& manifest) : lab_(lab), manifest_(manifest) {}
-
-    std::string text;
-
-    void add(const TaskResult& task) {
-        text +=
-            fmt::format(R"(<section aria-labelledby="task-{0}"><h2 id="task-{0}"><span class="number">{0}</span>{1}</h2>
-<p class="quiet">{2} of {3} points · <code>{4}</code></p>
-)",
-                        html(task.task->id), html(task.task->title), points_text(task.points()), task.task->points,
-                        html(task.task->file));
-        for (const CheckResult& result : task.checks) add(result);
-        text += "</section>\n";
-    }
-
-private:
-    void add(const CheckResult& result) {
-        const CheckInfo& check = *result.check;
-        const bool passed = result.outcome == Outcome::passed;
-        text += fmt::format("<details class=\"check\"{}><summary><h3>{}</h3>{}</summary>\n<dl>", passed ? "" : " open",
-                            html(check.name), outcome_badge(result.outcome));
-        line(result.outcome == Outcome::broken ? "message" : "found", html(result.found));
-        if (!check.reason.empty()) line("allowed", html(check.reason));
-        if (!passed && result.outcome != Outcome::unfinished) line("look at", html(look_at(result)));
-        line("draw it", "<code>" + html(command_for(lab_, manifest_, check.shot)) + "</code>");
-        text += "</dl>\n" + check_figures(manifest_, check, result.drawn, result.expected, DrawnBy::reader) +
-                "</details>\n";
-    }
-
-    void line(const char* name, const std::string& value) {
-        text += fmt::format("<dt>{}</dt><dd>{}</dd>", name, value);
-    }
-
-    const LabEntry& lab_;
-    const Manifest& manifest_;
-};
-
-constexpr const char* style = R"(
-section { margin: 0 0 44px; }
-nav ul { list-style: none; margin: 18px 0 0; padding: 0; display: flex; flex-wrap: wrap; gap: 8px; }
-nav a { display: block; background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 6px 12px;
-  color: var(--text); text-decoration: none; }
-nav a:hover { border-color: var(--accent); }
-@media (max-width: 600px) { h1 { font-size: 32px; } }
-)";
+Fields fields_of(const LabEntry& lab, const Manifest& manifest, const CheckResult& result) {
+    const CheckInfo& check = *result.check;
+    const bool passed = result.outcome == Outcome::passed;
+    return {{"name", check.name},
+            {"badge", badge(result.outcome)},
+            {"open", !passed},
+            {"found_is", result.outcome == Outcome::broken ? "message" : "found"},
+            {"found", result.found},
+            {"allowed", check.reason},
+            {"look_at", passed || result.outcome == Outcome::unfinished ? "" : look_at(result)},
+            {"command", command_for(lab, manifest, check.shot)},
+            {"pictures", check_figures(manifest, check, result.drawn, result.expected, DrawnBy::reader)}};
+}
 
 Outcome worst(const TaskResult& task) {
     Outcome outcome = Outcome::passed;
@@ -92,26 +58,30 @@ std::string look_at(const CheckResult& result) {
 
 std::string check_page(const LabEntry& lab, const Manifest& manifest, const std::vector<TaskResult>& tasks) {
     double points = 0;
-    std::string contents;
-    Page page(lab, manifest);
+    List shown;
     for (const TaskResult& task : tasks) {
         points += task.points();
-        contents +=
-            fmt::format(R"(<li><a href="#task-{0}">{0} {1}</a></li>)", html(task.task->id), outcome_badge(worst(task)));
-        page.add(task);
+        List checks;
+        for (const CheckResult& result : task.checks) checks.push_back(fields_of(lab, manifest, result));
+        shown.push_back(Fields{{"id", task.task->id},
+                               {"title", task.task->title},
+                               {"file", task.task->file},
+                               {"points", points_text(task.points())},
+                               {"of", task.task->points},
+                               {"worst", badge(worst(task))},
+                               {"checks", std::move(checks)}});
     }
-    const std::string body =
-        fmt::format(R"(<header><h1><span class="number">{0}</span> {1}</h1>
-<p class="points">{2} of {3} points</p>
-<meter min="0" max="{3}" value="{2}" aria-label="points"></meter>
-<nav aria-label="tasks"><ul>{4}</ul></nav></header>
-<main>
-)",
-                    lab.two_digits(), html(manifest.title), points_text(points), manifest.points(), contents) +
-        page.text + "</main>\n<footer>Made by <code>./relief check " + lab.two_digits() + "</code>, drawn by " +
-        html(describe_context().driver()) + ".</footer>\n";
-    return closed_page(fmt::format("Lab {}: {} of {} points", lab.two_digits(), points_text(points), manifest.points()),
-                       check_style() + style, body, check_script());
+    const std::string number = lab.two_digits(), reached = points_text(points);
+    return render({.title = fmt::format("Lab {}: {} of {} points", number, reached, manifest.points()),
+                   .body = "check",
+                   .styles = {"badge", "checks", "figures", "check"},
+                   .scripts = {"wipe", "checks"}},
+                  {{"number", number},
+                   {"title", manifest.title},
+                   {"points", reached},
+                   {"of", manifest.points()},
+                   {"tasks", std::move(shown)},
+                   {"driver", describe_context().driver()}});
 }
 
 }  // namespace relief

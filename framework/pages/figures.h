@@ -1,20 +1,20 @@
-// Shared parts of pages with pictures: the wipe between two, the scale of an error map, numbers with their unit.
+// What templates of pages with pictures are given: a figure, the scale of an error map.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "framework/image/image.h"
+#include "framework/pages/template.h"
+
 namespace relief {
 
-/// The look of both; see closed_page().
-std::string figures_style();
+/// For {{> figure}}: a picture that the page has at `src`; `scale` stands below it.
+Fields figure(const Image& image, const std::string& src, const char* kind, const std::string& caption,
+              const std::string& alt, Value scale = {});
 
-/// Below an error map: the colours of visualize_error() with marks at even distances, the last one "and more".
-std::string error_scale(const std::vector<std::string>& marks);
-
-/// A script's function, wipe(under, over, words, name, value, told): lays one image upon the other and gives the slider
-/// between them with its `words`, to be put where it belongs, and slide(), for when anything has changed. `name` is the
-/// slider's for a screen reader, `told(value)` what it says there. At 0 only `under` is seen, at 100 only `over`.
-extern const char* const wipe_function;
+/// For {{> scale}} below an error map: the colours of visualize_error() with marks at even distances, the last one "and
+/// more".
+Value error_scale(std::vector<std::string> marks);
 
 }  // namespace relief

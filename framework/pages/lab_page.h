@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "framework/lab/manifest.h"
+#include "framework/pages/template.h"
 
 namespace relief {
 
@@ -32,8 +33,7 @@ struct LabPage {
 std::string lab_page_file(const LabEntry& lab);
 std::string lab_page(const LabPage& page);
 
-/// Links in a row, without those that lead nowhere.
-std::string link_row(const std::vector<std::pair<std::string, std::string>>& links);
-extern const char* const site_style;
+/// For {{> links}}: links in a row, without those that lead nowhere.
+Value link_row(const std::vector<std::pair<std::string, std::string>>& links);
 
 }  // namespace relief

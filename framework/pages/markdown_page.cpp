@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "framework/pages/page.h"
+#include "framework/pages/template.h"
 
 namespace relief {
 namespace {
@@ -128,21 +128,5 @@ std::string markdown_html(std::span<const Block> blocks, const PagePlaces& place
     for (const Block& block : blocks) writer.add(block);
     return writer.finish();
 }
-
-const char* const markdown_style = R"(
-header, main, footer { max-width: 908px; }
-.text { overflow-wrap: anywhere; } .text h1 { margin: 0 0 20px; }
-.text h2 { font-size: 26px; margin: 44px 0 8px; } .text h3 { font-size: 20px; margin: 30px 0 6px; }
-.text p, .text ul, .text ol { margin: 0 0 14px; } .text li { margin: 0 0 6px; }
-.text img { display: block; width: auto; max-width: 100%; height: auto; border-radius: 10px; margin: 6px 0 20px; }
-.text pre, .text .wide { overflow-x: auto; margin: 0 0 18px; }
-.text pre { background: var(--code); border-radius: 8px; padding: 14px 18px; font-size: 14px; line-height: 1.45; }
-.text table { border-collapse: collapse; overflow-wrap: normal; font-variant-numeric: tabular-nums; }
-.text th, .text td { text-align: left; vertical-align: top; padding: 6px 18px 6px 0; border-bottom: 1px solid var(--line); }
-.text th { color: var(--quiet); font-weight: 600; } .text td:first-child { min-width: 6em; }
-.text blockquote { margin: 0 0 14px; padding: 0 18px; border-left: 4px solid var(--line); color: var(--quiet); }
-.text hr { border: 0; border-top: 1px solid var(--line); margin: 28px 0; }
-@media print { .text pre, .text .wide { overflow: visible; } .text pre { white-space: pre-wrap; } .text tr, .text img { break-inside: avoid; } }
-)";
 
 }  // namespace relief

@@ -24,6 +24,5 @@ struct PagePlaces {
 
 /// Between tags: headings have ids, wide tables and code scroll in themselves.
 std::string markdown_html(std::span<const Block> blocks, const PagePlaces& places);
-extern const char* const markdown_style;
 
 }  // namespace relief

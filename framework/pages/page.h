@@ -1,4 +1,4 @@
-// Shared parts of the course's web pages: escaped text, embedded pictures, a style for light and for dark screens.
+// A whole web page of the course: its template in a frame with style sheets and scripts, its pictures inside or beside.
 #pragma once
 
 #include <filesystem>
@@ -6,13 +6,9 @@
 
 #include "framework/base/error.h"
 #include "framework/image/image.h"
+#include "framework/pages/template.h"
 
 namespace relief {
-
-/// A text as it may stand in a page, between tags or in a quoted attribute.
-std::string html(const std::string& text);
-/// The same, with `code` between backticks set as code: that much Markdown a hint has.
-std::string html_with_code(const std::string& text);
 
 /// An 8-bit picture as a URI that has all of it, for an attribute.
 std::string picture_uri(const Image& picture);
@@ -27,10 +23,15 @@ void write_beside_page(const std::filesystem::path& file, const std::string& byt
 /// Where a page's pictures are: in it (picture_uri()), or files beside it.
 enum class PagePictures { inside, beside };
 
-/// A whole page in which the browser lets nothing else happen: no picture from elsewhere, no other address, no script
-/// but `script`. `style` is added to the common one, which names the colours: --ground, --card, --text, --quiet,
-/// --accent, --good, --bad, --open, --line, --code.
-std::string closed_page(const std::string& title, const std::string& style, const std::string& body,
-                        const std::string& script, PagePictures pictures = PagePictures::inside);
+/// A page that consists of files: see template.h.
+struct Page {
+    std::string title;
+    std::string body;                          ///< its template
+    std::vector<std::string> styles, scripts;  ///< after colors.css and page.css
+    PagePictures pictures = PagePictures::inside;
+};
+/// A whole page in which the browser lets nothing else happen: no picture from elsewhere, no other address, no other
+/// script.
+std::string render(const Page& page, Fields values);
 
 }  // namespace relief

@@ -13,7 +13,8 @@ CourseCopy::CourseCopy() {
         fs::copy(fs::path(RELIEF_BUILD_FOLDER) / "bin" / name, path() / "bin");
     fs::copy(fs::path(RELIEF_BUILD_FOLDER) / "bin/textures", path() / "bin/textures");
     const fs::path source = RELIEF_SOURCE_FOLDER;
-    for (const char* name : {"labs", "shaders", "assets", "framework/app/new_lab", "slides"})
+    for (const char* name : {"labs", "shaders", "assets", "framework/app/new_lab", "framework/pages", "framework/staff/pages", "framework/staff/slides",
+                             "slides"})
         if (fs::exists(source / name)) {
             fs::create_directories((path() / name).parent_path());
             fs::copy(source / name, path() / name, fs::copy_options::recursive);

@@ -383,8 +383,12 @@ TEST(Pages, AStrangersNameIsTextAndNoScriptButOurs) {
         EXPECT_EQ(text_of("bdi"), name);
     }
     // And were it markup after all, the browser would not run it, nor ask anybody for anything.
-    browser().open(
-        folder.write("closed.html", closed_page("closed", "", name + "<h1>here</h1>", "document.title += '!'")));
+    folder.write("closed.mustache", name + "<h1>here</h1>");
+    folder.write("ours.js", "document.title += '!'");
+    const std::string here = folder.path().string() + "/";
+    browser().open(folder.write(
+        "closed.html",
+        render({.title = "closed", .body = here + "closed", .styles = {}, .scripts = {here + "ours"}}, {})));
     EXPECT_EQ(browser().eval("document.title"), "closed!");
     EXPECT_FALSE(browser().complaints().empty()) << "the picture at 'x' is not refused";
 }

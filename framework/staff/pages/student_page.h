@@ -19,8 +19,6 @@ std::string student_page(const SubmissionMark& mark, const std::vector<CheckPict
 /// The number of a lab and its name in words: "02", "normal map storage".
 std::string number_of(const std::string& folder);
 std::string words_of(const std::string& folder);
-/// A stranger's name as text, whose direction is its own affair.
-std::string name_html(const std::string& name);
 /// "1 file", "2 files"
 std::string count_of(size_t count, const std::string& what);
 

@@ -10,7 +10,7 @@
 #include "framework/base/text.h"
 #include "framework/check/starter.h"
 #include "framework/lab/manifest.h"
-#include "framework/pages/page.h"
+#include "framework/pages/template.h"
 
 namespace relief {
 namespace {
@@ -133,16 +133,17 @@ private:
             pictures.push_back(figure(wrong));
         }
         for (const bool answered : {false, true}) {
-            deck_.text += fmt::format("<!-- _class: mistakes -->\n\n## {}\n\n<div class=\"mistakes\">\n",
-                                      answered ? "What went wrong" : "What went wrong here?");
-            for (size_t i = 0; i < pictures.size(); ++i) {
-                const std::string letter = i == 0 ? "right" : std::string(1, char('A' + i - 1));
-                deck_.text +=
-                    fmt::format("<figure><img src=\"{}\" alt=\"{}\"><figcaption><b>{}</b>{}</figcaption></figure>\n",
-                                pictures[i], i == 0 ? "as it should be" : html("with the mistake " + ids[i - 1]),
-                                letter, answered && i > 0 ? " " + html_with_code(hints[i - 1]) : "");
-            }
-            deck_.text += answered ? "</div>\n" : "</div>\n\n---\n\n";
+            List shown;
+            for (size_t i = 0; i < pictures.size(); ++i)
+                shown.push_back(Fields{{"file", pictures[i]},
+                                       {"alt", i == 0 ? "as it should be" : "with the mistake " + ids[i - 1]},
+                                       {"letter", i == 0 ? "right" : std::string(1, char('A' + i - 1))},
+                                       {"answered", answered && i > 0},
+                                       {"hint", answered && i > 0 ? with_code(hints[i - 1]) : Value()}});
+            deck_.text += render("framework/staff/slides/mistakes",
+                                 {{"title", answered ? "What went wrong" : "What went wrong here?"},
+                                  {"figures", std::move(shown)}}) +
+                          (answered ? "\n" : "\n\n---\n\n");
         }
     }
 

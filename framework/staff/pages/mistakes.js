@@ -1,0 +1,21 @@
+// Shows the mistakes whose words, and whose lab, are asked for.
+const filter = document.querySelector(".filter");
+const words = filter.querySelector("input"), lab = filter.querySelector("select");
+const all = [...document.querySelectorAll("article")];
+const show = () => {
+  const wanted = words.value.toLowerCase().split(/\s+/);
+  let count = 0;
+  for (const one of all) {
+    const text = one.dataset.words.toLowerCase();
+    one.hidden = !wanted.every(word => text.includes(word)) ||
+      (lab.value && one.closest("section[data-lab]").dataset.lab != lab.value);
+    count += !one.hidden;
+  }
+  for (const part of document.querySelectorAll("main section"))
+    part.hidden = ![...part.querySelectorAll("article")].some(one => !one.hidden);
+  filter.querySelector("output").textContent = `${count} of ${all.length} shown`;
+};
+words.addEventListener("input", show);
+lab.addEventListener("change", show);
+filter.hidden = false;
+show();
