@@ -137,11 +137,8 @@ void convert(const Words& decks, const fs::path& folder, bool as_pdf) {
             throw Error({folder / (name + ".md")}, "marp-cli made no file from it");
 }
 
-/// Returns 1 if a figure of a deck cannot be drawn.
-int make_slides(const SlidesArguments& arguments) {
-    const Words names = decks_asked_for(arguments.decks);
-    marp();  // or pictures would be drawn for nothing
-    // The gallery takes along what is in build/slides, and may be published.
+/// Where the decks are made. The gallery takes along what is in build/slides, and may be published.
+fs::path folder_for(const SlidesArguments& arguments) {
     const fs::path usual = course_root() / "build" / (arguments.solutions ? "slides-with-solutions" : "slides");
     const fs::path folder = fs::absolute(arguments.output.empty() ? usual : fs::path(arguments.output));
     make_folder(folder);
@@ -150,12 +147,16 @@ int make_slides(const SlidesArguments& arguments) {
     if (fs::exists(source_folder() / "diagrams"))
         fs::copy(source_folder() / "diagrams", folder / "diagrams",
                  fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    return folder;
+}
 
+/// Writes the decks for Marp, and says what has to be drawn for them: each command once.
+std::vector<Drawing> write_decks(const Words& names, const fs::path& folder, bool solutions) {
     std::vector<Drawing> drawings;
     std::map<Words, size_t> known;
     for (const std::string& name : names) {
         const fs::path file = source_folder() / (name + ".md");
-        const Deck deck = read_deck(read_file(file), file, name, arguments.solutions);
+        const Deck deck = read_deck(read_file(file), file, name, solutions);
         if (!deck.figures.empty()) make_folder(folder / name);
         write_file(folder / (name + ".md"), deck.text);
         for (const DeckFigure& figure : deck.figures) {
@@ -164,34 +165,42 @@ int make_slides(const SlidesArguments& arguments) {
             drawings[place->second].files.push_back(folder / figure.file);
         }
     }
+    return drawings;
+}
+
+/// Whether all could be drawn; prints what could not.
+bool draw_all(std::vector<Drawing> drawings, const fs::path& folder, Progress& progress) {
+    Words problems(drawings.size());
+    std::mutex mutex;
+    const auto draw_one = [&](size_t i) {
+        {
+            const std::lock_guard lock(mutex);
+            progress.next("relief " + join(drawings[i].command, " "));
+        }
+        problems[i] = draw(drawings[i], folder);
+    };
     // Plots measure time: they have the machine to themselves, and the rest is drawn when they are done.
     const auto pictures = std::stable_partition(drawings.begin(), drawings.end(),
                                                 [](const Drawing& one) { return one.command.front() == "bench"; });
     const size_t plots = size_t(pictures - drawings.begin());
-    Words problems(drawings.size());
-    {
-        Progress progress(int(drawings.size()) + 1 + !arguments.no_pdf);
-        for (size_t i = 0; i < plots; ++i) {
-            progress.next("relief " + join(drawings[i].command, " "));
-            problems[i] = draw(drawings[i], folder);
-        }
-        std::mutex mutex;
-        parallel_each(drawings.size() - plots, 0, [&](size_t i) {
-            const Drawing& drawing = drawings[plots + i];
-            {
-                const std::lock_guard lock(mutex);
-                progress.next("relief " + join(drawing.command, " "));
-            }
-            problems[plots + i] = draw(drawing, folder);
-        });
-        int failures = 0;
-        for (size_t i = 0; i < drawings.size(); ++i) {
-            if (problems[i].empty()) continue;
+    for (size_t i = 0; i < plots; ++i) draw_one(i);
+    parallel_each(drawings.size() - plots, 0, [&](size_t i) { draw_one(plots + i); });
+    for (size_t i = 0; i < drawings.size(); ++i)
+        if (!problems[i].empty())
             print_error(
                 fmt::format("{}: relief {}: {}", drawings[i].asked_by, join(drawings[i].command, " "), problems[i]));
-            ++failures;
-        }
-        if (failures > 0) return 1;
+    return std::all_of(problems.begin(), problems.end(), [](const std::string& one) { return one.empty(); });
+}
+
+/// Returns 1 if a figure of a deck cannot be drawn.
+int make_slides(const SlidesArguments& arguments) {
+    const Words names = decks_asked_for(arguments.decks);
+    marp();  // or pictures would be drawn for nothing
+    const fs::path folder = folder_for(arguments);
+    const std::vector<Drawing> drawings = write_decks(names, folder, arguments.solutions);
+    {
+        Progress progress(int(drawings.size()) + 1 + !arguments.no_pdf);
+        if (!draw_all(drawings, folder, progress)) return 1;
         progress.next("slides as HTML");
         convert(names, folder, false);
         if (!arguments.no_pdf) {

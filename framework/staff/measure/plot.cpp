@@ -80,31 +80,47 @@ private:
         return fmt::format("set xtics ({})\n", text);
     }
 
-    std::string points() const {
-        double low = std::numeric_limits<double>::max(), high = 0, left = low, right = 0;
+    bool is_front(size_t place) const { return std::find(front_.begin(), front_.end(), place) != front_.end(); }
+
+    /// What the axes span. Zero has no place on a log axis: it lies at `floor`, and is called by its name.
+    struct Span {
+        double left = std::numeric_limits<double>::max(), right = 0, floor = 0, ceiling = 0;
         bool any_zero = false;
         std::string unit;
+    };
+    Span span() const {
+        Span all;
+        double low = std::numeric_limits<double>::max(), high = 0;
         for (const size_t place : timed_) {
-            left = std::min(left, rows_[place].times.p10 * scale_),
-            right = std::max(right, rows_[place].times.p90 * scale_);
-            if (rows_[place].error.unit.empty()) continue;
-            unit = rows_[place].error.unit;
-            const double error = rows_[place].error.mean;
-            any_zero |= error <= 0;
+            const BenchRow& row = rows_[place];
+            all.left = std::min(all.left, row.times.p10 * scale_);
+            all.right = std::max(all.right, row.times.p90 * scale_);
+            if (row.error.unit.empty()) continue;
+            all.unit = row.error.unit;
+            const double error = row.error.mean;
+            all.any_zero |= error <= 0;
             if (error > 0) low = std::min(low, error), high = std::max(high, error);
         }
         if (high == 0) low = high = 1;
-        // Zero has no place on a log axis: it lies at the lower edge, and is called by its name.
-        const double floor = std::pow(10, std::floor(std::log10(low)) - (any_zero ? 1 : 0));
-        const double ceiling = std::pow(10, std::ceil(std::log10(high * 1.5)));
+        all.floor = std::pow(10, std::floor(std::log10(low)) - (all.any_zero ? 1 : 0));
+        all.ceiling = std::pow(10, std::ceil(std::log10(high * 1.5)));
+        return all;
+    }
+
+    static std::string axes(const Span& all) {
+        const double left = all.left / 1.25, right = all.right * 1.9;
         std::string text = fmt::format(
             "set ylabel 'mean error, {}' noenhanced\nset logscale xy\nset format y '%g'\n"
             "set xrange [{}:{}]\nset yrange [{}:{}]\nset grid xtics ytics lc rgb '#ece8e0'\n"
             "{}",
-            plural(unit), left / 1.25, right * 1.9, floor, ceiling, time_tics(left / 1.25, right * 1.9));
-        if (any_zero) text += fmt::format("set ytics add ('0' {})\n", floor);
+            plural(all.unit), left, right, all.floor, all.ceiling, time_tics(left, right));
+        if (all.any_zero) text += fmt::format("set ytics add ('0' {})\n", all.floor);
+        return text;
+    }
 
-        // Nothing but time: an upright line.
+    /// What has a time and no error.
+    std::string upright_lines() const {
+        std::string text;
         for (const size_t place : timed_)
             if (rows_[place].error.unit.empty())
                 text += fmt::format(
@@ -112,67 +128,76 @@ private:
                     "set label {2} at {0},graph 0.97 rotate by 90 right font ',9' textcolor rgb '{1}' "
                     "noenhanced offset -0.5,0\n",
                     time(place), peer_color, quoted(short_name(rows_[place])));
-        const auto is_front = [&](size_t place) {
-            return std::find(front_.begin(), front_.end(), place) != front_.end();
-        };
+        return text;
+    }
+
+    /// Lines of data by the names of their blocks: pale, front, peers, sweeps, steps. None is empty.
+    using Blocks = std::map<std::string, std::string>;
+    Blocks blocks(const Span& all) const {
         // A name that would lie on another one is left out: the point still has its own.
         std::vector<glm::dvec2> named;
         const auto has_room = [&](double x, double y) {
-            const glm::dvec2 here(std::log(x / left) / std::log(2.4 * right / left),
-                                  std::log(y / floor) / std::log(ceiling / floor));
+            const glm::dvec2 here(std::log(x / all.left) / std::log(2.4 * all.right / all.left),
+                                  std::log(y / all.floor) / std::log(all.ceiling / all.floor));
             for (const glm::dvec2& other : named)
                 if (std::abs(here.x - other.x) < 0.24 && std::abs(here.y - other.y) < 0.055) return false;
             named.push_back(here);
             return true;
         };
-        std::string pale, front, peers, sweeps;
+        Blocks blocks;
         std::map<std::string, std::string> by_method;
-        std::vector<size_t> line = front_;
-        std::sort(line.begin(), line.end(), [&](size_t a, size_t b) { return time(a) < time(b); });
         for (const size_t place : timed_) {
             const BenchRow& row = rows_[place];
             if (row.error.unit.empty()) continue;
-            const double y = std::max(row.error.mean, floor);
+            const double y = std::max(row.error.mean, all.floor);
             by_method[row.method] += fmt::format("{} {}\n", time(place), y);
-            (row.peer          ? peers
-             : is_front(place) ? front
-                               : pale) +=
+            const bool is_named = (row.peer || is_front(place)) && has_room(time(place), y);
+            blocks[row.peer          ? "peers"
+                   : is_front(place) ? "front"
+                                     : "pale"] +=
                 fmt::format("{} {} {} {} {} {}\n", time(place), y, row.times.p10 * scale_, row.times.p90 * scale_,
                             quoted(fmt::format("#{} {}", place, row_name(row))),
-                            quoted((row.peer || is_front(place)) && has_room(time(place), y) ? short_name(row) : ""));
+                            quoted(is_named ? short_name(row) : ""));
         }
-        for (const auto& [method, points] : by_method) sweeps += points + "\n";
-        std::string steps;
+        for (const auto& [method, points] : by_method) blocks["sweeps"] += points + "\n";
+        std::vector<size_t> line = front_;
+        std::sort(line.begin(), line.end(), [&](size_t a, size_t b) { return time(a) < time(b); });
         for (const size_t place : line)
-            steps += fmt::format("{} {}\n", time(place), std::max(rows_[place].error.mean, floor));
-        const std::pair<const char*, const std::string*> blocks[] = {
-            {"pale", &pale}, {"front", &front}, {"peers", &peers}, {"sweeps", &sweeps}, {"steps", &steps}};
-        for (const auto& [name, block] : blocks)
-            if (!block->empty()) text += fmt::format("${}{} << END\n{}END\n", name, number_, *block);
+            blocks["steps"] += fmt::format("{} {}\n", time(place), std::max(rows_[place].error.mean, all.floor));
+        return blocks;
+    }
+
+    /// Back to front: lines of a method's sweep, the front's steps, points, names.
+    std::string layers(const Blocks& blocks) const {
         std::vector<std::string> plots;
-        const auto add = [&](const std::string& block, const char* name, const std::string& how) {
-            if (!block.empty()) plots.push_back(fmt::format("${}{} {}", name, number_, how));
+        const auto add = [&](const char* name, const std::string& how) {
+            if (blocks.contains(name)) plots.push_back(fmt::format("${}{} {}", name, number_, how));
         };
-        const auto dots = [&](const std::string& block, const char* name, const char* color, double size) {
-            add(block, name, fmt::format("using 1:2:3:4 with xerrorbars pt 0 lw 1 lc rgb '{}'", color));
-            add(block, name,
-                fmt::format("using 1:2:5 with labels hypertext point pt 7 ps {} lc rgb '{}'", size, color));
+        const auto dots = [&](const char* name, const char* color, double size) {
+            add(name, fmt::format("using 1:2:3:4 with xerrorbars pt 0 lw 1 lc rgb '{}'", color));
+            add(name, fmt::format("using 1:2:5 with labels hypertext point pt 7 ps {} lc rgb '{}'", size, color));
         };
-        const auto names = [&](const std::string& block, const char* name, const char* color) {
-            add(block, name,
+        const auto names = [&](const char* name, const char* color) {
+            add(name,
                 fmt::format("using 1:2:6 with labels left offset 0.7,0.45 font ',9' textcolor rgb '{}' noenhanced",
                             color));
         };
-        add(sweeps, "sweeps", "using 1:2 with lines lw 0.7 lc rgb '#ddd7cb'");
-        add(steps, "steps", fmt::format("using 1:2 with steps lw 2 lc rgb '{}'", front_color));
-        dots(pale, "pale", pale_color, 0.45);
-        dots(front, "front", front_color, 0.6);
-        dots(peers, "peers", peer_color, 0.6);
-        names(front, "front", front_color);
-        names(peers, "peers", peer_color);
-        text += "plot ";
-        for (size_t i = 0; i < plots.size(); ++i) text += (i ? ", \\\n  " : "") + plots[i];
-        return text + "\n";
+        add("sweeps", "using 1:2 with lines lw 0.7 lc rgb '#ddd7cb'");
+        add("steps", fmt::format("using 1:2 with steps lw 2 lc rgb '{}'", front_color));
+        dots("pale", pale_color, 0.45);
+        dots("front", front_color, 0.6);
+        dots("peers", peer_color, 0.6);
+        names("front", front_color);
+        names("peers", peer_color);
+        return "plot " + join(plots, ", \\\n  ") + "\n";
+    }
+
+    std::string points() const {
+        const Span all = span();
+        std::string text = axes(all) + upright_lines();
+        const Blocks data = blocks(all);
+        for (const auto& [name, block] : data) text += fmt::format("${}{} << END\n{}END\n", name, number_, block);
+        return text + layers(data);
     }
 
     /// With their names inside, where there is room for long ones.
