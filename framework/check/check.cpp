@@ -201,7 +201,8 @@ CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const Check
     } catch (const Error& error) {
         said = {Outcome::broken, error.what()};
     }
-    result.outcome = said.outcome, result.found = said.found;
+    result.outcome = said.outcome;
+    result.found = said.found;
     return result;
 }
 

@@ -129,6 +129,27 @@ std::string error_of(Call call) {
     }
 }
 
+/// Whether the process may send this message now. The header comes from the process: it can hold any values.
+bool is_expected(const Header& header, const DrawnShots& drawn, const std::vector<Shot>& shots) {
+    if (header.magic != Header{}.magic) return false;
+    const bool is_ready = drawn.phase == DrawingPhase::ready;
+    const size_t next = drawn.shots.size();
+    const bool is_next = is_ready && next < shots.size() && header.shot == next;
+    switch (header.kind) {
+        case Kind::ask:
+            return drawn.phase == DrawingPhase::started && header.size == 0;
+        case Kind::ready:
+            return drawn.phase == DrawingPhase::asked && header.size == 0;
+        case Kind::image:
+            return is_next && header.size == pixel_bytes(shots[next]);
+        case Kind::error:
+            return is_next && header.size <= longest_error;
+        case Kind::done:
+            return is_ready && header.size == 0;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer) {
@@ -176,29 +197,34 @@ void draw_request(const char* course) {
 
 DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& shots) {
     DrawnShots drawn;
-    for (size_t at = 0; at < stream.size() && !drawn.done;) {
+    for (size_t at = 0; at < stream.size() && drawn.phase != DrawingPhase::done;) {
         Header header;
         if (stream.size() - at < sizeof header) break;
         std::memcpy(&header, stream.data() + at, sizeof header);
         at += sizeof header;
-        const auto is = [&](Kind kind) { return header.kind == kind; };
-        const bool is_shot = is(Kind::image) || is(Kind::error);
-        const size_t next = drawn.shots.size();
-        const bool in_turn = drawn.ready ? is_shot || is(Kind::done) : drawn.asked ? is(Kind::ready) : is(Kind::ask);
-        const bool good = header.magic == Header{}.magic && in_turn &&
-                          (is_shot ? next < shots.size() && header.shot == next : header.size == 0) &&
-                          (!is(Kind::image) || header.size == pixel_bytes(shots[next])) &&
-                          (!is(Kind::error) || header.size <= longest_error);
-        if (!good) {
+        if (!is_expected(header, drawn, shots)) {
             drawn.problem = "it writes to standard output what no drawing is";
             break;
         }
-        if (stream.size() - at < header.size) break;  // it ended in the middle
-        if (is(Kind::ask)) drawn.asked = true;
-        if (is(Kind::ready)) drawn.ready = true;
-        if (is(Kind::done)) drawn.done = next == shots.size();
-        if (is(Kind::image)) drawn.shots.push_back({image_of(stream.data() + at, shots[next]), {}});
-        if (is(Kind::error)) drawn.shots.push_back({{}, stream.substr(at, header.size)});
+        if (stream.size() - at < header.size) break;  // the process ended in the middle of a message
+        const size_t next = drawn.shots.size();
+        switch (header.kind) {
+            case Kind::ask:
+                drawn.phase = DrawingPhase::asked;
+                break;
+            case Kind::ready:
+                drawn.phase = DrawingPhase::ready;
+                break;
+            case Kind::image:
+                drawn.shots.push_back({image_of(stream.data() + at, shots[next]), {}});
+                break;
+            case Kind::error:
+                drawn.shots.push_back({{}, stream.substr(at, header.size)});
+                break;
+            case Kind::done:
+                if (next == shots.size()) drawn.phase = DrawingPhase::done;
+                break;
+        }
         at += header.size;
     }
     return drawn;

@@ -38,9 +38,12 @@ struct Drawn {
     std::string error;           ///< the process's error message, if there is no image
 };
 
+/// How far the process came: it asked for its request, it had a context, it sent all shots.
+enum class DrawingPhase { started, asked, ready, done };
+
 struct DrawnShots {
     std::vector<Drawn> shots;  ///< the complete ones, from the first on
-    bool asked = false, ready = false, done = false;
+    DrawingPhase phase = DrawingPhase::started;
     std::string problem;  ///< why the rest cannot be read, or empty
 };
 /// Reads the stream that draws `shots`.

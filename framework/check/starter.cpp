@@ -29,7 +29,8 @@ void walk(const std::string& text, const fs::path& file, Take take) {
         const std::string_view word = without_blanks(line);
         if (word == "//[solution") {
             expect(part == Part::shared, "a //[solution inside another: close that with //] first");
-            part = Part::solution, opened = number;
+            part = Part::solution;
+            opened = number;
         } else if (word == "//]starter") {
             expect(part == Part::solution, "a //]starter without its //[solution");
             part = Part::starter;
@@ -40,7 +41,8 @@ void walk(const std::string& text, const fs::path& file, Take take) {
             expect(word.size() > 3, "a region has a name: //(name");
             expect(region.empty(), "a //( inside another: close that with //) first");
             expect(part == Part::shared, "a region begins and ends outside of solutions");
-            region = word.substr(3), region_opened = number;
+            region = word.substr(3);
+            region_opened = number;
         } else if (word == "//)") {
             expect(!region.empty(), "a //) without its //(name");
             expect(part == Part::shared, "a region begins and ends outside of solutions");

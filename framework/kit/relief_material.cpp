@@ -14,7 +14,6 @@ constexpr std::array maps = {"smooth", "fbm",    "bricks", "stones", "posts",   
 constexpr std::array sizes = {"1", "256", "512", "1024", "4096"};
 constexpr std::array texels = {1, 256, 512, 1024, 4096};
 constexpr std::array bit_counts = {"float", "8"};
-enum : int { first_asset = 6, after_assets = 8 };
 
 /// Light from the depths to the tops, as the material has it.
 struct Palette {
@@ -22,13 +21,13 @@ struct Palette {
 };
 Palette palette_of(int map) {
     switch (map) {
-        case 0:
+        case ReliefMap::smooth:
             return {{0.09f, 0.13f, 0.2f}, {0.28f, 0.36f, 0.36f}, {0.75f, 0.72f, 0.6f}};
-        case 1:
+        case ReliefMap::fbm:
             return {{0.1f, 0.08f, 0.05f}, {0.36f, 0.27f, 0.16f}, {0.72f, 0.66f, 0.5f}};
-        case 2:
+        case ReliefMap::bricks:
             return {{0.3f, 0.28f, 0.25f}, {0.34f, 0.16f, 0.1f}, {0.46f, 0.16f, 0.09f}};
-        case 4:
+        case ReliefMap::posts:
             return {{0.12f, 0.16f, 0.2f}, {0.4f, 0.36f, 0.3f}, {0.95f, 0.8f, 0.4f}};
         default:
             return {{0.1f, 0.1f, 0.09f}, {0.3f, 0.29f, 0.27f}, {0.6f, 0.57f, 0.52f}};
@@ -51,7 +50,7 @@ void ReliefMaterial::knobs(Knobs& knobs) {
     knobs.choice("bits", bits, bit_counts, "bits per stored height");
 }
 
-bool ReliefMaterial::is_asset() const { return map >= first_asset && map < after_assets; }
+bool ReliefMaterial::is_asset() const { return map == ReliefMap::wall || map == ReliefMap::paving; }
 
 const Image& ReliefMaterial::heights() const {
     renew();
@@ -62,26 +61,26 @@ void ReliefMaterial::renew() const {
     const std::array of{map, size, bits};
     if (made_ && made_->of == of) return;
     Image image, full;
-    const char* const height_asset = map == first_asset ? "bricks_height.png" : "paving_height.png";
+    const char* const height_asset = map == ReliefMap::wall ? "bricks_height.png" : "paving_height.png";
     if (is_asset()) {
         image = read_asset(height_asset);
         if (image.width > asset_texels || bits == 1) full = image;
         if (image.width > asset_texels) image = level_of(std::move(image), asset_texels);
     } else {
-        image = make_height_map(HeightMap(map < first_asset ? map : map - 2), texels[size_t(size)]);
+        image = make_height_map(HeightMap(map < ReliefMap::wall ? map : map - 2), texels[size_t(size)]);
     }
     mend_heights(image);
     if (bits == 1) image = with_8_bits(std::move(image));
     const bool is_whole = is_asset() && full.values.empty();  // its integers need no mending
     ++version_;
     made_.reset();
-    made_.emplace(
-        Made{of, std::move(image), std::move(full),
-             is_whole ? load_texture(height_asset, ColorSpace::linear)
-                      : Texture("heights", [this] { return made_->heights; }),
-             is_asset() ? load_texture(map == first_asset ? "bricks_albedo.png" : "paving_albedo.png", ColorSpace::srgb)
-                        : Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
-             Texture("normals", [this] { return normals(); })});
+    made_.emplace(Made{
+        of, std::move(image), std::move(full),
+        is_whole ? load_texture(height_asset, ColorSpace::linear)
+                 : Texture("heights", [this] { return made_->heights; }),
+        is_asset() ? load_texture(map == ReliefMap::wall ? "bricks_albedo.png" : "paving_albedo.png", ColorSpace::srgb)
+                   : Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
+        Texture("normals", [this] { return normals(); })});
 }
 
 Image ReliefMaterial::albedo() const {

@@ -8,6 +8,11 @@
 
 namespace relief {
 
+/// The values of ReliefMaterial's knob `map`. Wall and paving are textures; the others are made from formulas.
+struct ReliefMap {
+    enum : int { smooth, fbm, bricks, stones, posts, rock, wall, paving, low, high, plateau, damaged };
+};
+
 class ReliefMaterial {
 public:
     void knobs(Knobs& knobs);
@@ -27,7 +32,7 @@ public:
     static constexpr float normals_depth = 0.08f;
 
     // The knobs. A lab may begin with others.
-    int map = 6, size = 2, bits = 0;
+    int map = ReliefMap::wall, size = 2, bits = 0;
     int asset_texels = 1024;  ///< no knob: of the wall and the paving, where a lab sees them from far away
 
 private:

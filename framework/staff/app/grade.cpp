@@ -6,7 +6,6 @@
 #include <cstdlib>
 
 #include "framework/app/command.h"
-#include "framework/app/command.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
@@ -14,6 +13,7 @@
 #include "framework/base/text.h"
 #include "framework/staff/grade/class.h"
 #include "framework/staff/grade/gradescope.h"
+#include "framework/staff/grade/merge.h"
 #include "framework/staff/grade/self_test.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/student_page.h"
@@ -47,7 +47,8 @@ ClassOptions options_of(const GradeArguments& arguments) {
                       !arguments.unpinned};
     if (setup.renderer.context == ContextKind::window)
         throw UsageError("grade draws without a window: choose osmesa or egl");
-    options.trust = arguments.trust, options.fresh = arguments.fresh;
+    options.trust = arguments.trust;
+    options.fresh = arguments.fresh;
     for (const std::string& lab : arguments.labs) {
         const LabEntry& entry = find_lab(lab);
         if (load_manifest(entry).tasks.empty())
@@ -72,8 +73,11 @@ int test_the_grader(ClassOptions& options, int sample) {
     SelfTest sum;
     for (const LabEntry* lab : options.labs) {
         const SelfTest test = test_grader(*lab, options.setup, {options.jobs, sample});
-        sum.mistakes += test.mistakes, sum.caught += test.caught, sum.left_out += test.left_out;
-        sum.equivalents += test.equivalents, sum.right += test.right;
+        sum.mistakes += test.mistakes;
+        sum.caught += test.caught;
+        sum.left_out += test.left_out;
+        sum.equivalents += test.equivalents;
+        sum.right += test.right;
         for (const std::string& wrong : test.wrong) sum.wrong.push_back("lab " + lab->two_digits() + ": " + wrong);
         fmt::print("lab {}: {} of {} known mistakes caught, {}; {} of {} correct variants get all points; {:.1f} s\n",
                    lab->two_digits(), test.caught, test.mistakes,

@@ -48,53 +48,103 @@ Judgement blame(const ProcessResult& result, const std::string& problem) {
 /// What strangers' code or a compiler says of it, on a line.
 std::string message(const std::string& text) { return printable(first_line(text), 400); }
 
-/// Draws the shots from `from` to `end` by as many processes as it takes. `left`: seconds, for all of them.
-void draw_staged(const Stage& stage, const LabEntry& lab, const StagedCourse& course, const std::vector<Shot>& shots,
-                 size_t from, size_t end, const Renderer& renderer, const AttemptLimits& limits, double& left,
-                 Attempt& attempt) {
-    const bool own_program = course.program.parent_path() == course.folder->path();
-    bool tried_again = false;
-    while (from < end) {
-        const auto fail_rest = [&](size_t begin, size_t last, const Judgement& why) {
-            for (size_t i = begin; i < last; ++i)
-                attempt.shots[i].outcome = why.outcome, attempt.shots[i].error = why.found;
-        };
-        if (left <= 0) return fail_rest(from, end, {Outcome::out_of_time, "the checks before it took all the time"});
-        const std::vector<Shot> rest(shots.begin() + std::ptrdiff_t(from), shots.begin() + std::ptrdiff_t(end));
-        ProcessJob job;
-        job.command = {course.program.string(), "draw-checks", "--course", course.folder->path().string()};
-        job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course.libraries.string()}};
-        // In the sandbox's own memory, gone with it: the next shot need not compile the same shader again.
-        if (stage.isolation() == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
-        job.request = drawing_request(lab, rest, renderer), job.asks = drawing_asks();
-        job.limits.wall = std::min(left, limits.seconds), job.limits.cpu = std::ceil(job.limits.wall);
-        job.limits.memory = limits.memory, job.limits.output = drawings_size(rest);
-        job.makes_processes = false;
-        const ProcessResult result =
-            run_sandboxed(job, {.isolation = stage.isolation(), .readable = course.readable, .processes = 32});
-        DrawnShots drawn = read_drawings(result.output, rest);
-        left -= result.wall, attempt.draw += result.wall;
-        for (size_t i = 0; i < drawn.shots.size(); ++i) {
-            DrawnAttempt& one = attempt.shots[from + i];
-            one.image = std::move(drawn.shots[i].image), one.error = message(drawn.shots[i].error), one.told = true;
-            if (drawn.shots[i].error != one.error && attempt.log.empty()) attempt.log = drawn.shots[i].error;
-        }
-        from += drawn.shots.size();
-        if (drawn.done || from == end) return;
-        const Judgement why = blame(result, drawn.problem);
-        // Before there is a context none of a shader has run: then it is not the student's doing. A program of his own
-        // may have done anything.
-        if (why.outcome == Outcome::machine || (!drawn.ready && !own_program)) {
-            if (!tried_again) {
+/// Draws the shots of a staged course, by as many processes as that takes.
+class StagedDrawing {
+public:
+    StagedDrawing(const Stage& stage, const LabEntry& lab, const StagedCourse& course, const std::vector<Shot>& shots,
+                  const Renderer& renderer, const AttemptLimits& limits, Attempt& attempt)
+        : stage_(stage),
+          lab_(lab),
+          course_(course),
+          shots_(shots),
+          renderer_(renderer),
+          limits_(limits),
+          attempt_(attempt),
+          seconds_left_(2 * limits.seconds) {}
+
+    /// Whether the program holds code of a student.
+    bool has_own_program() const { return course_.program.parent_path() == course_.folder->path(); }
+
+    /// The shots from `from` to `end`. A process that dies takes one shot with it.
+    void draw(size_t from, size_t end) {
+        bool tried_again = false;
+        while (from < end) {
+            if (seconds_left_ <= 0)
+                return fail(from, end, {Outcome::out_of_time, "the checks before it took all the time"});
+            const std::vector<Shot> rest(shots_.begin() + std::ptrdiff_t(from), shots_.begin() + std::ptrdiff_t(end));
+            const ProcessResult result = run_sandboxed(
+                job(rest), {.isolation = stage_.isolation(), .readable = course_.readable, .processes = 32});
+            seconds_left_ -= result.wall;
+            attempt_.draw += result.wall;
+            DrawnShots drawn = read_drawings(result.output, rest);
+            for (Drawn& shot : drawn.shots) keep(std::move(shot), attempt_.shots[from++]);
+            if (drawn.phase == DrawingPhase::done || from == end) return;
+            const Judgement why = blame(result, drawn.problem);
+            const bool has_context = drawn.phase == DrawingPhase::ready;
+            // Before there is a context no student's shader has run. A program of the student's may have done anything.
+            const bool is_machines = why.outcome == Outcome::machine || (!has_context && !has_own_program());
+            if (is_machines && tried_again)
+                return fail(from, end, {Outcome::machine, "the machine failed: " + why.found});
+            if (is_machines) {
                 tried_again = true;
                 continue;
             }
-            return fail_rest(from, end, {Outcome::machine, "the machine failed: " + why.found});
+            if (!has_context || !drawn.problem.empty()) return fail(from, end, why);
+            fail(from, from + 1, why);
+            ++from;
         }
-        if (!drawn.ready || !drawn.problem.empty()) return fail_rest(from, end, why);
-        fail_rest(from, from + 1, why);
-        ++from;
     }
+
+private:
+    ProcessJob job(const std::vector<Shot>& shots) const {
+        ProcessJob job;
+        job.command = {course_.program.string(), "draw-checks", "--course", course_.folder->path().string()};
+        job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course_.libraries.string()}};
+        // In the sandbox's own memory, gone with it: the next shot need not compile the same shader again.
+        if (stage_.isolation() == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
+        job.request = drawing_request(lab_, shots, renderer_);
+        job.asks = drawing_asks();
+        job.limits.wall = std::min(seconds_left_, limits_.seconds);
+        job.limits.cpu = std::ceil(job.limits.wall);
+        job.limits.memory = limits_.memory;
+        job.limits.output = drawings_size(shots);
+        job.makes_processes = false;
+        return job;
+    }
+
+    void keep(Drawn shot, DrawnAttempt& place) {
+        place.image = std::move(shot.image);
+        place.error = message(shot.error);
+        place.told = true;
+        if (shot.error != place.error && attempt_.log.empty()) attempt_.log = shot.error;
+    }
+
+    void fail(size_t begin, size_t end, const Judgement& why) {
+        for (size_t i = begin; i < end; ++i) {
+            attempt_.shots[i].outcome = why.outcome;
+            attempt_.shots[i].error = why.found;
+        }
+    }
+
+    const Stage& stage_;
+    const LabEntry& lab_;
+    const StagedCourse& course_;
+    const std::vector<Shot>& shots_;
+    const Renderer& renderer_;
+    const AttemptLimits& limits_;
+    Attempt& attempt_;
+    double seconds_left_;
+};
+
+/// What a compiler's failure says of a C++ task.
+Judgement blame(const Compiled& compiled) {
+    if (compiled.ending == Ending::failed)
+        return {Outcome::machine, "the machine failed: " + message(compiled.message)};
+    Judgement why{Outcome::broken, message(first_error(compiled.message))};
+    if (compiled.ending != Ending::exited)
+        why = blame({.ending = compiled.ending, .code = 1, .wall = compiled.seconds}, {});
+    if (why.found.empty()) why.found = message(compiled.message);
+    return {why.outcome, "it does not compile: " + why.found};
 }
 
 }  // namespace
@@ -106,30 +156,23 @@ Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& file
     StagedCourse course = stage.course(lab, files);
     const Compiled compiled = stage.compile(lab, course, 3 * limits.seconds);
     result.compile = compiled.seconds;
-    if (compiled.message.empty()) {
-        double left = 2 * limits.seconds;
-        // Shaders cannot tell what they were asked for; a program of a student's can.
-        const bool own_program = course.program.parent_path() == course.folder->path();
-        const size_t first = own_program ? std::min(apart, shots.size()) : shots.size();
-        draw_staged(stage, lab, course, shots, 0, first, renderer, limits, left, result);
-        const std::string log = result.log;
-        draw_staged(stage, lab, course, shots, first, shots.size(), renderer, limits, left, result);
-        result.log = printable_lines(log, longest_log);
+    if (!compiled.message.empty()) {
+        const Judgement why = blame(compiled);
+        for (DrawnAttempt& one : result.shots) {
+            one.outcome = why.outcome;
+            one.error = why.found;
+        }
+        result.log = printable_lines(compiled.message, longest_log);
         return result;
     }
-    result.log = printable_lines(compiled.message, longest_log);
-    for (DrawnAttempt& one : result.shots) {
-        if (compiled.ending == Ending::failed) {
-            one.outcome = Outcome::machine, one.error = "the machine failed: " + message(compiled.message);
-            continue;
-        }
-        const ProcessResult ended{.ending = compiled.ending, .code = 1, .wall = compiled.seconds};
-        const Judgement why = compiled.ending == Ending::exited
-                                  ? Judgement{Outcome::broken, message(first_error(compiled.message))}
-                                  : blame(ended, {});
-        one.outcome = why.outcome;
-        one.error = "it does not compile: " + (why.found.empty() ? message(compiled.message) : why.found);
-    }
+    StagedDrawing drawing(stage, lab, course, shots, renderer, limits, result);
+    // Shaders cannot tell what they were asked for; a student's program can.
+    const size_t first = drawing.has_own_program() ? std::min(apart, shots.size()) : shots.size();
+    drawing.draw(0, first);
+    result.log = printable_lines(result.log, longest_log);
+    const std::string log = result.log;
+    drawing.draw(first, shots.size());
+    result.log = log;
     return result;
 }
 

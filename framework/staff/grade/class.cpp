@@ -100,7 +100,9 @@ private:
             roster.submissions.push_back({submission.name, submission.hash, fs::absolute(path).lexically_normal()});
             if (place % options_.shard.count != options_.shard.index) continue;
             Entry& entry = entries_.emplace_back();
-            entry.path = path, entry.name = submission.name, entry.hash = submission.hash;
+            entry.path = path;
+            entry.name = submission.name;
+            entry.hash = submission.hash;
             for (const LabEntry* lab : candidates())
                 if (!options_.labs.empty() || has_file_of(submission, *lab)) entry.labs.push_back(lab);
             entry.done = take_over(entry);
@@ -169,12 +171,15 @@ private:
         const auto begin = Clock::now();
         const Submission submission = read_submission(entry.path, wanted());
         SubmissionMark& mark = entry.mark;
-        mark.name = submission.name, mark.hash = submission.hash, mark.course = course_;
+        mark.name = submission.name;
+        mark.hash = submission.hash;
+        mark.course = course_;
         mark.isolation = name_of(report_.isolation.level);
         mark.problem = submission.problem;
         if (mark.problem.empty() && submission.files.empty() && submission.refused.empty())
             mark.problem = "there is no task file in it" + why_none(submission);
-        mark.ignored = submission.ignored, mark.ignored_count = submission.ignored_count;
+        mark.ignored = submission.ignored;
+        mark.ignored_count = submission.ignored_count;
         std::vector<CheckPictures> pictures;
         for (const LabEntry* lab : entry.labs)
             mark.labs.push_back(mark_lab(*graders_.at(lab->folder), submission, pictures));
@@ -203,12 +208,10 @@ private:
         try {
             return grader.mark(submission, &pictures);
         } catch (const std::exception& error) {
-            LabMark lab{.lab = grader.lab().folder, .tasks = {}, .log = {}, .times = {}};
+            LabMark lab{.lab = grader.lab().folder};
             for (const TaskInfo& info : grader.manifest().tasks) {
-                TaskMark& task = lab.tasks.emplace_back();
-                task.id = info.id, task.title = info.title, task.file = info.file, task.of = info.points;
-                task.checks.push_back(
-                    {.name = "all", .outcome = Outcome::machine, .found = error.what(), .look_at = {}});
+                TaskMark& task = lab.tasks.emplace_back(empty_mark(info));
+                task.checks.push_back({.name = "all", .outcome = Outcome::machine, .found = error.what()});
             }
             return lab;
         }
@@ -252,119 +255,6 @@ Descriptor hold_output(const fs::path& folder, const Shard& shard) {
 ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done) {
     if (options.submissions.empty()) throw UsageError("grade needs submissions: folders or archives");
     return Grading(options, done).run();
-}
-
-namespace {
-
-SubmissionMark read_result(const fs::path& file) {
-    try {
-        return from_json(read_file(file, size_t{1} << 26));
-    } catch (const Error& error) {
-        throw Error({file}, error.what());
-    }
-}
-
-/// Points that a task of this course does not give are nobody's.
-void refuse_other_points(const SubmissionMark& mark, const std::map<std::string, Manifest>& manifests,
-                         const fs::path& file) {
-    for (const LabMark& lab : mark.labs) {
-        const auto manifest = manifests.find(lab.lab);
-        for (const TaskMark& task : lab.tasks) {
-            const bool is_known =
-                manifest != manifests.end() && std::any_of(manifest->second.tasks.begin(), manifest->second.tasks.end(),
-                                                           [&](const TaskInfo& info) { return info.id == task.id; });
-            if (!is_known || manifest->second.task(task.id).points != task.of)
-                throw Error({file}, fmt::format("has a task {} of {} points, which this course does not have",
-                                                printable(task.id), task.of));
-        }
-    }
-}
-
-/// "3 submissions have no result: jane, joe, jim"
-std::string some_of(const std::string& what, const std::vector<std::string>& names) {
-    constexpr size_t shown = 5;
-    std::vector<std::string> first;
-    for (const std::string& name : names)
-        if (first.size() < shown) first.push_back(printable(name));
-    return fmt::format("{}: {}{}", what, join(first, ", "),
-                       names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "");
-}
-
-}  // namespace
-
-std::vector<fs::path> class_parts(const fs::path& folder) {
-    std::vector<fs::path> parts;
-    const auto add = [&](const fs::path& one) {
-        std::error_code unknown;
-        if (fs::exists(one / "class.json", unknown)) parts.push_back(one);
-    };
-    add(folder);
-    std::error_code unknown;
-    if (fs::is_directory(folder, unknown))
-        for (const auto& entry : fs::directory_iterator(folder)) add(entry.path());
-    std::sort(parts.begin(), parts.end());
-    if (parts.empty())
-        throw UsageError(fmt::format("there is no class.json in '{}' or a folder in it", folder.string()));
-    return parts;
-}
-
-ClassReport merge_class(const fs::path& folder) {
-    const std::vector<fs::path> parts = class_parts(folder);
-    const Roster roster = *read_roster(parts.front());
-    std::map<std::string, std::vector<SubmissionMark>> found;
-    std::map<std::string, Manifest> manifests;
-    for (const LabEntry& lab : registry()) manifests.emplace(lab.folder, load_manifest(lab));
-    for (const fs::path& part : parts) {
-        const Roster other = *read_roster(part);
-        if (other.course != roster.course || other.seed != roster.seed || other.labs != roster.labs)
-            throw Error({part / "class.json"},
-                        "is of another course, seed or choice of labs than " + (parts.front() / "class.json").string());
-        if (!std::equal(other.submissions.begin(), other.submissions.end(), roster.submissions.begin(),
-                        roster.submissions.end(),
-                        [](const auto& a, const auto& b) { return a.name == b.name && a.hash == b.hash; }))
-            throw Error({part / "class.json"},
-                        "names other submissions than " + (parts.front() / "class.json").string());
-        if (!fs::is_directory(part / "results")) continue;
-        for (const auto& entry : fs::directory_iterator(part / "results"))
-            if (entry.path().extension() == ".json") {
-                SubmissionMark mark = read_result(entry.path());
-                refuse_other_points(mark, manifests, entry.path());
-                found[mark.name].push_back(std::move(mark));
-            }
-    }
-    ClassReport report;
-    report.seed = roster.seed;
-    report.isolation.level = Isolation::namespaces;
-    std::vector<std::string> missing, twice, stale;
-    for (const Roster::One& one : roster.submissions) {
-        const auto results = found.find(one.name);
-        if (results == found.end()) {
-            missing.push_back(one.name);
-        } else if (results->second.size() > 1) {
-            twice.push_back(one.name);
-        } else if (SubmissionMark& mark = results->second.front();
-                   mark.hash != one.hash || mark.course != roster.course) {
-            stale.push_back(one.name);
-        } else {
-            for (const LabMark& lab : mark.labs) report.times.add(lab.times);
-            if (mark.isolation != name_of(report.isolation.level))
-                report.isolation = {Isolation::limits, "in a part of it"};
-            report.seconds += mark.seconds;
-            report.marks.push_back(std::move(mark));
-        }
-        found.erase(one.name);
-    }
-    std::vector<std::string> problems, strangers;
-    for (const auto& [name, marks] : found) strangers.push_back(name);
-    if (!missing.empty()) problems.push_back(some_of(fmt::format("{} without a result", missing.size()), missing));
-    if (!twice.empty()) problems.push_back(some_of(fmt::format("{} with several results", twice.size()), twice));
-    if (!stale.empty())
-        problems.push_back(some_of(fmt::format("{} with a result of other files", stale.size()), stale));
-    if (!strangers.empty())
-        problems.push_back(some_of(fmt::format("{} not of this class", strangers.size()), strangers));
-    if (!problems.empty())
-        throw Error(fmt::format("of {} submissions {}", roster.submissions.size(), join(problems, "; ")));
-    return report;
 }
 
 }  // namespace relief

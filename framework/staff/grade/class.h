@@ -33,13 +33,6 @@ struct ClassReport {
     MarkTimes times;
 };
 
-/// `folder` and what lies in it, where a part of a class was graded. Throws UsageError when there is none.
-std::vector<std::filesystem::path> class_parts(const std::filesystem::path& folder);
-
-/// What a folder, or the folders in it, hold of a class that was graded in parts. Throws Error unless every submission
-/// of the class has exactly one result, and all are of the same course and seed.
-ClassReport merge_class(const std::filesystem::path& folder);
-
 /// Keeps other graders out of a folder as long as it is open, however this one ends. Parts of a class may be graded
 /// into one folder at a time: what is not of one class merge_class() finds. Throws Error when another grader is at work
 /// in it. Nothing is left in the folder.

@@ -35,7 +35,7 @@ std::vector<DrawnAttempt> MistakePictures::draw(const MistakeInfo& mistake, cons
             stage_ = std::make_unique<Stage>(probe_isolation().level);
             stage_->add(lab_);
         }
-        for (const std::string& file : task_files(manifest_)) files.try_emplace(file, read_file(course_root() / file));
+        files.merge(solution_files(manifest_));  // keeps the edited files
         return attempt(*stage_, lab_, files, shots, renderer_, {}).shots;
     }
     std::vector<DrawnAttempt> drawn;
@@ -82,7 +82,10 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
     };
     std::vector<Look> looks;
     std::vector<Shot> shots;
-    const auto add = [&](const Shot& shot) { return shots.push_back(shot), shots.size() - 1; };
+    const auto add = [&](const Shot& shot) {
+        shots.push_back(shot);
+        return shots.size() - 1;
+    };
     for (const CheckInfo& check : manifest_.checks) {
         if (check.task != mistake.task) continue;
         Look look{&check, add(check.shot), 0, add(enlarged(check, false)), 0};
@@ -109,9 +112,13 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
             const auto [one, other] =
                 visualize_probes(good.probe, *probe.image, manifest_.probe(check.shot.probe.name).error);
             score = share_that_differs(one, other);
-            shown.is_probe = true, shown.right = good.probe, shown.wrong = *probe.image;
+            shown.is_probe = true;
+            shown.right = good.probe;
+            shown.wrong = *probe.image;
         }
-        if (score > best_score) best_score = score, best = std::move(shown);
+        if (score <= best_score) continue;
+        best_score = score;
+        best = std::move(shown);
     }
     if (!best.check) throw Error("no check of task " + mistake.task + " fails with '" + mistake.id + "'");
     return best;

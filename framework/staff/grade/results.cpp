@@ -188,10 +188,14 @@ SubmissionMark from_json(const std::string& text) try {
     const ordered_json json = ordered_json::parse(text);
     if (json.at("schema") != schema) throw Error("its schema is not 1");
     SubmissionMark mark;
-    mark.name = bytes_of_utf8(json.at("name").get<std::string>()), mark.hash = json.at("hash"),
+    mark.name = bytes_of_utf8(json.at("name").get<std::string>());
+    mark.hash = json.at("hash");
     mark.course = json.at("course");
-    mark.isolation = json.at("isolation"), mark.problem = json.at("problem"), mark.seconds = json.at("seconds");
-    mark.ignored = json.at("ignored").get<std::vector<std::string>>(), mark.ignored_count = json.at("ignored_count");
+    mark.isolation = json.at("isolation");
+    mark.problem = json.at("problem");
+    mark.seconds = json.at("seconds");
+    mark.ignored = json.at("ignored").get<std::vector<std::string>>();
+    mark.ignored_count = json.at("ignored_count");
     for (const ordered_json& lab : json.at("labs")) mark.labs.push_back(lab_from(lab));
     return mark;
 } catch (const nlohmann::json::exception& error) {
@@ -259,18 +263,20 @@ std::string to_junit(const std::vector<SubmissionMark>& marks) {
             cases +=
                 kind ? fmt::format("><{} type=\"{}\" message=\"{}\"/></testcase>\n", kind, type, xml(message)) : "/>\n";
         };
-        if (!mark.problem.empty())
-            one_case("submission", "can be read", "failure", "unreadable", mark.problem), ++tests, ++failures;
+        if (!mark.problem.empty()) {
+            one_case("submission", "can be read", "failure", "unreadable", mark.problem);
+            ++tests;
+            ++failures;
+        }
         for (const LabMark& lab : mark.labs)
             for (const TaskMark& task : lab.tasks)
                 for (const CheckMark& check : task.checks) {
                     const bool passed = check.outcome == Outcome::passed, machine = check.outcome == Outcome::machine;
-                    ++tests, failures += !passed && !machine, errors += machine;
-                    one_case(lab.lab + "." + task.id, check.name,
-                             passed    ? nullptr
-                             : machine ? "error"
-                                       : "failure",
-                             name_of(check.outcome), check.found);
+                    const char* const kind = passed ? nullptr : machine ? "error" : "failure";
+                    ++tests;
+                    failures += !passed && !machine;
+                    errors += machine;
+                    one_case(lab.lab + "." + task.id, check.name, kind, name_of(check.outcome), check.found);
                 }
         text += fmt::format(
             "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n{}  </testsuite>\n",

@@ -16,7 +16,7 @@
 namespace relief {
 namespace {
 
-Submission submission_of(std::map<std::string, std::string> files) {
+Submission submission_of(CourseFiles files) {
     Submission submission;
     submission.files = std::move(files);
     return submission;
@@ -42,9 +42,7 @@ std::vector<size_t> sample_of(size_t size, int count) {
 class Test {
 public:
     Test(const LabEntry& lab, const LabGrader& grader, SelfTestOptions options)
-        : lab_(lab), grader_(grader), options_(options) {
-        for (const std::string& file : task_files(grader.manifest())) solution_[file] = read_file(course_root() / file);
-    }
+        : lab_(lab), grader_(grader), options_(options), solution_(solution_files(grader.manifest())) {}
 
     SelfTest run() {
         const auto begin = std::chrono::steady_clock::now();
@@ -75,7 +73,8 @@ public:
             }
             steps[i].take();
         });
-        result_.checks = grader_.manifest().checks.size(), result_.hidden_views = grader_.hidden_views();
+        result_.checks = manifest.checks.size();
+        result_.hidden_views = grader_.hidden_views();
         result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         return result_;
     }
@@ -86,8 +85,8 @@ private:
     void wrong(const std::string& what) { result_.wrong.push_back(what); }
 
     LabMark mark_with(const std::vector<Edit>& edits) {
-        auto files = solution_;
-        for (const auto& [name, text] : edited(edits)) files[name] = text;
+        CourseFiles files = edited(edits);
+        files.insert(solution_.begin(), solution_.end());  // keeps the edited files
         return grader_.mark(submission_of(files), nullptr, options_.sample == 0);
     }
 
@@ -100,7 +99,7 @@ private:
     }
 
     void starter() {
-        std::map<std::string, std::string> files;
+        CourseFiles files;
         for (const auto& [name, text] : solution_) files[name] = starter_of(text, name);
         const LabMark mark = grader_.mark(submission_of(files));
         const std::lock_guard lock(mutex_);
@@ -161,7 +160,7 @@ private:
     const LabEntry& lab_;
     const LabGrader& grader_;
     SelfTestOptions options_;
-    std::map<std::string, std::string> solution_;
+    CourseFiles solution_;
     std::mutex mutex_;
     SelfTest result_;
 };

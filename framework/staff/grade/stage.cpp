@@ -75,6 +75,12 @@ std::set<std::string> task_files(const Manifest& manifest) {
     return files;
 }
 
+CourseFiles solution_files(const Manifest& manifest) {
+    CourseFiles files;
+    for (const std::string& file : task_files(manifest)) files[file] = read_file(course_root() / file);
+    return files;
+}
+
 namespace {
 
 const std::string prefix = "relief-grade-";

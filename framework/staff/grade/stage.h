@@ -17,6 +17,8 @@ namespace relief {
 
 /// The files that a lab's students write.
 std::set<std::string> task_files(const Manifest& manifest);
+/// These files with their solutions.
+CourseFiles solution_files(const Manifest& manifest);
 
 /// A temporary folder that the sandbox's user may read, gone with the object.
 class PublicFolder {

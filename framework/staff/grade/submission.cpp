@@ -11,6 +11,7 @@
 #include <cstring>
 #include <optional>
 
+#include "framework/base/descriptor.h"
 #include "framework/base/error.h"
 #include "framework/base/module.h"
 #include "framework/base/sha256.h"
@@ -22,20 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr size_t ignored_shown = 100, links_shown = 10;
-
-class Descriptor {
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    operator int() const { return number_; }
-
-private:
-    int number_;
-};
 
 /// Which task file a name stands for; nothing for any other, and for one that climbs or begins at the top. Some
 /// programs on Windows write their zips with backslashes.
@@ -81,7 +68,8 @@ public:
             ignore(before->second.second);
         }
         places_[*file] = place;
-        submission_.files.erase(*file), submission_.refused.erase(*file);
+        submission_.files.erase(*file);
+        submission_.refused.erase(*file);
         if (entry.too_large)
             submission_.refused[*file] = too_large();
         else

@@ -25,7 +25,8 @@ double offset(const std::string& words, double largest) {
 
 Variation::Variation(const Manifest& manifest, const std::string& lab, const std::string& seed, int attempt) {
     const auto words = [&](const std::string& what) { return fmt::format("{}|{}|{}|{}", seed, lab, attempt, what); };
-    yaw_ = offset(words("yaw"), 20), pitch_ = offset(words("pitch"), 8);
+    yaw_ = offset(words("yaw"), 20);
+    pitch_ = offset(words("pitch"), 8);
     distance_ = 1 + offset(words("distance"), 0.15);
     for (const VaryInfo& vary : manifest.vary) {
         const double t = drawn_from(words(vary.knob));

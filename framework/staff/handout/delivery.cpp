@@ -112,11 +112,13 @@ private:
         if (found.kind == Kind::behind) {
             note_behind(path, found);
         } else if (found.kind == Kind::nothing) {
-            writes_.emplace(path, &file), done.added.push_back(path);
+            writes_.emplace(path, &file);
+            done.added.push_back(path);
         } else if (found.kind == Kind::file && found.bytes == file.bytes) {
             return;
         } else if (found.kind == Kind::file && before_.has(path, found.bytes)) {
-            writes_.emplace(path, &file), done.updated.push_back(path);
+            writes_.emplace(path, &file);
+            done.updated.push_back(path);
         } else {
             const auto known = before_.files.find(path);
             const bool is_news = known == before_.files.end() || known->second != after.files[path];

@@ -167,7 +167,8 @@ HandoutReport write_handout(const fs::path& folder, const std::optional<std::str
     std::set<std::string> folders;
     for (const LabEntry* lab : labs) {
         folders.insert(lab->folder);
-        ++report.labs, report.tasks += int(load_manifest(*lab).tasks.size());
+        ++report.labs;
+        report.tasks += int(load_manifest(*lab).tasks.size());
     }
     HandedFiles files = students_course(folders);
     files["README.md"] = {readme(labs)};

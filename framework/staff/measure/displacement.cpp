@@ -7,7 +7,6 @@
 
 #include "framework/gl/gpu_mesh.h"
 #include "framework/gl/program.h"
-#include "framework/height/maps.h"
 #include "framework/kit/displaced_surface.h"
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
@@ -112,7 +111,8 @@ double share_apart(const Image& a, const Image& b) {
     double covered = 0, apart = 0;
     for (size_t i = 0; i < a.values.size(); i += 4) {
         const bool in_a = a.values[i] != no_surface, in_b = b.values[i] != no_surface;
-        covered += in_a || in_b, apart += in_a != in_b;
+        covered += in_a || in_b;
+        apart += in_a != in_b;
     }
     return apart / std::max(1.0, covered);
 }
@@ -124,8 +124,11 @@ struct Ground {
     std::optional<HeightField> heights;
 
     Ground() {
-        surface.shape = DisplacedSurface::ground, surface.density = 32, surface.depth = 0.1f;
-        surface.material.map = int(HeightMap::fbm), surface.material.size = 2;
+        surface.shape = DisplacedSurface::ground;
+        surface.density = 32;
+        surface.depth = 0.1f;
+        surface.material.map = ReliefMap::fbm;
+        surface.material.size = 2;
     }
     const HeightField& field() {
         if (!heights) heights.emplace(surface.heights(), true);
@@ -199,7 +202,8 @@ void add_culling(std::vector<BenchScene>& scenes, const BenchSettings& settings)
          {BenchKnobs{{"method", "uniform"}, {"level", "1"}}, BenchKnobs{{"method", "uniform"}, {"level", "8"}},
           BenchKnobs{{"method", "uniform"}, {"level", "16"}}, BenchKnobs{{"method", "error"}, {"budget", "1"}}}) {
         BenchScene& scene = scenes.emplace_back();
-        scene.knobs = {{"levels", levels[0].second}, levels[1]}, scene.item = "frame";
+        scene.knobs = {{"levels", levels[0].second}, levels[1]};
+        scene.item = "frame";
         for (const char* cull : {"none", "outside", "all"}) {
             const auto at = [&](const BenchKnobs& at_levels, const BenchSettings& with) {
                 return of_lab("14", "cull", {{"cull", cull}}, together(set, at_levels), camera, {}, {}, with);
@@ -226,8 +230,11 @@ struct Torus {
     Image exact;  // the places of micro-polygons
 
     Torus() {
-        surface.shape = DisplacedSurface::torus, surface.density = 4, surface.depth = 0.1f;
-        surface.material.map = int(HeightMap::stones), surface.material.size = 1;
+        surface.shape = DisplacedSurface::torus;
+        surface.density = 4;
+        surface.depth = 0.1f;
+        surface.material.map = ReliefMap::stones;
+        surface.material.size = 1;
     }
     void look() {
         if (heights) return;
@@ -271,7 +278,8 @@ void add_spacings(std::vector<BenchScene>& scenes, const BenchSettings& settings
     for (const auto& [unit, errors_of, figures_of] :
          {std::tuple{"pixels", pixels, of_pixels}, {"metres", metres, of_metres}}) {
         BenchScene& scene = scenes.emplace_back();
-        scene.knobs = {{"surface", "torus"}, {"error_in", unit}}, scene.item = "frame";
+        scene.knobs = {{"surface", "torus"}, {"error_in", unit}};
+        scene.item = "frame";
         for (const char* spacing : DisplacedSurface::spacings)
             for (const char* level : {"2", "4", "8", "16", "32", "64"})
                 scene.methods.push_back(of_lab("13", spacing, {{"level", level}}, together(set, {{"spacing", spacing}}),

@@ -81,17 +81,22 @@ double mean_of_probe(Lab& lab, Shot shot, const char* name) {
     const Image probe = render_shot(lab, shot);
     double sum = 0, count = 0;
     for (size_t i = 0; i < probe.values.size(); i += 4)
-        if (std::isfinite(probe.values[i])) sum += double(probe.values[i]), ++count;
+        if (std::isfinite(probe.values[i])) {
+            sum += double(probe.values[i]);
+            ++count;
+        }
     return sum / std::max(1.0, count);
 }
 
 void show_picture(BenchSubject& subject, Lab& lab, Shot shot) {
-    shot.probe = {}, shot.size = glm::ivec2(shown_side);
+    shot.probe = {};
+    shot.size = glm::ivec2(shown_side);
     subject.picture = render_shot(lab, shot);
 }
 
 void show_errors(BenchSubject& subject, const Image& errors, double max_error) {
-    subject.error_map = visualize_error(worst_of(errors), max_error), subject.error_map_max = max_error;
+    subject.error_map = visualize_error(worst_of(errors), max_error);
+    subject.error_map_max = max_error;
 }
 
 }  // namespace relief

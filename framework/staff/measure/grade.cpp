@@ -127,10 +127,10 @@ struct Graded {
     Graded(const LabEntry& lab, const GradeSetup& setup, int count) : stage(setup.isolation) {
         stage.add(lab);
         grader = std::make_unique<LabGrader>(lab, stage, setup);
-        for (int i = 0; i < count; ++i)
+        submissions.resize(size_t(count));
+        for (size_t i = 0; i < submissions.size(); ++i)
             for (const std::string& file : task_files(grader->manifest()))
-                (i < int(submissions.size()) ? submissions[size_t(i)] : submissions.emplace_back()).files[file] =
-                    handed_in(file, size_t(i));
+                submissions[i].files[file] = handed_in(file, i);
     }
 };
 
@@ -144,7 +144,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
         if (settings.quick && kind == std::string("C++")) continue;  // a compiler takes its time
         const LabEntry& lab = find_lab(number);
         BenchScene& scene = result.emplace_back();
-        scene.knobs = {{"lab", lab.folder}, {"tasks", kind}}, scene.item = "submission";
+        scene.knobs = {{"lab", lab.folder}, {"tasks", kind}};
+        scene.item = "submission";
         const auto subject = [count](const std::function<void(size_t)>& grade) {
             return BenchSubject{.items = size_t(count),
                                 .run = [count, grade] { parallel_each(size_t(count), 0, grade); }};

@@ -14,7 +14,8 @@ BenchMethod lit(const char* number, const std::string& name, const BenchKnobs& k
                 const LabEntry& entry = find_lab(number);
                 const Manifest manifest = load_manifest(entry);
                 Shot shot;
-                shot.size = glm::ivec2(settings.quick ? 256 : 512), shot.camera = camera;
+                shot.size = glm::ivec2(settings.quick ? 256 : 512);
+                shot.camera = camera;
                 shot.set = together(set, knobs);
                 const std::shared_ptr<Lab> lab = make_lab(entry, shot);
                 BenchSubject subject = drawn(lab, shot);

@@ -86,76 +86,105 @@ struct Maps {
 
     void make() {
         if (heights.width > 0) return;
-        heights = Image(side, side, 1), normals = Image(side, side, 3);
+        heights = Image(side, side, 1);
+        normals = Image(side, side, 3);
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) *heights.pixel(x, y) = float(wave(x, y));
     }
 };
 
-std::vector<BenchScene> scenes(const BenchSettings& settings) {
-    const auto maps = std::make_shared<Maps>();
-    maps->side = settings.quick ? 512 : 4096;
-    const size_t texels = size_t(maps->side) * size_t(maps->side);
-    constexpr double bytes = 16;  // 4 read, 12 written
+/// Adds methods to the scene of this topic. All of them share one pair of maps.
+class NormalsScene {
+public:
+    explicit NormalsScene(bool quick) : maps_(std::make_shared<Maps>()) { maps_->side = quick ? 512 : 4096; }
 
-    std::vector<unsigned> thread_counts = {1};
-    if (hardware_threads() > 1) thread_counts.push_back(2);
+    void add_memcpy(unsigned threads) {
+        const size_t size = texels() * size_t(bytes_per_texel) / 2;  // half is read, half is written
+        add("memcpy", 0, threads, [maps = maps_, threads, size] {
+            if (maps->from.empty()) {
+                maps->from.assign(size, 1);
+                maps->to.assign(size, 2);
+            }
+            parallel_pieces(maps->from.size(), 1, threads, [&](size_t begin, size_t end) {
+                std::memcpy(maps->to.data() + begin, maps->from.data() + begin, end - begin);
+            });
+        });
+    }
+
+    /// `bits` of the heights decide the error alone: in memory they are floats.
+    void add_filter(const char* name, SlopeFilter filter, int bits, unsigned threads) {
+        add(
+            name, bits, threads,
+            [maps = maps_, threads, filter] {
+                normals_from_heights(maps->heights, {.texels_u = 4, .texels_v = 4, .filter = filter}, maps->normals,
+                                     threads);
+            },
+            [filter, bits] {
+                return error_of(normals_from_heights(wave_map(bits),
+                                                     {.texels_u = amplitude, .texels_v = amplitude, .filter = filter}));
+            });
+    }
+
+    void add_usual() {
+        add(
+            "usual", 32, 1, [maps = maps_] { usual_normals(maps->heights, 4, maps->normals); },
+            [] {
+                Image normals(error_side, error_side, 3);
+                usual_normals(wave_map(32), amplitude, normals);
+                return error_of(normals);
+            });
+        scene.methods.back().peer = true;
+    }
+
+    void add_openimageio() {
+        add(
+            "OpenImageIO", 32, hardware_threads(), [maps = maps_] { openimageio_slopes(maps->heights); },
+            [] { return error_of(normals_of_slopes(openimageio_slopes(wave_map(32)), amplitude)); });
+        scene.methods.back().peer = true;
+    }
+
     BenchScene scene{{}, "texel"};
-    const auto add = [&](const char* name, int bits, unsigned threads, auto run, std::function<BenchError()> error,
-                         bool peer = false) {
+
+private:
+    static constexpr double bytes_per_texel = 16;  // 4 read, 12 written
+
+    size_t texels() const { return size_t(maps_->side) * size_t(maps_->side); }
+
+    /// `bits` 0: the knob does not apply. Without `error` there is none.
+    void add(const char* name, int bits, unsigned threads, const std::function<void()>& run,
+             const std::function<BenchError()>& error = {}) {
         BenchKnobs knobs = {{"threads", std::to_string(threads)}};
         if (bits > 0) knobs.emplace_back("bits", std::to_string(bits));
-        scene.methods.push_back(
-            {name, knobs,
-             [=] {
-                 maps->make();
-                 return BenchSubject{
-                     .items = texels, .bytes_per_item = bytes, .error = error ? error() : BenchError{}, .run = run};
-             },
-             peer});
-    };
-    const std::pair<const char*, SlopeFilter> filters[] = {{"forward", SlopeFilter::forward},
-                                                           {"central", SlopeFilter::central},
-                                                           {"sobel", SlopeFilter::sobel},
-                                                           {"scharr", SlopeFilter::scharr},
-                                                           {"fourth-order", SlopeFilter::fourth_order},
-                                                           {"spline", SlopeFilter::spline}};
-    for (const unsigned threads : thread_counts) {
-        add("memcpy", 0, threads,
-            [maps, threads, size = texels * size_t(bytes) / 2] {
-                if (maps->from.empty()) maps->from.assign(size, 1), maps->to.assign(size, 2);
-                parallel_pieces(maps->from.size(), 1, threads, [&](size_t begin, size_t end) {
-                    std::memcpy(maps->to.data() + begin, maps->from.data() + begin, end - begin);
-                });
-            },
-            {});
-        for (const auto& [name, filter] : filters)
-            // How many bits the heights had decides the error alone: in memory they are floats.
-            for (const int bits : threads == thread_counts.back() ? std::vector{8, 16, 32} : std::vector{32})
-                add(
-                    name, bits, threads,
-                    [maps, threads, kind = filter] {
-                        normals_from_heights(maps->heights, {.texels_u = 4, .texels_v = 4, .filter = kind},
-                                             maps->normals, threads);
-                    },
-                    [kind = filter, bits = bits] {
-                        return error_of(normals_from_heights(
-                            wave_map(bits), {.texels_u = amplitude, .texels_v = amplitude, .filter = kind}));
-                    });
+        scene.methods.push_back({name, knobs, [maps = maps_, items = texels(), run, error] {
+                                     maps->make();
+                                     return BenchSubject{.items = items,
+                                                         .bytes_per_item = bytes_per_texel,
+                                                         .error = error ? error() : BenchError{},
+                                                         .run = run};
+                                 }});
     }
-    add(
-        "usual", 32, 1, [maps] { usual_normals(maps->heights, 4, maps->normals); },
-        [] {
-            Image normals(error_side, error_side, 3);
-            usual_normals(wave_map(32), amplitude, normals);
-            return error_of(normals);
-        },
-        true);
-    if (has_peers())
-        add(
-            "OpenImageIO", 32, hardware_threads(), [maps] { openimageio_slopes(maps->heights); },
-            [] { return error_of(normals_of_slopes(openimageio_slopes(wave_map(32)), amplitude)); }, true);
-    return {scene};
+
+    std::shared_ptr<Maps> maps_;
+};
+
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    constexpr std::pair<const char*, SlopeFilter> filters[] = {{"forward", SlopeFilter::forward},
+                                                               {"central", SlopeFilter::central},
+                                                               {"sobel", SlopeFilter::sobel},
+                                                               {"scharr", SlopeFilter::scharr},
+                                                               {"fourth-order", SlopeFilter::fourth_order},
+                                                               {"spline", SlopeFilter::spline}};
+    const unsigned most_threads = std::min(2u, hardware_threads());
+    NormalsScene normals(settings.quick);
+    for (unsigned threads = 1; threads <= most_threads; ++threads) {
+        normals.add_memcpy(threads);
+        for (const auto& [name, filter] : filters)
+            for (const int bits : threads == most_threads ? std::vector{8, 16, 32} : std::vector{32})
+                normals.add_filter(name, filter, bits, threads);
+    }
+    normals.add_usual();
+    if (has_peers()) normals.add_openimageio();
+    return {normals.scene};
 }
 
 }  // namespace

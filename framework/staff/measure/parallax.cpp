@@ -51,7 +51,8 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
     const auto truth = std::make_shared<std::optional<Image>>();  // the same for every search
     for (const Search& search : searches()) {
         Shot shot;
-        shot.size = glm::ivec2(settings.quick ? 256 : 512), shot.probe = {"uv"};
+        shot.size = glm::ivec2(settings.quick ? 256 : 512);
+        shot.probe = {"uv"};
         shot.set = together(together(search.set, search.knobs), {{"view", "one"}, {"extent", "10"}, {"depth", "0.08"}});
         shot.set = together(shot.set, map);
         shot.camera = {.yaw = seen.middle, .pitch = 0, .distance = seen.distance, .field_of_view = seen.field_of_view};
@@ -64,7 +65,10 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
             // Heights read, of lab 11; of lab 12 the cells, blocks or cones that were looked at.
             subject.work.emplace_back(lab_number == std::string("11") ? "taps" : "visits",
                                       mean_of_probe(*lab, shot, "steps"));
-            if (settings.pictures) show_picture(subject, *lab, shot), show_errors(subject, errors, 4);
+            if (settings.pictures) {
+                show_picture(subject, *lab, shot);
+                show_errors(subject, errors, 4);
+            }
             return subject;
         };
         scene.methods.push_back({search.name, search.knobs, prepare, search.name == std::string("usual")});

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <set>
 
 #include "framework/base/error.h"
 #include "framework/base/text.h"
@@ -33,7 +34,10 @@ std::vector<std::pair<int, std::vector<std::string>>> records_of(const std::stri
     bool is_quoted = false, is_open = false;
     for (size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
-        if (!is_open) records.push_back({line, {""}}), is_open = true;
+        if (!is_open) {
+            records.push_back({line, {""}});
+            is_open = true;
+        }
         std::string& field = records.back().second.back();
         if (c == '\n') ++line;
         if (is_quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"')
@@ -74,14 +78,78 @@ std::string work_text(const BenchWork& work) {
     return text;
 }
 
+/// Which columns a table has, and how wide they are.
+struct TableColumns {
+    size_t method = 6, knobs = 5;
+    bool time = false, rate = false, error = false, wrong = false;
+    bool in_milliseconds = false;  ///< one unit for the whole table
+};
+
+TableColumns columns_of(std::span<const BenchRow> rows) {
+    TableColumns columns;
+    for (const BenchRow& row : rows) {
+        columns.method = std::max(columns.method, row.method.size());
+        columns.knobs = std::max(columns.knobs, knob_text(row.knobs).size());
+        columns.time |= row.repeats > 0;
+        columns.rate |= row.bytes_per_item > 0;
+        columns.error |= !row.error.unit.empty();
+        columns.wrong |= row.error.wrong.has_value();
+        columns.in_milliseconds |= row.times.median >= 1e6;
+    }
+    return columns;
+}
+
+/// The units of a scene's errors.
+std::set<std::string> error_units(std::span<const BenchRow> rows, const BenchKnobs& scene) {
+    std::set<std::string> units;
+    for (const BenchRow& row : rows)
+        if (row.scene == scene && !row.error.unit.empty()) units.insert(row.error.unit);
+    return units;
+}
+
+std::string table_head(const TableColumns& columns, const std::string& item, const std::string& error_title) {
+    std::string text = fmt::format("{:<{}}  {:<{}}", "method", columns.method, "knobs", columns.knobs);
+    if (columns.time)
+        text += fmt::format("  {:>13}  {:>9}  {:>9}", (columns.in_milliseconds ? "ms/" : "ns/") + item, "p10", "p90");
+    if (columns.rate) text += fmt::format("  {:>6}", "GB/s");
+    if (columns.error) text += fmt::format("  {:>12}  {:>10}  {:>10}", "mean " + error_title, "p99", "largest");
+    if (columns.wrong) text += "   wrong %";
+    return text + "  work\n";
+}
+
+std::string table_line(const TableColumns& columns, const BenchRow& row, bool names_unit) {
+    std::string text = fmt::format("{:<{}}  {:<{}}", row.method, columns.method, knob_text(row.knobs), columns.knobs);
+    if (!row.is_measured()) return text + "  " + row.state + '\n';
+    const auto cell = [](bool known, double value, int width) {
+        return known ? fmt::format("  {:>{}}", rounded(value, 4), width) : std::string(size_t(width) + 2, ' ');
+    };
+    const bool timed = row.repeats > 0, known = !row.error.unit.empty();
+    const double scale = columns.in_milliseconds ? 1e-6 : 1;
+    if (columns.time)
+        text += cell(timed, scale * row.times.median, 13) + cell(timed, scale * row.times.p10, 9) +
+                cell(timed, scale * row.times.p90, 9);
+    if (columns.rate) text += cell(timed && row.bytes_per_item > 0, row.bytes_per_item / row.times.median, 6);
+    if (columns.error)
+        text += cell(known, row.error.mean, 12) + cell(known, row.error.p99, 10) + cell(known, row.error.largest, 10);
+    if (names_unit && known) text += " " + plural(row.error.unit);
+    if (columns.wrong) text += cell(row.error.wrong.has_value(), row.error.wrong.value_or(0) * 100, 8);
+    text += "  " + work_text(row.work);
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text + '\n';
+}
+
 }  // namespace
 
 std::vector<BenchRow> open_rows(const BenchTopic& topic, const BenchScene& scene) {
     std::vector<BenchRow> rows;
     for (const BenchMethod& method : scene.methods) {
         BenchRow& row = rows.emplace_back();
-        row.topic = topic.name, row.scene = scene.knobs, row.item = scene.item, row.method = method.name;
-        row.knobs = method.knobs, row.peer = method.peer;
+        row.topic = topic.name;
+        row.scene = scene.knobs;
+        row.item = scene.item;
+        row.method = method.name;
+        row.knobs = method.knobs;
+        row.peer = method.peer;
     }
     return rows;
 }
@@ -95,60 +163,21 @@ std::string cpu_name() {
 }
 
 std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows) {
-    size_t name = 6, knobs = 5;
-    double longest = 0;
-    bool any_wrong = false, any_time = false, any_error = false, any_rate = false;
-    for (const BenchRow& row : rows) {
-        name = std::max(name, row.method.size()), knobs = std::max(knobs, knob_text(row.knobs).size());
-        longest = std::max(longest, row.times.median), any_wrong |= row.error.wrong.has_value();
-        any_time |= row.repeats > 0, any_error |= !row.error.unit.empty(), any_rate |= row.bytes_per_item > 0;
-    }
-    // One unit for a whole table.
-    const bool in_milliseconds = longest >= 1e6;
-    const double scale = in_milliseconds ? 1e-6 : 1;
-    const auto cell = [](bool known, double value, int width) {
-        return known ? fmt::format("  {:>{}}", rounded(value, 4), width) : std::string(size_t(width) + 2, ' ');
-    };
+    const TableColumns columns = columns_of(rows);
     std::string text = fmt::format("{}: {}\n", topic.name, topic.help);
     const BenchRow* before = nullptr;
-    std::string unit;
+    bool names_units = false;  // a scene with several units: each line names its own
     for (const BenchRow& row : rows) {
         if (!before || before->scene != row.scene || before->item != row.item) {
             if (before) text += '\n';
             if (!row.scene.empty()) text += fmt::format("[{}]\n", knob_text(row.scene));
-            unit.clear();
-            for (const BenchRow& other : rows)
-                if (other.scene == row.scene && !other.error.unit.empty() && unit != other.error.unit)
-                    unit = unit.empty() ? other.error.unit : "error";  // several: then each says its own
-            text += fmt::format("{:<{}}  {:<{}}", "method", name, "knobs", knobs);
-            if (any_time)
-                text +=
-                    fmt::format("  {:>13}  {:>9}  {:>9}", (in_milliseconds ? "ms/" : "ns/") + row.item, "p10", "p90");
-            if (any_rate) text += fmt::format("  {:>6}", "GB/s");
-            if (any_error)
-                text += fmt::format("  {:>12}  {:>10}  {:>10}", "mean " + (unit == "error" ? unit : plural(unit)),
-                                    "p99", "largest");
-            text += (any_wrong ? "   wrong %" : "") + std::string("  work\n");
+            const std::set<std::string> units = error_units(rows, row.scene);
+            names_units = units.size() > 1;
+            const std::string error_title = names_units ? "error" : plural(units.empty() ? "" : *units.begin());
+            text += table_head(columns, row.item, error_title);
         }
         before = &row;
-        text += fmt::format("{:<{}}  {:<{}}", row.method, name, knob_text(row.knobs), knobs);
-        if (!row.is_measured()) {
-            text += "  " + row.state + '\n';
-            continue;
-        }
-        const bool timed = row.repeats > 0, known = !row.error.unit.empty();
-        if (any_time)
-            text += cell(timed, scale * row.times.median, 13) + cell(timed, scale * row.times.p10, 9) +
-                    cell(timed, scale * row.times.p90, 9);
-        if (any_rate) text += cell(timed && row.bytes_per_item > 0, row.bytes_per_item / row.times.median, 6);
-        if (any_error)
-            text +=
-                cell(known, row.error.mean, 12) + cell(known, row.error.p99, 10) + cell(known, row.error.largest, 10);
-        if (unit == "error" && known) text += " " + plural(row.error.unit);
-        if (any_wrong) text += cell(row.error.wrong.has_value(), row.error.wrong.value_or(0) * 100, 8);
-        text += "  " + work_text(row.work);
-        text.erase(text.find_last_not_of(' ') + 1);
-        text += '\n';
+        text += table_line(columns, row, names_units);
     }
     return text;
 }
@@ -207,8 +236,12 @@ std::vector<BenchRow> read_bench_csv(const std::string& text) {
             return result;
         };
         BenchRow& row = rows.emplace_back();
-        row.topic = field["topic"], row.scene = knobs_from(field["scene"]), row.method = field["method"];
-        row.knobs = knobs_from(field["knobs"]), row.state = field["state"], row.item = field["item"];
+        row.topic = field["topic"];
+        row.scene = knobs_from(field["scene"]);
+        row.method = field["method"];
+        row.knobs = knobs_from(field["knobs"]);
+        row.state = field["state"];
+        row.item = field["item"];
         for (const auto& [name, amount] : knobs_from(field["work"])) row.work.emplace_back(name, value(amount));
         if (field["error_unit"].empty()) continue;
         row.error = {value(field["error_mean"]), value(field["error_p99"]), value(field["error_largest"]),

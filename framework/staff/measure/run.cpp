@@ -49,11 +49,14 @@ json as_json(const BenchSubject& subject) {
 }
 
 void read_subject(const json& message, BenchRow& row) {
-    row.items = message.at("items"), row.bytes_per_item = message.at("bytes"), row.work = message.at("work");
+    row.items = message.at("items");
+    row.bytes_per_item = message.at("bytes");
+    row.work = message.at("work");
     const auto& error = message.at("error");
     row.error = {error[0], error[1], error[2], message.at("unit")};
     if (!message.at("wrong").is_null()) row.error.wrong = message.at("wrong").get<double>();
-    row.picture = image_from(message.at("picture")), row.error_map = image_from(message.at("error_map"));
+    row.picture = image_from(message.at("picture"));
+    row.error_map = image_from(message.at("error_map"));
     row.error_map_max = message.at("max");
 }
 
@@ -103,7 +106,8 @@ public:
                 if (const std::string fault = fault_of(subject); !fault.empty()) return failed(place, fault);
                 send(pipe_, {{"method", place}, {"subject", as_json(subject)}});
                 subject.picture = subject.error_map = {};
-                subjects.push_back(std::move(subject)), places.push_back(place);
+                subjects.push_back(std::move(subject));
+                places.push_back(place);
             });
         }
         // Whatever fails while it is timed is left out, and the others begin anew.
@@ -177,7 +181,8 @@ public:
         if (message.contains("stopped")) throw Error(message.at("stopped").get<std::string>());
         if (message.contains("wrong use")) throw UsageError(message.at("wrong use").get<std::string>());
         if (message.contains("renderer")) {
-            machine_.renderer = message.at("renderer"), machine_.clock = message.at("clock");
+            machine_.renderer = message.at("renderer");
+            machine_.clock = message.at("clock");
             return report(first_open());
         }
         if (message.contains("subject")) {
@@ -188,7 +193,8 @@ public:
         }
         if (message.contains("failed")) {
             BenchRow& row = rows_[message.at("method")];
-            row.state = message.at("failed"), row.repeats = 0;
+            row.state = message.at("failed");
+            row.repeats = 0;
             return report(first_open());
         }
         const int round = message.at("round");

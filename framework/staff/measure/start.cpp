@@ -101,7 +101,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
     std::vector<BenchScene> result;
     for (const std::string kind : {"png", "ppm"}) {
         BenchScene& scene = result.emplace_back();
-        scene.knobs = {{"file", kind}}, scene.item = "picture";
+        scene.knobs = {{"file", kind}};
+        scene.item = "picture";
         const fs::path floor = executable_folder() / ("floor-" + kind);
         const auto at_least = [=] {
             fs::path from = course_root() / "assets" / texture;

@@ -57,7 +57,8 @@ BenchError error_of(const std::vector<glm::vec4>& tangents) {
 /// As it is copied (Lengyel 2001): sums at the vertices, then Gram-Schmidt.
 void usual_tangents(const Mesh& mesh, std::vector<glm::vec3>& sums, std::vector<glm::vec4>& tangents) {
     const size_t count = mesh.vertices.size();
-    sums.assign(2 * count, glm::vec3(0)), tangents.resize(count);
+    sums.assign(2 * count, glm::vec3(0));
+    tangents.resize(count);
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
         const Vertex &a = mesh.vertices[mesh.indices[i]], &b = mesh.vertices[mesh.indices[i + 1]],
                      &c = mesh.vertices[mesh.indices[i + 2]];

@@ -1,0 +1,160 @@
+#include "framework/staff/grade/check_views.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/base/error.h"
+#include "framework/staff/grade/variation.h"
+
+namespace relief {
+namespace {
+
+/// Nothing for a check that compares with another check. Throws Error if this view has no exact values.
+std::optional<Image> expected_in(const LabEntry& lab, const CheckInfo& check, const Shot& shot,
+                                 const DrawnAttempt& solution) {
+    if (check.against == "truth") return truth_of(*make_lab(lab, shot), shot);
+    if (check.against == "solution") return solution.image;
+    return {};
+}
+
+size_t count_hidden(const std::vector<CheckViews>& views) {
+    return size_t(std::count_if(views.begin(), views.end(), [](const CheckViews& one) { return one.hidden; }));
+}
+
+}  // namespace
+
+LabViews::LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup)
+    : lab_(lab), stage_(stage), setup_(std::move(setup)), manifest_(load_manifest(lab)) {
+    const size_t count = manifest_.checks.size();
+    if (count == 0) throw Error(fmt::format("labs/{}/lab.toml: there is no [[check]]", lab.folder));
+    const bool derives_limit = setup_.seconds == 0;
+    if (derives_limit) setup_.seconds = 120;
+    for (const CheckInfo& check : manifest_.checks) views_.push_back({.own = {check.shot}});
+    const CourseFiles files = solution_files(manifest_);
+    solution_ = draw(files, std::vector<bool>(count, true), WhichViews::own);
+    for (size_t i = 0; i < count; ++i) {
+        const CheckInfo& check = manifest_.checks[i];
+        views_[i].own.expected = expected_in(lab, check, check.shot, solution_.checks[i].own);
+        if (const Judgement said = judge(own(i, solution_)); said.outcome != Outcome::passed)
+            throw Error(fmt::format("lab {}: nothing can be graded here: its own solution does not pass '{}' ({}: {})",
+                                    lab.two_digits(), check.name, name_of(said.outcome), said.found));
+    }
+    if (!setup_.seed.empty()) find_hidden_views(files);
+    if (derives_limit) {
+        const double views_per_check = double(count + hidden_count()) / double(count);
+        setup_.seconds = std::max(20.0, 10 * views_per_check * solution_.draw);
+    }
+}
+
+size_t LabViews::hidden_count() const { return count_hidden(views_); }
+
+void LabViews::find_hidden_views(const CourseFiles& solution) {
+    constexpr int attempts = 4;
+    std::vector<CheckViews> best = views_;
+    for (int attempt = 0; attempt < attempts && count_hidden(best) < best.size(); ++attempt) {
+        const Variation variation(manifest_, lab_.folder, setup_.seed, attempt);
+        for (CheckViews& views : views_) views.hidden = View{variation.vary(views.own.shot)};
+        keep_passing_views(draw(solution, std::vector<bool>(views_.size(), true), WhichViews::hidden));
+        if (count_hidden(views_) > count_hidden(best)) std::swap(views_, best);
+    }
+    views_ = std::move(best);
+}
+
+void LabViews::keep_passing_views(const DrawnChecks& solution) {
+    std::vector<bool> passes(views_.size());
+    for (size_t i = 0; i < views_.size(); ++i) {
+        View& view = *views_[i].hidden;
+        try {
+            view.expected = expected_in(lab_, manifest_.checks[i], view.shot, solution.checks[i].hidden);
+            passes[i] = judge(hidden(i, solution)).outcome == Outcome::passed;
+        } catch (const Error&) {
+            passes[i] = false;  // this view has no exact values
+        }
+    }
+    // A check that compares with another needs that one's hidden view, which may need a third one's.
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (size_t i = 0; i < views_.size(); ++i) {
+            if (!passes[i] || passes[compared_with(i)]) continue;
+            passes[i] = false;
+            changed = true;
+        }
+    }
+    for (size_t i = 0; i < views_.size(); ++i)
+        if (!passes[i]) views_[i].hidden.reset();
+}
+
+/// The check itself if it does not compare with another.
+size_t LabViews::compared_with(size_t check) const {
+    const std::string& against = manifest_.checks[check].against;
+    if (against == "truth" || against == "solution") return check;
+    return size_t(&manifest_.check(against) - manifest_.checks.data());
+}
+
+std::vector<bool> LabViews::with_compared(std::vector<bool> checks) const {
+    std::vector<bool> all = checks;
+    for (size_t i = 0; i < checks.size(); ++i)
+        if (checks[i]) all[compared_with(i)] = true;
+    return all;
+}
+
+DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which) const {
+    DrawnChecks result;
+    result.checks.resize(views_.size());
+    std::vector<Shot> shots;
+    std::vector<DrawnAttempt*> places;
+    const auto add = [&](const View& view, DrawnAttempt& place) {
+        shots.push_back(view.shot);
+        places.push_back(&place);
+    };
+    const auto add_own = [&](bool of_hidden_checks) {
+        const std::vector<bool> wanted = with_compared(checks);
+        for (size_t i = 0; i < wanted.size(); ++i)
+            if (wanted[i] && manifest_.checks[i].hidden == of_hidden_checks) add(views_[i].own, result.checks[i].own);
+    };
+    const auto add_hidden = [&] {
+        std::vector<bool> wanted = checks;
+        for (size_t i = 0; i < wanted.size(); ++i) wanted[i] = wanted[i] && views_[i].hidden;
+        wanted = with_compared(wanted);
+        for (size_t i = 0; i < wanted.size(); ++i)
+            if (wanted[i]) add(*views_[i].hidden, result.checks[i].hidden);
+    };
+    if (which != WhichViews::hidden) add_own(false);
+    const size_t public_count = shots.size();
+    if (which != WhichViews::hidden) add_own(true);
+    if (which != WhichViews::own) add_hidden();
+    if (shots.empty()) return result;
+    Attempt drawn = attempt(stage_, lab_, files, shots, setup_.renderer, {setup_.seconds, setup_.memory}, public_count);
+    for (size_t i = 0; i < places.size(); ++i) *places[i] = std::move(drawn.shots[i]);
+    result.compile = drawn.compile;
+    result.draw = drawn.draw;
+    result.log = std::move(drawn.log);
+    return result;
+}
+
+Comparison LabViews::own(size_t check, const DrawnChecks& drawn) const {
+    const size_t other = compared_with(check);
+    return {manifest_.checks[check], views_[check].own, drawn.checks[check].own, views_[other].own.shot,
+            drawn.checks[other].own};
+}
+
+Comparison LabViews::hidden(size_t check, const DrawnChecks& drawn) const {
+    const size_t other = compared_with(check);
+    return {manifest_.checks[check], *views_[check].hidden, drawn.checks[check].hidden, views_[other].hidden->shot,
+            drawn.checks[other].hidden};
+}
+
+Judgement LabViews::judge(const Comparison& one) const {
+    if (!one.drawn.image) return {one.drawn.outcome, one.drawn.error};
+    if (one.view.expected) return relief::judge(manifest_, one.check, *one.drawn.image, *one.view.expected);
+    if (!one.other.image) return {one.other.outcome, one.other.error};
+    try {
+        refuse_unusable(*one.other.image, one.other_shot);
+    } catch (const Error& error) {
+        return {Outcome::broken, fmt::format("'{}': {}", one.check.against, error.what())};
+    }
+    return relief::judge(manifest_, one.check, *one.drawn.image, *one.other.image);
+}
+
+}  // namespace relief

@@ -1,0 +1,95 @@
+// The views of a lab's checks: a check's own shot and, with a seed, a hidden one that students do not know.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/staff/grade/attempt.h"
+
+namespace relief {
+
+/// How submissions are drawn.
+struct GradeSetup {
+    Isolation isolation = Isolation::namespaces;
+    /// Limit for drawing a lab once. All its processes together have twice that, the compiler three times. 0: ten
+    /// times what the solution takes, but at least 20.
+    double seconds = 0;
+    size_t memory = size_t{2} << 30;  ///< bytes of address space
+    std::string seed = {};            ///< of the hidden views; empty: there are none
+    Renderer renderer = {};
+};
+
+struct View {
+    Shot shot;
+    std::optional<Image> expected = {};  ///< empty if the check compares with another check
+};
+
+struct CheckViews {
+    View own;
+    std::optional<View> hidden = {};
+};
+
+/// What a set of files draws for one check. A view that was not requested stays empty.
+struct DrawnViews {
+    DrawnAttempt own, hidden;
+};
+
+struct DrawnChecks {
+    std::vector<DrawnViews> checks = {};  ///< in the manifest's order
+    double compile = 0, draw = 0;         ///< seconds
+    std::string log = {};                 ///< the compiler's messages, or empty
+};
+
+/// What a check compares in one view. `other_shot` and `other` belong to the check named by `check.against`; they are
+/// the view's own if that is not a check.
+struct Comparison {
+    const CheckInfo& check;
+    const View& view;
+    const DrawnAttempt& drawn;
+    const Shot& other_shot;
+    const DrawnAttempt& other;
+
+    const std::optional<Image>& expected() const { return view.expected ? view.expected : other.image; }
+};
+
+enum class WhichViews { own, hidden, both };
+
+/// Draws and judges the checks of one lab. Threads may share it.
+class LabViews {
+public:
+    /// Draws the solution in the sandbox. Throws Error if the lab has no checks, or if its solution fails one: then no
+    /// mark on this machine can be trusted. A check has no hidden view if the solution fails there.
+    LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup);
+
+    const LabEntry& lab() const { return lab_; }
+    const Manifest& manifest() const { return manifest_; }
+    bool has_hidden(size_t check) const { return views_[check].hidden.has_value(); }
+    size_t hidden_count() const;
+    /// What the solution draws in the checks' own views. Can be taken once.
+    DrawnChecks take_solution() { return std::move(solution_); }
+
+    /// Draws these checks, and those that they compare with. A C++ task's process is not asked for public and hidden
+    /// pictures together.
+    DrawnChecks draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which) const;
+
+    Comparison own(size_t check, const DrawnChecks& drawn) const;
+    /// Only for a check with a hidden view.
+    Comparison hidden(size_t check, const DrawnChecks& drawn) const;
+    Judgement judge(const Comparison& comparison) const;
+
+private:
+    size_t compared_with(size_t check) const;
+    std::vector<bool> with_compared(std::vector<bool> checks) const;
+    void find_hidden_views(const CourseFiles& solution);
+    void keep_passing_views(const DrawnChecks& solution);
+
+    const LabEntry& lab_;
+    const Stage& stage_;
+    GradeSetup setup_;
+    Manifest manifest_;
+    std::vector<CheckViews> views_;  ///< in the manifest's order
+    DrawnChecks solution_;
+};
+
+}  // namespace relief

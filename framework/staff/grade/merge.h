@@ -1,0 +1,18 @@
+// Merges a class that was graded in parts (shards) on several machines.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "framework/staff/grade/class.h"
+
+namespace relief {
+
+/// The folders that hold a part of a class: `folder` itself, or folders in it. Throws UsageError if there is none.
+std::vector<std::filesystem::path> class_parts(const std::filesystem::path& folder);
+
+/// Reads the results of all parts in `folder`. Throws Error unless every submission of the class has exactly one
+/// result, and all results are of the same files, course and seed.
+ClassReport merge_class(const std::filesystem::path& folder);
+
+}  // namespace relief

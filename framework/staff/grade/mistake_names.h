@@ -1,0 +1,65 @@
+// Names the known mistake that the pictures of a failed task show.
+#pragma once
+
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/staff/grade/check_views.h"
+
+namespace relief {
+
+struct NamedMistake {
+    std::string id;
+    std::string hint;  ///< with the hints of the mistakes that are `same_as` this one
+};
+
+/// The known mistakes of one lab. Each is drawn once, when a submission needs it. Threads may share it.
+class MistakeNames {
+public:
+    /// `solution`: what the solution draws in the checks' own views.
+    MistakeNames(const LabViews& views, const DrawnChecks& solution);
+
+    /// The mistake that agrees best with what was drawn for the task's checks, if it agrees with nine tenths of what
+    /// differs from the solution; else nothing. `compared`: by check, whether its pictures may be compared. A check is
+    /// left out if it was not drawn, or if another task may have spoilt it.
+    std::optional<NamedMistake> name(const std::string& task, const DrawnChecks& drawn,
+                                     const std::vector<bool>& compared) const;
+
+private:
+    /// Pixels of a picture, evenly spread, or the error that came in its place.
+    struct Sample {
+        explicit Sample(const DrawnAttempt& drawn);
+        std::vector<float> values = {};
+        std::string error;
+        bool is_drawn;
+    };
+    /// What a mistake draws in its task's checks.
+    struct Signature {
+        const MistakeInfo* mistake;
+        std::map<size_t, Sample> samples = {};  ///< by check
+    };
+    struct Signatures {
+        std::vector<Signature> list;
+        size_t next = 0, done = 0;
+        std::condition_variable one_more;
+    };
+    struct Likeness;
+
+    const std::vector<Signature>& signatures(const std::string& task) const;
+    std::map<size_t, Sample> samples_of(const MistakeInfo& mistake) const;
+    static double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe);
+    static Likeness compare(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe);
+    double agreement(const Signature& signature, const std::vector<Sample>& drawn,
+                     const std::vector<bool>& compared) const;
+
+    const LabViews& views_;
+    std::vector<Sample> solution_;  ///< by check
+    mutable std::mutex mutex_;
+    mutable std::map<std::string, Signatures> by_task_;
+};
+
+}  // namespace relief
