@@ -213,6 +213,20 @@ TEST(ClassPage, SaysWhereTheTimeWentAndWhatCameFromBefore) {
         "namespaces");
 }
 
+TEST(ClassPage, WithoutScriptsHasNothingThatWouldNotWork) {
+    const Graded graded;
+    browser().scripts(false);
+    browser().open(graded.page);
+    EXPECT_EQ(
+        browser().eval("[...document.querySelectorAll('#filter, .pick')].filter(one => one.checkVisibility()).length"),
+        0);
+    EXPECT_EQ(browser().eval("getComputedStyle(document.querySelector('thead button')).pointerEvents"), "none");
+    browser().scripts(true);
+    browser().open(graded.page);
+    EXPECT_EQ(browser().eval("[...document.querySelectorAll('#filter, .pick')].every(one => one.checkVisibility())"),
+              true);
+}
+
 TEST(ClassPage, IsMadeOfWhatTheResultsHold) {
     const ClassReport report = some_class();
     ClassReport read;  // and the run's own numbers
