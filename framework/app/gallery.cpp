@@ -172,15 +172,17 @@ private:
                 return PagePicture{put(entry.folder + "/handout-" + file.filename().string(), image), image.width,
                                    image.height};
             }};
-        const std::string text =
-            markdown_html(parse_markdown(read_file(course_root() / home / "README.md", size_t{1} << 24)), places);
-        const std::string page = render(
-            {.title = "Handout " + entry.two_digits() + ": " + manifest.title,
-             .body = "handout",
-             .styles = {"site", "markdown"},
-             .scripts = {},
-             .pictures = PagePictures::beside},
-            {{"lab", lab_page_file(entry)}, {"number", entry.two_digits()}, {"title", manifest.title}, {"text", text}});
+        List text =
+            markdown_blocks(parse_markdown(read_file(course_root() / home / "README.md", size_t{1} << 24)), places);
+        const std::string page = render({.title = "Handout " + entry.two_digits() + ": " + manifest.title,
+                                         .body = "handout",
+                                         .styles = {"site", "markdown"},
+                                         .scripts = {},
+                                         .pictures = PagePictures::beside},
+                                        {{"lab", lab_page_file(entry)},
+                                         {"number", entry.two_digits()},
+                                         {"title", manifest.title},
+                                         {"blocks", std::move(text)}});
         write_beside_page(folder_ / handout_file(entry), page);
         return handout_file(entry);
     }

@@ -6,97 +6,112 @@
 #include <map>
 #include <vector>
 
-#include "framework/pages/template.h"
+#include "framework/base/text.h"
 
 namespace relief {
 namespace {
 
-class Writer {
+class Reader {
 public:
-    explicit Writer(const PagePlaces& places) : places_(places) {}
+    explicit Reader(const PagePlaces& places) : places_(places) {}
 
-    void add(const Block& block) {
-        if (block.kind == BlockKind::item) return item(block);
-        close_lists(block.kind == BlockKind::heading ? 0 : size_t(block.level));
+    Fields block(const Block& block) {
+        Fields fields = nothing();
+        fields["spans"] = line(block.spans);
+        if (block.kind == BlockKind::item) {
+            item(block, fields);
+            return fields;
+        }
+        fields["closed"] = close_lists(block.kind == BlockKind::heading ? 0 : size_t(block.level));
         switch (block.kind) {
             case BlockKind::heading:
-                text_ += fmt::format("<h{0} id=\"{1}\">{2}</h{0}>\n", block.level, id_of(block), line(block.spans));
+                fields["heading"] = block.level, fields["id"] = id_of(block);
                 break;
             case BlockKind::quote:
-                text_ += "<blockquote><p>" + line(block.spans) + "</p></blockquote>\n";
+                fields["quote"] = true;
                 break;
             case BlockKind::code:
-                text_ += "<pre tabindex=\"0\" role=\"region\" aria-label=\"code\">" + html(block.text) + "</pre>\n";
+                fields["code"] = block.text;
                 break;
             case BlockKind::table:
-                table(block);
+                fields["table"] = table(block);
                 break;
             case BlockKind::rule:
-                text_ += "<hr>\n";
+                fields["rule"] = true;
                 break;
             default:
-                text_ += "<p>" + line(block.spans) + "</p>\n";
+                fields["paragraph"] = true;
         }
+        return fields;
     }
 
-    std::string finish() {
-        close_lists(0);
-        return std::move(text_);
+    /// Of all blocks: closes what is open.
+    Fields end() {
+        Fields fields = nothing();
+        fields["closed"] = close_lists(0);
+        return fields;
     }
 
 private:
-    void close_lists(size_t depth) {
-        for (; lists_.size() > depth; lists_.pop_back()) text_ += "</li></" + lists_.back() + ">\n";
+    /// Each name of block.mustache for which a block may have no value.
+    static Fields nothing() {
+        return {{"closed", ""}, {"heading", ""}, {"paragraph", ""}, {"item", ""},
+                {"quote", ""},  {"code", ""},    {"table", ""},     {"rule", ""}};
     }
 
-    void item(const Block& block) {
+    List close_lists(size_t depth) {
+        List closed;
+        for (; lists_.size() > depth; lists_.pop_back()) closed.push_back(lists_.back());
+        return closed;
+    }
+
+    void item(const Block& block, Fields& fields) {
         const size_t depth = size_t(block.level) + 1;
         const std::string list = block.marker == "*" ? "ul" : "ol";
-        close_lists(depth);
-        if (lists_.size() == depth && lists_.back() != list) close_lists(depth - 1);
-        if (lists_.size() == depth) text_ += "</li>\n<li>";
+        const bool is_other = lists_.size() >= depth && lists_[depth - 1] != list;
+        fields["item"] = true, fields["closed"] = close_lists(is_other ? depth - 1 : depth);
+        fields["is_next"] = lists_.size() == depth;
+        List opened;
         while (lists_.size() < depth) {
-            const bool numbered = list == "ol" && block.marker != "1.";
-            text_ += "<" + list +
-                     (numbered ? " start=\"" + html(block.marker.substr(0, block.marker.size() - 1)) + "\"" : "") +
-                     "><li>";
+            const bool counts_on = list == "ol" && block.marker != "1.";
+            opened.push_back(
+                Fields{{"list", list}, {"start", counts_on ? block.marker.substr(0, block.marker.size() - 1) : ""}});
             lists_.push_back(list);
         }
-        text_ += line(block.spans);
+        fields["opened"] = std::move(opened);
     }
 
-    void table(const Block& block) {
-        text_ += "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table>";
-        for (size_t row = 0; row < block.rows.size(); ++row) {
-            text_ += row == 0 ? "<thead><tr>" : row == 1 ? "<tbody><tr>" : "<tr>";
-            for (const Spans& cell : block.rows[row])
-                text_ += row == 0 ? "<th scope=\"col\">" + line(cell) + "</th>" : "<td>" + line(cell) + "</td>";
-            text_ += row == 0 ? "</tr></thead>\n" : "</tr>\n";
-        }
-        text_ += std::string(block.rows.size() > 1 ? "</tbody>" : "") + "</table></div>\n";
+    Fields table(const Block& block) const {
+        std::vector<List> all;
+        for (const std::vector<Spans>& row : block.rows)
+            for (List& cells = all.emplace_back(); const Spans& cell : row)
+                cells.push_back(Fields{{"spans", line(cell)}});
+        List body;
+        for (size_t row = 1; row < all.size(); ++row) body.push_back(Fields{{"cells", all[row]}});
+        return {{"head", all.at(0)}, {"body", rows(std::move(body))}};
     }
 
-    std::string line(const Spans& spans) const {
-        std::string all;
-        for (const Span& span : spans) all += styled(span);
+    List line(const Spans& spans) const {
+        List all;
+        for (const Span& span : spans) all.push_back(styled(span));
         return all;
     }
 
-    std::string styled(const Span& span) const {
-        std::string text;
-        for (const char c : html(span.text)) text += c == '\n' ? "<br>" : std::string(1, c);
-        if (span.image) {
-            const auto picture = places_.picture(span.target);
-            if (picture)
-                text = fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}\" loading=\"lazy\">",
-                                   html(picture->file), picture->width, picture->height, html(span.text));
-        } else {
-            if (span.code) text = "<code>" + text + "</code>";
-            if (const auto place = span.target.empty() ? std::nullopt : places_.link(span.target))
-                text = fmt::format("<a href=\"{}\">{}</a>", html(*place), text);
-        }
-        if (span.italic) text = "<em>" + text + "</em>";
-        return span.bold ? "<strong>" + text + "</strong>" : text;
+    Fields styled(const Span& span) const {
+        List lines;
+        for (const std::string& line : split(span.text, '\n'))
+            lines.push_back(Fields{{"line", line}, {"is_first", lines.empty()}});
+        const auto picture = span.image ? places_.picture(span.target) : std::nullopt;
+        const auto place = span.image || span.target.empty() ? std::nullopt : places_.link(span.target);
+        return {{"bold", span.bold},
+                {"italic", span.italic},
+                {"code", span.code && !span.image},
+                {"text", span.text},
+                {"lines", std::move(lines)},
+                {"link", place.value_or("")},
+                {"picture",
+                 picture ? Fields{{"file", picture->file}, {"width", picture->width}, {"height", picture->height}}
+                         : Value()}};
     }
 
     /// "What you see, and what to look at" is what-you-see-and-what-to-look-at; a second one has a number.
@@ -116,17 +131,18 @@ private:
     }
 
     const PagePlaces& places_;
-    std::string text_;
     std::vector<std::string> lists_;  ///< those that are open, each with an open item
     std::map<std::string, int> ids_;
 };
 
 }  // namespace
 
-std::string markdown_html(std::span<const Block> blocks, const PagePlaces& places) {
-    Writer writer(places);
-    for (const Block& block : blocks) writer.add(block);
-    return writer.finish();
+List markdown_blocks(std::span<const Block> blocks, const PagePlaces& places) {
+    Reader reader(places);
+    List list;
+    for (const Block& block : blocks) list.push_back(reader.block(block));
+    list.push_back(reader.end());
+    return list;
 }
 
 }  // namespace relief

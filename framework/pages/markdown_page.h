@@ -7,6 +7,7 @@
 #include <string>
 
 #include "framework/base/markdown.h"
+#include "framework/pages/template.h"
 
 namespace relief {
 
@@ -22,7 +23,7 @@ struct PagePlaces {
     std::function<std::optional<PagePicture>(const std::string& target)> picture;
 };
 
-/// Between tags: headings have ids, wide tables and code scroll in themselves.
-std::string markdown_html(std::span<const Block> blocks, const PagePlaces& places);
+/// For {{#name}}{{> block}}{{/name}}: headings have ids, wide tables and code scroll in themselves.
+List markdown_blocks(std::span<const Block> blocks, const PagePlaces& places);
 
 }  // namespace relief

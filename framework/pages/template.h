@@ -1,11 +1,10 @@
 // Pages as files: mustache templates beside the code that fills them. A value is text, and escaped where it is shown.
 //
-//     {{name}}  the value, escaped          {{#name}} ... {{/name}}  for each of a list; once for anything else there
-//     is
-//     {{> name}}  another template          {{^name}} ... {{/name}}  if there is nothing
-//     {{> *name}}  the one that this value names
-//     {{{name}}}  not escaped: what these pages' own code, style sheets and scripts say; tests/pages/template_test.cpp
-//     knows all of them
+//     {{name}}    the value, escaped
+//     {{#name}} ... {{/name}}  for each of a list; once for anything else that there is
+//     {{^name}} ... {{/name}}  if there is nothing
+//     {{> name}}  another template; {{> *name}}: the one that this value names
+//     {{{name}}}  not escaped: only what the course itself says; tests/pages/template_test.cpp knows all of them
 //
 // A file's name without a folder means framework/pages, one with folders goes from the course's top folder.
 #pragma once
@@ -21,7 +20,7 @@ class Value;
 using Fields = std::map<std::string, Value>;
 using List = std::vector<Value>;
 
-/// What a template's name stands for. Nothing is false, an empty text, and an empty list.
+/// What a template's name stands for. An empty text and an empty list are nothing, as false is.
 class Value {
 public:
     Value() = default;

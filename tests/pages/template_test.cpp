@@ -67,7 +67,6 @@ std::vector<std::string> tags_of(const std::string& text) {
 const std::set<std::pair<std::string, std::string>> not_escaped = {
     {"framework/pages/page", "page.style"},
     {"framework/pages/page", "page.script"},
-    {"framework/pages/handout", "text"},         // markdown_html()
     {"framework/staff/pages/bench", "section"},  // topic.mustache, perhaps of an earlier run
     {"framework/staff/pages/topic", "plot"}};    // gnuplot's SVG
 
