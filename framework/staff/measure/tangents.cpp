@@ -1,42 +1,16 @@
 // Tangents of a million triangles: time by method and threads, error against dP/du.
 #include <cmath>
 #include <memory>
-#include <random>
 
 #include "framework/base/parallel.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/topics.h"
+#include "framework/staff/reference/jittered_torus.h"
 #include "framework/staff/reference/tangents.h"
 
 namespace relief {
 
-Mesh bench_torus(int columns, int rows) {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<> off(-0.24, 0.24);
-    std::vector<glm::dvec2> moved(size_t(columns) * size_t(rows));
-    for (glm::dvec2& one : moved) one = {off(random) / columns, off(random) / rows};
-    Mesh mesh;
-    for (int row = 0; row <= rows; ++row)
-        for (int column = 0; column <= columns; ++column) {
-            const glm::dvec2 uv = glm::dvec2(double(column) / columns, double(row) / rows) +
-                                  moved[size_t(row % rows) * size_t(columns) + size_t(column % columns)];
-            const double a = 2 * M_PI * uv.x, b = 2 * M_PI * uv.y, r = 1 + 0.4 * std::cos(b);
-            mesh.vertices.push_back({.position = {r * std::cos(a), r * std::sin(a), 0.4 * std::sin(b)},
-                                     .normal = {std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b)},
-                                     .tangent = {-std::sin(a), std::cos(a), 0, 1},
-                                     .uv = uv});
-        }
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            const uint32_t a = uint32_t(row * (columns + 1) + column), b = a + 1, c = a + uint32_t(columns) + 1,
-                           d = c + 1;
-            if (random() % 2)
-                mesh.indices.insert(mesh.indices.end(), {a, b, d, a, d, c});
-            else
-                mesh.indices.insert(mesh.indices.end(), {a, b, c, b, d, c});
-        }
-    return mesh;
-}
+Mesh bench_torus(int columns, int rows) { return jittered_torus(columns, rows, 1, 0.24); }
 
 namespace {
 

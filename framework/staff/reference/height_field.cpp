@@ -16,19 +16,45 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Where a ray crosses the lines between the cells along one axis.
-struct Crossings {
-    double origin, inverse;
-    int step;
-    int64_t next;  ///< the line to be crossed
+/// Cells are numbered by their lower left texel. Beyond a border that is clamped they are all like cell -1, or the last
+/// one: level across the border.
+int64_t wrapped(int64_t index, int side, bool wraps) {
+    if (!wraps) return std::clamp<int64_t>(index, -1, side - 1);
+    const int64_t rest = index % side;
+    return rest < 0 ? rest + side : rest;
+}
 
-    Crossings(double from, double along, double now)
-        : origin(from), inverse(along == 0 ? infinity : 1 / along), step(along < 0 ? -1 : 1) {
-        const double place = std::floor(now);
-        next = static_cast<int64_t>(place) + (step > 0);
+/// A ray's way through the cells along one axis.
+class AxisWalk {
+public:
+    AxisWalk(double origin, double along, double now, int side, bool wraps)
+        : origin_(origin),
+          inverse_(along == 0 ? infinity : 1 / along),
+          step_(along < 0 ? -1 : 1),
+          side_(side),
+          wraps_(wraps),
+          cell_(int64_t(std::floor(now))),
+          stored_(wrapped(cell_, side, wraps)) {}
+
+    int64_t cell() const { return cell_; }
+    int64_t stored() const { return stored_; }  ///< where the map has it
+    /// At which t the ray leaves the cell. Each from the line itself, not from the one before: nothing adds up.
+    double t() const { return std::isinf(inverse_) ? infinity : (double(cell_ + (step_ > 0)) - origin_) * inverse_; }
+    void enter_next() {
+        cell_ += step_;
+        if (!wraps_)
+            stored_ = wrapped(cell_, side_, false);
+        else if (step_ > 0)
+            stored_ = stored_ + 1 == side_ ? 0 : stored_ + 1;
+        else
+            stored_ = stored_ == 0 ? side_ - 1 : stored_ - 1;
     }
-    // Each from the line itself, not from the one before: nothing adds up.
-    double t() const { return std::isinf(inverse) ? infinity : (static_cast<double>(next) - origin) * inverse; }
+
+private:
+    double origin_, inverse_;
+    int step_, side_;
+    bool wraps_;
+    int64_t cell_, stored_;
 };
 
 }  // namespace
@@ -54,12 +80,8 @@ HeightField::HeightField(const Image& heights, bool wraps) : size_(heights.width
         for (int column = -1; column < size_.x; ++column) tops_[place(column, row)] = cell(place(column, row)).top();
 }
 
-/// Cells are numbered by their lower left texel. Beyond a border that is clamped they are all like cell -1, or the last
-/// one: level across the border.
-int64_t HeightField::wrapped(int64_t index, int side) const {
-    if (!wraps_) return std::clamp<int64_t>(index, -1, side - 1);
-    const int64_t rest = index % side;
-    return rest < 0 ? rest + side : rest;
+size_t HeightField::place_of(glm::dvec2 corner) const {
+    return place(wrapped(int64_t(corner.x), size_.x, wraps_), wrapped(int64_t(corner.y), size_.y, wraps_));
 }
 
 HeightCell HeightField::cell(size_t place) const {
@@ -70,14 +92,12 @@ HeightCell HeightField::cell(size_t place) const {
 
 double HeightField::height(glm::dvec2 texel) const {
     const glm::dvec2 at = texel - 0.5, corner = glm::floor(at);
-    return height_in_cell(cell(place(wrapped(int64_t(corner.x), size_.x), wrapped(int64_t(corner.y), size_.y))),
-                          at - corner);
+    return height_in_cell(cell(place_of(corner)), at - corner);
 }
 
 glm::dvec2 HeightField::slope(glm::dvec2 texel) const {
     const glm::dvec2 at = texel - 0.5, corner = glm::floor(at);
-    return slope_in_cell(cell(place(wrapped(int64_t(corner.x), size_.x), wrapped(int64_t(corner.y), size_.y))),
-                         at - corner);
+    return slope_in_cell(cell(place_of(corner)), at - corner);
 }
 
 glm::dvec2 HeightField::central_slope(glm::dvec2 texel) const {
@@ -85,26 +105,32 @@ glm::dvec2 HeightField::central_slope(glm::dvec2 texel) const {
     return {(height(texel + right) - height(texel - right)) / 2, (height(texel + up) - height(texel - up)) / 2};
 }
 
-std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_end, double bend) const {
+std::optional<HeightField::Stretch> HeightField::stretch_of(const Ray& ray, double t_end, double bend) const {
     if (!is_finite(ray.origin) || !is_finite(ray.direction) || !(t_end >= 0)) return {};
     if (!(bend >= 0) || (bend > 0 && std::isinf(t_end))) return {};
     const glm::dvec3 along = ray.direction;
-
-    // Above the highest height nothing can be hit; a little below the lowest one everything has been.
-    double t0 = 0, t_stop = t_end;
+    Stretch stretch{0, t_end};
     const double above = ray.origin.z - highest_;
     if (bend > 0) {
         // It may turn before it is low enough, and rise for ever after: every cell is looked at.
     } else if (along.z < 0) {
-        t0 = std::max(0.0, above / -along.z);
+        stretch.begin = std::max(0.0, above / -along.z);
         const double slack = 1e-12 * (1 + std::abs(lowest_) + std::abs(ray.origin.z));
-        t_stop = std::min(t_stop, std::max(t0, (ray.origin.z - lowest_ + slack) / -along.z));
+        stretch.end = std::min(t_end, std::max(stretch.begin, (ray.origin.z - lowest_ + slack) / -along.z));
     } else {
         if (above > 0) return {};
-        if (along.z > 0) t_stop = std::min(t_stop, -above / along.z);
+        if (along.z > 0) stretch.end = std::min(t_end, -above / along.z);
     }
-    if (along == glm::dvec3(0)) t_stop = t0;
-    if (t0 > t_stop) return {};
+    if (along == glm::dvec3(0)) stretch.end = stretch.begin;
+    if (stretch.begin > stretch.end) return {};
+    return stretch;
+}
+
+std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_end, double bend) const {
+    const auto stretch = stretch_of(ray, t_end, bend);
+    if (!stretch) return {};
+    const glm::dvec3 along = ray.direction;
+    double t0 = stretch->begin;
 
     // From the tile that the walk begins in: far from it a place would lose its digits. Cells begin at texel centres.
     glm::dvec2 tile(0);
@@ -112,33 +138,19 @@ std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_
         tile = glm::floor((glm::dvec2(ray.origin) + t0 * glm::dvec2(along)) / glm::dvec2(size_)) * glm::dvec2(size_);
     const glm::dvec3 origin(glm::dvec2(ray.origin) - tile - 0.5, ray.origin.z);
     const auto at = [&](double t) { return origin + t * along + glm::dvec3(0, 0, bend * t * t); };
-    const double cells = (std::abs(along.x) + std::abs(along.y)) * (t_stop - t0);
-    const glm::dvec3 first = at(t0);
-    if (!is_finite(first) || !(std::abs(first.x) + std::abs(first.y) < 1e15)) return {};
+    glm::dvec3 from = at(t0);
+    if (!is_finite(from) || !(std::abs(from.x) + std::abs(from.y) < 1e15)) return {};
 
-    Crossings across_u(origin.x, along.x, first.x), across_v(origin.y, along.y, first.y);
-    int64_t column = int64_t(std::floor(first.x)), row = int64_t(std::floor(first.y));
-    int64_t stored_column = wrapped(column, size_.x), stored_row = wrapped(row, size_.y);
-    const auto enter_next = [&](int64_t& index, int64_t& stored, Crossings& lines, int side) {
-        index += lines.step, lines.next += lines.step;
-        if (!wraps_)
-            stored = wrapped(index, side);
-        else if (lines.step > 0)
-            stored = stored + 1 == side ? 0 : stored + 1;
-        else
-            stored = stored == 0 ? side - 1 : stored - 1;
-    };
-
-    glm::dvec3 from = first;
+    AxisWalk across_u(origin.x, along.x, from.x, size_.x, wraps_), across_v(origin.y, along.y, from.y, size_.y, wraps_);
     double t_u = across_u.t(), t_v = across_v.t();
     for (int64_t count = 1;; ++count) {
-        const double t1 = std::min({std::max(t0, std::min(t_u, t_v)), t_stop});
+        const double t1 = std::min({std::max(t0, std::min(t_u, t_v)), stretch->end});
         const glm::dvec3 to = at(t1);
-        const size_t here = place(stored_column, stored_row);
+        const size_t here = place(across_u.stored(), across_v.stored());
         const double sag =
             bend * (t1 - t0) * (t1 - t0) / 2;  // between its ends a ray that bends is lower by half of it
         if (std::min(from.z, to.z) - sag <= tops_[here]) {
-            const glm::dvec3 corner(column, row, 0);
+            const glm::dvec3 corner(across_u.cell(), across_v.cell(), 0);
             Gap gap = gap_above_cell(cell(here), from - corner, to - corner);
             gap.middle -= sag;
             if (closes(gap)) {
@@ -146,16 +158,19 @@ std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_
                 return Hit{t, glm::dvec2(at(t)) + 0.5 + tile, count};
             }
         }
-        if (t1 >= t_stop) return {};
-        if (double(count) > max_cells)
+        if (t1 >= stretch->end) return {};
+        if (double(count) > max_cells) {
+            const double cells = (std::abs(along.x) + std::abs(along.y)) * (stretch->end - stretch->begin);
             throw Error(fmt::format("a ray crosses {} cells of a height map; the limit is {}", rounded(cells),
                                     rounded(max_cells)));
-        t0 = t1, from = to;
+        }
+        t0 = t1;
+        from = to;
         if (t_u <= t_v) {
-            enter_next(column, stored_column, across_u, size_.x);
+            across_u.enter_next();
             t_u = across_u.t();
         } else {
-            enter_next(row, stored_row, across_v, size_.y);
+            across_v.enter_next();
             t_v = across_v.t();
         }
     }

@@ -54,7 +54,12 @@ public:
     bool is_lit(glm::dvec2 texel, glm::dvec3 direction) const;
 
 private:
-    int64_t wrapped(int64_t index, int side) const;
+    size_t place_of(glm::dvec2 corner) const;
+    /// Of a ray: above the highest height nothing can be hit; a little below the lowest one everything has been.
+    struct Stretch {
+        double begin, end;
+    };
+    std::optional<Stretch> stretch_of(const Ray& ray, double t_end, double bend) const;
     size_t place(int64_t column, int64_t row) const { return size_t((row + 1) * (size_.x + 2) + column + 1); }
     HeightCell cell(size_t place) const;
 
