@@ -70,12 +70,16 @@ enum class Show { picture, probe, truth, error };
 Show what_to_show(const ShotArguments& arguments, Probe& probe) {
     if (!arguments.mistake.empty() && !arguments.truth.empty())
         throw UsageError("--mistake changes the drawn picture, so it does not go with --truth");
-    const bool several = !arguments.probe.empty() + !arguments.truth.empty() + !arguments.error.empty() > 1;
-    if (several) throw UsageError("give only one of --probe, --truth and --error");
-    probe.name = arguments.probe + arguments.truth + arguments.error;
-    if (!arguments.probe.empty()) return Show::probe;
-    if (!arguments.truth.empty()) return Show::truth;
-    return arguments.error.empty() ? Show::picture : Show::error;
+    const std::pair<Show, std::string> wanted[] = {
+        {Show::probe, arguments.probe}, {Show::truth, arguments.truth}, {Show::error, arguments.error}};
+    Show show = Show::picture;
+    for (const auto& [one, name] : wanted) {
+        if (name.empty()) continue;
+        if (show != Show::picture) throw UsageError("give only one of --probe, --truth and --error");
+        show = one;
+        probe.name = name;
+    }
+    return show;
 }
 
 int take_shot(const ShotArguments& arguments) {

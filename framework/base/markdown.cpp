@@ -160,19 +160,24 @@ std::vector<Block> parse_markdown(std::string_view text) {
     // What looks like HTML is text: a menu shows none.
     parser.flags = MD_FLAG_TABLES | MD_FLAG_NOHTML;
     parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* builder) {
-        return static_cast<Builder*>(builder)->enter(type, detail), 0;
+        static_cast<Builder*>(builder)->enter(type, detail);
+        return 0;
     };
     parser.leave_block = [](MD_BLOCKTYPE type, void*, void* builder) {
-        return static_cast<Builder*>(builder)->leave(type), 0;
+        static_cast<Builder*>(builder)->leave(type);
+        return 0;
     };
     parser.enter_span = [](MD_SPANTYPE type, void* detail, void* builder) {
-        return static_cast<Builder*>(builder)->enter(type, detail), 0;
+        static_cast<Builder*>(builder)->enter(type, detail);
+        return 0;
     };
     parser.leave_span = [](MD_SPANTYPE type, void*, void* builder) {
-        return static_cast<Builder*>(builder)->leave(type), 0;
+        static_cast<Builder*>(builder)->leave(type);
+        return 0;
     };
     parser.text = [](MD_TEXTTYPE type, const MD_CHAR* begin, MD_SIZE size, void* builder) {
-        return static_cast<Builder*>(builder)->text(type, {begin, size}), 0;
+        static_cast<Builder*>(builder)->text(type, {begin, size});
+        return 0;
     };
     Builder builder;
     if (md_parse(text.data(), MD_SIZE(text.size()), &parser, &builder) != 0) throw std::bad_alloc();

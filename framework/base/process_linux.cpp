@@ -181,7 +181,8 @@ pid_t spawn(Start s) {
     const pid_t process = fork();
     if (process == 0) become(s);
     if (process < 0) throw Error(fmt::format("no new process: {}", std::strerror(errno)));
-    copies.clear(), told.write.close();
+    copies.clear();
+    told.write.close();
     int reason = 0;
     if (!read_all(told.read, &reason, sizeof reason)) return process;
     wait_for(process);
@@ -222,7 +223,8 @@ public:
         const auto begin = Clock::now();
         launch();
         watch(begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(job_.limits.wall)));
-        kill(-process_, SIGKILL), kill(process_, SIGKILL);
+        kill(-process_, SIGKILL);
+        kill(process_, SIGKILL);
         if (!has_ended_) status_ = wait_for(process_);
         result_.wall = std::chrono::duration<double>(Clock::now() - begin).count();
         if (!result_.stopped) result_.exit_with(WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_));
@@ -304,7 +306,8 @@ const char* name_of(Ending ending) {
 }
 
 void ProcessResult::exit_with(int shell_code) {
-    code = shell_code > 128 ? shell_code - 128 : shell_code, ending = Ending::exited;
+    code = shell_code > 128 ? shell_code - 128 : shell_code;
+    ending = Ending::exited;
     if (shell_code <= 128) return;
     // We have not sent it: the system does when memory runs out.
     ending = code == SIGKILL ? Ending::out_of_memory : code == SIGXCPU ? Ending::out_of_time : Ending::crashed;

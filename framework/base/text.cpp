@@ -104,7 +104,10 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
     for (const std::string& candidate : known) {
         const bool begins = !word.empty() && candidate.starts_with(word);
         const int distance = begins ? 1 : edit_distance(word, candidate);
-        if (distance < best_distance) best = &candidate, best_distance = distance;
+        if (distance < best_distance) {
+            best = &candidate;
+            best_distance = distance;
+        }
     }
     if (!best) return {};
     return *best;

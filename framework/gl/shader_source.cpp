@@ -226,7 +226,10 @@ ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines) {
             result.text += fmt::format("{}:{}: {}\n", shown(place.file), place.line, parsed.message);
         // A line with a place says more than a heading without one.
         const bool better = result.first_message.empty() || (result.first.file.empty() && !place.file.empty());
-        if (better && !parsed.is_warning) result.first = place, result.first_message = parsed.message;
+        if (better && !parsed.is_warning) {
+            result.first = place;
+            result.first_message = parsed.message;
+        }
     }
     return result;
 }

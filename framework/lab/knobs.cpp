@@ -39,25 +39,31 @@ public:
         const auto number = parse_number(text_);
         // In float, as the range is: 0.1 as a double lies below 0.1f.
         if (!number || float(*number) < low || float(*number) > high) refuse(plain(low) + " to " + plain(high));
-        value = float(*number), done = true;
+        value = float(*number);
+        done = true;
     }
     void steps(const char* name, int& value, int low, int high, const char*) override {
         if (name != name_) return;
         const auto number = parse_int(text_);
         if (!number || *number < low || *number > high) refuse(fmt::format("whole numbers from {} to {}", low, high));
-        value = *number, done = true;
+        value = *number;
+        done = true;
     }
     void toggle(const char* name, bool& value, const char*) override {
         if (name != name_) return;
         const bool on = text_ == "on" || text_ == "true" || text_ == "1";
         const bool off = text_ == "off" || text_ == "false" || text_ == "0";
         if (!on && !off) refuse("on or off");
-        value = on, done = true;
+        value = on;
+        done = true;
     }
     void choice(const char* name, int& value, std::span<const char* const> names, const char*) override {
         if (name != name_) return;
         for (size_t i = 0; i < names.size(); ++i)
-            if (text_ == names[i]) value = int(i), done = true;
+            if (text_ == names[i]) {
+                value = int(i);
+                done = true;
+            }
         const std::vector<std::string> known(names.begin(), names.end());
         if (!done) throw UsageError(unknown("value of knob " + name_ + ",", text_, known));
     }

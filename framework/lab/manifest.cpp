@@ -130,8 +130,11 @@ Limits read_limits(Table table) {
         table.read(key, value, 0, highest);
         if (value >= 0) limit = value;
     };
-    read("mean", limits.mean, any), read("p99", limits.p99, any), read("largest", limits.largest, any);
-    read("at_least", limits.at_least, any), read("wrong", limits.wrong, 1);
+    read("mean", limits.mean, any);
+    read("p99", limits.p99, any);
+    read("largest", limits.largest, any);
+    read("at_least", limits.at_least, any);
+    read("wrong", limits.wrong, 1);
     table.read("outline", limits.outline, 0, 1);
     table.finish();
     if (limits.at_least && !(limits.mean && *limits.at_least < *limits.mean))
@@ -151,7 +154,8 @@ CheckInfo read_check(Table& table, const Manifest& manifest) {
     if (auto limits = table.table("limit")) check.limits = read_limits(*limits);
     table.read("reason", check.reason);
     check.look_at = table.text("look_at");
-    table.read("needs", check.needs), table.read("leans_on", check.leans_on);
+    table.read("needs", check.needs);
+    table.read("leans_on", check.leans_on);
     table.finish();
     require(table, "task", [&] { manifest.task(check.task); });
     const auto refuse_wrong = [&](const char* key, const std::vector<std::string>& tasks) {
@@ -162,7 +166,8 @@ CheckInfo read_check(Table& table, const Manifest& manifest) {
                 table.fail(key, fmt::format("'{}' names task {} twice", key, *one));
         }
     };
-    refuse_wrong("needs", check.needs), refuse_wrong("leans_on", check.leans_on);
+    refuse_wrong("needs", check.needs);
+    refuse_wrong("leans_on", check.leans_on);
     if (check.shot.probe) require(table, "probe", [&] { manifest.probe(check.shot.probe.name); });
     const Limits& limits = check.limits;
     const bool limited = limits.mean || limits.p99 || limits.largest || limits.wrong;

@@ -73,7 +73,10 @@ std::vector<const LabEntry*> find_labs(const std::string& text) {
         const auto first = parse_int(ends[0]), last = parse_int(ends[1]);
         bool any = false;
         for (const LabEntry& lab : registry())
-            if (first && last && *first <= lab.number && lab.number <= *last) found[lab.number] = &lab, any = true;
+            if (first && last && *first <= lab.number && lab.number <= *last) {
+                found[lab.number] = &lab;
+                any = true;
+            }
         if (!any)
             throw UsageError(
                 fmt::format("'{}' contains no lab: a range is two numbers, the smaller first, like 1-5", part));

@@ -49,7 +49,8 @@ public:
                     if (is_convex(neighbour)) std::erase(reflex_, neighbour);
                     ring_[neighbour].is_ear = is_ear(neighbour);
                 }
-                --left, misses = 0;
+                --left;
+                misses = 0;
                 at = ring_[after].after;  // not the neighbour: a fan around one corner has needles for triangles
             } else {
                 ++misses;
