@@ -81,17 +81,10 @@ Mesh DisplacedSurface::mesh() const {
     return mesh;
 }
 
-void DisplacedSurface::renew() const {
-    const std::array of{shape, corners(), density, repeat};
-    if (made_ && made_->of == of) return;
-    ++version_;
-    made_.reset();
-    made_.emplace(Made{of, make_patches(mesh(), corners()), GpuPatches([this] { return made_->patches; })});
-}
-
-const PatchMesh& DisplacedSurface::patches() const {
-    renew();
-    return made_->patches;
+const DisplacedSurface::Made& DisplacedSurface::made() const {
+    return made_.get({shape, corners(), density, repeat}, [this]() -> Made {
+        return {make_patches(mesh(), corners()), GpuPatches([this] { return patches(); })};
+    });
 }
 
 void DisplacedSurface::set(const Program& program, const Frame& frame) const {
@@ -104,9 +97,9 @@ void DisplacedSurface::set(const Program& program, const Frame& frame) const {
 }
 
 void DisplacedSurface::draw() const {
-    renew();
-    glBindVertexArray(made_->uploaded.layout());
-    draw_patches(made_->uploaded.count(), made_->uploaded.control_points());
+    const GpuPatches& patches = made().uploaded;
+    glBindVertexArray(patches.layout());
+    draw_patches(patches.count(), patches.control_points());
 }
 
 int DisplacedSurface::draw_and_count() const {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "framework/gl/patches.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/relief_material.h"
 #include "framework/lab/lab.h"
 
@@ -19,10 +20,13 @@ public:
 
     void knobs(Knobs& knobs);
 
-    const PatchMesh& patches() const;
+    const PatchMesh& patches() const { return made().patches; }
     const Image& heights() const { return material.heights(); }
     /// Counts up when patches() or heights() change.
-    int version() const { return patches(), version_ + material.version(); }
+    int version() const {
+        made();
+        return made_.version() + material.version();
+    }
     /// Per unit of the shape's own uv; those of the patches are in tiles.
     glm::vec2 tiles() const;
     /// Of the relief, in metres.
@@ -60,15 +64,13 @@ public:
 private:
     float tile() const;  ///< its width, metres
     Mesh mesh() const;
-    void renew() const;
 
     struct Made {
-        std::array<int, 4> of;  ///< shape, corners, density, repeat
         PatchMesh patches;
         GpuPatches uploaded;
     };
-    mutable std::optional<Made> made_;
-    mutable int version_ = 0;
+    const Made& made() const;
+    mutable Kept<Made, int, int, int, int> made_;  ///< by shape, corners, density and repeat
     mutable std::optional<QueryName> count_;
 };
 

@@ -52,14 +52,11 @@ void ReliefMaterial::knobs(Knobs& knobs) {
 
 bool ReliefMaterial::is_asset() const { return map == ReliefMap::wall || map == ReliefMap::paving; }
 
-const Image& ReliefMaterial::heights() const {
-    renew();
-    return made_->heights;
+const ReliefMaterial::Made& ReliefMaterial::made() const {
+    return made_.get({map, size, bits}, [this] { return make(); });
 }
 
-void ReliefMaterial::renew() const {
-    const std::array of{map, size, bits};
-    if (made_ && made_->of == of) return;
+ReliefMaterial::Made ReliefMaterial::make() const {
     Image image, full;
     const char* const height_asset = map == ReliefMap::wall ? "bricks_height.png" : "paving_height.png";
     if (is_asset()) {
@@ -72,15 +69,12 @@ void ReliefMaterial::renew() const {
     mend_heights(image);
     if (bits == 1) image = with_8_bits(std::move(image));
     const bool is_whole = is_asset() && full.values.empty();  // its integers need no mending
-    ++version_;
-    made_.reset();
-    made_.emplace(Made{
-        of, std::move(image), std::move(full),
-        is_whole ? load_texture(height_asset, ColorSpace::linear)
-                 : Texture("heights", [this] { return made_->heights; }),
+    return {
+        std::move(image), std::move(full),
+        is_whole ? load_texture(height_asset, ColorSpace::linear) : Texture("heights", [this] { return heights(); }),
         is_asset() ? load_texture(map == ReliefMap::wall ? "bricks_albedo.png" : "paving_albedo.png", ColorSpace::srgb)
                    : Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
-        Texture("normals", [this] { return normals(); })});
+        Texture("normals", [this] { return normals(); })};
 }
 
 Image ReliefMaterial::albedo() const {
@@ -100,9 +94,8 @@ Image ReliefMaterial::albedo() const {
 
 /// At each texel, across the two chords between the points beside it.
 Image ReliefMaterial::normals() const {
-    renew();
     // In full detail, also where the search makes do with less.
-    const Image& heights = made_->full.values.empty() ? made_->heights : made_->full;
+    const Image& heights = made().full.values.empty() ? made().heights : made().full;
     const int side = heights.width;
     const auto point = [&](int x, int y) {  // in texels; row 0 is the top
         const float height = *heights.pixel((x + side) % side, (y + side) % side);
@@ -121,10 +114,9 @@ Image ReliefMaterial::normals() const {
 }
 
 void ReliefMaterial::set(const Program& program) const {
-    renew();
-    program.set("s_heights", 0, made_->height_texture);
-    program.set("s_albedo", 1, made_->albedo_texture);
-    program.set("s_normals", 2, made_->normal_texture);
+    program.set("s_heights", 0, made().height_texture);
+    program.set("s_albedo", 1, made().albedo_texture);
+    program.set("s_normals", 2, made().normal_texture);
 }
 
 }  // namespace relief

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
+#include "framework/kit/kept.h"
 #include "framework/lab/lab.h"
 
 namespace relief {
@@ -15,12 +15,20 @@ struct ReliefMap {
 
 class ReliefMaterial {
 public:
+    enum Size { texels_1, texels_256, texels_512, texels_1024, texels_4096 };
+
+    ReliefMaterial() = default;
+    ReliefMaterial(const ReliefMaterial&) = delete;  // its textures are made by what it knows
+
     void knobs(Knobs& knobs);
 
     /// Finite, in [0, 1], rounded as they are stored; row 0 at the top.
-    const Image& heights() const;
+    const Image& heights() const { return made().heights; }
     /// Counts up when heights() becomes another image, so that what is made from it can be made anew.
-    int version() const { return heights(), version_; }
+    int version() const {
+        made();
+        return made_.version();
+    }
     /// As the normal map has them, made anew with each call.
     Image normals() const;
 
@@ -32,21 +40,20 @@ public:
     static constexpr float normals_depth = 0.08f;
 
     // The knobs. A lab may begin with others.
-    int map = ReliefMap::wall, size = 2, bits = 0;
+    int map = ReliefMap::wall, size = texels_512, bits = 0;
     int asset_texels = 1024;  ///< no knob: of the wall and the paving, where a lab sees them from far away
 
 private:
     bool is_asset() const;
     Image albedo() const;
-    void renew() const;
 
     struct Made {
-        std::array<int, 3> of;  ///< map, size, bits
-        Image heights, full;    ///< full: of an asset that the search has less of; else empty
+        Image heights, full;  ///< full: of an asset that the search has less of; else empty
         Texture height_texture, albedo_texture, normal_texture;
     };
-    mutable std::optional<Made> made_;
-    mutable int version_ = 0;
+    const Made& made() const;
+    Made make() const;
+    mutable Kept<Made, int, int, int> made_;  ///< by map, size and bits
 };
 
 }  // namespace relief

@@ -42,14 +42,13 @@ void ReliefSurface::knobs(Knobs& knobs) {
                 "offset of the uv, in tiles; all but three whole ones are dropped before the shader");
 }
 
-const Mesh& ReliefSurface::mesh() const {
-    if (shape == wall && extent_ != extent) meshes_[wall].reset(), uploaded_[wall].reset(), extent_ = extent;
-    std::optional<Mesh>& mesh = meshes_[shape];
-    if (!mesh)
-        mesh = shape == wall     ? make_quad({.width = extent, .height = extent})
-               : shape == column ? make_column(column_shape)
-                                 : read_urn();
-    return *mesh;
+const ReliefSurface::Shaped& ReliefSurface::shaped() const {
+    return shaped_.get({shape, extent}, [this]() -> Shaped {
+        return {shape == wall     ? make_quad({.width = extent, .height = extent})
+                : shape == column ? make_column(column_shape)
+                                  : read_urn(),
+                upload([this] { return mesh(); })};
+    });
 }
 
 ReliefMapping ReliefSurface::mapping() const {
@@ -80,22 +79,22 @@ void ReliefSurface::set(const Program& program, const Frame& frame, const glm::d
 
 void ReliefSurface::set_exact_hit(const Program& program, int unit) const {
     if (glGetUniformLocation(program, "u_window_extent") < 0) return;  // this permutation shows no error
-    if (!windows_ || windows_version_ != version()) {
-        windows_version_ = version();
-        windows_ = height_windows(heights());
-        window_texture_.emplace(
-            "windows", [this] { return windows_->clearance; }, TextureOptions{.mips = false, .layers = 4});
-    }
-    const std::array<int, 4>& cells = windows_->extent;
-    program.set("s_windows", unit, *window_texture_);
+    const std::array<int, 4>& cells = windows().heights.extent;
+    program.set("s_windows", unit, windows().texture);
     program.set("u_window_extent", glm::vec4(cells[0], cells[1], cells[2], cells[3]));
 }
 
+const ReliefSurface::Windows& ReliefSurface::windows() const {
+    return windows_.get({version()}, [this]() -> Windows {
+        return {height_windows(heights()),
+                Texture("windows", [this] { return windows().heights.clearance; }, {.mips = false, .layers = 4})};
+    });
+}
+
 void ReliefSurface::draw() const {
-    std::optional<GpuMesh>& mesh = uploaded_[(this->mesh(), shape)];
-    if (!mesh) mesh = upload([this] { return this->mesh(); });
-    glBindVertexArray(mesh->layout());
-    glDrawElements(GL_TRIANGLES, mesh->count(), GL_UNSIGNED_INT, nullptr);
+    const GpuMesh& mesh = shaped().uploaded;
+    glBindVertexArray(mesh.layout());
+    glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace relief

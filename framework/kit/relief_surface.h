@@ -1,9 +1,8 @@
 // The surface of labs 10 to 12: a mesh, a height map, and how the map lies on the mesh.
 #pragma once
 
-#include <optional>
-
 #include "framework/height/skips.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/relief_material.h"
 #include "framework/lab/lab.h"
 #include "framework/mesh/relief.h"
@@ -21,7 +20,7 @@ public:
     void knobs(Knobs& knobs);
 
     const Image& heights() const { return material.heights(); }
-    const Mesh& mesh() const;
+    const Mesh& mesh() const { return shaped().mesh; }
     ReliefMapping mapping() const;
     int version() const { return material.version(); }
 
@@ -43,12 +42,19 @@ public:
     int shift = 0;  ///< tiles; mapping() has what is left of it when fours are dropped
 
 private:
-    mutable std::optional<HeightWindows> windows_;
-    mutable std::optional<Texture> window_texture_;
-    mutable int windows_version_ = 0;  ///< of the map that the windows are of
-    mutable std::optional<Mesh> meshes_[3];
-    mutable float extent_ = 0;  ///< that the wall was made with
-    mutable std::optional<GpuMesh> uploaded_[3];
+    struct Shaped {
+        Mesh mesh;
+        GpuMesh uploaded;
+    };
+    const Shaped& shaped() const;
+    mutable Kept<Shaped, int, float> shaped_;  ///< by shape and extent
+
+    struct Windows {
+        HeightWindows heights;
+        Texture texture;
+    };
+    const Windows& windows() const;
+    mutable Kept<Windows, int> windows_;  ///< by the material's version
 };
 
 }  // namespace relief

@@ -38,6 +38,8 @@ struct Frame {
 /// without a context, and loads what its knobs need and no more.
 class Lab {
 public:
+    Lab() = default;
+    Lab(const Lab&) = delete;  // textures and meshes are made by what their lab knows, so it stays where it is
     virtual ~Lab() = default;
     virtual void draw(const Frame& frame) = 0;
     virtual void knobs(Knobs&) {}

@@ -13,6 +13,7 @@ struct ReliefMapping {
     glm::vec2 depth = {0.08, 0.08};  ///< a height of 1, in tiles along u and along v
     float metres = 0.08f;            ///< and in metres
     int texels = 512;                ///< along each side of the map
+    bool operator==(const ReliefMapping&) const = default;
 };
 
 }  // namespace relief

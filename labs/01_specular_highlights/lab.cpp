@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "framework/kit/light.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
 #include "scene.h"
@@ -67,8 +68,7 @@ private:
         const glm::vec2 part = 2.0f * glm::vec2(shown.value_or(glm::ivec2(0, size.x))) / float(size.x) - 1.0f;
         glViewport(corner.x, corner.y, size.x, size.y);
         const Camera camera = size == frame.size ? frame.camera : frame_in(frame, {corner, size}).camera;
-        const float yaw_rad = glm::radians(light_yaw_);
-        const glm::vec3 light(2.8f * std::sin(yaw_rad), light_height_, 2.8f * std::cos(yaw_rad));
+        const glm::vec3 light = lamp_at(light_yaw_, 2.8f, light_height_);
         const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : ""});
         glUseProgram(surface);
         const glm::mat4 clip_from_world(camera.clip_from_world());

@@ -8,9 +8,10 @@
 
 #include "formats.h"
 #include "framework/base/text.h"
-#include "framework/gl/target.h"
 #include "framework/image/compare.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
+#include "framework/kit/numbers.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
 #include "truth.h"
@@ -30,7 +31,7 @@ public:
             draw_sphere(frame_in(frame, tiles[i]), tiles[i], format_of(i));
             describe(frame.size, tiles[i], format_of(i), errors[i]);
         }
-        if (show_ != 1) labels_.log_scale(frame.size, "0.001~", "10~", 4);
+        if (show_ != light) labels_.log_scale(frame.size, "0.001~", "10~", 4);
         labels_.draw(frame);
     }
 
@@ -54,13 +55,9 @@ public:
 private:
     enum View { every, one };
     static constexpr std::array views = {"every", "one"};
+    enum Show { half_and_half, light, error_map };
     static constexpr std::array shows = {"half-and-half", "light", "error"};
     static constexpr glm::ivec2 measured{512, 256};
-
-    struct Measured {
-        GLuint by = 0;
-        ErrorSummary error;
-    };
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         return tiles_of(size, view_ == one ? 1 : int(storage::formats.size()), Labels::scale_height(size));
@@ -86,7 +83,7 @@ private:
         sphere.set("u_forward", forward);
         sphere.set("u_right", side({1, 0}));
         sphere.set("u_up", side({0, 1}));
-        sphere.set("u_split", show_ == 0 ? 0.0f : show_ == 1 ? 2.0f : -2.0f);
+        sphere.set("u_split", show_ == half_and_half ? 0.0f : show_ == light ? 2.0f : -2.0f);
         glBindVertexArray(nothing_.layout());
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
@@ -95,21 +92,17 @@ private:
     /// another, as it is when a shader was saved.
     const ErrorSummary& measure(int format) {
         const Program& sphere = program(format, "MEASURE");
-        Measured& known = measured_[format];
-        if (known.by == sphere) return known.error;
-        known.by = sphere;
-        const Target target(TargetKind::probe, measured);
-        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-        glClear(GL_DEPTH_BUFFER_BIT);
-        glViewport(0, 0, measured.x, measured.y);
-        glUseProgram(sphere);
-        sphere.set("u_measured", measured);
-        glBindVertexArray(nothing_.layout());
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        const Image drawn = target.read();
-        Image error(measured.x, measured.y, 1);
-        for (size_t i = 0; i < error.values.size(); ++i) error.values[i] = drawn.values[i * 4];
-        return known.error = summarize(error);
+        return measured_[format].get({sphere}, [&] {
+            const Image drawn = draw_numbers(measured, [&] {
+                glUseProgram(sphere);
+                sphere.set("u_measured", measured);
+                glBindVertexArray(nothing_.layout());
+                glDrawArrays(GL_TRIANGLES, 0, 3);
+            });
+            Image error(measured.x, measured.y, 1);
+            for (size_t i = 0; i < error.values.size(); ++i) error.values[i] = drawn.values[i * 4];
+            return summarize(error);
+        });
     }
 
     void describe(glm::ivec2 size, const Tile& tile, int format, const ErrorSummary& error) {
@@ -125,9 +118,9 @@ private:
     Programs sphere_{"02_normal_map_storage/window.vert", "02_normal_map_storage/sphere.frag"};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
-    std::map<int, Measured> measured_;  ///< by format
+    std::map<int, Kept<ErrorSummary, GLuint>> measured_;  ///< by format
 
-    int view_ = every, format_ = 0, show_ = 0;
+    int view_ = every, format_ = 0, show_ = half_and_half;
     bool mismatch_ = false;
 };
 

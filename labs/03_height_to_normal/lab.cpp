@@ -9,10 +9,10 @@
 #include "differences.h"
 #include "framework/base/error.h"
 #include "framework/base/text.h"
-#include "framework/gl/target.h"
 #include "framework/image/asset.h"
 #include "framework/image/compare.h"
 #include "framework/image/mips.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
@@ -26,21 +26,21 @@ class HeightToNormal final : public Lab {
 public:
     void draw(const Frame& frame) override {
         const auto tiles = tiles_of_view(frame.size);
-        if (auto now = makers(tiles.size()); now != makers_) heights_.reset(), maps_.clear(), makers_ = std::move(now);
-        make_heights();
-        for (size_t i = 0; i < tiles.size(); ++i) make_normals(filter_of(i));
+        Maps& maps = maps_.get({makers(tiles.size()), inputs()}, [this] { return make_maps(); });
+        for (size_t i = 0; i < tiles.size(); ++i)
+            if (!maps.normals.contains(filter_of(i)))
+                maps.normals.emplace(filter_of(i), make_normals(filter_of(i), maps.heights));
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (size_t i = 0; i < tiles.size(); ++i) {
-            draw_wall(frame_in(frame, tiles[i]), tiles[i], maps_.at(filter_of(i)));
-            describe(frame.size, tiles[i], filter_of(i));
+            draw_wall(frame_in(frame, tiles[i]), tiles[i], maps, filter_of(i));
+            describe(frame.size, tiles[i], filter_of(i), maps.normals.at(filter_of(i)).error);
         }
         if (has_scale()) labels_.log_scale(frame.size, "0.001~", "10~", 4);
         labels_.draw(frame);
     }
 
     void knobs(Knobs& knobs) override {
-        const auto before = std::tuple(source_, size_, bits_, wrap_, where_, depth_, stretch_, fine_, middle_, coarse_);
         knobs.choice("view", view_, views, "every filter, or one of them");
         knobs.choice("filter", filter_, filters, "for view = one: the filter of the wall");
         knobs.choice("show", show_, shows, "the lit relief, the error compared with the exact slope, or half of each");
@@ -58,8 +58,6 @@ public:
         knobs.steps("repeat", repeat_, 1, 4, "repeats of the map along each side of the wall: look for seams");
         knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light around the wall, degrees");
         knobs.slider("light_height", light_height_, -2, 2, "height of the light, metres");
-        if (before != std::tuple(source_, size_, bits_, wrap_, where_, depth_, stretch_, fine_, middle_, coarse_))
-            heights_.reset(), truth_.reset(), maps_.clear();
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
@@ -73,7 +71,10 @@ public:
     }
 
 private:
+    enum View { every, one };
+    enum Show { half_and_half, light, error_map };
     enum Source { waves, bricks, colors };
+    enum Place { gpu, cpu };
     static constexpr std::array views = {"every", "one"};
     static constexpr std::array filters = {"forward", "central", "sobel", "scharr", "fourth-order", "spline"};
     static constexpr std::array shows = {"half-and-half", "light", "error"};
@@ -86,11 +87,11 @@ private:
     glm::dvec2 texels() const { return {depth_ / stretch_, depth_}; }
     glm::dvec2 wall() const { return glm::dvec2(std::min(1.0f, stretch_), std::min(1.0f, 1 / stretch_)); }
     bool has_known_slope() const { return source_ == waves && fine_ == 1 && middle_ == 1 && coarse_ == 1; }
-    bool has_scale() const { return show_ != 1 && has_known_slope(); }
+    bool has_scale() const { return show_ != light && has_known_slope(); }
     std::vector<Tile> tiles_of_view(glm::ivec2 frame) const {
-        return tiles_of(frame, view_ == 1 ? 1 : int(filters.size()), has_scale() ? Labels::scale_height(frame) : 0);
+        return tiles_of(frame, view_ == one ? 1 : int(filters.size()), has_scale() ? Labels::scale_height(frame) : 0);
     }
-    int filter_of(size_t tile) const { return view_ == 1 ? filter_ : int(tile); }
+    int filter_of(size_t tile) const { return view_ == one ? filter_ : int(tile); }
 
     /// A quarter of an asset's size: a filter reads every texel of it.
     static Image picture(const char* file) {
@@ -109,12 +110,8 @@ private:
         return with_level_strengths(image, {fine_, middle_, coarse_}, wrap_, 0);
     }
 
-    static Texture table(Image image) {
-        return Texture("table", [image = std::move(image)] { return image; }, {.wrap = Wrap::clamp, .mips = false});
-    }
-    static Texture lines(int filter, int count, bool wrap) {
-        return Texture("differences", [=] { return heights::differences_of_lines(SlopeFilter(filter), count, wrap); },
-                       {.wrap = Wrap::clamp, .mips = false});
+    static Texture table(std::function<Image()> make) {
+        return Texture("table", std::move(make), {.wrap = Wrap::clamp, .mips = false});
     }
 
     const Program& normals_program(int filter) const {
@@ -124,39 +121,48 @@ private:
     std::vector<GLuint> makers(size_t tiles) const {
         std::vector<GLuint> programs;
         if (source_ == colors) programs.push_back(heights_program_.with());
-        for (size_t i = 0; i < tiles && where_ == 0; ++i) programs.push_back(normals_program(filter_of(i)));
+        for (size_t i = 0; i < tiles && where_ == gpu; ++i) programs.push_back(normals_program(filter_of(i)));
         return programs;
     }
 
-    void make_heights() {
-        if (heights_) return;
-        heights_.emplace(size(), GLenum(GL_R32F));
+    /// Of one setting of the knobs that maps depend on.
+    struct Maps {
+        heights::Map heights;
+        Texture truth;                        ///< exact normals
+        std::map<int, heights::Map> normals;  ///< by filter, those that were shown
+    };
+    std::vector<float> inputs() const {
+        return {float(source_), float(size_), float(bits_), float(wrap_), float(where_),
+                depth_,         stretch_,     fine_,        middle_,      coarse_};
+    }
+
+    Maps make_maps() const {
+        heights::Map heights(size(), GL_R32F);
         if (source_ == colors) {
             const Program& convert = heights_program_.with();
             glUseProgram(convert);
-            const Texture colors_of_bricks = table(picture("bricks_albedo.png"));
+            const Texture colors_of_bricks = table([] { return picture("bricks_albedo.png"); });
             convert.set("s_picture", 0, colors_of_bricks);
-            heights_->fill(nothing_);
-            return;
+            heights.fill(nothing_);
+        } else {
+            heights.fill(stored_heights());
         }
-        heights_->fill(stored_heights());
+        return {std::move(heights), table([this] { return heights::exact_normals(size(), texels()); }), {}};
     }
 
-    void make_normals(int filter) {
-        const auto [found, is_new] = maps_.try_emplace(filter, size(), GLenum(GL_RGBA32F));
-        if (!is_new) return;
-        heights::Map& map = found->second;
+    heights::Map make_normals(int filter, const heights::Map& heights) const {
+        heights::Map map(size(), GL_RGBA32F);
         const auto option = SlopeFilter(filter);
-        if (where_ == 1) {
+        if (where_ == cpu) {
             if (!heights::normals_by_cpu)
                 throw Error("the CPU's normals are not in this course: they are what task 3.1 asks for");
             const Image normals = heights::normals_by_cpu(
-                heights_->read(1), {.texels_u = texels().x, .texels_v = texels().y, .filter = option, .wrap = wrap_});
+                heights.read(1), {.texels_u = texels().x, .texels_v = texels().y, .filter = option, .wrap = wrap_});
             map.fill(normals);
         } else {
             const Program& convert = normals_program(filter);
             glUseProgram(convert);
-            const Texture differences = lines(filter, size(), wrap_);
+            const Texture differences = table([&] { return heights::differences_of_lines(option, size(), wrap_); });
             convert.set("u_differences", option == SlopeFilter::spline ? size() : 4);
             convert.set("u_beside", weight_beside(option));
             convert.set("u_wrap", wrap_);
@@ -165,17 +171,19 @@ private:
             convert.set("s_differences_v", 1, differences);
             glUniform1i(glGetUniformLocation(convert, "s_heights"), 0);
             glActiveTexture(GL_TEXTURE0);
-            glBindTexture(GL_TEXTURE_2D, *heights_);
+            glBindTexture(GL_TEXTURE_2D, heights);
             map.fill(nothing_);
         }
         if (has_known_slope())
             map.error =
                 summarize(error_image(map.read(3), heights::exact_normals(size(), texels()), ErrorMetric::angle));
+        return map;
     }
 
-    void draw_wall(const Frame& frame, const Tile& tile, const heights::Map& map) {
+    void draw_wall(const Frame& frame, const Tile& tile, const Maps& maps, int filter) const {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-        const bool show_error = show_ != 1 && map.error.count > 0 && !frame.probe;
+        const heights::Map& map = maps.normals.at(filter);
+        const bool show_error = show_ != light && map.error.count > 0 && !frame.probe;
         const Program& surface = wall_program_.with({frame.probe, show_error ? "ERROR" : ""});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
@@ -185,22 +193,20 @@ private:
         surface.set("u_wall", glm::vec2(wall()));
         surface.set("u_repeat", float(repeat_));
         if (show_error) {
-            if (!truth_) truth_.emplace(table(heights::exact_normals(size(), texels())));
-            surface.set("u_split", show_ == 0 ? 0.5f : 0.0f);
-            surface.set("s_truth", 2, *truth_);
+            surface.set("u_split", show_ == half_and_half ? 0.5f : 0.0f);
+            surface.set("s_truth", 2, maps.truth);
         }
         glUniform1i(glGetUniformLocation(surface, "s_normals"), 0);
         glUniform1i(glGetUniformLocation(surface, "s_heights"), 1);
         glActiveTexture(GL_TEXTURE1);
-        glBindTexture(GL_TEXTURE_2D, *heights_);
+        glBindTexture(GL_TEXTURE_2D, maps.heights);
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, map);
         glBindVertexArray(quad_.layout());
         glDrawElements(GL_TRIANGLES, quad_.count(), GL_UNSIGNED_INT, nullptr);
     }
 
-    void describe(glm::ivec2 size, const Tile& tile, int filter) {
-        const ErrorSummary& error = maps_.at(filter).error;
+    void describe(glm::ivec2 size, const Tile& tile, int filter, const ErrorSummary& error) {
         labels_.caption(size, tile, 0, filters[size_t(filter)]);
         if (error.count > 0)
             labels_.caption(size, tile, -1,
@@ -213,12 +219,10 @@ private:
     GpuMesh quad_ = upload([] { return make_quad({.width = 2, .height = 2}); });
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
-    std::optional<heights::Map> heights_;
-    std::map<int, heights::Map> maps_;  ///< by filter
-    std::optional<Texture> truth_;
-    std::vector<GLuint> makers_;
+    Kept<Maps, std::vector<GLuint>, std::vector<float>> maps_;
 
-    int view_ = 0, filter_ = 2, show_ = 0, source_ = waves, size_ = 1, bits_ = 0, where_ = 0, repeat_ = 2;
+    int view_ = every, filter_ = 2, show_ = half_and_half, source_ = waves, size_ = 1, bits_ = 0, where_ = gpu,
+        repeat_ = 2;
     bool wrap_ = true;
     float depth_ = 14, stretch_ = 1, fine_ = 1, middle_ = 1, coarse_ = 1, light_yaw_ = -50, light_height_ = 1.1f;
 };

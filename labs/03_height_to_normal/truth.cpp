@@ -1,5 +1,6 @@
 #include "truth.h"
 
+#include "framework/kit/numbers.h"
 #include "heights.h"
 
 namespace relief::heights {
@@ -17,21 +18,17 @@ Image exact_normals(int size, glm::dvec2 texels) {
 }
 
 Image on_wall(const Frame& frame, const Image& map, glm::dvec2 wall, double repeat) {
-    Image image(frame.size.x, frame.size.y, 4);
-    std::fill(image.values.begin(), image.values.end(), no_surface);
-    for (int y = 0; y < frame.size.y; ++y)
-        for (int x = 0; x < frame.size.x; ++x) {
-            const Ray ray = frame.ray(x, y);
-            const double t = -ray.origin.z / ray.direction.z;
-            const glm::dvec2 place = glm::dvec2(ray.at(t)) / wall;
-            if (!(t > 0) || !(std::abs(place.x) <= 1) || !(std::abs(place.y) <= 1)) continue;
-            const glm::dvec2 uv = glm::fract((place * 0.5 + 0.5) * repeat);
-            const int column = std::min(int(uv.x * map.width), map.width - 1);
-            const int row = std::min(int(uv.y * map.height), map.height - 1);
-            const float* const texel = map.pixel(column, map.height - 1 - row);
-            for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = c < map.channels ? texel[c] : 0;
-        }
-    return image;
+    return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
+        const double t = -ray.origin.z / ray.direction.z;
+        const glm::dvec2 place = glm::dvec2(ray.at(t)) / wall;
+        if (!(t > 0) || !(std::abs(place.x) <= 1) || !(std::abs(place.y) <= 1)) return {};
+        const glm::dvec2 uv = glm::fract((place * 0.5 + 0.5) * repeat);
+        const int column = std::min(int(uv.x * map.width), map.width - 1);
+        const int row = std::min(int(uv.y * map.height), map.height - 1);
+        glm::dvec4 value(0);
+        for (int c = 0; c < map.channels; ++c) value[c] = double(map.pixel(column, map.height - 1 - row)[c]);
+        return value;
+    });
 }
 
 }  // namespace relief::heights

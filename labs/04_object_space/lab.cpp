@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/kit/labels.h"
+#include "framework/kit/light.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
 #include "quilt.h"
@@ -42,12 +43,16 @@ public:
     }
 
 private:
+    enum View { every, one };
+    enum Map { world, object, tangent };
     static constexpr std::array views = {"every", "one"};
     static constexpr std::array maps = {"world", "object", "tangent"};
     static constexpr std::array defines = {"WORLD_MAP", "OBJECT_MAP", "TANGENT_MAP"};
 
-    std::vector<Tile> tiles_of_view(glm::ivec2 size) const { return tiles_of(size, view_ == 1 ? 1 : int(maps.size())); }
-    int map_of(size_t tile) const { return view_ == 1 ? map_ : int(tile); }
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
+        return tiles_of(size, view_ == one ? 1 : int(maps.size()));
+    }
+    int map_of(size_t tile) const { return view_ == one ? map_ : int(tile); }
 
     double rate() const { return glm::radians(double(twist_)) / quilt::column.height; }
     glm::dmat4 world_from_model() const {
@@ -56,18 +61,17 @@ private:
         return glm::translate(turned * quilt::rest(), glm::dvec3(0, -quilt::column.height / 2, 0));
     }
 
-    const Texture& texture(int map) const { return map == 0 ? world_ : map == 1 ? object_ : tangent_; }
+    const Texture& texture(int map) const { return map == world ? world_ : map == object ? object_ : tangent_; }
 
     void draw_column(const Frame& frame, const Tile& tile, int map) const {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-        const float yaw_rad = glm::radians(light_yaw_);
         const Program& surface = surface_.with({frame.probe, defines[size_t(map)]});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_world_from_model", world_from_model());
         surface.set("u_rate", rate());
         surface.set("u_eye", frame.camera.eye());
-        surface.set("u_light", glm::vec3(3 * std::sin(yaw_rad), 2.2f, 3 * std::cos(yaw_rad)));
+        surface.set("u_light", lamp_at(light_yaw_, 3, 2.2f));
         surface.set("s_normals", 0, texture(map));
         glBindVertexArray(column_.layout());
         glDrawElements(GL_TRIANGLES, column_.count(), GL_UNSIGNED_INT, nullptr);
@@ -96,7 +100,7 @@ private:
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
 
-    int view_ = 0, map_ = 2;
+    int view_ = every, map_ = tangent;
     float twist_ = 90, rotate_ = 0, translate_ = 0, light_yaw_ = 40;
     bool show_map_ = true;
 };

@@ -7,7 +7,9 @@
 #include <map>
 
 #include "framework/base/error.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
+#include "framework/kit/light.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
 #include "shapes.h"
@@ -31,7 +33,6 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        const auto before = std::tuple(shape_, columns_, rows_, jitter_, shear_, collapsed_);
         knobs.choice("view", view_, views, "the methods side by side, or one of them");
         knobs.choice("method", method_, methods, "for view = one: source of the tangent");
         knobs.choice("shape", shape_, shapes, "shape with the bricks");
@@ -44,7 +45,6 @@ public:
         knobs.slider("shear", shear_, -1, 1, "shear of the quad's texture: how much v grows along x");
         knobs.toggle("collapsed", collapsed_, "set all u to 0: no triangle has an area in uv");
         knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light around the shape, degrees");
-        if (before != std::tuple(shape_, columns_, rows_, jitter_, shear_, collapsed_)) meshes_.clear();
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
@@ -56,6 +56,8 @@ public:
     }
 
 private:
+    enum View { every, one };
+    enum Show { half_and_half, light, error_map };
     enum Method { per_face, uniform, area, angle, mikktspace, derivatives, analytic };
     static constexpr std::array views = {"every", "one"};
     static constexpr std::array methods = {"per-face",   "uniform",     "area",    "angle",
@@ -66,11 +68,12 @@ private:
 
     basis::Shape shape() const { return basis::Shape(shape_); }
     basis::CoarseMesh coarse() const { return basis::coarse_mesh(shape(), columns_, rows_, jitter_, shear_); }
-    bool has_scale() const { return show_ != 1; }
+    bool has_scale() const { return show_ != light; }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        return tiles_of(size, view_ == 1 ? 1 : int(side_by_side.size()), has_scale() ? Labels::scale_height(size) : 0);
+        return tiles_of(size, view_ == one ? 1 : int(side_by_side.size()),
+                        has_scale() ? Labels::scale_height(size) : 0);
     }
-    int method_of(size_t tile) const { return view_ == 1 ? method_ : side_by_side[tile]; }
+    int method_of(size_t tile) const { return view_ == one ? method_ : side_by_side[tile]; }
 
     Mesh make(int method) const {
         Mesh mesh = coarse().mesh;
@@ -94,7 +97,9 @@ private:
         }
     }
     const GpuMesh& mesh_of(int method) {
-        return meshes_.try_emplace(method, upload([this, method] { return make(method); })).first->second;
+        auto& meshes = meshes_.get({shape_, columns_, rows_, jitter_, shear_, collapsed_},
+                                   [] { return std::map<int, GpuMesh>(); });
+        return meshes.try_emplace(method, upload([this, method] { return make(method); })).first->second;
     }
 
     void draw_surface(const Frame& frame, const Tile& tile, int method) {
@@ -106,16 +111,15 @@ private:
         const GpuMesh& mesh = mesh_of(method);
         const Program& surface = surface_.with({frame.probe, method == derivatives ? "DERIVATIVES" : "", exact});
         glUseProgram(surface);
-        const float yaw_rad = glm::radians(light_yaw_);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_eye", frame.camera.eye());
-        surface.set("u_light", glm::vec3(3 * std::sin(yaw_rad), 2.4f, 3 * std::cos(yaw_rad)));
+        surface.set("u_light", lamp_at(light_yaw_, 3, 2.4f));
         surface.set("u_repeat", shape() == basis::Shape::quad  ? glm::vec2(2)
                                 : shape() == basis::Shape::box ? glm::vec2(1)
                                                                : glm::vec2(4, 2));
-        surface.set("u_split", float(tile.corner.x) + float(tile.size.x) * (show_ == 0   ? 0.5f
-                                                                            : show_ == 1 ? 2.0f
-                                                                                         : -1.0f));
+        surface.set("u_split", float(tile.corner.x) + float(tile.size.x) * (show_ == half_and_half ? 0.5f
+                                                                            : show_ == light       ? 2.0f
+                                                                                                   : -1.0f));
         surface.set("u_shear", shear_);
         surface.set("s_albedo", 0, albedo_);
         surface.set("s_normals", 1, normals_);
@@ -137,10 +141,11 @@ private:
     Programs frames_{"05_tangent_basis/lines.vert", "05_tangent_basis/lines.geom", "05_tangent_basis/lines.frag"};
     Texture albedo_ = load_texture("bricks_albedo.png", ColorSpace::srgb);
     Texture normals_ = load_texture("bricks_normal.png", ColorSpace::linear);
-    std::map<int, GpuMesh> meshes_;  ///< by method
+    Kept<std::map<int, GpuMesh>, int, int, int, float, float, bool> meshes_;  ///< by method
     Labels labels_;
 
-    int view_ = 0, method_ = angle, shape_ = int(basis::Shape::torus), show_ = 0, columns_ = 24, rows_ = 12;
+    int view_ = every, method_ = angle, shape_ = int(basis::Shape::torus), show_ = half_and_half, columns_ = 24,
+        rows_ = 12;
     bool lines_ = true, collapsed_ = false;
     float line_length_ = 14, jitter_ = 0.7f, shear_ = 0, light_yaw_ = 35;
 };

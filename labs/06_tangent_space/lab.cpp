@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/kit/labels.h"
+#include "framework/kit/light.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
 #include "scene.h"
@@ -20,8 +21,8 @@ public:
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         const auto tiles = tiles_of_view(frame.size);
         for (size_t i = 0; i < tiles.size(); ++i) {
-            draw_surface(frame_in(frame, tiles[i]), tiles[i], view_ == 1 ? chosen() : comparisons[i]);
-            if (view_ == 0) labels_.caption(frame.size, tiles[i], 0, comparisons[i].title);
+            draw_surface(frame_in(frame, tiles[i]), tiles[i], view_ == one ? chosen() : comparisons[i]);
+            if (view_ == compare) labels_.caption(frame.size, tiles[i], 0, comparisons[i].title);
         }
         labels_.draw(frame);
     }
@@ -50,7 +51,7 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
-        const bool has_map = normals_from_ == 0 && map_ == 0 && trouble_ <= 1;
+        const bool has_map = normals_from_ == from_map && map_ == bricks && (trouble_ == none || trouble_ == leaning);
         const frames::Pose pose{frames::Shape(shape_), world_from_model(), has_map ? double(strength_) : 0.0,
                                 glm::radians(double(turn_))};
         return truth_in_tiles(frame, tiles_of_view(frame.size),
@@ -66,6 +67,11 @@ private:
                                                         {"frame as interpolated", "AS_INTERPOLATED", "", ""},
                                                         {"normal by the model's matrix", "", "MODEL_MATRIX", ""},
                                                         {"tangent not turned", "", "", "TANGENT_STAYS"}}};
+    enum View { compare, one };
+    enum NormalsFrom { from_map, from_vertices };
+    enum Map { bricks, one_texel };
+    enum LightIn { world_space, tangent_space };
+    enum Trouble { none, leaning, along_normal, missing };
     static constexpr std::array views = {"compare", "one"};
     static constexpr std::array shapes = {"sphere", "column", "wall"};
     static constexpr std::array sources = {"map", "vertices"};
@@ -80,7 +86,7 @@ private:
                 turn_tangent_ ? "" : "TANGENT_STAYS"};
     }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        return tiles_of(size, view_ == 1 ? 1 : int(comparisons.size()));
+        return tiles_of(size, view_ == one ? 1 : int(comparisons.size()));
     }
 
     glm::dmat4 world_from_model() const {
@@ -93,23 +99,24 @@ private:
 
     void draw_surface(const Frame& frame, const Tile& tile, const Way& way) const {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-        const bool map = normals_from_ == 0;
+        const bool map = normals_from_ == from_map;
         const Program& surface =
             map ? surface_.with({frame.probe, "NORMAL_MAP", way.frame, way.normals, way.turn,
-                                 turn_ != 0 ? "TURNED" : "", light_in_ == 1 ? "IN_TANGENT_SPACE" : "",
+                                 turn_ != 0 ? "TURNED" : "", light_in_ == tangent_space ? "IN_TANGENT_SPACE" : "",
                                  trouble_defines[size_t(trouble_)]})
                 : surface_.with({frame.probe, way.normals});
         glUseProgram(surface);
-        const float yaw_rad = glm::radians(light_yaw_);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_world_from_model", world_from_model());
         surface.set("u_eye", frame.camera.eye());
-        surface.set("u_light",
-                    glm::vec3(light_distance_ * std::sin(yaw_rad), light_height_, light_distance_ * std::cos(yaw_rad)));
+        surface.set("u_light", lamp_at(light_yaw_, light_distance_, light_height_));
         surface.set("u_strength", strength_);
         surface.set("u_turn", glm::radians(turn_));
-        surface.set("s_normals", 0, map_ == 0 ? bricks_ : texel_);
-        const GpuMesh& mesh = shape_ == 0 ? sphere_ : shape_ == 1 ? column_ : wall_;
+        surface.set("s_normals", 0, map_ == bricks ? bricks_ : texel_);
+        const auto shape = frames::Shape(shape_);
+        const GpuMesh& mesh = shape == frames::Shape::sphere   ? sphere_
+                              : shape == frames::Shape::column ? column_
+                                                               : wall_;
         glBindVertexArray(mesh.layout());
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
     }
@@ -128,7 +135,8 @@ private:
     GpuMesh wall_ = upload([] { return frames::make_mirrored_wall(); });
     Labels labels_;
 
-    int view_ = 0, shape_ = 0, normals_from_ = 0, map_ = 0, light_in_ = 0, size_ = 0, trouble_ = 0;
+    int view_ = compare, shape_ = 0, normals_from_ = from_map, map_ = bricks, light_in_ = world_space, size_ = 0,
+        trouble_ = none;
     bool gram_schmidt_ = true, inverse_transpose_ = true, turn_tangent_ = true;
     glm::vec3 scale_{1.35f, 0.75f, 0.9f};
     float strength_ = 1, turn_ = 60, rotate_ = 0, light_yaw_ = -40, light_height_ = 2.2f, light_distance_ = 3;

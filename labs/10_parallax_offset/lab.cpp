@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include "framework/base/text.h"
-#include "framework/gl/target.h"
 #include "framework/image/compare.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
+#include "framework/kit/light.h"
+#include "framework/kit/numbers.h"
 #include "framework/kit/relief_surface.h"
 #include "framework/kit/tiles.h"
 #include "truth.h"
@@ -21,11 +23,11 @@ public:
     void draw(const Frame& frame) override {
         const auto sights = sights_of(frame);
         const bool words = !frame.probe && (view_ == strip || show_ != light);
-        if (words) measure(sights);
+        const std::vector<double> means = words ? measure(sights) : std::vector<double>();
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (const Sight& sight : sights) draw_tile(sight);
-        if (words) describe(frame.size, sights);
+        if (words) describe(frame.size, sights, means);
         labels_.draw(frame);
     }
 
@@ -35,14 +37,16 @@ public:
         knobs.steps("steps", steps_, 1, 256, "layers of the steep method");
         knobs.choice("show", show_, shows, "the lit relief, the error, or half of each");
         surface_.knobs(knobs);
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
+        light_.knobs(knobs);
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
         std::vector<Tile> tiles;
         std::vector<Frame> frames;
-        for (const Sight& sight : sights_of(frame)) tiles.push_back(sight.tile), frames.push_back(sight.frame);
+        for (const Sight& sight : sights_of(frame)) {
+            tiles.push_back(sight.tile);
+            frames.push_back(sight.frame);
+        }
         const std::vector<Image> images = offsets::truths(frames, probe, surface_);
         if (images.empty()) return {};
         return truth_in_tiles(frame, tiles, [&](const Frame&, size_t i) { return images[i]; });
@@ -127,71 +131,59 @@ private:
         const Program& relief = program(sight, purpose);
         glUseProgram(relief);
         surface_.set(relief, sight.frame);
-        const double yaw_rad = glm::radians(light_yaw_), pitch_rad = glm::radians(light_pitch_);
-        relief.set("u_to_light", glm::dvec3(std::sin(yaw_rad) * std::cos(pitch_rad), std::sin(pitch_rad),
-                                            std::cos(yaw_rad) * std::cos(pitch_rad)));
+        relief.set("u_to_light", light_.direction());
         relief.set("u_steps", steps_);
         surface_.set_exact_hit(relief, 3);
         surface_.draw();
     }
 
-    /// Each sight's mean error over 64 x 64 of its rays, by the shader's own functions; anew when anything is another.
-    void measure(const std::vector<Sight>& sights) {
-        Measured now;
+    /// Each sight's mean error in texels, over 64 x 64 of its rays, by the shader's own functions.
+    const std::vector<double>& measure(const std::vector<Sight>& sights) {
+        std::vector<GLuint> programs;
+        std::vector<glm::dmat4> cameras;
+        std::vector<std::string> knobs;
         for (const Sight& sight : sights) {
-            now.programs.push_back(program(sight, "MEASURE"));
-            now.cameras.push_back(sight.frame.camera.clip_from_world());
+            programs.push_back(program(sight, "MEASURE"));
+            cameras.push_back(sight.frame.camera.clip_from_world());
         }
-        for (const KnobText& knob : describe_knobs(*this)) now.knobs.push_back(knob.value);
-        now.means = measured_.means;
-        if (now == measured_) return;
-
-        constexpr int side = 64;
-        const Target target(TargetKind::probe, {side, side * int(sights.size())});
-        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-        glClearBufferfv(GL_COLOR, 0, &glm::vec4(no_surface)[0]);
-        glClear(GL_DEPTH_BUFFER_BIT);
-        for (size_t i = 0; i < sights.size(); ++i) {
-            glViewport(0, side * int(i), side, side);
-            draw_relief(sights[i], "MEASURE");
-        }
-        const Image drawn = target.read();
-        now.means.clear();
-        for (int i = 0; i < int(sights.size()); ++i) {
-            Image errors(side, side, 1);
-            for (size_t pixel = 0; pixel < errors.values.size(); ++pixel)
-                errors.values[pixel] = drawn.pixel(0, side * (int(sights.size()) - 1 - i))[pixel * 4];
-            now.means.push_back(summarize(errors).mean);
-        }
-        measured_ = std::move(now);
+        for (const KnobText& knob : describe_knobs(*this)) knobs.push_back(knob.value);
+        return means_.get({programs, cameras, knobs}, [&] {
+            constexpr int side = 64;
+            const Image drawn = draw_numbers({side, side * int(sights.size())}, [&] {
+                for (size_t i = 0; i < sights.size(); ++i) {
+                    glViewport(0, side * int(i), side, side);
+                    draw_relief(sights[i], "MEASURE");
+                }
+            });
+            std::vector<double> means;
+            for (int i = 0; i < int(sights.size()); ++i) {
+                Image errors(side, side, 1);
+                for (size_t pixel = 0; pixel < errors.values.size(); ++pixel)
+                    errors.values[pixel] = drawn.pixel(0, side * (int(sights.size()) - 1 - i))[pixel * 4];
+                means.push_back(summarize(errors).mean);
+            }
+            return means;
+        });
     }
 
-    void describe(glm::ivec2 size, const std::vector<Sight>& sights) {
+    void describe(glm::ivec2 size, const std::vector<Sight>& sights, const std::vector<double>& means) {
         for (size_t i = 0; i < sights.size(); ++i) {
             const auto& [tile, frame, method, degrees] = sights[i];
             const bool one_angle = view_ == strip && surface_.shape == ReliefSurface::wall;
             const std::string name = methods[size_t(method)];
             labels_.caption(size, tile, 0, one_angle ? fmt::format("{} {}~", name, degrees) : name);
-            labels_.caption(size, tile, -1, amount_of(measured_.means[i], "texel"));
+            labels_.caption(size, tile, -1, amount_of(means[i], "texel"));
         }
         if (show_ != light) labels_.log_scale(size, "0.01", "100 texels", 4);
     }
 
-    struct Measured {
-        std::vector<GLuint> programs;
-        std::vector<glm::dmat4> cameras;
-        std::vector<std::string> knobs;
-        std::vector<double> means;  ///< texels
-        bool operator==(const Measured&) const = default;
-    };
-
     Programs program_{"common/relief.vert", "10_parallax_offset/surface.frag"};
     ReliefSurface surface_;
     Labels labels_;
-    Measured measured_;
+    Kept<std::vector<double>, std::vector<GLuint>, std::vector<glm::dmat4>, std::vector<std::string>> means_;
+    DistantLight light_;
 
     int view_ = strip, method_ = 2, steps_ = 32, show_ = half_and_half;
-    float light_yaw_ = -50, light_pitch_ = 40;
 };
 
 RELIEF_LAB(ParallaxOffset);

@@ -4,12 +4,12 @@
 // Your tasks: shaders/11_parallax_occlusion/task.glsl
 #include <fmt/format.h>
 
-#include <tuple>
-
 #include "framework/base/text.h"
-#include "framework/gl/target.h"
 #include "framework/height/bounds.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
+#include "framework/kit/light.h"
+#include "framework/kit/numbers.h"
 #include "framework/kit/relief_surface.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
@@ -58,8 +58,7 @@ public:
         knobs.choice("lookup", lookup_, lookups, "implicit: texture() chooses the level, a common mistake");
         knobs.toggle("skip", skip_, "skip marches that are too short to see, or over level ground");
         knobs.toggle("decal", decal_, "paint on a pane at the top of the relief");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
+        light_.knobs(knobs);
         surface_.knobs(knobs);
     }
 
@@ -72,6 +71,8 @@ public:
 private:
     enum View { compare, one };
     enum Show { both, picture, error };
+    enum Mip { base, footprint };
+    enum Lookup { fixed_lod, implicit };
     enum Count { fixed, by_angle, by_texel };
     enum Refine { none, linear, bisection, secant, illinois };
     static constexpr std::array views = {"compare", "one"};
@@ -100,23 +101,6 @@ private:
     struct Figures {
         double mean = 0, wrong = 0, heights_read = 0;
     };
-    /// What figures were measured of; measured anew when any of it changes.
-    struct Measured {
-        GLuint by = 0;
-        int version = 0;
-        Orbit orbit;
-        glm::ivec2 size{};
-        ReliefMapping mapping;
-        int shape = 0;
-        Figures figures;
-        bool same_as(const Measured& other) const {
-            const auto all = [](const Measured& m) {
-                return std::tuple(m.by, m.version, m.size, m.mapping.repeat, m.mapping.shift, m.mapping.depth, m.shape);
-            };
-            return all(*this) == all(other) && orbit == other.orbit;
-        }
-    };
-
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         if (view_ == one) return tiles_of(size, 1);
         return tiles_of(size, int(comparisons.size()), show_ == picture ? 0 : Labels::scale_height(size));
@@ -139,20 +123,15 @@ private:
 
     /// The program for one frame and one method, with all that it wants to know.
     const Program& use(const Frame& frame, const Method& method, const Define& purpose, float level_bias = 0) {
-        const Program& program =
-            program_.with({purpose, mip_ == 1 ? "FOOTPRINT" : "", lookup_ == 1 ? "IMPLICIT" : "", skip_ ? "SKIP" : "",
-                           count_defines[size_t(method.count)], fmt::format("REFINE {}", method.refine)});
-        const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
+        const Program& program = program_.with(
+            {purpose, mip_ == footprint ? "FOOTPRINT" : "", lookup_ == implicit ? "IMPLICIT" : "", skip_ ? "SKIP" : "",
+             count_defines[size_t(method.count)], fmt::format("REFINE {}", method.refine)});
         glUseProgram(program);
         surface_.set(program, frame);
-        if (!bounds_ || bounds_version_ != surface_.version()) {
-            bounds_.emplace(
-                "bounds", [this] { return min_max_atlas(surface_.heights()); }, TextureOptions{.mips = false});
-            bounds_version_ = surface_.version();
-        }
-        program.set("s_bounds", 3, *bounds_);
-        program.set("u_to_light",
-                    glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
+        program.set("s_bounds", 3, bounds_.get({surface_.version()}, [this] {
+            return Texture("bounds", [this] { return min_max_atlas(surface_.heights()); }, {.mips = false});
+        }));
+        program.set("u_to_light", light_.direction());
         program.set("u_steps", method.steps);
         program.set("u_min_steps", method.least_steps);
         program.set("u_texels_per_step", method.texels_per_step);
@@ -167,28 +146,24 @@ private:
     const Figures& measure(size_t tile, const Frame& frame) {
         const Program& program =
             use(frame, method_of(tile), "MEASURE", std::log2(float(measured.y) / float(std::max(1, frame.size.y))));
-        Measured now{program, surface_.version(), frame.camera.orbit(), frame.size, surface_.mapping(), surface_.shape,
-                     {}};
-        Measured& known = measured_[tile];
-        if (now.same_as(known)) return known.figures;
-        const Target target(TargetKind::probe, measured);
-        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        glViewport(0, 0, measured.x, measured.y);
-        surface_.draw();
-        const Image drawn = target.read();
+        return measured_[tile].get(
+            {program, surface_.version(), frame.camera.orbit(), frame.size, surface_.mapping(), surface_.shape},
+            [&] { return figures_of(draw_numbers(measured, [&] { surface_.draw(); })); });
+    }
+
+    static Figures figures_of(const Image& drawn) {
+        Figures figures;
         double pixels = 0;
         for (size_t i = 0; i < drawn.pixel_count(); ++i) {
             const float* const pixel = drawn.values.data() + i * 4;
             if (pixel[3] >= 0) continue;  // background
             ++pixels;
-            now.figures.mean += double(pixel[0]), now.figures.heights_read += double(pixel[1]);
-            now.figures.wrong += pixel[0] > 1;
+            figures.mean += double(pixel[0]);
+            figures.heights_read += double(pixel[1]);
+            figures.wrong += pixel[0] > 1;
         }
-        for (double* sum : {&now.figures.mean, &now.figures.wrong, &now.figures.heights_read})
-            *sum /= std::max(1.0, pixels);
-        known = now;
-        return known.figures;
+        for (double* sum : {&figures.mean, &figures.wrong, &figures.heights_read}) *sum /= std::max(1.0, pixels);
+        return figures;
     }
 
     void describe(glm::ivec2 size, const Tile& tile, const Method& method, const Figures& figures) {
@@ -201,15 +176,14 @@ private:
 
     Programs program_{"common/relief.vert", "11_parallax_occlusion/surface.frag"};
     ReliefSurface surface_;
-    std::optional<Texture> bounds_;
-    int bounds_version_ = 0;
-    std::array<Measured, comparisons.size()> measured_;
+    Kept<Texture, int> bounds_;  ///< by the surface's version
+    std::array<Kept<Figures, GLuint, int, Orbit, glm::ivec2, ReliefMapping, int>, comparisons.size()> measured_;
+    DistantLight light_;
     Labels labels_;
 
-    int view_ = compare, show_ = both, mip_ = 0, lookup_ = 0, steps_ = 32, least_steps_ = 8;
+    int view_ = compare, show_ = both, mip_ = base, lookup_ = fixed_lod, steps_ = 32, least_steps_ = 8;
     bool skip_ = true, decal_ = false;
     Method chosen_{"", fixed, 32, 8, 1, linear, 2};
-    float light_yaw_ = -50, light_pitch_ = 40;
 };
 
 RELIEF_LAB(ParallaxOcclusion);

@@ -7,8 +7,10 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "framework/gl/target.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
+#include "framework/kit/light.h"
+#include "framework/kit/numbers.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
 #include "skips.h"
@@ -21,31 +23,39 @@ using namespace exact;
 class ReliefExact final : public Lab {
 public:
     ReliefExact() {
-        surface_.material.map = 3, surface_.extent = 3;
-        floor_.material.map = 7, floor_.material.asset_texels = 256, floor_.extent = 3, floor_.depth = 0.06f;
-        wall_.material.map = 6, wall_.material.asset_texels = 256, wall_.extent = 2.2f, wall_.depth = 0.07f;
-        column_.shape = ReliefSurface::column, column_.material.map = 3, column_.material.size = 1,
+        surface_.material.map = ReliefMap::stones;
+        surface_.extent = 3;
+        floor_.material.map = ReliefMap::paving;
+        floor_.material.asset_texels = 256;
+        floor_.extent = 3;
+        floor_.depth = 0.06f;
+        wall_.material.asset_texels = 256;
+        wall_.extent = 2.2f;
+        wall_.depth = 0.07f;
+        column_.shape = ReliefSurface::column;
+        column_.material.map = ReliefMap::stones;
+        column_.material.size = ReliefMaterial::texels_256;
         column_.depth = 0.12f;
     }
 
     void draw(const Frame& frame) override {
         const auto tiles = tiles_of_view(frame.size);
-        std::vector<double> turns;
+        std::vector<double> mean_turns;
         if (view_ == compare && !frame.probe)
             for (size_t i = 0; i < tiles.size(); ++i)
-                turns.push_back(mean_turns(frame_in(frame, tiles[i]), method_of(i)));
+                mean_turns.push_back(measure(frame_in(frame, tiles[i]), method_of(i)));
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (size_t i = 0; i < tiles.size(); ++i) {
             glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
             const Frame part = frame_in(frame, tiles[i]);
             const float middle = float(tiles[i].corner.x) + float(tiles[i].size.x) / 2;
-            const float turns_from = show_ == 0 ? 1e9f : show_ == 1 ? middle : 0;
+            const float turns_from = show_ == show_light ? 1e9f : show_ == show_half ? middle : 0;
             for (const Object& object : objects()) draw_object(part, object, method_of(i), turns_from);
             if (view_ == scene) draw_ball(part);
-            if (!turns.empty()) describe(frame.size, tiles[i], method_of(i), turns[i]);
+            if (!mean_turns.empty()) describe(frame.size, tiles[i], method_of(i), mean_turns[i]);
         }
-        if (view_ != scene && show_ > 0) labels_.log_scale(frame.size, "1", "256 turns", 8);
+        if (view_ != scene && show_ != show_light) labels_.log_scale(frame.size, "1", "256 turns", 8);
         labels_.draw(frame);
     }
 
@@ -57,34 +67,31 @@ public:
         knobs.toggle("write_depth", write_depth_, "write the depth of the hit; off: of the base");
         knobs.toggle("outline", outline_, "end where the relief ends, and curve with a column");
         knobs.toggle("costs", costs_, "show the time and memory of each method's map");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
-        knobs.slider("light_pitch", light_pitch_, -10, 89, "elevation of the light, degrees");
+        light_.knobs(knobs, -10, 89);
         surface_.knobs(knobs);
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        const Sight sight{objects(), view_ == scene ? std::optional(Ball{}) : std::nullopt, outline_, to_light()};
+        const Sight sight{objects(), view_ == scene ? std::optional(Ball{}) : std::nullopt, outline_,
+                          light_.direction<double>()};
         return truth_in_tiles(frame, tiles_of_view(frame.size),
                               [&](const Frame& part, size_t) { return exact::truth(part, probe, sight); });
     }
 
 private:
     enum View { scene, compare, one };
+    enum Show { show_light, show_half, show_turns };
+    enum Shadow { no_shadow, hard, soft };
     static constexpr std::array views = {"scene", "compare", "one"};
     static constexpr std::array shows = {"light", "half-and-half", "turns"};
     static constexpr std::array shadows = {"none", "hard", "soft"};
     static constexpr std::array shadow_defines = {"", "HARD_SHADOW", "SOFT_SHADOW"};
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        const int below = view_ != scene && show_ > 0 ? Labels::scale_height(size) : 0;
+        const int below = view_ != scene && show_ != show_light ? Labels::scale_height(size) : 0;
         return tiles_of(size, view_ == compare ? int(method_names.size()) : 1, below);
     }
     Method method_of(size_t tile) const { return Method(view_ == compare ? int(tile) : method_); }
-
-    glm::dvec3 to_light() const {
-        const double yaw = glm::radians(double(light_yaw_)), pitch = glm::radians(double(light_pitch_));
-        return {std::cos(pitch) * std::sin(yaw), std::sin(pitch), std::cos(pitch) * std::cos(yaw)};
-    }
 
     std::vector<Object> objects() const {
         const glm::dmat4 here(1);
@@ -98,10 +105,7 @@ private:
     }
 
     Skips& skips_of(const ReliefSurface& surface) {
-        auto& [version, skips] = skips_[&surface];
-        if (!skips || version != surface.version())
-            skips = std::make_unique<Skips>(surface.heights()), version = surface.version();
-        return *skips;
+        return *skips_[&surface].get({surface.version()}, [&] { return std::make_unique<Skips>(surface.heights()); });
     }
 
     void draw_object(const Frame& frame, const Object& object, Method method, float turns_from) {
@@ -117,7 +121,7 @@ private:
         const auto [low, high] = object.border(outline_);
         program.set("u_border", glm::vec4(low, high));
         program.set("u_radius", radius);
-        program.set("u_to_light", to_light());
+        program.set("u_to_light", light_.direction<double>());
         program.set("u_turns_from", turns_from);
         program.set("u_soft_samples", 24);
         if (object.is_closed()) glEnable(GL_CULL_FACE);
@@ -131,26 +135,25 @@ private:
         program.set("u_clip_from_world", frame.camera.clip_from_world());
         program.set("u_eye", frame.camera.eye());
         program.set("u_centre", Ball{}.centre);
-        program.set("u_to_light", to_light());
+        program.set("u_to_light", light_.direction<double>());
         program.set("u_nothing", no_surface);
         glBindVertexArray(ball_.layout());
         glDrawElements(GL_TRIANGLES, ball_.count(), GL_UNSIGNED_INT, nullptr);
     }
 
-    /// Over a small copy of the picture.
-    double mean_turns(Frame frame, Method method) {
-        if (!small_) small_.emplace(TargetKind::probe, glm::ivec2(64));
-        frame.probe = {"steps"}, frame.size = small_->size();
-        glBindFramebuffer(GL_FRAMEBUFFER, small_->framebuffer());
-        glViewport(0, 0, frame.size.x, frame.size.y);
-        constexpr float nothing[] = {no_surface, no_surface, no_surface, no_surface};
-        glClearBufferfv(GL_COLOR, 0, nothing);
-        glClear(GL_DEPTH_BUFFER_BIT);
-        for (const Object& object : objects()) draw_object(frame, object, method, 0);
-        const Image steps = small_->read();
+    /// Mean iterations over a small copy of the picture.
+    double measure(Frame frame, Method method) {
+        frame.probe = {"steps"};
+        frame.size = {64, 64};
+        const Image steps = draw_numbers(frame.size, [&] {
+            for (const Object& object : objects()) draw_object(frame, object, method, 0);
+        });
         double sum = 0, count = 0;
         for (size_t i = 0; i < steps.values.size(); i += 4)
-            if (std::isfinite(steps.values[i])) sum += double(steps.values[i]), ++count;
+            if (std::isfinite(steps.values[i])) {
+                sum += double(steps.values[i]);
+                ++count;
+            }
         return count > 0 ? sum / count : 0;
     }
 
@@ -165,14 +168,13 @@ private:
     Programs surface_program_{"common/relief.vert", "12_relief_exact/surface.frag"};
     Programs ball_program_{"12_relief_exact/ball.vert", "12_relief_exact/ball.frag"};
     ReliefSurface surface_, floor_, wall_, column_;
-    std::map<const ReliefSurface*, std::pair<int, std::unique_ptr<Skips>>> skips_;
+    std::map<const ReliefSurface*, Kept<std::unique_ptr<Skips>, int>> skips_;  ///< by the surface's version
     GpuMesh ball_ = upload([] { return make_sphere({.radius = float(Ball{}.radius), .sides = 56, .rows = 28}); });
-    std::optional<Target> small_;
     Labels labels_;
 
-    int view_ = scene, method_ = windows, show_ = 0, shadow_ = 1;
+    int view_ = scene, method_ = windows, show_ = show_light, shadow_ = hard;
     bool write_depth_ = true, outline_ = true, costs_ = false;
-    float light_yaw_ = 55, light_pitch_ = 40;
+    DistantLight light_{.yaw = 55};
 };
 
 RELIEF_LAB(ReliefExact);

@@ -25,7 +25,10 @@ struct Object {
         const ReliefMapping mapping = surface->mapping();
         glm::vec2 low = glm::min(mapping.shift, mapping.shift + mapping.repeat),
                   high = glm::max(mapping.shift, mapping.shift + mapping.repeat);
-        if (surface->shape == ReliefSurface::column) low.x = -far.x, high.x = far.x;  // it closes around
+        if (surface->shape == ReliefSurface::column) {  // it closes around
+            low.x = -far.x;
+            high.x = far.x;
+        }
         return {low, high};
     }
 };

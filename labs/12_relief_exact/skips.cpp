@@ -9,7 +9,10 @@ void Skips::make(Method method) {
     const auto begin = Clock::now();
     const int64_t before = counters().texture_bytes;
     if (method == coarse) bind(3, around_);
-    if (method == windows) windows_ = height_windows(heights_), bind(3, window_texture_);
+    if (method == windows) {
+        windows_ = height_windows(heights_);
+        bind(3, window_texture_);
+    }
     if (method == max_mip) bind(3, bounds_);
     if (method == cones) bind(3, cones_);
     costs_[size_t(method)] = {double(counters().texture_bytes - before) / (1 << 20),

@@ -6,6 +6,7 @@
 
 #include "framework/kit/displaced_surface.h"
 #include "framework/kit/labels.h"
+#include "framework/kit/light.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
 #include "truth.h"
@@ -15,7 +16,9 @@ namespace relief {
 class Displacement final : public Lab {
 public:
     Displacement() {
-        surface_.density = 4, surface_.material.map = 3, surface_.material.size = 1;
+        surface_.density = 4;
+        surface_.material.map = ReliefMap::stones;
+        surface_.material.size = ReliefMaterial::texels_256;
         surface_.most_density = 32;  // at level 64 a sphere of as many is 12 million triangles
     }
 
@@ -54,8 +57,7 @@ public:
                      "positions of the vertices at a fractional level");
         knobs.choice("mip", chosen_.mip, mips, "mip level that a vertex reads");
         knobs.choice("normals", chosen_.normals, normal_names, "source of the normals");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
+        light_.knobs(knobs);
         surface_.knobs(knobs);
     }
 
@@ -96,7 +98,10 @@ private:
         if (view_ == beside && tile == 0) return comparisons[0];
         Method method = chosen_;
         method.title = "displaced";
-        if (view_ == spacing) method.spacing = int(tile), method.title = DisplacedSurface::spacings[tile];
+        if (view_ == spacing) {
+            method.spacing = int(tile);
+            method.title = DisplacedSurface::spacings[tile];
+        }
         return method;
     }
 
@@ -131,18 +136,20 @@ private:
         const Program& program =
             program_.with({purpose, surface_.corners_define(), DisplacedSurface::spacing_define(method.spacing),
                            fmt::format("NORMALS {}", method.normals), method.mip == by_level ? "MIP" : ""});
-        const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         glUseProgram(program);
         surface_.set(program, frame);
         if (method.is_flat) program.set("u_scale", 0.0f);
         program.set("u_level", method.level);
         program.set("u_inside", inside_ > 0 && view_ != compare && !method.is_flat ? inside_ : method.level);
-        program.set("u_to_light",
-                    glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
+        program.set("u_to_light", light_.direction());
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (surface_.is_one_sided() && purpose.text != "PROBE_winding") glEnable(GL_CULL_FACE);
         // Counting waits for the GPU. A probe and lines have no caption; a caller that draws a probe may count itself.
-        const int triangles = purpose.text.empty() ? surface_.draw_and_count() : (surface_.draw(), 0);
+        int triangles = 0;
+        if (purpose.text.empty())
+            triangles = surface_.draw_and_count();
+        else
+            surface_.draw();
         glDisable(GL_CULL_FACE);
         return triangles;
     }
@@ -154,7 +161,8 @@ private:
 
     int view_ = compare, show_ = half;
     Method chosen_{"", 16, 0, by_level, surface, false};
-    float inside_ = 0, light_yaw_ = -50, light_pitch_ = 40;
+    float inside_ = 0;
+    DistantLight light_;
 };
 
 RELIEF_LAB(Displacement);

@@ -4,10 +4,11 @@
 // away only the normal map is left. Your tasks: shaders/14_adaptive_displacement/task.glsl
 #include <fmt/format.h>
 
-#include "framework/gl/target.h"
 #include "framework/image/visualize.h"
 #include "framework/kit/displaced_surface.h"
 #include "framework/kit/labels.h"
+#include "framework/kit/light.h"
+#include "framework/kit/numbers.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
 #include "scene.h"
@@ -19,8 +20,9 @@ using namespace adaptive;
 class AdaptiveDisplacement final : public Lab {
 public:
     AdaptiveDisplacement() {
-        surface_.shape = DisplacedSurface::ground, surface_.density = 36;
-        surface_.material.map = 1, surface_.material.size = 2;
+        surface_.shape = DisplacedSurface::ground;
+        surface_.density = 36;
+        surface_.material.map = ReliefMap::fbm;
     }
 
     void draw(const Frame& frame) override {
@@ -40,7 +42,8 @@ public:
                 draw_surface(eye, seen, frame.probe);
                 continue;
             }
-            if (wire_) glPolygonOffset(1, 1), glEnable(GL_POLYGON_OFFSET_FILL);  // lines lie in front
+            glPolygonOffset(1, 1);
+            if (wire_) glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines lie in front
             const int triangles = draw_surface(eye, seen, is_above ? "PATCHES" : "");
             glDisable(GL_POLYGON_OFFSET_FILL);
             if (wire_) draw_wire(eye, seen);
@@ -73,8 +76,7 @@ public:
         knobs.slider("fade_begin", fade_begin_, 0, 64, "where the fade begins, metres from the eye");
         knobs.slider("fade_end", fade_end_, 0, 64, "where the fade ends, metres from the eye");
         knobs.toggle("wire", wire_, "draw the triangles' edges");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
+        light_.knobs(knobs);
         surface_.knobs(knobs);
     }
 
@@ -87,6 +89,8 @@ public:
 private:
     enum View { both, eye_only, above };
     enum Method { uniform, by_distance, by_size, by_error };
+    enum LevelsOf { edges, patches };
+    enum Cull { cull_none, cull_outside, cull_all };
     static constexpr std::array views = {"both", "eye", "above"};
     static constexpr std::array methods = {"uniform", "distance", "size", "error"};
     static constexpr std::array levels_ofs = {"edge", "patch"};
@@ -118,8 +122,7 @@ private:
     int draw_surface(const Frame& eye, const Frame& seen, const Define& purpose) {
         const Program& program = program_.with(
             {purpose, surface_.corners_define(), DisplacedSurface::spacing_define(spacing_),
-             fmt::format("METHOD {}", method_), levels_of_ == 1 ? "LEVELS_OF_PATCH" : "", fade_ ? "FADE" : ""});
-        const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
+             fmt::format("METHOD {}", method_), levels_of_ == patches ? "LEVELS_OF_PATCH" : "", fade_ ? "FADE" : ""});
         const bool one_sided = surface_.is_one_sided() && purpose.text != "PROBE_winding";
         glUseProgram(program);
         surface_.set(program, seen);
@@ -133,22 +136,25 @@ private:
         program.set("u_pixels_per_radian", method_ == by_error ? most_pixels_per_radian(eye) : pixels_per_radian(eye));
         program.set("u_pixels_per_segment", segment_);
         program.set("u_budget", budget_);
-        program.set("u_cull", one_sided ? cull_ : std::min(cull_, 1));
+        program.set("u_cull", one_sided ? cull_ : std::min<int>(cull_, cull_outside));
         program.set("u_show_culled", eye.camera.eye() != seen.camera.eye());
         program.set("u_fade", glm::vec2(fade_begin_, std::max(fade_end_, fade_begin_ + 1e-3f)));
-        program.set("u_to_light",
-                    glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
+        program.set("u_to_light", light_.direction());
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (one_sided) glEnable(GL_CULL_FACE);
         // A probe has no caption; a caller that draws it may count itself.
-        const int triangles = purpose.text.starts_with("PROBE_") ? (surface_.draw(), 0) : surface_.draw_and_count();
+        int triangles = 0;
+        if (purpose.text.starts_with("PROBE_"))
+            surface_.draw();
+        else
+            triangles = surface_.draw_and_count();
         glDisable(GL_CULL_FACE);
         return triangles;
     }
 
     void describe_picture(glm::ivec2 size, const Tile& tile, const Frame& eye, int triangles) {
         labels_.caption(size, tile, 0, fmt::format("{} triangles", triangles));
-        if (levels_of_ == 0) return;
+        if (levels_of_ == edges) return;
         const std::vector<glm::ivec2> found = holes(eye);
         const float top = float(size.y - tile.corner.y), side = std::max(3.0f, 0.009f * float(tile.size.y));
         for (const glm::ivec2 hole : found)
@@ -162,7 +168,7 @@ private:
         draw_sight(eye, seen);
         const bool is_even = spacing_ == 2, is_quad = surface_.corners() == 4;  // then 1 is taken for 2
         const int each = is_quad ? (is_even ? 8 : 2) : (is_even ? 6 : 1);
-        if (more >= 0 && cull_ > 0)
+        if (more >= 0 && cull_ != cull_none)
             labels_.caption(size, tile, 0,
                             fmt::format("{:.0f} % of {} patches culled",
                                         100.0 * more / each / double(std::max<size_t>(1, surface_.patches().patches())),
@@ -179,8 +185,8 @@ private:
         for (int octave = 0; octave < level_octaves; ++octave)
             chip(std::to_string(1 << octave), heat_color(0.24 + 0.73 * octave / (level_octaves - 1)));
         place = {float(tile.corner.x) + gap * 2, bottom - line - gap};
-        if (cull_ > 0) chip("outside", outside_color);
-        if (cull_ > 1 && surface_.is_one_sided()) chip("facing away", away_color);
+        if (cull_ != cull_none) chip("outside", outside_color);
+        if (cull_ == cull_all && surface_.is_one_sided()) chip("facing away", away_color);
         if (fade_) chip("faded", faded_color);
     }
 
@@ -206,19 +212,12 @@ private:
 
     /// Pixels where a closed surface is entered more often than left, or less; from the lower left corner. Elsewhere
     /// specks: pixels of background between others.
-    std::vector<glm::ivec2> holes(Frame frame) {
-        if (!small_ || small_->size() != frame.size) small_.emplace(TargetKind::probe, frame.size);
-        GLint viewport[4];
-        glGetIntegerv(GL_VIEWPORT, viewport);
-        glBindFramebuffer(GL_FRAMEBUFFER, small_->framebuffer());
-        glViewport(0, 0, frame.size.x, frame.size.y);
-        DisplacedSurface::begin_winding();
-        draw_surface(frame, frame, "PROBE_winding");
-        DisplacedSurface::end_winding();
-        const Image sums = small_->read();
-        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
-        glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-
+    std::vector<glm::ivec2> holes(const Frame& frame) {
+        const Image sums = draw_numbers(frame.size, [&] {
+            DisplacedSurface::begin_winding();
+            draw_surface(frame, frame, "PROBE_winding");
+            DisplacedSurface::end_winding();
+        });
         const bool is_closed = surface_.patches().is_closed;
         const auto sum = [&](int x, int y) {
             return *sums.pixel(std::clamp(x, 0, sums.width - 1), std::clamp(y, 0, sums.height - 1));
@@ -244,15 +243,14 @@ private:
     Programs sight_{"14_adaptive_displacement/sight.vert", "14_adaptive_displacement/sight.frag"};
     DisplacedSurface surface_;
     PatchTexture known_;
-    std::optional<Target> small_;
     std::optional<VertexArrayName> no_corners_;
     Labels labels_;
 
-    int view_ = both, method_ = by_error, levels_of_ = 0, spacing_ = 1, cull_ = 2;
+    int view_ = both, method_ = by_error, levels_of_ = edges, spacing_ = 1, cull_ = cull_all;
     float level_ = 8, nearest_ = 1, farthest_ = 16, finest_ = 5, coarsest_ = 0, segment_ = 8, budget_ = 4;
     bool fade_ = false, wire_ = false;
     float fade_begin_ = 6, fade_end_ = 12;
-    float light_yaw_ = -60, light_pitch_ = 30;
+    DistantLight light_{-60, 30};
 };
 
 RELIEF_LAB(AdaptiveDisplacement);

@@ -22,6 +22,63 @@ struct Span {
     double area;
 };
 
+/// The corners of a patch, counted around, with the axis along which they are seen.
+class Corners {
+public:
+    Corners(std::span<const PatchCorner> patch, const glm::dvec3& axis)
+        : patch_(patch),
+          axis_(axis),
+          e_(glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)))),
+          f_(glm::cross(axis, e_)) {}
+
+    glm::dvec3 direction(size_t i) const { return glm::dvec3(patch_[i % patch_.size()].direction); }
+    glm::dvec3 before(size_t i) const { return direction(i + patch_.size() - 1); }
+
+    /// Of the patch that lies this deep along its directions.
+    Span span(size_t i, double depth) const {
+        const auto place = [&](size_t k) {
+            return glm::dvec3(patch_[k % patch_.size()].vertex.position) - depth * direction(k);
+        };
+        Span span{place(i + 1) - place(i), place(i + patch_.size() - 1) - place(i), 0};
+        span.area = glm::dot(axis_, glm::cross(span.a, span.b));
+        return span;
+    }
+
+    /// Where something changes by da along a and by db along b: by how much per metre at most.
+    double rate(const Span& span, const glm::dvec3& da, const glm::dvec3& db) const {
+        const auto along = [&](const glm::dvec3& way) {  // times the area
+            return da * glm::dot(axis_, glm::cross(way, span.b)) + db * glm::dot(axis_, glm::cross(span.a, way));
+        };
+        return most_of(along(e_), along(f_)) / span.area;
+    }
+
+private:
+    std::span<const PatchCorner> patch_;
+    glm::dvec3 axis_, e_, f_;
+};
+
+/// Sphere, axis and spread; the rest as of a patch that folds over.
+Facing folded(std::span<const PatchCorner> patch) {
+    const size_t n = patch.size();
+    const auto position = [&](size_t i) { return glm::dvec3(patch[i % n].vertex.position); };
+    const auto direction = [&](size_t i) { return glm::dvec3(patch[i % n].direction); };
+    Facing facing{};
+    glm::dvec3 centre(0);
+    for (size_t i = 0; i < n; ++i) centre += position(i) / double(n);
+    double radius = 0;
+    for (size_t i = 0; i < n; ++i) radius = std::max(radius, glm::distance(centre, position(i)));
+    facing.sphere = {centre, radius * (1 + 1e-5)};  // as floats are rounded
+    const glm::dvec3 across = n == 4 ? glm::cross(position(2) - position(0), position(3) - position(1))
+                                     : glm::cross(position(1) - position(0), position(2) - position(0));
+    facing.axis = glm::length(across) > 0 ? glm::normalize(across) : direction(0);
+    for (size_t i = 0; i < n; ++i) facing.spread = std::max(facing.spread, glm::distance(facing.axis, direction(i)));
+    // Between directions further apart than a right angle anything may lie.
+    if (!(facing.spread < std::sqrt(2.0))) facing.spread = 2;
+    facing.flat_rise = facing.rise = std::numeric_limits<double>::infinity();
+    facing.skew = facing.length = 1;
+    return facing;
+}
+
 /// Whether an edge reads its heights elsewhere on the map than the inside, which then says nothing of the steps
 /// between.
 bool has_jump(std::span<const PatchCorner> patch) {
@@ -41,7 +98,10 @@ void add_turn(LevelErrors& errors, const glm::vec3& from, const glm::vec3& to) {
     // either way round: squares of differences are the same.
     const glm::dvec3 turn = glm::dvec3(from) - glm::dvec3(to);
     double bend = std::min(1.0, glm::dot(turn, turn) / 8 * 1.2);
-    for (float& error : errors) error += float(bend), bend /= 4;
+    for (float& error : errors) {
+        error += float(bend);
+        bend /= 4;
+    }
 }
 
 }  // namespace
@@ -68,56 +128,29 @@ double most_pixels_per_radian(const Frame& frame) {
 }
 
 Facing facing_of(std::span<const PatchCorner> patch, const PatchHeights& heights, double scale) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const size_t n = patch.size();
-    const auto position = [&](size_t i) { return glm::dvec3(patch[i % n].vertex.position); };
-    const auto direction = [&](size_t i) { return glm::dvec3(patch[i % n].direction); };
-
-    Facing facing{};
-    glm::dvec3 centre(0);
-    for (size_t i = 0; i < n; ++i) centre += position(i) / double(n);
-    double radius = 0;
-    for (size_t i = 0; i < n; ++i) radius = std::max(radius, glm::distance(centre, position(i)));
-    facing.sphere = {centre, radius * (1 + 1e-5)};  // as floats are rounded
-    const glm::dvec3 across = n == 4 ? glm::cross(position(2) - position(0), position(3) - position(1))
-                                     : glm::cross(position(1) - position(0), position(2) - position(0));
-    const glm::dvec3 axis = facing.axis = glm::length(across) > 0 ? glm::normalize(across) : direction(0);
-    for (size_t i = 0; i < n; ++i) facing.spread = std::max(facing.spread, glm::distance(axis, direction(i)));
-    facing.flat_rise = facing.rise = infinite, facing.skew = facing.length = 1;
-    // Between directions further apart than a right angle anything may lie.
-    if (!(facing.spread < std::sqrt(2.0))) facing.spread = 2;
+    Facing facing = folded(patch);
+    const glm::dvec3 axis = facing.axis;
     const double shortest = 1 - facing.spread * facing.spread / 2;  // of a direction between them
     if (shortest <= 0) return facing;
 
+    const Corners corners(patch, axis);
     const double middle = scale * (1 - (double(heights.lowest) + double(heights.highest)) / 2),
                  uneven = scale * (double(heights.highest) - double(heights.lowest)) / 2;
-    const glm::dvec3 e = glm::normalize(
-                         glm::cross(axis, std::abs(axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0))),
-                     f = glm::cross(axis, e);
-    const auto spans = [&](size_t i, double depth) {
-        const auto place = [&](size_t k) { return position(k) - depth * direction(k); };
-        Span span{place(i + 1) - place(i), place(i + n - 1) - place(i), 0};
-        span.area = glm::dot(axis, glm::cross(span.a, span.b));
-        return span;
-    };
-    // Where something changes by da along a and by db along b: by how much along e, times the area.
-    const auto change = [&](const Span& span, const glm::dvec3& da, const glm::dvec3& db, const glm::dvec3& way) {
-        return da * glm::dot(axis, glm::cross(way, span.b)) + db * glm::dot(axis, glm::cross(span.a, way));
-    };
-    const auto rate = [&](const Span& span, const glm::dvec3& da, const glm::dvec3& db) {
-        return most_of(change(span, da, db, e), change(span, da, db, f)) / span.area;
-    };
-    double flat_rise = 0, rise = 0, stretch = 0, turn = 0, longest = 0, area = infinite, cosine = 0;
-    for (size_t i = 0; i < n; ++i) {
-        const Span flat = spans(i, 0), inner = spans(i, middle);
+    double flat_rise = 0, rise = 0, stretch = 0, turn = 0, longest = 0, cosine = 0;
+    double area = std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < patch.size(); ++i) {
+        const Span flat = corners.span(i, 0), inner = corners.span(i, middle);
         if (!(flat.area > 0 && inner.area > 0)) return facing;
-        flat_rise = std::max(flat_rise, rate(flat, axis * glm::dot(axis, flat.a), axis * glm::dot(axis, flat.b)));
-        rise = std::max(rise, rate(inner, axis * glm::dot(axis, inner.a), axis * glm::dot(axis, inner.b)));
-        stretch = std::max(stretch, rate(inner, flat.a, flat.b));
-        turn = std::max(turn, rate(inner, direction(i + 1) - direction(i), direction(i + n - 1) - direction(i)));
+        flat_rise =
+            std::max(flat_rise, corners.rate(flat, axis * glm::dot(axis, flat.a), axis * glm::dot(axis, flat.b)));
+        rise = std::max(rise, corners.rate(inner, axis * glm::dot(axis, inner.a), axis * glm::dot(axis, inner.b)));
+        stretch = std::max(stretch, corners.rate(inner, flat.a, flat.b));
+        turn = std::max(turn, corners.rate(inner, corners.direction(i + 1) - corners.direction(i),
+                                           corners.before(i) - corners.direction(i)));
         for (const Span& span : {flat, inner}) {
             const glm::dvec3 a = span.a - axis * glm::dot(axis, span.a), b = span.b - axis * glm::dot(axis, span.b);
-            longest = std::max({longest, glm::dot(a, a), glm::dot(b, b)}), area = std::min(area, span.area);
+            longest = std::max({longest, glm::dot(a, a), glm::dot(b, b)});
+            area = std::min(area, span.area);
             cosine = std::max(cosine, std::abs(glm::dot(a, b)) / (glm::length(a) * glm::length(b)));
         }
     }
@@ -138,8 +171,12 @@ Facing facing_of(std::span<const PatchCorner> patch, const PatchHeights& heights
 void PatchTexture::set(const Program& program, const DisplacedSurface& surface, bool with_errors, int unit) {
     const bool is_old = version_ != surface.version() || (with_errors && !has_errors_);
     if (!texture_ || is_old || scale_ != surface.scale()) {
-        if (is_old) known_.clear(), has_errors_ = with_errors;
-        version_ = surface.version(), scale_ = surface.scale();
+        if (is_old) {
+            known_.clear();
+            has_errors_ = with_errors;
+        }
+        version_ = surface.version();
+        scale_ = surface.scale();
         const auto make = [this, &surface] {
             if (known_.empty()) known_ = known_of(surface, has_errors_);
             return image(surface.patches(), known_, double(scale_));

@@ -6,8 +6,10 @@
 
 #include "framework/base/text.h"
 #include "framework/gl/patches.h"
-#include "framework/gl/target.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
+#include "framework/kit/light.h"
+#include "framework/kit/numbers.h"
 #include "framework/kit/relief_surface.h"
 #include "framework/kit/tiles.h"
 #include "truth.h"
@@ -35,8 +37,9 @@ public:
             if (shows_methods)
                 describe_methods(frame.size, tiles[i], shares);
             else
-                labels_.caption(frame.size, tiles[i], 0,
-                                method_ == 0 ? "budget " + amount_of(budget_, "pixel") : methods[size_t(method_)]);
+                labels_.caption(
+                    frame.size, tiles[i], 0,
+                    method_ == automatic ? "budget " + amount_of(budget_, "pixel") : methods[size_t(method_)]);
         }
         labels_.draw(frame);
     }
@@ -51,8 +54,7 @@ public:
                      "taps that take as long as a triangle: on a graphics card a few");
         surface_.material.knobs(knobs);
         knobs.slider("depth", surface_.depth, 0, 0.25f, "depth of the relief, metres");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
+        light_.knobs(knobs);
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
@@ -64,6 +66,7 @@ public:
 private:
     enum View { both, picture, methods_only };
     static constexpr std::array views = {"both", "picture", "methods"};
+    static constexpr int automatic = 0;  ///< then the methods of wall.h
     static constexpr std::array methods = {"auto", "plain", "normal-map", "parallax", "exact", "displacement"};
     static constexpr std::array<glm::vec3, method_count> colors = {{{0.10f, 0.12f, 0.22f},
                                                                     {0.05f, 0.25f, 0.42f},
@@ -88,17 +91,18 @@ private:
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const { return tiles_of(size, view_ == both ? 2 : 1); }
 
     const MapErrors& map_errors() const {
-        if (!map_errors_ || map_errors_version_ != surface_.version())
-            map_errors_.emplace(surface_.heights(), surface_.material.normals()),
-                map_errors_version_ = surface_.version();
-        return *map_errors_;
+        return map_errors_.get({surface_.version()},
+                               [this] { return MapErrors(surface_.heights(), surface_.material.normals()); });
     }
 
     FrameBudget frame_budget(const Frame& frame) const {
         // Most of the budget goes into thinning, which every method gains by; of two methods that meet, each is off by
         // no more than the rest beyond that, so that together they are within the budget, too.
         double thinning = 0.875, precision = 0.125;
-        if (method_ != 0 && !spend_) thinning = 0, precision = method_ - 1 == displacement ? 1 : 0;
+        if (method_ != automatic && !spend_) {
+            thinning = 0;
+            precision = method_ - 1 == displacement ? 1 : 0;
+        }
         return {frame,     double(budget_),     double(surface_.depth), thinning,
                 precision, double(exact_taps_), double(triangle_taps_)};
     }
@@ -116,7 +120,7 @@ private:
             else
                 places.insert(places.end(), {c[0], c[1], c[2], c[0], c[2], c[3]});
         };
-        const Methods forced = method_ == 0 ? 0 : bit(Method(method_ - 1));
+        const Methods forced = method_ == automatic ? 0 : bit(Method(method_ - 1));
         if (forced != 0 && forced != bit(displacement) && !is_of_choice) {
             if (budget.frame.camera.eye().z > 0) add(groups[{forced, true}], wall_low, wall_high, false);
             return groups;
@@ -162,15 +166,13 @@ private:
     void set(const Program& program, const FrameBudget& budget, const std::vector<float>& errors) {
         const MapErrors& maps = map_errors();
         const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
-        const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         glUseProgram(program);
         surface_.material.set(program);
         surface_.set_exact_hit(program, 3);
         program.set("u_clip_from_world", clip_from_world);
         program.set("u_clip_along", glm::vec4(clip_from_world * glm::dvec4(0, 0, 1, 0)));
         program.set("u_eye", budget.frame.camera.eye());
-        program.set("u_to_light",
-                    glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
+        program.set("u_to_light", light_.direction());
         program.set("u_border", glm::vec4(wall_low, wall_high));
         program.set("u_size", glm::vec2(budget.frame.size));
         program.set("u_first_level", first_level(budget, maps));
@@ -193,22 +195,18 @@ private:
     std::array<double, method_count> shares_of_methods(Frame frame) {
         std::array<double, method_count> shares{};
         if (view_ == picture) return shares;
-        if (!small_) small_.emplace(TargetKind::probe, measured);
         const float budget = budget_, triangle_taps = triangle_taps_;
         const float smaller = float(measured.y) / float(std::max(1, frame.size.y));
         budget_ *= smaller, triangle_taps_ *= smaller * smaller;
         frame.size = measured;
-        glBindFramebuffer(GL_FRAMEBUFFER, small_->framebuffer());
-        glViewport(0, 0, measured.x, measured.y);
-        constexpr float nothing[] = {no_surface, no_surface, no_surface, no_surface};
-        glClearBufferfv(GL_COLOR, 0, nothing);
-        glClear(GL_DEPTH_BUFFER_BIT);
-        draw_wall(frame, "PROBE_method");
+        const Image drawn = draw_numbers(measured, [&] { draw_wall(frame, "PROBE_method"); });
         budget_ = budget, triangle_taps_ = triangle_taps;
-        const Image drawn = small_->read();
         double count = 0;
         for (size_t i = 0; i < drawn.values.size(); i += 4)
-            if (std::isfinite(drawn.values[i])) ++shares[size_t(drawn.values[i])], ++count;
+            if (std::isfinite(drawn.values[i])) {
+                ++shares[size_t(drawn.values[i])];
+                ++count;
+            }
         for (double& share : shares) share /= std::max(1.0, count);
         return shares;
     }
@@ -228,16 +226,14 @@ private:
     Programs displaced_{"17_time_and_error/cell.vert", "17_time_and_error/wall.tesc", "17_time_and_error/wall.tese",
                         "17_time_and_error/surface.frag"};
     ReliefSurface surface_;
-    mutable std::optional<MapErrors> map_errors_;
-    mutable int map_errors_version_ = 0;
+    mutable Kept<MapErrors, int> map_errors_;  ///< by the surface's version
     std::optional<Uploaded> uploaded_;
-    std::optional<Target> small_;
     Labels labels_;
 
-    int view_ = both, method_ = 0;
+    int view_ = both, method_ = automatic;
     bool spend_ = false;
     float budget_ = 1, exact_taps_ = 5, triangle_taps_ = 1000;
-    float light_yaw_ = -60, light_pitch_ = 30;
+    DistantLight light_{-60, 30};
 };
 
 RELIEF_LAB(TimeAndError);

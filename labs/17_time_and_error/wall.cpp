@@ -83,7 +83,9 @@ Bounds bounds_of(const std::vector<Corner>& seen, const FrameBudget& budget) {
         bounds.ahead = {std::min(bounds.ahead.min, clip.w), std::max(bounds.ahead.max, clip.w)};
         bounds.reach.max = std::max(bounds.reach.max, glm::distance(place, glm::dvec2(eye)) / eye.z);
         runs.push_back(half_size * (glm::dvec2(along) - glm::dvec2(clip) / clip.w * along.w));
-        sum += runs.back(), low = glm::min(low, place), high = glm::max(high, place);
+        sum += runs.back();
+        low = glm::min(low, place);
+        high = glm::max(high, place);
     }
     bounds.reach.min = glm::distance(glm::clamp(glm::dvec2(eye), low, high), glm::dvec2(eye)) / eye.z;
     const double reach = bounds.reach.max * budget.scale;

@@ -40,22 +40,20 @@ Figures figures_of(const Image& errors) {
     return {figures.mean / count, figures.wrong / count};
 }
 
-/// The lab's surface alone, as it begins there.
+/// The lab's surface alone, as it begins there, with the knobs of a shot.
 class Surface final : public Lab {
 public:
-    Surface() { surface.extent = 16, surface.depth = 0.06f; }
+    explicit Surface(const Shot& shot) {
+        surface.extent = 16, surface.depth = 0.06f;
+        std::set<std::string> known;
+        for (const KnobText& knob : describe_knobs(*this)) known.insert(knob.name);
+        for (const auto& [name, value] : shot.set)
+            if (known.contains(name)) set_knob(*this, name, value);
+    }
     void draw(const Frame&) override {}
     void knobs(Knobs& knobs) override { surface.knobs(knobs); }
     ReliefSurface surface;
 };
-Surface surface_of(const Shot& shot) {
-    Surface lab;
-    std::set<std::string> known;
-    for (const KnobText& knob : describe_knobs(lab)) known.insert(knob.name);
-    for (const auto& [name, value] : shot.set)
-        if (known.contains(name)) set_knob(lab, name, value);
-    return lab;
-}
 
 /// The surface of a shot, and what is guessed there in double precision.
 struct Twin {
@@ -64,7 +62,7 @@ struct Twin {
     ReliefSights sights{surface.mesh()};
     HeightField heights{surface.heights(), true};
 
-    explicit Twin(const Shot& shot) : lab(surface_of(shot)) {}
+    explicit Twin(const Shot& shot) : lab(shot) {}
 
     ParallaxHit guess(const std::string& method, const ReliefRay& ray) const {
         return method == "offset"    ? parallax_offset(heights, ray)
@@ -196,7 +194,7 @@ TEST(ParallaxOffset, EveryPixelIsFiniteAndNoRayTooLongWhateverTheAngleTheMapOrTh
         const bool edge_on = std::abs(scenes[i].yaw - 90) < 1;  // a long lens, to see the horizon in more than a pixel
         shot.camera = {scenes[i].yaw, scenes[i].pitch, 0.3, scenes[i].target, edge_on ? 1.0 : 60.0};
         const auto lab = make_lab(find_lab("10"), shot);
-        const ReliefMapping mapping = surface_of(shot).surface.mapping();
+        const ReliefMapping mapping = Surface(shot).surface.mapping();
         const double longest = glm::compMax(mapping.depth) * mapping.texels / least_slant * 1.001;
         for (const char* method : methods)
             for (const char* probe : {"", "uv", "depth", "ray", "steps"}) {

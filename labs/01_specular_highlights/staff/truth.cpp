@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "framework/base/parallel.h"
 #include "framework/image/asset.h"
+#include "framework/kit/numbers.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/surfaces.h"
 #include "framework/staff/reference/tangent_space.h"
@@ -67,21 +67,14 @@ glm::dvec3 normal_of(const Sight& sight, double strength) {
 
 std::optional<Image> exact_values(const Frame& view, const Probe& probe, double strength) {
     const Relief bricks("bricks_height.png", 24), paving("paving_height.png", 12);
-    Image image(view.size.x, view.size.y, 4);
-    const auto draw_row = [&](int y) {
-        for (int x = 0; x < view.size.x; ++x) {
-            const Sight sight = first_sight(view.ray(x, y), bricks, paving);
-            glm::vec4 value(no_surface);
-            if (sight.relief && probe.name == "direction") value = glm::vec4(direction_of(sight, strength), 0);
-            if (sight.relief && probe.name == "normal") value = glm::vec4(normal_of(sight, strength), 0);
-            if (sight.relief && probe.name == "uv") value = glm::vec4(sight.relief->texels(sight.uv), 0, 0);
-            for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = value[c];
-        }
-    };
-    parallel_pieces(size_t(view.size.y), 1, 0, [&](size_t begin, size_t end) {
-        for (size_t y = begin; y < end; ++y) draw_row(int(y));
+    return truth_of_rays(view, [&](const Ray& ray) -> std::optional<glm::dvec4> {
+        const Sight sight = first_sight(ray, bricks, paving);
+        if (!sight.relief) return {};
+        if (probe.name == "direction") return glm::dvec4(direction_of(sight, strength), 0);
+        if (probe.name == "normal") return glm::dvec4(normal_of(sight, strength), 0);
+        if (probe.name == "uv") return glm::dvec4(sight.relief->texels(sight.uv), 0, 0);
+        return {};
     });
-    return image;
 }
 
 const decltype(truth)::Provided provided_truth(truth, exact_values);

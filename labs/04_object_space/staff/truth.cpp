@@ -1,6 +1,7 @@
 // What only the staff has of lab 04: see ../truth.h.
 #include "truth.h"
 
+#include "framework/kit/numbers.h"
 #include "framework/staff/reference/displaced.h"
 #include "quilt.h"
 
@@ -9,28 +10,22 @@ namespace {
 
 std::optional<Image> exact_values(const Frame& frame, double rate, const glm::dmat4& world_from_model) {
     const glm::dmat4 model_from_world = glm::inverse(world_from_model);
-    Image image(frame.size.x, frame.size.y, 4);
-    std::fill(image.values.begin(), image.values.end(), no_surface);
-    for (int y = 0; y < frame.size.y; ++y)
-        for (int x = 0; x < frame.size.x; ++x) {
-            const Ray ray = frame.ray(x, y);
-            const Ray local{glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1)),
-                            glm::dmat3(model_from_world) * ray.direction};
-            // A column that is twisted about its axis keeps its shape: only its uv have turned.
-            const auto hit = first_hit(column, local);
-            if (!hit) continue;
-            const double angle = rate * hit->place.y * column.height;
-            const glm::dvec2 rest(hit->place.x - angle / (2 * glm::pi<double>()), hit->place.y);
-            const DisplacedPoint point = displace(point_on(column, rest), {height(rest), slope(rest)}, scale);
-            const double c = std::cos(angle), s = std::sin(angle);
-            const glm::dvec3& p = point.position;
-            const glm::dmat3 twist({c, 0, -s}, {rate * (p.z * c - p.x * s), 1, -rate * (p.x * c + p.z * s)}, {s, 0, c});
-            const glm::dvec3 normal =
-                glm::normalize(glm::dmat3(world_from_model) * (glm::transpose(glm::inverse(twist)) * point.normal));
-            for (int i = 0; i < 3; ++i) image.pixel(x, y)[i] = float(normal[i]);
-            image.pixel(x, y)[3] = 0;
-        }
-    return image;
+    return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
+        const Ray local{glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1)),
+                        glm::dmat3(model_from_world) * ray.direction};
+        // A column that is twisted about its axis keeps its shape: only its uv have turned.
+        const auto hit = first_hit(column, local);
+        if (!hit) return {};
+        const double angle = rate * hit->place.y * column.height;
+        const glm::dvec2 rest(hit->place.x - angle / (2 * glm::pi<double>()), hit->place.y);
+        const DisplacedPoint point = displace(point_on(column, rest), {height(rest), slope(rest)}, scale);
+        const double c = std::cos(angle), s = std::sin(angle);
+        const glm::dvec3& p = point.position;
+        const glm::dmat3 twist({c, 0, -s}, {rate * (p.z * c - p.x * s), 1, -rate * (p.x * c + p.z * s)}, {s, 0, c});
+        const glm::dvec3 normal =
+            glm::normalize(glm::dmat3(world_from_model) * (glm::transpose(glm::inverse(twist)) * point.normal));
+        return glm::dvec4(normal, 0);
+    });
 }
 
 const decltype(truth)::Provided provided_truth(truth, exact_values);

@@ -2,7 +2,7 @@
 #include "truth.h"
 
 #include "framework/base/error.h"
-#include "framework/base/parallel.h"
+#include "framework/kit/numbers.h"
 #include "framework/staff/reference/tangents.h"
 
 namespace relief::basis {
@@ -32,23 +32,15 @@ std::optional<glm::dvec2> place_seen(const CoarseMesh& coarse, const Ray& ray) {
 
 std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const CoarseMesh& mesh, Shape shape,
                                   double shear) {
-    Image image(frame.size.x, frame.size.y, 4);
-    std::fill(image.values.begin(), image.values.end(), no_surface);
-    const auto draw = [&](int x, int y) {
-        const auto seen = place_seen(mesh, frame.ray(x, y));
-        if (!seen) return;
+    return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
+        const auto seen = place_seen(mesh, ray);
+        if (!seen) return {};
         const Place place = place_on(shape, *seen, shear);
         glm::dvec3 value(place.tangent);
         // dP/dv of a surface of revolution is perpendicular to dP/du; a sheared quad's is not, but its frame is.
         if (probe.name == "bitangent") value = place.tangent.w * glm::cross(place.normal, value);
-        for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = float(value[c]);
-        image.pixel(x, y)[3] = 0;
-    };
-    parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
-        for (size_t y = begin; y < end; ++y)
-            for (int x = 0; x < frame.size.x; ++x) draw(x, int(y));
+        return glm::dvec4(value, 0);
     });
-    return image;
 }
 
 Mesh framework_tangents(const Mesh& mesh) { return with_tangents(mesh, TangentMethod::mikktspace); }

@@ -1,8 +1,8 @@
 // What only the staff has of lab 06: see ../truth.h.
 #include "truth.h"
 
-#include "framework/base/parallel.h"
 #include "framework/image/asset.h"
+#include "framework/kit/numbers.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/surfaces.h"
 
@@ -53,22 +53,12 @@ std::optional<Image> exact_values(const Frame& frame, const Pose& pose) {
     const HeightField bricks(read_asset("bricks_height.png"), true);
     const glm::dmat4 model_from_world = glm::inverse(pose.world_from_model);
     const glm::dmat3 normals = glm::transpose(glm::dmat3(model_from_world));
-    Image image(frame.size.x, frame.size.y, 4);
-    std::fill(image.values.begin(), image.values.end(), no_surface);
-    const auto draw = [&](int x, int y) {
-        const Ray ray = frame.ray(x, y);
+    return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         const auto sight = look(pose, {glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1)),
                                        glm::dmat3(model_from_world) * ray.direction});
-        if (!sight) return;
-        const glm::dvec3 normal = glm::normalize(normals * normal_of(*sight, pose, bricks));
-        for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = float(normal[c]);
-        image.pixel(x, y)[3] = 0;
-    };
-    parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
-        for (size_t y = begin; y < end; ++y)
-            for (int x = 0; x < frame.size.x; ++x) draw(x, int(y));
+        if (!sight) return {};
+        return glm::dvec4(glm::normalize(normals * normal_of(*sight, pose, bricks)), 0);
     });
-    return image;
 }
 
 const decltype(truth)::Provided provided_truth(truth, exact_values);

@@ -1,7 +1,7 @@
 // What only the staff has of lab 10: see ../truth.h.
 #include "truth.h"
 
-#include "framework/base/parallel.h"
+#include "framework/kit/numbers.h"
 #include "framework/staff/reference/relief_sight.h"
 
 namespace relief::offsets {
@@ -24,18 +24,12 @@ std::vector<Image> exact_values(const std::vector<Frame>& frames, const Probe& p
     const HeightField heights(surface.heights(), true);
     const ReliefMapping mapping = surface.mapping();
     std::vector<Image> images;
-    for (const Frame& frame : frames) {
-        Image& image = images.emplace_back(frame.size.x, frame.size.y, 4);
-        std::fill(image.values.begin(), image.values.end(), no_surface);
-        parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
-            for (size_t y = begin; y < end; ++y)
-                for (int x = 0; x < frame.size.x; ++x)
-                    if (const auto sight = sights.look(frame.ray(x, int(y)), mapping)) {
-                        const glm::dvec4 value = value_of(probe.name, *sight, heights);
-                        for (int c = 0; c < 4; ++c) image.pixel(x, int(y))[c] = float(value[c]);
-                    }
-        });
-    }
+    for (const Frame& frame : frames)
+        images.push_back(truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
+            const auto sight = sights.look(ray, mapping);
+            if (!sight) return {};
+            return value_of(probe.name, *sight, heights);
+        }));
     return images;
 }
 

@@ -1,7 +1,7 @@
 // What only the staff has of lab 12: see ../truth.h.
 #include "truth.h"
 
-#include "framework/base/parallel.h"
+#include "framework/kit/numbers.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/relief_sight.h"
 #include "framework/staff/reference/surfaces.h"
@@ -78,22 +78,13 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
     if (!uv && !depth && !shadow) return {};
     std::vector<SeenObject> objects;
     for (const Object& object : sight.objects) objects.emplace_back(object, sight.outline);
-    Image image(frame.size.x, frame.size.y, 4);
-    std::fill(image.values.begin(), image.values.end(), no_surface);
-    const auto draw = [&](int x, int y) {
+    return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         Seen seen;
-        for (const SeenObject& object : objects) object.look(frame.ray(x, y), sight.to_light, shadow, seen);
-        if (sight.ball) look(*sight.ball, frame.ray(x, y), seen);
-        if (std::isinf(seen.distance) || (seen.is_ball && !depth)) return;
-        const glm::dvec2 value = depth ? glm::dvec2(seen.distance, 0) : uv ? seen.texel : glm::dvec2(seen.lit, 0);
-        float* const pixel = image.pixel(x, y);
-        pixel[0] = float(value.x), pixel[1] = float(value.y), pixel[2] = pixel[3] = 0;
-    };
-    parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
-        for (size_t y = begin; y < end; ++y)
-            for (int x = 0; x < frame.size.x; ++x) draw(x, int(y));
+        for (const SeenObject& object : objects) object.look(ray, sight.to_light, shadow, seen);
+        if (sight.ball) look(*sight.ball, ray, seen);
+        if (std::isinf(seen.distance) || (seen.is_ball && !depth)) return {};
+        return glm::dvec4(depth ? glm::dvec2(seen.distance, 0) : uv ? seen.texel : glm::dvec2(seen.lit, 0), 0, 0);
     });
-    return image;
 }
 
 const decltype(truth)::Provided provided_truth(truth, exact_values);

@@ -1,7 +1,7 @@
 // What only the staff has of lab 13: see ../truth.h.
 #include "truth.h"
 
-#include "framework/base/parallel.h"
+#include "framework/kit/numbers.h"
 #include "framework/staff/reference/displaced.h"
 #include "framework/staff/reference/height_field.h"
 
@@ -79,26 +79,19 @@ private:
 };
 
 std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const DisplacedSurface& surface) {
-    Image image(frame.size.x, frame.size.y, 4);
-    if (probe.name == "winding") return surface.patches().is_closed ? std::optional(image) : std::nullopt;
+    if (probe.name == "winding") {
+        if (!surface.patches().is_closed) return {};
+        return Image(frame.size.x, frame.size.y, 4);
+    }
     if (surface.shape != DisplacedSurface::wall || probe.name == "mip" || probe.name == "place") return {};
     const Wall wall(surface.heights(), DisplacedSurface::wall_metres, surface.tiles().x, double(surface.scale()));
-    parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
-        for (size_t y = begin; y < end; ++y)
-            for (int x = 0; x < frame.size.x; ++x) {
-                float* const pixel = image.pixel(x, int(y));
-                const auto seen = wall.look(frame.ray(x, int(y)));
-                if (!seen)
-                    std::fill_n(pixel, 4, no_surface);
-                else if (probe.name == "depth")
-                    pixel[0] = float(seen->distance);
-                else if (probe.name == "slope")
-                    pixel[0] = float(seen->slope.x), pixel[1] = float(seen->slope.y);
-                else
-                    for (int i = 0; i < 3; ++i) pixel[i] = float(seen->normal[i]);
-            }
+    return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
+        const auto seen = wall.look(ray);
+        if (!seen) return {};
+        if (probe.name == "depth") return glm::dvec4(seen->distance, 0, 0, 0);
+        if (probe.name == "slope") return glm::dvec4(seen->slope, 0, 0);
+        return glm::dvec4(seen->normal, 0);
     });
-    return image;
 }
 
 const decltype(truth)::Provided provided_truth(truth, exact_values);

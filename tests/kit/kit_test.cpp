@@ -1,0 +1,100 @@
+// What labs share: values that are kept, measurements, truths by rays, lights.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "framework/kit/kept.h"
+#include "framework/kit/light.h"
+#include "framework/kit/numbers.h"
+
+namespace relief {
+namespace {
+
+TEST(Kept, IsMadeAnewWhenAnInputChangesAndOnlyThen) {
+    Kept<std::string, int, std::string> kept;
+    int made = 0;
+    const auto get = [&](int number, const std::string& word) {
+        return kept.get({number, word}, [&] {
+            ++made;
+            return word + std::to_string(number);
+        });
+    };
+    EXPECT_EQ(get(1, "a"), "a1");
+    EXPECT_EQ(get(1, "a"), "a1");
+    EXPECT_EQ(made, 1);
+    EXPECT_EQ(get(2, "a"), "a2");
+    EXPECT_EQ(get(2, "b"), "b2");
+    EXPECT_EQ(get(1, "a"), "a1") << "only the last one is kept";
+    EXPECT_EQ(made, 4);
+    EXPECT_EQ(kept.version(), 4);
+}
+
+TEST(Kept, IsTriedAgainAfterAnError) {
+    Kept<int, int> kept;
+    kept.get({1}, [] { return 10; });
+    for (int i = 0; i < 2; ++i)
+        EXPECT_THROW(kept.get({2}, []() -> int { throw std::runtime_error("no file"); }), std::runtime_error);
+    EXPECT_EQ(kept.get({2}, [] { return 20; }), 20);
+    EXPECT_EQ(kept.get({1}, [] { return 11; }), 11) << "what was kept before the error has gone";
+}
+
+TEST(Numbers, AreDrawnBesideTheFrame) {
+    const Image drawn = draw_numbers({3, 2}, [] {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(2, 1, 1, 1);  // GL's upper right
+        const float value[] = {-1e30f, 2, 3, 4};
+        glClearBufferfv(GL_COLOR, 0, value);
+        glDisable(GL_SCISSOR_TEST);
+    });
+    EXPECT_EQ(drawn.pixel(2, 0)[0], -1e30f);
+    EXPECT_EQ(drawn.pixel(2, 0)[3], 4);
+    EXPECT_EQ(drawn.pixel(0, 0)[0], no_surface);
+    EXPECT_EQ(drawn.pixel(2, 1)[3], no_surface);
+}
+
+TEST(Numbers, LeaveFramebufferAndViewport) {
+    const FramebufferName frame;
+    glBindFramebuffer(GL_FRAMEBUFFER, frame);
+    glViewport(1, 2, 30, 40);
+    GLint inside[4] = {};
+    draw_numbers({5, 6}, [&] { glGetIntegerv(GL_VIEWPORT, inside); });
+    EXPECT_EQ(std::vector<int>(inside, inside + 4), (std::vector<int>{0, 0, 5, 6}));
+    GLint viewport[4] = {}, framebuffer = 0;
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    EXPECT_EQ(std::vector<int>(viewport, viewport + 4), (std::vector<int>{1, 2, 30, 40}));
+    EXPECT_EQ(GLuint(framebuffer), GLuint(frame));
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+TEST(TruthOfRays, IsWhatEachPixelsRaySeesAndInfinityBeside) {
+    const glm::ivec2 size(7, 5);
+    const Frame frame{.target = 0, .size = size, .time = 0, .camera = Camera({}, 7.0 / 5), .probe = {}};
+    const Image truth = truth_of_rays(frame, [](const Ray& ray) -> std::optional<glm::dvec4> {
+        if (ray.direction.y < -0.4) return {};
+        return glm::dvec4(ray.direction, 2);
+    });
+    int empty = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const glm::dvec3 along = frame.ray(x, y).direction;
+            const bool seen = along.y >= -0.4;
+            empty += !seen;
+            for (int c = 0; c < 3; ++c) EXPECT_EQ(truth.pixel(x, y)[c], seen ? float(along[c]) : no_surface);
+            EXPECT_EQ(truth.pixel(x, y)[3], seen ? 2 : no_surface);
+        }
+    EXPECT_GT(empty, 0);
+    EXPECT_LT(empty, size.x * size.y);
+}
+
+TEST(Light, ComesFromItsYawAndPitch) {
+    const auto expect_near = [](glm::dvec3 a, glm::dvec3 b) { EXPECT_LT(glm::distance(a, b), 1e-6); };
+    expect_near(DistantLight{.yaw = 0, .pitch = 0}.direction(), {0, 0, 1});
+    expect_near(DistantLight{.yaw = 90, .pitch = 0}.direction(), {1, 0, 0});
+    expect_near(DistantLight{.yaw = 17, .pitch = 90}.direction(), {0, 1, 0});
+    expect_near(DistantLight{.yaw = -50, .pitch = 40}.direction<double>(), DistantLight{}.direction());
+    expect_near(lamp_at(90, 3, 2), {3, 2, 0});
+}
+
+}  // namespace
+}  // namespace relief
