@@ -21,6 +21,7 @@
 #include "framework/staff/reference/displaced.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/light.h"
+#include "framework/staff/reference/mesh_rays.h"
 #include "framework/staff/reference/normal_map.h"
 #include "framework/staff/reference/patches.h"
 #include "framework/staff/reference/tangent_space.h"
@@ -627,10 +628,89 @@ std::vector<Twin> displacement_and_levels() {
     };
 }
 
+Ray ray_of(const GlslInput& in) { return {xyz(in[0]), xyz(in[1])}; }
+
+/// A ray and a triangle that it meets, or misses, by more than a float's rounding can change.
+GlslInput random_ray_and_triangle(Dice& dice) {
+    for (;;) {
+        const GlslInput in{glm::vec4(dice.inside(-1, 1), 0), glm::vec4(dice.inside(-2, 2), 0),
+                           glm::vec4(dice.inside(-1, 1), 0), glm::vec4(dice.inside(-1, 1), 0),
+                           glm::vec4(dice.inside(-1, 1), 0)};
+        const glm::dvec3 across = glm::cross(xyz(in[3]) - xyz(in[2]), xyz(in[4]) - xyz(in[2]));
+        const double slant = glm::dot(across, xyz(in[1]));
+        if (std::abs(slant) < 0.3) continue;
+        const glm::dvec3 at = ray_of(in).at(glm::dot(across, xyz(in[2]) - xyz(in[0])) / slant);
+        double least = 1;
+        for (size_t i = 0; i < 3; ++i) {
+            const glm::dvec3 from = xyz(in[2 + i]), to = xyz(in[2 + (i + 1) % 3]);
+            least = std::min(least, std::abs(glm::dot(glm::cross(to - from, at - from), across)));
+        }
+        if (least > 1e-3) return in;
+    }
+}
+
+std::vector<Twin> mesh_rays() {
+    const auto direction = [](Dice& dice) {
+        return GlslInput{glm::vec4(dice.any_size(-2, 2), dice.any_size(-2, 2), dice.any_size(-2, 2), 0),
+                         glm::vec4(dice.inside(-1, 1), 0)};
+    };
+    const std::string call = "triangle_hit(a.xyz, b.xyz, ray_shear(b.xyz), c.xyz, d.xyz, e.xyz)";
+    return {
+        {"in_ray_order",
+         "common/mesh_rays.glsl",
+         "vec4(in_ray_order(b.xyz, a.xyz), 0.0)",
+         direction,
+         [](const GlslInput& in) {
+             const RayAxes axes = axes_of(xyz(in[0]));
+             return glm::dvec4(in[1][axes.along[0]], in[1][axes.along[1]], in[1][axes.along[2]], 0);
+         },
+         {"v.yzx", "v.zyx"}},
+        {"ray_shear",
+         "common/mesh_rays.glsl",
+         "vec4(ray_shear(a.xyz), 0.0)",
+         direction,
+         [](const GlslInput& in) { return glm::dvec4(axes_of(xyz(in[0])).shear, 0); },
+         {"d.x / d.z", "d.x * d.z"}},
+        {"inverse_direction",
+         "common/mesh_rays.glsl",
+         "vec4(inverse_direction(a.xyz), 0.0)",
+         [](Dice& dice) {
+             return GlslInput{glm::vec4(dice.any_size(-2, 2), dice.any_size(-25, -19), dice.random() % 2, 0)};
+         },
+         [](const GlslInput& in) { return glm::dvec4(inverse_direction(xyz(in[0])), 0); },
+         {"1.0 / mix", "2.0 / mix"}},
+        {"meets_box",
+         "common/mesh_rays.glsl",
+         "vec4(meets_box(a.xyz, inverse_direction(b.xyz), 1.0, min(c.xyz, d.xyz), max(c.xyz, d.xyz)))",
+         [](Dice& dice) {
+             const auto grid = [&] { return glm::vec4(glm::round(dice.inside(-8, 8)) / 4.0f, 0); };
+             // Halves beside the planes of the boxes, and parts of them that no rounding reaches.
+             return GlslInput{grid() + 0.1f, grid() + glm::vec4(0.03f, 0.07f, 0.013f, 0), grid(), grid()};
+         },
+         [](const GlslInput& in) {
+             return glm::dvec4(meets_box(xyz(in[0]), inverse_direction(xyz(in[1])), 1,
+                                         glm::min(xyz(in[2]), xyz(in[3])), glm::max(xyz(in[2]), xyz(in[3]))));
+         },
+         {"max(near.z, 0.0)", "near.z"}},
+        {"triangle_hit",
+         "common/mesh_rays.glsl",
+         call,
+         random_ray_and_triangle,
+         [](const GlslInput& in) {
+             const Ray ray = ray_of(in);
+             return triangle_hit(ray, axes_of(ray.direction), xyz(in[2]), xyz(in[3]), xyz(in[4]));
+         },
+         {"(any_below && any_above)", "any_above"},
+         // t is a quotient by a slant of 0.3 and more of lengths of 4.
+         2e-4,
+         1},
+    };
+}
+
 std::vector<Twin> all_twins() {
     std::vector<Twin> all;
-    for (const auto& some :
-         {light_and_color(), normals_and_frames(), height_cells(), cell_walks(), displacement_and_levels()})
+    for (const auto& some : {light_and_color(), normals_and_frames(), height_cells(), cell_walks(),
+                             displacement_and_levels(), mesh_rays()})
         all.insert(all.end(), some.begin(), some.end());
     return all;
 }
@@ -682,6 +762,38 @@ TEST(ShaderFunction, EachOfThemHasATwinHere) {
                 EXPECT_TRUE(tested.contains((*match)[3])) << (*match)[3] << " in " << file.path();
         }
     EXPECT_GE(found, tested.size());
+}
+
+// Rays at a vertex, at places on the edges around it, and at what rounding makes of them.
+TEST(ShaderFunction, RaysAtTheVertexAndTheEdgesOfAFanPassBetweenNoneOfItsTriangles) {
+    Dice dice{std::mt19937(seed)};
+    std::vector<GlslInput> inputs(20000);
+    for (GlslInput& in : inputs) {
+        const float size = std::pow(10.0f, float(int(dice.random() % 7)) * 2 - 6);
+        const glm::vec3 origin = size * dice.inside(-1, 1), axis = dice.unit();
+        const glm::vec3 middle = origin + size * dice.between(0.5f, 3) * axis;
+        const glm::vec3 x = any_perpendicular(axis), y = glm::cross(axis, x);
+        glm::vec3 ring[4];
+        for (int i = 0; i < 4; ++i) {
+            const float turn = float(i) * 1.5708f + dice.between(-0.5f, 0.5f);
+            ring[i] = middle + 0.3f * size * (std::cos(turn) * x + std::sin(turn) * y + dice.between(-1, 1) * axis);
+        }
+        const glm::vec3 target =
+            dice.random() % 2 ? middle : glm::mix(middle, ring[dice.random() % 4], dice.between(0, 0.9f));
+        in = {glm::vec4(origin, 0), glm::vec4(target - origin, 0), glm::vec4(middle, 0)};
+        for (size_t i = 0; i < 4; ++i) in[3 + i] = glm::vec4(ring[i], 0);
+    }
+    std::string sum;
+    for (const char* pair : {"d.xyz, e.xyz", "e.xyz, f.xyz", "f.xyz, g.xyz", "g.xyz, d.xyz"})
+        sum += (sum.empty() ? "" : " + ") +
+               fmt::format("abs(triangle_hit(a.xyz, b.xyz, ray_shear(b.xyz), c.xyz, {}))", pair);
+    const auto lost = [&](const PlantedMistake& mistake) {
+        const auto hits = evaluate_glsl("common/mesh_rays.glsl", sum, inputs, mistake);
+        return std::count_if(hits.begin(), hits.end(), [](const glm::vec4& hit) { return !(hit.w >= 1); });
+    };
+    EXPECT_EQ(lost({}), 0);
+    EXPECT_GT(lost({"r.xy = r.xy - shear.xy", "r.xy = r.xy - 1.000001 * shear.xy"}), 100)
+        << "a corner that is not where the neighbour has it";
 }
 
 TEST(ShaderFunction, CellCornersAreTheTexelsThemselvesOfAnyCell) {

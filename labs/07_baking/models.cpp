@@ -1,0 +1,164 @@
+#include "models.h"
+
+#include <glm/gtc/constants.hpp>
+
+namespace relief::baking {
+namespace {
+
+constexpr double two_pi = 2 * glm::pi<double>();
+constexpr int ribs = 15;                   // a turn
+constexpr double seam = 0.9;               // where the map's strips are cut open, radians from the outermost line
+constexpr double border = 1.0 / 16, strip = 1.0 / 4, step = strip + border;
+
+/// Heights of the ribs, in radii of the tube: they bend forwards, and fade where the next whorl lies on them.
+double relief_height(double turn, double around, bool with_growth_lines) {
+    const double phase = two_pi * (ribs * turn - 0.45 * (1 - std::cos(around)) + 0.1 * std::sin(2 * around));
+    const double free = 0.5 + 0.5 * std::cos(around);
+    const double rib = std::pow(0.5 + 0.5 * std::cos(phase), 1.4) * (0.12 + 0.88 * free);
+    const double line = with_growth_lines ? 0.5 + 0.5 * std::cos(5 * phase) : 0;
+    return rib_height * rib + growth_line_height * line;
+}
+
+/// A place `height` above the tube, in radii of it.
+glm::dvec3 place(const Model& model, double turn, double around, double height) {
+    const double angle = two_pi * turn;
+    const glm::dvec3 outwards(std::cos(angle), std::sin(angle), 0);
+    const double radius = model.tube_radius(turn) * (1 + height);
+    return (model.centre_radius(turn) + radius * std::cos(around)) * outwards +
+           glm::dvec3(0, 0, radius * std::sin(around));
+}
+
+/// Position, normal and dP/dturn of a surface P(turn, around), by differences that double precision does not notice.
+template <class Surface>
+Vertex vertex_of(const Surface& at, double turn, double around) {
+    constexpr double h = 1e-5;
+    const glm::dvec3 along = (at(turn + h, around) - at(turn - h, around)) / (2 * h);
+    const glm::dvec3 across = (at(turn, around + h) - at(turn, around - h)) / (2 * h);
+    const glm::dvec3 normal = glm::normalize(glm::cross(along, across));
+    return {at(turn, around), normal, glm::vec4(glm::normalize(along), 1), {turn, 0}};
+}
+
+void add_quad(Mesh& mesh, uint32_t a, uint32_t b, uint32_t c, uint32_t d, bool other_diagonal) {
+    if (other_diagonal)
+        mesh.indices.insert(mesh.indices.end(), {a, b, d, b, c, d});
+    else
+        mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
+}
+
+/// A tube that is closed around; its vertices know their turn.
+template <class Surface>
+void add_tube(Mesh& mesh, Fineness fineness, double begin, double end, float mark, const Surface& at) {
+    const uint32_t first = uint32_t(mesh.vertices.size()), sides = uint32_t(fineness.sides);
+    for (int i = 0; i <= fineness.columns; ++i)
+        for (int j = 0; j < fineness.sides; ++j) {
+            mesh.vertices.push_back(
+                vertex_of(at, begin + (end - begin) * i / fineness.columns, two_pi * j / fineness.sides));
+            mesh.vertices.back().uv.x += mark;
+        }
+    for (uint32_t i = 0; i < uint32_t(fineness.columns); ++i)
+        for (uint32_t j = 0; j < sides; ++j) {
+            const uint32_t a = first + i * sides + j, d = first + i * sides + (j + 1) % sides;
+            add_quad(mesh, a, a + sides, d + sides, d, false);
+        }
+}
+
+/// In a mirror: left becomes right, the frames left-handed.
+void mirror(Mesh& mesh) {
+    for (Vertex& vertex : mesh.vertices)
+        vertex.position.x *= -1, vertex.normal.x *= -1, vertex.tangent.x *= -1, vertex.tangent.w *= -1;
+    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+}
+
+/// The face's outward normal and its directions of u and v.
+struct Face {
+    glm::vec3 normal, u, v;
+};
+constexpr std::array<Face, 6> faces = {{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+                                        {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
+                                        {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+                                        {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                                        {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                        {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}}};
+
+Mesh make_cube(bool averaged, bool other_diagonal) {
+    Mesh mesh;
+    for (uint32_t f = 0; f < faces.size(); ++f) {
+        const Face& face = faces[f];
+        const glm::vec2 corner = float(border) + float(step) * glm::vec2(f % 3, f / 3);
+        for (const glm::vec2 at : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
+            const glm::vec3 direction = face.normal + (2 * at.x - 1) * face.u + (2 * at.y - 1) * face.v;
+            const glm::vec3 normal = averaged ? glm::normalize(direction) : face.normal;
+            const glm::vec3 tangent = glm::normalize(face.u - glm::dot(face.u, normal) * normal);
+            mesh.vertices.push_back({direction * (cube_side / 2), normal, glm::vec4(tangent, 1),
+                                     averaged ? corner + float(strip) * at : glm::vec2(0)});
+        }
+        add_quad(mesh, 4 * f, 4 * f + 1, 4 * f + 2, 4 * f + 3, other_diagonal);
+    }
+    return mesh;
+}
+
+}  // namespace
+
+double Model::centre_radius(double turn) const { return outer_radius * std::pow(growth, turn - whorls); }
+
+double Model::tube_radius(double turn) const { return touching_radius * (1 - double(gap)) * centre_radius(turn); }
+
+double Model::unit(const glm::dvec2& uv) const {
+    return shape == Shape::cube ? cube_side / 2 : tube_radius(turn_at(uv));
+}
+
+double turn_at(const glm::dvec2& uv) {
+    const double whorl = std::clamp(std::floor((uv.y - border / 2) / step), 0.0, whorls - 1.0);
+    return whorl + (uv.x - border) / (1 - 2 * border);
+}
+
+Mesh make_high(const Model& model, Fineness fineness, bool cord) {
+    if (model.shape == Shape::cube) return make_cube(false, false);
+    Mesh mesh;
+    const bool fine = fineness.columns >= whorls * ribs * 5 * 3;
+    add_tube(mesh, fineness, 0, whorls, 0, [&](double turn, double around) {
+        return place(model, turn, around, relief_height(turn, around, fine));
+    });
+    if (cord)
+        add_tube(mesh, {96, 10}, 2.1, 2.9, 100, [&](double turn, double around) {
+            // Around a line above the tube, which wanders.
+            const double at = 0.9 + 0.5 * std::sin(two_pi * 2.3 * turn);
+            const double aside = cord_radius / (1 + cord_height);
+            return place(model, turn, at + aside * std::sin(around), cord_height + cord_radius * std::cos(around));
+        });
+    if (model.shape == Shape::mirrored) mirror(mesh);
+    return mesh;
+}
+
+Mesh make_low(const Model& model, Fineness fineness, bool overlapping, bool other_diagonal) {
+    if (model.shape == Shape::cube) return make_cube(true, other_diagonal);
+    Mesh mesh;
+    for (int whorl = 0; whorl < whorls; ++whorl) {
+        const uint32_t first = uint32_t(mesh.vertices.size()), row = uint32_t(fineness.sides) + 1;
+        const double low = border + step * (overlapping ? std::max(whorl, 1) : whorl);
+        for (int i = 0; i <= fineness.columns; ++i)
+            for (int j = 0; j <= fineness.sides; ++j) {
+                const glm::dvec2 share(double(i) / fineness.columns, double(j) / fineness.sides);
+                mesh.vertices.push_back(
+                    vertex_of([&](double turn, double around) { return place(model, turn, around, 0); },
+                              whorl + share.x, seam + two_pi * share.y));
+                mesh.vertices.back().uv = {border + (1 - 2 * border) * share.x, low + strip * share.y};
+            }
+        for (uint32_t i = 0; i < uint32_t(fineness.columns); ++i)
+            for (uint32_t j = 0; j < uint32_t(fineness.sides); ++j) {
+                const uint32_t a = first + i * row + j;
+                add_quad(mesh, a, a + row, a + row + 1, a + 1, other_diagonal);
+            }
+    }
+    if (model.shape == Shape::mirrored) mirror(mesh);
+    return mesh;
+}
+
+double reach_needed(const Model& model, Fineness low) {
+    if (model.shape == Shape::cube) return 0;
+    const double tube = touching_radius * (1 - double(model.gap));
+    const double along = (1 + tube) / tube * (1 - std::cos(glm::pi<double>() / low.columns));
+    return rib_height + growth_line_height + along + (1 - std::cos(glm::pi<double>() / low.sides));
+}
+
+}  // namespace relief::baking

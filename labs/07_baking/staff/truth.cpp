@@ -1,0 +1,168 @@
+// What only the staff has of lab 07: see ../truth.h.
+#include "truth.h"
+
+#include <cmath>
+
+#include "framework/base/parallel.h"
+#include "framework/staff/reference/mesh_rays.h"
+
+namespace relief::baking {
+namespace {
+
+/// A place on the coarse model, as it is interpolated there.
+struct Place {
+    glm::dvec3 position{}, normal{};
+    glm::dvec4 tangent{};
+    glm::dvec2 uv{};
+    double cover = 0;  ///< how many triangles of the map there are
+};
+
+Place place_at(const Mesh& mesh, size_t triangle, const glm::dvec3& weights) {
+    Place place;
+    for (size_t corner = 0; corner < 3; ++corner) {
+        const Vertex& vertex = mesh.vertices[mesh.indices[triangle * 3 + corner]];
+        const double weight = weights[int(corner)];
+        place.position += weight * glm::dvec3(vertex.position), place.normal += weight * glm::dvec3(vertex.normal);
+        place.tangent += weight * glm::dvec4(vertex.tangent), place.uv += weight * glm::dvec2(vertex.uv);
+    }
+    return place;
+}
+
+struct Scene {
+    explicit Scene(const Recipe& of, bool other_diagonal)
+        : recipe(of),
+          high(make_high(of.model, high_finenesses[size_t(of.high)], of.cord)),
+          low(make_low(of.model, low_finenesses[size_t(of.low)], of.overlapping, other_diagonal)),
+          high_tree(build_tree(high)) {}
+
+    const Recipe& recipe;
+    Mesh high, low;
+    TriangleTree high_tree;
+
+    /// Of the hits from the cage inwards that face the ray, the nearest to the place: its height, and the normal there.
+    std::optional<std::pair<double, glm::dvec3>> met_from(const Place& place) const {
+        const glm::dvec3 outwards = glm::normalize(place.normal);
+        const double reach = recipe.reach_at(place.uv);
+        std::optional<MeshHit> best;
+        each_hit(high_tree, high, {place.position + reach * outwards, -outwards}, 2 * reach, [&](const MeshHit& hit) {
+            if (hit.is_front && (!best || std::abs(reach - hit.t) < std::abs(reach - best->t))) best = hit;
+        });
+        if (!best) return {};
+        return std::pair(reach - best->t, normal_at(high, *best));
+    }
+
+    glm::dvec3 baked_normal(const Place& place) const {
+        const auto met = met_from(place);
+        return met ? met->second : glm::normalize(place.normal);
+    }
+};
+
+/// The places of a map's texels, row 0 at the top: each belongs to the triangle that covers its middle, and what lies on
+/// an edge between two to one of them.
+std::vector<Place> texel_places(const Mesh& mesh, glm::ivec2 size) {
+    std::vector<Place> places(size_t(size.x) * size_t(size.y));
+    for (size_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle) {
+        glm::dvec2 at[3], low(INFINITY), high(-INFINITY);
+        for (size_t corner = 0; corner < 3; ++corner) {
+            at[corner] = glm::dvec2(mesh.vertices[mesh.indices[triangle * 3 + corner]].uv) * glm::dvec2(size);
+            low = glm::min(low, at[corner]), high = glm::max(high, at[corner]);
+        }
+        const auto twice_area = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+            return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        };
+        const double area = twice_area(at[0], at[1], at[2]);
+        if (area == 0) continue;
+        const glm::ivec2 begin = glm::max(glm::ivec2(low), 0), end = glm::min(glm::ivec2(high) + 1, size);
+        for (int y = begin.y; y < end.y; ++y)
+            for (int x = begin.x; x < end.x; ++x) {
+                glm::dvec3 weights;
+                bool is_inside = true;
+                for (int corner = 0; corner < 3; ++corner) {
+                    const glm::dvec2 from = at[(corner + 1) % 3], to = at[(corner + 2) % 3];
+                    weights[corner] = twice_area(from, to, {x + 0.5, y + 0.5}) / area;
+                    const glm::dvec2 along = (to - from) * (area < 0 ? -1.0 : 1.0);
+                    const bool owns_edge = along.y < 0 || (along.y == 0 && along.x > 0);
+                    is_inside &= weights[corner] > 0 || (weights[corner] == 0 && owns_edge);
+                }
+                if (!is_inside) continue;
+                Place& place = places[size_t(size.y - 1 - y) * size_t(size.x) + size_t(x)];
+                const double cover = place.cover + 1;
+                place = place_at(mesh, triangle, weights), place.cover = cover;
+            }
+    }
+    return places;
+}
+
+/// In the recipe's frame, of unit length.
+glm::dvec3 stored(const Recipe& recipe, const Place& place, const glm::dvec3& n) {
+    if (recipe.object_space) return n;
+    glm::dvec3 normal = place.normal, tangent(place.tangent);
+    if (recipe.frame > 0) normal = glm::normalize(normal);
+    if (recipe.frame == 1) tangent = glm::normalize(tangent);
+    if (recipe.frame == 2) tangent = glm::normalize(tangent - glm::dot(tangent, normal) * normal);
+    const double side = place.tangent.w < 0 ? -1 : 1;
+    return glm::normalize(glm::inverse(glm::dmat3(tangent, side * glm::cross(normal, tangent), normal)) * n);
+}
+
+Image filled(glm::ivec2 size, const std::function<glm::dvec4(int x, int y)>& value) {
+    Image image(size.x, size.y, 4);
+    parallel_pieces(size_t(size.y), 1, 0, [&](size_t begin, size_t end) {
+        for (int y = int(begin); y < int(end); ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const glm::dvec4 v = value(x, y);
+                for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = float(v[c]);
+            }
+    });
+    return image;
+}
+
+const glm::dvec4 nothing(std::numeric_limits<double>::infinity());
+
+std::optional<Image> exact_normals(const Frame& frame, const Sight& sight) {
+    const Scene scene(sight.recipe, sight.other_diagonal);
+    if (sight.shown == Shown::high)
+        return filled(frame.size, [&](int x, int y) {
+            const auto hit = first_hit(scene.high_tree, scene.high, frame.ray(x, y), 1e9);
+            return hit ? glm::dvec4(normal_at(scene.high, *hit), 0) : nothing;
+        });
+    const TriangleTree low_tree = build_tree(scene.low);
+    return filled(frame.size, [&](int x, int y) {
+        const auto hit = first_hit(low_tree, scene.low, frame.ray(x, y), 1e9);
+        if (!hit) return nothing;
+        const Place place = place_at(scene.low, hit->triangle, hit->weights);
+        if (sight.recipe.model.shape != Shape::cube) return glm::dvec4(scene.baked_normal(place), 0);
+        // Of the face: the longest coordinate.
+        const glm::dvec3 p = place.position, size = glm::abs(p);
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        glm::dvec4 face(0);
+        face[axis] = p[axis] < 0 ? -1 : 1;
+        return face;
+    });
+}
+
+std::optional<Image> exact_map(const Frame& frame, const Probe& probe, const Recipe& recipe) {
+    const Scene scene(recipe, false);
+    if (probe.name == "cover") {
+        const std::vector<Place> places = texel_places(scene.low, frame.size);
+        return filled(frame.size, [&](int x, int y) {
+            return glm::dvec4(places[size_t(y) * size_t(frame.size.x) + size_t(x)].cover, 0, 0, 0);
+        });
+    }
+    if (recipe.overlapping) return {};  // one of two triangles has the texel
+    const std::vector<Place> places = texel_places(scene.low, glm::ivec2(recipe.size));
+    return filled(frame.size, [&](int x, int y) {
+        const auto texel_of = [&](int i, int count) { return int((i + 0.5) / count * recipe.size); };
+        const Place& place =
+            places[size_t(texel_of(y, frame.size.y)) * size_t(recipe.size) + size_t(texel_of(x, frame.size.x))];
+        if (place.cover == 0) return nothing;
+        if (probe.name == "stored") return glm::dvec4(stored(recipe, place, scene.baked_normal(place)), 0);
+        const auto met = scene.met_from(place);
+        return met ? glm::dvec4(met->first, 0, 0, 0) : nothing;
+    });
+}
+
+const decltype(normal_truth)::Provided provided_normals(normal_truth, exact_normals);
+const decltype(map_truth)::Provided provided_map(map_truth, exact_map);
+
+}  // namespace
+}  // namespace relief::baking

@@ -1,0 +1,8 @@
+#version 410 core
+// Added up: how many triangles cover a texel.
+
+uniform float u_value;
+
+layout(location = 0) out vec4 o_count;
+
+void main() { o_count = vec4(u_value, 0.0, 0.0, 0.0); }

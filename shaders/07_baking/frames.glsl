@@ -1,0 +1,18 @@
+// Which frame is made of the interpolated normal and tangent: what a baker and a renderer must agree on.
+
+#if defined EACH_UNIT || defined GRAM_SCHMIDT
+vec3 frame_normal(vec3 normal) { return normalize(normal); }
+#else
+vec3 frame_normal(vec3 normal) { return normal; }
+#endif
+
+vec4 frame_tangent(vec3 normal, vec4 tangent) {
+#if defined EACH_UNIT
+    return vec4(normalize(tangent.xyz), tangent.w);
+#elif defined GRAM_SCHMIDT
+    vec3 across = normalize(cross(normal, tangent.xyz));
+    return vec4(cross(across, normalize(normal)), tangent.w);
+#else
+    return tangent;
+#endif
+}

@@ -1,0 +1,37 @@
+#version 410 core
+// The map over a square of the picture: as it is stored, with padding and misses in other tints; or its probes.
+
+#include "07_baking/task.glsl"
+
+uniform sampler2D s_map;
+uniform sampler2D s_texels;  // as they were baked, before padding
+uniform sampler2D s_hits;
+uniform vec4 u_window;  // lower left corner and size, pixels
+uniform float u_level;
+
+layout(location = 0) out vec4 o_color;
+
+void main() {
+    vec2 uv = (gl_FragCoord.xy - u_window.xy) / u_window.zw;
+    ivec2 size = textureSize(s_texels, 0);
+    ivec2 texel = clamp(ivec2(uv * vec2(size)), ivec2(0), size - 1);
+    bool is_covered = texelFetch(s_texels, texel, 0).w > 0.0;
+    vec4 hit = texelFetch(s_hits, texel, 0);
+    int level = int(u_level);
+    ivec2 level_size = textureSize(s_map, level);
+    vec4 stored = texelFetch(s_map, clamp(ivec2(uv * vec2(level_size)), ivec2(0), level_size - 1), level);
+#if defined PROBE_stored
+    if (!is_covered) discard;
+    o_color = vec4(2.0 * stored.xyz - 1.0, 0.0);
+#elif defined PROBE_hit
+    if (!is_covered || hit.y == 0.0) discard;
+    o_color = vec4(hit.x, 0.0, 0.0, 0.0);
+#else
+    vec3 color = stored.xyz;
+    if (!is_covered && level == 0) color *= vec3(0.72, 0.66, 0.60);
+    if (is_covered && hit.y == 0.0) color = vec3(0.80, 0.16, 0.10);
+    if (is_covered && hit.y > 1.5) color = mix(color, vec3(0.62, 0.20, 0.85), 0.8);
+    if (stored.a < 0.9) is_unfinished = true;
+    o_color = finished(vec4(color, 1.0), gl_FragCoord.xy);
+#endif
+}

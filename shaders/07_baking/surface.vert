@@ -1,0 +1,30 @@
+#version 410 core
+// A model to the screen: it stands in the world as it was made.
+
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+#ifdef MAP
+layout(location = 2) in vec4 a_tangent;
+layout(location = 3) in vec2 a_uv;
+#endif
+
+uniform mat4 u_clip_from_world;
+
+out vec3 v_position;
+out vec3 v_normal;
+#ifdef MAP
+out vec4 v_tangent;
+out vec3 v_bitangent;
+out vec2 v_uv;
+#endif
+
+void main() {
+    v_position = a_position;
+    v_normal = a_normal;
+#ifdef MAP
+    v_tangent = a_tangent;
+    v_bitangent = a_tangent.w * cross(a_normal, a_tangent.xyz);
+    v_uv = a_uv;
+#endif
+    gl_Position = u_clip_from_world * vec4(a_position, 1.0);
+}

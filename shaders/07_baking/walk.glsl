@@ -1,0 +1,56 @@
+// The fine model's triangles, and the way of a ray through the tree over them. All are textures 1024 texels wide.
+
+#include "common/mesh_rays.glsl"
+#include "07_baking/task.glsl"
+
+uniform sampler2D s_nodes;    // two texels a node: low and where to go on after a miss; high and, of a leaf, its triangles
+uniform sampler2D s_corners;  // three texels a triangle: position, and which vertex it is
+uniform sampler2D s_normals;  // a texel a vertex: normal and turn
+uniform int u_nodes;
+
+vec4 row_texel(sampler2D map, int i) { return texelFetch(map, ivec2(i & 1023, i >> 10), 0); }
+
+struct Found {
+    float height;  // metres above the coarse model; 1e30 if nothing was found
+    vec3 weights;
+    int triangle;
+};
+
+bool is_better(float height, bool is_front, float best) {
+#if defined TAKE_FIRST
+    return is_front && (best > 1e29 || height > best);
+#elif defined TAKE_LAST
+    return is_front && height < best;
+#else
+    return takes(height, is_front, best);
+#endif
+}
+
+// What `ray` meets within 2 * reach of its origin; heights are measured from `position` along `outwards`.
+Found walk(BakeRay ray, float reach, vec3 position, vec3 outwards) {
+    Found found = Found(1e30, vec3(0.0), 0);
+    vec3 inverse = inverse_direction(ray.direction), shear = ray_shear(ray.direction);
+    float end = 2.0 * reach;
+    int node = 0;
+    // No ray that leads somewhere looks at so many boxes; one that is not a number might look at all.
+    for (int visited = 0; visited < 4096 && node < u_nodes; ++visited) {
+        vec4 low = row_texel(s_nodes, 2 * node), high = row_texel(s_nodes, 2 * node + 1);
+        if (!meets_box(ray.origin, inverse, end, low.xyz, high.xyz)) {
+            node = int(low.w);
+            continue;
+        }
+        int first = int(high.w) / 8, last = first + int(high.w) % 8;  // none in an inner node
+        for (int i = first; i < last; ++i) {
+            vec4 hit = triangle_hit(ray.origin, ray.direction, shear, row_texel(s_corners, 3 * i).xyz,
+                                    row_texel(s_corners, 3 * i + 1).xyz, row_texel(s_corners, 3 * i + 2).xyz);
+            if (hit.w == 0.0 || hit.x < 0.0 || hit.x > end) continue;
+            float height = dot(ray.origin + hit.x * ray.direction - position, outwards);
+            if (is_better(height, hit.w > 0.0, found.height))
+                found = Found(height, vec3(hit.yz, 1.0 - hit.y - hit.z), i);
+        }
+        ++node;
+    }
+    return found;
+}
+
+vec4 vertex_of(int triangle, int corner) { return row_texel(s_normals, int(row_texel(s_corners, 3 * triangle + corner).w)); }
