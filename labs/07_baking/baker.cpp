@@ -107,9 +107,9 @@ const Baked& Baker::bake(const Recipe& recipe) {
                                                   {size, {GL_RGBA32F, GL_RGBA32F}},
                                                   {size, {formats[size_t(recipe.bits)]}, true}});
     glDisable(GL_DEPTH_TEST);
-    const float nothing[4] = {0, 0, 0, 0};
+    const float nothing[2][4] = {{-1, -1, -1, 0}, {0, 0, 0, 0}};  // black, and no hit
     baked->texels.begin();
-    for (const GLint attachment : {0, 1}) glClearBufferfv(GL_COLOR, attachment, nothing);
+    for (const GLint attachment : {0, 1}) glClearBufferfv(GL_COLOR, attachment, nothing[attachment]);
     glUseProgram(bake);
     bake.set("s_nodes", 0, fine.nodes);
     bake.set("s_corners", 1, fine.corners);

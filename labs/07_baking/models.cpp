@@ -89,7 +89,7 @@ Mesh make_cube(bool averaged, bool other_diagonal) {
             const glm::vec3 direction = face.normal + (2 * at.x - 1) * face.u + (2 * at.y - 1) * face.v;
             const glm::vec3 normal = averaged ? glm::normalize(direction) : face.normal;
             const glm::vec3 tangent = glm::normalize(face.u - glm::dot(face.u, normal) * normal);
-            mesh.vertices.push_back({direction * (cube_side / 2), normal, glm::vec4(tangent, 1),
+            mesh.vertices.push_back({cube_centre + direction * (cube_side / 2), normal, glm::vec4(tangent, 1),
                                      averaged ? corner + float(strip) * at : glm::vec2(0)});
         }
         add_quad(mesh, 4 * f, 4 * f + 1, 4 * f + 2, 4 * f + 3, other_diagonal);

@@ -17,7 +17,7 @@ void main() {
             if (x == 0 && y == 0) continue;
             ivec2 there = here + ivec2(x, y);
             bool is_inside = all(greaterThanEqual(there, ivec2(0))) && all(lessThan(there, ivec2(u_size)));
-            around[count++] = is_inside ? texelFetch(s_texels, there, 0) : vec4(0.0);
+            around[count++] = is_inside ? texelFetch(s_texels, there, 0) : vec4(-1.0, -1.0, -1.0, 0.0);
         }
     vec4 texel = texelFetch(s_texels, here, 0);
     o_texel = padded(texel, around);

@@ -38,7 +38,7 @@ bool takes(float height, bool is_front, float best) {
 // and `c` are the normals at the corners of the triangle, `weights` the hit's barycentric coordinates in it.
 vec3 object_texel(vec3 a, vec3 b, vec3 c, vec3 weights) {
     //[solution
-    return normalize(mat3(a, b, c) * weights);
+    return normalize(weights.x * a + weights.y * b + weights.z * c);
     //]starter
     //| return unfinished(vec3(0.0, 0.0, 1.0));
     //]

@@ -132,7 +132,7 @@ std::optional<Image> exact_normals(const Frame& frame, const Sight& sight) {
         const Place place = place_at(scene.low, hit->triangle, hit->weights);
         if (sight.recipe.model.shape != Shape::cube) return glm::dvec4(scene.baked_normal(place), 0);
         // Of the face: the longest coordinate.
-        const glm::dvec3 p = place.position, size = glm::abs(p);
+        const glm::dvec3 p = place.position - glm::dvec3(cube_centre), size = glm::abs(p);
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         glm::dvec4 face(0);
         face[axis] = p[axis] < 0 ? -1 : 1;
