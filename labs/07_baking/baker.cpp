@@ -49,7 +49,6 @@ Image normal_image(const Mesh& mesh) {
 }
 
 constexpr std::array frame_defines = {"", "EACH_UNIT", "GRAM_SCHMIDT"};
-constexpr std::array take_defines = {"", "TAKE_FIRST", "TAKE_LAST"};
 constexpr std::array<GLenum, 3> formats = {GL_RGBA8, GL_RGBA16, GL_RGBA32F};
 
 }  // namespace
@@ -89,8 +88,9 @@ void Baker::draw_window() {
 
 const Baked& Baker::bake(const Recipe& recipe) {
     const Program& bake =
-        bake_.with({frame_defines[size_t(recipe.frame)], take_defines[size_t(recipe.take)],
-                    recipe.object_space ? "OBJECT_SPACE" : "", recipe.rays_of_face ? "RAYS_OF_FACE" : ""});
+        recipe.object_space
+            ? bake_.with({"OBJECT_SPACE", recipe.rays_of_face ? "RAYS_OF_FACE" : ""})
+            : bake_.with({frame_defines[size_t(recipe.frame)], recipe.rays_of_face ? "RAYS_OF_FACE" : ""});
     const Program& pad = pad_.with();
     const Program& store = store_.with();
     // A program that was saved and compiled anew has another name.
@@ -115,6 +115,7 @@ const Baked& Baker::bake(const Recipe& recipe) {
     bake.set("s_corners", 1, fine.corners);
     bake.set("s_normals", 2, fine.normals);
     bake.set("u_nodes", int(fine.tree.nodes.size()));
+    bake.set("u_take", recipe.take);
     const bool is_cube = recipe.model.shape == Shape::cube;
     bake.set("u_reach", float(is_cube ? recipe.reach_at({}) : double(recipe.reach) * recipe.model.tube_radius(whorls)));
     bake.set("u_growth", is_cube ? 1.0f : float(growth));

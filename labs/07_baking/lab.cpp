@@ -238,7 +238,7 @@ private:
         for (const CutLine& line : cut_lines_)
             low = glm::min(low, glm::min(line.from, line.to)), high = glm::max(high, glm::max(line.from, line.to));
         const glm::vec2 size(tile.size), extent = glm::max(high - low, 1e-6f);
-        const float scale = 0.92f * std::min(size.x / extent.x, size.y / extent.y);
+        const float scale = 0.84f * std::min(size.x / extent.x, size.y / extent.y);
         const float line_width = std::max(1.0f, 0.003f * std::min(size.x, size.y));
         std::vector<Corner> corners;
         for (const CutLine& line : cut_lines_) {

@@ -14,12 +14,12 @@ layout(location = 0) out vec4 o_color;
 void main() {
     vec2 uv = (gl_FragCoord.xy - u_window.xy) / u_window.zw;
     ivec2 size = textureSize(s_texels, 0);
-    ivec2 texel = clamp(ivec2(uv * vec2(size)), ivec2(0), size - 1);
+    ivec2 texel = clamp(ivec2(uv * vec2(size) + 0.001), ivec2(0), size - 1);  // between two texels the upper one
     bool is_covered = texelFetch(s_texels, texel, 0).w > 0.0;
     vec4 hit = texelFetch(s_hits, texel, 0);
     int level = int(u_level);
     ivec2 level_size = textureSize(s_map, level);
-    vec4 stored = texelFetch(s_map, clamp(ivec2(uv * vec2(level_size)), ivec2(0), level_size - 1), level);
+    vec4 stored = texelFetch(s_map, clamp(ivec2(uv * vec2(level_size) + 0.001), ivec2(0), level_size - 1), level);
 #if defined PROBE_stored
     if (!is_covered) discard;
     o_color = vec4(2.0 * stored.xyz - 1.0, 0.0);

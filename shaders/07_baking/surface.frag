@@ -42,7 +42,7 @@ vec3 mapped_normal() {
 
 // Long lamps on all sides, each between two planes through the model: what a flat mirror shows of them is straight.
 vec3 strips(vec3 direction) {
-    float across = abs(fract(1.9 * atan(direction.x + 0.35 * direction.y, direction.z)) - 0.5);
+    float across = abs(fract(2.8648 * atan(direction.x + 0.35 * direction.y, direction.z)) - 0.5);
     float lamp = smoothstep(0.36, 0.16, across);
     return mix(vec3(0.03, 0.04, 0.06), vec3(0.92, 0.84, 0.68), lamp) * (0.75 + 0.25 * direction.y);
 }

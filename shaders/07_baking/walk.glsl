@@ -7,6 +7,7 @@ uniform sampler2D s_nodes;    // two texels a node: low and where to go on after
 uniform sampler2D s_corners;  // three texels a triangle: position, and which vertex it is
 uniform sampler2D s_normals;  // a texel a vertex: normal and turn
 uniform int u_nodes;
+uniform int u_take;           // the nearest hit, the first, or the last
 
 vec4 row_texel(sampler2D map, int i) { return texelFetch(map, ivec2(i & 1023, i >> 10), 0); }
 
@@ -17,15 +18,12 @@ struct Found {
 };
 
 bool is_better(float height, bool is_front, float best) {
-#if defined TAKE_FIRST
-    return is_front && (best > 1e29 || height > best);
-#elif defined TAKE_LAST
-    return is_front && height < best;
-#else
+    if (u_take == 1) return is_front && (best > 1e29 || height > best);
+    if (u_take == 2) return is_front && (best > 1e29 || height < best);
     return takes(height, is_front, best);
-#endif
 }
 
+//(walk
 // What `ray` meets within 2 * reach of its origin; heights are measured from `position` along `outwards`.
 Found walk(BakeRay ray, float reach, vec3 position, vec3 outwards) {
     Found found = Found(1e30, vec3(0.0), 0);
@@ -52,5 +50,6 @@ Found walk(BakeRay ray, float reach, vec3 position, vec3 outwards) {
     }
     return found;
 }
+//)
 
 vec4 vertex_of(int triangle, int corner) { return row_texel(s_normals, int(row_texel(s_corners, 3 * triangle + corner).w)); }

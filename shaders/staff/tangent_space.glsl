@@ -19,6 +19,23 @@ vec3 to_tangent_space(vec3 direction, vec3 normal, vec4 tangent) {
     return normalize(direction * tangent_frame(normal, tangent));
 }
 
+// Columns tangent, bitangent, normal as they are interpolated, neither unit nor perpendicular: the frame of MikkTSpace and
+// of all that bake for it (Mikkelsen 2008). The frame is a convention: whoever makes the map decides.
+mat3 interpolated_frame(vec3 normal, vec4 tangent) {
+    return mat3(tangent.xyz, tangent.w * cross(normal, tangent.xyz), normal);
+}
+
+vec3 from_interpolated_frame(vec3 direction, vec3 normal, vec4 tangent) {
+    return normalize(interpolated_frame(normal, tangent) * direction);
+}
+
+// The other way round, by the rows of the inverse, times the determinant, which has the sign of tangent.w.
+vec3 to_interpolated_frame(vec3 direction, vec3 normal, vec4 tangent) {
+    mat3 frame = interpolated_frame(normal, tangent);
+    mat3 rows = mat3(cross(frame[1], frame[2]), cross(frame[2], frame[0]), cross(frame[0], frame[1]));
+    return normalize(sign(tangent.w) * (direction * rows));
+}
+
 // A frame without a tangent at the vertices, from how position and uv change to two neighbours: pass dFdx and dFdy of both
 // (Schuler 2013). The first two columns are the gradients of u and v on the surface, scaled together so that the longer is
 // unit: not at right angles where the uv are sheared, and zero where the uv do not change. `normal` is unit.

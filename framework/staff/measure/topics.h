@@ -13,6 +13,7 @@ BenchTopic intersection_topic();
 BenchTopic parallax_topic();
 BenchTopic displacement_topic();
 BenchTopic lighting_topic();
+BenchTopic baking_topic();
 BenchTopic budget_topic();
 BenchTopic frames_topic();
 BenchTopic grade_topic();

@@ -19,6 +19,19 @@ glm::dvec3 to_tangent_space(const glm::dvec3& direction, const glm::dvec3& norma
     return glm::normalize(direction * tangent_frame(normal, tangent));
 }
 
+glm::dmat3 interpolated_frame(const glm::dvec3& normal, const glm::dvec4& tangent) {
+    const glm::dvec3 along(tangent);
+    return {along, tangent.w * glm::cross(normal, along), normal};
+}
+
+glm::dvec3 from_interpolated_frame(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent) {
+    return glm::normalize(interpolated_frame(normal, tangent) * direction);
+}
+
+glm::dvec3 to_interpolated_frame(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent) {
+    return glm::normalize(glm::inverse(interpolated_frame(normal, tangent)) * direction);
+}
+
 glm::dmat3 cotangent_frame(const glm::dvec3& normal, const glm::dvec3& position_dx, const glm::dvec3& position_dy,
                            const glm::dvec2& uv_dx, const glm::dvec2& uv_dy) {
     const glm::dvec3 across_x = glm::cross(position_dy, normal), across_y = glm::cross(normal, position_dx);

@@ -5,6 +5,7 @@
 
 #include "framework/base/parallel.h"
 #include "framework/staff/reference/mesh_rays.h"
+#include "framework/staff/reference/tangent_space.h"
 
 namespace relief::baking {
 namespace {
@@ -96,12 +97,12 @@ std::vector<Place> texel_places(const Mesh& mesh, glm::ivec2 size) {
 /// In the recipe's frame, of unit length.
 glm::dvec3 stored(const Recipe& recipe, const Place& place, const glm::dvec3& n) {
     if (recipe.object_space) return n;
-    glm::dvec3 normal = place.normal, tangent(place.tangent);
-    if (recipe.frame > 0) normal = glm::normalize(normal);
-    if (recipe.frame == 1) tangent = glm::normalize(tangent);
-    if (recipe.frame == 2) tangent = glm::normalize(tangent - glm::dot(tangent, normal) * normal);
-    const double side = place.tangent.w < 0 ? -1 : 1;
-    return glm::normalize(glm::inverse(glm::dmat3(tangent, side * glm::cross(normal, tangent), normal)) * n);
+    const glm::dvec3 tangent(place.tangent);
+    if (recipe.frame == 2) return to_tangent_space(n, place.normal, place.tangent);
+    if (recipe.frame == 1)
+        return to_interpolated_frame(n, glm::normalize(place.normal),
+                                     {glm::normalize(tangent), place.tangent.w});
+    return to_interpolated_frame(n, place.normal, place.tangent);
 }
 
 Image filled(glm::ivec2 size, const std::function<glm::dvec4(int x, int y)>& value) {
@@ -151,9 +152,12 @@ std::optional<Image> exact_map(const Frame& frame, const Probe& probe, const Rec
     if (recipe.overlapping) return {};  // one of two triangles has the texel
     const std::vector<Place> places = texel_places(scene.low, glm::ivec2(recipe.size));
     return filled(frame.size, [&](int x, int y) {
-        const auto texel_of = [&](int i, int count) { return int((i + 0.5) / count * recipe.size); };
-        const Place& place =
-            places[size_t(texel_of(y, frame.size.y)) * size_t(recipe.size) + size_t(texel_of(x, frame.size.x))];
+        // A pixel between two texels shows the upper one, and the one on the right.
+        const auto texel_of = [&](int i, int count) {
+            return std::min(recipe.size - 1, int((i + 0.5) / count * recipe.size + 0.001));
+        };
+        const int row = recipe.size - 1 - texel_of(frame.size.y - 1 - y, frame.size.y);
+        const Place& place = places[size_t(row) * size_t(recipe.size) + size_t(texel_of(x, frame.size.x))];
         if (place.cover == 0) return nothing;
         if (probe.name == "stored") return glm::dvec4(stored(recipe, place, scene.baked_normal(place)), 0);
         const auto met = scene.met_from(place);

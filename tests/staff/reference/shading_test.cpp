@@ -161,5 +161,21 @@ TEST(StoredNormals, GiveBackTheFlatTexelExactlyWhereTheFormatCan) {
     EXPECT_EQ(decode_octahedral({-0.0, -1}), glm::dvec3(0, -1, 0)) << "the sign of 0 counts as 1";
 }
 
+TEST(TangentSpace, AnInterpolatedFrameGivesBackWhatWasStoredInItAndIsNotGramSchmidts) {
+    // Half-way between two corners of a cube whose normals are averaged: both are shorter, and lean.
+    const glm::dvec3 normal(0.4, 0, 0.577), n(0, 0, 1);
+    for (const double side : {1.0, -1.0}) {
+        const glm::dvec4 tangent(0.7, 0.1, -0.2, side);
+        const glm::dvec3 stored = to_interpolated_frame(n, normal, tangent);
+        EXPECT_LT(degrees_between(from_interpolated_frame(stored, normal, tangent), n), 1e-12);
+        EXPECT_NEAR(glm::length(stored), 1, 1e-15);
+        EXPECT_GT(degrees_between(from_tangent_space(stored, normal, tangent), n), 4);
+    }
+    // Where the frame is orthonormal, the two are one.
+    EXPECT_LT(degrees_between(to_interpolated_frame(n, {0.6, 0, 0.8}, {0.8, 0, -0.6, 1}),
+                              to_tangent_space(n, {0.6, 0, 0.8}, {0.8, 0, -0.6, 1})),
+              1e-12);
+}
+
 }  // namespace
 }  // namespace relief

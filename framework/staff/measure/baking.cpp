@@ -1,0 +1,98 @@
+// Baking: what a bake costs and what its map is off by, by size, frame and triangles; and what a frame costs with the fine
+// model, the coarse one, and its map.
+#include "framework/lab/manifest.h"
+#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/topics.h"
+
+namespace relief {
+namespace {
+
+Shot shell_shot(const BenchSettings& settings, BenchKnobs set) {
+    Shot shot;
+    shot.size = glm::ivec2(settings.quick ? 256 : 512), shot.camera = load_manifest(find_lab("07")).camera;
+    shot.set = std::move(set), shot.set.emplace_back("view", "one");
+    return shot;
+}
+
+void add_error(BenchSubject& subject, Lab& lab, Shot shot, const BenchSettings& settings) {
+    if (settings.pictures) show_picture(subject, lab, shot);
+    shot.probe = {"normal"};
+    const Image errors = error_image(render_shot(lab, shot), truth_of(lab, shot), ErrorMetric::angle);
+    subject.error = error_over(errors, "degree");
+    subject.error.wrong.reset();
+    if (settings.pictures) show_errors(subject, errors, 10);
+}
+
+/// A bake, padding and levels included, from a tree that is there.
+BenchMethod bake(const char* name, const BenchKnobs& knobs, const BenchKnobs& set, const BenchSettings& settings,
+                 bool peer = false) {
+    return {name, knobs,
+            [=] {
+                const Shot shot = shell_shot(settings, together(set, knobs));
+                const std::shared_ptr<Lab> lab = make_lab(find_lab("07"), shot);
+                Shot tiny = shot;
+                tiny.size = {8, 8};
+                BenchSubject subject = drawn(lab, tiny);
+                const double side = std::stod(knobs.front().second);
+                subject.items = size_t(side * side);
+                add_error(subject, *lab, shot, settings);
+                // Another reach is another bake.
+                subject.run = [lab, draw = subject.run, odd = false]() mutable {
+                    odd = !odd;
+                    set_knob(*lab, "reach", odd ? "0.401" : "0.4");
+                    draw();
+                };
+                return subject;
+            },
+            peer};
+}
+
+BenchScene bakes(const char* high, const BenchSettings& settings) {
+    BenchScene scene{{{"high", high}}, "texel"};
+    for (const char* size : {"64", "128", "256", "512", "1024"}) {
+        if (settings.quick && std::string(size).size() > 3) continue;
+        const auto add = [&](const char* name, const BenchKnobs& knobs, bool peer = false) {
+            scene.methods.push_back(bake(name, {{"map_size", size}},
+                                         together({{"high", high}, {"level", "0"}}, knobs), settings, peer));
+        };
+        add("one-frame", {});
+        add("object-space", {{"map", "object"}});
+        // A map from elsewhere in a renderer that makes its frame orthonormal.
+        add("two-frames", {{"frame", "gram-schmidt"}}, true);
+    }
+    return scene;
+}
+
+BenchScene frames(const BenchSettings& settings) {
+    BenchScene scene{{{"shell", "drawn"}}, "frame"};
+    const auto add = [&](const char* name, const BenchKnobs& knobs) {
+        scene.methods.push_back({name, knobs, [=] {
+                                     const Shot shot = shell_shot(settings, knobs);
+                                     const std::shared_ptr<Lab> lab = make_lab(find_lab("07"), shot);
+                                     render_shot(*lab, shot);  // the bake is no part of a frame
+                                     BenchSubject subject = drawn(lab, shot);
+                                     add_error(subject, *lab, shot, settings);
+                                     return subject;
+                                 }});
+    };
+    add("fine", {{"wears", "high"}, {"high", "16k"}});
+    if (!settings.quick) add("fine", {{"wears", "high"}, {"high", "131k"}});
+    add("coarse", {{"wears", "nothing"}, {"low", "500"}});
+    for (const char* low : {"100", "500", "2000"}) add("map", {{"wears", "map"}, {"low", low}});
+    return scene;
+}
+
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    std::vector<BenchScene> all = {bakes("16k", settings)};
+    if (!settings.quick) all.push_back(bakes("131k", settings)), all.push_back(bakes("1M", settings));
+    all.push_back(frames(settings));
+    return all;
+}
+
+}  // namespace
+
+BenchTopic baking_topic() {
+    return {"baking", "bakes of lab 07's shell and frames of it: time against degrees", scenes, true};
+}
+
+}  // namespace relief

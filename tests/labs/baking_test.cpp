@@ -1,0 +1,147 @@
+// Lab 07: a bake is right only together with its renderer; what is baked, and when.
+#include "framework/gl/counters.h"
+#include "framework/gl/program.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+std::vector<Knob> one(std::vector<Knob> knobs) {
+    knobs.insert(knobs.begin(), {"view", "one"});
+    return knobs;
+}
+
+/// Mean degrees over a face of the cube: as much of it as has no edge and no other face.
+double degrees_on_the_cube(std::vector<Knob> knobs) {
+    knobs.insert(knobs.end(), {{"shape", "cube"}, {"level", "0"}});
+    Shot shot = shot_of("07", one(std::move(knobs)), "normal", {96, 96});
+    shot.camera = {.yaw = 0, .pitch = 0, .distance = 1.9, .target = {0.17, 0, 0}};
+    return error_of("07", shot).mean;
+}
+
+TEST(Baking, ACubeStaysFlatInTheFrameThatItWasBakedInAndBulgesInAnyOther) {
+    EXPECT_LT(degrees_on_the_cube({}), 0.04);
+    EXPECT_LT(degrees_on_the_cube({{"bits", "8"}}), 0.35);  // half a step of 255 is 0.22 degrees of z, and more of F
+    EXPECT_LT(degrees_on_the_cube({{"bake_frame", "gram-schmidt"}, {"frame", "gram-schmidt"}}), 0.04);
+    EXPECT_LT(degrees_on_the_cube({{"bake_frame", "each-unit"}, {"frame", "each-unit"}}), 0.04);
+    // Measured with a program of its own in double precision, over all faces: 5.0, 4.5, 6.2, 7.6.
+    EXPECT_NEAR(degrees_on_the_cube({{"frame", "gram-schmidt"}}), 5.0, 0.2);
+    EXPECT_NEAR(degrees_on_the_cube({{"frame", "each-unit"}}), 4.5, 0.2);
+    EXPECT_NEAR(degrees_on_the_cube({{"frame", "vertex-bitangent"}}), 6.2, 0.3);
+    EXPECT_NEAR(degrees_on_the_cube({{"diagonal", "other"}}), 7.6, 0.9);
+}
+
+TEST(Baking, HitsAreThoseOfDoublePrecisionAndNoRayIsLost) {
+    for (const std::vector<Knob>& knobs :
+         {std::vector<Knob>{{"gap", "0.05"}}, {{"shape", "mirrored"}, {"low", "2000"}}, {{"cord", "true"}, {"reach", "0.6"}},
+          {{"reach", "0.2"}}, {{"shape", "cube"}}}) {
+        std::vector<Knob> small = knobs;
+        small.emplace_back("map_size", "128");
+        const Shot shot = shot_of("07", small, "hit");
+        const auto lab = make_lab(find_lab("07"), shot);
+        const Image found = render_shot(*lab, shot), truth = truth_of(*lab, shot);
+        size_t covered = 0, outline = 0;
+        for (size_t i = 0; i < found.values.size(); i += 4) {
+            const bool is_found = std::isfinite(found.values[i]), is_there = std::isfinite(truth.values[i]);
+            covered += is_there, outline += is_found != is_there;
+        }
+        EXPECT_GT(covered, 3000u) << knobs[0].first;
+        // At the very end of a ray rounding decides.
+        EXPECT_LE(outline, 2u) << knobs[0].first;
+        EXPECT_LT(summarize(error_image(found, truth, ErrorMetric::absolute)).mean, 1e-6) << knobs[0].first;
+    }
+}
+
+/// Of the map's covered texels, those whose ray meets nothing.
+size_t missed(const std::vector<Knob>& knobs) {
+    std::vector<Knob> small = knobs;
+    small.emplace_back("map_size", "128");
+    const auto probe = [&](const char* name) {
+        const Shot shot = shot_of("07", small, name);
+        return render_shot(*make_lab(find_lab("07"), shot), shot);
+    };
+    const Image hits = probe("hit"), cover = probe("cover");
+    size_t count = 0;
+    for (size_t i = 0; i < hits.values.size(); i += 4) count += cover.values[i] > 0 && std::isinf(hits.values[i]);
+    return count;
+}
+
+// 504 triangles: relief 0.162, sagittas 0.105 along and 0.134 around. 2016: 0.026 and 0.034.
+TEST(Baking, AReachOfReliefAndBothSagittasMissesNothing) {
+    EXPECT_EQ(missed({{"reach", "0.402"}}), 0u);
+    EXPECT_EQ(missed({{"reach", "0.223"}, {"low", "2000"}}), 0u);
+    EXPECT_GT(missed({{"reach", "0.2"}}), 500u);
+}
+
+TEST(Baking, ALargerMapIsNearerToTheFineModel) {
+    double last = 100;
+    for (const char* size : {"64", "128", "256", "512"}) {
+        const double error = error_of("07", shot_of("07", one({{"map_size", size}, {"level", "0"}}), "normal")).mean;
+        EXPECT_LT(error, 0.7 * last) << size;
+        last = error;
+    }
+    EXPECT_LT(last, 0.5);
+    EXPECT_GT(error_of("07", shot_of("07", one({{"wears", "nothing"}}), "normal")).mean, 8);
+}
+
+TEST(Baking, PaddingKeepsSeamsOutOfSmallLevels) {
+    const auto seams = [](const char* padding) {
+        return error_of("07", shot_of("07", one({{"padding", padding}, {"level", "3"}}), "normal")).p99;
+    };
+    EXPECT_LT(seams("8"), 20);
+    EXPECT_GT(seams("0"), 60);
+}
+
+TEST(Baking, IsDoneAgainOnlyWhenSomethingThatItDependsOnChanges) {
+    Shot shot = shot_of("07", {}, "", {96, 64});
+    const auto lab = make_lab(find_lab("07"), shot);
+    const Target target(TargetKind::picture, shot.size);
+    const auto draw_calls = [&] {
+        const int64_t before = counters().draw_calls;
+        draw_lab(*lab, frame_of(shot, target));
+        return counters().draw_calls - before;
+    };
+    const int64_t first = draw_calls(), still = draw_calls();
+    EXPECT_EQ(first - still, 2 * (1 + 8 + 1)) << "a bake, eight steps of padding and the picture, of shell and cube";
+    for (const auto& [knob, value] : {std::pair("light_yaw", "20"), {"level", "2"}, {"frame", "each-unit"}}) {
+        set_knob(*lab, knob, value);
+        EXPECT_EQ(draw_calls(), still) << knob;
+    }
+    set_knob(*lab, "low", "2000");
+    EXPECT_EQ(draw_calls(), still + 10) << "the shell's alone";
+    EXPECT_EQ(draw_calls(), still);
+}
+
+TEST(Baking, AMapInObjectSpaceReadsNoTangent) {
+    const Programs programs{"07_baking/surface.vert", "07_baking/surface.frag"};
+    EXPECT_GE(glGetAttribLocation(programs.with("MAP"), "a_tangent"), 0);
+    EXPECT_EQ(glGetAttribLocation(programs.with({"MAP", "OBJECT_SPACE"}), "a_tangent"), -1);
+    EXPECT_EQ(glGetAttribLocation(programs.with(), "a_uv"), -1) << "no map";
+}
+
+TEST(Baking, CoverSaysWhereTwoIslandsLieOnEachOther) {
+    const auto most = [](const char* islands) {
+        const Shot shot = shot_of("07", {{"islands", islands}}, "cover", {64, 64});
+        EXPECT_EQ(error_of("07", shot).largest, 0) << islands;
+        const Image cover = drawn("07", shot);
+        float largest = 0;
+        for (size_t i = 0; i < cover.values.size(); i += 4) largest = std::max(largest, cover.values[i]);
+        return largest;
+    };
+    EXPECT_EQ(most("apart"), 1);
+    EXPECT_EQ(most("overlapping"), 2);
+}
+
+TEST(Baking, WithoutReachEveryTexelIsFiniteAndTheCoarseModelsOwn) {
+    for (const char* shape : {"ammonite", "mirrored", "cube"}) {
+        const Shot shot = shot_of("07", one({{"reach", "0"}, {"shape", shape}, {"map_size", "64"}}), "normal", {64, 64});
+        const Image normals = drawn("07", shot);  // throws where one is not a number
+        if (shape == std::string("cube")) continue;
+        Shot bare = shot;
+        bare.set.emplace_back("wears", "nothing");
+        EXPECT_LT(summarize(error_image(normals, drawn("07", bare), ErrorMetric::angle)).mean, 1) << shape;
+    }
+}
+
+}  // namespace
+}  // namespace relief
