@@ -69,7 +69,7 @@ std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Ima
             const float* const hit = hits.pixel(column, recipe.size - 1 - (begin + j));
             const glm::vec3 color = hit[1] == 0 ? miss_color : hit[1] < 1.5f ? hit_color : wrong_color;
             const double end = hit[1] == 0 ? -reach : double(hit[0]);
-            add(here.position + reach * here.outwards, here.position + end * here.outwards, color, 0.7f);
+            add(here.position + reach * here.outwards, here.position + end * here.outwards, color, color == hit_color ? 0.7f : 1.6f);
         }
         constexpr int steps = 96;
         for (int j = 0; j < steps; ++j) {

@@ -14,7 +14,7 @@ constexpr int whorls = 3;
 constexpr double growth = 2.1, outer_radius = 0.74;                 ///< of the centre line at turn 3, metres
 constexpr double touching_radius = (growth - 1) / (growth + 1);     ///< of the tube, in radii of the centre line
 constexpr double rib_height = 0.15, growth_line_height = 0.012;     ///< in radii of the tube
-constexpr double cord_height = 0.32, cord_radius = 0.06;             ///< of its middle over the tube; the same
+constexpr double cord_height = 0.28, cord_radius = 0.08;             ///< of its middle over the tube; the same
 constexpr float cube_side = 1.05f;
 constexpr glm::vec3 cube_centre{0.17f, 0, 0};  // where the ammonite has its middle
 
