@@ -1,9 +1,9 @@
 // Which frame is made of the interpolated normal and tangent: what a baker and a renderer must agree on.
 
 #if defined EACH_UNIT || defined GRAM_SCHMIDT
-vec3 frame_normal(vec3 normal) { return normalize(normal); }
+vec3 frame_normal(vec3 n) { return normalize(n); }
 #else
-vec3 frame_normal(vec3 normal) { return normal; }
+vec3 frame_normal(vec3 n) { return n; }
 #endif
 
 vec4 frame_tangent(vec3 normal, vec4 tangent) {
