@@ -18,7 +18,7 @@ struct Recipe {
     bool cord = false, overlapping = false, object_space = false, rays_of_face = false;
     int frame = 0;  ///< interpolated, each-unit, gram-schmidt
     int take = 0;   ///< nearest, first, last
-    float reach = 0.4f;
+    float reach = 0.42f;
     int size = 256, bits = 0, padding = 8;
     bool operator==(const Recipe&) const = default;
 

@@ -301,7 +301,7 @@ private:
 
     int view_ = compare, shape_ = 0, wears_ = 0, space_ = 0, bake_frame_ = 0, frame_ = 0, diagonal_ = 0;
     int ray_normals_ = 0, take_ = 0, islands_ = 0, size_ = 2, bits_ = 1, padding_ = 8, level_ = 0, low_ = 1, high_ = 0;
-    float reach_ = 0.4f, gap_ = 0.12f, cut_ = 0.62f, light_yaw_ = -75, light_pitch_ = 30;
+    float reach_ = 0.42f, gap_ = 0.12f, cut_ = 0.62f, light_yaw_ = -75, light_pitch_ = 30;
     bool cord_ = false;
 };
 

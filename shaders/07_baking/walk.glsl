@@ -23,13 +23,13 @@ bool is_better(float height, bool is_front, float best) {
     return takes(height, is_front, best);
 }
 
-//(walk
 // What `ray` meets within 2 * reach of its origin; heights are measured from `position` along `outwards`.
 Found walk(BakeRay ray, float reach, vec3 position, vec3 outwards) {
     Found found = Found(1e30, vec3(0.0), 0);
     vec3 inverse = inverse_direction(ray.direction), shear = ray_shear(ray.direction);
     float end = 2.0 * reach;
     int node = 0;
+    //(walk
     // No ray that leads somewhere looks at so many boxes; one that is not a number might look at all.
     for (int visited = 0; visited < 4096 && node < u_nodes; ++visited) {
         vec4 low = row_texel(s_nodes, 2 * node), high = row_texel(s_nodes, 2 * node + 1);
@@ -48,8 +48,8 @@ Found walk(BakeRay ray, float reach, vec3 position, vec3 outwards) {
         }
         ++node;
     }
+    //)
     return found;
 }
-//)
 
 vec4 vertex_of(int triangle, int corner) { return row_texel(s_normals, int(row_texel(s_corners, 3 * triangle + corner).w)); }
