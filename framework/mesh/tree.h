@@ -5,8 +5,8 @@
 
 namespace relief {
 
-/// A box around the triangles below it. Nodes lie in the order in which a walk without a stack meets them: the next node
-/// is the first child; a ray that misses the box goes on at `skip`.
+/// A box around the triangles below it. Nodes lie in the order in which a walk without a stack meets them: the next
+/// node is the first child; a ray that misses the box goes on at `skip`.
 struct TreeNode {
     glm::vec3 low, high;
     uint32_t skip;
@@ -20,8 +20,8 @@ struct TriangleTree {
 };
 
 /// Halves the triangles at the median of their centres, along the longest axis of these. Boxes are larger than what is
-/// in them by a millionth of the mesh's largest coordinate, so that a ray in single precision misses no triangle that it
-/// hits. A triangle with a position that is not finite is left out.
+/// in them by a millionth of the mesh's largest coordinate, so that a ray in single precision misses no triangle that
+/// it hits. A triangle with a position that is not finite is left out.
 TriangleTree build_tree(const Mesh& mesh);
 
 }  // namespace relief

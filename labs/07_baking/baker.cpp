@@ -102,10 +102,8 @@ const Baked& Baker::bake(const Recipe& recipe) {
     const HighModel& fine = high(recipe);
     const GpuMesh& coarse = low(recipe, false);
     const glm::ivec2 size(recipe.size);
-    auto baked = std::unique_ptr<Baked>(new Baked{recipe,
-                                                  programs,
-                                                  {size, {GL_RGBA32F, GL_RGBA32F}},
-                                                  {size, {formats[size_t(recipe.bits)]}, true}});
+    auto baked = std::unique_ptr<Baked>(
+        new Baked{recipe, programs, {size, {GL_RGBA32F, GL_RGBA32F}}, {size, {formats[size_t(recipe.bits)]}, true}});
     glDisable(GL_DEPTH_TEST);
     const float nothing[2][4] = {{-1, -1, -1, 0}, {0, 0, 0, 0}};  // black, and no hit
     baked->texels.begin();

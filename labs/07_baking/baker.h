@@ -53,8 +53,8 @@ public:
     const HighModel& high(const Recipe& recipe);
     /// The low one, cut along the diagonals that it was baked with, or the other ones.
     const GpuMesh& low(const Recipe& recipe, bool other_diagonal);
-    /// The map of a recipe: baked when the recipe or a shader has changed. There is one for the ammonite and one for the
-    /// cube. Leaves another framebuffer and viewport.
+    /// The map of a recipe: baked when the recipe or a shader has changed. There is one for the ammonite and one for
+    /// the cube. Leaves another framebuffer and viewport.
     const Baked& bake(const Recipe& recipe);
     /// Reads a bake back, once.
     Baked::Report report(const Baked& baked);

@@ -26,7 +26,8 @@ void cut_mesh(const Mesh& mesh, const glm::dvec3& outwards, const Draw& draw) {
 }  // namespace
 
 std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Image& hits, float share) {
-    constexpr glm::vec3 high_color{0.86f, 0.72f, 0.52f}, low_color{0.55f, 0.62f, 0.70f}, cage_color{0.36f, 0.40f, 0.46f};
+    constexpr glm::vec3 high_color{0.86f, 0.72f, 0.52f}, low_color{0.55f, 0.62f, 0.70f},
+        cage_color{0.36f, 0.40f, 0.46f};
     std::vector<CutLine> lines;
     if (recipe.model.shape == Shape::cube) return lines;
     // The middle of a column of texels.
@@ -69,7 +70,8 @@ std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Ima
             const float* const hit = hits.pixel(column, recipe.size - 1 - (begin + j));
             const glm::vec3 color = hit[1] == 0 ? miss_color : hit[1] < 1.5f ? hit_color : wrong_color;
             const double end = hit[1] == 0 ? -reach : double(hit[0]);
-            add(here.position + reach * here.outwards, here.position + end * here.outwards, color, color == hit_color ? 0.7f : 1.6f);
+            add(here.position + reach * here.outwards, here.position + end * here.outwards, color,
+                color == hit_color ? 0.7f : 1.6f);
         }
         constexpr int steps = 96;
         for (int j = 0; j < steps; ++j) {

@@ -1,7 +1,7 @@
 // Lab 07: baking.
 //
-// Normals of a fine model in a map for a coarse one: the ray of a texel, what it meets, the frame in which the normal is
-// stored, and the padding around it. Your tasks: shaders/07_baking/task.glsl
+// Normals of a fine model in a map for a coarse one: the ray of a texel, what it meets, the frame in which the normal
+// is stored, and the padding around it. Your tasks: shaders/07_baking/task.glsl
 #include <fmt/format.h>
 
 #include "cut.h"
@@ -143,8 +143,7 @@ private:
             views.push_back({{}, draws, {recipe(shape), shown, diagonal_ == 1}, read_in, std::move(title)});
         };
         if (view_ == cube) {
-            for (size_t i = 0; i < frames.size(); ++i)
-                add(Draws::model, Shape::cube, Shown::mapped, int(i), frames[i]);
+            for (size_t i = 0; i < frames.size(); ++i) add(Draws::model, Shape::cube, Shown::mapped, int(i), frames[i]);
         } else {
             const Shape shape = chosen == Shape::cube ? Shape::ammonite : chosen;
             add(Draws::model, shape, Shown::high, 0, fmt::format("{} triangles", high_triangles()));
@@ -168,8 +167,8 @@ private:
             !has_map ? surface_.with({frame.probe, mirror})
             : recipe.object_space
                 ? surface_.with({frame.probe, mirror, "MAP", level_ > 0 ? "ONE_LEVEL" : "", "OBJECT_SPACE"})
-                : surface_.with({frame.probe, mirror, "MAP", level_ > 0 ? "ONE_LEVEL" : "",
-                                 frame_defines[size_t(view.frame)]});
+                : surface_.with(
+                      {frame.probe, mirror, "MAP", level_ > 0 ? "ONE_LEVEL" : "", frame_defines[size_t(view.frame)]});
         const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
@@ -277,7 +276,8 @@ private:
                                     100 * report.wrong));
         const double needed = reach_needed(recipe.model, low_finenesses[size_t(recipe.low)]);
         if (double(recipe.reach) < needed)
-            labels_.caption(size, tile, -1, fmt::format("a reach of {:.2f} may be too short: {:.2f}", recipe.reach, needed),
+            labels_.caption(size, tile, -1,
+                            fmt::format("a reach of {:.2f} may be too short: {:.2f}", recipe.reach, needed),
                             {1.0f, 0.62f, 0.45f});
         if (report.covered_twice > 0)
             labels_.caption(size, tile, -2, fmt::format("{} texels belong to two triangles", report.covered_twice),

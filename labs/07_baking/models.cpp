@@ -6,8 +6,8 @@ namespace relief::baking {
 namespace {
 
 constexpr double two_pi = 2 * glm::pi<double>();
-constexpr int ribs = 15;                   // a turn
-constexpr double seam = 0.9;               // where the map's strips are cut open, radians from the outermost line
+constexpr int ribs = 15;      // a turn
+constexpr double seam = 0.9;  // where the map's strips are cut open, radians from the outermost line
 constexpr double border = 1.0 / 16, strip = 1.0 / 4, step = strip + border;
 
 /// Heights of the ribs, in radii of the tube: they bend forwards, and fade where the next whorl lies on them.
@@ -116,9 +116,8 @@ Mesh make_high(const Model& model, Fineness fineness, bool cord) {
     if (model.shape == Shape::cube) return make_cube(false, false);
     Mesh mesh;
     const bool fine = fineness.columns >= whorls * ribs * 5 * 3;
-    add_tube(mesh, fineness, 0, whorls, 0, [&](double turn, double around) {
-        return place(model, turn, around, relief_height(turn, around, fine));
-    });
+    add_tube(mesh, fineness, 0, whorls, 0,
+             [&](double turn, double around) { return place(model, turn, around, relief_height(turn, around, fine)); });
     if (cord)
         add_tube(mesh, {96, 10}, 2.1, 2.9, 100, [&](double turn, double around) {
             // Around a line above the tube, which wanders.

@@ -13,7 +13,7 @@ uniform vec4 u_layout;  // of the map: lowest v of a strip, distance of strips, 
 uniform float u_reach;  // metres at turn 3
 uniform float u_growth;
 
-layout(location = 0) out vec4 o_texel;  // the normal, each component from -1 to 1; w: covered, 2 where a task is missing
+layout(location = 0) out vec4 o_texel;  // the normal, from -1 to 1; w: covered, 2 where a task is missing
 layout(location = 1) out vec4 o_hit;    // height, metres; 0 a miss, 1 a hit, 2 another part of the model
 
 float turn_here() {

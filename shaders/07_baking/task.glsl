@@ -20,10 +20,10 @@ BakeRay bake_ray(vec3 position, vec3 normal, float reach) {
 }
 //)
 
-// TASK 7.2 (3 points): the ray meets several triangles. Is this one to be taken in place of the best one so far? `height`
-// is where it was met, in metres above the coarse model (below it: negative), `is_front` whether the ray comes from
-// outside of the fine model there, and `best` the height of the best one so far, or 1e30 if there is none yet. The right
-// one is seen from its front, and of these it is nearest to the coarse model, above it or below.
+// TASK 7.2 (3 points): the ray meets several triangles. Is this one to be taken in place of the best one so far?
+// `height` is where it was met, in metres above the coarse model (below it: negative), `is_front` whether the ray comes
+// from outside of the fine model there, and `best` the height of the best one so far, or 1e30 if there is none yet. The
+// right one is seen from its front, and of these it is nearest to the coarse model, above it or below.
 //(takes
 bool takes(float height, bool is_front, float best) {
     //[solution
@@ -45,9 +45,9 @@ vec3 object_texel(vec3 a, vec3 b, vec3 c, vec3 weights) {
 }
 
 // TASK 7.4 (4 points): the texel of a tangent-space map: the normal n in the frame F = (T, w (N x T), N), that is,
-// F^-1 n, made unit at the end. T (`tangent.xyz`) and N (`normal`) are interpolated, and the renderer takes them as they
-// are: neither of unit length nor perpendicular. So the transpose is not the inverse. The rows of the inverse are, but
-// for a common factor, cross(B, N), cross(N, T) and cross(T, B). Mind the factor's sign.
+// F^-1 n, made unit at the end. T (`tangent.xyz`) and N (`normal`) are interpolated, and the renderer takes them as
+// they are: neither of unit length nor perpendicular. So the transpose is not the inverse. The rows of the inverse are,
+// but for a common factor, cross(B, N), cross(N, T) and cross(T, B). Mind the factor's sign.
 //(stored
 vec3 stored_normal(vec3 n, vec4 tangent, vec3 normal) {
     //[solution
@@ -60,8 +60,8 @@ vec3 stored_normal(vec3 n, vec4 tangent, vec3 normal) {
 }
 //)
 
-// TASK 7.5 (2 points): the other way round: the normal on the model, of unit length, for a texel of the map (`stored`, each
-// component from -1 to 1). The frame is that of 7.4, as it is interpolated.
+// TASK 7.5 (2 points): the other way round: the normal on the model, of unit length, for a texel of the map (`stored`,
+// each component from -1 to 1). The frame is that of 7.4, as it is interpolated.
 //(shown
 vec3 shown_normal(vec3 stored, vec4 tangent, vec3 normal) {
     //[solution
@@ -73,9 +73,9 @@ vec3 shown_normal(vec3 stored, vec4 tangent, vec3 normal) {
 }
 //)
 
-// TASK 7.6 (3 points): one step of padding. In `texel`, and in the eight `around` it, w is 1 where a triangle covers the
-// texel (or where a step before has filled it), else 0. A covered texel stays as it is. One that is not becomes the mean
-// of its covered neighbours, with w = 1; where there is none it stays as it is.
+// TASK 7.6 (3 points): one step of padding. In `texel`, and in the eight `around` it, w is 1 where a triangle covers
+// the texel (or where a step before has filled it), else 0. A covered texel stays as it is. One that is not becomes the
+// mean of its covered neighbours, with w = 1; where there is none it stays as it is.
 //(padded
 vec4 padded(vec4 texel, vec4 around[8]) {
     //[solution

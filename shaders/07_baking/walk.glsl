@@ -3,7 +3,7 @@
 #include "common/mesh_rays.glsl"
 #include "07_baking/task.glsl"
 
-uniform sampler2D s_nodes;    // two texels a node: low and where to go on after a miss; high and, of a leaf, its triangles
+uniform sampler2D s_nodes;    // two texels a node: low, where to go on after a miss; high, a leaf's triangles
 uniform sampler2D s_corners;  // three texels a triangle: position, and which vertex it is
 uniform sampler2D s_normals;  // a texel a vertex: normal and turn
 uniform int u_nodes;
@@ -52,4 +52,6 @@ Found walk(BakeRay ray, float reach, vec3 position, vec3 outwards) {
     return found;
 }
 
-vec4 vertex_of(int triangle, int corner) { return row_texel(s_normals, int(row_texel(s_corners, 3 * triangle + corner).w)); }
+vec4 vertex_of(int triangle, int corner) {
+    return row_texel(s_normals, int(row_texel(s_corners, 3 * triangle + corner).w));
+}

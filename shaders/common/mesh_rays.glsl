@@ -29,8 +29,8 @@ vec3 ray_shear(vec3 direction) {
     return vec3(d.x / d.z, d.y / d.z, 1.0 / d.z);
 }
 
-// (t, weights of a and b, facing), t in lengths of the direction: facing is 1 where the ray meets the side from which a,
-// b, c run counter-clockwise, -1 on the other side, and 0 where it misses. On an edge it may hit both neighbours.
+// (t, weights of a and b, facing), t in lengths of the direction: facing is 1 where the ray meets the side from which
+// a, b, c run counter-clockwise, -1 on the other side, and 0 where it misses. On an edge it may hit both neighbours.
 // Without `precise` a compiler may round one product of a difference and not the other: then neighbours could both say
 // no.
 vec4 triangle_hit(vec3 origin, vec3 direction, vec3 shear, vec3 a, vec3 b, vec3 c) {

@@ -32,9 +32,11 @@ TEST(Baking, ACubeStaysFlatInTheFrameThatItWasBakedInAndBulgesInAnyOther) {
 }
 
 TEST(Baking, HitsAreThoseOfDoublePrecisionAndNoRayIsLost) {
-    for (const std::vector<Knob>& knobs :
-         {std::vector<Knob>{{"gap", "0.05"}}, {{"shape", "mirrored"}, {"low", "2000"}}, {{"cord", "true"}, {"reach", "0.6"}},
-          {{"reach", "0.2"}}, {{"shape", "cube"}}}) {
+    for (const std::vector<Knob>& knobs : {std::vector<Knob>{{"gap", "0.05"}},
+                                           {{"shape", "mirrored"}, {"low", "2000"}},
+                                           {{"cord", "true"}, {"reach", "0.6"}},
+                                           {{"reach", "0.2"}},
+                                           {{"shape", "cube"}}}) {
         std::vector<Knob> small = knobs;
         small.emplace_back("map_size", "128");
         const Shot shot = shot_of("07", small, "hit");
@@ -134,7 +136,8 @@ TEST(Baking, CoverSaysWhereTwoIslandsLieOnEachOther) {
 
 TEST(Baking, WithoutReachEveryTexelIsFiniteAndTheCoarseModelsOwn) {
     for (const char* shape : {"ammonite", "mirrored", "cube"}) {
-        const Shot shot = shot_of("07", one({{"reach", "0"}, {"shape", shape}, {"map_size", "64"}}), "normal", {64, 64});
+        const Shot shot =
+            shot_of("07", one({{"reach", "0"}, {"shape", shape}, {"map_size", "64"}}), "normal", {64, 64});
         const Image normals = drawn("07", shot);  // throws where one is not a number
         if (shape == std::string("cube")) continue;
         Shot bare = shot;

@@ -45,8 +45,7 @@ TEST(TriangleTree, OfNothingIsEmptyAndOfWhatIsNotFiniteHasTheRest) {
     mesh.vertices[mesh.indices[0]].position.x = NAN;
     const TriangleTree tree = build_tree(mesh);
     for (const uint32_t triangle : tree.triangles)
-        for (uint32_t corner = 0; corner < 3; ++corner)
-            EXPECT_NE(mesh.indices[triangle * 3 + corner], mesh.indices[0]);
+        for (uint32_t corner = 0; corner < 3; ++corner) EXPECT_NE(mesh.indices[triangle * 3 + corner], mesh.indices[0]);
     EXPECT_LT(tree.triangles.size(), mesh.indices.size() / 3);
 }
 

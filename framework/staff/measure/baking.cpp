@@ -1,5 +1,5 @@
-// Baking: what a bake costs and what its map is off by, by size, frame and triangles; and what a frame costs with the fine
-// model, the coarse one, and its map.
+// Baking: what a bake costs and what its map is off by, by size, frame and triangles; and what a frame costs with the
+// fine model, the coarse one, and its map.
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
@@ -50,8 +50,8 @@ BenchScene bakes(const char* high, const BenchSettings& settings) {
     for (const char* size : {"64", "128", "256", "512", "1024"}) {
         if (settings.quick && std::string(size).size() > 3) continue;
         const auto add = [&](const char* name, const BenchKnobs& knobs, bool peer = false) {
-            scene.methods.push_back(bake(name, {{"map_size", size}},
-                                         together({{"high", high}, {"level", "0"}}, knobs), settings, peer));
+            scene.methods.push_back(
+                bake(name, {{"map_size", size}}, together({{"high", high}, {"level", "0"}}, knobs), settings, peer));
         };
         add("one-frame", {});
         add("object-space", {{"map", "object"}});

@@ -58,8 +58,8 @@ struct Scene {
     }
 };
 
-/// The places of a map's texels, row 0 at the top: each belongs to the triangle that covers its middle, and what lies on
-/// an edge between two to one of them.
+/// The places of a map's texels, row 0 at the top: each belongs to the triangle that covers its middle, and what lies
+/// on an edge between two to one of them.
 std::vector<Place> texel_places(const Mesh& mesh, glm::ivec2 size) {
     std::vector<Place> places(size_t(size.x) * size_t(size.y));
     for (size_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle) {
@@ -100,8 +100,7 @@ glm::dvec3 stored(const Recipe& recipe, const Place& place, const glm::dvec3& n)
     const glm::dvec3 tangent(place.tangent);
     if (recipe.frame == 2) return to_tangent_space(n, place.normal, place.tangent);
     if (recipe.frame == 1)
-        return to_interpolated_frame(n, glm::normalize(place.normal),
-                                     {glm::normalize(tangent), place.tangent.w});
+        return to_interpolated_frame(n, glm::normalize(place.normal), {glm::normalize(tangent), place.tangent.w});
     return to_interpolated_frame(n, place.normal, place.tangent);
 }
 

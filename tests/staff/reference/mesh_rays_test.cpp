@@ -83,9 +83,7 @@ TEST(MeshRays, FindEveryHitThatASearchOfAllTrianglesFinds) {
         size_t found = 0, all = 0;
         each_hit(tree, mesh, ray, end, [&](const MeshHit&) { ++found; });
         for (size_t k = 0; k < mesh.indices.size(); k += 3) {
-            const auto at = [&](size_t corner) {
-                return glm::dvec3(mesh.vertices[mesh.indices[k + corner]].position);
-            };
+            const auto at = [&](size_t corner) { return glm::dvec3(mesh.vertices[mesh.indices[k + corner]].position); };
             const glm::dvec4 hit = triangle_hit(ray, axes_of(ray.direction), at(0), at(1), at(2));
             all += hit.w != 0 && hit.x >= 0 && hit.x <= end;
         }
