@@ -6,6 +6,7 @@
 
 #include "cut.h"
 #include "framework/kit/labels.h"
+#include "framework/kit/light.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
 #include "truth.h"
@@ -66,8 +67,7 @@ public:
         knobs.choice("low", low_, lows, "triangles of the coarse model");
         knobs.choice("high", high_, highs, "triangles of the fine model");
         knobs.slider("cut", cut_, 0, 1, "for view = rays: where the cut is, in turns");
-        knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
-        knobs.slider("light_pitch", light_pitch_, -90, 90, "elevation of the light, degrees");
+        light_.knobs(knobs);
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
@@ -169,12 +169,10 @@ private:
                 ? surface_.with({frame.probe, mirror, "MAP", level_ > 0 ? "ONE_LEVEL" : "", "OBJECT_SPACE"})
                 : surface_.with(
                       {frame.probe, mirror, "MAP", level_ > 0 ? "ONE_LEVEL" : "", frame_defines[size_t(view.frame)]});
-        const float yaw = glm::radians(light_yaw_), pitch = glm::radians(light_pitch_);
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_eye", frame.camera.eye());
-        surface.set("u_to_light",
-                    glm::vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)));
+        surface.set("u_to_light", light_.direction());
         if (has_map) {
             surface.set("s_map", 0);
             surface.set("u_level", float(std::max(0, level_ - 1)));
@@ -301,7 +299,8 @@ private:
 
     int view_ = compare, shape_ = 0, wears_ = 0, space_ = 0, bake_frame_ = 0, frame_ = 0, diagonal_ = 0;
     int ray_normals_ = 0, take_ = 0, islands_ = 0, size_ = 2, bits_ = 1, padding_ = 8, level_ = 0, low_ = 1, high_ = 0;
-    float reach_ = 0.42f, gap_ = 0.12f, cut_ = 0.62f, light_yaw_ = -75, light_pitch_ = 30;
+    float reach_ = 0.42f, gap_ = 0.12f, cut_ = 0.62f;
+    DistantLight light_{.yaw = -75, .pitch = 30};
     bool cord_ = false;
 };
 
