@@ -1,4 +1,4 @@
-// A lab's checks: compare what the course's own files draw with the exact values, the solution, or another picture.
+// A lab's checks: they compare what the course's task files draw with the exact values, the solution, or another check.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,8 @@
 namespace relief {
 
 /// `unfinished`: the task, or one that the check needs, still calls unfinished(). `broken`: it does not compile,
-/// throws, or draws nothing. The others apply only to a separate process; `machine`: the grader or the machine
-/// failed, which costs the student nothing.
+/// throws, or draws nothing. The last four occur only in a separate process. `machine`: the grader or the machine
+/// failed; that costs the student nothing.
 enum class Outcome { passed, wrong, unfinished, broken, crashed, out_of_time, out_of_memory, machine };
 const char* name_of(Outcome outcome);
 /// Throws Error for an unknown word.
@@ -29,42 +29,45 @@ struct CheckResult {
     Outcome outcome = Outcome::broken;
     std::string found = {};
     Image drawn = {}, expected = {};  ///< the compared pictures; empty if nothing was compared
-    std::string look_at = {};         ///< see hints(); check_lab() alone knows it
+    std::string look_at = {};         ///< see hints(); only check_lab() fills it in
 };
 
 struct TaskResult {
     const TaskInfo* task;
     std::vector<CheckResult> checks;
-    /// The task's points in equal shares for its checks.
+    /// Each passed check earns an equal share of the task's points.
     double points() const;
 };
 
 /// "2", "1.5"
 std::string points_text(double points);
 
-/// "waits for task 1.2, which is not written yet", of the tasks that a check needs; empty when all are written.
+/// "waits for task 1.2, which is not written yet": the tasks that the check needs and that are not written. Empty if
+/// all are written.
 std::string waits_for(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written);
 
-/// For each check that has failed, the one to put right first: one that has failed too, and whose task, with all that
-/// it depends on, is among the tasks that this one depends on. Else nothing. It is about fewer tasks each time, so
-/// hints never form a circle. `said` has the manifest's order of checks.
+/// For each failed check, another failed check that should be put right first, or nullptr. The other check's task, and
+/// all tasks that it depends on, must be among the tasks that this check depends on. So the other check is about fewer
+/// tasks, and hints never form a circle. If there are several, it is the one that depends on the fewest tasks. `said`
+/// is in the manifest's order of checks.
 std::vector<const CheckInfo*> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said);
 
-/// The hint for a student, for each check; empty if nothing is wrong or the finding says it all. It names the task that
-/// comes first, see above; else it is the check's own hint.
+/// The hint of each check for the student: the task to put right first (see put_right_first()), else the check's own
+/// hint. Empty if the check passed, or if `found` says enough.
 std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said);
 
-/// The picture that a check compares with: from the lab's folder `expected` if a handout put it there, else the exact
-/// values or the solution of this course. Nothing for a check against another check. A solution needs a context.
+/// The picture that a check compares with: the file in the lab's folder `expected`, if a handout put it there; else the
+/// exact values, or what this course's files draw. Nothing for a check that compares with another check. Drawing needs
+/// a context.
 std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check);
-/// The path of that file, whether it exists or not.
+/// The path of that file; it may not exist.
 std::filesystem::path expectation_file(const LabEntry& lab, const CheckInfo& check);
 
-/// Judges a picture, whoever drew it: first whether it is usable at all, then how far it is from the
-/// expected one. `drawn` need not be trusted. Needs no context.
+/// Judges a picture: first whether it is usable at all, then its distance from the expected one. `drawn` need not be
+/// trusted. Needs no context.
 Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected);
 
-/// Draws and compares, in the current context. Never throws for what a student's file does.
+/// Draws and compares in the current context. Never throws because of what a student's file does.
 CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                       const std::optional<Image>& expected);
 

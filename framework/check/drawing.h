@@ -1,5 +1,5 @@
-// Shots drawn by an untrusted process, and the stream in which their pixels come back: no image file is
-// decoded, and no size is trusted.
+// Shots drawn by an untrusted process, and the stream in which it returns their pixels. The reader decodes no image
+// file and trusts no size.
 #pragma once
 
 #include <optional>
@@ -13,29 +13,29 @@ namespace relief {
 
 struct LabEntry;
 
-/// Who draws, and how: the solution and every submission alike.
+/// How shots are drawn: the same for the solution and every submission.
 struct Renderer {
-    std::optional<ContextKind> context = {};  ///< nothing: OSMesa, then EGL
-    int threads = 0;                          ///< of the software renderer, beside the one that draws
+    std::optional<ContextKind> context = {};  ///< empty: OSMesa, then EGL
+    int threads = 0;                          ///< extra threads of the software renderer
     bool pinned = true;                       ///< the same bits on every machine, see pin_software_renderer()
 };
 
-/// A program that runs out of memory ends with this exit code.
+/// The exit code of a program that ran out of memory.
 constexpr int out_of_memory_code = 97;
 
-/// What the process that draws is sent when it asks for it, and with what its output begins when it does.
+/// The request that is sent to the drawing process, and the message at the start of its output that asks for it.
 std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer);
 std::string drawing_asks();
 
-/// That process: asks for its request, by a message "ask" on standard output, and reads it from `request_descriptor`:
-/// so nothing is there yet while a task's own static objects are made. Then it writes "ready" once there is a context,
-/// each shot's pixels or what went wrong, and "done". `course` is the course to draw. Does not return.
+/// The drawing process. It writes "ask" to standard output and reads its request from `request_descriptor`. So there is
+/// no request to read while a task's static objects are constructed. Then it writes "ready" once it has a context, the
+/// pixels or the error of each shot, and "done". `course` is the folder of the course to draw. Does not return.
 [[noreturn]] void draw_request(const char* course);
 
 /// The result of one shot.
 struct Drawn {
-    std::optional<Image> image;  ///< of the shot's size, as draw_shot() has it; its values can be anything
-    std::string error;           ///< the process's error message, if there is no image
+    std::optional<Image> image;  ///< of the shot's size and as draw_shot() makes it, but its values can be anything
+    std::string error;           ///< the process's error message if there is no image
 };
 
 /// How far the process came: it asked for its request, it had a context, it sent all shots.
@@ -46,10 +46,10 @@ struct DrawnShots {
     DrawingPhase phase = DrawingPhase::started;
     std::string problem;  ///< why the rest cannot be read, or empty
 };
-/// Reads the stream that draws `shots`.
+/// Reads the stream of a process that was asked to draw `shots`.
 DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& shots);
 
-/// How many bytes that stream has at most, when all goes well and when errors are long.
+/// The largest size of that stream in bytes, even with long errors.
 size_t drawings_size(const std::vector<Shot>& shots);
 
 }  // namespace relief

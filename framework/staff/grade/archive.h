@@ -1,4 +1,4 @@
-// Archives that strangers send, through libarchive, which a module of its own brings in: opened when it is needed.
+// Reads archives from untrusted people with libarchive. The library is in a module of its own, opened when needed.
 #pragma once
 
 #include <filesystem>
@@ -8,29 +8,29 @@
 
 namespace relief {
 
-/// Bounds that an honest submission keeps even with a build folder in it.
+/// Limits. An honest submission keeps them even with a build folder in it.
 constexpr size_t max_archive_bytes = size_t{256} << 20, max_unpacked_bytes = size_t{512} << 20;
 constexpr size_t max_entries = 20000;
-/// Of one name, and of all names together: of files, folders and links.
+/// For one name, and for all names together; files, folders and links count.
 constexpr size_t max_name_bytes = 4096, max_names_bytes = size_t{16} << 20;
 
 struct ArchiveEntry {
-    std::string name;      ///< as the archive has it: whatever bytes a stranger wrote
+    std::string name;      ///< as in the archive: can be any bytes
     bool is_file = false;  ///< not a folder, a link or a device
     bool is_link = false;  ///< symbolic or hard
     bool too_large = false;
-    std::string content;  ///< of wanted files that are not too large
+    std::string content;  ///< empty if the file is not wanted or too large
 };
 
-/// The entries of a zip or tar archive (plain or packed by gzip, bzip2, xz or zstd), in order. Nothing is written to
-/// disk. The content of a file is kept when `wanted` says so of its name, and when it has at most `largest` bytes.
-/// Throws Error without a place for what is no archive, damaged, or beyond the bounds above.
+/// The entries of a zip or tar archive (plain, or compressed by gzip, bzip2, xz or zstd), in order. Writes nothing to
+/// disk. The content of a file is kept if `wanted(name)` is true and the file has at most `largest` bytes. Throws Error
+/// if the file is not an archive, is damaged, or exceeds the limits above; the error names no file.
 std::vector<ArchiveEntry> read_archive(const std::filesystem::path& path, size_t largest,
                                        const std::function<bool(const std::string&)>& wanted);
 
 }  // namespace relief
 
-/// What the module offers; `read_archive` finds it there.
+/// The module's function; read_archive() calls it.
 extern "C" void relief_read_archive(int descriptor, size_t largest,
                                     const std::function<bool(const std::string&)>& wanted,
                                     std::vector<relief::ArchiveEntry>& entries);

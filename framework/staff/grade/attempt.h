@@ -1,4 +1,4 @@
-// Shots of a lab with somebody's files in place of its tasks': staged, compiled and drawn in the sandbox.
+// Draws shots of a lab in the sandbox, with a submission's files in place of the task files.
 #pragma once
 
 #include <optional>
@@ -11,28 +11,28 @@
 
 namespace relief {
 
-/// What came of one shot.
+/// The result of one shot.
 struct DrawnAttempt {
     std::optional<Image> image;
-    Outcome outcome = Outcome::broken;  ///< where there is no image
+    Outcome outcome = Outcome::broken;  ///< only if there is no image
     std::string error;                  ///< one line, see printable()
-    bool told = false;                  ///< the error came from the lab as it drew
+    bool told = false;                  ///< the lab itself sent the image or the error
 };
 
 struct Attempt {
-    std::vector<DrawnAttempt> shots;  ///< one for each that was asked for
+    std::vector<DrawnAttempt> shots;  ///< one for each requested shot
     double compile = 0, draw = 0;     ///< seconds
-    std::string log;                  ///< what a compiler said at length, or empty
+    std::string log;                  ///< the compiler's messages, or empty
 };
 
 struct AttemptLimits {
-    double seconds = 120;             ///< for drawing once; twice that in all, and three times that for compiling
-    size_t memory = size_t{2} << 30;  ///< bytes of addresses
+    double seconds = 120;             ///< for one process that draws; all together have twice that, the compiler thrice
+    size_t memory = size_t{2} << 30;  ///< bytes of address space
 };
 
-/// The lab must have been added to the stage. A process that dies takes the shot it was at with it; the others are
-/// drawn by another. The shots from `apart` on are asked of other processes than those before where a C++ task could
-/// say what it was asked for; their log is not kept. Never throws for what the files do.
+/// Draws `shots` of a lab that was added to the stage. If a process dies, the shot that it was drawing fails, and
+/// another process draws the rest. A C++ task could reveal what it was asked to draw: so the shots from `apart` on are
+/// requested from a process of their own, and its log is not kept. Never throws because of what the files do.
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
                 const Renderer& renderer, const AttemptLimits& limits, size_t apart = size_t(-1));
 

@@ -1,4 +1,4 @@
-// A class: every submission marked, several at a time, each result kept as soon as it is known.
+// Grades a class: several submissions at a time; each result is written as soon as it is known.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,12 @@ namespace relief {
 struct ClassOptions {
     std::vector<std::filesystem::path> submissions;
     std::filesystem::path output;
-    std::vector<const LabEntry*> labs;  ///< none: in each submission those that it has a file of
-    int jobs = 1;
-    bool trust = false;  ///< grade also where a submission cannot be kept from the rest of the machine
-    bool fresh = false;  ///< grade everything anew
-    /// Its isolation is found out. Without a seed: that of an earlier run into `output`, or one that nobody could know.
+    std::vector<const LabEntry*> labs;  ///< empty: for each submission the labs whose files it has
+    int jobs = 1;                       ///< submissions at a time
+    bool trust = false;                 ///< grade even if submissions cannot be isolated
+    bool fresh = false;                 ///< grade everything again
+    /// `isolation` is ignored: it is probed. An empty seed: the seed of an earlier run into `output`, else a random
+    /// one.
     GradeSetup setup;
     Shard shard;  ///< only these submissions
 };
@@ -28,29 +29,29 @@ struct ClassReport {
     std::vector<SubmissionMark> marks;  ///< in the order of the submissions
     IsolationReport isolation;
     std::string seed;
-    size_t taken_over = 0;             ///< not graded again, since nothing has changed
-    double prepared = 0, seconds = 0;  ///< for the solutions, and in all
-    MarkTimes times;
+    size_t taken_over = 0;             ///< unchanged since an earlier run, so not graded again
+    double prepared = 0, seconds = 0;  ///< time for the solutions, and in all
+    MarkTimes times;                   ///< all jobs together
 };
 
-/// Keeps other graders out of a folder as long as it is open, however this one ends. Parts of a class may be graded
-/// into one folder at a time: what is not of one class merge_class() finds. Throws Error when another grader is at work
-/// in it. Nothing is left in the folder.
+/// Locks a folder against other graders until the descriptor is closed or this process ends. Several parts of a class
+/// may be graded into one folder at a time; merge_class() finds parts of different classes. Throws Error if another
+/// grader has locked the folder. Leaves no file behind.
 Descriptor hold_output(const std::filesystem::path& folder, const Shard& shard);
 
-/// A seed that nobody could know.
+/// A random seed.
 std::string new_seed();
 
-/// How submissions may be run here. Throws Error where they can be kept from nothing and `trust` is not given.
+/// The isolation that this machine offers. Throws Error if there are no namespaces and `trust` is false.
 IsolationReport isolation_for(bool trust);
 
-/// Called when a submission has its mark, by the thread that graded it, several at a time; the pictures are gone after
-/// it.
+/// Called when a submission is graded, by the thread that graded it: several calls can run at a time. The pictures are
+/// freed after the call.
 using SubmissionDone = std::function<void(const SubmissionMark&, const std::vector<CheckPictures>&)>;
 
-/// Writes into `output`: class.json, and results/NAME.json as each is done, when `done` has returned. Throws UsageError
-/// for two submissions of one name, for none, and for a shard without a seed; Error where the solutions themselves do
-/// not pass here; and what `done` throws.
+/// Writes class.json into `output`, and results/NAME.json of each submission after `done` has returned for it. Throws
+/// UsageError if there are no submissions, if two have one name, or for a shard without a seed. Throws Error if a lab's
+/// own solution does not pass on this machine. Passes on what `done` throws.
 ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done = {});
 
 }  // namespace relief

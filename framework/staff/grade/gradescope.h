@@ -1,4 +1,4 @@
-// An autograder for Gradescope: the course with its solutions, and the two scripts that Gradescope runs.
+// Writes an autograder for Gradescope: the course with its solutions, and the two scripts that Gradescope runs.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@ namespace relief {
 
 struct LabEntry;
 
-/// Writes setup.sh, run_autograder and course/ into a folder: new, empty, or one that it wrote before. `labs`: only
-/// these are graded; none: those that a submission has a file of. Throws UsageError for any other folder.
+/// Writes setup.sh, run_autograder and course/ into a folder. The folder must be new, empty, or written by an earlier
+/// call; otherwise it throws UsageError. `labs`: grade only these; empty: the labs whose files a submission has.
 void write_gradescope(const std::filesystem::path& folder, const std::vector<const LabEntry*>& labs,
                       const std::string& seed);
 

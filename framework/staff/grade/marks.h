@@ -1,5 +1,4 @@
-// How a mark comes about: a submission's pictures, drawn in the sandbox, against the truth or what the solution draws
-// there.
+// Marks: a submission is drawn in the sandbox, and its pictures are compared with the exact values or the solution's.
 #pragma once
 
 #include <string>
@@ -14,33 +13,33 @@ namespace relief {
 struct CheckMark {
     std::string name;
     Outcome outcome = Outcome::machine;
-    std::string found;         ///< what was measured, or what went wrong
-    std::string look_at = {};  ///< what to look at next; empty when it passed
-    std::string view = {};     ///< the hidden view in which it did not pass, when it is that; never for students
+    std::string found;         ///< the measured values, or the error
+    std::string look_at = {};  ///< the hint; empty if the check passed
+    std::string view = {};     ///< the hidden view, if the check failed only there; never shown to students
     bool hidden = false;
 };
 
 struct TaskMark {
     std::string id, title, file;
-    int of = 0;         ///< points
-    double points = 0;  ///< in equal shares for its checks
+    int of = 0;         ///< points that can be reached
+    double points = 0;  ///< each passed check earns an equal share
     std::vector<CheckMark> checks = {};
     std::string mistake = {}, hint = {};  ///< of the known mistake that its pictures show, or empty
 };
 /// The mark of a task without checks and points.
 TaskMark empty_mark(const TaskInfo& task);
 
-/// What a check that did not pass has compared: both are there, of one shape. `drawn` is as it came from the
-/// submission.
+/// The two pictures that a failed check compared; they have one shape. `drawn` comes from the submission and is not
+/// trusted.
 struct CheckPictures {
     std::string lab;  ///< folder
     const Manifest* manifest;
-    CheckInfo check;           ///< with the shot that was drawn
-    bool hidden_view = false;  ///< that shot is not the manifest's
+    CheckInfo check;           ///< its shot is the one that was drawn
+    bool hidden_view = false;  ///< the shot is a hidden view, not the check's own
     Image drawn, expected;
 };
 
-/// Seconds; those of several processes are added up.
+/// Seconds, summed over processes.
 struct MarkTimes {
     double compile = 0, draw = 0, compare = 0;
     double sum() const { return compile + draw + compare; }

@@ -1,4 +1,4 @@
-// A course that is another one but for some files.
+// A copy of the course in which some files are replaced.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,13 @@
 
 namespace relief {
 
-/// Paths relative to the course's top folder, and what stands there.
+/// The text of files, by path relative to the course's top folder.
 using CourseFiles = std::map<std::string, std::string>;
 
-/// The files that edits make of those of the course. Throws Error where `find` does not stand exactly once.
+/// The edited files, with all edits made. Throws Error if an edit's `find` does not occur exactly once.
 CourseFiles edited(const std::vector<Edit>& edits);
 
-/// While this is alive, course_root() is a temporary folder with these files in it and links to all the others.
+/// While this object lives, course_root() is a temporary folder with these files, and links to all other files.
 class CourseOverlay {
 public:
     explicit CourseOverlay(const CourseFiles& files);

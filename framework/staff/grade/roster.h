@@ -1,4 +1,5 @@
-// class.json: who is in a class and how it is graded. Every run into its folder and every shard of it agree on that.
+// class.json: the submissions of a class, and how they are graded. All runs into its folder and all its shards agree on
+// it.
 #pragma once
 
 #include <filesystem>
@@ -14,27 +15,27 @@ struct Roster {
         std::filesystem::path path;  ///< absolute
         bool operator==(const One&) const = default;
     };
-    std::string course;             ///< hash of all that a mark depends on beside the submission; the seed is in it
+    std::string course;             ///< hash of everything but the submission that decides a mark, seed included
     std::string seed;               ///< of the hidden views, or empty
-    std::vector<std::string> labs;  ///< folders; none: those that each submission has a file of
-    std::vector<One> submissions;   ///< in the order in which they were named
+    std::vector<std::string> labs;  ///< folders; empty: for each submission the labs whose files it has
+    std::vector<One> submissions;   ///< in the order of the command line
 };
 
 std::string to_json(const Roster& roster);
-/// In `folder`; nothing when it is not there. Throws Error when it is not that.
+/// Reads class.json in `folder`; nothing if there is none. Throws Error if the file is not a roster.
 std::optional<Roster> read_roster(const std::filesystem::path& folder);
 void write_roster(const std::filesystem::path& folder, const Roster& roster);
 
-/// The `index`-th of `count` parts of a class, from 0: every count-th submission.
+/// One of `count` parts of a class: every count-th submission, from `index` on. `index` counts from 0.
 struct Shard {
     int index = 0, count = 1;
-    std::string from = {};  ///< what says so
+    std::string from = {};  ///< the option or the variable that chose it
     bool whole() const { return count == 1; }
 };
 
-/// "2/8" is the second of eight. When `text` is empty the environment decides: a task of a Slurm array
+/// "2/8" is the second of eight parts. If `text` is empty, the environment decides: a task of a Slurm array
 /// (SLURM_ARRAY_TASK_ID with _MIN, _STEP and _COUNT), TEST_SHARD_INDEX with TEST_TOTAL_SHARDS, or GTEST_SHARD_INDEX
-/// with GTEST_TOTAL_SHARDS. Throws UsageError for what is neither.
+/// with GTEST_TOTAL_SHARDS; without those it is the whole class. Throws UsageError for any other text or value.
 Shard shard_of(const std::string& text);
 
 }  // namespace relief

@@ -9,9 +9,9 @@
 
 namespace relief {
 
-/// What keeps a command from the rest of the machine. `namespaces`: bubblewrap, with users, processes, network, mounts
-/// and host name of its own, and no file to see but those named. `limits`: only bounds on what it uses; it can read
-/// whatever we can, write where anybody may, and leave processes behind.
+/// How a command is isolated from the machine. `namespaces`: bubblewrap gives it users, processes, network, mounts and
+/// host name of its own; it sees only the named files. `limits`: only its time and memory are limited. It can read what
+/// we can read, write where anybody may write, and leave processes behind.
 enum class Isolation { namespaces, limits };
 const char* name_of(Isolation isolation);
 
@@ -19,22 +19,21 @@ struct IsolationReport {
     Isolation level = Isolation::limits;
     std::string reason;  ///< why it is no better, or empty
 };
-/// Tries it, in a few milliseconds. The environment's RELIEF_NO_NAMESPACES has it say that there are none (for tests:
-/// less can be asked for, never more).
+/// Tries whether namespaces work here; takes a few milliseconds. If the environment has RELIEF_NO_NAMESPACES, the
+/// answer is `limits` (for tests: it can lower the level, never raise it).
 IsolationReport probe_isolation();
 
-/// What a command sees and makes.
+/// What a command may see and start.
 struct Confinement {
     Isolation isolation = Isolation::namespaces;
-    std::vector<std::filesystem::path> readable = {};  ///< seen at the same places, besides /usr
-    /// With namespaces. By limits alone nothing bounds them: what the system counts for us there are all processes of
-    /// the user on the whole machine, whoever has started them. See ProcessJob::makes_processes.
+    std::vector<std::filesystem::path> readable = {};  ///< visible under the same paths, besides /usr
+    /// The largest number of processes; only with namespaces. With limits alone there is no such bound: the system
+    /// would count all processes of the user on the machine. See ProcessJob::makes_processes.
     int processes = 64;
 };
 
-/// Runs an untrusted command as run_process() does; root runs it as nobody. With namespaces it ends with every process
-/// that it has made, `makes_processes` does not count, and `limits.file` bounds the only folder that it can write to,
-/// /tmp, which nobody else sees.
+/// Runs an untrusted command as run_process() does; root runs it as nobody. With namespaces, all its processes end with
+/// it, `makes_processes` is ignored, and it can write only to its own /tmp, whose size is at most `limits.file`.
 ProcessResult run_sandboxed(ProcessJob job, const Confinement& confinement);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// Proof that marks are right: what is known to be good, empty or wrong goes the way of a submission.
+// The grader's self-test: grades the solution, the starter, and every known mistake and correct variant as submissions.
 #pragma once
 
 #include <string>
@@ -10,23 +10,23 @@ namespace relief {
 
 struct SelfTestOptions {
     int jobs = 1;
-    /// So many mistakes and so many variants, evenly from what the manifest lists and always the same; 0: all. Naming
-    /// a mistake takes pictures of all others of its task, so in a sample none is asked for its name.
+    /// The number of mistakes, and of variants, to grade; 0: all. They are taken evenly from the manifest's lists, and
+    /// are always the same. A sample does not name mistakes: that would draw all other mistakes of the task.
     int sample = 0;
 };
 
 struct SelfTest {
-    int mistakes = 0, caught = 0;         ///< caught: its task loses points
-    int named = 0;                        ///< its id is told, or that of the one it is `same_as`
-    int equivalents = 0, right = 0;       ///< right: all points of all tasks
+    int mistakes = 0, caught = 0;         ///< caught: its task lost points
+    int named = 0;                        ///< its id was named, or the id that it is `same_as`
+    int equivalents = 0, right = 0;       ///< right: all tasks got all points
     int left_out = 0;                     ///< mistakes and variants that are not in the sample
-    size_t checks = 0, hidden_views = 0;  ///< views: with a seed
-    std::vector<std::string> wrong;       ///< every wrong verdict, a line each
+    size_t checks = 0, hidden_views = 0;  ///< hidden views: only with a seed
+    std::vector<std::string> wrong;       ///< one line for each wrong verdict
     double seconds = 0;
 };
 
-/// The solution gets all points, the starter none, every known mistake loses points of its task and is named, and every
-/// correct variant, of which a lab with tasks has five at least, gets all points.
+/// Tests that the solution gets all points and the starter none; that every known mistake costs points of its task and
+/// is named; and that every correct variant gets all points. A lab with tasks must have at least five variants.
 SelfTest test_grader(const LabEntry& lab, const GradeSetup& setup, SelfTestOptions options);
 
 }  // namespace relief

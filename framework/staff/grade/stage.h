@@ -1,4 +1,4 @@
-// The part of the course that a submission may see while it is drawn: programs, pictures and shaders, and no solution.
+// The copy of the course that a submission sees while it is drawn: programs, textures and shaders, but no solution.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ std::set<std::string> task_files(const Manifest& manifest);
 /// These files with their solutions.
 CourseFiles solution_files(const Manifest& manifest);
 
-/// A temporary folder that the sandbox's user may read, gone with the object.
+/// A temporary folder that the sandbox's user can read. The destructor removes it.
 class PublicFolder {
 public:
     explicit PublicFolder(const std::filesystem::path& parent, const std::string& name);
@@ -36,36 +36,37 @@ private:
 /// A lab's course for one submission.
 struct StagedCourse {
     std::unique_ptr<PublicFolder> folder;
-    std::filesystem::path program;                ///< draws with --course folder
-    std::filesystem::path libraries;              ///< where its own lie: without /proc nobody knows beside what it is
-    std::vector<std::filesystem::path> readable;  ///< what the sandbox must show it
+    std::filesystem::path program;                ///< draws with --course `folder`
+    std::filesystem::path libraries;              ///< the program's own; without /proc it cannot find them itself
+    std::vector<std::filesystem::path> readable;  ///< folders that the sandbox must let it read
 };
 
-/// What went wrong with a C++ task, told apart as a drawing's ending is.
+/// The result of compiling C++ tasks.
 struct Compiled {
     Ending ending = Ending::exited;
-    std::string message;  ///< empty when it is good
+    std::string message;  ///< the compiler's errors; empty if it succeeded
     double seconds = 0;
 };
 
-/// Made once for a run: copies of the programs (a build in the middle of a run must not change them), the pictures with
-/// what the build made of them, the shaders without solutions, and for C++ tasks the library that students build.
+/// Made once for a run. Holds copies of the programs, so that a build during the run cannot change them; the textures,
+/// as the build converted them; the shaders without solutions; and, for C++ tasks, the library that students build.
 class Stage {
 public:
     explicit Stage(Isolation isolation);
     Isolation isolation() const { return isolation_; }
 
-    /// Reads what the lab's course needs. Before the first course() of the lab, and not while others are used.
+    /// Reads what the lab's course needs. Call it before the first course() of the lab, and not while another thread
+    /// uses the stage.
     void add(const LabEntry& lab);
 
-    /// The lab's course with `files` in place of its task files; starters stand where one is missing.
+    /// The lab's course with `files` in place of its task files. A missing task file is replaced by its starter.
     StagedCourse course(const LabEntry& lab, const CourseFiles& files) const;
 
-    /// Compiles the C++ tasks of a course, when the lab has any, into a program that becomes the course's. `failed`:
-    /// the machine could not run the compiler.
+    /// Compiles the C++ tasks of a course into a program, which becomes the course's; does nothing if the lab has no
+    /// C++ tasks. `ending` is `failed` if the machine could not run the compiler.
     Compiled compile(const LabEntry& lab, StagedCourse& course, double seconds) const;
 
-    /// SHA-256 of all that a mark depends on beside the submission.
+    /// SHA-256 of everything but the submission that decides a mark.
     std::string hash() const;
 
 private:
@@ -85,7 +86,7 @@ private:
 
     Isolation isolation_;
     PublicFolder folder_;
-    Descriptor lock_;                      ///< on the folder, as long as it is wanted
+    Descriptor lock_;                      ///< on the folder: other runs remove folders without one
     std::map<std::string, LabPart> labs_;  ///< by folder
 };
 

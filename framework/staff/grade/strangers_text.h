@@ -1,4 +1,4 @@
-// Text that strangers wrote: file names in any bytes, messages of any length. Shown, and kept in JSON.
+// Untrusted text, such as file names in any bytes and messages of any length: made safe to show and to keep in JSON.
 #pragma once
 
 #include <string>
@@ -6,15 +6,16 @@
 
 namespace relief {
 
-/// On one line of a terminal or a page, in UTF-8: control characters and bytes that are not UTF-8 as \xNN, characters
-/// that turn the direction of text or cannot be seen as \uNNNN. Cut after `most` bytes of `text`, at a character.
+/// The text as one line of UTF-8 for a terminal or a page. Control characters and bytes that are not UTF-8 become \xNN;
+/// invisible characters, and those that change the direction of text, become \uNNNN. Cut after at most `max_length`
+/// bytes of `text`, between two characters.
 std::string printable(std::string_view text, size_t max_length = 200);
 
-/// The same on as many lines as it has.
+/// The same, but line breaks and tabs stay.
 std::string printable_lines(std::string_view text, size_t max_length);
 
-/// Any bytes as UTF-8, which JSON asks for, and back. What is UTF-8 already stays as it is; any other byte becomes a
-/// character for private use, U+F780 to U+F7FF, and so do the bytes of these characters themselves.
+/// Any bytes as UTF-8, which JSON requires, and back without loss. Valid UTF-8 stays as it is. Any other byte becomes a
+/// private-use character, U+F780 to U+F7FF; so do the bytes of those characters themselves.
 std::string utf8_of_bytes(std::string_view bytes);
 std::string bytes_of_utf8(std::string_view text);
 

@@ -1,4 +1,4 @@
-// What a student hands in: a folder or an archive, of which only the task files count.
+// Reads a submission: a folder or an archive, in which only the task files count.
 #pragma once
 
 #include <filesystem>
@@ -11,28 +11,27 @@
 
 namespace relief {
 
-/// A task file is a page or two; nobody types a million characters.
+/// The largest task file. Honest ones are a page or two.
 constexpr size_t max_task_bytes = size_t{1} << 20;
 
 struct Submission {
-    std::string name;                            ///< of the folder, or of the archive without its ending
-    std::map<std::string, std::string> files;    ///< task files, by their names in the course
-    std::map<std::string, std::string> refused;  ///< task files that were not taken, and why
-    std::vector<std::string> ignored;            ///< names of all else, printable; a hundred at most
-    size_t ignored_count = 0;                    ///< how many there are
-    std::vector<std::string> links;  ///< printable names of links that may stand for task files; ten at most
+    std::string name;                            ///< of the folder, or of the archive without its extension
+    std::map<std::string, std::string> files;    ///< the text of task files, by their paths in the course
+    std::map<std::string, std::string> refused;  ///< the reasons why task files were not taken, by their paths
+    std::vector<std::string> ignored;            ///< printable names of all other files; at most a hundred
+    size_t ignored_count = 0;                    ///< how many other files there are
+    std::vector<std::string> links;  ///< printable names of links that may stand for task files; at most ten
     std::string problem;             ///< why nothing could be read, or empty
-    /// SHA-256 of all that a mark can depend on. Empty where nothing could be read.
-    std::string hash;
+    std::string hash;                ///< SHA-256 of everything that decides a mark; empty if nothing could be read
 };
 
-/// The name of a submission: "a/b/jane.tar.gz" is jane's.
+/// The name of the submission at `path`: "jane" for "a/b/jane.tar.gz".
 std::string submission_name(const std::filesystem::path& path);
 
-/// Takes the files that end in one of `wanted` ("shaders/02_x/task.glsl"), in whatever folders they lie; of several,
-/// the one in the fewest folders, of those the first by name, and where an archive has it twice the last. Never
-/// throws for what is in the submission, follows no link in it and writes nothing: a link in a task file's place is
-/// refused, unless the file lies elsewhere.
+/// Takes the files whose paths end in one of `wanted` ("shaders/02_x/task.glsl"), in any folder. If several match, it
+/// takes the one in the fewest folders; among those the first by name; if an archive has that path twice, the last.
+/// Follows no links: a link in the place of a task file is refused, unless the file is found elsewhere. Writes nothing,
+/// and never throws because of what the submission holds.
 Submission read_submission(const std::filesystem::path& path, const std::set<std::string>& wanted);
 
 }  // namespace relief

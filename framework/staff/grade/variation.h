@@ -1,5 +1,5 @@
-// Hidden views of a lab, drawn from a seed: what a picture that was stored, or code that is tuned to the views students
-// know, does not get right.
+// Hidden views of a lab, derived from a seed. They catch stored pictures, and code that is tuned to the views that
+// students know.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace relief {
 
-/// Another camera, and other values for the knobs under the manifest's `[vary]`: the same for every check of the lab,
-/// so that two that are held against each other still can be.
+/// Another camera, and other values of the knobs in the manifest's `[vary]`. They are the same for every check of the
+/// lab, so that two checks can still be compared with each other.
 class Variation {
 public:
-    /// The same seed and attempt give the same view on every machine. `attempt`: another one, when the solution itself
-    /// does not get by in a view.
+    /// The same seed and attempt give the same view on every machine. Use another `attempt` if the solution itself
+    /// fails in a view.
     Variation(const Manifest& manifest, const std::string& lab, const std::string& seed, int attempt);
 
-    /// A knob that the shot sets is what its check is about, and stays.
+    /// The shot from the hidden view. A knob that the shot sets keeps its value: the check is about it.
     Shot vary(Shot shot) const;
 
 private:
-    double yaw_, pitch_;  ///< degrees, to be added
+    double yaw_, pitch_;  ///< degrees to add
     double distance_;     ///< a factor
     std::vector<std::pair<std::string, std::string>> set_;
 };

@@ -1,4 +1,4 @@
-// Files in a folder that may contain links made by others: nothing outside the folder is ever read, written or removed.
+// Access to a folder that may contain links made by others: nothing outside the folder is read, written or removed.
 #pragma once
 
 #include <filesystem>
@@ -9,29 +9,31 @@
 
 namespace relief {
 
-/// Paths are relative to the folder. The folder itself may be named through links; below it none is followed.
+/// Paths are relative to the folder. The path of the folder itself may contain links; below the folder none is
+/// followed.
 class ConfinedFolder {
 public:
-    /// The folder must exist. Throws Error if it does not, or if another process has it open in this way.
+    /// Opens and locks the folder. Throws Error if it does not exist, or if another process has locked it.
     explicit ConfinedFolder(const std::filesystem::path& folder);
 
     enum class Kind { nothing, file, other, behind };
     struct Found {
         Kind kind = Kind::nothing;
-        std::string bytes = {};                 ///< of a file that may be read
-        std::filesystem::path in_the_way = {};  ///< of a path `behind` something that is not a folder, such as a link
+        std::string bytes = {};                 ///< of a `file`
+        std::filesystem::path in_the_way = {};  ///< for `behind`: the part of the path that is not a folder
     };
-    /// `other` is a link, a folder, a device, or a file without permission to read.
+    /// What a path is. `other`: a link, a folder, a device, or a file that cannot be read. `behind`: a part of the path
+    /// is a link or a file, so the rest cannot be reached.
     Found look(const std::filesystem::path& path) const;
 
-    /// Replaces the file, whole or not at all, and makes its folders. Throws Error.
+    /// Replaces the file atomically, and makes its folders. Throws Error.
     void write(const std::filesystem::path& path, std::string_view bytes, bool executable = false) const;
 
-    /// Removes a file, and its folders if they are then empty. Throws Error.
+    /// Removes the file, and folders that are then empty. Throws Error.
     void remove(const std::filesystem::path& path) const;
 
 private:
-    /// The folder of a path; -1 if it does not exist. `reached` becomes the last part that was looked at.
+    /// Opens the folder that holds `path`; -1 if that fails. `reached` becomes the last part that was tried.
     Descriptor open_parent(const std::filesystem::path& path, bool make, std::filesystem::path& reached) const;
     [[noreturn]] void fail(const std::filesystem::path& path, const char* action) const;
 

@@ -1,4 +1,4 @@
-// Files handed out into a folder in which somebody has worked since: changed files stay, the others are updated.
+// Delivers files into a folder in which somebody may have worked: files that they changed stay, the others are updated.
 #pragma once
 
 #include <filesystem>
@@ -13,32 +13,33 @@ struct HandedFile {
     std::string bytes;
     bool executable = false;
 };
-/// By paths relative to the folder.
+/// By path relative to the folder.
 using HandedFiles = std::map<std::string, HandedFile>;
 
-/// The result of a delivery, by path. An up-to-date file is in none of the lists.
+/// The result of a delivery: lists of paths. A file that was up to date is in none of them.
 struct Delivery {
     std::vector<std::string> added, updated, removed;
     struct Kept {
-        std::string file, beside;  ///< what was handed out anew lies `beside`; empty: it is in the course no more
+        std::string file;
+        std::string beside;  ///< the path of the new version; empty if the course no longer has the file
     };
-    std::vector<Kept> kept;             ///< changed by their owner, and changed in the course too
-    std::vector<std::string> not_open;  ///< links and files where folders should be: left alone with what lies behind
+    std::vector<Kept> kept;             ///< changed both by their owner and in the course
+    std::vector<std::string> not_open;  ///< links and files in place of folders: left alone, with what lies behind them
 
     bool changed_nothing() const;
 };
 
-/// The choice that the last delivery into a folder recorded (see deliver); nothing for a folder that is empty or not
-/// there. Throws Error for any other folder: it is not a handout.
+/// The `choice` of the last delivery into a folder; nothing if the folder is empty or does not exist. Throws Error for
+/// any other folder: it is not a handout.
 std::optional<std::string> delivered_choice(const std::filesystem::path& folder);
 
-/// Brings a folder up to date. A file that is there as it was once handed out, or not at all, becomes the new one; one
-/// that is in `files` no more is removed. Whatever else is there stays: when its new text is not the one that was
-/// handed out last, that is put beside it, as task.glsl.new. Nothing is written through a link. The folder's record of
-/// what was handed out, .relief-handout, begins with `choice`.
+/// Brings a folder up to date. A file that is missing, or still as it was handed out, becomes the new version; it is
+/// removed if `files` no longer has it. A file that its owner changed stays. If its new version differs from the one
+/// that was handed out last, the new version is put beside it, as task.glsl.new. Nothing is written through a link. The
+/// record of what was handed out, .relief-handout, begins with `choice`.
 ///
-/// A new folder appears when it is whole. In one that is there each file is, and a run that was interrupted is
-/// completed by the next. Throws Error as delivered_choice does, and for what cannot be written.
+/// A new folder appears only when it is complete. In an existing folder each file is replaced atomically, and the next
+/// run completes one that was interrupted. Throws Error as delivered_choice() does, and if a file cannot be written.
 Delivery deliver(const HandedFiles& files, const std::string& choice, const std::filesystem::path& folder);
 
 }  // namespace relief

@@ -1,5 +1,5 @@
-// The students' course: starters instead of solutions, no hidden checks, no mistakes or variants, and the exact values
-// as pictures.
+// The students' course: starters instead of solutions, exact values as pictures; no hidden checks, mistakes or
+// variants.
 #pragma once
 
 #include <filesystem>
@@ -12,19 +12,18 @@ namespace relief {
 
 struct HandoutReport {
     std::string choice;  ///< "all", or the numbers of the labs, "1,2,10"
-    bool is_new = true;  ///< the folder was not a handout before
+    bool is_new = true;  ///< the folder was not yet a handout
     int labs = 0, tasks = 0, files = 0, expected = 0;
     Delivery delivery = {};
 };
 
-/// Writes the course for students into `folder`, or brings it up to date there: see deliver(). `labs` is what
-/// find_labs() takes, or "all"; they are added to those that the folder has. Nothing means those that it has, and all
-/// for a new one.
+/// Writes the students' course into `folder`, or updates it there: see deliver(). `labs`: as find_labs() takes them, or
+/// "all"; they are added to the labs that the folder has. Without `labs`: the labs that the folder has, or all for a
+/// new folder.
 ///
-/// A folder named `staff` never leaves, nor do the tests and the slides; everything else does, with starters in place
-/// of solutions. What a public check compares with lies in the lab's folder `expected`. Wants a context. Throws Error
-/// when that is not possible, and when a lab that is to be handed out has a check that its own solution does not pass:
-/// nobody could.
+/// Everything is handed out except folders named `staff`, the tests and the slides; starters replace solutions. The
+/// pictures that public checks compare with are put into the lab's folder `expected`. Needs a context. Throws Error if
+/// the folder cannot be written, or if a lab's own solution fails one of its checks.
 HandoutReport write_handout(const std::filesystem::path& folder, const std::optional<std::string>& labs = {});
 
 }  // namespace relief

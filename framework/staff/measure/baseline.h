@@ -10,15 +10,15 @@
 namespace relief {
 
 struct BaselineReport {
-    /// A line for each that is worse: work or error that grew, a method that fails or is gone, a new one that is not
-    /// in the baseline.
+    /// A line for each regression: work or error that grew, a method that failed or is gone, a method that is not in
+    /// the baseline.
     std::vector<std::string> worse;
-    /// A line for each figure that fell, and could be the new baseline.
+    /// A line for each figure that fell: the baseline could be renewed.
     std::vector<std::string> better;
 };
 
-/// `tolerance`: by what share a figure may grow. Figures of rows that are the same in topic, scene, method and knobs
-/// are compared.
+/// Compares the figures of rows with the same topic, scene, method and knobs. `tolerance`: the share by which a figure
+/// may grow.
 BaselineReport compare_with_baseline(std::span<const BenchRow> now, std::span<const BenchRow> baseline,
                                      double tolerance);
 

@@ -12,90 +12,91 @@
 
 namespace relief {
 
-/// A method's distance from the exact values. No unit for a method that computes nothing.
+/// A method's error against the exact values. `unit` is empty if the method has none, like memcpy.
 struct BenchError {
     double mean = 0, p99 = 0, largest = 0;
     std::string unit = {};             ///< "degree", "texel"
-    std::optional<double> wrong = {};  ///< share off by more than one unit, where that is a kind of its own
+    std::optional<double> wrong = {};  ///< share that is off by more than one unit, if the topic counts it
 };
 
-/// Work that does not depend on the clock: {"taps", 7.2}, {"triangles", 2048}. Per item, or per frame.
+/// Amounts of work, which do not depend on the clock: {"taps", 7.2}, {"triangles", 2048}. Per item, or per frame.
 using BenchWork = std::vector<std::pair<std::string, double>>;
 using BenchKnobs = std::vector<std::pair<std::string, std::string>>;
 
-/// A method that is ready to run: its closure owns its data.
+/// A method that is ready to run. `run` owns its data.
 struct BenchSubject {
-    size_t items = 1;           ///< that one run works on
-    double bytes_per_item = 0;  ///< what it reads and writes, or stores; 0 where it is no claim
+    size_t items = 1;           ///< processed by one run
+    double bytes_per_item = 0;  ///< read and written, or stored; 0: unknown
     BenchWork work = {};
     BenchError error = {};
     std::function<void()> run;
-    Image picture = {}, error_map = {};  ///< to look at, 8 bits; empty where there is nothing to see
-    double error_map_max = 0;            ///< what its brightest colour stands for, in the error's unit
+    Image picture = {}, error_map = {};  ///< for the page, 8 bits; empty if there is nothing to show
+    double error_map_max = 0;            ///< the error at the map's brightest colour, in the error's unit
 };
 
-/// A method. A topic lists it without any work; `prepare` does the work, with a context if the topic draws.
+/// A method. Listing it costs nothing; `prepare` makes it ready. If the topic draws, `prepare` needs a context.
 struct BenchMethod {
     std::string name;
-    BenchKnobs knobs = {};  ///< how it is tuned: {"threads", "2"}
+    BenchKnobs knobs = {};  ///< its parameters: {"threads", "2"}
     std::function<BenchSubject()> prepare = {};
-    bool peer = false;  ///< not of this course: another library, or what is commonly done
+    bool peer = false;  ///< not from this course: another library, or code that is commonly copied
 };
 
-/// Methods that are compared with each other: one panel of a topic's plot.
+/// Methods that are compared with each other, in one panel of the topic's plot.
 struct BenchScene {
-    BenchKnobs knobs = {};  ///< what they are all given: {"map", "bricks"}
-    std::string item;       ///< "texel", "triangle": times are a nanosecond each
+    BenchKnobs knobs = {};  ///< the parameters that they share: {"map", "bricks"}
+    std::string item;       ///< "texel", "triangle": times are in nanoseconds per item
     std::vector<BenchMethod> methods = {};
 };
 
 struct BenchSettings {
-    int repeats = 15;       ///< samples of each method; 0 for work and error alone
+    int repeats = 15;       ///< samples per method; 0: measure work and error only
     bool quick = false;     ///< few scenes and small sizes, for a first look
-    bool pictures = false;  ///< wants something to look at, where there is something
+    bool pictures = false;  ///< also make pictures and error maps for the page
 };
 
 struct BenchTopic {
     std::string name, help;
     std::function<std::vector<BenchScene>(const BenchSettings&)> scenes;
-    bool draws = false;      ///< wants a context, in which its methods are made, run and dropped
-    bool only_time = false;  ///< knows of no work and no error
+    bool draws = false;      ///< its methods need a context, from `prepare` to their destructors
+    bool only_time = false;  ///< has no work and no errors
 };
 std::span<const BenchTopic> bench_topics();
 
-/// Keeps what agrees with all of `wanted`, each a knob of a scene or of a method with the values it may have, or
-/// "method" with names of methods. Throws UsageError, with what there is, for a knob or a value that is nowhere in the
-/// topic.
+/// Keeps the methods that match all of `wanted`. Each entry is a knob of a scene or a method with the wanted values, or
+/// "method" with names of methods. Throws UsageError, which lists the choices, if no scene of the topic has the knob or
+/// the value.
 std::vector<BenchScene> filter_scenes(const BenchTopic& topic, std::vector<BenchScene> scenes,
                                       std::span<const std::pair<std::string, std::vector<std::string>>> wanted);
 
 /// "a=1 b=2".
 std::string knob_text(const BenchKnobs& knobs);
 
-/// A method's times, in nanoseconds an item.
+/// A method's times, in nanoseconds per item.
 struct BenchTimes {
     double median = 0, p10 = 0, p90 = 0;
 };
 
-/// Of a sample that is not empty: the value that a share of it does not exceed, between two values in proportion.
+/// The quantile of a sample, with linear interpolation; `share` in [0, 1]. The sample must not be empty.
 double quantile(std::vector<double> values, double share);
 
-/// The figures over a sample of errors; all zero when it is empty.
+/// The mean, 99th percentile and maximum of a sample of errors; all zero if it is empty.
 BenchError error_figures(std::vector<double> errors, std::string unit);
 
-/// Seconds of `n` runs.
+/// Returns the seconds that `times` runs take.
 using BenchClock = std::function<double(const std::function<void()>& run, size_t times)>;
-/// By the wall clock. The work must be finished when a run returns: glFinish.
+/// Uses the wall clock. A run must have finished its work when it returns: drawing ends with glFinish.
 double by_wall_clock(const std::function<void()>& run, size_t times);
 
-/// Subjects that are timed in turns: each round runs every one of them once, in a new order, so that whatever else the
-/// machine does meets them all alike. Runs shorter than a millisecond are repeated within one sample.
+/// Times several subjects in turns. Each round takes one sample of every subject, in a new order: so other load on the
+/// machine affects all of them alike. Runs shorter than a millisecond are repeated within a sample.
 class BenchTurns {
 public:
-    /// Runs each subject to warm up; `begin` is told of each run before it, by its place. What a run throws, it throws.
+    /// Runs each subject twice to warm up. Before each run it calls `begin` with the subject's index. Passes on what a
+    /// run throws.
     BenchTurns(std::span<const BenchSubject> subjects, BenchClock clock, std::function<void(size_t)> begin = {});
     void round();
-    /// At least one round must have been.
+    /// Needs at least one round.
     std::vector<BenchTimes> times() const;
 
 private:
@@ -109,8 +110,8 @@ private:
     unsigned seed_ = 1;
 };
 
-/// Which methods no other is better than, in time and in error both. `points` are pairs of the two; a point that is
-/// equal to another is on the front with it.
+/// Which points are on the Pareto front. `points` are pairs of time and error. A point is on the front if no other
+/// point is at least as good in both and better in one; equal points are on it together.
 std::vector<bool> pareto_front(std::span<const std::pair<double, double>> points);
 
 }  // namespace relief

@@ -1,6 +1,6 @@
-// An error budget on lab 17's wall, from the eye to the horizon: whatever is cheapest against every method alone, 512 x
-// 512 pixels, each as the probe `uv` (the search, and hardly anything else) and as the picture. The error is by how
-// many pixels the relief would have to move for what is shown to be right.
+// An error budget on lab 17's wall, which reaches the horizon, at 512 x 512 pixels: the cheapest method per patch and
+// pixel, compared with each method alone. Both the probe `uv` (the search and little else) and the picture are timed.
+// The error is the number of pixels by which the relief would have to move to make the picture correct.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Displacement, 512 x 512 pixels: levels of lab 14 on a ground of hills, time against how far places of the surface are
-// from where they should be on the screen; what culling saves; lab 13's spacings on a torus of stones, where `wrong` is
-// the share of pixels that are apart from the outline of micro-polygons; and how fast triangles are at all.
+// Displacement at 512 x 512 pixels: levels of lab 14 on hilly ground, time against the distance of surface points from
+// their correct positions on the screen; what culling saves; lab 13's spacings on a torus of stones, where `wrong` is
+// the share of pixels that differ from the outline of micro-polygons; and the speed of triangles as such.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Shared parts of topics that draw: a lab's shot as a subject to time, with the work that GL counts.
+// Shared by topics that draw: a lab's shot as a BenchSubject, with the work that GL counts.
 #pragma once
 
 #include <functional>
@@ -10,25 +10,26 @@
 
 namespace relief {
 
-/// A set of knobs after another.
+/// The knobs of both, in this order.
 BenchKnobs together(BenchKnobs first, const BenchKnobs& second);
 
-/// Draws, to its end, into a target of its own, and what GL counts while it first does so: draw calls, triangles (after
-/// tessellation), and bytes of the textures that it asks for, whoever else has them.
+/// A subject that draws into its own target and waits with glFinish. Its work is counted in one first run: draw calls,
+/// triangles after tessellation, and the bytes of the textures that it uses, shared ones included.
 BenchSubject drawn(TargetKind kind, glm::ivec2 size, const std::function<void(const Target&)>& draw);
-/// The same of a lab's shot. The lab lives as long as the subject.
+/// The same for a lab's shot. The subject keeps the lab alive.
 BenchSubject drawn(const std::shared_ptr<Lab>& lab, const Shot& shot);
 
-/// A probe's error as tests hold labs to it, and `wrong`: the share of pixels off by more than one unit.
+/// The figures of an error image, as the tests compute them. `wrong` is the share of pixels that are off by more than
+/// one unit. Throws Error if an error is not finite.
 BenchError error_over(const Image& errors, const std::string& unit);
 
-/// Of a shot's pixels with a surface, the first channel of another probe: {"steps"}.
+/// The mean of the first channel of the probe `name`, over the pixels with a surface.
 double mean_of_probe(Lab& lab, Shot shot, const char* name);
 
-/// What the page shows of a subject: the shot's picture,
+/// Draws the subject's picture for the page.
 void show_picture(BenchSubject& subject, Lab& lab, Shot shot);
-/// and its error as a map of heat, `most` and more being the brightest. Of the pixels that share one of the map's the
-/// worst counts.
+/// Makes the subject's error map for the page: a heat map, brightest at `max_error` and above. A pixel of the map shows
+/// the largest error of the pixels that it covers.
 void show_errors(BenchSubject& subject, const Image& errors, double max_error);
 
 }  // namespace relief

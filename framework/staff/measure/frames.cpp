@@ -1,5 +1,5 @@
-// Frames of each lab, as its manifest shows it and as its reference screenshots do, at 512 x 512, to their end on the
-// renderer.
+// Frames of each lab at 512 x 512, with the manifest's camera and those of its reference screenshots. A frame ends with
+// glFinish.
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"

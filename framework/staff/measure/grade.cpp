@@ -1,5 +1,5 @@
-// Submissions marked: the grader, and the loop that teachers write, which builds, draws and compares with idiff,
-// without a sandbox, hidden views, truth or hints.
+// Grading submissions: the grader, compared with the simple loop that teachers write: build, draw, idiff. The loop has
+// no sandbox, hidden views, exact values or hints.
 #include <fmt/format.h>
 
 #include "framework/base/file.h"
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-/// Right work, and each another text: nobody may know it from before.
+/// A correct submission. Each text is different, so that no cache knows it.
 std::string handed_in(const std::string& file, size_t number) {
     return read_file(course_root() / file) + fmt::format("\n// submission {}\n", number);
 }

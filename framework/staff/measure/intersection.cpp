@@ -1,4 +1,4 @@
-// The exact first hit of a ray and a height map, by view angle: what the truth of the parallax labs costs.
+// The exact first hit of a ray and a height map, by view angle: the cost of the parallax labs' exact values.
 #include <cmath>
 #include <memory>
 #include <random>

@@ -1,5 +1,5 @@
-// Lighting: what each part of it costs, compiled in or left out, and what the shaded normal is off by without it. What
-// is timed is the picture, four samples a pixel.
+// Lighting: the cost of each part, compiled in or left out, and the error of the shaded normal without it. The picture
+// is timed, with four samples per pixel.
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"

@@ -1,4 +1,4 @@
-// Height map to normal map: filters, precisions and threads, beside memcpy of as many bytes.
+// Height map to normal map: filters, precisions and threads, compared with memcpy of as many bytes.
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -33,7 +33,7 @@ Image wave_map(int bits) {
     return map;
 }
 
-/// Of stored normals of wave_map().
+/// The error of the stored normals of wave_map().
 BenchError error_of(const Image& normals) {
     const double w = 2 * pi / wavelength;
     std::vector<double> errors;
@@ -50,7 +50,8 @@ BenchError error_of(const Image& normals) {
     return error_figures(std::move(errors), "degree");
 }
 
-/// As it is copied: Sobel's weights in a loop over the texels, each neighbour asked for by a function that wraps it.
+/// The code that is commonly copied: Sobel's weights in a loop over the texels; a function wraps the coordinates of
+/// each neighbour.
 void usual_normals(const Image& heights, double texels, Image& normals) {
     const auto height = [&](int x, int y) {
         return *heights.pixel((x + heights.width) % heights.width, (y + heights.height) % heights.height);

@@ -1,5 +1,5 @@
-// Parallax: the searches of labs 11 and 12 on a wall, at angles around the middle and at grazing ones. What is timed is
-// the probe `uv`: the search, and hardly anything else.
+// Parallax: the searches of labs 11 and 12 on a wall, at medium and grazing angles. The probe `uv` is timed: it is the
+// search and little else.
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"

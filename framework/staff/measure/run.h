@@ -1,4 +1,4 @@
-// A scene measured in a separate process: a method that crashes does not end the others.
+// Measures a scene in a separate process, so that a method that crashes does not end the run.
 #pragma once
 
 #include <functional>
@@ -10,23 +10,22 @@
 
 namespace relief {
 
-/// By timer queries: the GPU's own time, from the first command to the last. Needs a context.
+/// Uses timer queries: the GPU's time from the first command to the last, in seconds. Needs a context.
 double by_gpu_clock(const std::function<void()>& run, size_t times);
 
 struct BenchRun {
     BenchSettings settings;
-    std::optional<ContextKind> context = {};  ///< for topics that draw; nothing: whichever opens
-    bool pinned = false;                      ///< the same bits on every machine, at the cost of time
-    /// Called at every step with the results so far and the next step ("linear-32, error", "round 3").
+    std::optional<ContextKind> context = {};  ///< for topics that draw; empty: the first that opens
+    bool pinned = false;                      ///< the same bits on every machine, but slower
+    /// Called at each step with the results so far and the name of the next step ("linear, its error and work").
     std::function<void(const std::vector<BenchRow>& rows, const std::string& next)> report = {};
 };
 
-/// How many times `report` is called for a scene in which nothing fails.
+/// The number of calls of `report` for a scene in which nothing fails.
 int steps_of(const BenchScene& scene, const BenchSettings& settings);
 
-/// The scene's rows, each measured or with the reason why not: a method that throws, crashes or gives what is not a
-/// number, and the others go on. `machine` learns what drew and which clock was used. Throws Error when there is no
-/// context, or the process cannot be made.
+/// Measures the scene's methods. A method that throws, crashes or returns NaN gets a row with the reason; the others go
+/// on. Fills in the renderer and the clock of `machine`. Throws Error if no context opens or no process can be started.
 std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene, const BenchRun& run,
                                 BenchMachine& machine);
 

@@ -1,5 +1,5 @@
-// What a picture costs from an empty process on: lab 01 as PNG and as PPM, against the least that a picture costs in
-// either (tests/start/floor.cpp). The work of a shot is where its milliseconds go.
+// The time of one picture from the start of the process: lab 01 as PNG and as PPM, compared with the minimum for both
+// (tests/start/floor.cpp). The work of a shot is the time of each of its phases.
 #include <fmt/format.h>
 
 #include <algorithm>

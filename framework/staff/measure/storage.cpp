@@ -1,4 +1,4 @@
-// Normal-map formats: what encoding and decoding cost, and what comes back.
+// Normal-map formats: the time and the error of encoding and decoding.
 #include <memory>
 #include <random>
 
@@ -50,7 +50,7 @@ BenchSubject subject_of(const std::shared_ptr<Vectors>& data, double bits, std::
             .run = std::move(run)};
 }
 
-/// The line that is copied: half of 255 times the number and one, cut off, and its inverse.
+/// The code that is commonly copied, 255 (0.5 x + 0.5) truncated, and its inverse.
 NormalCode cut_off(const glm::dvec3& normal) {
     NormalCode code{};
     for (int i = 0; i < 3; ++i) code.channel[size_t(i)] = uint16_t((0.5 * normal[i] + 0.5) * 255);

@@ -28,7 +28,7 @@ BenchError error_of(const std::vector<glm::vec4>& tangents) {
     return error_figures(std::move(errors), "degree");
 }
 
-/// As it is copied (Lengyel 2001): sums at the vertices, then Gram-Schmidt.
+/// The code that is commonly copied (Lengyel 2001): sums at the vertices, then Gram-Schmidt.
 void usual_tangents(const Mesh& mesh, std::vector<glm::vec3>& sums, std::vector<glm::vec4>& tangents) {
     const size_t count = mesh.vertices.size();
     sums.assign(2 * count, glm::vec3(0));

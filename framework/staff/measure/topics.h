@@ -19,9 +19,9 @@ BenchTopic frames_topic();
 BenchTopic grade_topic();
 BenchTopic start_topic();
 
-/// What tangents are measured on: a torus of places that are jittered by up to 0.24 cells, diagonals by chance, with
-/// the exact dP/du as its tangents. Below a quarter of a cell no triangle can be folded: a folded one's dP/du is
-/// nobody's.
+/// The mesh on which tangents are measured: a torus with vertices jittered by up to 0.24 cells and random diagonals.
+/// Its tangents are the exact dP/du. A jitter below a quarter of a cell folds no triangle; a folded triangle would have
+/// no meaningful dP/du.
 Mesh bench_torus(int columns, int rows);
 
 }  // namespace relief

@@ -5,9 +5,9 @@
 
 namespace relief {
 
-/// The nearest half, ties to even; beyond 65519.99 infinity, below 2^-25 zero. NaN stays NaN.
+/// Rounds to the nearest half, ties to even. 65520 and more become infinity, 2^-25 and less zero. NaN stays NaN.
 uint16_t half_from_double(double value);
-/// Exact.
+/// The exact value.
 double double_from_half(uint16_t half);
 
 }  // namespace relief

@@ -8,8 +8,8 @@
 
 namespace relief {
 
-/// The heights of four neighbouring texels: h10 is one texel further along u than h00, h01 one along v. A place in the
-/// cell is (0, 0) at h00 and (1, 1) at h11.
+/// The heights of four neighbouring texels. h10 lies one texel from h00 along u, h01 one texel along v. Positions in
+/// the cell go from (0, 0) at h00 to (1, 1) at h11.
 struct HeightCell {
     double h00, h10, h01, h11;
 
@@ -28,14 +28,14 @@ inline glm::dvec2 slope_in_cell(const HeightCell& cell, glm::dvec2 at) {
     return {along_u + twist * at.y, along_v + twist * at.x};
 }
 
-/// How far a straight segment runs above the cell's surface: a quadratic, as the Bernstein coefficients of
-/// begin (1 - s)² + 2 middle s (1 - s) + end s², s from 0 to 1 along the segment.
+/// The height of a straight segment above the cell's surface: begin (1 - s)² + 2 middle s (1 - s) + end s², with s from
+/// 0 to 1 along the segment (a quadratic in Bernstein form).
 struct Gap {
     double begin, middle, end;
 };
 
-/// The gap of the segment between two points: x and y places in the cell, z heights. The height is bilinear, so
-/// the middle coefficient is the segment's middle less the mean of the heights at the two mixed corners
+/// The gap of a segment between two points; x and y are positions in the cell, z is a height. The surface is bilinear:
+/// so the middle coefficient is the segment's mean height minus the mean of the surface at the two mixed positions
 /// (x of one end, y of the other).
 inline Gap gap_above_cell(const HeightCell& cell, glm::dvec3 from, glm::dvec3 to) {
     return {from.z - height_in_cell(cell, {from.x, from.y}),
@@ -43,13 +43,13 @@ inline Gap gap_above_cell(const HeightCell& cell, glm::dvec3 from, glm::dvec3 to
             to.z - height_in_cell(cell, {to.x, to.y})};
 }
 
-/// Whether a gap that begins at or above 0 comes down to 0 at all: without a root or a division.
+/// Whether a gap that begins at or above 0 reaches 0. Takes no root and no division.
 inline bool closes(const Gap& gap) {
     return gap.end <= 0 || gap.begin <= 0 || (gap.middle < 0 && gap.middle * gap.middle >= gap.begin * gap.end);
 }
 
-/// The first s in [0, 1] at which a gap that closes() is 0. Both forms of the root add numbers of one sign, so nothing
-/// cancels; s / (1 - s) is the smaller positive root of begin + 2 middle r + end r².
+/// The first s in [0, 1] at which the gap is 0, for a gap that closes(). s / (1 - s) is the smaller positive root of
+/// begin + 2 middle r + end r². Both forms of the root add numbers of one sign, so nothing cancels.
 inline double first_closing(const Gap& gap) {
     if (gap.begin <= 0) return 0;
     const double root = std::sqrt(std::max(0.0, gap.middle * gap.middle - gap.begin * gap.end));

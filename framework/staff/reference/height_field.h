@@ -1,5 +1,5 @@
-// A height map as a surface, in double precision: its height, its slope, and where a ray meets it
-// first. The reference for the shaders' searches.
+// A height map as a bilinear surface, in double precision: height, slope, and the first hit of a ray. The reference for
+// the shaders' searches.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace relief {
 
-/// The bilinear surface through the texel centres. Places are in texels, (0, 0) at the lower left corner of the map, v
-/// upwards: the centre of the lowest row's first texel is (0.5, 0.5), and uv = texels / size. Beyond the border the map
-/// repeats, or keeps its last texel.
+/// The bilinear surface through the texel centres. Positions are in texels, with (0, 0) at the lower left corner of the
+/// map and v upwards: the first texel of the lowest row has its centre at (0.5, 0.5), and uv = texels / size. Beyond
+/// the border the map repeats (`wraps`), or the last texel is repeated.
 class HeightField {
 public:
-    /// One-channel heights, row 0 at the top. Throws Error when the map is empty or a height is not finite.
+    /// `heights` has one channel, row 0 at the top. Throws Error if it is empty or a height is not finite.
     HeightField(const Image& heights, bool wraps);
 
     glm::ivec2 size() const { return size_; }
@@ -26,31 +26,31 @@ public:
     double highest() const { return highest_; }
 
     double height(glm::dvec2 texel) const;
-    /// dh/du and dh/dv, per texel. On a line between two cells, of the cell to the right and above.
+    /// (dh/du, dh/dv) per texel. On the border of two cells, the slope of the cell to the right or above.
     glm::dvec2 slope(glm::dvec2 texel) const;
 
-    /// Half the difference between the heights one texel further on and one texel back, of the interpolated surface:
-    /// what a normal map of central differences has between its texels, too.
+    /// (dh/du, dh/dv) per texel by central differences of the interpolated surface over two texels. A normal map made
+    /// with central differences has these slopes, between its texels too.
     glm::dvec2 central_slope(glm::dvec2 texel) const;
 
     struct Hit {
         double t;          ///< in lengths of the ray's direction
-        glm::dvec2 texel;  ///< where, beyond the border too: not wrapped
-        int64_t cells;     ///< how many cells were looked at
+        glm::dvec2 texel;  ///< not wrapped: it can lie beyond the border
+        int64_t cells;     ///< number of cells visited
     };
-    /// The first place with t in [0, t_end] at which the ray (x and y in texels, z in heights) is not above the
-    /// surface: the ray's origin if that is on or below it. Nothing when there is none, or when the ray is not finite.
-    /// The walk (Amanatides and Woo 1987) solves one quadratic a cell; its error is some 1e-13 texels. Throws Error
-    /// when the ray would pass more than max_cells, as a level one can.
+    /// The first point with t in [0, t_end] at which the ray (x and y in texels, z a height) is on or below the
+    /// surface. That is the ray's origin if the ray starts there. Nothing if there is no such point, or if the ray is
+    /// not finite. The walk from cell to cell (Amanatides and Woo 1987) solves one quadratic per cell; its error is
+    /// about 1e-13 texels. Throws Error if the ray would cross more than max_cells, as a horizontal ray can.
     ///
-    /// `bend` (at least 0) adds bend t² to the ray's height, as over a base that falls away from its tangent plane.
-    /// Then t_end must be finite.
+    /// `bend` (at least 0) adds bend t² to the ray's height, as over a base that curves away from its tangent plane.
+    /// t_end must then be finite.
     std::optional<Hit> first_hit(const Ray& ray, double t_end, double bend = 0) const;
     static constexpr double max_cells = 1 << 24;
 
-    /// Whether nothing stands between the surface at `texel` and a light that lies towards `direction` (x and y in
-    /// texels, z in heights). Light that only grazes the surface passes: the ray begins 1e-10 of the map's range (or
-    /// of its highest height) above it. Light from the horizon or below never arrives: the map goes on for ever.
+    /// Whether the surface at `texel` sees a light in `direction` (x and y in texels, z a height). Light that grazes
+    /// the surface passes: the ray starts above it by 1e-10 of the map's range, or of its highest height if that is
+    /// more. Light from the horizon or below is always blocked, because the map has no end.
     bool is_lit(glm::dvec2 texel, glm::dvec3 direction) const;
 
 private:
@@ -66,9 +66,9 @@ private:
     glm::ivec2 size_;
     bool wraps_;
     double lowest_, highest_;
-    // Row 0 is the lowest, and there is a border of one texel all around, so that a cell's corners are neighbours.
+    // Row 0 is the lowest. A border of one texel all around makes the corners of every cell neighbours in memory.
     std::vector<double> padded_;
-    std::vector<double> tops_;  ///< the highest corner of each cell, in the same places: most cells need no more
+    std::vector<double> tops_;  ///< the highest corner of each cell, at the same indices: enough to reject most cells
 };
 
 }  // namespace relief

@@ -1,5 +1,4 @@
-// The error of a claimed hit: by how much the relief would have to move to make it
-// right.
+// The error of a claimed hit: how far the relief would have to move to make the hit correct.
 #pragma once
 
 #include <vector>
@@ -8,33 +7,33 @@
 
 namespace relief {
 
-/// Where along a ray the relief would have to move the most, and by how much: up is positive.
+/// The largest move that a claimed hit asks of the relief, and where along the ray.
 struct ReliefMove {
-    double t;
-    double height;
+    double t;       ///< in lengths of the ray's direction
+    double height;  ///< up is positive
 };
 
-/// The ray (x and y in texels, z in heights, going down) is said to meet the relief first at t, as a shader has it.
-/// Then the relief must be there, at the ray's height, and nowhere before that above the ray. If that is so, it has to
-/// move by nothing; else by its distance from the ray at t, or by how far it rises above the ray before t, whichever is
-/// larger. So the error of a hidden place is the height of what hides it above the ray. A t below 0 or beyond t_end is
-/// taken for these, t_end being where the ray has reached the lowest height.
+/// The error of the claim that the ray (x and y in texels, z a height, going down) first meets the relief at t. The
+/// claim is correct if the relief has the ray's height at t, and is nowhere above the ray before t. Otherwise the move
+/// is the relief's distance from the ray at t, or the most by which it rises above the ray before t, whichever is
+/// larger. So the error of a hidden point is how far above the ray the occluder rises. t is clamped to [0, t_end],
+/// where t_end is the point at which the ray reaches the lowest height.
 ///
-/// With this a method that shows a relief whose heights are off by e at most is off by e at most, whatever hides what:
-/// the texture deviation of Cohen, Olano and Manocha (1998), measured from the ray.
+/// A method whose heights are wrong by at most e has an error of at most e, whatever hides what. This is the texture
+/// deviation of Cohen, Olano and Manocha (1998), measured from the ray.
 ReliefMove least_move(const HeightField& field, const Ray& ray, double t);
 
-/// The same on the screen.
+/// The same error on the screen.
 struct ShownError {
     glm::ivec2 pixel;  ///< from the upper left corner
-    glm::dvec2 texel;  ///< that it shows
-    double height;     ///< at which it shows it: that of the view ray there
-    double pixels;     ///< that the relief would have to move, as this picture has it
+    glm::dvec2 texel;  ///< the position that the pixel shows
+    double height;     ///< of the view ray at that position
+    double pixels;     ///< the relief's move, in pixels of this picture
 };
 
-/// Of each pixel that shows a wall in the plane z = 0, which faces +z and has a relief behind it, `scale` metres deep:
-/// row by row. `texels` holds the place that a pixel shows in its first two channels, and no_surface elsewhere; the map
-/// lies with a corner at the origin and a metre is `texels_per_metre` wide.
+/// The errors of all pixels that show a wall, row by row. The wall lies in the plane z = 0 and faces +z; its relief is
+/// `scale` metres deep and lies behind the plane. The map has a corner at the origin and `texels_per_metre`. `texels`
+/// holds, in its first two channels, the position that each pixel shows, or no_surface.
 std::vector<ShownError> wall_errors(const Image& texels, const HeightField& field, double texels_per_metre,
                                     double scale, const glm::dmat4& clip_from_world);
 

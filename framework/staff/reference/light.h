@@ -1,13 +1,13 @@
-// The light of one point, in double precision. The twin of shaders/common/light.glsl.
+// The shading of one point, in double precision. The twin of shaders/common/light.glsl.
 #pragma once
 
 #include <glm/glm.hpp>
 
 namespace relief {
 
-/// Lambert plus Blinn-Phong (Blinn 1977), scaled by (shininess + 8) / 8 (Akenine-Moller et al. 2008), of one light of
-/// unit strength, the cosine included. Directions are unit and point away from the surface; where light and eye are
-/// opposite there is no highlight.
+/// Lambert plus Blinn-Phong (Blinn 1977), normalised by (shininess + 8) / 8 (Akenine-Möller et al. 2008), for one light
+/// of unit strength; the cosine is included. Directions have unit length and point away from the surface. If light and
+/// eye are opposite, there is no highlight.
 glm::dvec3 blinn_phong(const glm::dvec3& albedo, double specular, double shininess, const glm::dvec3& normal,
                        const glm::dvec3& to_light, const glm::dvec3& to_eye);
 

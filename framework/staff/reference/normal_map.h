@@ -1,20 +1,20 @@
-// What normal maps store, back to directions, in double precision. The twin of shaders/staff/normal_map.glsl.
+// Directions from the stored values of normal maps, in double precision. The twin of shaders/staff/normal_map.glsl.
 #pragma once
 
 #include <glm/glm.hpp>
 
 namespace relief {
 
-/// Of c = 255 (0.5 x + 0.5) as a sampler gives it, in [0, 1]. Not unit.
+/// From c = 255 (0.5 x + 0.5). `stored` is c / 255, as a sampler returns it. The result is not normalised.
 glm::dvec3 decode_normal(const glm::dvec3& stored);
 
-/// Of c = 127 x + 128, in which 128 is 0 exactly. Not unit.
+/// From c = 127 x + 128, where 128 is exactly 0. `stored` is c / 255. The result is not normalised.
 glm::dvec3 decode_normal_128(const glm::dvec3& stored);
 
-/// Of x and y alone, in [-1, 1]: unit with z >= 0, or z = 0 where x and y are too long.
+/// From x and y in [-1, 1]: z >= 0 makes the length 1. If (x, y) is longer than 1, z is 0.
 glm::dvec3 decode_normal_xy(const glm::dvec2& xy);
 
-/// Of an octahedral map, in [-1, 1] (Meyer et al. 2010; Cigolle et al. 2014). Unit.
+/// From an octahedral map (Meyer et al. 2010; Cigolle et al. 2014), stored in [-1, 1]. The result has unit length.
 glm::dvec3 decode_octahedral(const glm::dvec2& stored);
 
 }  // namespace relief

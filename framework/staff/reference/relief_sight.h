@@ -1,5 +1,5 @@
-// What a ray sees of a mesh with a relief, in double precision: the fragment that the rasteriser would make, and the
-// view ray in the relief from there. Parallax is defined in the fragment's own tangent plane, as the method is.
+// What a view ray sees of a mesh with a relief, in double precision: the fragment that the rasteriser would make, and
+// the ray's way through the relief from there. As in the shaders, parallax is defined in the fragment's tangent plane.
 #pragma once
 
 #include <optional>
@@ -12,23 +12,24 @@
 namespace relief {
 
 struct ReliefSight {
-    double distance;                ///< in lengths of the ray's direction, which is normalised
+    double distance;                ///< metres; the ray's direction has unit length
     glm::dvec3 position, normal;    ///< on the triangle; the interpolated normal, normalised
-    glm::dvec3 tangent, bitangent;  ///< unit and at right angles, by Gram-Schmidt
+    glm::dvec3 tangent, bitangent;  ///< orthonormal with the normal, by Gram-Schmidt
     glm::dvec2 uv;                  ///< tiles
-    ReliefRay ray;                  ///< the slant is at least least_slant
+    ReliefRay ray;                  ///< its slant is at least least_slant
     double metres_to_ground;        ///< along the view ray, from t = 0 to t = 1
     bool faces_away;                ///< the view ray comes from behind the fragment's tangent plane
 };
 
-/// A view ray that is flatter counts as no flatter: it would pass more tiles than a float can tell apart.
+/// The smallest slant (cosine). Flatter view rays are clamped to it: they would cross more tiles than a float can
+/// resolve.
 constexpr double least_slant = 0.002;
 
 class ReliefSights {
 public:
     explicit ReliefSights(const Mesh& mesh);
-    /// The first triangle that the ray meets (Möller and Trumbore 1997), from either side, or from the front alone as
-    /// where back faces are culled.
+    /// The first triangle that the ray hits (Möller and Trumbore 1997). `front_only`: triangles that face away are
+    /// skipped, as with back-face culling.
     std::optional<ReliefSight> look(const Ray& ray, const ReliefMapping& mapping, bool front_only = false) const;
 
 private:

@@ -1,5 +1,5 @@
-// The shapes of framework/mesh/shapes.h as the surfaces that their meshes stand for, in double precision: a place on
-// them with its derivatives, and where a ray meets them first.
+// The exact surfaces behind the meshes of framework/mesh/shapes.h, in double precision: a point with its derivatives,
+// and the first hit of a ray.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,16 +10,16 @@
 
 namespace relief {
 
-/// A place of a parametric surface P(u, v), u and v in [0, 1] over the whole shape, with u and v as on its mesh but not
-/// repeated. `normal` has unit length and points outwards.
+/// A point of a parametric surface P(u, v). u and v are in [0, 1] over the whole shape: as on its mesh, but without
+/// repetition. `normal` has unit length and points outwards.
 struct SurfacePoint {
     glm::dvec3 position, normal;
     glm::dvec3 du, dv;                ///< dP/du, dP/dv
-    glm::dvec3 normal_du, normal_dv;  ///< how the normal turns
+    glm::dvec3 normal_du, normal_dv;  ///< the normal's derivatives
 };
 
-/// The tangent of a SurfacePoint: dP/du made orthonormal to the normal. Where dP/du is 0 (at a sphere's
-/// pole) it is not a number.
+/// The tangent at a point: dP/du, made perpendicular to the normal and normalised. NaN where dP/du is 0, as at a
+/// sphere's pole.
 glm::dvec3 tangent_of(const SurfacePoint& point);
 
 SurfacePoint point_on(const QuadShape& quad, glm::dvec2 place);
@@ -31,8 +31,7 @@ struct SurfaceHit {
     glm::dvec2 place;  ///< u and v, in [0, 1]
 };
 
-/// The first place with t > 0 where the ray meets the surface, from outside or from inside (the shapes are thin: a
-/// column has no caps).
+/// The first hit with t > 0, from outside or inside. The shapes are thin shells: a column has no caps.
 std::optional<SurfaceHit> first_hit(const QuadShape& quad, const Ray& ray);
 std::optional<SurfaceHit> first_hit(const ColumnShape& column, const Ray& ray);
 std::optional<SurfaceHit> first_hit(const SphereShape& sphere, const Ray& ray);

@@ -1,4 +1,4 @@
-// What one triangle says about the tangents at its corners.
+// What one triangle contributes to the tangents at its corners.
 #pragma once
 
 #include "framework/staff/reference/tangents.h"
@@ -6,25 +6,24 @@
 namespace relief {
 
 struct TangentFace {
-    glm::vec3 along;           ///< unit dP/du; zero where the triangle has none
-    int8_t handedness = 0;     ///< sign of the area in uv; 0 where that has none, and in no group
+    glm::vec3 along;           ///< dP/du, normalised; zero if the triangle has none
+    int8_t handedness = 0;     ///< the sign of its area in uv; 0 without area, or if it is in no group
     TangentFallback why = {};  ///< why `along` is zero
-    bool in_no_group = false;  ///< two corners in one place, or not finite: it connects nothing
-    float weight[3] = {};      ///< of its three corners
+    bool in_no_group = false;  ///< two corners coincide, or one is not finite: it connects no triangles
+    float weight[3] = {};      ///< per corner
 };
 
-/// The angles in [0, pi] whose sines and cosines are as y >= 0 to x; 0 for 0 and 0. Within 5e-7, and many at once: a
-/// library's atan2, one by one, costs more than all the rest of a triangle.
+/// angles[i] = atan2(y[i], x[i]) in [0, pi], for y >= 0; 0 if both are 0. The error is at most 5e-7. Takes many at
+/// once: one call of the library's atan2 per angle would cost more than all the rest of a triangle.
 void angles_of(const double* y, const double* x, float* angles, int count);
 
-/// What a triangle says, but for the weights of its corners; these, or the sines and cosines of the angles that they
-/// are.
+/// The angles at a triangle's corners, each as a sine and a cosine of a common length.
 struct FaceAngles {
     double sine[3], cosine[3];
 };
 
-/// `normals[i]` are the unit normals of the corners' vertices, for mikktspace. For `angle` and `mikktspace` the weights
-/// are left to angles_of(); weights of `area` are relative to `area_unit`.
+/// `normals[i]` is the unit normal at corner i; only mikktspace reads it. For `angle` and `mikktspace` it fills in
+/// `angles` and leaves the weights to angles_of(). For `area` the weights are in units of `area_unit`.
 TangentFace tangent_face(const Vertex* const corners[3], const glm::dvec3 normals[3], TangentMethod method,
                          double area_unit, FaceAngles& angles);
 

@@ -1,5 +1,5 @@
-// Tangents for any mesh: solved from the uv of each triangle, averaged at the vertices, and made usable where there is
-// nothing to solve.
+// Tangents for any mesh: solved from the uv of each triangle, averaged at the vertices, with fallbacks for degenerate
+// triangles.
 #pragma once
 
 #include <cstdint>
@@ -10,29 +10,30 @@
 
 namespace relief {
 
-/// A triangle's tangent is dP/du, normalised (Lengyel 2001 solves the same equations). A vertex takes the mean of those
-/// of its triangles with the same handedness, made perpendicular to its normal.
+/// How the triangles' tangents are averaged at a vertex. A triangle's tangent is dP/du, normalised (Lengyel 2001 solves
+/// the same equations). The mean is over the vertex's triangles of one handedness, and is made perpendicular to its
+/// normal.
 enum class TangentMethod {
-    per_face,   ///< no mean at all: facets
-    uniform,    ///< all triangles alike
-    area,       ///< by their areas
-    angle,      ///< by their angles at the vertex: nearest to dP/du on smooth surfaces
-    mikktspace  ///< by angles, and only among triangles that share edges: what bakers write (Mikkelsen 2008)
+    per_face,   ///< no mean: each corner has its triangle's tangent
+    uniform,    ///< all triangles have the same weight
+    area,       ///< weighted by the triangles' areas
+    angle,      ///< weighted by the angles at the vertex: closest to dP/du on smooth surfaces
+    mikktspace  ///< by angle, and only among triangles that share edges (Mikkelsen 2008): what bakers use
 };
 
-/// Corners whose triangle has no tangent of its own, or none that can be used.
+/// Why a corner's triangle has no usable tangent.
 enum class TangentFallback : uint8_t {
     none,
-    bad_normal,          ///< zero or not a number: replaced by the mean of the triangles' own
-    not_finite,          ///< a position or a uv is not a number, or infinite
-    zero_area,           ///< two corners in one place, or all three on a line
-    degenerate_uv,       ///< the uv lie on a line: there is no direction of u
+    bad_normal,          ///< zero or NaN: replaced by the mean of the triangles' geometric normals
+    not_finite,          ///< a position or a uv is NaN or infinite
+    zero_area,           ///< two corners coincide, or all three lie on a line
+    degenerate_uv,       ///< the uv lie on a line, so u has no direction
     parallel_to_normal,  ///< dP/du runs along the normal
     count
 };
 
-/// How many corners fell back, by reason. Those that could take the tangent of a neighbour at the same vertex did so
-/// (`inherited`), the others have any direction perpendicular to their normal.
+/// How many corners used a fallback, by reason. A corner takes the tangent of a neighbour at the same vertex if it can
+/// (`inherited`), else an arbitrary direction perpendicular to its normal.
 struct TangentReport {
     size_t corners = 0;
     size_t fell_back[size_t(TangentFallback::count)] = {};
@@ -43,32 +44,33 @@ struct TangentReport {
     std::string text() const;
 };
 
-/// The tangent of each corner (three a triangle, in the order of the indices): xyz unit and perpendicular to the normal
-/// of its vertex, w the handedness, 1 or -1, from the sign of the triangle's area in uv. Always finite, normalised and
-/// at right angles within 1e-6, whatever the mesh holds; positions and uv may have any size that floats have.
+/// The tangent of each corner, three per triangle, in the order of the indices. xyz is perpendicular to the normal of
+/// its vertex; w is the handedness, 1 or -1: the sign of the triangle's area in uv. Whatever the mesh holds, the result
+/// is finite, and of unit length and perpendicular within 1e-6. Positions and uv can have any magnitude that floats
+/// have.
 ///
-/// A triangle without area in uv has one handedness, too: that of the first group that reaches it, with the triangles
-/// that have area taken in their order, and the corners of each; 1 where none does. Only a triangle with two corners in
-/// one place, which nobody sees, may have a corner of each.
+/// All corners of a triangle have one handedness. A triangle without area in uv takes that of the first group that
+/// reaches it; triangles with area are visited in their order, and their corners in theirs. If none reaches it, the
+/// handedness is 1. The exception is an invisible triangle, two of whose corners coincide: its corners may differ.
 ///
-/// Vertices with equal position, normal and uv are one, so it does not matter how the mesh shares them. For
-/// `mikktspace` the published semantics: groups at a vertex are triangles connected by edges there that both run along
-/// in opposite directions, of one handedness; each dP/du is projected onto the vertex's tangent plane and normalised
-/// before it is weighed by the angle between the projected edges; a triangle with two equal positions belongs to no
-/// group and inherits. Where more than two triangles share an edge all are connected.
+/// Vertices with equal position, normal and uv count as one, so it does not matter how the mesh shares them.
+/// `mikktspace` follows the published semantics. A group at a vertex is a set of triangles of one handedness, connected
+/// by edges that two of them share in opposite directions. Each dP/du is projected onto the vertex's tangent plane,
+/// normalised, and weighted by the angle between the projected edges. A triangle with two equal positions belongs to no
+/// group and inherits. If more than two triangles share an edge, all are connected.
 ///
-/// Throws Error when an index has no vertex or the last triangle is not whole. The same for any number of threads (0:
-/// all). Takes some 40 bytes a triangle and 25 a vertex besides the result's 48 a triangle.
+/// Throws Error if an index has no vertex, or if the number of indices is not a multiple of three. The result does not
+/// depend on the number of threads (0: one per processor). Needs about 40 bytes per triangle and 25 per vertex, besides
+/// the result's 48 per triangle.
 std::vector<glm::vec4> corner_tangents(const Mesh& mesh, TangentMethod method, TangentReport* report = nullptr,
                                        unsigned threads = 0);
 
-/// The same into memory that is there.
+/// The same into an existing vector; its memory is reused.
 void corner_tangents(const Mesh& mesh, TangentMethod method, std::vector<glm::vec4>& result,
                      TangentReport* report = nullptr, unsigned threads = 0);
 
-/// The mesh with tangents at its vertices: a vertex whose corners have several is split, one for each, and the others
-/// keep their places. Normals that are zero, not finite or not normalised are repaired. New vertices come after the old
-/// ones.
+/// The mesh with tangents at its vertices. A vertex whose corners have different tangents is split; new vertices come
+/// after the old ones, which keep their indices. Normals that are zero, not finite or not of unit length are repaired.
 Mesh with_tangents(const Mesh& mesh, TangentMethod method, TangentReport* report = nullptr, unsigned threads = 0);
 
 }  // namespace relief
