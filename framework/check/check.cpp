@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Pictures: let through none of 26 visible one-line mistakes in a trial, and all the noise of one driver.
+/// Limits for pictures. In a trial they let through none of 26 visible one-line mistakes, and all noise of one driver.
 constexpr double small_difference = 2.0 / 255 + 1e-6, large_difference = 32.0 / 255 + 1e-6;
 constexpr double share_over_small = 0.0005;
 constexpr size_t pixels_over_large = 4;
@@ -25,7 +25,7 @@ constexpr size_t pixels_over_large = 4;
 constexpr const char* outcome_names[] = {"passed",  "wrong",       "unfinished",    "broken",
                                          "crashed", "out_of_time", "out_of_memory", "machine"};
 
-/// What was measured, limit by limit, and whether all were kept.
+/// The measured values with their limits, and whether all limits were kept.
 class Findings {
 public:
     void add(const char* what, double value, std::optional<double> limit, const std::string& unit) {
@@ -35,7 +35,7 @@ public:
         text_ += fmt::format("{}{} {}{}", text_.empty() ? "" : ", ", what, amount_of(value, unit, 4),
                              kept ? "" : fmt::format(" (at most {})", rounded(*limit, 4)));
     }
-    /// The value that was added last must not be smaller either.
+    /// A lower limit for the value that was added last.
     void must_reach(double value, std::optional<double> min) {
         if (!min || value >= *min) return;
         good_ = false;
@@ -55,7 +55,7 @@ Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const I
     for (size_t i = 0; i < drawn.pixel_count(); ++i) only_one += is_surface(drawn, i) != is_surface(expected, i);
     const Image error = error_image(drawn, expected, probe.error);
     const ErrorSummary summary = summarize(error);
-    if (summary.count == 0) return {Outcome::broken, "there is not one pixel to compare"};
+    if (summary.count == 0) return {Outcome::broken, "there are no pixels to compare"};
     for (const float value : error.values) off += value > 1 && value != no_surface;
     Findings findings;
     const Limits& limits = check.limits;
@@ -92,7 +92,7 @@ bool has_failed(Outcome outcome) {
 /// How many other tasks can make it fail.
 size_t dependences(const CheckInfo& check) { return check.needs.size() + check.leans_on.size(); }
 
-/// Whether `other` is about nothing but what `check` depends on.
+/// Whether `other`'s task, and all that it depends on, are among the tasks that `check` depends on.
 bool is_below(const CheckInfo& other, const CheckInfo& check) {
     const auto is_needed = [&](const std::string& task) { return check.depends_on(task); };
     return is_needed(other.task) && std::all_of(other.needs.begin(), other.needs.end(), is_needed) &&
@@ -133,7 +133,7 @@ std::vector<const CheckInfo*> put_right_first(const Manifest& manifest, const st
         const CheckInfo& check = manifest.checks[i];
         const CheckInfo*& first = before[i];
         for (size_t j = 0; j < said.size(); ++j) {
-            // One message for both is a compiler's: it names the place itself.
+            // The same message twice comes from a compiler, and names the place itself.
             const bool is_same = said[i].outcome == Outcome::broken && said[i].found == said[j].found;
             if (!has_failed(said[j].outcome) || is_same || !is_below(manifest.checks[j], check)) continue;
             if (!first || dependences(manifest.checks[j]) < dependences(*first)) first = &manifest.checks[j];

@@ -203,7 +203,7 @@ DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& sho
         std::memcpy(&header, stream.data() + at, sizeof header);
         at += sizeof header;
         if (!is_expected(header, drawn, shots)) {
-            drawn.problem = "it writes to standard output what no drawing is";
+            drawn.problem = "it writes something other than its drawing to standard output";
             break;
         }
         if (stream.size() - at < header.size) break;  // the process ended in the middle of a message

@@ -348,7 +348,7 @@ TEST(StudentPage, ForItsStudentTellsNothingThatIsHiddenAndLeadsNowhere) {
     browser().open(graded.student("Anna", PageFor::student));
     const std::string all = text_of("main");
     for (const char* part : {"found 1", "rounding", "a hidden check", "mind the sign", "look here", "check 2",
-                             "right in the view that you know, and not in another one"})
+                             "correct in the view that you know, but not in another one"})
         EXPECT_TRUE(contains(all, part)) << part;
     EXPECT_EQ(browser().eval("document.querySelectorAll('figure').length"), 3) << "of check 1 alone";
     const std::vector<std::string> secrets = {"camera 12.5",   "found 2",     "found 3",    "from below",

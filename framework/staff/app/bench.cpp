@@ -61,7 +61,7 @@ BenchSettings settings_of(const BenchArguments& arguments) {
     if (!repeats || *repeats < fewest || *repeats > 1000)
         throw UsageError(
             fmt::format("--repeats takes a whole number from {} to 1000, not '{}'{}", fewest, arguments.repeats,
-                        arguments.quick ? "" : ": a median of fewer than 10 says little (--quick takes 1)"));
+                        arguments.quick ? "" : ": the median of fewer than 10 runs says little (--quick takes 1)"));
     settings.repeats = *repeats;
     return settings;
 }
@@ -142,7 +142,7 @@ int hold_to_baseline(const BenchArguments& arguments) {
     }
     if (arguments.update) {
         for (const BenchRow& row : rows)
-            if (!row.is_measured()) throw Error(row_name(row) + " " + row.state + ": nothing is renewed");
+            if (!row.is_measured()) throw Error(row_name(row) + " " + row.state + ": the baseline was not renewed");
         write_file(file, bench_csv(rows, machine));
         fmt::print("{}: {} methods\n", file.string(), rows.size());
         return 0;
@@ -173,7 +173,7 @@ int hold_to_baseline(const BenchArguments& arguments) {
 
 /// A line for each topic, for --help.
 std::string bench_topics_text() {
-    std::string text = "Topics (all of them when none is named):\n";
+    std::string text = "Topics (if none is named: all):\n";
     for (const BenchTopic& topic : bench_topics()) text += fmt::format("  {:<14} {}\n", topic.name, topic.help);
     return text;
 }
@@ -181,7 +181,7 @@ std::string bench_topics_text() {
 /// Returns 1 if a method failed or, with `work`, if work or error has grown.
 int run_bench(const BenchArguments& arguments) {
     if (arguments.work) return hold_to_baseline(arguments);
-    if (arguments.update) throw UsageError("--update goes with --work");
+    if (arguments.update) throw UsageError("--update needs --work: --work --update");
     const BenchSettings settings = settings_of(arguments);
     const Wanted wanted = wanted_of(arguments.set);
     const std::vector<const BenchTopic*> topics = chosen(arguments.topics);
@@ -218,7 +218,7 @@ int run_bench(const BenchArguments& arguments) {
     write_file(page, bench_page(results, fs::exists(page) ? read_file(page) : ""));
     fmt::print("{}\n", page.string());
     if (failed == 0) return 0;
-    print_error(fmt::format("{} methods have no result: their rows say why", failed));
+    print_error(fmt::format("{} methods have no result: their rows give the reason", failed));
     return 1;
 }
 
@@ -235,7 +235,7 @@ public:
         options.flag("--quick", bench_.quick, "few scenes and small sizes, for a first look");
         options.flag("--work", bench_.work,
                      "compare work and error of the quick sweep with tests/staff/measure/baseline.csv; no timing");
-        options.flag("--update", bench_.update, "with --work: renew that baseline");
+        options.flag("--update", bench_.update, "with --work: write the new values to that baseline");
         options.footer(bench_topics_text);
     }
     int run() override { return run_bench(bench_); }

@@ -41,7 +41,7 @@ ClassOptions options_of(const GradeArguments& arguments) {
     options.jobs = arguments.jobs.empty() ? int(hardware_threads()) : whole_number(arguments.jobs, "--jobs", 1, 256);
     GradeSetup& setup = options.setup;
     if (!arguments.seconds.empty()) setup.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
-    const char* const seed = std::getenv("RELIEF_SEED");  // a command line is for every process to read
+    const char* const seed = std::getenv("RELIEF_SEED");  // every user of the machine can read a command line
     setup.seed = arguments.seed.empty() && seed ? seed : arguments.seed;
     setup.renderer = {context_kind(arguments.context), whole_number(arguments.threads, "--threads", 0, 16),
                       !arguments.unpinned};
@@ -92,7 +92,7 @@ int test_the_grader(ClassOptions& options, int sample) {
                rounded(sum.mistakes ? 100.0 * sum.caught / sum.mistakes : 100.0, 4), sum.right, sum.equivalents,
                sum.wrong.size());
     if (sum.left_out > 0)
-        fmt::print("a sample: {} mistakes and variants were left out, and the names of mistakes were not tested\n",
+        fmt::print("only a sample: {} mistakes and variants were left out, and the names of mistakes were not tested\n",
                    sum.left_out);
     return sum.wrong.empty() ? 0 : 1;
 }
@@ -103,7 +103,7 @@ int make_gradescope(const ClassOptions& options) {
     fmt::print("{}: setup.sh, run_autograder and the course with its solutions; seed {}\n", options.output.string(),
                seed);
     fmt::print(
-        "zip its contents and upload that to Gradescope, with an image of Debian 12: cd '{}' && zip -r "
+        "zip the contents and upload the archive to Gradescope, for an image with Debian 12: cd '{}' && zip -r "
         "../autograder.zip .\n",
         options.output.string());
     return 0;
@@ -140,11 +140,11 @@ int print(const ClassReport& report, const std::string& folder, const Shard& sha
     if (!shard.whole())
         print_note(fmt::format("part {} of {} ({}); when all parts are done: relief grade --merge {}", shard.index + 1,
                                shard.count, shard.from, folder));
-    if (failed > 0) print_error("the machine failed on some submissions: grade again, only those are repeated");
+    if (failed > 0) print_error("the machine failed on some submissions: run the same command again, it repeats only those");
     return failed == 0 ? 0 : 1;
 }
 
-/// Where parts of a class were graded into folders of this one, their pages are the class's.
+/// Copies the pages of parts that were graded into folders of their own inside `folder`.
 void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
     for (const fs::path& part : class_parts(folder))
         if (part != folder)
@@ -201,10 +201,10 @@ public:
         options.words("PATH", grade_.paths, "submissions");
         options.value("-o", "FOLDER", grade_.output,
                       "folder for the results; unchanged submissions in it are not graded again");
-        options.values("--lab", "LAB", grade_.labs, "grade only this lab; may be repeated [all that were handed in]");
+        options.values("--lab", "LAB", grade_.labs, "grade only this lab; may be repeated [the labs whose files a submission has]");
         options.value("--jobs", "N", grade_.jobs, "submissions graded at a time [one per processor]");
         options.value("--seconds", "S", grade_.seconds,
-                      "time limit for drawing a lab once [20, more if the solution is slow]");
+                      "time limit for drawing a lab once, seconds [ten times the solution's, at least 20]");
         options.value("--seed", "WORD", grade_.seed,
                       "seed of the hidden views [RELIEF_SEED, else the folder's, else random]");
         options.value("--shard", "I/N", grade_.shard,
@@ -212,16 +212,16 @@ public:
         options.value("--merge", "FOLDER", grade_.merge, "merge the parts in this folder; takes no submissions");
         options.flag("--gradescope", grade_.gradescope,
                      "write an autograder for Gradescope to -o FOLDER; takes no submissions");
-        options.flag("--resume", grade_.resume, "continue the last run into this folder where it ended");
+        options.flag("--resume", grade_.resume, "continue the last run into this folder where it stopped");
         options.value("--context", "NAME", grade_.context, "auto (osmesa, then egl), osmesa or egl");
-        options.value("--threads", "N", grade_.threads, "threads of the software renderer, for each submission [0]");
+        options.value("--threads", "N", grade_.threads, "extra threads of the software renderer, for each submission [0]");
         options.flag("--unpinned", grade_.unpinned,
                      "use every CPU feature: results are reproducible on this machine only");
-        options.flag("--trust", grade_.trust, "grade even without a sandbox");
+        options.flag("--trust", grade_.trust, "grade even if there is no sandbox: only for submissions that you trust");
         options.flag("--self-test", grade_.self_test,
-                     "grade solutions, starters, known mistakes and correct variants; no submissions");
+                     "test the grader with solutions, starters, known mistakes and correct variants; takes no submissions");
         options.value("--sample", "N", grade_.sample, "with --self-test: only N mistakes and variants per lab");
-        options.flag("--fresh", grade_.fresh, "grade everything again");
+        options.flag("--fresh", grade_.fresh, "grade everything again, unchanged submissions too");
     }
     int run() override { return grade_submissions(grade_); }
 

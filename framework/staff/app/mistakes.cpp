@@ -1,5 +1,4 @@
-// relief mistakes: a page of all known mistakes, each with the picture that shows it best beside the right one. For
-// staff.
+// relief mistakes: makes a page of all known mistakes, each with the picture that shows it best and the correct one.
 #include <fmt/format.h>
 
 #include "framework/app/shot.h"
@@ -68,7 +67,7 @@ private:
         return fields;
     }
 
-    /// All but its picture.
+    /// Everything but the pictures.
     static Fields described(const Manifest& manifest, const MistakeInfo& mistake) {
         List others, edits;
         for (const MistakeInfo& other : manifest.mistakes)
@@ -156,7 +155,7 @@ public:
 private:
     std::string lab_, output_, context_ = "auto";
 };
-RELIEF_COMMAND(MistakesCommand, 14, "mistakes", "makes a page of all known mistakes, each beside the right picture");
+RELIEF_COMMAND(MistakesCommand, 14, "mistakes", "makes a page of all known mistakes, each beside the correct picture");
 
 Image picture_with_mistake(const LabEntry& entry, const std::string& id, const Shot& shot, bool light,
                            ContextChoice choice) {

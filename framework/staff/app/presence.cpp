@@ -1,4 +1,4 @@
-// Says that the staff's library is here.
+// Tells the students' library that the staff's library is present.
 #include "framework/base/from_staff.h"
 
 namespace relief {

@@ -1,4 +1,4 @@
-// relief slides: the decks below slides/, with pictures drawn by the labs, as HTML and PDF by marp-cli.
+// relief slides: makes the decks below slides/ as HTML and PDF, with pictures drawn by the labs, by marp-cli.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -91,7 +91,7 @@ struct Drawing {
 std::string draw(const Drawing& drawing, const fs::path& folder) {
     constexpr double patience = 1200;
     const fs::path& file = drawing.files.front();
-    // Whoever is asked knows all labs, and a lab's own program only one.
+    // Not the running program: a lab's own program knows only its lab.
     Words command = {(executable_folder() / "relief").string()};
     command.insert(command.end(), drawing.command.begin(), drawing.command.end());
     fs::path scratch;
@@ -137,7 +137,7 @@ void convert(const Words& decks, const fs::path& folder, bool as_pdf) {
             throw Error({folder / (name + ".md")}, "marp-cli made no file from it");
 }
 
-/// Where the decks are made. The gallery takes along what is in build/slides, and may be published.
+/// The folder for the decks. The gallery includes build/slides and may be published: so no solutions go there.
 fs::path folder_for(const SlidesArguments& arguments) {
     const fs::path usual = course_root() / "build" / (arguments.solutions ? "slides-with-solutions" : "slides");
     const fs::path folder = fs::absolute(arguments.output.empty() ? usual : fs::path(arguments.output));
@@ -150,7 +150,7 @@ fs::path folder_for(const SlidesArguments& arguments) {
     return folder;
 }
 
-/// Writes the decks for Marp, and says what has to be drawn for them: each command once.
+/// Writes the decks for Marp. Returns the commands that draw their figures, each once.
 std::vector<Drawing> write_decks(const Words& names, const fs::path& folder, bool solutions) {
     std::vector<Drawing> drawings;
     std::map<Words, size_t> known;
@@ -168,7 +168,7 @@ std::vector<Drawing> write_decks(const Words& names, const fs::path& folder, boo
     return drawings;
 }
 
-/// Whether all could be drawn; prints what could not.
+/// Returns whether all could be drawn; prints an error for each that could not.
 bool draw_all(std::vector<Drawing> drawings, const fs::path& folder, Progress& progress) {
     Words problems(drawings.size());
     std::mutex mutex;
@@ -179,7 +179,7 @@ bool draw_all(std::vector<Drawing> drawings, const fs::path& folder, Progress& p
         }
         problems[i] = draw(drawings[i], folder);
     };
-    // Plots measure time: they have the machine to themselves, and the rest is drawn when they are done.
+    // Plots measure time: they run alone, before the pictures.
     const auto pictures = std::stable_partition(drawings.begin(), drawings.end(),
                                                 [](const Drawing& one) { return one.command.front() == "bench"; });
     const size_t plots = size_t(pictures - drawings.begin());

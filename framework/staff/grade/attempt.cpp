@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-/// Of what a compiler says, in bytes.
+/// The longest part of a compiler's output that is kept, in bytes.
 constexpr size_t longest_log = size_t{16} << 10;
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -23,18 +23,18 @@ std::string first_error(const std::string& output) {
     return first_line(output.substr(begin));
 }
 
-/// What a process' ending says of the student's code in it.
+/// The verdict about the student's code, from how its process ended.
 Judgement blame(const ProcessResult& result, const std::string& problem) {
     switch (result.ending) {
         case Ending::out_of_time:
-            return {Outcome::out_of_time, fmt::format("not done after {:.0f} seconds", result.wall)};
+            return {Outcome::out_of_time, fmt::format("not finished after {:.0f} seconds", result.wall)};
         case Ending::out_of_memory:
-            return {Outcome::out_of_memory, "it asks for more memory than there is"};
+            return {Outcome::out_of_memory, "it needs more memory than is allowed"};
         case Ending::crashed:
             return {Outcome::crashed,
                     fmt::format("the program ends with signal {} ({})", result.code, strsignal(result.code))};
         case Ending::too_much_output:
-            return {Outcome::broken, "it prints without end"};
+            return {Outcome::broken, "it prints too much"};
         case Ending::failed:
             return {Outcome::machine, printable(first_line(result.errors), 400)};
         case Ending::exited:
@@ -45,7 +45,7 @@ Judgement blame(const ProcessResult& result, const std::string& problem) {
     return {Outcome::crashed, fmt::format("the program ends in the middle, with exit code {}{}", result.code, said)};
 }
 
-/// What strangers' code or a compiler says of it, on a line.
+/// The first line of untrusted output, made printable.
 std::string message(const std::string& text) { return printable(first_line(text), 400); }
 
 /// Draws the shots of a staged course, by as many processes as that takes.
@@ -70,7 +70,7 @@ public:
         bool tried_again = false;
         while (from < end) {
             if (seconds_left_ <= 0)
-                return fail(from, end, {Outcome::out_of_time, "the checks before it took all the time"});
+                return fail(from, end, {Outcome::out_of_time, "the checks before it used up the time"});
             const std::vector<Shot> rest(shots_.begin() + std::ptrdiff_t(from), shots_.begin() + std::ptrdiff_t(end));
             const ProcessResult result = run_sandboxed(
                 job(rest), {.isolation = stage_.isolation(), .readable = course_.readable, .processes = 32});
@@ -136,7 +136,7 @@ private:
     double seconds_left_;
 };
 
-/// What a compiler's failure says of a C++ task.
+/// The verdict about a C++ task that was not compiled.
 Judgement blame(const Compiled& compiled) {
     if (compiled.ending == Ending::failed)
         return {Outcome::machine, "the machine failed: " + message(compiled.message)};

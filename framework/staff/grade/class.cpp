@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// What is known of a submission before it is graded; its files are read again then, so that a thousand fit.
+/// A submission before it is graded. Its files are read again for grading, so that a thousand submissions fit in memory.
 struct Entry {
     fs::path path;
     std::string name, hash;
@@ -68,7 +68,7 @@ private:
         report_.seed = setup_.seed;
     }
 
-    /// With --labs those; else those of which a submission has a file. Theirs are the files that are taken.
+    /// The labs of --lab, else all with tasks. Only their task files are read.
     std::vector<const LabEntry*> candidates() const {
         if (!options_.labs.empty()) return options_.labs;
         std::vector<const LabEntry*> all;
@@ -121,7 +121,7 @@ private:
         return options_.output / "results" / (file_name_of(entry.name) + ".json");
     }
 
-    /// A result that is there and still true is not made again.
+    /// Takes over the result of an earlier run if nothing has changed since.
     bool take_over(Entry& entry) const {
         const fs::path file = result_file(entry);
         if (options_.fresh || entry.hash.empty() || !fs::exists(file)) return false;
@@ -191,7 +191,7 @@ private:
         write_file_to_disk(result_file(entry), to_json(mark));
     }
 
-    /// Says of a link that it is one, and of a task file that was handed in without its folders what they are.
+    /// The reason why there is no task file, if it is a link or a task file without its folders.
     std::string why_none(const Submission& submission) const {
         if (!submission.links.empty())
             return fmt::format(": '{}' is a link, and links are not followed", submission.links.front());
@@ -202,7 +202,7 @@ private:
         return {};
     }
 
-    /// Whatever goes wrong in here is the grader's fault and costs nobody a mark.
+    /// An exception here is the grader's fault: it costs no student a point.
     static LabMark mark_lab(const LabGrader& grader, const Submission& submission,
                             std::vector<CheckPictures>& pictures) {
         try {
@@ -245,7 +245,7 @@ IsolationReport isolation_for(bool trust) {
 
 Descriptor hold_output(const fs::path& folder, const Shard& shard) {
     Descriptor held(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    // Where a file system has no locks there is nothing to hold.
+    // A file system without locks reports another error: then there is no lock.
     if (held >= 0 && flock(held, (shard.whole() ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         throw Error(fmt::format("another grader is at work in '{}': wait until it has ended, or name another folder",
                                 printable(folder.string())));

@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// What a submission's shader includes and the course's own does not: other files may know answers. Else empty.
+/// A file that a submission's shader includes and the course's own does not; else empty. Other files may hold answers.
 std::string foreign_include(const std::string& file, const std::string& text) {
     if (!file.ends_with(".glsl")) return {};
     const std::set<std::string> own = included_by(read_file(course_root() / file));
@@ -63,8 +63,8 @@ std::vector<std::optional<Judgement>> judge_files(const Manifest& manifest, cons
     return by_check;
 }
 
-/// Whether a failure of one of two tasks that are seen through each other is the other's: that one has passed no check
-/// at all, and this one has passed one that does without the other.
+/// Whether another task is to blame for a failure. The check depends on that task; that task has passed none of its
+/// checks; and this task has passed a check that does without it.
 bool is_anothers(const Manifest& manifest, const std::vector<Judgement>& said, size_t failed) {
     const CheckInfo& check = manifest.checks[failed];
     const auto is_attested = [&](const std::string& other) {
@@ -126,7 +126,7 @@ LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn
     if (own.outcome != Outcome::passed || !views_.has_hidden(check)) return {own};
     const Judgement hidden = views_.judge(views_.hidden(check, drawn));
     if (hidden.outcome == Outcome::passed) return {own};
-    return {{hidden.outcome, "right in the check's own view, not in a hidden one: " + hidden.found}, true};
+    return {{hidden.outcome, "correct in the check's own view, but not in a hidden one: " + hidden.found}, true};
 }
 
 void LabGrader::keep_pictures(const Comparison& shown, bool is_hidden, std::vector<CheckPictures>& kept) const {

@@ -24,7 +24,7 @@ SubmissionMark read_result(const fs::path& file) {
     }
 }
 
-/// Points that a task of this course does not give are nobody's.
+/// Throws Error if a mark has a task, or points for a task, that this course does not have.
 void refuse_other_points(const SubmissionMark& mark, const std::map<std::string, Manifest>& manifests,
                          const fs::path& file) {
     for (const LabMark& lab : mark.labs) {
@@ -53,7 +53,7 @@ std::string some_of(const std::string& what, const std::vector<std::string>& nam
 void refuse_another_class(const Roster& roster, const fs::path& part, const Roster& first, const fs::path& first_part) {
     const std::string first_file = (first_part / "class.json").string();
     if (roster.course != first.course || roster.seed != first.seed || roster.labs != first.labs)
-        throw Error({part / "class.json"}, "is of another course, seed or choice of labs than " + first_file);
+        throw Error({part / "class.json"}, "belongs to another course, seed or choice of labs than " + first_file);
     const auto same = [](const Roster::One& a, const Roster::One& b) { return a.name == b.name && a.hash == b.hash; };
     if (!std::equal(roster.submissions.begin(), roster.submissions.end(), first.submissions.begin(),
                     first.submissions.end(), same))

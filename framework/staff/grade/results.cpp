@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 
 constexpr int schema = 1;
 
-/// Strangers' bytes need not be UTF-8.
+/// Untrusted bytes may not be UTF-8.
 std::string dump(const ordered_json& json) {
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
@@ -85,7 +85,7 @@ LabMark lab_from(const ordered_json& json) {
     return lab;
 }
 
-/// What strangers wrote need not be UTF-8; for nlohmann's JSON and for XML it must.
+/// Untrusted text may not be UTF-8, which XML requires.
 std::string valid_utf8(const std::string& text) {
     return ordered_json::parse(ordered_json(text).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
@@ -97,7 +97,7 @@ std::string xml(const std::string& text) {
     return escaped_markup(result);
 }
 
-/// A spreadsheet takes what begins like this for a formula.
+/// A field of a CSV. Text that a spreadsheet would take for a formula gets an apostrophe.
 std::string csv(const std::string& text) {
     std::string result =
         !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos ? "'" + text : text;
@@ -124,7 +124,7 @@ std::string state_of(const SubmissionMark& mark) {
     return !mark.graded() ? "not graded: the machine failed" : mark.problem.empty() ? "graded" : mark.problem;
 }
 
-/// What is read of a check on Gradescope, where hidden ones are kept from students.
+/// The text for a check on Gradescope, which shows hidden checks to instructors only.
 std::string sentence(const CheckMark& check) {
     std::string text = check.hidden ? check.found : found_for_students(check);
     if (!check.look_at.empty()) text += "\nlook at: " + check.look_at;
@@ -163,7 +163,7 @@ std::string file_name_of(const std::string& name) {
 
 std::string found_for_students(const CheckMark& check) {
     if (check.hidden) return {};
-    return check.view.empty() ? check.found : "right in the view that you know, and not in another one";
+    return check.view.empty() ? check.found : "correct in the view that you know, but not in another one";
 }
 
 std::string to_json(const SubmissionMark& mark) {
@@ -204,7 +204,7 @@ SubmissionMark from_json(const std::string& text) try {
 
 std::string to_gradescope(const SubmissionMark& mark) {
     if (!mark.graded())  // no score at all: Gradescope then says that grading failed
-        return dump({{"output", "The grader's machine failed. This is not your doing, and costs you nothing."}});
+        return dump({{"output", "The grader's machine failed. This is not your fault and costs you no points."}});
     ordered_json json = {{"score", mark.points()},
                          {"execution_time", mark.seconds},
                          {"output", mark.problem},

@@ -403,7 +403,7 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
     EXPECT_TRUE(contains(found(borrows, "broken"), "includes common/height_cell.glsl, which is not part of this task"));
     const json tuned = result_of(output, "tuned");
     EXPECT_EQ(outcomes(tuned, "3.2"), (Outcomes{"passed", "wrong"}));
-    EXPECT_TRUE(contains(found(tuned, "wrong"), "right in the check's own view, not in a hidden one: "))
+    EXPECT_TRUE(contains(found(tuned, "wrong"), "correct in the check's own view, but not in a hidden one: "))
         << found(tuned, "wrong");
     EXPECT_TRUE(contains(tuned.dump(), "\"view\":\"camera ") && contains(tuned.dump(), "; depth 1")) << tuned.dump(1);
     std::string on_gradescope;
@@ -411,7 +411,7 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
     for (const json& test : scope["tests"])
         if (test["visibility"] == "visible") on_gradescope += test.dump() + '\n';
     for (const std::string& students : {on_gradescope, read_file(output / "students/tuned.html")}) {
-        EXPECT_TRUE(contains(students, "right in the view that you know, and not in another one")) << students;
+        EXPECT_TRUE(contains(students, "correct in the view that you know, but not in another one")) << students;
         for (const char* secret : {"; depth 1", "in a hidden one", "midterm"})
             EXPECT_FALSE(contains(students, secret)) << "who may hand in again must not read '" << secret << "'";
     }
