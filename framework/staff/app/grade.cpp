@@ -140,7 +140,8 @@ int print(const ClassReport& report, const std::string& folder, const Shard& sha
     if (!shard.whole())
         print_note(fmt::format("part {} of {} ({}); when all parts are done: relief grade --merge {}", shard.index + 1,
                                shard.count, shard.from, folder));
-    if (failed > 0) print_error("the machine failed on some submissions: run the same command again, it repeats only those");
+    if (failed > 0)
+        print_error("the machine failed on some submissions: run the same command again, it repeats only those");
     return failed == 0 ? 0 : 1;
 }
 
@@ -201,7 +202,8 @@ public:
         options.words("PATH", grade_.paths, "submissions");
         options.value("-o", "FOLDER", grade_.output,
                       "folder for the results; unchanged submissions in it are not graded again");
-        options.values("--lab", "LAB", grade_.labs, "grade only this lab; may be repeated [the labs whose files a submission has]");
+        options.values("--lab", "LAB", grade_.labs,
+                       "grade only this lab; may be repeated [the labs whose files a submission has]");
         options.value("--jobs", "N", grade_.jobs, "submissions graded at a time [one per processor]");
         options.value("--seconds", "S", grade_.seconds,
                       "time limit for drawing a lab once, seconds [ten times the solution's, at least 20]");
@@ -214,12 +216,14 @@ public:
                      "write an autograder for Gradescope to -o FOLDER; takes no submissions");
         options.flag("--resume", grade_.resume, "continue the last run into this folder where it stopped");
         options.value("--context", "NAME", grade_.context, "auto (osmesa, then egl), osmesa or egl");
-        options.value("--threads", "N", grade_.threads, "extra threads of the software renderer, for each submission [0]");
+        options.value("--threads", "N", grade_.threads,
+                      "extra threads of the software renderer, for each submission [0]");
         options.flag("--unpinned", grade_.unpinned,
                      "use every CPU feature: results are reproducible on this machine only");
         options.flag("--trust", grade_.trust, "grade even if there is no sandbox: only for submissions that you trust");
-        options.flag("--self-test", grade_.self_test,
-                     "test the grader with solutions, starters, known mistakes and correct variants; takes no submissions");
+        options.flag(
+            "--self-test", grade_.self_test,
+            "test the grader with solutions, starters, known mistakes and correct variants; takes no submissions");
         options.value("--sample", "N", grade_.sample, "with --self-test: only N mistakes and variants per lab");
         options.flag("--fresh", grade_.fresh, "grade everything again, unchanged submissions too");
     }

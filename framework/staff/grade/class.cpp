@@ -26,7 +26,8 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// A submission before it is graded. Its files are read again for grading, so that a thousand submissions fit in memory.
+/// A submission before it is graded. Its files are read again for grading, so that a thousand submissions fit in
+/// memory.
 struct Entry {
     fs::path path;
     std::string name, hash;

@@ -57,7 +57,7 @@ void add(const fs::path& path, const std::set<std::string>& labs, HandedFiles& f
     files[path] = {content, executable};
 }
 
-/// Throws Error where a shader includes what students do not get, or what another lab may bring later.
+/// Throws Error if a shader includes a file that students do not get, or a file of another lab.
 void refuse_lost_includes(const HandedFiles& files) {
     static const std::regex form("(^|\n)[ \t]*#[ \t]*include[ \t]*\"([^\"\n]+)\"");
     for (const auto& [path, file] : files) {
@@ -82,8 +82,7 @@ HandedFiles students_course(const std::set<std::string>& labs) {
     return files;
 }
 
-/// "all" for all that there are and may come; else numbers: the labs that were asked for and those that are there
-/// already.
+/// "all" for all labs, future ones too; else the numbers of the requested labs and of those that the folder has.
 std::string choice_of(const std::optional<std::string>& asked, const std::optional<std::string>& before) {
     if (!asked) return before.value_or("all");
     if (*asked == "all" || before == "all") return "all";
@@ -119,7 +118,7 @@ std::string readme(const std::vector<const LabEntry*>& labs) {
     return text;
 }
 
-/// Throws Error where a check, hidden or not, asks for what the lab's own solution does not give.
+/// Throws Error if the lab's own solution fails a check, hidden or not.
 void refuse_unsolved(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                      const std::optional<Image>& expected) {
     const CheckResult result = run_check(lab, manifest, check, expected);
@@ -128,17 +127,17 @@ void refuse_unsolved(const LabEntry& lab, const Manifest& manifest, const CheckI
                                 lab.two_digits(), check.name, name_of(result.outcome), result.found));
 }
 
-/// What the solution draws or what is true; refuses a lab whose solution does not draw at all.
+/// The picture that the check compares with. Throws Error if it cannot be made.
 std::optional<Image> expected_of(const LabEntry& lab, const CheckInfo& check) {
     try {
         return expectation(lab, check);
     } catch (const Error& error) {
-        throw Error(fmt::format("lab {} cannot be handed out: there is nothing to hold '{}' against ({})",
+        throw Error(fmt::format("lab {} cannot be handed out: there is nothing to compare '{}' with ({})",
                                 lab.two_digits(), check.name, error.what()));
     }
 }
 
-/// What the public checks compare with; gives their number.
+/// Adds the pictures that public checks compare with. Returns their number.
 int add_expected(const std::vector<const LabEntry*>& labs, HandedFiles& files) {
     Progress progress(int(labs.size()));
     int count = 0;

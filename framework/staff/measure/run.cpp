@@ -101,7 +101,7 @@ public:
         std::vector<size_t> places;
         for (const size_t place : methods) {
             begin(place);
-            attempt(place, [&] {
+            attempt([&] {
                 BenchSubject subject = scene_.methods[place].prepare();
                 if (const std::string fault = fault_of(subject); !fault.empty()) return failed(place, fault);
                 send(pipe_, {{"method", place}, {"subject", as_json(subject)}});
@@ -112,7 +112,7 @@ public:
         }
         // Whatever fails while it is timed is left out, and the others begin anew.
         while (run_.settings.repeats > 0 && !subjects.empty() &&
-               !attempt(-1, [&] { time(subjects, places, on_gpu ? by_gpu_clock : by_wall_clock); })) {
+               !attempt([&] { time(subjects, places, on_gpu ? by_gpu_clock : by_wall_clock); })) {
             const auto bad = std::find(places.begin(), places.end(), size_t(current_));
             subjects.erase(subjects.begin() + (bad - places.begin()));
             places.erase(bad);
@@ -123,14 +123,14 @@ private:
     void begin(size_t place) { current_ = int(place); }
     void failed(size_t place, const std::string& why) { send(pipe_, {{"method", place}, {"failed", why}}); }
 
-    /// False when it threw: the method at `place`, or, where that is -1, whichever was begun last.
+    /// False if the work threw: then the method that was begun last has failed.
     template <class Work>
-    bool attempt(int64_t place, Work work) {
+    bool attempt(Work work) {
         try {
             work();
             return true;
         } catch (const std::exception& error) {
-            failed(place < 0 ? size_t(current_) : size_t(place), std::string("failed: ") + error.what());
+            failed(size_t(current_), std::string("failed: ") + error.what());
             return false;
         }
     }
@@ -252,7 +252,10 @@ std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene
         again = false;
         std::vector<size_t> methods;
         for (size_t i = 0; i < rows.size(); ++i)
-            if (rows[i].state == "open" || rows[i].is_measured()) methods.push_back(i), rows[i].state = "open";
+            if (rows[i].state == "open" || rows[i].is_measured()) {
+                methods.push_back(i);
+                rows[i].state = "open";
+            }
         if (methods.empty()) break;
         current.value() = -1;
         Pipe pipe;
@@ -272,7 +275,8 @@ std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene
         if (end.crash.empty() && end.code == 0) break;
         if (current.value() < 0) throw Error("the measuring process " + text_of(end) + " before it measured anything");
         BenchRow& row = rows[size_t(current.value())];
-        row.state = text_of(end), row.repeats = 0;
+        row.state = text_of(end);
+        row.repeats = 0;
         again = true;
     }
     return rows;
