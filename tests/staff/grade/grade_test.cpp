@@ -522,7 +522,7 @@ TEST(Grade, WhenTheMachineFailsNobodyLosesAMark) {
         for (const auto& entry : fs::directory_iterator(temporary)) fs::remove_all(entry.path() / "bin");
         const Result failed = grader.wait();
         EXPECT_EQ(failed.code, 1);
-        EXPECT_TRUE(contains(failed.err, "grade again")) << failed.err;
+        EXPECT_TRUE(contains(failed.err, "run the same command again")) << failed.err;
     }
     EXPECT_EQ(outcomes(result_of(output, "a")), Outcomes{"passed"});
     EXPECT_TRUE(outcomes(result_of(output, "c")).contains("machine"));
