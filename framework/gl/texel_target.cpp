@@ -48,6 +48,11 @@ TexelTarget::TexelTarget(glm::ivec2 size, std::initializer_list<GLenum> formats,
 
 TexelTarget::~TexelTarget() { counters().texture_bytes -= bytes_; }
 
+void TexelTarget::bind(int unit, size_t attachment) const {
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_2D, textures_[attachment]);
+}
+
 void TexelTarget::begin() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, size_.x, size_.y);

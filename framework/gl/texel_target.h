@@ -21,7 +21,8 @@ public:
     TexelTarget& operator=(const TexelTarget&) = delete;
 
     glm::ivec2 size() const { return size_; }
-    GLuint texture(size_t attachment = 0) const { return textures_[attachment]; }
+    /// Makes an attachment the 2D texture of a unit.
+    void bind(int unit, size_t attachment = 0) const;
     /// Draw into all attachments of level 0, over all of their texels.
     void begin() const;
     /// Levels 1 and on as means of those before. Leaves another texture bound on the active unit.

@@ -22,11 +22,6 @@ Texture data_texture(const char* title, std::function<Image()> make) {
     return {title, std::move(make), TextureOptions{.wrap = Wrap::clamp, .mips = false}};
 }
 
-void bind(int unit, GLuint texture) {
-    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
-    glBindTexture(GL_TEXTURE_2D, texture);
-}
-
 Image node_image(const TriangleTree& tree) {
     return data_image(tree.nodes.size() * 2, [&](size_t i) {
         const TreeNode& node = tree.nodes[i / 2];
@@ -48,7 +43,6 @@ Image normal_image(const Mesh& mesh) {
                       [&](size_t i) { return glm::vec4(mesh.vertices[i].normal, mesh.vertices[i].uv.x); });
 }
 
-constexpr std::array frame_defines = {"", "EACH_UNIT", "GRAM_SCHMIDT"};
 constexpr std::array<GLenum, 3> formats = {GL_RGBA8, GL_RGBA16, GL_RGBA32F};
 
 }  // namespace
@@ -62,22 +56,18 @@ HighModel::HighModel(const Model& model, int fineness, bool cord)
       uploaded(upload([this] { return mesh; })) {}
 
 const HighModel& Baker::high(const Recipe& recipe) {
-    auto& kept = this->kept(recipe).high;
-    const HighKey key{recipe.model, {recipe.high, recipe.cord}};
-    if (!kept || kept->first != key)
-        kept.emplace(key, std::make_unique<HighModel>(recipe.model, recipe.high, recipe.cord));
-    return *kept->second;
+    return *of_shape(recipe).high.get({recipe.model, recipe.high, recipe.cord}, [&] {
+        return std::make_unique<HighModel>(recipe.model, recipe.high, recipe.cord);
+    });
 }
 
 const GpuMesh& Baker::low(const Recipe& recipe, bool other_diagonal) {
-    auto& kept = this->kept(recipe).low[other_diagonal ? 1 : 0];
-    const LowKey key{recipe.model, {recipe.low, recipe.overlapping, other_diagonal}};
-    if (!kept || kept->first != key)
-        kept.emplace(key, std::make_unique<GpuMesh>(upload([=] {
-                         return make_low(recipe.model, low_finenesses[size_t(recipe.low)], recipe.overlapping,
-                                         other_diagonal);
-                     })));
-    return *kept->second;
+    auto& low = of_shape(recipe).low[other_diagonal ? 1 : 0];
+    return *low.get({recipe.model, recipe.low, recipe.overlapping}, [&] {
+        return std::make_unique<GpuMesh>(upload([=] {
+            return make_low(recipe.model, low_finenesses[size_t(recipe.low)], recipe.overlapping, other_diagonal);
+        }));
+    });
 }
 
 void Baker::draw_window() {
@@ -95,7 +85,7 @@ const Baked& Baker::bake(const Recipe& recipe) {
     const Program& store = store_.with();
     // A program that was saved and compiled anew has another name.
     const std::array<GLuint, 3> programs = {bake, pad, store};
-    Kept& kept = this->kept(recipe);
+    OfShape& kept = of_shape(recipe);
     if (kept.baked && kept.baked->recipe == recipe && kept.baked->programs == programs) return *kept.baked;
     kept.report.reset(), kept.baked.reset();
 
@@ -122,7 +112,7 @@ const Baked& Baker::bake(const Recipe& recipe) {
     glDrawElements(GL_TRIANGLES, coarse.count(), GL_UNSIGNED_INT, nullptr);
 
     // Padding goes to and fro between two textures.
-    GLuint texels = baked->texels.texture();
+    const TexelTarget* texels = &baked->texels;
     std::optional<TexelTarget> padded[2];
     for (int step = 0; step < recipe.padding; ++step) {
         std::optional<TexelTarget>& next = padded[step % 2];
@@ -131,14 +121,14 @@ const Baked& Baker::bake(const Recipe& recipe) {
         glUseProgram(pad);
         pad.set("s_texels", 0);
         pad.set("u_size", recipe.size);
-        baking::bind(0, texels);
+        texels->bind(0);
         draw_window();
-        texels = next->texture();
+        texels = &*next;
     }
     baked->map.begin();
     glUseProgram(store);
     store.set("s_texels", 0);
-    baking::bind(0, texels);
+    texels->bind(0);
     draw_window();
     baked->map.make_mips();
     glEnable(GL_DEPTH_TEST);
@@ -165,7 +155,7 @@ void Baker::draw_cover(const Recipe& recipe) {
 }
 
 Baked::Report Baker::report(const Baked& baked) {
-    std::optional<Baked::Report>& report = kept(baked.recipe).report;
+    std::optional<Baked::Report>& report = of_shape(baked.recipe).report;
     if (report) return *report;
     report.emplace();
     const Image texels = baked.texels.read(0), hits = baked.texels.read(1);

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <array>
-#include <map>
+#include <memory>
 #include <optional>
 
 #include "framework/gl/texel_target.h"
+#include "framework/kit/kept.h"
 #include "framework/mesh/tree.h"
 #include "models.h"
 
 namespace relief::baking {
+
+/// What makes a program use a frame: the first three also store in it.
+inline constexpr std::array frame_defines = {"", "EACH_UNIT", "GRAM_SCHMIDT", "VERTEX_BITANGENT"};
 
 /// All that a bake depends on. Numbers are places among a knob's choices.
 struct Recipe {
@@ -62,24 +66,23 @@ public:
     void draw_cover(const Recipe& recipe);
 
 private:
-    using HighKey = std::pair<Model, std::pair<int, bool>>;
-    using LowKey = std::pair<Model, std::array<int, 3>>;
     Programs bake_{"07_baking/bake.vert", "07_baking/bake.frag"};
     Programs pad_{"07_baking/window.vert", "07_baking/pad.frag"};
     Programs store_{"07_baking/window.vert", "07_baking/store.frag"};
     Programs clear_{"07_baking/window.vert", "07_baking/cover.frag"};
     Programs cover_{"07_baking/bake.vert", "07_baking/cover.frag"};
     // 0 the ammonite's, 1 the cube's.
-    struct Kept {
-        std::optional<std::pair<HighKey, std::unique_ptr<HighModel>>> high;
-        std::array<std::optional<std::pair<LowKey, std::unique_ptr<GpuMesh>>>, 2> low;
+    struct OfShape {
+        Kept<std::unique_ptr<HighModel>, Model, int, bool> high;  ///< its fineness, and whether it has the cord
+        /// By fineness, and whether islands overlap; cut along the same diagonals, and along the others.
+        std::array<Kept<std::unique_ptr<GpuMesh>, Model, int, bool>, 2> low;
         std::unique_ptr<Baked> baked;
         std::optional<Baked::Report> report;
     };
-    Kept kept_[2];
+    OfShape of_shape_[2];
     std::optional<VertexArrayName> nothing_;
 
-    Kept& kept(const Recipe& recipe) { return kept_[recipe.model.shape == Shape::cube ? 1 : 0]; }
+    OfShape& of_shape(const Recipe& recipe) { return of_shape_[recipe.model.shape == Shape::cube ? 1 : 0]; }
     void draw_window();
 };
 

@@ -25,7 +25,8 @@ public:
                                 : nullptr);
         const bool wants_report = !frame.probe && (view_ == map || view_ == rays);
         const Baked::Report report = wants_report ? baker_.report(*baked[0]) : Baked::Report{};
-        if (view_ == rays && !frame.probe) renew_cut(*baked[0]);
+        const bool shows_cut = view_ == rays && !frame.probe;
+        const std::vector<CutLine> no_lines, &lines = shows_cut ? cut_of(*baked[0]) : no_lines;
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glViewport(0, 0, frame.size.x, frame.size.y);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -37,8 +38,8 @@ public:
                 draw_map(frame, view.tile, *baked[i]);
             else if (view.draws == Draws::cover)
                 glViewport(0, 0, frame.size.x, frame.size.y), baker_.draw_cover(view.sight.recipe);
-            else if (!frame.probe)
-                draw_cut(view.tile);
+            else if (shows_cut)
+                draw_cut(view.tile, lines);
             if (!view.title.empty()) labels_.caption(frame.size, view.tile, 0, view.title);
         }
         if (wants_report) describe(frame.size, views[0].tile, report);
@@ -91,7 +92,6 @@ private:
     static constexpr std::array spaces = {"tangent", "object"};
     static constexpr std::array bake_frames = {"interpolated", "each-unit", "gram-schmidt"};
     static constexpr std::array frames = {"interpolated", "each-unit", "gram-schmidt", "vertex-bitangent"};
-    static constexpr std::array frame_defines = {"", "EACH_UNIT", "GRAM_SCHMIDT", "VERTEX_BITANGENT"};
     static constexpr std::array diagonals = {"same", "other"};
     static constexpr std::array ray_normals = {"smooth", "face"};
     static constexpr std::array takes = {"nearest", "first", "last"};
@@ -176,7 +176,7 @@ private:
         if (has_map) {
             surface.set("s_map", 0);
             surface.set("u_level", float(std::max(0, level_ - 1)));
-            bind(0, baked->map.texture());
+            baked->map.bind(0);
         }
         const GpuMesh& mesh = shown == Shown::high ? baker_.high(recipe).uploaded : baker_.low(recipe, other_diagonal);
         glBindVertexArray(mesh.layout());
@@ -200,15 +200,10 @@ private:
         program.set("s_hits", 2);
         program.set("u_window", window);
         program.set("u_level", float(std::max(0, level_ - 1)));
-        bind(2, baked.texels.texture(1));
-        bind(1, baked.texels.texture(0));
-        bind(0, baked.map.texture());
+        baked.texels.bind(2, 1);
+        baked.texels.bind(1, 0);
+        baked.map.bind(0);
         draw_triangles(nothing_, 3);
-    }
-
-    static void bind(int unit, GLuint texture) {
-        glActiveTexture(GLenum(GL_TEXTURE0 + unit));
-        glBindTexture(GL_TEXTURE_2D, texture);
     }
 
     static void draw_triangles(std::optional<VertexArrayName>& layout, GLsizei count) {
@@ -219,26 +214,26 @@ private:
         glEnable(GL_DEPTH_TEST);
     }
 
-    void renew_cut(const Baked& baked) {
-        if (cut_of_ && cut_of_->first == &baked && cut_of_->second == cut_ && cut_recipe_ == baked.recipe) return;
-        cut_of_ = {&baked, cut_}, cut_recipe_ = baked.recipe;
-        cut_lines_ = cut_lines(baked.recipe, baker_.high(baked.recipe).mesh, baked.texels.read(1), cut_);
+    const std::vector<CutLine>& cut_of(const Baked& baked) {
+        return cut_lines_.get({baked.recipe, baked.programs, cut_}, [&] {
+            return cut_lines(baked.recipe, baker_.high(baked.recipe).mesh, baked.texels.read(1), cut_);
+        });
     }
 
-    void draw_cut(const Tile& tile) {
+    void draw_cut(const Tile& tile, const std::vector<CutLine>& lines) {
         struct Corner {
             glm::vec2 place;
             glm::vec4 color;
         };
         // All of the cut, in the middle of the tile.
         glm::vec2 low(INFINITY), high(-INFINITY);
-        for (const CutLine& line : cut_lines_)
+        for (const CutLine& line : lines)
             low = glm::min(low, glm::min(line.from, line.to)), high = glm::max(high, glm::max(line.from, line.to));
         const glm::vec2 size(tile.size), extent = glm::max(high - low, 1e-6f);
         const float scale = 0.84f * std::min(size.x / extent.x, size.y / extent.y);
         const float line_width = std::max(1.0f, 0.003f * std::min(size.x, size.y));
         std::vector<Corner> corners;
-        for (const CutLine& line : cut_lines_) {
+        for (const CutLine& line : lines) {
             const glm::vec2 a = (line.from - (low + high) / 2.0f) * scale, b = (line.to - (low + high) / 2.0f) * scale;
             const float length = glm::length(b - a);
             if (!(length > 0)) continue;
@@ -292,9 +287,7 @@ private:
     Baker baker_;
     std::optional<VertexArrayName> nothing_;
     std::optional<Lines> lines_;
-    std::optional<std::pair<const Baked*, float>> cut_of_;
-    Recipe cut_recipe_;
-    std::vector<CutLine> cut_lines_;
+    Kept<std::vector<CutLine>, Recipe, std::array<GLuint, 3>, float> cut_lines_;
     Labels labels_;
 
     int view_ = compare, shape_ = 0, wears_ = 0, space_ = 0, bake_frame_ = 0, frame_ = 0, diagonal_ = 0;

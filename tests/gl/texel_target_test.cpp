@@ -37,7 +37,7 @@ TEST(TexelTarget, LevelsAreMeansOfThoseBeforeAndRowZeroIsTheTop) {
     EXPECT_EQ(target.read().pixel(0, 1)[0], 0);
     target.make_mips();
     float texel[4] = {};
-    glBindTexture(GL_TEXTURE_2D, target.texture());
+    target.bind(0);
     glGetTexImage(GL_TEXTURE_2D, 1, GL_RGBA, GL_FLOAT, texel);
     EXPECT_NEAR(texel[0], 0.5, 1.0 / 255);
     EXPECT_NEAR(texel[1], 0.1, 1.0 / 255);
