@@ -52,6 +52,10 @@ GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) 
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { noted(window); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { noted(window); });
     glfwSetScrollCallback(window_, [](GLFWwindow* window, double, double) { noted(window); });
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** files) {
+        GlfwWindow& self = noted(window);
+        self.files_.insert(self.files_.end(), files, files + count);
+    });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { noted(window); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { noted(window); });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { noted(window); });

@@ -4,6 +4,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
 #include <utility>
@@ -26,6 +27,8 @@ public:
     /// The keys pressed since the last call, in order: also those that were up again before anyone looked, as happens
     /// when a frame takes longer than a tap.
     std::vector<int> take_keys() { return std::exchange(keys_, {}); }
+    /// The files dropped on the window since the last call.
+    std::vector<std::filesystem::path> take_files() { return std::exchange(files_, {}); }
     /// Whether anything has come from the user or the screen since the last call. What waits with a timeout cannot tell
     /// otherwise why it woke.
     bool take_event() { return std::exchange(event_, false); }
@@ -36,6 +39,7 @@ private:
     GLFWwindow* window_ = nullptr;
     bool event_ = false;
     std::vector<int> keys_;
+    std::vector<std::filesystem::path> files_;
 };
 
 }  // namespace relief

@@ -3,21 +3,23 @@
 
 #include <array>
 
+#include "framework/image/own_picture.h"
 #include "framework/kit/kept.h"
 #include "framework/lab/lab.h"
 
 namespace relief {
 
-/// The values of ReliefMaterial's knob `map`. Wall and paving are textures; the others are made from formulas.
+/// The values of ReliefMaterial's knob `map`. Wall and paving are textures, `own` is the user's picture; the others are
+/// made from formulas.
 struct ReliefMap {
-    enum : int { smooth, fbm, bricks, stones, posts, rock, wall, paving, low, high, plateau, damaged };
+    enum : int { smooth, fbm, bricks, stones, posts, rock, wall, paving, low, high, plateau, damaged, own };
 };
 
 class ReliefMaterial {
 public:
     enum Size { texels_1, texels_256, texels_512, texels_1024, texels_4096 };
 
-    ReliefMaterial() = default;
+    ReliefMaterial();
     ReliefMaterial(const ReliefMaterial&) = delete;  // its textures are made by what it knows
 
     void knobs(Knobs& knobs);
@@ -53,7 +55,9 @@ private:
     };
     const Made& made() const;
     Made make() const;
-    mutable Kept<Made, int, int, int> made_;  ///< by map, size and bits
+    /// One channel of heights; or four, a normal map with heights in the fourth.
+    OwnPicture own_;
+    mutable Kept<Made, int, int, int, int> made_;  ///< by map, size, bits and which picture
 };
 
 }  // namespace relief

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "framework/base/error.h"
 #include "framework/base/text.h"
+#include "framework/image/own_picture.h"
 #include "framework/lab/lab.h"
 
 namespace relief {
@@ -26,6 +28,13 @@ public:
     }
     void choice(const char* name, int& value, std::span<const char* const> names, const char* help) override {
         found.push_back({name, names[size_t(value)], fmt::format("{}", fmt::join(names, ", ")), help});
+    }
+    void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
+                           const char* help) override {
+        int named = std::min(value, int(names.size()) - 1);
+        choice(name, named, names, help);
+        found.back().help += ", or a picture's file";
+        if (value != named) found.back().value = own.file().string();
     }
 };
 
@@ -64,11 +73,24 @@ public:
                 value = int(i);
                 done = true;
             }
-        const std::vector<std::string> known(names.begin(), names.end());
-        if (!done) throw UsageError(unknown("value of knob " + name_ + ",", text_, known));
+        if (!done) throw UsageError(unknown_choice(names));
+    }
+    void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
+                           const char* help) override {
+        if (name != name_) return;
+        if (std::find(names.begin(), names.end(), text_) != names.end()) return choice(name, value, names, help);
+        // A name without a dot or a slash is rather a slip than a file that is missing.
+        if (text_.find_first_of("./\\") == std::string::npos && !std::filesystem::exists(text_))
+            throw UsageError(unknown_choice(names) + ", or a picture's file");
+        own.read(text_);
+        value = int(names.size());
+        done = true;
     }
 
 private:
+    std::string unknown_choice(std::span<const char* const> names) const {
+        return unknown("value of knob " + name_ + ",", text_, std::vector<std::string>(names.begin(), names.end()));
+    }
     [[noreturn]] void refuse(const std::string& takes) const {
         throw UsageError(fmt::format("knob {} takes {}, not '{}'", name_, takes, text_));
     }
@@ -76,7 +98,36 @@ private:
     const std::string& text_;
 };
 
+class GivePicture final : public Knobs {
+public:
+    explicit GivePicture(const std::filesystem::path& file) : file_(file) {}
+    std::string knob;
+
+    void slider(const char*, float&, float, float, const char*) override {}
+    void steps(const char*, int&, int, int, const char*) override {}
+    void toggle(const char*, bool&, const char*) override {}
+    void choice(const char*, int&, std::span<const char* const>, const char*) override {}
+    void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
+                           const char*) override {
+        if (!knob.empty()) return;
+        own.read(file_);
+        value = int(names.size());
+        knob = name;
+    }
+
+private:
+    const std::filesystem::path& file_;
+};
+
 }  // namespace
+
+void Knobs::choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
+                              const char* help) {
+    std::vector<const char*> all(names.begin(), names.end());
+    const std::string file = own.file().filename().string();
+    if (!file.empty()) all.push_back(file.c_str());
+    choice(name, value, all, help);
+}
 
 std::vector<KnobText> describe_knobs(Lab& lab) {
     Describe describe;
@@ -91,6 +142,12 @@ void set_knob(Lab& lab, const std::string& name, const std::string& value) {
     std::vector<std::string> names;
     for (const KnobText& knob : describe_knobs(lab)) names.push_back(knob.name);
     throw UsageError(unknown("knob", name, names));
+}
+
+std::string set_picture(Lab& lab, const std::filesystem::path& file) {
+    GivePicture give(file);
+    lab.knobs(give);
+    return give.knob;
 }
 
 }  // namespace relief

@@ -1,11 +1,14 @@
 // A lab's adjustable values. The lab names them once; the menu, --set and --help all read them there.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace relief {
+
+class OwnPicture;
 
 /// The visitor to which a lab shows its values, with their ranges (inclusive) and one line of help each.
 class Knobs {
@@ -15,6 +18,10 @@ public:
     virtual void steps(const char* name, int& value, int low, int high, const char* help) = 0;
     virtual void toggle(const char* name, bool& value, const char* help) = 0;
     virtual void choice(const char* name, int& value, std::span<const char* const> names, const char* help) = 0;
+    /// A choice that takes a file with a picture, too: the value is then names.size(). For who does not override it, a
+    /// picture that was read is one more name.
+    virtual void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
+                                   const char* help);
 };
 
 /// One knob as text.
@@ -29,5 +36,9 @@ std::vector<KnobText> describe_knobs(Lab& lab);
 
 /// Sets one knob from text. Throws UsageError that names the nearest knob, or the range, or the choices.
 void set_knob(Lab& lab, const std::string& name, const std::string& value);
+
+/// Gives a file to the first knob that takes a picture, and returns that knob's name; empty where the lab has none.
+/// Throws what OwnPicture::read throws.
+std::string set_picture(Lab& lab, const std::filesystem::path& file);
 
 }  // namespace relief

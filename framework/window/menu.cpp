@@ -128,6 +128,7 @@ private:
         const int panel = panel_hidden_ ? 0 : std::min(window.x, int(panel_width * scale_));
         keyboard();
         mouse();
+        for (const std::filesystem::path& file : window_.take_files()) take(file);
         if (!panel_hidden_) act(draw_panel(stage_, panel, error_map_.on(), message_));
         draw_error(stage_, panel);
         handout_.draw(panel, scale_);
@@ -258,6 +259,20 @@ private:
             2 * camera.distance * std::tan(glm::radians(camera.field_of_view) / 2) / std::max(1, stage_.size().y);
         const glm::dmat3 world_from_view = glm::transpose(glm::dmat3(Camera(camera, 1).view_from_world()));
         camera.target += world_from_view * glm::dvec3(-right * metres, down * metres, 0);
+    }
+
+    /// A picture that was dropped on the window.
+    void take(const std::filesystem::path& file) {
+        try {
+            if (!stage_.lab()) return;
+            const std::string knob = set_picture(*stage_.lab(), file);
+            message_ =
+                knob.empty() ? stage_.manifest().title + " takes no picture" : knob + ": " + file.filename().string();
+            if (!knob.empty()) stage_.changed();
+        } catch (const Error& error) {
+            message_ = error.what();
+            print_error(message_);
+        }
     }
 
     void save() {

@@ -4,6 +4,8 @@
 // Your tasks: shaders/03_height_to_normal/task.glsl
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "differences.h"
@@ -12,6 +14,8 @@
 #include "framework/image/asset.h"
 #include "framework/image/compare.h"
 #include "framework/image/mips.h"
+#include "framework/image/own_picture.h"
+#include "framework/image/resample.h"
 #include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
 #include "framework/kit/tiles.h"
@@ -44,7 +48,8 @@ public:
         knobs.choice("view", view_, views, "every filter, or one of them");
         knobs.choice("filter", filter_, filters, "for view = one: the filter of the wall");
         knobs.choice("show", show_, shows, "the lit relief, the error compared with the exact slope, or half of each");
-        knobs.choice("source", source_, sources, "a known function, the bricks' height map, or the bricks' colours");
+        knobs.choice_or_picture("source", source_, own_, sources,
+                                "a known function, the bricks' height map, or the bricks' colours");
         knobs.choice("size", size_, sizes, "texels along each side of the map (source waves)");
         knobs.choice("bits", bits_, bit_counts, "bits per stored height (source waves)");
         knobs.slider("depth", depth_, 0, 64, "depth of the relief: texels of a height of 1");
@@ -63,8 +68,7 @@ public:
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
         Image map;
         if (probe.name == "normal" && has_known_slope()) map = heights::exact_normals(size(), texels());
-        if (probe.name == "height" && source_ == colors) map = heights::heights_by_cpu(picture("bricks_albedo.png"));
-        if (probe.name == "height" && source_ != colors) map = stored_heights();
+        if (probe.name == "height") map = has_colors() ? heights::heights_by_cpu(color_picture()) : stored_heights();
         if (map.values.empty()) return {};
         return truth_in_tiles(frame, tiles_of_view(frame.size),
                               [&](const Frame& part, size_t) { return heights::on_wall(part, map, wall(), repeat_); });
@@ -73,8 +77,9 @@ public:
 private:
     enum View { every, one };
     enum Show { half_and_half, light, error_map };
-    enum Source { waves, bricks, colors };
+    enum Source { waves, bricks, colors, own };
     enum Place { gpu, cpu };
+    static constexpr int picture_size = 256;
     static constexpr std::array views = {"every", "one"};
     static constexpr std::array filters = {"forward", "central", "sobel", "scharr", "fourth-order", "spline"};
     static constexpr std::array shows = {"half-and-half", "light", "error"};
@@ -83,7 +88,7 @@ private:
     static constexpr std::array bit_counts = {"float", "16", "8"};
     static constexpr std::array places = {"gpu", "cpu"};
 
-    int size() const { return source_ == waves ? 32 << size_ : 256; }
+    int size() const { return source_ == waves ? 32 << size_ : picture_size; }
     glm::dvec2 texels() const { return {depth_ / stretch_, depth_}; }
     glm::dvec2 wall() const { return glm::dvec2(std::min(1.0f, stretch_), std::min(1.0f, 1 / stretch_)); }
     bool has_known_slope() const { return source_ == waves && fine_ == 1 && middle_ == 1 && coarse_ == 1; }
@@ -100,8 +105,28 @@ private:
         small.bits = 32;
         return small;
     }
+    /// The user's, in as many texels: heights where it is grey.
+    static Image own_picture(Image picture) {
+        for (float& value : picture.values) value = std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0;
+        const Image whole = resampled(picture, picture_size, picture_size);
+        double spread = 0;
+        for (size_t i = 0; whole.channels >= 3 && i < whole.pixel_count(); ++i) {
+            const float* const texel = whole.values.data() + i * size_t(whole.channels);
+            const auto [low, high] = std::minmax({texel[0], texel[1], texel[2]});
+            spread += double(high) - double(low);
+        }
+        const int channels = spread > 0.02 * double(whole.pixel_count()) ? 3 : 1;
+        Image image(picture_size, picture_size, channels);
+        for (size_t i = 0; i < whole.pixel_count(); ++i)
+            std::copy_n(whole.values.data() + i * size_t(whole.channels), channels,
+                        image.values.data() + i * size_t(channels));
+        return image;
+    }
+    bool has_colors() const { return source_ == colors || (source_ == own && own_.image().channels == 3); }
+    Image color_picture() const { return source_ == own ? own_.image() : picture("bricks_albedo.png"); }
     Image stored_heights() const {
         if (source_ == bricks) return strengthened(picture("bricks_height.png"));
+        if (source_ == own) return strengthened(own_.image());
         return strengthened(heights::sample(size(), bits_ == 0 ? 32 : bits_ == 1 ? 16 : 8));
     }
     Image strengthened(Image image) const {
@@ -120,7 +145,7 @@ private:
     /// The programs that fill the maps: one whose shader is saved anew is another one, and its maps are made again.
     std::vector<GLuint> makers(size_t tiles) const {
         std::vector<GLuint> programs;
-        if (source_ == colors) programs.push_back(heights_program_.with());
+        if (has_colors()) programs.push_back(heights_program_.with());
         for (size_t i = 0; i < tiles && where_ == gpu; ++i) programs.push_back(normals_program(filter_of(i)));
         return programs;
     }
@@ -132,16 +157,16 @@ private:
         std::map<int, heights::Map> normals;  ///< by filter, those that were shown
     };
     std::vector<float> inputs() const {
-        return {float(source_), float(size_), float(bits_), float(wrap_), float(where_),
-                depth_,         stretch_,     fine_,        middle_,      coarse_};
+        return {float(source_), float(size_), float(bits_), float(wrap_), float(where_),        depth_,
+                stretch_,       fine_,        middle_,      coarse_,      float(own_.version())};
     }
 
     Maps make_maps() const {
         heights::Map heights(size(), GL_R32F);
-        if (source_ == colors) {
+        if (has_colors()) {
             const Program& convert = heights_program_.with();
             glUseProgram(convert);
-            const Texture colors_of_bricks = table([] { return picture("bricks_albedo.png"); });
+            const Texture colors_of_bricks = table([this] { return color_picture(); });
             convert.set("s_picture", 0, colors_of_bricks);
             heights.fill(nothing_);
         } else {
@@ -213,6 +238,7 @@ private:
                             fmt::format("mean {}~ max {}~", rounded(error.mean, 2), rounded(error.largest, 2)));
     }
 
+    OwnPicture own_{own_picture};
     Programs heights_program_{"03_height_to_normal/map.vert", "03_height_to_normal/heights.frag"};
     Programs normals_program_{"03_height_to_normal/map.vert", "03_height_to_normal/normals.frag"};
     Programs wall_program_{"03_height_to_normal/wall.vert", "03_height_to_normal/wall.frag"};

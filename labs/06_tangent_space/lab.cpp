@@ -5,6 +5,9 @@
 // Your tasks: shaders/06_tangent_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "framework/base/error.h"
+#include "framework/image/own_picture.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
 #include "framework/kit/light.h"
 #include "framework/kit/tiles.h"
@@ -31,7 +34,7 @@ public:
         knobs.choice("view", view_, views, "the right way and three mistakes, or one picture by the knobs");
         knobs.choice("shape", shape_, shapes, "shape of the model; the wall's left half is mirrored");
         knobs.choice("normals", normals_from_, sources, "normals from the map, or from the vertices only");
-        knobs.choice("map", map_, maps, "bricks, or one flat texel");
+        knobs.choice_or_picture("map", map_, own_, maps, "the normal map: bricks, or one flat texel");
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
         knobs.choice("light_in", light_in_, spaces, "space of the lighting");
         knobs.toggle("gram_schmidt", gram_schmidt_, "for view = one: make each pixel's frame orthonormal");
@@ -51,6 +54,7 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
+        if (normals_from_ == from_map && map_ == own) return {};
         const bool has_map = normals_from_ == from_map && map_ == bricks && (trouble_ == none || trouble_ == leaning);
         const frames::Pose pose{frames::Shape(shape_), world_from_model(), has_map ? double(strength_) : 0.0,
                                 glm::radians(double(turn_))};
@@ -69,7 +73,7 @@ private:
                                                         {"tangent not turned", "", "", "TANGENT_STAYS"}}};
     enum View { compare, one };
     enum NormalsFrom { from_map, from_vertices };
-    enum Map { bricks, one_texel };
+    enum Map { bricks, one_texel, own };
     enum LightIn { world_space, tangent_space };
     enum Trouble { none, leaning, along_normal, missing };
     static constexpr std::array views = {"compare", "one"};
@@ -112,7 +116,7 @@ private:
         surface.set("u_light", lamp_at(light_yaw_, light_distance_, light_height_));
         surface.set("u_strength", strength_);
         surface.set("u_turn", glm::radians(turn_));
-        surface.set("s_normals", 0, map_ == bricks ? bricks_ : texel_);
+        surface.set("s_normals", 0, map_ == bricks ? bricks_ : map_ == one_texel ? texel_ : own_texture());
         const auto shape = frames::Shape(shape_);
         const GpuMesh& mesh = shape == frames::Shape::sphere   ? sphere_
                               : shape == frames::Shape::column ? column_
@@ -121,6 +125,17 @@ private:
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
     }
 
+    /// A picture of the user's, with a green that points up.
+    static Image own_normals(Image picture) {
+        if (picture.channels < 3) throw Error("is grey: a normal map has three channels");
+        for (float& value : picture.values)
+            if (!std::isfinite(value)) value = 0.5f;
+        return picture;
+    }
+    const Texture& own_texture() const {
+        return own_texture_.get({own_.version()},
+                                [this] { return Texture("own map", [this] { return own_.image(); }); });
+    }
     static Image flat_texel() {
         Image image(1, 1, 3);
         image.values = {0.5f, 0.5f, 1};
@@ -130,6 +145,8 @@ private:
     Programs surface_{"06_tangent_space/surface.vert", "06_tangent_space/surface.frag"};
     Texture bricks_ = load_texture("bricks_normal.png", ColorSpace::linear);
     Texture texel_{"a flat texel", flat_texel};
+    OwnPicture own_{own_normals};
+    mutable Kept<Texture, int> own_texture_;  ///< by which picture
     GpuMesh sphere_ = upload([] { return make_sphere(frames::sphere); });
     GpuMesh column_ = upload([] { return make_column(frames::column); });
     GpuMesh wall_ = upload([] { return frames::make_mirrored_wall(); });

@@ -1,11 +1,17 @@
-// What labs share: values that are kept, measurements, truths by rays, lights.
+// What labs share: values that are kept, measurements, truths by rays, lights, materials.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
+#include "framework/image/file.h"
 #include "framework/kit/kept.h"
 #include "framework/kit/light.h"
 #include "framework/kit/numbers.h"
+#include "framework/kit/relief_material.h"
+#include "tests/support.h"
 
 namespace relief {
 namespace {
@@ -94,6 +100,80 @@ TEST(Light, ComesFromItsYawAndPitch) {
     expect_near(DistantLight{.yaw = 17, .pitch = 90}.direction(), {0, 1, 0});
     expect_near(DistantLight{.yaw = -50, .pitch = 40}.direction<double>(), DistantLight{}.direction());
     expect_near(lamp_at(90, 3, 2), {3, 2, 0});
+}
+
+/// A lab that is nothing but its material.
+class MaterialLab final : public Lab {
+public:
+    ReliefMaterial material;
+    void draw(const Frame&) override {}
+    void knobs(Knobs& knobs) override { material.knobs(knobs); }
+};
+
+class OwnMap : public testing::Test {
+protected:
+    /// The material with this picture as its map, of 256 x 256 texels.
+    void use(const Image& image) {
+        const auto file = folder_.path() / "map.exr";
+        write_image(file, image);
+        set_knob(lab_, "size", "256");
+        set_knob(lab_, "map", file.string());
+    }
+    TemporaryFolder folder_;
+    MaterialLab lab_;
+};
+
+Image grey_ramp(int channels, float low, float high) {
+    Image image(256, 256, channels);
+    for (size_t i = 0; i < image.pixel_count(); ++i)
+        std::fill_n(image.values.data() + i * size_t(channels), channels, low + (high - low) * float(i % 256) / 255);
+    return image;
+}
+
+TEST_F(OwnMap, TakesItsHeightsFromAGreyPicture) {
+    for (const int channels : {1, 3}) {
+        use(grey_ramp(channels, 0.25f, 0.75f));
+        EXPECT_EQ(lab_.material.heights().channels, 1);
+        EXPECT_EQ(lab_.material.heights().values, grey_ramp(1, 0.25f, 0.75f).values) << channels << " channels";
+    }
+    const int before = lab_.material.version();
+    use(grey_ramp(1, 0, 1));
+    EXPECT_GT(lab_.material.version(), before) << "what is made of the heights has to be made anew";
+}
+
+TEST_F(OwnMap, BringsHeightsOfFloatsBetween0And1) {
+    Image metres = grey_ramp(1, -20, 300);
+    metres.values[5] = std::numeric_limits<float>::quiet_NaN(), metres.values[7] = no_surface;
+    use(metres);
+    const auto& heights = lab_.material.heights().values;
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    EXPECT_FLOAT_EQ(*low, 0);
+    EXPECT_FLOAT_EQ(*high, 1);
+    EXPECT_FLOAT_EQ(heights[5], 20.0f / 320) << "what is no number counts as 0";
+}
+
+TEST_F(OwnMap, TakesHeightsAndNormalsFromANormalMapWithAFourthChannel) {
+    Image map = grey_ramp(4, 0, 1);
+    for (size_t i = 0; i < map.pixel_count(); ++i)
+        for (const auto& [c, value] : {std::pair(0, 0.8f), std::pair(1, 0.5f), std::pair(2, 0.9f)})
+            map.values[i * 4 + size_t(c)] = value;
+    use(map);
+    EXPECT_EQ(lab_.material.heights().values, grey_ramp(1, 0, 1).values);
+    const Image normals = lab_.material.normals();
+    for (const size_t texel : {0, 999}) {
+        EXPECT_FLOAT_EQ(normals.values[texel * 3], 0.8f) << "not those of the ramp";
+        EXPECT_FLOAT_EQ(normals.values[texel * 3 + 2], 0.9f);
+    }
+}
+
+TEST_F(OwnMap, RefusesColoursAndNormalsWithoutHeights) {
+    Image colours = grey_ramp(3, 0, 1);
+    for (size_t i = 0; i < colours.values.size(); i += 3) colours.values[i] = 1;
+    const std::string message = message_of<Error>([&] { use(colours); });
+    EXPECT_TRUE(message.ends_with(
+        "map.exr: shows colours or normals: a height map is grey, or the fourth channel of a picture"))
+        << message;
+    EXPECT_EQ(lab_.material.map, ReliefMap::wall) << "the map before stays";
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "framework/image/file.h"
+#include "framework/image/own_picture.h"
 #include "framework/lab/lab.h"
 #include "tests/support.h"
 
@@ -112,6 +114,53 @@ TEST(Knobs, MayBeNone) {
     EXPECT_TRUE(describe_knobs(bare).empty());
     EXPECT_EQ(message_of<UsageError>([&] { set_knob(bare, "steps", "1"); }),
               "unknown knob 'steps'; there is no knob here");
+}
+
+/// Takes pictures that are a pixel wide.
+class Canvas final : public Lab {
+public:
+    int map = 1;
+    OwnPicture own{[](Image picture) {
+        if (picture.width != 1) throw Error("is wider than a pixel");
+        return picture;
+    }};
+
+    void draw(const Frame&) override {}
+    void knobs(Knobs& knobs) override {
+        static constexpr std::array maps = {"bricks", "stones"};
+        knobs.choice_or_picture("map", map, own, maps, "the height map");
+    }
+};
+
+TEST(Knobs, TakeAPictureBesideTheNamesOfAChoice) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "mine.pfm", wide = folder.path() / "wide.pfm";
+    write_image(file, Image(1, 1, 1));
+    write_image(wide, Image(2, 1, 1));
+    Canvas canvas;
+    EXPECT_EQ(describe_knobs(canvas)[0].range, "bricks, stones");
+    EXPECT_EQ(describe_knobs(canvas)[0].help, "the height map, or a picture's file");
+
+    set_knob(canvas, "map", file.string());
+    EXPECT_EQ(canvas.map, 2);
+    EXPECT_EQ(describe_knobs(canvas)[0].value, file.string()) << "as --set takes it";
+
+    // What is refused changes nothing, and says what would be right.
+    EXPECT_EQ(message_of<Error>([&] { set_knob(canvas, "map", wide.string()); }),
+              wide.string() + ": is wider than a pixel");
+    EXPECT_THROW(set_knob(canvas, "map", (folder.path() / "missing.png").string()), Error);
+    EXPECT_EQ(
+        message_of<UsageError>([&] { set_knob(canvas, "map", "brick"); }),
+        "unknown value of knob map, 'brick': did you mean 'bricks'? There are: bricks, stones, or a picture's file");
+    EXPECT_EQ(canvas.own.file(), file);
+    EXPECT_EQ(canvas.own.version(), 1);
+
+    set_knob(canvas, "map", "bricks");
+    EXPECT_EQ(canvas.map, 0);
+    EXPECT_EQ(set_picture(canvas, file), "map");
+    EXPECT_EQ(canvas.map, 2);
+    Wall wall;
+    EXPECT_EQ(set_picture(wall, file), "") << "has no knob for it";
 }
 
 }  // namespace
