@@ -25,11 +25,16 @@ add_library(relief_archive MODULE framework/staff/grade/libarchive.cpp)
 target_link_libraries(relief_archive PRIVATE relief_staff PkgConfig::libarchive relief_warnings)
 set_target_properties(relief_archive PROPERTIES PREFIX "" OUTPUT_NAME relief-archive)
 add_dependencies(relief_modules relief_archive)
-# Opened when `relief bench` measures what others do of the same; where there is no Assimp it does without.
+# Opened when `relief bench` measures what others do of the same; where they are not installed it does without.
 pkg_check_modules(assimp IMPORTED_TARGET assimp)
-if(assimp_FOUND)
+find_package(embree 4 QUIET)  # Debian 13
+if(NOT embree_FOUND)
+  find_package(embree 3 QUIET)  # Debian 12
+endif()
+if(assimp_FOUND AND embree_FOUND)
   add_library(relief_peers MODULE framework/staff/measure/peers_module.cpp)
-  target_link_libraries(relief_peers PRIVATE relief_staff PkgConfig::assimp PkgConfig::openimageio relief_warnings)
+  target_link_libraries(relief_peers PRIVATE relief_staff PkgConfig::assimp PkgConfig::openimageio embree relief_warnings)
+  target_compile_definitions(relief_peers PRIVATE RELIEF_EMBREE=${embree_VERSION_MAJOR})
   set_target_properties(relief_peers PROPERTIES PREFIX "" OUTPUT_NAME relief-peers)
   add_dependencies(relief_modules relief_peers)
 endif()

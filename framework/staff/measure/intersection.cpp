@@ -1,14 +1,89 @@
-// The exact first hit of a ray and a height map, by view angle: the cost of the parallax labs' exact values.
+// The exact first hit of a ray and a height map, by view angle: the cost of the parallax labs' exact values. And that
+// of a ray and a mesh, the cost of a bake's.
 #include <cmath>
 #include <memory>
 #include <random>
 
 #include "framework/height/maps.h"
+#include "framework/mesh/shapes.h"
+#include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/reference/height_field.h"
+#include "framework/staff/reference/mesh_rays.h"
 
 namespace relief {
 namespace {
+
+/// Rays from within a sphere of radius 1 to places on its mesh's edges and vertices: each hits at t = 1, if it does not
+/// slip through.
+struct RaysThroughEdges {
+    Mesh mesh;
+    std::vector<Ray> rays;
+
+    RaysThroughEdges(int cells, size_t count) : mesh(make_cube_sphere({.radius = 1, .cells = cells})) {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<> share(0, 1), inside(-0.4, 0.4);
+        for (size_t i = 0; i < count; ++i) {
+            const size_t triangle = random() % (mesh.indices.size() / 3) * 3, corner = random() % 3;
+            const auto place = [&](size_t k) {
+                return glm::dvec3(mesh.vertices[mesh.indices[triangle + k % 3]].position);
+            };
+            const glm::dvec3 to = glm::mix(place(corner), place(corner + 1), i % 4 ? share(random) : 0.0);
+            const glm::dvec3 from(inside(random), inside(random), inside(random));
+            rays.push_back({from, to - from});
+        }
+    }
+
+    /// In metres; a ray that is lost (t < 0) is off by its length.
+    BenchError error_of(const std::vector<double>& hits) const {
+        std::vector<double> errors;
+        double lost = 0;
+        for (size_t i = 0; i < rays.size(); ++i) {
+            errors.push_back(glm::length(rays[i].direction) * std::abs(hits[i] < 0 ? 1 : hits[i] - 1));
+            lost += hits[i] < 0;
+        }
+        BenchError error = error_figures(std::move(errors), "metre");
+        error.wrong = lost / double(rays.size());
+        return error;
+    }
+};
+
+BenchScene mesh_scene(const BenchSettings& settings) {
+    const auto work = [quick = settings.quick] {
+        return std::make_shared<const RaysThroughEdges>(quick ? 32 : 104, quick ? 20'000 : 250'000);
+    };
+    BenchScene scene{{{"rays", "through-edges"}}, "ray"};
+    scene.methods.push_back({"double", {}, [work] {
+                                 const auto rays = work();
+                                 std::vector<double> hits;
+                                 const auto search = [rays, tree = build_tree(rays->mesh)](std::vector<double>& found) {
+                                     found.clear();
+                                     for (const Ray& ray : rays->rays) {
+                                         const auto hit = first_hit(tree, rays->mesh, ray, 2);
+                                         found.push_back(hit ? hit->t : -1);
+                                     }
+                                 };
+                                 search(hits);
+                                 return BenchSubject{.items = hits.size(),
+                                                     .error = rays->error_of(hits),
+                                                     .run = [search, hits]() mutable { search(hits); }};
+                             }});
+    for (const bool robust : {true, false})
+        if (has_peers())
+            scene.methods.push_back({"Embree",
+                                     {{"robust", robust ? "on" : "off"}},
+                                     [work, robust] {
+                                         const auto rays = work();
+                                         const std::shared_ptr peer = embree_hits(rays->mesh, robust);
+                                         std::vector<double> hits;
+                                         peer->run(rays->rays, hits);
+                                         return BenchSubject{.items = hits.size(),
+                                                             .error = rays->error_of(hits),
+                                                             .run = [=]() mutable { peer->run(rays->rays, hits); }};
+                                     },
+                                     true});
+    return scene;
+}
 
 std::vector<BenchScene> scenes(const BenchSettings& settings) {
     const size_t count = settings.quick ? 20'000 : 250'000;
@@ -39,13 +114,16 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
                                              if (const auto hit = field->first_hit(ray, 1)) sum += hit->t;
                                      }};
              }});
-    return {scene};
+    return {scene, mesh_scene(settings)};
 }
 
 }  // namespace
 
 BenchTopic intersection_topic() {
-    return {"intersection", "the exact first hit in a 256² map, 20 texels deep, by degrees from the normal", scenes};
+    return {"intersection",
+            "the exact first hit in a 256² map, 20 texels deep, by degrees from the normal; and in a mesh of 129,792 "
+            "triangles",
+            scenes};
 }
 
 }  // namespace relief

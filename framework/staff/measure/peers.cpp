@@ -9,7 +9,7 @@ namespace {
 constexpr const char* file = "relief-peers.so";
 
 const Module& module() {
-    static const Module opened = open_own_module(file, "libassimp-dev");
+    static const Module opened = open_own_module(file, "libassimp-dev and libembree-dev");
     return opened;
 }
 
@@ -19,6 +19,10 @@ bool has_peers() { return std::filesystem::exists(executable_folder() / file); }
 
 std::unique_ptr<PeerTangents> assimp_tangents(const Mesh& mesh) {
     return module().function<AssimpTangents>("relief_assimp_tangents")(mesh);
+}
+
+std::unique_ptr<PeerHits> embree_hits(const Mesh& mesh, bool robust) {
+    return module().function<EmbreeHits>("relief_embree_hits")(mesh, robust);
 }
 
 Image openimageio_slopes(const Image& heights) {

@@ -1,4 +1,4 @@
-// The module relief-peers.so: the only place that knows Assimp, and OpenImageIO's textures for bump mapping.
+// The module relief-peers.so: the only place that knows Assimp, Embree, and OpenImageIO's textures for bump mapping.
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
@@ -7,6 +7,11 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
+#if RELIEF_EMBREE == 4
+    #include <embree4/rtcore.h>
+#else
+    #include <embree3/rtcore.h>
+#endif
 
 #include "framework/base/error.h"
 #include "framework/staff/measure/peers.h"
@@ -69,6 +74,54 @@ private:
     Assimp::Importer importer_;
 };
 
+class Hits final : public PeerHits {
+public:
+    Hits(const Mesh& mesh, bool robust) {
+        const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        void* const positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                        3 * sizeof(float), mesh.vertices.size());
+        void* const indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                      3 * sizeof(unsigned), mesh.indices.size() / 3);
+        if (!positions || !indices) throw Error("Embree has no memory for the mesh");
+        for (size_t i = 0; i < mesh.vertices.size(); ++i)
+            std::copy_n(&mesh.vertices[i].position.x, 3, static_cast<float*>(positions) + 3 * i);
+        std::copy(mesh.indices.begin(), mesh.indices.end(), static_cast<unsigned*>(indices));
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_, geometry);
+        rtcReleaseGeometry(geometry);
+        if (robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+        rtcCommitScene(scene_);
+        if (rtcGetDeviceError(device_) != RTC_ERROR_NONE) throw Error("Embree cannot take the mesh");
+    }
+    ~Hits() override {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+
+    void run(const std::vector<Ray>& rays, std::vector<double>& hits) override {
+        hits.clear();
+        for (const Ray& ray : rays) {
+            const glm::vec3 origin(ray.origin), direction(ray.direction);
+            RTCRayHit hit{};
+            hit.ray.org_x = origin.x, hit.ray.org_y = origin.y, hit.ray.org_z = origin.z;
+            hit.ray.dir_x = direction.x, hit.ray.dir_y = direction.y, hit.ray.dir_z = direction.z;
+            hit.ray.tfar = 2, hit.ray.mask = ~0u, hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if RELIEF_EMBREE == 4
+            rtcIntersect1(scene_, &hit);
+#else
+            RTCIntersectContext context;
+            rtcInitIntersectContext(&context);
+            rtcIntersect1(scene_, &context, &hit);
+#endif
+            hits.push_back(hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? -1 : double(hit.ray.tfar));
+        }
+    }
+
+private:
+    RTCDevice device_ = rtcNewDevice("threads=1");
+    RTCScene scene_ = rtcNewScene(device_);
+};
+
 }  // namespace
 }  // namespace relief
 
@@ -76,6 +129,10 @@ extern "C" {
 
 std::unique_ptr<relief::PeerTangents> relief_assimp_tangents(const relief::Mesh& mesh) {
     return std::make_unique<relief::Tangents>(mesh);
+}
+
+std::unique_ptr<relief::PeerHits> relief_embree_hits(const relief::Mesh& mesh, bool robust) {
+    return std::make_unique<relief::Hits>(mesh, robust);
 }
 
 void relief_openimageio_slopes(const relief::Image& heights, relief::Image& slopes) {

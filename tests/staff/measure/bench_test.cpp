@@ -207,7 +207,7 @@ BenchSubject prepared(const std::string& topic_name, const std::string& method_n
 }
 
 TEST(Peers, ComputeWhatIsComparedWithThem) {
-    ASSERT_TRUE(has_peers()) << "built without libassimp-dev";
+    ASSERT_TRUE(has_peers()) << "built without libassimp-dev or libembree-dev";
     // What they make is rough, and it is tangents of this mesh and slopes of this map: in other units, of other signs
     // or in another order it would be off by tens of degrees.
     const BenchError tangents = prepared("tangents", "Assimp").error, slopes = prepared("normals", "OpenImageIO").error;
@@ -215,6 +215,11 @@ TEST(Peers, ComputeWhatIsComparedWithThem) {
     EXPECT_GT(tangents.mean, 0.1);
     EXPECT_LT(slopes.mean, 2.5);
     EXPECT_GT(slopes.mean, 1);
+    const BenchError hits = prepared("intersection", "Embree").error;
+    EXPECT_LT(hits.p99, 1e-5);
+    EXPECT_GT(hits.p99, 1e-9) << "single precision";
+    EXPECT_LT(hits.wrong.value_or(1), 0.005) << "rays that slip through a vertex, although it is robust";
+    EXPECT_LT(prepared("intersection", "double").error.largest, 1e-14);
 }
 
 }  // namespace
