@@ -21,8 +21,8 @@ std::unique_ptr<PeerTangents> assimp_tangents(const Mesh& mesh) {
     return module().function<AssimpTangents>("relief_assimp_tangents")(mesh);
 }
 
-std::unique_ptr<PeerHits> embree_hits(const Mesh& mesh, bool robust) {
-    return module().function<EmbreeHits>("relief_embree_hits")(mesh, robust);
+std::unique_ptr<PeerHits> embree_hits(const Mesh& mesh, bool robust, bool any_machine) {
+    return module().function<EmbreeHits>("relief_embree_hits")(mesh, robust, any_machine);
 }
 
 Image openimageio_slopes(const Image& heights) {

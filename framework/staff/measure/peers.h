@@ -32,15 +32,16 @@ Image openimageio_slopes(const Image& heights);
 using OpenImageIOSlopes = void(const Image& heights, Image& slopes);
 
 /// Embree's first hits of a mesh, which it keeps in its own form, in single precision on one thread. `robust`: its
-/// flag RTC_SCENE_FLAG_ROBUST, with which rays do not slip through edges, and few through vertices: 4 in 1000 that aim
-/// at one (3.13).
+/// flag RTC_SCENE_FLAG_ROBUST, with which rays do not slip through edges, and few through vertices: 1 to 4 in 1000 that
+/// aim at one (3.13). `any_machine`: with the instructions that every machine has, so that the hits are the same on
+/// all.
 class PeerHits {
 public:
     virtual ~PeerHits() = default;
     /// For each ray t of the first hit with t in [0, 2], in lengths of its direction; -1 where there is none.
     virtual void run(const std::vector<Ray>& rays, std::vector<double>& hits) = 0;
 };
-std::unique_ptr<PeerHits> embree_hits(const Mesh& mesh, bool robust);
-using EmbreeHits = std::unique_ptr<PeerHits>(const Mesh& mesh, bool robust);
+std::unique_ptr<PeerHits> embree_hits(const Mesh& mesh, bool robust, bool any_machine);
+using EmbreeHits = std::unique_ptr<PeerHits>(const Mesh& mesh, bool robust, bool any_machine);
 
 }  // namespace relief

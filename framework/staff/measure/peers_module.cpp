@@ -76,7 +76,8 @@ private:
 
 class Hits final : public PeerHits {
 public:
-    Hits(const Mesh& mesh, bool robust) {
+    Hits(const Mesh& mesh, bool robust, bool any_machine)
+        : device_(rtcNewDevice(any_machine ? "threads=1,isa=sse2" : "threads=1")) {
         const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
         void* const positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                         3 * sizeof(float), mesh.vertices.size());
@@ -118,7 +119,7 @@ public:
     }
 
 private:
-    RTCDevice device_ = rtcNewDevice("threads=1");
+    RTCDevice device_;
     RTCScene scene_ = rtcNewScene(device_);
 };
 
@@ -131,8 +132,8 @@ std::unique_ptr<relief::PeerTangents> relief_assimp_tangents(const relief::Mesh&
     return std::make_unique<relief::Tangents>(mesh);
 }
 
-std::unique_ptr<relief::PeerHits> relief_embree_hits(const relief::Mesh& mesh, bool robust) {
-    return std::make_unique<relief::Hits>(mesh, robust);
+std::unique_ptr<relief::PeerHits> relief_embree_hits(const relief::Mesh& mesh, bool robust, bool any_machine) {
+    return std::make_unique<relief::Hits>(mesh, robust, any_machine);
 }
 
 void relief_openimageio_slopes(const relief::Image& heights, relief::Image& slopes) {
