@@ -25,12 +25,20 @@ struct Material {
     std::string name;
     glm::vec3 diffuse = {1, 1, 1};   ///< Kd
     glm::vec3 specular = {0, 0, 0};  ///< Ks
+    glm::vec3 ambient = {0, 0, 0};   ///< Ka
+    glm::vec3 emission = {0, 0, 0};  ///< Ke
+    int illumination = 0;            ///< illum, a number of MTL's list of lighting models
     float shininess = 1;             ///< Ns
     float opacity = 1;               ///< d or, where there is none, 1 - Tr; in [0, 1]
     float bump_scale = 1;            ///< -bm of the bump map
     // Ready to open (a relative one has the model's folder in front), or empty.
     std::filesystem::path diffuse_map;       ///< map_Kd
-    std::filesystem::path bump_map;          ///< map_Bump, map_bump or bump: heights
+    std::filesystem::path specular_map;      ///< map_Ks
+    std::filesystem::path shininess_map;     ///< map_Ns
+    std::filesystem::path opacity_map;       ///< map_d
+    std::filesystem::path ambient_map;       ///< map_Ka
+    std::filesystem::path emission_map;      ///< map_Ke
+    std::filesystem::path bump_map;          ///< map_Bump, map_bump or bump: heights, and in some files normals
     std::filesystem::path normal_map;        ///< norm
     std::filesystem::path displacement_map;  ///< disp or map_disp
 };
@@ -56,14 +64,23 @@ struct ObjLimits {
     size_t corners = 6'000'000;        ///< of all faces together; they take up to 150 bytes each
 };
 
+struct ObjOptions {
+    /// All normals are made from the faces, as where the file has none.
+    bool recompute_normals = false;
+    /// The file was made for left-handed axes, as Direct3D's are: z is negated, faces are wound the other way round,
+    /// and v comes from the top.
+    bool left_handed = false;
+};
+
 /// Reads a model and the material files that it names, which lie in its folder. Throws Error with file and line for
 /// what is wrong: a number that is unreadable or not finite, an index out of range, a face of fewer than 3 corners or
 /// more than 1024, no faces at all, or more than `limits`. What is wrong with a material file is a note.
-ObjModel read_obj(const std::filesystem::path& file, const ObjLimits& limits = {});
+ObjModel read_obj(const std::filesystem::path& file, const ObjLimits& limits = {}, const ObjOptions& options = {});
 
 /// The same of texts in memory: `name` stands for the file in messages and in the maps' folder, `mtl_text` for whatever
 /// files the model names. Opens no files.
 ObjModel parse_obj(std::string_view text, std::string_view mtl_text = {},
-                   const std::filesystem::path& name = "model.obj", const ObjLimits& limits = {});
+                   const std::filesystem::path& name = "model.obj", const ObjLimits& limits = {},
+                   const ObjOptions& options = {});
 
 }  // namespace relief

@@ -18,8 +18,9 @@ namespace {
 
 constexpr size_t most_materials = 4096;
 
-/// The options of a map with all their numbers, and its name. Both may be empty.
-std::string with_whole_options(std::string_view rest) {
+/// Takes options off the front, and returns them with all their numbers. `is_end`: no name follows them, and where one
+/// lacks its arguments nothing is an option.
+std::string take_options(std::string_view& rest, bool is_end) {
     static const std::map<std::string_view, int> arguments_of = {
         {"-blendu", 1},  {"-blendv", 1}, {"-boost", 1},      {"-clamp", 1}, {"-bm", 1}, {"-texres", 1}, {"-type", 1},
         {"-imfchan", 1}, {"-mm", 2},     {"-colorspace", 1}, {"-o", 3},     {"-s", 3},  {"-t", 3}};
@@ -33,27 +34,50 @@ std::string with_whole_options(std::string_view rest) {
         for (int i = 0; i < found->second; ++i) {
             std::string_view beyond = after;
             const std::string_view word = take_name(beyond);
-            const bool is_there = found->second < 3 || (is_number(word) && !trimmed(beyond).empty());
+            if (is_end && word.empty() && (found->second < 3 || i == 0)) return {};
+            const bool is_there =
+                found->second < 3 ? !word.empty() : is_number(word) && (is_end || !trimmed(beyond).empty());
             whole.append(is_there ? word : option == "-s" ? "1" : "0").append(" ");
             if (is_there) after = beyond;
         }
         rest = after;
     }
-    return whole.append(trimmed(rest));
+    return whole;
+}
+
+/// The options of a map with all their numbers, whether they stand before its name or after it, and its name without
+/// quotes. All may be empty.
+std::string with_whole_options(std::string_view rest) {
+    std::string whole = take_options(rest, false);
+    std::string_view name = trimmed(rest), end;
+    if (const size_t quote = name.find('"', 1); name.starts_with('"') && quote != std::string_view::npos) {
+        end = name.substr(quote + 1), name = name.substr(1, quote - 1);
+        return take_options(end, true) + whole.append(name);
+    }
+    // A word like an option may be a part of the name: it is one if nothing but options follows.
+    for (size_t dash = name.find(" -"); dash != std::string_view::npos; dash = name.find(" -", dash + 1)) {
+        end = name.substr(dash + 1);
+        std::string options = take_options(end, true);
+        if (!options.empty() && trimmed(end).empty()) return options + whole.append(trimmed(name.substr(0, dash)));
+    }
+    return whole.append(name);
 }
 
 /// What tinyobjloader is to see of a statement; empty where that is nothing.
 std::string checked(const Statements& statement, Notes& notes) {
-    static const std::set<std::string_view> maps = {"map_Kd", "map_bump", "map_Bump", "bump",
-                                                    "norm",   "map_disp", "map_Disp", "disp"};
+    static const std::set<std::string_view> maps = {"map_Ka",   "map_Kd",   "map_Ks",  "map_Ke", "map_Ns",
+                                                    "map_d",    "norm",     "bump",    "disp",   "map_bump",
+                                                    "map_Bump", "map_disp", "map_Disp"};
     const std::string keyword(statement.keyword());
     if (maps.contains(keyword)) return fmt::format("{} {}\n", keyword, with_whole_options(statement.rest()));
 
-    const int numbers = keyword == "Kd" || keyword == "Ks" ? 3 : keyword == "d" || keyword == "Tr" || keyword == "Ns";
-    if (numbers == 0) return {};
+    static const std::map<std::string_view, int> numbers_of = {{"Ka", 3}, {"Kd", 3}, {"Ks", 3}, {"Ke", 3},
+                                                               {"d", 1},  {"Tr", 1}, {"Ns", 1}, {"illum", 1}};
+    const auto found = numbers_of.find(keyword);
+    if (found == numbers_of.end()) return {};
     std::string line = keyword;
     std::string_view rest = statement.rest();
-    for (int i = 0; i < numbers; ++i) {
+    for (int i = 0; i < found->second; ++i) {
         const std::string_view word = take_word(rest);
         if (!is_number(word)) {
             notes.add(statement.file(), statement.line(),
@@ -71,9 +95,11 @@ glm::vec3 color(const float (&rgb)[3], float otherwise) {
     return {finite_or(rgb[0], otherwise), finite_or(rgb[1], otherwise), finite_or(rgb[2], otherwise)};
 }
 
-/// As this system opens it: files that were written elsewhere have backslashes.
+/// As this system opens it: files that were written elsewhere have backslashes, and drives, where the file is looked
+/// for beside the model.
 std::filesystem::path map_path(std::string name, const std::filesystem::path& folder) {
     std::replace(name.begin(), name.end(), '\\', '/');
+    if (name.size() > 2 && name[1] == ':' && name[2] == '/') name.erase(0, name.rfind('/') + 1);
     return name.empty() ? std::filesystem::path() : (folder / name).lexically_normal();
 }
 
@@ -111,10 +137,18 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
         materials.push_back({.name = names[materials.size()],
                              .diffuse = color(material.diffuse, 1),
                              .specular = color(material.specular, 0),
+                             .ambient = color(material.ambient, 0),
+                             .emission = color(material.emission, 0),
+                             .illumination = material.illum,
                              .shininess = finite_or(material.shininess, 1),
                              .opacity = std::clamp(finite_or(material.dissolve, 1), 0.0f, 1.0f),
                              .bump_scale = finite_or(material.bump_texopt.bump_multiplier, 1),
                              .diffuse_map = map_path(material.diffuse_texname, folder),
+                             .specular_map = map_path(material.specular_texname, folder),
+                             .shininess_map = map_path(material.specular_highlight_texname, folder),
+                             .opacity_map = map_path(material.alpha_texname, folder),
+                             .ambient_map = map_path(material.ambient_texname, folder),
+                             .emission_map = map_path(material.emissive_texname, folder),
                              .bump_map = map_path(material.bump_texname, folder),
                              .normal_map = map_path(material.normal_texname, folder),
                              .displacement_map = map_path(material.displacement_texname, folder)});

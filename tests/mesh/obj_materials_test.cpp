@@ -94,6 +94,42 @@ TEST(ObjMaterials, MapsAreFoundBehindTheirOptions) {
     EXPECT_EQ(material("disp -mm 0 0.1 h.exr\n").displacement_map, "m/h.exr");
 }
 
+TEST(ObjMaterials, OptionsMayFollowANameToo) {
+    const Material after = material("map_bump my bump.png -bm 0.25 -s 30 30\n");
+    EXPECT_EQ(after.bump_map, "m/my bump.png");
+    EXPECT_EQ(after.bump_scale, 0.25f);
+    EXPECT_EQ(material("map_bump -bm 0.5 h.png -imfchan l\n").bump_map, "m/h.png");
+    EXPECT_EQ(material("map_bump -bm 0.5 h.png -imfchan l\n").bump_scale, 0.5f);
+    EXPECT_EQ(material("map_Kd wall -s 2.png\n").diffuse_map, "m/wall -s 2.png") << "it is a part of the name";
+    EXPECT_EQ(material("map_Kd wall -bm\n").diffuse_map, "m/wall -bm") << "an option has its number";
+}
+
+TEST(ObjMaterials, NamesOfMapsMayStandInQuotes) {
+    EXPECT_EQ(material("map_Kd \"my wall.png\"\n").diffuse_map, "m/my wall.png");
+    EXPECT_EQ(material("map_bump -clamp on \"my -s wall.png\" -bm 2\n").bump_map, "m/my -s wall.png");
+    EXPECT_EQ(material("map_bump \"h.png\" -bm 2\n").bump_scale, 2);
+    EXPECT_EQ(material("map_Kd \"half.png\n").diffuse_map, "m/\"half.png") << "a quote that does not end";
+    EXPECT_EQ(material("map_Kd \"\"\n").diffuse_map, "");
+}
+
+TEST(ObjMaterials, AMapOnADriveIsLookedForBesideTheModel) {
+    EXPECT_EQ(material("map_Kd C:\\textures\\wall.png\n").diffuse_map, "m/wall.png");
+}
+
+TEST(ObjMaterials, LightAndItsMapsAreRead) {
+    const Material found = material(
+        "Ka 0.1 0.2 0.3\nKe 2 1 0\nillum 2\nmap_Ka a.png\nmap_Ks s.png\nmap_Ke e.png\nmap_Ns n.png\nmap_d d.png\n");
+    EXPECT_EQ(found.ambient, glm::vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(found.emission, glm::vec3(2, 1, 0));
+    EXPECT_EQ(found.illumination, 2);
+    EXPECT_EQ(found.ambient_map, "m/a.png");
+    EXPECT_EQ(found.specular_map, "m/s.png");
+    EXPECT_EQ(found.emission_map, "m/e.png");
+    EXPECT_EQ(found.shininess_map, "m/n.png");
+    EXPECT_EQ(found.opacity_map, "m/d.png");
+    EXPECT_EQ(material("illum two\n").illumination, 0);
+}
+
 TEST(ObjMaterials, ABumpMapHasItsScaleInEverySpelling) {
     for (const std::string keyword : {"map_bump", "map_Bump", "bump"}) {
         const Material found = material(keyword + " -bm 0.25 -imfchan l h.png\n");

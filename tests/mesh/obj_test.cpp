@@ -151,6 +151,28 @@ TEST(ObjNormals, OfFacesWithoutAreaPointAlongZ) {
             EXPECT_EQ(vertex.normal, glm::vec3(0, 0, 1)) << face;
 }
 
+TEST(ObjNormals, AreMadeAnewIfThatIsWanted) {
+    const std::string text = square + "vn 1 0 0\nf 1//1 2//1 3//1\n";
+    EXPECT_EQ(parse_obj(text).mesh.vertices[0].normal, glm::vec3(1, 0, 0));
+    const ObjModel made = parse_obj(text, {}, "m.obj", {}, {.recompute_normals = true});
+    EXPECT_EQ(made.mesh.vertices[0].normal, glm::vec3(0, 0, 1));
+    EXPECT_FALSE(made.has_normals);
+}
+
+TEST(Obj, ALeftHandedFileKeepsItsFrontsAndItsTexture) {
+    // Seen from -z, its front: in left-handed axes clockwise corners face the eye, and v comes from the top.
+    const ObjModel model =
+        parse_obj("v 0 0 5\nv 0 1 5\nv 1 1 5\nvt 0 1\nvt 0 0\nvt 1 0\nvn 0 0 -1\nf 1/1/1 2/2/1 3/3/1\n", {}, "m.obj",
+                  {}, {.left_handed = true});
+    const std::vector<glm::vec3> all = corners(model);
+    EXPECT_EQ(model.mesh.vertices[0].normal, glm::vec3(0, 0, 1));
+    EXPECT_GT(glm::cross(all[1] - all[0], all[2] - all[0]).z, 0) << "counter-clockwise from where its normal points";
+    for (const Vertex& vertex : model.mesh.vertices) {
+        EXPECT_EQ(vertex.position.z, -5);
+        EXPECT_EQ(vertex.uv.y, vertex.position.y) << "v grows up";
+    }
+}
+
 TEST(Obj, TangentsAreUnitAndPerpendicularUntilThereAreBetterOnes) {
     for (const Vertex& vertex : parse_obj(roof + "f 1 2 4 3\nf 1 5 6 2\n").mesh.vertices) {
         EXPECT_NEAR(glm::length(glm::vec3(vertex.tangent)), 1, 2e-7);
@@ -213,6 +235,7 @@ TEST(ObjErrors, RefuseWhatIsNoCorner) {
 TEST(ObjErrors, RefuseJunkAndShowItInPrint) {
     EXPECT_EQ(error_of(std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16)),
               "a/b.obj:3: this is not text: it has a byte 0");
+    EXPECT_EQ(error_of(std::string("\xff\xfev\0 \0", 6)), "a/b.obj:1: this is text in UTF-16: save it as UTF-8");
     EXPECT_EQ(error_of("v \x01 0 0\n"), "a/b.obj:1: '?' is not a finite number");
     EXPECT_EQ(error_of("v " + std::string(1000, 'y') + " 0 0\n"),
               "a/b.obj:1: '" + std::string(40, 'y') + "...' is not a finite number");
