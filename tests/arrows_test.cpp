@@ -14,7 +14,7 @@ using Lines = std::vector<std::string>;
 const std::map<std::string, int> floors = {
     {"base", 0},          {"image", 1},        {"mesh", 1},           {"height", 2}, {"inspect", 2}, {"staff/reference", 3},
     {"gl", 4},            {"context", 5},      {"lab", 6},            {"kit", 7},    {"check", 8},
-    {"staff/handout", 9}, {"staff/grade", 9},  {"staff/measure", 10}, {"pages", 10}, {"staff/pages", 11},
+    {"staff/handout", 9}, {"staff/grade", 9},  {"staff/measure", 10}, {"staff/synctest", 10}, {"pages", 10}, {"staff/pages", 11},
     {"window", 11},       {"staff/slides", 11}, {"app", 12},           {"staff/app", 13}};
 
 /// What a file includes, by "" or <>.

@@ -51,7 +51,7 @@ std::string unexpected(const CLI::App& app) {
     }
     if (command != &app) return fmt::format("'{}' is one argument too many for {}", word, command->get_name());
     for (const CommandEntry& one : commands()) known.emplace_back(one.name);
-    constexpr std::array staffs = {"bench", "handout", "grade", "slides", "mistakes"};
+    constexpr std::array staffs = {"bench", "handout", "grade", "slides", "mistakes", "synctest"};
     if (!has_command(word) && std::find(staffs.begin(), staffs.end(), word) != staffs.end())
         return fmt::format("'{}' is a command for staff only (framework/staff), which is not in this course", word);
     return unknown("command", word, known);

@@ -7,7 +7,7 @@ add_library(relief_reference OBJECT ${reference_sources})
 target_link_libraries(relief_reference PUBLIC relief_cpu PRIVATE relief_warnings)
 
 file(GLOB staff_sources CONFIGURE_DEPENDS framework/staff/measure/*.cpp framework/staff/grade/*.cpp
-  framework/staff/handout/*.cpp framework/staff/slides/*.cpp framework/staff/pages/*.cpp framework/staff/app/*.cpp)
+  framework/staff/handout/*.cpp framework/staff/slides/*.cpp framework/staff/pages/*.cpp framework/staff/synctest/*.cpp framework/staff/app/*.cpp)
 list(FILTER staff_sources EXCLUDE REGEX "(grade/libarchive|measure/peers_module)\\.cpp$")
 add_library(relief_staff SHARED ${staff_sources} $<TARGET_OBJECTS:relief_reference>)
 set_target_properties(relief_staff PROPERTIES OUTPUT_NAME relief-staff)

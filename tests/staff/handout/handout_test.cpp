@@ -328,7 +328,7 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
     EXPECT_EQ(site.err, "") << "nothing to be made by commands that are not there";
     const std::string page = read_file(build / "gallery/02_normal_map_storage.html");
     EXPECT_TRUE(contains(page, "format-oct16.png") && !contains(page, "-error.png"));
-    for (const char* command : {"bench", "handout", "grade", "slides", "mistakes"}) {
+    for (const char* command : {"bench", "handout", "grade", "slides", "mistakes", "synctest"}) {
         const Result asked = run({(build / "bin/relief").string(), command});
         EXPECT_EQ(asked.code, 2);
         EXPECT_TRUE(contains(asked.err, std::string("'") + command + "' is a command for staff only")) << asked.err;

@@ -1,0 +1,67 @@
+// relief synctest: does a renderer read normal maps in the frame in which they were baked?
+#include <fmt/format.h>
+
+#include "framework/app/command.h"
+#include "framework/base/error.h"
+#include "framework/base/text.h"
+#include "framework/image/file.h"
+#include "framework/staff/synctest/files.h"
+#include "framework/staff/synctest/judge.h"
+
+namespace relief {
+namespace {
+
+void print_likenesses(const SyncJudgement& judgement) {
+    if (judgement.likenesses.empty()) {
+        fmt::print("frame: cannot tell: the outline is that of the camera of README.md by {} % only\n",
+                   rounded(100 * judgement.overlap));
+        return;
+    }
+    const auto renderer = judgement.renderer();
+    fmt::print("frame: {}{}\n",
+               renderer ? renderer->text() : "none that is known here, or another camera than README.md's",
+               renderer && renderer->is_in_sync() ? ", in sync with the map" : "");
+    for (size_t i = 0; i < 3 && i < judgement.likenesses.size(); ++i)
+        fmt::print("  {:>5} degrees from {}\n", rounded(judgement.likenesses[i].degrees, 2),
+                   judgement.likenesses[i].renderer.text());
+}
+
+int judge(const std::string& file) {
+    const Image picture = read_image(file);
+    const SyncJudgement judgement = judge_synctest(picture);
+    if (!judgement.shows_normals)
+        throw Error({file}, "shows no normals: colours are to be 0.5 n + 0.5, in the space of the world or the object");
+    fmt::print("{}: {}, {} degrees on average (99 %: {}, largest: {}) over {} pixels\n", file,
+               judgement.is_flat() ? "flat" : "not flat", rounded(judgement.mean), rounded(judgement.p99),
+               rounded(judgement.worst), judgement.pixels);
+    if (picture.bits == 8) fmt::print("8 bits of the picture alone make 0.32 degrees\n");
+    if (judgement.was_srgb) fmt::print("the picture was stored as sRGB, and has been decoded\n");
+    print_likenesses(judgement);
+    return judgement.is_flat() ? 0 : 1;
+}
+
+class SynctestCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.value("-o", "FOLDER", output_,
+                      "writes the cube, its map, and a README.md that says what to do with them");
+        options.value("--judge", "PICTURE", picture_, "a picture of the cube's normals by another renderer");
+        options.footer(
+            [] { return std::string("Exit code of --judge: 0 flat to half a degree, 1 not, 2 wrong use."); });
+    }
+    int run() override {
+        if (output_.empty() == picture_.empty()) throw UsageError("synctest takes -o FOLDER or --judge PICTURE");
+        if (!picture_.empty()) return judge(picture_);
+        write_synctest(output_);
+        fmt::print("{}\n", (std::filesystem::path(output_) / "README.md").string());
+        return 0;
+    }
+
+private:
+    std::string output_, picture_;
+};
+RELIEF_COMMAND(SynctestCommand, 15, "synctest",
+               "writes a cube that other renderers must show flat, and judges their pictures of it");
+
+}  // namespace
+}  // namespace relief
