@@ -31,13 +31,15 @@ std::string colored(Outcome outcome, const std::string& word) {
                        word);
 }
 
-void print(const CheckResult& result) {
+void print(const CheckResult& result, const LabEntry& lab) {
     fmt::print("  {}  {}: {}\n", colored(result.outcome, fmt::format("{:<10}", name_of(result.outcome))),
                result.check->name, result.found);
     if (result.outcome == Outcome::passed || result.outcome == Outcome::unfinished) return;
     if (result.outcome == Outcome::wrong && !result.check->reason.empty())
         fmt::print("              allowed: {}\n", result.check->reason);
     fmt::print("              look at: {}\n", look_at(result));
+    if (result.outcome == Outcome::wrong)
+        fmt::print("              in the window: ./relief run {} --check '{}'\n", lab.two_digits(), result.check->name);
 }
 
 nlohmann::ordered_json as_json(const TaskResult& task) {
@@ -75,7 +77,7 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
         }
         fmt::print("{}  {}: {} of {} points ({})\n", task.task->id, task.task->title, points_text(task.points()),
                    task.task->points, task.task->file);
-        for (const CheckResult& result : task.checks) print(result);
+        for (const CheckResult& result : task.checks) print(result, lab);
     }
     if (json) {
         report["points"] = points, report["of"] = manifest.points();

@@ -9,6 +9,7 @@
 
 #include "framework/app/command.h"
 #include "framework/app/gallery.h"
+#include "framework/app/shot_options.h"
 #include "framework/app/versions.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
@@ -17,20 +18,21 @@
 #include "framework/base/text.h"
 #include "framework/check/drawing.h"
 #include "framework/context/backends.h"
+#include "framework/lab/manifest.h"
 #include "framework/lab/registry.h"
 #include "framework/window/menu.h"
 
 namespace relief {
 namespace {
 
-int run_menu(const std::string& lab_folder) {
-    return window_module().function<decltype(relief_run_menu)>("relief_run_menu")(lab_folder.c_str());
+int run_menu(const MenuStart& start) {
+    return window_module().function<decltype(relief_run_menu)>("relief_run_menu")(start);
 }
 
 /// Opens the window if there is a display, else makes the gallery.
 int open_menu_or_gallery(const std::string& lab_folder) {
     try {
-        return run_menu(lab_folder);
+        return run_menu({.lab_folder = lab_folder});
     } catch (const NoWindow& error) {
         print_note(fmt::format("{}; making the gallery instead", error.what()));
     }
@@ -100,11 +102,29 @@ private:
 
 class RunCommand final : public Command {
 public:
-    void options(CommandOptions& options) override { options.lab(lab_, true); }
-    int run() override { return run_menu(find_lab(lab_).folder); }
+    void options(CommandOptions& options) override {
+        options.lab(lab_, true);
+        options.value("--check", "NAME", check_, "begin with the knobs, camera and probe of this check");
+        shot_.options(options);
+        options.value("--probe", "NAME", probe_, "show a quantity as the shader computes it, instead of the picture");
+        options.flag("--error-map", error_map_, "show beside it how far it is from the exact values (E)");
+    }
+    int run() override {
+        const LabEntry& lab = find_lab(lab_);
+        const Manifest manifest = load_manifest(lab);
+        Shot shot;
+        shot.camera = manifest.camera;
+        if (!check_.empty()) shot = manifest.check(check_).shot;
+        shot_.apply(shot);
+        if (!probe_.empty()) shot.probe.name = manifest.probe(probe_).name;
+        make_lab(lab, shot);  // refuses a knob or a value before a window opens
+        return run_menu({lab.folder, shot, error_map_ || (!check_.empty() && shot.probe)});
+    }
 
 private:
-    std::string lab_;
+    std::string lab_, check_, probe_;
+    ShotOptions shot_;
+    bool error_map_ = false;
 };
 RELIEF_COMMAND(RunCommand, 3, "run", "opens a lab in a window");
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/app/shot.h"
+#include "framework/app/shot_options.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
@@ -16,8 +17,8 @@ namespace relief {
 namespace {
 
 struct ShotArguments {
-    std::string lab, output, size, time, context = "auto", camera, probe, truth, error, mistake;
-    std::vector<std::string> set;
+    std::string lab, output, size, time, context = "auto", probe, truth, error, mistake;
+    ShotOptions options;
 };
 
 glm::ivec2 parse_size(const std::string& text) {
@@ -35,34 +36,6 @@ double parse_time(const std::string& text) {
     if (!time || *time < 0 || *time > 1e6)
         throw UsageError(fmt::format("--time takes seconds from 0 to 1000000, not '{}'", text));
     return *time;
-}
-
-void parse_camera(const std::string& text, Orbit& camera) {
-    const struct {
-        double& value;
-        double min, max;
-    } parts[] = {{camera.yaw, -36000, 36000},   {camera.pitch, -89, 89},      {camera.distance, 1e-3, 1e6},
-                 {camera.target.x, -1e6, 1e6},  {camera.target.y, -1e6, 1e6}, {camera.target.z, -1e6, 1e6},
-                 {camera.field_of_view, 1, 170}};
-    const auto words = split(text, ',');
-    bool good = words.size() == 3 || words.size() == 6 || words.size() == 7;
-    for (size_t i = 0; good && i < words.size(); ++i) {
-        const auto number = parse_number(words[i]);
-        good = number && *number >= parts[i].min && *number <= parts[i].max;
-        if (good) parts[i].value = *number;
-    }
-    if (!good)
-        throw UsageError(
-            fmt::format("--camera takes yaw,pitch,distance in degrees and metres (pitch -89 to 89, distance above 0), "
-                        "optionally ,x,y,z of the point it looks at and ,field of view in degrees (1 to 170), not '{}'",
-                        text));
-}
-
-std::pair<std::string, std::string> parse_setting(const std::string& text) {
-    const size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0)
-        throw UsageError(fmt::format("--set takes knob=value, not '{}'", text));
-    return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
 enum class Show { picture, probe, truth, error };
@@ -92,8 +65,7 @@ int take_shot(const ShotArguments& arguments) {
     const ErrorMetric metric = shot.probe ? manifest.probe(shot.probe.name).error : ErrorMetric::distance;
     if (!arguments.size.empty()) shot.size = parse_size(arguments.size);
     if (!arguments.time.empty()) shot.time = parse_time(arguments.time);
-    if (!arguments.camera.empty()) parse_camera(arguments.camera, shot.camera);
-    for (const std::string& setting : arguments.set) shot.set.push_back(parse_setting(setting));
+    arguments.options.apply(shot);
 
     const bool to_standard_output = arguments.output == "-";
     const std::string output = arguments.output.empty() ? entry.folder + ".png" : arguments.output;
@@ -164,9 +136,7 @@ public:
         options.value("--size", "WxH", shot_.size, "size of the picture in pixels [1280x720]");
         options.value("--time", "SECONDS", shot_.time, "time of an animation, in seconds [0]");
         options.value("--context", "NAME", shot_.context, context_help);
-        options.values("--set", "KNOB=VALUE", shot_.set, "set a knob; may be repeated");
-        options.value("--camera", "YAW,PITCH,DISTANCE[,X,Y,Z[,V]]", shot_.camera,
-                      "degrees and metres; X,Y,Z: the point it looks at; V: its field of view");
+        shot_.options.options(options);
         options.value("--probe", "NAME", shot_.probe, "a quantity as the shader computes it, instead of the picture");
         options.value("--truth", "NAME", shot_.truth, "the exact value of that probe");
         options.value("--error", "NAME", shot_.error, "how far that probe is from its exact value");

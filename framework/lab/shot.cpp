@@ -8,6 +8,7 @@
 #include "framework/base/error.h"
 #include "framework/base/from_staff.h"
 #include "framework/base/log.h"
+#include "framework/base/text.h"
 #include "framework/image/color.h"
 #include "framework/image/compare.h"
 
@@ -65,6 +66,14 @@ void refuse_broken_probe(const Image& image, const Probe& probe) {
 }
 
 }  // namespace
+
+std::string camera_text(const Orbit& camera) {
+    std::string text;
+    for (const double number : {camera.yaw, camera.pitch, camera.distance, camera.target.x, camera.target.y,
+                                camera.target.z, camera.field_of_view})
+        text += (text.empty() ? "" : ",") + rounded(number, 4);
+    return text;
+}
 
 Frame frame_of(const Shot& shot, const Target& target) {
     return {target.framebuffer(), target.size(), shot.time, Camera(shot.camera, aspect(target.size())), shot.probe};

@@ -18,6 +18,9 @@ struct Shot {
     std::vector<std::pair<std::string, std::string>> set;  ///< knobs, in order
 };
 
+/// The camera as `--camera` takes it, with as many digits as a picture shows.
+std::string camera_text(const Orbit& camera);
+
 /// The frame of a shot in a target of its size.
 Frame frame_of(const Shot& shot, const Target& target);
 

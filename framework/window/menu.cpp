@@ -17,6 +17,7 @@
 #include "framework/window/menu_error_map.h"
 #include "framework/window/menu_handout.h"
 #include "framework/window/menu_panel.h"
+#include "framework/window/menu_pixel.h"
 #include "framework/window/menu_stage.h"
 #include "framework/window/menu_style.h"
 
@@ -50,11 +51,12 @@ float scale_of(GLFWwindow* window) {
 
 class Menu {
 public:
-    explicit Menu(const std::string& folder) {
+    explicit Menu(const MenuStart& start) {
         const auto& labs = registry();
         const auto found =
-            std::find_if(labs.begin(), labs.end(), [&](const LabEntry& lab) { return lab.folder == folder; });
-        open(found == labs.end() ? labs.front() : *found);
+            std::find_if(labs.begin(), labs.end(), [&](const LabEntry& lab) { return lab.folder == start.lab_folder; });
+        open(found == labs.end() ? labs.front() : *found, start.shot ? &*start.shot : nullptr);
+        if (start.error_map) error_map_.toggle();
     }
 
     int run() {
@@ -104,8 +106,8 @@ private:
         return news;
     }
 
-    void open(const LabEntry& entry) {
-        stage_.open(entry);
+    void open(const LabEntry& entry, const Shot* shot = nullptr) {
+        stage_.open(entry, shot);
         error_map_.forget();
         if (handout_.is_open()) handout_.open(entry);
         begin_ = glfwGetTime(), time_ = 0;
@@ -139,6 +141,7 @@ private:
             glm::clamp(glm::ivec2((window.x - panel) / half, window.y), glm::ivec2(1), glm::ivec2(max_picture_side));
         if (stage_.draw(room, time_)) error_map_.forget(), drawn_ = glfwGetTime();
         error_map_.draw(panel + room.x, room, moves());
+        pixel_.draw(stage_, error_map_, panel, room);
         present(window, panel, room);
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -298,6 +301,7 @@ private:
     Stage stage_;
     Handout handout_;
     ErrorMap error_map_;
+    PixelValues pixel_;
     double looked_ = 0, drawn_ = 0;
     double begin_ = 0, time_ = 0;
     bool paused_ = false, panel_hidden_ = false;
@@ -308,11 +312,11 @@ private:
 
 }  // namespace
 
-int open_menu(const std::string& lab_folder) {
+int open_menu(const MenuStart& start) {
     if (registry().empty()) throw Error("this executable has no labs");
-    return Menu(lab_folder).run();
+    return Menu(start).run();
 }
 
 }  // namespace relief
 
-int relief_run_menu(const char* lab_folder) { return relief::open_menu(lab_folder); }
+int relief_run_menu(const relief::MenuStart& start) { return relief::open_menu(start); }

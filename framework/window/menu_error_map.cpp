@@ -41,7 +41,7 @@ void draw_scale(const std::string& largest) {
 
 void ErrorMap::forget() {
     done_ = false;
-    picture_.reset();
+    picture_.reset(), compared_.reset();
     message_.clear();
 }
 
@@ -75,8 +75,10 @@ void ErrorMap::compare(Stage& stage) {
         const std::optional<Image> truth = stage.lab()->truth(frame, shot.probe);
         if (!truth) continue;
         draw_lab(*stage.lab(), frame);
-        const Image error = error_image(target.read(), *truth, probe.error);
-        probe_ = probe, error_ = summarize(error);
+        Image values = target.read();
+        const Image error = error_image(values, *truth, probe.error);
+        error_ = summarize(error);
+        compared_ = {probe, std::move(values), *truth, error};
         picture_.emplace(
             "error map", [&] { return visualize_error(error, error_.p99); },
             TextureOptions{.wrap = Wrap::clamp, .mips = false});
@@ -108,16 +110,17 @@ void ErrorMap::draw(int x, glm::ivec2 size, bool moves) const {
     } else if (!picture_) {
         wrapped(message_);
     } else {
-        wrapped(fmt::format("{}: distance from the exact value", probe_.name));
+        const ProbeInfo& probe = compared_->probe;
+        wrapped(fmt::format("{}: distance from the exact value", probe.name));
         wrapped(fmt::format("mean {}    99 % {}    largest {}", rounded(error_.mean), rounded(error_.p99),
-                            amount_of(error_.largest, probe_.unit)));
+                            amount_of(error_.largest, probe.unit)));
         if (error_.count == 0) wrapped("No pixel shows a surface in both pictures.");
         if (error_.not_finite > 0) {
             ImGui::PushStyleColor(ImGuiCol_Text, alarm);
             wrapped(fmt::format("{} pixels, in magenta, are NaN or infinite.", error_.not_finite));
             ImGui::PopStyleColor();
         }
-        draw_scale(amount_of(error_.p99, probe_.unit) + " and more");
+        draw_scale(amount_of(error_.p99, probe.unit) + " and more");
     }
     ImGui::End();
 }

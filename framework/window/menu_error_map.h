@@ -28,6 +28,13 @@ public:
     /// of the first one that has exact values. Takes as long as they do. An error is shown in place of the map.
     void compute(Stage& stage);
 
+    /// What it was computed from, while it is shown: one pixel of each belongs to one pixel of the picture.
+    struct Compared {
+        ProbeInfo probe;
+        Image values, exact, errors;
+    };
+    const Compared* compared() const { return compared_ ? &*compared_ : nullptr; }
+
     /// Draws it right of the picture, at pixel `x`. `moves`: the picture is animated, so there is no map.
     void draw(int x, glm::ivec2 size, bool moves) const;
 
@@ -36,7 +43,7 @@ private:
 
     bool on_ = false, done_ = false;
     std::string message_;
-    ProbeInfo probe_;
+    std::optional<Compared> compared_;
     ErrorSummary error_;
     std::optional<Texture> picture_;
 };

@@ -140,6 +140,7 @@ void draw_counters(const Stage& stage) {
     row("textures", fmt::format("{:.1f} MiB", double(now.texture_bytes) / (1 << 20)));
     row("live GL objects", std::to_string(now.live_objects()));
     ImGui::EndTable();
+    quiet_text("--camera " + camera_text(stage.shot().camera));
     static constexpr std::array<const char*, gl_kinds> kinds = {
         "buffers", "vertex arrays", "textures",  "samplers", "framebuffers",       "renderbuffers",
         "shaders", "programs",      "pipelines", "queries",  "transform feedbacks"};
@@ -169,7 +170,8 @@ PanelWish draw_panel(Stage& stage, int width, bool error_map, const std::string&
     draw_counters(stage);
     heading("Keys");
     quiet_text(
-        "drag: orbit   right drag: pan   wheel: zoom\nleft, right: labs   R: restart   C: reset the camera\n"
+        "drag: orbit   right drag: pan   wheel: zoom\nclick: hold the values of a pixel\nleft, right: labs   R: "
+        "restart   C: reset the camera\n"
         "F1: handout   E: error map   S: save a picture\nH: hide this panel   space: pause an animation\n"
         "Esc: quit   Saved shaders are reloaded at once.");
     if (ImGui::Button("Save a picture")) wish.save = true;

@@ -12,9 +12,9 @@
 
 namespace relief {
 
-void Stage::open(const LabEntry& entry) {
+void Stage::open(const LabEntry& entry, const Shot* start) {
     lab_.reset();
-    probe_picture_.reset();
+    probe_picture_.reset(), values_.reset();
     shown_ = 0;
     entry_ = &entry;
     manifest_ = {};
@@ -26,6 +26,7 @@ void Stage::open(const LabEntry& entry) {
     try {
         manifest_ = load_manifest(entry);
         shot_.camera = manifest_.camera;
+        if (start) shot_ = *start, shot_.size = size;
         lab_ = make_lab(entry, shot_);
     } catch (const Error& error) {
         fail(error);
@@ -34,6 +35,7 @@ void Stage::open(const LabEntry& entry) {
 
 void Stage::show(Probe probe) {
     shot_.probe = std::move(probe);
+    values_.reset();
     stale_ = true;
     shown_ = 0;
 }
@@ -96,6 +98,7 @@ bool Stage::draw(glm::ivec2 size, double time) {
 // The numbers go to the CPU and come back as colours; that happens only when they changed.
 GLuint Stage::draw_probe() {
     shown_ = 0;
+    values_ = target_->read();
     probe_picture_.emplace(
         ProbePicture{Texture("probe as colours", [this] { return picture(); }, {.wrap = Wrap::clamp, .mips = false}),
                      FramebufferName()});
@@ -106,7 +109,8 @@ GLuint Stage::draw_probe() {
 
 Image Stage::picture() const {
     if (!target_ || failed()) throw Error("there is no picture to save");
-    if (shot_.probe) return visualize_probe(target_->read(), manifest_.probe(shot_.probe.name).error);
+    if (shot_.probe)
+        return visualize_probe(values_ ? *values_ : target_->read(), manifest_.probe(shot_.probe.name).error);
     return read_picture(*target_);
 }
 

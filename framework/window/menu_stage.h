@@ -20,8 +20,9 @@ enum class ShaderState {
 class Stage {
 public:
     /// Deletes the present lab with all its GL objects, then makes this one as its manifest says.
-    /// A broken manifest or shader becomes error(); nothing is thrown.
-    void open(const LabEntry& entry);
+    /// A broken manifest or shader becomes error(); nothing is thrown. `start` has knobs, camera and probe in place of
+    /// the manifest's.
+    void open(const LabEntry& entry, const Shot* start = nullptr);
     void restart() { open(*entry_); }
 
     const LabEntry& entry() const { return *entry_; }
@@ -45,6 +46,8 @@ public:
     GLuint framebuffer() const { return shown_; }
     const Shot& shot() const { return shot_; }
     glm::ivec2 size() const { return shot_.size; }
+    /// The probe's values, where a probe is shown.
+    const std::optional<Image>& values() const { return values_; }
     /// The same as an 8-bit picture. Throws Error if there is none.
     Image picture() const;
 
@@ -72,6 +75,7 @@ private:
         FramebufferName framebuffer;
     };
     std::optional<ProbePicture> probe_picture_;
+    std::optional<Image> values_;
     GLuint shown_ = 0;
     bool stale_ = true, renewed_ = false;
     std::optional<Error> failure_;         ///< of the last frame, or of opening the lab

@@ -4,6 +4,7 @@
 #include <regex>
 #include <thread>
 
+#include "framework/base/text.h"
 #include "framework/image/file.h"
 #include "tests/app/course_with_new_lab.h"
 
@@ -70,10 +71,11 @@ protected:
                          {{"DISPLAY", screen_.display()}, {"WAYLAND_DISPLAY", ""}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}};
     std::unique_ptr<Process> window_;
 
-    void open(const std::string& lab) {
+    void open(const std::string& lab, const std::vector<std::string>& options = {}) {
         ASSERT_EQ(course_.failure, "");
-        window_ = std::make_unique<Process>(
-            std::vector<std::string>{course_.program("relief"), "run", lab, "--verbose"}, where_);
+        std::vector<std::string> command = {course_.program("relief"), "run", lab, "--verbose"};
+        command.insert(command.end(), options.begin(), options.end());
+        window_ = std::make_unique<Process>(command, where_);
         ASSERT_TRUE(eventually([&] { return !frames().empty(); })) << window_->err();
         ASSERT_EQ(
             run({"xdotool", "search", "--sync", "--onlyvisible", "--name", "^Relief: ", "windowfocus"}, where_).code,
@@ -322,6 +324,7 @@ TEST_F(Window, AManifestIsReadAgainByR) {
 
 TEST_F(Window, TheErrorMapSaysWhatShotErrorSays) {
     open("20");
+    run({"xdotool", "mousemove", "100", "780"}, where_);  // over the picture it shows the values of a pixel
     press("e");
     const std::string size = std::to_string((window_width - panel_width) / 2) + "x800";
     const Result shot =
@@ -340,6 +343,33 @@ TEST_F(Window, TheErrorMapSaysWhatShotErrorSays) {
     EXPECT_EQ(count("error map: "), maps) << "nothing changed";
     press("e");
     EXPECT_TRUE(eventually([&] { return frames().size() >= 3; })) << "the picture takes its room back";
+}
+
+TEST_F(Window, OpensWithAProbeAndACameraAndAClickHoldsTheValuesOfAPixel) {
+    const std::vector<std::string> options = {"--probe", "position", "--camera", "10,15,2.5"};
+    std::vector<std::string> shot = {course_.program("relief"),
+                                     "shot",
+                                     "20",
+                                     "--size",
+                                     std::to_string((window_width - panel_width) / 2) + "x800",
+                                     "-o",
+                                     "p.pfm"};
+    shot.insert(shot.end(), options.begin(), options.end());
+    ASSERT_EQ(run(shot, {folder_.path(), {}}).code, 0);
+    const Image values = read_image(folder_.path() / "p.pfm");
+    std::vector<std::string> with_map = options;
+    with_map.emplace_back("--error-map");
+    open("20", with_map);
+    ASSERT_TRUE(eventually([&] { return count("error map: position") == 1; })) << window_->err();
+    const int x = 230, y = 400;
+    run({"xdotool", "mousemove", std::to_string(panel_width + x), std::to_string(y)}, where_);
+    std::this_thread::sleep_for(300ms);
+    run({"xdotool", "click", "1"}, where_);
+    const float* const pixel = values.pixel(x, y);
+    ASSERT_EQ(pixel[2], 0) << "the wall's plane; a last number that is 0 is not shown";
+    const std::string numbers = rounded(double(pixel[0]), 5) + "  " + rounded(double(pixel[1]), 5);
+    EXPECT_TRUE(eventually([&] { return count("pixel 230, 400: position, value " + numbers + ", exact ") == 1; }))
+        << numbers << window_->err();
 }
 
 TEST_F(Window, TheErrorOfAPictureIsOfWhatItsLabCompares) {
