@@ -117,7 +117,10 @@ std::string unknown(std::string_view kind, std::string_view word, std::span<cons
     std::string line = fmt::format("unknown {} '{}'", kind, word);
     if (const auto guess = nearest(word, known)) line += fmt::format(": did you mean '{}'?", *guess);
     if (known.empty()) return line + fmt::format("; there is no {} here", kind);
-    return line + (line.back() == '?' ? " There are: " : "; there are: ") + join(known, ", ");
+    const bool has_commas = std::any_of(known.begin(), known.end(),
+                                        [](const std::string& name) { return name.find(',') != std::string::npos; });
+    line += line.back() == '?' ? " There are: " : "; there are: ";
+    return line + (has_commas ? "'" + join(known, "', '") + "'" : join(known, ", "));
 }
 
 }  // namespace relief

@@ -129,6 +129,7 @@ TEST(Unknown, NamesTheGuessAndAllThatThereIs) {
     const Words known = {"steps", "scale"};
     EXPECT_EQ(unknown("knob", "stpes", known), "unknown knob 'stpes': did you mean 'steps'? There are: steps, scale");
     EXPECT_EQ(unknown("knob", "gloss", known), "unknown knob 'gloss'; there are: steps, scale");
+    EXPECT_EQ(unknown("check", "x", Words{"up", "up, left"}), "unknown check 'x'; there are: 'up', 'up, left'");
     EXPECT_EQ(unknown("knob", "gloss", Words{}), "unknown knob 'gloss'; there is no knob here");
 }
 
