@@ -114,6 +114,18 @@ bool may_be_two_channels(const VectorStatistics& statistics) {
            std::abs(statistics.red_green) < 0.9;
 }
 
+/// Whether one colour fills half of the map, as that of a sign: its length can be near 1 by any reading.
+bool is_mostly_one_color(const Image& map) {
+    std::map<std::array<float, 3>, size_t> colors;
+    size_t most = 0, count = 0;
+    each_sample(map, [&](const float* texel) {
+        if (!is_finite(texel, 3)) return;
+        most = std::max(most, ++colors[{texel[0], texel[1], texel[2]}]);
+        ++count;
+    });
+    return 2 * most > count;
+}
+
 /// The reading of three channels under which lengths are nearest to 1 and vectors lean least. It has to be far better
 /// than the plain one to be taken instead.
 Reading best_reading(const Image& map, const std::array<Range, 4>& ranges) {
@@ -128,16 +140,18 @@ Reading best_reading(const Image& map, const std::array<Range, 4>& ranges) {
     Reading best;
     double least = 0.5 * plainly;
     const bool below_0 = std::min(ranges[0].low, ranges[1].low) < -0.01;
+    const bool is_plain = is_mostly_one_color(map);
     const auto consider = [&](const Reading& reading, double largest) {
         const double score = judge(reading, other);
-        if (score < std::min(least, largest)) least = score, best = reading;
+        const bool is_tangent_space = lean(other) < 0.15 && other.mean.z > 0.5;
+        if (score < std::min(least, largest) && (!is_plain || is_tangent_space)) least = score, best = reading;
     };
     if (map.bits == 32 && below_0) consider({.is_signed = true}, INFINITY);
     if (below_0 || plainly < 0.1) return best;
     consider({.curve = StoredCurve::srgb_removed}, 0.15);
     consider({.curve = StoredCurve::srgb_added}, 0.15);
     if (best.curve == StoredCurve::none && plain.median_off > 0.05 &&
-        std::hypot(plain.mean.x - 0.39, plain.mean.y - 0.39) < 0.12 && lean(other) < 0.08)
+        std::hypot(plain.mean.x - 0.39, plain.mean.y - 0.39) < 0.12 && lean(other) < 0.08 && other.mean.z > 0.5)
         best.curve = StoredCurve::srgb_added;  // wrong lengths too, but flat is where sRGB has its middle
     return best;
 }
@@ -212,7 +226,7 @@ Recognition recognize(const Image& map) {
     as.background = background_of(map, as.reading);
     as.statistics = statistics_of(map, as);
     const VectorStatistics& s = as.statistics;
-    if (s.unit >= 0.8) {
+    if (s.unit >= 0.8 && s.median_off < 0.04) {
         as.kind = MapKind::normals;
         as.blue_down = s.mean.z < -0.6 && s.away > 0.95;
         as.object_space = !as.blue_down && s.away > 0.1 && s.mean.z < 0.6;

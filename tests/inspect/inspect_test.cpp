@@ -311,6 +311,21 @@ TEST(Inspect, KnowsHeightsAndWhatIsNeither) {
     EXPECT_EQ(verdict(inspect(heights, &heights), "heights"), "two of heights");
 }
 
+TEST(Inspect, TakesNoSignOrIconForAMap) {
+    const auto drawn = [](glm::vec3 paper, glm::vec3 ink) {
+        Image sign(128, 128, 3, 8);
+        for (int y = 0; y < 128; ++y)
+            for (int x = 0; x < 128; ++x) {
+                const float share = float(std::clamp(6 - std::abs(std::hypot(x - 64, y - 64) - 40), 0.0, 1.0));
+                for (int c = 0; c < 3; ++c) sign.pixel(x, y)[c] = glm::mix(paper, ink, share)[c] / 255;
+            }
+        return stored(sign, 8);
+    };
+    // The first is of length 1 when it is decoded as sRGB, the second is 0.9 long and leans.
+    EXPECT_EQ(faults_of(drawn({191, 191, 0}, {255, 255, 255})), std::set<std::string>{"kind: neither"});
+    EXPECT_EQ(faults_of(drawn({75, 120, 229}, {90, 128, 229})), std::set<std::string>{"kind: neither"});
+}
+
 TEST(Inspect, LooksIntoTheFourthChannel) {
     const Image normals = normals_of(HeightMap::stones, 128, 8, 8), heights = make_height_map(HeightMap::stones, 128);
     Image map(128, 128, 4, 8);
