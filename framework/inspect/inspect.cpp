@@ -359,11 +359,10 @@ private:
     }
 
     void seam() {
-        std::vector<glm::vec3> directions = vectors_;
-        for (glm::vec3& n : directions)
+        for (glm::vec3& n : vectors_)
             if (!(glm::length(n) > 0)) n = glm::vec3(NAN);
-        BorderSteps sides = steps_across_sides(directions, map_.width, map_.height),
-                    top = steps_across_top(directions, map_.width, map_.height);
+        BorderSteps sides = steps_across_sides(vectors_, map_.width, map_.height),
+                    top = steps_across_top(vectors_, map_.width, map_.height);
         if (!as_.object_space) hold_to_slopes(slopes_, sides, top);
         judge_seam(sides, top, " degrees", 1);
     }

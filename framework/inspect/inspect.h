@@ -48,7 +48,7 @@ struct Inspection {
 };
 
 /// Any map of 1 to 4 channels, with any values; `heights`, where they are given, are what the normals should be those
-/// of. The tests that apply to what the map is, "kind" first. Takes some 20 bytes a texel.
+/// of. The tests that apply to what the map is, "kind" first. Takes some 30 bytes a texel.
 Inspection inspect(const Image& map, const Image* heights = nullptr);
 
 /// The map as a lit relief in grey, with its marks in the colours of mark_colors(). 8 bits, 3 channels.
