@@ -1,0 +1,196 @@
+// What only the staff has of lab 15: see ../truth.h.
+#include "../truth.h"
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "../waves.h"
+#include "framework/kit/numbers.h"
+
+namespace relief::ocean {
+namespace {
+
+constexpr double two_pi = 2 * glm::pi<double>();
+
+/// A cosine on the water: amplitude * cos(dot(number, place) + phase), place in metres.
+struct Term {
+    glm::dvec2 number;
+    double amplitude, phase;
+};
+
+std::vector<Term> terms_of(const Sea& sea, double time) {
+    std::vector<Term> terms;
+    for (const Layer& layer : sea.layers)
+        for (const Wave& wave : waves_of(layer.map)) {
+            // Whole tiles first: they are whole turns of every wave.
+            glm::dvec2 moved = layer.velocity * time;
+            moved -= glm::floor(moved);
+            terms.push_back({two_pi * layer.tiles / tile_metres * glm::dvec2(wave.k), layer.amplitude * wave.amplitude,
+                             wave.phase + two_pi * glm::dot(glm::dvec2(wave.k), moved + layer.offset)});
+        }
+    return terms;
+}
+
+double height(const std::vector<Term>& terms, const glm::dvec2& place) {
+    double sum = 0;
+    for (const Term& term : terms) sum += term.amplitude * std::cos(glm::dot(term.number, place) + term.phase);
+    return sum;
+}
+
+glm::dvec2 slope(const std::vector<Term>& terms, const glm::dvec2& place) {
+    glm::dvec2 sum(0);
+    for (const Term& term : terms)
+        sum -= term.number * (term.amplitude * std::sin(glm::dot(term.number, place) + term.phase));
+    return sum;
+}
+
+class ExactSea {
+public:
+    ExactSea(const Sea& sea, const Frame& frame)
+        : sea_(sea), terms_(terms_of(sea, frame.time)), eye_(frame.camera.eye()) {
+        for (const Term& term : terms_) {
+            highest_ += std::abs(term.amplitude);
+            steepest_ += std::abs(term.amplitude) * glm::length(term.number);
+        }
+        // A pixel's width and height, one metre along the line of sight.
+        const glm::dmat4 view = frame.camera.view_from_world();
+        const glm::dvec3 right(view[0][0], view[1][0], view[2][0]), up(view[0][1], view[1][1], view[2][1]);
+        forward_ = -glm::dvec3(view[0][2], view[1][2], view[2][2]);
+        const double pixel = 2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2) / frame.size.y;
+        right_ = right * pixel, up_ = up * pixel;
+    }
+
+    /// Where the ray first meets the sea. With waves steps that cannot pass it: nowhere is it steeper than steepest_.
+    std::optional<glm::dvec3> hit(const Ray& ray) const {
+        const double level = ray.direction.y < 0 ? -ray.origin.y / ray.direction.y : INFINITY;
+        if (!sea_.displaced) return level > 0 && std::isfinite(level) ? std::optional(at(ray, level)) : std::nullopt;
+        const double rate = std::abs(ray.direction.y) + steepest_ * glm::length(glm::dvec2(ray.direction.x, ray.direction.z));
+        double t = ray.origin.y > highest_ ? (highest_ - ray.origin.y) / std::min(ray.direction.y, -1e-12) : 0;
+        for (int step = 0; step < 4000; ++step) {
+            const glm::dvec3 place = at(ray, t);
+            if (ray.direction.y >= 0 && place.y > highest_) return {};
+            const double above = place.y - height(terms_, {place.x, place.z});
+            if (above < 1e-7) return place;
+            t += above / rate;
+        }
+        return at(ray, t);
+    }
+
+    std::optional<glm::dvec4> value(const Ray& ray, const std::string& probe) const {
+        const auto place = hit(ray);
+        if (!place) return {};
+        const glm::dvec2 on_sea(place->x, place->z);
+        if (probe == "height") return glm::dvec4(height(terms_, on_sea), 0, 0, 0);
+        if (probe == "sigma") return glm::dvec4(covariance(*place), 0);
+        if (probe == "glitter") return glm::dvec4(glitter(*place), 0, 0, 0);
+        const glm::dvec2 s = slope(terms_, on_sea);
+        if (probe == "slope") return glm::dvec4(s, 0, 0);
+        const glm::dvec3 normal = glm::normalize(glm::dvec3(-s.x, 1, -s.y)), to_eye = -ray.direction;
+        if (probe == "normal") return glm::dvec4(normal, 0);
+        const double cosine = glm::clamp(glm::dot(normal, to_eye), 0.0, 1.0);
+        if (probe == "fresnel") return glm::dvec4(fresnel(cosine), 0, 0, 0);
+        glm::dvec3 mirrored = 2 * glm::dot(normal, to_eye) * normal - to_eye;
+        mirrored.y = std::abs(mirrored.y);
+        return glm::dvec4(mirrored, 0);
+    }
+
+private:
+    static constexpr int side = 32;
+
+    static glm::dvec3 at(const Ray& ray, double t) { return ray.origin + t * ray.direction; }
+
+    double fresnel(double cosine) const {
+        constexpr double eta = 4.0 / 3, r0 = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
+        if (!sea_.exact_fresnel) return r0 + (1 - r0) * std::pow(1 - cosine, 5);
+        const double within = std::sqrt(1 - (1 - cosine * cosine) / (eta * eta));
+        const double s = (cosine - eta * within) / (cosine + eta * within),
+                     p = (within - eta * cosine) / (within + eta * cosine);
+        return (s * s + p * p) / 2;
+    }
+
+    /// Over the pixel's part of the sea, taken as a parallelogram of the plane at the height of its middle: one call
+    /// for each of 32 x 32 places, with the slope there. Along a row the angle of a wave grows by the same amount, and
+    /// so each turns by one product of complex numbers.
+    template <class Take>
+    void each_sample(const glm::dvec3& middle, Take take) const {
+        const double depth = glm::dot(middle - eye_, forward_);
+        const glm::dvec3 way = (middle - eye_) / depth;
+        const auto moved = [&](const glm::dvec3& by) {
+            return depth * (glm::dvec2(by.x, by.z) - glm::dvec2(way.x, way.z) * (by.y / way.y));
+        };
+        const glm::dvec2 across = moved(right_) / double(side), along = moved(up_) / double(side);
+        std::vector<glm::dvec2> turned(terms_.size()), turn(terms_.size());
+        for (size_t i = 0; i < terms_.size(); ++i) {
+            const double angle = glm::dot(terms_[i].number, across);
+            turn[i] = {std::cos(angle), std::sin(angle)};
+        }
+        for (int row = 0; row < side; ++row) {
+            const glm::dvec2 begin =
+                glm::dvec2(middle.x, middle.z) + (row + 0.5 - side / 2.0) * along + (0.5 - side / 2.0) * across;
+            for (size_t i = 0; i < terms_.size(); ++i) {
+                const double angle = glm::dot(terms_[i].number, begin) + terms_[i].phase;
+                turned[i] = terms_[i].amplitude * glm::dvec2(std::cos(angle), std::sin(angle));
+            }
+            for (int column = 0; column < side; ++column) {
+                glm::dvec2 s(0);
+                for (size_t i = 0; i < terms_.size(); ++i) {
+                    glm::dvec2& z = turned[i];
+                    s -= terms_[i].number * z.y;
+                    z = {z.x * turn[i].x - z.y * turn[i].y, z.x * turn[i].y + z.y * turn[i].x};
+                }
+                take(s);
+            }
+        }
+    }
+
+    glm::dvec3 covariance(const glm::dvec3& middle) const {
+        if (sea_.whole_spread) {
+            glm::dvec3 sum(0);
+            for (const Layer& layer : sea_.layers) {
+                const double scale = layer.amplitude * layer.tiles;
+                sum += scale * scale * slope_moments(layer.map);
+            }
+            return sum;
+        }
+        glm::dvec2 mean(0);
+        glm::dvec3 squares(0);
+        each_sample(middle, [&](const glm::dvec2& s) { mean += s, squares += glm::dvec3(s * s, s.x * s.y); });
+        mean /= side * side, squares /= side * side;
+        return squares - glm::dvec3(mean * mean, mean.x * mean.y);
+    }
+
+    /// Of each sample by the angle of its slope to that of the half vector.
+    double glitter(const glm::dvec3& middle) const {
+        const glm::dvec3 sum = glm::normalize(eye_ - middle) + sea_.to_light;
+        if (sum.y < 1e-3 || sea_.to_light.y < 0) return 0;
+        const glm::dvec2 wanted = -glm::dvec2(sum.x, sum.z) / sum.y;
+        if (sea_.whole_spread) {
+            const glm::dvec3 sigma = covariance(middle) + glm::dvec3(1, 1, 0) / sea_.shininess;
+            const glm::dmat2 matrix(sigma.x, sigma.z, sigma.z, sigma.y);
+            return std::exp(-glm::dot(wanted, glm::inverse(matrix) * wanted) / 2) /
+                   (sea_.shininess * std::sqrt(glm::determinant(matrix)));
+        }
+        if (sea_.shininess * std::pow(std::max(0.0, glm::length(wanted) - steepest_), 2) / 2 > 60) return 0;
+        double light = 0;
+        each_sample(middle, [&](const glm::dvec2& s) {
+            const glm::dvec2 off = s - wanted;
+            light += std::exp(-sea_.shininess * glm::dot(off, off) / 2);
+        });
+        return light / (side * side);
+    }
+
+    const Sea& sea_;
+    std::vector<Term> terms_;
+    glm::dvec3 eye_, forward_, right_, up_;
+    double highest_ = 0, steepest_ = 0;
+};
+
+std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Sea& sea) {
+    const ExactSea exact(sea, frame);
+    return truth_of_rays(frame, [&](const Ray& ray) { return exact.value(ray, probe.name); });
+}
+
+const decltype(truth)::Provided provided(truth, exact_values);
+
+}  // namespace
+}  // namespace relief::ocean

@@ -1,0 +1,98 @@
+#include "waves.h"
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+namespace relief::ocean {
+namespace {
+
+constexpr double two_pi = 2 * glm::pi<double>();
+
+struct Spectrum {
+    double shortest, longest;  ///< wave number, waves a tile
+    double spread;             ///< largest angle to the wind, radians
+    double fall;               ///< amplitude falls with this power of the wave number
+    unsigned seed;
+};
+constexpr std::array<Spectrum, 2> spectra = {{{3, 15, 1.0, 1.35, 11}, {2, 17, 1.9, 1.25, 5}}};
+
+/// Pseudo-random in [0, 1): the same on every machine (Numerical Recipes' generator).
+double next(unsigned& state) {
+    state = state * 1664525u + 1013904223u;
+    return double(state >> 8) / double(1 << 24);
+}
+
+std::array<Wave, waves_a_map> make_waves(const Spectrum& spectrum) {
+    std::array<Wave, waves_a_map> waves;
+    unsigned state = spectrum.seed;
+    double square = 0;
+    for (size_t i = 0; i < waves.size();) {
+        const double share = (double(i) + next(state)) / double(waves.size()),
+                     number = spectrum.shortest * std::pow(spectrum.longest / spectrum.shortest, share),
+                     angle = spectrum.spread * (2 * next(state) - 1), phase = two_pi * next(state);
+        const glm::ivec2 k(int(std::lround(number * std::sin(angle))), int(std::lround(number * std::cos(angle))));
+        bool is_new = k != glm::ivec2(0);
+        for (size_t other = 0; other < i; ++other) is_new &= waves[other].k != k && waves[other].k != -k;
+        if (!is_new) continue;
+        const double amplitude = std::pow(glm::length(glm::dvec2(k)), -spectrum.fall);
+        waves[i++] = {k, amplitude, phase};
+        square += amplitude * amplitude / 2;
+    }
+    for (Wave& wave : waves) wave.amplitude *= 0.25 / std::sqrt(square);
+    return waves;
+}
+
+}  // namespace
+
+const std::array<Wave, waves_a_map>& waves_of(int map) {
+    static const std::array made = {make_waves(spectra[0]), make_waves(spectra[1])};
+    return made[size_t(map)];
+}
+
+glm::dvec3 slope_moments(int map) {
+    glm::dvec3 sum(0);
+    for (const Wave& wave : waves_of(map)) {
+        const glm::dvec2 steepest = two_pi / tile_metres * wave.amplitude * glm::dvec2(wave.k);
+        sum += glm::dvec3(steepest * steepest, steepest.x * steepest.y) / 2.0;
+    }
+    return sum;
+}
+
+MapImages make_maps(int map) {
+    MapImages images{Image(map_texels, map_texels, 3), Image(map_texels, map_texels, 3),
+                     Image(map_texels, map_texels, 3, 8)};
+    // At the middles of texels all angles are multiples of half a texel's, and of the phase: one table a wave.
+    constexpr int halves = 2 * map_texels;
+    std::vector<glm::dvec3> sums(size_t(map_texels) * map_texels);
+    for (const Wave& wave : waves_of(map)) {
+        std::array<glm::dvec2, halves> turn;
+        for (int i = 0; i < halves; ++i) {
+            const double angle = two_pi * i / halves + wave.phase;
+            turn[size_t(i)] = {std::cos(angle), std::sin(angle)};
+        }
+        const glm::dvec2 steepness = two_pi / tile_metres * wave.amplitude * glm::dvec2(wave.k);
+        for (int y = 0; y < map_texels; ++y)
+            for (int x = 0; x < map_texels; ++x) {
+                const int place = wave.k.x * (2 * x + 1) + wave.k.y * (2 * y + 1);
+                const glm::dvec2 at = turn[size_t(place & (halves - 1))];
+                sums[size_t(y) * map_texels + size_t(x)] +=
+                    glm::dvec3(-steepness * at.y, wave.amplitude * at.x);
+            }
+    }
+    for (int y = 0; y < map_texels; ++y)
+        for (int x = 0; x < map_texels; ++x) {
+            const glm::dvec3& sum = sums[size_t(y) * map_texels + size_t(x)];
+            const int row = map_texels - 1 - y;
+            const double up = 1 / std::sqrt(1 + sum.x * sum.x + sum.y * sum.y);
+            const std::array values = {sum.x, sum.y, sum.z}, squares = {sum.x * sum.x, sum.y * sum.y, sum.x * sum.y},
+                             normal = {-sum.x * up, -sum.y * up, up};
+            for (size_t c = 0; c < 3; ++c) {
+                images.waves.pixel(x, row)[c] = float(values[c]);
+                images.moments.pixel(x, row)[c] = float(squares[c]);
+                images.normals.pixel(x, row)[c] = float(0.5 + 0.5 * normal[c]);
+            }
+        }
+    return images;
+}
+
+}  // namespace relief::ocean

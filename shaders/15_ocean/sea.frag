@@ -1,0 +1,304 @@
+#version 410 core
+// The sea: its normal by one of several rules, what it mirrors, and the sun's highlight by what a pixel knows of the
+// waves in it.
+
+#include "15_ocean/maps.glsl"
+#include "15_ocean/sky.glsl"
+#include "15_ocean/task.glsl"
+#include "common/heat.glsl"
+#include "common/srgb.glsl"
+
+// The order of `combines`, `sources` and `fars` in lab.cpp.
+#define MEAN 0
+#define WHITEOUT 1
+#define UDN 2
+#define RNM 3
+#define SLOPES 4
+
+#define MAPS 0
+#define HEIGHTS 1
+#define ANALYTIC 2
+
+#define PLAIN 0
+#define TOKSVIG 1
+#define LEAN 2
+#define SAMPLES 3
+
+in vec3 v_place;
+
+uniform float u_eye_height;
+uniform vec3 u_to_light;
+uniform float u_shininess;
+uniform float u_detail;     // how much finer normals are tiled than heights
+uniform float u_split;      // pixels from the left; beyond it the second rule
+uniform vec3 u_forward;
+uniform vec3 u_pixel_right;  // a pixel's width and height, one metre ahead
+uniform vec3 u_pixel_up;
+uniform float u_steepest;    // no slope is more, nearly
+uniform float u_error_scale;
+uniform vec4 u_waves[48];    // k, amplitude, phase: both maps
+
+layout(location = 0) out vec4 o_color;
+
+float amplitude(int map) { return map == 0 ? u_amplitude.x : u_amplitude.y; }
+float tiles(int map) { return map == 0 ? u_tiles.x : u_tiles.y; }
+
+// ---- slopes of one map
+
+vec2 exact_slope(vec2 place, int map) {
+    vec2 uv = map_uv(place, map), sum = vec2(0.0);
+    for (int i = 0; i < 24; ++i) {
+        vec4 wave = u_waves[24 * map + i];
+        sum -= wave.xy * (wave.z * sin(6.28318531 * fract(dot(wave.xy, fract(uv))) + wave.w));
+    }
+    return sum * (6.28318531 / tile_metres * amplitude(map) * tiles(map));
+}
+
+vec2 slope_by_heights(sampler2D waves, vec2 uv, int map) {
+    float texel = 1.0 / map_texels;
+    vec2 rise = vec2(read_map(waves, uv + vec2(texel, 0.0)).z - read_map(waves, uv - vec2(texel, 0.0)).z,
+                     read_map(waves, uv + vec2(0.0, texel)).z - read_map(waves, uv - vec2(0.0, texel)).z);
+    return rise / (2.0 * texel * tile_metres) * amplitude(map) * tiles(map);
+}
+
+vec2 map_slope(sampler2D waves, sampler2D normals, vec2 place, int map) {
+#if NORMALS == ANALYTIC
+    return exact_slope(place, map);
+#else
+    vec2 uv = map_uv(place, map) * u_detail;
+#if NORMALS == HEIGHTS
+    return slope_by_heights(waves, uv, map);
+#else
+    return slope_of(read_map(normals, uv), amplitude(map), tiles(map));
+#endif
+#endif
+}
+
+// ---- two maps together: z points upwards in both
+
+vec3 with_slope(vec2 slope) { return vec3(-slope, 1.0) * inversesqrt(1.0 + dot(slope, slope)); }
+
+vec3 combined(vec2 first, vec2 second, int rule) {
+    if (rule == SLOPES) return sea_normal(first, second);
+    vec3 a = with_slope(first), b = with_slope(second), sum = a + b;
+    if (rule == WHITEOUT)
+        sum = vec3(a.xy + b.xy, a.z * b.z);
+    else if (rule == UDN)
+        sum = vec3(a.xy + b.xy, a.z);
+    else if (rule == RNM) {
+        vec3 t = a + vec3(0.0, 0.0, 1.0), u = b * vec3(-1.0, -1.0, 1.0);
+        sum = t * dot(t, u) / t.z - u;
+    }
+    return normalize(sum.xzy);
+}
+
+vec3 normal_at(vec2 place, int rule) {
+#if NORMALS == ANALYTIC
+    vec2 slope = vec2(0.0);
+#ifdef FIRST
+    slope += exact_slope(place, 0);
+#endif
+#ifdef SECOND
+    slope += exact_slope(place, 1);
+#endif
+    return normalize(cross(vec3(0.0, slope.y, 1.0), vec3(1.0, slope.x, 0.0)));
+#else
+    vec2 first = vec2(0.0), second = vec2(0.0);
+#ifdef FIRST
+    first = map_slope(s_waves_1, s_normals_1, place, 0);
+#endif
+#ifdef SECOND
+    second = map_slope(s_waves_2, s_normals_2, place, 1);
+#endif
+    return combined(first, second, rule);
+#endif
+}
+
+// ---- the sun's light
+
+// The slope that would mirror the sun; `seen` is false where none does.
+vec2 sun_slope(vec3 to_eye, out bool seen) {
+    vec3 sum = to_eye + u_to_light;
+    seen = sum.y > 1e-3 && u_to_light.y >= 0.0;
+    return -sum.xz / max(sum.y, 1e-3);
+}
+
+vec3 variance_at(vec2 place) {
+    vec3 variance = vec3(0.0);
+#if FAR == LEAN || FAR == SAMPLES
+#ifdef FIRST
+    vec2 uv_1 = map_uv(place, 0);
+    variance += spread(read_map(s_moments_1, uv_1), read_map(s_waves_1, uv_1).xy, u_amplitude.x, u_tiles.x);
+#endif
+#ifdef SECOND
+    vec2 uv_2 = map_uv(place, 1);
+    variance += spread(read_map(s_moments_2, uv_2), read_map(s_waves_2, uv_2).xy, u_amplitude.y, u_tiles.y);
+#endif
+#elif FAR == TOKSVIG
+    // Averaged unit normals are shorter than 1, the shorter the more they differ: (1 - l) / l is a variance.
+#ifdef FIRST
+    float l_1 = min(1.0, length(read_map(s_normals_1, map_uv(place, 0)) * 2.0 - 1.0)), f_1 = u_amplitude.x * u_tiles.x;
+    variance.xy += f_1 * f_1 * (1.0 - l_1) / l_1;
+#endif
+#ifdef SECOND
+    float l_2 = min(1.0, length(read_map(s_normals_2, map_uv(place, 1)) * 2.0 - 1.0)), f_2 = u_amplitude.y * u_tiles.y;
+    variance.xy += f_2 * f_2 * (1.0 - l_2) / l_2;
+#endif
+#endif
+    return variance;
+}
+
+// The mean slope of the water in a pixel, without a bend by rounding to 8 bits.
+vec2 mean_slope(vec2 place) {
+    vec2 slope = vec2(0.0);
+#ifdef FIRST
+    slope += read_map(s_waves_1, map_uv(place, 0)).xy * (u_amplitude.x * u_tiles.x);
+#endif
+#ifdef SECOND
+    slope += read_map(s_waves_2, map_uv(place, 1)).xy * (u_amplitude.y * u_tiles.y);
+#endif
+    return slope;
+}
+
+#if FAR == SAMPLES
+// The mean of the light over SIDE x SIDE places of the pixel's part of the sea, from level 0.
+float sampled_highlight(vec3 position, vec2 wanted) {
+    float reach = max(0.0, length(wanted) - u_steepest);
+    if (0.5 * u_shininess * reach * reach > 20.0) return 0.0;
+    float depth = dot(position, u_forward), light = 0.0;
+    vec3 way = position / depth;
+    vec2 across = depth * (u_pixel_right.xz - way.xz * (u_pixel_right.y / way.y)) / float(SIDE);
+    vec2 along = depth * (u_pixel_up.xz - way.xz * (u_pixel_up.y / way.y)) / float(SIDE);
+    vec2 middle = position.xz - 0.5 * float(SIDE - 1) * (across + along);
+    for (int row = 0; row < SIDE; ++row)
+        for (int column = 0; column < SIDE; ++column) {
+            vec2 place = middle + float(column) * across + float(row) * along, off = -wanted;
+#ifdef FIRST
+            off += textureLod(s_waves_1, map_uv(place, 0), 0.0).xy * (u_amplitude.x * u_tiles.x);
+#endif
+#ifdef SECOND
+            off += textureLod(s_waves_2, map_uv(place, 1), 0.0).xy * (u_amplitude.y * u_tiles.y);
+#endif
+            light += exp(-0.5 * u_shininess * dot(off, off));
+        }
+    return light / float(SIDE * SIDE);
+}
+#endif
+
+// `position` is relative to the eye.
+float glitter(vec3 position, vec3 normal) {
+    bool seen;
+    vec2 wanted = sun_slope(-normalize(position), seen);
+    if (!seen) return 0.0;
+#if FAR == SAMPLES
+    return sampled_highlight(position, wanted);
+#elif FAR == LEAN
+    return highlight(wanted - mean_slope(position.xz), variance_at(position.xz), u_shininess);
+#else
+    return highlight(wanted + normal.xz / normal.y, variance_at(position.xz), u_shininess);
+#endif
+}
+
+float exact_fresnel(float cosine) {
+    float c = clamp(cosine, 0.0, 1.0), within = sqrt(1.0 - (1.0 - c * c) * 9.0 / 16.0);
+    float s = (3.0 * c - 4.0 * within) / (3.0 * c + 4.0 * within);
+    float p = (3.0 * within - 4.0 * c) / (3.0 * within + 4.0 * c);
+    return 0.5 * (s * s + p * p);
+}
+
+float mirrored_share(float cosine) {
+#ifdef EXACT_FRESNEL
+    return exact_fresnel(cosine);
+#else
+    return fresnel(cosine);
+#endif
+}
+
+vec3 lit(vec3 position, vec3 normal) {
+    vec3 to_eye = -normalize(position);
+    // Of waves within a pixel those that lean towards the eye are seen more: by that much the mean visible one leans.
+    vec3 variance = variance_at(position.xz);
+    vec2 way = to_eye.xz / max(length(to_eye.xz), 1e-6);
+    float within = way.x * way.x * variance.x + 2.0 * way.x * way.y * variance.z + way.y * way.y * variance.y;
+    float lean = within / (max(to_eye.y, 0.0) + 0.8 * sqrt(within) + 1e-4);
+    vec3 visible = normalize(normal + vec3(way.x, 0.0, way.y) * lean);
+
+    float share = mirrored_share(dot(visible, to_eye));
+    vec3 mirror = sky(reflected(to_eye, visible), u_to_light);
+    // What comes out of the water: more through the crests of waves that the sun stands behind.
+    float day = 0.2 + 0.8 * clamp(u_to_light.y * 2.0, 0.0, 1.0);
+    float crest = clamp(0.35 + 0.9 * v_place.z, 0.0, 1.5);
+    float through = pow(max(dot(-to_eye, u_to_light), 0.0), 4.0) * crest;
+    vec3 water = day * (vec3(0.004, 0.022, 0.038) + vec3(0.004, 0.030, 0.032) * crest) +
+                 through * vec3(0.012, 0.050, 0.040);
+    vec3 light = mix(water, mirror, share);
+    vec3 halfway = normalize(to_eye + u_to_light + vec3(0.0, 1e-5, 0.0));
+    float sun = glitter(position, normal) * u_shininess / 512.0 * mirrored_share(dot(halfway, to_eye));
+    light += vec3(26.0, 13.0, 4.4) * (sun * 0.25 / max(abs(to_eye.y), 0.07));
+    // Mist, where the sea meets the sky.
+    float away = length(position);
+    vec3 level_ = normalize(vec3(position.x, 0.01 * away, position.z));
+    return mix(light, sky(level_, u_to_light), 0.75 * (1.0 - exp(-away / 9000.0)));
+}
+
+void main() {
+    vec3 position = vec3(v_place.x, v_place.z - u_eye_height, v_place.y);
+    int rule = COMBINE;
+#ifdef WIPE
+    if (gl_FragCoord.x >= u_split) rule = SLOPES;
+#endif
+#if defined PROBE_sigma
+    o_color = vec4(variance_at(v_place.xy), 0.0);
+#elif defined PROBE_height
+    float height = v_place.z;
+#ifdef FLAT
+    height = 0.0;
+#ifdef FIRST
+    height += u_amplitude.x * read_map(s_waves_1, map_uv(v_place.xy, 0)).z;
+#endif
+#ifdef SECOND
+    height += u_amplitude.y * read_map(s_waves_2, map_uv(v_place.xy, 1)).z;
+#endif
+#endif
+    o_color = vec4(height, 0.0, 0.0, 0.0);
+#elif defined PROBE_slope && !(defined FIRST && defined SECOND)
+#ifdef FIRST
+    o_color = vec4(map_slope(s_waves_1, s_normals_1, v_place.xy, 0), 0.0, 0.0);
+#else
+    o_color = vec4(map_slope(s_waves_2, s_normals_2, v_place.xy, 1), 0.0, 0.0);
+#endif
+#elif defined PROBE_glitter && (FAR == LEAN || FAR == SAMPLES)
+    o_color = vec4(glitter(position, vec3(0.0, 1.0, 0.0)), 0.0, 0.0, 0.0);
+#else
+    vec3 normal = normal_at(v_place.xy, rule), to_eye = -normalize(position);
+#if defined PROBE_normal
+    o_color = vec4(normal, 0.0);
+#elif defined PROBE_slope
+    o_color = vec4(-normal.xz / normal.y, 0.0, 0.0);
+#elif defined PROBE_glitter
+    o_color = vec4(glitter(position, normal), 0.0, 0.0, 0.0);
+#elif defined PROBE_reflection
+    o_color = vec4(reflected(to_eye, normal), 0.0);
+#elif defined PROBE_fresnel
+    o_color = vec4(mirrored_share(dot(normal, to_eye)), 0.0, 0.0, 0.0);
+#elif defined ERROR || defined MEASURE
+    vec2 slope = vec2(0.0);
+#ifdef FIRST
+    slope += exact_slope(v_place.xy, 0);
+#endif
+#ifdef SECOND
+    slope += exact_slope(v_place.xy, 1);
+#endif
+    vec3 exact = normalize(cross(vec3(0.0, slope.y, 1.0), vec3(1.0, slope.x, 0.0)));
+    float degrees_ = degrees(atan(length(cross(exact, normal)), dot(exact, normal)));
+#ifdef MEASURE
+    o_color = vec4(degrees_, 0.0, 0.0, 0.0);
+#else
+    o_color = finished(vec4(heat(degrees_ / u_error_scale), 1.0), gl_FragCoord.xy);
+#endif
+#else
+    vec3 light = lit(position, normal);
+    o_color = finished(vec4(srgb_from_linear(exposed(light)), 1.0), gl_FragCoord.xy);
+#endif
+#endif
+}
