@@ -33,8 +33,8 @@ glm::ivec2 parse_size(const std::string& text) {
 
 double parse_time(const std::string& text) {
     const auto time = parse_number(text);
-    if (!time || *time < 0 || *time > 1e6)
-        throw UsageError(fmt::format("--time takes seconds from 0 to 1000000, not '{}'", text));
+    if (!time || std::abs(*time) > 2e9)
+        throw UsageError(fmt::format("--time takes seconds from -2000000000 to 2000000000, not '{}'", text));
     return *time;
 }
 

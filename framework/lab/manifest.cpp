@@ -36,7 +36,7 @@ Shot read_shot(Table table, const Orbit& camera, glm::ivec2 usual_size) {
     if (auto knobs = table.table("set")) shot.set = knobs->all_as_text();
     if (auto place = table.table("camera")) read_camera(*place, shot.camera);
     table.read("probe", shot.probe.name);
-    table.read("time", shot.time, 0, 1e6);
+    table.read("time", shot.time, -2e9, 2e9);
     std::array<double, 2> size{};
     if (table.read<2>("size", size, 1, max_picture_side)) {
         shot.size = {int(size[0]), int(size[1])};

@@ -177,7 +177,7 @@ private:
     /// Where a pixel is as wide as many waves.
     static Camera from_afar(const Frame& frame) {
         Orbit orbit = frame.camera.orbit();
-        orbit.distance *= 12;
+        orbit.distance *= 6;
         return Camera(orbit, double(frame.size.x) / std::max(1, frame.size.y));
     }
 
@@ -322,7 +322,7 @@ private:
     Labels labels_;
 
     int view_ = halves, combine_ = slopes, waves_ = 0, source_ = 0, far_ = lean, samples_ = 2, fresnel_ = 0, level_ = 0;
-    std::array<float, 2> tiles_ = {0.16f, 2}, amplitude_ = {1.2f, 0.1f};
+    std::array<float, 2> tiles_ = {0.16f, 2.6f}, amplitude_ = {1.2f, 0.08f};
     float wind_ = 6, shininess_ = 512, budget_ = 3;
     bool lock_ = true, displace_ = true, wire_ = false;
     DistantLight light_{.yaw = 0, .pitch = 7};

@@ -10,11 +10,11 @@ constexpr double two_pi = 2 * glm::pi<double>();
 
 struct Spectrum {
     double shortest, longest;  ///< wave number, waves a tile
-    double spread;             ///< largest angle to the wind, radians
+    double course, spread;     ///< angle to the z axis, and the largest angle to that; radians
     double fall;               ///< amplitude falls with this power of the wave number
     unsigned seed;
 };
-constexpr std::array<Spectrum, 2> spectra = {{{3, 15, 1.0, 1.35, 11}, {2, 17, 1.9, 1.25, 5}}};
+constexpr std::array<Spectrum, 2> spectra = {{{3, 15, 0.5, 0.9, 1.35, 11}, {2, 17, -0.4, 1.5, 1.25, 5}}};
 
 /// Pseudo-random in [0, 1): the same on every machine (Numerical Recipes' generator).
 double next(unsigned& state) {
@@ -29,7 +29,7 @@ std::array<Wave, waves_a_map> make_waves(const Spectrum& spectrum) {
     for (size_t i = 0; i < waves.size();) {
         const double share = (double(i) + next(state)) / double(waves.size()),
                      number = spectrum.shortest * std::pow(spectrum.longest / spectrum.shortest, share),
-                     angle = spectrum.spread * (2 * next(state) - 1), phase = two_pi * next(state);
+                     angle = spectrum.course + spectrum.spread * (2 * next(state) - 1), phase = two_pi * next(state);
         const glm::ivec2 k(int(std::lround(number * std::sin(angle))), int(std::lround(number * std::cos(angle))));
         bool is_new = k != glm::ivec2(0);
         for (size_t other = 0; other < i; ++other) is_new &= waves[other].k != k && waves[other].k != -k;

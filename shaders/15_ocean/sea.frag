@@ -123,41 +123,48 @@ vec2 sun_slope(vec3 to_eye, out bool seen) {
     return -sum.xz / max(sum.y, 1e-3);
 }
 
-vec3 variance_at(vec2 place) {
-    vec3 variance = vec3(0.0);
+// What a pixel knows of the slopes in it.
+struct Water {
+    vec2 mean;
+    vec3 variance;  // along x, along z, covariance
+};
+
+#if FAR == LEAN || FAR == SAMPLES
+void add_map(inout Water water, sampler2D waves, sampler2D moments, vec2 place, int map) {
+    vec2 uv = map_uv(place, map), mean = read_map(waves, uv).xy;
+    water.mean += mean * (amplitude(map) * tiles(map));
+    water.variance += spread(read_map(moments, uv), mean, amplitude(map), tiles(map));
+}
+#else
+// Averaged unit normals are shorter than 1, the shorter the more they differ: (1 - l) / l is a variance.
+void add_map(inout Water water, sampler2D normals, vec2 place, int map) {
+    float l = min(1.0, length(read_map(normals, map_uv(place, map)) * 2.0 - 1.0)), scale = amplitude(map) * tiles(map);
+    water.variance.xy += scale * scale * (1.0 - l) / l;
+}
+#endif
+
+Water water_at(vec2 place, vec3 normal, int rule) {
+    Water water = Water(vec2(0.0), vec3(0.0));
 #if FAR == LEAN || FAR == SAMPLES
 #ifdef FIRST
-    vec2 uv_1 = map_uv(place, 0);
-    variance += spread(read_map(s_moments_1, uv_1), read_map(s_waves_1, uv_1).xy, u_amplitude.x, u_tiles.x);
+    add_map(water, s_waves_1, s_moments_1, place, 0);
 #endif
 #ifdef SECOND
-    vec2 uv_2 = map_uv(place, 1);
-    variance += spread(read_map(s_moments_2, uv_2), read_map(s_waves_2, uv_2).xy, u_amplitude.y, u_tiles.y);
+    add_map(water, s_waves_2, s_moments_2, place, 1);
 #endif
-#elif FAR == TOKSVIG
-    // Averaged unit normals are shorter than 1, the shorter the more they differ: (1 - l) / l is a variance.
+    if (rule != SLOPES) water.mean = -normal.xz / normal.y;
+#else
+    water.mean = -normal.xz / normal.y;
+#if FAR == TOKSVIG
 #ifdef FIRST
-    float l_1 = min(1.0, length(read_map(s_normals_1, map_uv(place, 0)) * 2.0 - 1.0)), f_1 = u_amplitude.x * u_tiles.x;
-    variance.xy += f_1 * f_1 * (1.0 - l_1) / l_1;
+    add_map(water, s_normals_1, place, 0);
 #endif
 #ifdef SECOND
-    float l_2 = min(1.0, length(read_map(s_normals_2, map_uv(place, 1)) * 2.0 - 1.0)), f_2 = u_amplitude.y * u_tiles.y;
-    variance.xy += f_2 * f_2 * (1.0 - l_2) / l_2;
+    add_map(water, s_normals_2, place, 1);
 #endif
 #endif
-    return variance;
-}
-
-// The mean slope of the water in a pixel, without a bend by rounding to 8 bits.
-vec2 mean_slope(vec2 place) {
-    vec2 slope = vec2(0.0);
-#ifdef FIRST
-    slope += read_map(s_waves_1, map_uv(place, 0)).xy * (u_amplitude.x * u_tiles.x);
 #endif
-#ifdef SECOND
-    slope += read_map(s_waves_2, map_uv(place, 1)).xy * (u_amplitude.y * u_tiles.y);
-#endif
-    return slope;
+    return water;
 }
 
 #if FAR == SAMPLES
@@ -186,16 +193,14 @@ float sampled_highlight(vec3 position, vec2 wanted) {
 #endif
 
 // `position` is relative to the eye.
-float glitter(vec3 position, vec3 normal) {
+float glitter(vec3 position, Water water) {
     bool seen;
     vec2 wanted = sun_slope(-normalize(position), seen);
     if (!seen) return 0.0;
 #if FAR == SAMPLES
     return sampled_highlight(position, wanted);
-#elif FAR == LEAN
-    return highlight(wanted - mean_slope(position.xz), variance_at(position.xz), u_shininess);
 #else
-    return highlight(wanted + normal.xz / normal.y, variance_at(position.xz), u_shininess);
+    return highlight(wanted - water.mean, water.variance, u_shininess);
 #endif
 }
 
@@ -214,10 +219,10 @@ float mirrored_share(float cosine) {
 #endif
 }
 
-vec3 lit(vec3 position, vec3 normal) {
+vec3 lit(vec3 position, vec3 normal, Water water) {
     vec3 to_eye = -normalize(position);
     // Of waves within a pixel those that lean towards the eye are seen more: by that much the mean visible one leans.
-    vec3 variance = variance_at(position.xz);
+    vec3 variance = water.variance;
     vec2 way = to_eye.xz / max(length(to_eye.xz), 1e-6);
     float within = way.x * way.x * variance.x + 2.0 * way.x * way.y * variance.z + way.y * way.y * variance.y;
     float lean = within / (max(to_eye.y, 0.0) + 0.8 * sqrt(within) + 1e-4);
@@ -229,11 +234,11 @@ vec3 lit(vec3 position, vec3 normal) {
     float day = 0.2 + 0.8 * clamp(u_to_light.y * 2.0, 0.0, 1.0);
     float crest = clamp(0.35 + 0.9 * v_place.z, 0.0, 1.5);
     float through = pow(max(dot(-to_eye, u_to_light), 0.0), 4.0) * crest;
-    vec3 water = day * (vec3(0.004, 0.022, 0.038) + vec3(0.004, 0.030, 0.032) * crest) +
+    vec3 body = day * (vec3(0.004, 0.022, 0.038) + vec3(0.004, 0.030, 0.032) * crest) +
                  through * vec3(0.012, 0.050, 0.040);
-    vec3 light = mix(water, mirror, share);
+    vec3 light = mix(body, mirror, share);
     vec3 halfway = normalize(to_eye + u_to_light + vec3(0.0, 1e-5, 0.0));
-    float sun = glitter(position, normal) * u_shininess / 512.0 * mirrored_share(dot(halfway, to_eye));
+    float sun = glitter(position, water) * u_shininess / 512.0 * mirrored_share(dot(halfway, to_eye));
     light += vec3(26.0, 13.0, 4.4) * (sun * 0.25 / max(abs(to_eye.y), 0.07));
     // Mist, where the sea meets the sky.
     float away = length(position);
@@ -248,7 +253,7 @@ void main() {
     if (gl_FragCoord.x >= u_split) rule = SLOPES;
 #endif
 #if defined PROBE_sigma
-    o_color = vec4(variance_at(v_place.xy), 0.0);
+    o_color = vec4(water_at(v_place.xy, vec3(0.0, 1.0, 0.0), SLOPES).variance, 0.0);
 #elif defined PROBE_height
     float height = v_place.z;
 #ifdef FLAT
@@ -267,8 +272,8 @@ void main() {
 #else
     o_color = vec4(map_slope(s_waves_2, s_normals_2, v_place.xy, 1), 0.0, 0.0);
 #endif
-#elif defined PROBE_glitter && (FAR == LEAN || FAR == SAMPLES)
-    o_color = vec4(glitter(position, vec3(0.0, 1.0, 0.0)), 0.0, 0.0, 0.0);
+#elif defined PROBE_glitter && COMBINE == SLOPES && (FAR == LEAN || FAR == SAMPLES)
+    o_color = vec4(glitter(position, water_at(v_place.xy, vec3(0.0, 1.0, 0.0), SLOPES)), 0.0, 0.0, 0.0);
 #else
     vec3 normal = normal_at(v_place.xy, rule), to_eye = -normalize(position);
 #if defined PROBE_normal
@@ -276,7 +281,7 @@ void main() {
 #elif defined PROBE_slope
     o_color = vec4(-normal.xz / normal.y, 0.0, 0.0);
 #elif defined PROBE_glitter
-    o_color = vec4(glitter(position, normal), 0.0, 0.0, 0.0);
+    o_color = vec4(glitter(position, water_at(v_place.xy, normal, rule)), 0.0, 0.0, 0.0);
 #elif defined PROBE_reflection
     o_color = vec4(reflected(to_eye, normal), 0.0);
 #elif defined PROBE_fresnel
@@ -297,7 +302,7 @@ void main() {
     o_color = finished(vec4(heat(degrees_ / u_error_scale), 1.0), gl_FragCoord.xy);
 #endif
 #else
-    vec3 light = lit(position, normal);
+    vec3 light = lit(position, normal, water_at(v_place.xy, normal, rule));
     o_color = finished(vec4(srgb_from_linear(exposed(light)), 1.0), gl_FragCoord.xy);
 #endif
 #endif

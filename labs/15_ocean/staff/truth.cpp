@@ -1,6 +1,7 @@
 // What only the staff has of lab 15: see ../truth.h.
 #include "../truth.h"
 
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -44,13 +45,32 @@ glm::dvec2 slope(const std::vector<Term>& terms, const glm::dvec2& place) {
     return sum;
 }
 
+/// The largest height and slope of a map that is tiled once. A sum of waves of at most n whole waves along each axis is
+/// nowhere larger than at N x N places, divided by cos(pi n / N) squared (Ehlich and Zeller 1964).
+glm::dvec2 bounds_of(int map) {
+    static const auto measured = [](int of) {
+        const Image waves = make_maps(of).waves;
+        double height_ = 0, slope_ = 0;
+        for (size_t i = 0; i < waves.values.size(); i += 3) {
+            height_ = std::max(height_, double(std::abs(waves.values[i + 2])));
+            slope_ = std::max(slope_, std::hypot(double(waves.values[i]), double(waves.values[i + 1])));
+        }
+        int most = 0;
+        for (const Wave& wave : waves_of(of)) most = std::max({most, std::abs(wave.k.x), std::abs(wave.k.y)});
+        const double between = std::cos(glm::pi<double>() * most / map_texels);
+        return glm::dvec2(height_, slope_) / (between * between);
+    };
+    static const std::array bounds = {measured(0), measured(1)};
+    return bounds[size_t(map)];
+}
+
 class ExactSea {
 public:
     ExactSea(const Sea& sea, const Frame& frame)
         : sea_(sea), terms_(terms_of(sea, frame.time)), eye_(frame.camera.eye()) {
-        for (const Term& term : terms_) {
-            highest_ += std::abs(term.amplitude);
-            steepest_ += std::abs(term.amplitude) * glm::length(term.number);
+        for (const Layer& layer : sea.layers) {
+            const glm::dvec2 bounds = bounds_of(layer.map);
+            highest_ += layer.amplitude * bounds.x, steepest_ += layer.amplitude * layer.tiles * bounds.y;
         }
         // A pixel's width and height, one metre along the line of sight.
         const glm::dmat4 view = frame.camera.view_from_world();
@@ -64,7 +84,8 @@ public:
     std::optional<glm::dvec3> hit(const Ray& ray) const {
         const double level = ray.direction.y < 0 ? -ray.origin.y / ray.direction.y : INFINITY;
         if (!sea_.displaced) return level > 0 && std::isfinite(level) ? std::optional(at(ray, level)) : std::nullopt;
-        const double rate = std::abs(ray.direction.y) + steepest_ * glm::length(glm::dvec2(ray.direction.x, ray.direction.z));
+        const double rate =
+            std::abs(ray.direction.y) + steepest_ * glm::length(glm::dvec2(ray.direction.x, ray.direction.z));
         double t = ray.origin.y > highest_ ? (highest_ - ray.origin.y) / std::min(ray.direction.y, -1e-12) : 0;
         for (int step = 0; step < 4000; ++step) {
             const glm::dvec3 place = at(ray, t);
@@ -109,8 +130,8 @@ private:
     }
 
     /// Over the pixel's part of the sea, taken as a parallelogram of the plane at the height of its middle: one call
-    /// for each of 32 x 32 places, with the slope there. Along a row the angle of a wave grows by the same amount, and
-    /// so each turns by one product of complex numbers.
+    /// for each of 32 x 32 places, with the slope there. From one column to the next the angle of a wave grows by the
+    /// same amount, so it turns by one product of complex numbers; all rows at once.
     template <class Take>
     void each_sample(const glm::dvec3& middle, Take take) const {
         const double depth = glm::dot(middle - eye_, forward_);
@@ -119,27 +140,35 @@ private:
             return depth * (glm::dvec2(by.x, by.z) - glm::dvec2(way.x, way.z) * (by.y / way.y));
         };
         const glm::dvec2 across = moved(right_) / double(side), along = moved(up_) / double(side);
-        std::vector<glm::dvec2> turned(terms_.size()), turn(terms_.size());
+        const glm::dvec2 begin = glm::dvec2(middle.x, middle.z) - (side - 1) / 2.0 * (across + along);
+        using Rows = std::array<double, side>;
+        struct Turning {
+            Rows cosine, sine;  // times the amplitude
+            double turn_cosine, turn_sine;
+        };
+        std::vector<Turning> terms(terms_.size());
         for (size_t i = 0; i < terms_.size(); ++i) {
             const double angle = glm::dot(terms_[i].number, across);
-            turn[i] = {std::cos(angle), std::sin(angle)};
+            terms[i].turn_cosine = std::cos(angle), terms[i].turn_sine = std::sin(angle);
+            for (size_t row = 0; row < side; ++row) {
+                const double at = glm::dot(terms_[i].number, begin + double(row) * along) + terms_[i].phase;
+                terms[i].cosine[row] = terms_[i].amplitude * std::cos(at);
+                terms[i].sine[row] = terms_[i].amplitude * std::sin(at);
+            }
         }
-        for (int row = 0; row < side; ++row) {
-            const glm::dvec2 begin =
-                glm::dvec2(middle.x, middle.z) + (row + 0.5 - side / 2.0) * along + (0.5 - side / 2.0) * across;
-            for (size_t i = 0; i < terms_.size(); ++i) {
-                const double angle = glm::dot(terms_[i].number, begin) + terms_[i].phase;
-                turned[i] = terms_[i].amplitude * glm::dvec2(std::cos(angle), std::sin(angle));
-            }
-            for (int column = 0; column < side; ++column) {
-                glm::dvec2 s(0);
-                for (size_t i = 0; i < terms_.size(); ++i) {
-                    glm::dvec2& z = turned[i];
-                    s -= terms_[i].number * z.y;
-                    z = {z.x * turn[i].x - z.y * turn[i].y, z.x * turn[i].y + z.y * turn[i].x};
+        for (int column = 0; column < side; ++column) {
+            Rows x{}, z{};
+            for (size_t i = 0; i < terms.size(); ++i) {
+                Turning& term = terms[i];
+                const glm::dvec2 number = terms_[i].number;
+                for (size_t row = 0; row < side; ++row) {
+                    const double cosine = term.cosine[row], sine = term.sine[row];
+                    x[row] -= number.x * sine, z[row] -= number.y * sine;
+                    term.cosine[row] = cosine * term.turn_cosine - sine * term.turn_sine;
+                    term.sine[row] = cosine * term.turn_sine + sine * term.turn_cosine;
                 }
-                take(s);
             }
+            for (size_t row = 0; row < side; ++row) take(glm::dvec2(x[row], z[row]));
         }
     }
 

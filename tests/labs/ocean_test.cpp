@@ -1,0 +1,249 @@
+// Lab 15: slopes add and normals do not; the light of a far sea; a sea that runs for years.
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <numeric>
+
+#include "framework/gl/counters.h"
+#include "framework/image/mips.h"
+#include "labs/15_ocean/waves.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+using ocean::make_maps, ocean::map_texels, ocean::slope_moments, ocean::tile_metres, ocean::waves_of;
+
+/// On the plane, without minification; `more` after that.
+std::vector<Knob> near_sea(std::vector<Knob> more = {}) {
+    std::vector<Knob> knobs = {{"view", "one"}, {"displace", "false"}, {"level", "0"}};
+    knobs.insert(knobs.end(), more.begin(), more.end());
+    return knobs;
+}
+
+Shot from_above(std::vector<Knob> knobs, const char* probe, glm::ivec2 size = {64, 64}) {
+    Shot shot = shot_of("15", std::move(knobs), probe, size);
+    shot.camera = {.yaw = 180, .pitch = 60, .distance = 8, .target = {0, 0, 0}};
+    return shot;
+}
+
+double sum_of(const Image& image) {
+    double sum = 0;
+    for (size_t i = 0; i < image.values.size(); i += 4)
+        if (std::isfinite(image.values[i])) sum += double(image.values[i]);
+    return sum;
+}
+
+TEST(Ocean, MapsAreTheirCosines) {
+    for (int map = 0; map < 2; ++map) {
+        const auto maps = make_maps(map);
+        double square = 0;
+        glm::dvec3 moments(0);
+        for (int y = 0; y < map_texels; ++y)
+            for (int x = 0; x < map_texels; ++x) {
+                square += std::pow(double(maps.waves.pixel(x, y)[2]), 2);
+                for (int c = 0; c < 3; ++c) moments[c] += double(maps.moments.pixel(x, y)[c]);
+                const glm::dvec2 uv((x + 0.5) / map_texels, 1 - (y + 0.5) / map_texels);
+                if ((x * 7 + y * 13) % 1009 != 0) continue;
+                glm::dvec3 exact(0);
+                for (const ocean::Wave& wave : waves_of(map)) {
+                    const double angle = 2 * glm::pi<double>() * glm::dot(glm::dvec2(wave.k), uv) + wave.phase;
+                    const glm::dvec2 number = 2 * glm::pi<double>() / tile_metres * glm::dvec2(wave.k);
+                    exact += wave.amplitude * glm::dvec3(-number * std::sin(angle), std::cos(angle));
+                }
+                for (int c = 0; c < 3; ++c) EXPECT_NEAR(maps.waves.pixel(x, y)[c], exact[c], 1e-6);
+            }
+        const double count = double(map_texels) * map_texels;
+        EXPECT_NEAR(square / count, 1.0 / 16, 1e-6) << "four times the root is a metre";
+        // Different whole waves are orthogonal: what is left is half of each one's square.
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(moments[c] / count, slope_moments(map)[c], 1e-6);
+    }
+}
+
+TEST(Ocean, TheNormalsOfTheMapsAreWithin03Degrees) {
+    for (const char* wind : {"6", "15"}) {
+        const ErrorSummary error = error_of("15", from_above(near_sea({{"wind", wind}}), "normal"));
+        EXPECT_LT(error.mean, 0.3) << wind;
+        if (wind == std::string("6")) {
+            EXPECT_LT(error.p99, 0.3);
+        }
+    }
+    EXPECT_LT(error_of("15", from_above(near_sea({{"normals", "heights"}}), "normal")).mean, 0.1);
+    EXPECT_LT(error_of("15", from_above(near_sea({{"normals", "analytic"}}), "normal")).mean, 0.002);
+}
+
+/// Degrees, where each of two maps has this root mean square slope; and how steep the rule's sea
+/// is as a share of the right one.
+struct RuleError {
+    double degrees, steepness;
+};
+template <class Rule>
+RuleError error_of_rule(double rms, Rule rule) {
+    const std::array maps = {make_maps(0).waves, make_maps(1).waves};
+    double degrees = 0, found = 0, right = 0;
+    int count = 0;
+    for (int y = 0; y < map_texels; y += 3)
+        for (int x = 0; x < map_texels; x += 3, ++count) {
+            glm::dvec2 s[2];
+            for (int map = 0; map < 2; ++map) {
+                const glm::dvec3 moments = slope_moments(map);
+                const Image& waves = maps[size_t(map)];
+                // Unlike places of both, so that they have nothing to do with each other.
+                const float* at = waves.pixel(map == 0 ? x : (5 * x + 3 * y) % map_texels,
+                                              map == 0 ? y : (3 * x + 2 * y) % map_texels);
+                s[map] = glm::dvec2(at[0], at[1]) * rms / std::sqrt(moments.x + moments.y);
+            }
+            const auto normal = [](glm::dvec2 slope) { return glm::normalize(glm::dvec3(-slope, 1)); };
+            const glm::dvec3 exact = normal(s[0] + s[1]), got = glm::normalize(rule(normal(s[0]), normal(s[1])));
+            degrees += glm::degrees(std::atan2(glm::length(glm::cross(exact, got)), glm::dot(exact, got)));
+            found += glm::dot(glm::dvec2(got), glm::dvec2(got)) / (got.z * got.z);
+            right += glm::dot(s[0] + s[1], s[0] + s[1]);
+        }
+    return {degrees / count, std::sqrt(found / right)};
+}
+
+TEST(Ocean, TheMeanOfNormalsHasHalfOfTheSlope) {
+    const auto mean = [](const glm::dvec3& a, const glm::dvec3& b) { return a + b; };
+    // Measured with a program of its own, over random waves: 3.4, 7.3, 10.5 degrees.
+    EXPECT_NEAR(error_of_rule(0.1, mean).degrees, 3.5, 0.25);
+    EXPECT_NEAR(error_of_rule(0.2, mean).degrees, 7.0, 0.5);
+    EXPECT_NEAR(error_of_rule(0.35, mean).degrees, 10.5, 1.0);
+    EXPECT_NEAR(error_of_rule(0.2, mean).steepness, 0.49, 0.01);
+    const auto slopes = [](const glm::dvec3& a, const glm::dvec3& b) {
+        return glm::dvec3(glm::dvec2(a) / a.z + glm::dvec2(b) / b.z, 1);
+    };
+    EXPECT_LT(error_of_rule(0.35, slopes).degrees, 1e-6);
+}
+
+TEST(Ocean, TheWindMakesTheSlopesOfCoxAndMunk) {
+    for (const double wind : {3.0, 6.0, 12.0}) {
+        const Shot shot = from_above(
+            {{"view", "one"}, {"displace", "false"}, {"level", "8"}, {"wind", std::to_string(wind)}}, "sigma", {8, 8});
+        const Image sigma = drawn("15", shot);
+        EXPECT_NEAR(double(sigma.values[0]) + double(sigma.values[1]), 0.003 + 0.00512 * wind, 1e-5);
+    }
+}
+
+/// The light in the middle of the path on a far sea, against 1024 places of each pixel in double precision.
+double light_off(const char* far_rule, const char* wind) {
+    Shot shot = shot_of("15",
+                        {{"view", "one"},
+                         {"displace", "false"},
+                         {"far", far_rule},
+                         {"wind", wind},
+                         {"light_pitch", "20"}},
+                        "glitter", {32, 32});
+    shot.camera = {.yaw = 180, .pitch = 20, .distance = 20000, .target = {0, 0, 0}, .field_of_view = 5};
+    const auto lab = make_lab(find_lab("15"), shot);
+    const double right = sum_of(truth_of(*lab, shot));
+    return sum_of(render_shot(*lab, shot)) / right - 1;
+}
+
+TEST(Ocean, TheLightOfAFarSeaIsRightByLeanAndTooMuchByPlainMips) {
+    for (const char* wind : {"4", "8", "14"}) {
+        EXPECT_LT(std::abs(light_off("lean", wind)), 0.06) << wind;
+        EXPECT_GT(std::abs(light_off("plain", wind)), 4) << wind;
+        EXPECT_LT(std::abs(light_off("samples", wind)), 0.02) << wind;
+    }
+    // Toksvig takes the spread for round, and reads it from the lengths of 8-bit normals.
+    EXPECT_GT(std::abs(light_off("toksvig", "8")), 1.5 * std::abs(light_off("lean", "8")));
+}
+
+TEST(Ocean, ComesBackToTheBitAfterItsPeriodAtAnyTime) {
+    const auto at = [](double time) {
+        Shot shot = from_above(near_sea(), "height", {24, 24});
+        shot.time = time;
+        EXPECT_LT(error_of("15", shot).mean, 0.002) << time;
+        return drawn("15", shot).values;
+    };
+    for (const double time : {0.0, 0.375, -17.5, 1e6 + 3.25, 1e9 - 0.125})
+        EXPECT_EQ(at(time), at(time + 128)) << time;
+    EXPECT_NE(at(0), at(1));
+    EXPECT_EQ(at(0), at(-128 * 1e5)) << "whole tiles, backwards";
+}
+
+TEST(Ocean, IsFiniteWhateverSunEyeAndHighlightAre) {
+    for (const std::vector<Knob>& knobs : std::vector<std::vector<Knob>>{{},
+                                                                         {{"shininess", "1"}},
+                                                                         {{"shininess", "4096"}},
+                                                                         {{"light_pitch", "0"}},
+                                                                         {{"light_pitch", "-5"}},
+                                                                         {{"light_yaw", "180"}},
+                                                                         {{"light_pitch", "90"}},
+                                                                         {{"wind", "0"}, {"amplitude_1", "4"}},
+                                                                         {{"amplitude_1", "0"}, {"amplitude_2", "0"}},
+                                                                         {{"far", "toksvig"}, {"tiles_1", "0.02"}}})
+        for (const double height : {0.0, 0.3, 5.0})
+            for (const char* probe : {"normal", "reflection", "fresnel", "sigma", "glitter"}) {
+                std::vector<Knob> all = {{"view", "one"}};
+                all.insert(all.end(), knobs.begin(), knobs.end());
+                Shot shot = shot_of("15", all, probe, {16, 16});
+                shot.camera = {.yaw = 180, .pitch = 0, .distance = 5, .target = {0, height, 0}};
+                // Throws where a pixel is not a number.
+                const auto lab = make_lab(find_lab("15"), shot);
+                const Image image = draw_shot(*lab, shot);
+                for (const float value : image.values) ASSERT_FALSE(std::isnan(value)) << probe << " at " << height;
+            }
+}
+
+TEST(Ocean, AWholeSpreadWithoutCovarianceOrWavesIsASingleSlope) {
+    // Determinant 0: no waves at all, so that only the highlight's own spread is left.
+    Shot shot = shot_of("15", near_sea({{"amplitude_1", "0"}, {"amplitude_2", "0"}, {"shininess", "4096"}}), "glitter",
+                        {32, 32});
+    shot.set.emplace_back("light_pitch", "20");
+    shot.camera = {.yaw = 180, .pitch = 20, .distance = 10, .target = {0, 0, 0}, .field_of_view = 4};
+    const Image light = drawn("15", shot);
+    float most = 0;
+    for (size_t i = 0; i < light.values.size(); i += 4) most = std::max(most, light.values[i]);
+    EXPECT_GT(most, 0.9f);
+    EXPECT_LE(most, 1.0f);
+}
+
+TEST(Ocean, RaisedWavesKeepTheBudgetAndLeaveNoHole) {
+    Shot shot = shot_of("15", {{"view", "one"}, {"budget", "0.5"}}, "height", {96, 96});
+    shot.camera = {.yaw = 200, .pitch = 40, .distance = 20, .target = {0, 0, 0}};
+    const Image found = drawn("15", shot);
+    EXPECT_TRUE(std::all_of(found.values.begin(), found.values.end(), [](float v) { return std::isfinite(v); }));
+    // 96 pixels over 2 x 20 m x tan(20 degrees): half a pixel is 0.08 m, which is twice the root mean square.
+    EXPECT_LT(error_of("15", shot).mean, 0.04);
+    EXPECT_LT(error_of("15", shot).p99, 0.16);
+}
+
+int64_t triangles_of(const std::vector<Knob>& knobs) {
+    const Shot shot = shot_of("15", knobs, "", {64, 64});
+    const auto lab = make_lab(find_lab("15"), shot);
+    const Target target(TargetKind::picture, shot.size);
+    GLuint query = 0;
+    glGenQueries(1, &query);
+    glBeginQuery(GL_PRIMITIVES_GENERATED, query);
+    draw_lab(*lab, frame_of(shot, target));
+    glEndQuery(GL_PRIMITIVES_GENERATED);
+    GLuint count = 0;
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+    glDeleteQueries(1, &query);
+    return count;
+}
+
+TEST(Ocean, WavesBelowTheBudgetAreNotTessellated) {
+    const int64_t flat = triangles_of({{"view", "one"}, {"displace", "false"}});
+    EXPECT_LT(flat, 26 * 48 * 2 / 3) << "patches outside of the picture are culled";
+    EXPECT_GT(triangles_of({{"view", "one"}, {"budget", "0.25"}}), 3 * flat);
+    EXPECT_LT(triangles_of({{"view", "one"}, {"wind", "0"}, {"amplitude_1", "0.001"}, {"amplitude_2", "0.001"}}),
+              flat + 10);
+}
+
+TEST(Ocean, MapsThatNobodyReadsAreNotLoaded) {
+    const auto bytes = [](const std::vector<Knob>& knobs) {
+        const Shot shot = shot_of("15", knobs, "", {32, 32});
+        const auto lab = make_lab(find_lab("15"), shot);
+        const int64_t before = counters().texture_bytes;
+        render_shot(*lab, shot);
+        return counters().texture_bytes - before;
+    };
+    const int64_t all = bytes({{"view", "one"}});
+    EXPECT_EQ(all, 2 * bytes({{"view", "one"}, {"amplitude_2", "0"}})) << "the second map";
+    EXPECT_LT(bytes({{"view", "one"}, {"far", "plain"}}), 0.6 * double(all)) << "moments";
+    EXPECT_LT(bytes({{"view", "one"}, {"far", "plain"}, {"displace", "false"}}), 0.12 * double(all)) << "heights";
+}
+
+}  // namespace
+}  // namespace relief
