@@ -83,7 +83,7 @@ private:
     /// Tiles a second. In binary fractions, so that the sea is the same after 128 seconds, to the bit.
     static constexpr std::array<glm::dvec2, 2> velocities = {{{1.0 / 128, 9.0 / 128}, {-5.0 / 128, 31.0 / 128}}};
     static constexpr int rings = 26, sectors = 48;
-    static constexpr double flat = 20;  ///< exponent of 2: a segment as long as the sea
+    static constexpr double flat = 20;        ///< exponent of 2: a segment as long as the sea
     static constexpr float error_scale = 12;  ///< degrees that are pale yellow
 
     struct View {
@@ -115,7 +115,8 @@ private:
     double amplitude(int map) const {
         double square = 0;
         for (int i = 0; i < 2; ++i) {
-            const glm::dvec3 moments = slope_moments(i) * std::pow(double(amplitude_[size_t(i)] * tiles_[size_t(i)]), 2);
+            const glm::dvec3 moments =
+                slope_moments(i) * std::pow(double(amplitude_[size_t(i)] * tiles_[size_t(i)]), 2);
             square += moments.x + moments.y;
         }
         // Cox and Munk 1954: the mean squared slope of a clean sea.
@@ -135,7 +136,10 @@ private:
         glDisable(GL_DEPTH_TEST);
         draw_sky(frame);
         glEnable(GL_DEPTH_TEST);
+        glPolygonOffset(1, 1);
+        if (wire_) glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines lie in front
         draw_sea(frame, view, view.is_wiped ? "WIPE" : "");
+        glDisable(GL_POLYGON_OFFSET_FILL);
         if (!wire_) return;
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
         draw_sea(frame, view, "WIRE");
@@ -210,11 +214,12 @@ private:
         glUseProgram(program);
         const glm::dvec3 eye = frame.camera.eye();
         // What waves do is said from the eye on, in double precision: a sea has no end.
-        program.set("u_clip_from_eye", frame.camera.clip_from_world() * glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0,
-                                                                                   eye.x, eye.y, eye.z, 1));
+        program.set("u_clip_from_eye", frame.camera.clip_from_world() *
+                                           glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, eye.x, eye.y, eye.z, 1));
         program.set("u_eye_height", eye.y);
         program.set("u_near", std::min(0.1, 0.02 * frame.camera.orbit().distance));
-        const double first_ring = std::clamp(std::abs(eye.y), 0.5, 1e4), last_ring = 4e4 * std::max(1.0, first_ring / 10);
+        const double first_ring = std::clamp(std::abs(eye.y), 0.5, 1e4),
+                     last_ring = 4e4 * std::max(1.0, first_ring / 10);
         const double ratio = std::pow(last_ring / first_ring, 1.0 / (rings - 1));
         program.set("u_rings", glm::vec3(sectors, first_ring, ratio));
 
@@ -256,9 +261,11 @@ private:
         program.set("u_pixel_up", row(frame, 1) * pixel);
         program.set("u_steepest", 5 * std::sqrt(square));
         program.set("u_error_scale", error_scale);
+        program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         for (int i = 0; i < 2 * waves_a_map; ++i) {
             const Wave& wave = waves_of(i / waves_a_map)[size_t(i % waves_a_map)];
-            program.set(fmt::format("u_waves[{}]", i).c_str(), glm::vec4(wave.k.x, wave.k.y, wave.amplitude, wave.phase));
+            program.set(fmt::format("u_waves[{}]", i).c_str(),
+                        glm::vec4(wave.k.x, wave.k.y, wave.amplitude, wave.phase));
         }
         for (int map = 0; map < 2; ++map) {
             const std::string number = std::to_string(map + 1);
@@ -296,7 +303,8 @@ private:
             View square = view;
             square.tile = {{0, 0}, {48, 48}};
             const Image drawn = draw_numbers({48, 48}, [&] {
-                Frame frame{0, {48, 48}, 0, Camera({.yaw = 180, .pitch = 38, .distance = 26, .field_of_view = 30}, 1), {}};
+                Frame frame{
+                    0, {48, 48}, 0, Camera({.yaw = 180, .pitch = 38, .distance = 26, .field_of_view = 30}, 1), {}};
                 draw_sea(frame, square, "MEASURE");
             });
             double sum = 0;
@@ -305,7 +313,7 @@ private:
         });
     }
 
-    static Texture map_texture(const char* title, int map, Image MapImages::* image) {
+    static Texture map_texture(const char* title, int map, Image MapImages::*image) {
         return Texture(fmt::format("{} {}", title, map + 1), [map, image] { return make_maps(map).*image; });
     }
 

@@ -75,8 +75,7 @@ MapImages make_maps(int map) {
             for (int x = 0; x < map_texels; ++x) {
                 const int place = wave.k.x * (2 * x + 1) + wave.k.y * (2 * y + 1);
                 const glm::dvec2 at = turn[size_t(place & (halves - 1))];
-                sums[size_t(y) * map_texels + size_t(x)] +=
-                    glm::dvec3(-steepness * at.y, wave.amplitude * at.x);
+                sums[size_t(y) * map_texels + size_t(x)] += glm::dvec3(-steepness * at.y, wave.amplitude * at.x);
             }
     }
     for (int y = 0; y < map_texels; ++y)

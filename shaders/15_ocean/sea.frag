@@ -35,6 +35,7 @@ uniform vec3 u_forward;
 uniform vec3 u_pixel_right;  // a pixel's width and height, one metre ahead
 uniform vec3 u_pixel_up;
 uniform float u_steepest;    // no slope is more, nearly
+uniform vec3 u_wire;
 uniform float u_error_scale;
 uniform vec4 u_waves[48];    // k, amplitude, phase: both maps
 
@@ -252,7 +253,9 @@ void main() {
 #ifdef WIPE
     if (gl_FragCoord.x >= u_split) rule = SLOPES;
 #endif
-#if defined PROBE_sigma
+#if defined WIRE
+    o_color = vec4(u_wire, 1.0);
+#elif defined PROBE_sigma
     o_color = vec4(water_at(v_place.xy, vec3(0.0, 1.0, 0.0), SLOPES).variance, 0.0);
 #elif defined PROBE_height
     float height = v_place.z;

@@ -125,13 +125,9 @@ TEST(Ocean, TheWindMakesTheSlopesOfCoxAndMunk) {
 
 /// The light in the middle of the path on a far sea, against 1024 places of each pixel in double precision.
 double light_off(const char* far_rule, const char* wind) {
-    Shot shot = shot_of("15",
-                        {{"view", "one"},
-                         {"displace", "false"},
-                         {"far", far_rule},
-                         {"wind", wind},
-                         {"light_pitch", "20"}},
-                        "glitter", {32, 32});
+    Shot shot = shot_of(
+        "15", {{"view", "one"}, {"displace", "false"}, {"far", far_rule}, {"wind", wind}, {"light_pitch", "20"}},
+        "glitter", {32, 32});
     shot.camera = {.yaw = 180, .pitch = 20, .distance = 20000, .target = {0, 0, 0}, .field_of_view = 5};
     const auto lab = make_lab(find_lab("15"), shot);
     const double right = sum_of(truth_of(*lab, shot));
@@ -155,8 +151,7 @@ TEST(Ocean, ComesBackToTheBitAfterItsPeriodAtAnyTime) {
         EXPECT_LT(error_of("15", shot).mean, 0.002) << time;
         return drawn("15", shot).values;
     };
-    for (const double time : {0.0, 0.375, -17.5, 1e6 + 3.25, 1e9 - 0.125})
-        EXPECT_EQ(at(time), at(time + 128)) << time;
+    for (const double time : {0.0, 0.375, -17.5, 1e6 + 3.25, 1e9 - 0.125}) EXPECT_EQ(at(time), at(time + 128)) << time;
     EXPECT_NE(at(0), at(1));
     EXPECT_EQ(at(0), at(-128 * 1e5)) << "whole tiles, backwards";
 }

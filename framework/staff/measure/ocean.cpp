@@ -18,24 +18,23 @@ Shot sea_shot(const BenchSettings& settings, const BenchKnobs& set, const Orbit&
 BenchScene rules(const char* wind, const BenchSettings& settings) {
     BenchScene scene{{{"wind", wind}}, "frame"};
     for (const char* rule : {"slopes", "mean", "whiteout", "udn", "rnm"})
-        scene.methods.push_back({rule,
-                                 {{"combine", rule}},
-                                 [=] {
-                                     const Shot shot = sea_shot(
-                                         settings, {{"combine", rule}, {"wind", wind}, {"level", "0"}},
-                                         {.yaw = 180, .pitch = 60, .distance = 20, .target = {0, 0, 0}});
-                                     const std::shared_ptr<Lab> lab = make_lab(find_lab("15"), shot);
-                                     BenchSubject subject = drawn(lab, shot);
-                                     if (settings.pictures) show_picture(subject, *lab, shot);
-                                     Shot probe = shot;
-                                     probe.probe = {"normal"};
-                                     const Image errors = error_image(render_shot(*lab, probe), truth_of(*lab, probe),
-                                                                      ErrorMetric::angle);
-                                     subject.error = error_over(errors, "degree");
-                                     if (settings.pictures) show_errors(subject, errors, 10);
-                                     return subject;
-                                 },
-                                 std::string(rule) != "slopes"});
+        scene.methods.push_back(
+            {rule,
+             {{"combine", rule}},
+             [=] {
+                 const Shot shot = sea_shot(settings, {{"combine", rule}, {"wind", wind}, {"level", "0"}},
+                                            {.yaw = 180, .pitch = 60, .distance = 20, .target = {0, 0, 0}});
+                 const std::shared_ptr<Lab> lab = make_lab(find_lab("15"), shot);
+                 BenchSubject subject = drawn(lab, shot);
+                 if (settings.pictures) show_picture(subject, *lab, shot);
+                 Shot probe = shot;
+                 probe.probe = {"normal"};
+                 const Image errors = error_image(render_shot(*lab, probe), truth_of(*lab, probe), ErrorMetric::angle);
+                 subject.error = error_over(errors, "degree");
+                 if (settings.pictures) show_errors(subject, errors, 10);
+                 return subject;
+             },
+             std::string(rule) != "slopes"});
     return scene;
 }
 
@@ -43,9 +42,7 @@ BenchScene rules(const char* wind, const BenchSettings& settings) {
 BenchScene far_seas(const char* wind, const BenchSettings& settings) {
     BenchScene scene{{{"far", wind}}, "frame"};
     for (const char* far : {"plain", "toksvig", "lean", "samples"})
-        scene.methods.push_back({far,
-                                 {{"far", far}},
-                                 [=] {
+        scene.methods.push_back({far, {{"far", far}}, [=] {
                                      const Shot shot =
                                          sea_shot(settings, {{"far", far}, {"wind", wind}, {"light_pitch", "20"}},
                                                   {.yaw = 180, .pitch = 20, .distance = 1500, .target = {0, 0, 0}});
@@ -67,9 +64,7 @@ BenchScene far_seas(const char* wind, const BenchSettings& settings) {
 BenchScene frames(const BenchSettings& settings) {
     BenchScene scene{{{"waves", "raised"}}, "frame"};
     for (const char* budget : {"1", "3", "8"})
-        scene.methods.push_back({"budget",
-                                 {{"budget", budget}},
-                                 [=] {
+        scene.methods.push_back({"budget", {{"budget", budget}}, [=] {
                                      Shot shot = sea_shot(settings, {{"displace", "true"}, {"budget", budget}},
                                                           load_manifest(find_lab("15")).camera);
                                      const std::shared_ptr<Lab> lab = make_lab(find_lab("15"), shot);
