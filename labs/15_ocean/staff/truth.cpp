@@ -1,12 +1,12 @@
 // What only the staff has of lab 15: see ../truth.h.
-#include "../truth.h"
+#include "truth.h"
 
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "../waves.h"
 #include "framework/kit/numbers.h"
+#include "waves.h"
 
 namespace relief::ocean {
 namespace {
