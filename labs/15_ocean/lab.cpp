@@ -4,6 +4,7 @@
 // knows of the waves is their spread. Your tasks: labs/15_ocean/task.cpp and shaders/15_ocean/task.glsl
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -153,24 +154,56 @@ private:
         return Camera(orbit, double(frame.size.x) / std::max(1, frame.size.y));
     }
 
-    /// The longest segment, in metres, that is off by no more than this, in twice the root mean square: a chord of a
-    /// wave of amplitude a and k radians a metre leaves it by a k^2 l^2 / 8, and never by more than a.
-    double segment(double tolerated) const {
-        const auto error = [&](double length) {
-            double sum = 0;
-            for (int map = 0; map < 2; ++map)
-                for (const Wave& wave : waves_of(map)) {
-                    if (!is_used(map)) break;
-                    const double k = glm::length(glm::dvec2(wave.k)) * double(tiles_[size_t(map)]) / tile_metres;
-                    const double part = std::min(1.0, std::pow(2 * glm::pi<double>() * k * length, 2) / 8);
-                    sum += std::pow(amplitude(map) * wave.amplitude * part, 2) / 2;
-                }
-            return 2 * std::sqrt(sum);
-        };
-        double low = 1.0 / 1024, high = std::exp2(flat);
-        if (error(high) <= tolerated) return high;
-        while (high > 1.01 * low) (error(std::sqrt(low * high)) <= tolerated ? low : high) = std::sqrt(low * high);
-        return low;
+    /// The longest segment that is off by no more than this, as an exponent of 2, in metres; the error is twice the
+    /// root mean square. A chord of a wave of amplitude a and k radians a metre leaves it by a k^2 l^2 / 8, and never
+    /// by more than a.
+    double segment_exponent(double tolerated) const {
+        constexpr double first = -10;
+        constexpr int steps = 16, count = 20 * steps;  // to an exponent of 10
+        const std::array<double, 4> sea = {is_used(0) ? amplitude(0) : 0, is_used(1) ? amplitude(1) : 0,
+                                           double(tiles_[0]), double(tiles_[1])};
+        const std::vector<double>& errors = segment_errors_.get({sea}, [&] {
+            std::vector<double> made;
+            for (int i = 0; i < count; ++i) {
+                const double length = std::exp2(first + double(i) / steps);
+                double sum = 0;
+                for (size_t map = 0; map < 2; ++map)
+                    for (const Wave& wave : waves_of(int(map))) {
+                        const double turns = glm::length(glm::dvec2(wave.k)) * sea[map + 2] / tile_metres * length,
+                                     angle = 2 * glm::pi<double>() * turns,
+                                     part = sea[map] * wave.amplitude * std::min(1.0, angle * angle / 8);
+                        sum += part * part / 2;
+                    }
+                made.push_back(2 * std::sqrt(sum));
+            }
+            return made;
+        });
+        if (errors.back() <= tolerated) return flat;
+        const auto place = std::upper_bound(errors.begin(), errors.end(), tolerated) - errors.begin();
+        return first + double(std::max<std::ptrdiff_t>(0, place - 1)) / steps;
+    }
+
+    /// Metres that are as much as the budget in the picture, seen from this far.
+    double tolerated(const Frame& frame, double distance) const {
+        return double(budget_) * distance * 2 * half_height(frame) / frame.size.y;
+    }
+
+    /// Whether any of the water in the picture is near enough to be raised.
+    bool has_waves_above_budget(const Frame& frame) const {
+        double down = 0;  // of unit length, the steepest ray
+        for (const glm::dvec2 clip : {glm::dvec2(0, -1), {-1, -1}, {1, -1}, {0, 0}, {0, 1}})
+            down = std::max(down, -frame.camera.ray(clip).direction.y);
+        if (down > 0.95) down = 1;
+        const double nearest = std::max(0.0, frame.camera.eye().y - highest()) / std::max(down, 1e-9);
+        return down > 0 && segment_exponent(tolerated(frame, nearest)) < flat;
+    }
+
+    /// No wave is higher, metres.
+    double highest() const {
+        double sum = 0;
+        for (int map = 0; map < 2; ++map)
+            for (const Wave& wave : waves_of(map)) sum += is_used(map) ? amplitude(map) * std::abs(wave.amplitude) : 0;
+        return sum;
     }
 
     static glm::dvec3 row(const Frame& frame, int i) {
@@ -202,7 +235,7 @@ private:
     }
 
     void draw_sea(const Frame& frame, const View& view, const Define& purpose) {
-        const bool is_raised = displace_ && !view.is_error && (is_used(0) || is_used(1));
+        const bool is_raised = displace_ && !view.is_error && has_waves_above_budget(frame);
         const bool is_wire = purpose.text == "WIRE";
         const Program& program = sea_.with(
             {purpose, is_used(0) ? "FIRST" : "", is_used(1) ? "SECOND" : "", is_raised ? "" : "FLAT",
@@ -224,20 +257,18 @@ private:
         program.set("u_rings", glm::vec3(sectors, first_ring, ratio));
 
         const std::array amplitudes = {amplitude(0), amplitude(1)};
-        double highest = 0, square = 0;
+        double square = 0;
         for (int map = 0; map < 2; ++map) {
             if (!is_used(map)) continue;
             const double tiles = double(tiles_[size_t(map)]), a = amplitudes[size_t(map)];
-            for (const Wave& wave : waves_of(map)) highest += a * std::abs(wave.amplitude);
             const glm::dvec3 moments = a * a * tiles * tiles * slope_moments(map);
             square += moments.x + moments.y;
         }
-        program.set("u_highest", is_raised ? highest : 0.0);
-        const double pixels = frame.size.y / (2 * half_height(frame));  // of an angle of one radian
+        program.set("u_highest", is_raised ? highest() : 0.0);
         for (int ring = 0; ring <= rings; ++ring) {
             const double radius = ring == 0 ? 0 : first_ring * std::pow(ratio, ring - 1);
-            const double tolerated = double(budget_) * std::hypot(radius, eye.y) / pixels;
-            program.set(fmt::format("u_segments[{}]", ring).c_str(), is_raised ? std::log2(segment(tolerated)) : flat);
+            const double off = tolerated(frame, std::hypot(radius, eye.y));
+            program.set(fmt::format("u_segments[{}]", ring).c_str(), is_raised ? segment_exponent(off) : flat);
         }
 
         program.set("u_amplitude", glm::vec2(amplitudes[0], amplitudes[1]));
@@ -327,6 +358,7 @@ private:
                                            map_texture("normals", 1, &MapImages::normals)};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     std::array<Kept<double, std::vector<std::string>>, 2> means_;
+    mutable Kept<std::vector<double>, std::array<double, 4>> segment_errors_;  ///< by amplitudes and tiles
     Labels labels_;
 
     int view_ = halves, combine_ = slopes, waves_ = 0, source_ = 0, far_ = lean, samples_ = 2, fresnel_ = 0, level_ = 0;

@@ -50,7 +50,7 @@ vec3 reflected(vec3 to_eye, vec3 normal) {
     vec3 from = 2.0 * dot(normal, to_eye) * normal - to_eye;
     return vec3(from.x, abs(from.y), from.z);
     //]starter
-    //| return unfinished(vec3(to_eye.x, abs(to_eye.y), to_eye.z));
+    //| return unfinished(vec3(0.0, 1.0, 0.0));
     //]
 }
 //)
