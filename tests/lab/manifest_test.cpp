@@ -140,7 +140,7 @@ TEST(Manifest, AMistakeIsNamedWithItsLine) {
          "lab.toml:6: 'points' must be a whole number"},
         {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { size = [0, 8] }\n", "lab.toml:4: 'size' must be from 1 to"},
         {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { size = [8.5, 8] }\n", "lab.toml:4: 'size' must be"},
-        {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { time = -1 }\n", "lab.toml:4: 'time' must be from 0"},
+        {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { time = -3e9 }\n", "lab.toml:4: 'time' must be from -2000000000"},
         {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { set = { steps = [1] } }\n",
          "lab.toml:4: 'steps' must be a number"},
         {"title = \"A\"\n[[golden]]\nname = \"../a\"\n", "lab.toml:3: '../a' names a file: use a-z"},
