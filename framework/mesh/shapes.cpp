@@ -132,19 +132,25 @@ Mesh make_sphere(const SphereShape& shape) {
     });
 }
 
+glm::dvec3 cube_sphere_direction(int index, double s, double t) {
+    // tan(pi / 4) is not 1 in floating point, and the faces must meet in their edges.
+    const auto equal_angle = [](double x) { return std::abs(x) == 1 ? x : std::tan(glm::quarter_pi<double>() * x); };
+    const Face& face = cube_faces[index];
+    return glm::normalize(face.normal + equal_angle(s) * face.right + equal_angle(t) * face.up);
+}
+
 Mesh make_cube_sphere(const CubeSphereShape& shape) {
     const double radius = extent(shape.radius);
-    // tan(pi / 4) is not 1 in floating point, and the faces must meet in their edges.
-    const auto equal_angle = [](double s) { return std::abs(s) == 1 ? s : std::tan(glm::quarter_pi<double>() * s); };
     Mesh mesh;
-    for (const Face& face : cube_faces)
+    for (int index = 0; index < 6; ++index) {
+        const Face& face = cube_faces[index];
         add_patch(mesh, shape.cells, shape.cells, shape.repeat, [&](const Place& at) {
-            const glm::dvec3 out =
-                glm::normalize(face.normal + equal_angle(at.s) * face.right + equal_angle(at.t) * face.up);
+            const glm::dvec3 out = cube_sphere_direction(index, at.s, at.t);
             // The place on the cube moves along `right`; pushed onto the sphere, what is left is tangential.
             const glm::dvec3 along_u = glm::normalize(face.right - out * glm::dot(out, face.right));
             return Vertex{.position = radius * out, .normal = out, .tangent = glm::dvec4(along_u, 1), .uv = {}};
         });
+    }
     return mesh;
 }
 

@@ -75,6 +75,10 @@ struct CubeSphereShape {
 };
 Mesh make_cube_sphere(const CubeSphereShape& shape);
 
+/// Of unit length: the place (s, t) of a face, each from -1 to 1; beyond that the face's lines go on. The faces are +x,
+/// -x, +y, -y, +z, -z. Places that two faces share agree to the last bit.
+glm::dvec3 cube_sphere_direction(int face, double s, double t);
+
 /// A ring around the y axis: a tube (at most as thick as the ring, where its hole closes) around a circle. u runs
 /// around the axis from -z (to the right, seen from outside), v around the tube from the hole by way of the bottom, so
 /// v = repeat / 2 is the outer equator.

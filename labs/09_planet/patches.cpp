@@ -1,0 +1,266 @@
+#include "patches.h"
+
+#include <algorithm>
+#include <glm/gtc/constants.hpp>
+#include <map>
+#include <mutex>
+#include <random>
+
+#include "framework/base/parallel.h"
+#include "task.h"
+
+namespace relief::planet {
+
+glm::dmat3 face_axes(Mapping mapping, int face) {
+    if (mapping == Mapping::lat_long) return glm::dmat3({face ? -1 : 1, 0, 0}, {0, 1, 0}, {0, 0, face ? -1 : 1});
+    const glm::dvec3 out = cube_sphere_direction(face, 0, 0);
+    const glm::dvec3 right = glm::normalize(cube_sphere_direction(face, 1, 0) - out * std::sqrt(0.5));
+    return {glm::round(right), glm::round(glm::cross(out, right)), out};
+}
+
+glm::dvec3 direction_at(Mapping mapping, int face, glm::dvec2 st) {
+    if (mapping == Mapping::lat_long) {
+        // Whole quarters are exact, so that both halves meet.
+        const auto turn = [](double quarters) {
+            const double whole = std::round(quarters), rest = glm::half_pi<double>() * (quarters - whole);
+            const double c = std::cos(rest), s = std::sin(rest);
+            const int at = int(whole) & 3;
+            return at == 0 ? glm::dvec2(c, s) : at == 1 ? glm::dvec2(-s, c) : at == 2 ? glm::dvec2(-c, -s) : glm::dvec2(s, -c);
+        };
+        const glm::dvec2 around = turn(st.x + 2 * face), up = turn(st.y);
+        return {up.x * around.y, up.y, up.x * around.x};
+    }
+    if (mapping == Mapping::gnomonic)
+        for (int i = 0; i < 2; ++i)
+            if (std::abs(st[i]) != 1) st[i] = std::atan(st[i]) / glm::quarter_pi<double>();
+    return cube_sphere_direction(face, st.x, st.y);
+}
+
+namespace {
+
+/// How far the ground's triangles of a level are off, at places thrown by chance.
+double largest_error(const Shape& shape, int level, int samples) {
+    std::mutex lock;
+    double largest = 0;
+    parallel_pieces(size_t(samples), 64, 0, [&](size_t begin, size_t end) {
+        double most = 0;
+        for (size_t i = begin; i < end; ++i) {
+            std::mt19937 random(unsigned(i + 1000003 * size_t(level)));
+            const int across = (1 << level) * shape.quads, face = int(random() % unsigned(face_count(shape.mapping)));
+            const glm::dvec2 cell(random() % unsigned(across), random() % unsigned(across));
+            const auto ground = [&](glm::dvec2 local) {
+                const glm::dvec3 r = direction_at(shape.mapping, face, 2.0 * (cell + local) / double(across) - 1.0);
+                return (1 + height(shape.ground, r)) * r;
+            };
+            const glm::dvec3 a = ground({0, 0}), b = ground({1, 0}), c = ground({0, 1}), d = ground({1, 1});
+            const std::pair<glm::dvec3, glm::dvec2> places[] = {{(a + b) / 2.0, {0.5, 0}},
+                                                                {(a + c) / 2.0, {0, 0.5}},
+                                                                {(a + d) / 2.0, {0.5, 0.5}},
+                                                                {(a + b + d) / 3.0, {2 / 3.0, 1 / 3.0}},
+                                                                {(a + c + d) / 3.0, {1 / 3.0, 2 / 3.0}}};
+            for (const auto& [flat, local] : places) {
+                const double radius = glm::length(flat);
+                most = std::max(most, std::abs(radius - 1 - height(shape.ground, flat / radius)));
+            }
+        }
+        const std::lock_guard hold(lock);
+        largest = std::max(largest, most);
+    });
+    return largest;
+}
+
+Measured measure(const Shape& shape) {
+    Measured result;
+    constexpr int measured_levels = 7;
+    for (int level = 0; level <= deepest_level; ++level) {
+        double& error = result.errors[size_t(level)];
+        // Once the triangles are smaller than all that is on the ground, half their side is a quarter of the error.
+        error = level < measured_levels ? 1.25 * largest_error(shape, level, 1200) : result.errors[size_t(level) - 1] / 4;
+        if (level > 0) error = std::min(error, result.errors[size_t(level) - 1]);
+    }
+    std::mt19937 random(7);
+    for (int i = 0; i < 6000; ++i) {
+        const auto coordinate = [&] { return double(random()) / double(std::mt19937::max()) * 2 - 1; };
+        const glm::dvec3 at{coordinate(), coordinate(), coordinate()};
+        if (const double length = glm::length(at); length > 0.01)
+            result.highest = std::max(result.highest, height(shape.ground, at / length));
+    }
+    result.highest = 1.15 * result.highest + 1e-6;
+    return result;
+}
+
+struct Survey {
+    Measured measured;
+    std::map<PatchId, Bounds> bounds;
+};
+std::mutex survey_lock;
+
+/// It takes longer than a frame, and is the same for every planet of this shape. The lock is held.
+Survey& survey(const Shape& shape) {
+    static std::map<std::tuple<int, int, float, int, int>, Survey> known;
+    const auto key =
+        std::tuple(shape.ground.seed, shape.ground.detail, shape.ground.height, int(shape.mapping), shape.quads);
+    const auto found = known.find(key);
+    return found != known.end() ? found->second : known.emplace(key, Survey{measure(shape), {}}).first->second;
+}
+
+Bounds enclose(const Shape& shape, const Measured& measured, const PatchId& id) {
+    const auto direction = [&](int x, int y) {
+        return direction_at(shape.mapping, id.face, id.on_face(glm::dvec2(x, y) / 4.0));
+    };
+    Bounds bounds{direction(2, 2), {}, 0, 0, 0};
+    double low = INFINITY, high = -INFINITY;
+    for (int y = 0; y <= 4; ++y)
+        for (int x = 0; x <= 4; ++x) {
+            const glm::dvec3 r = direction(x, y);
+            const double h = height(shape.ground, r);
+            low = std::min(low, h), high = std::max(high, h);
+            bounds.angle = std::max(bounds.angle, 2 * std::asin(std::min(1.0, glm::length(r - bounds.direction) / 2)));
+        }
+    // Four segments across are the segments of two levels before, if a patch has sixteen.
+    const double between = id.level < 2 ? measured.highest : measured.errors[size_t(id.level) - 2];
+    low = 1 + std::max(0.0, low - between), bounds.highest = std::min(measured.highest, high + between);
+    const double middle = (low + 1 + bounds.highest) / 2;
+    bounds.middle = middle * bounds.direction;
+    const double c = 1 - std::cos(bounds.angle);  // of the law of cosines, without a difference of squares
+    for (const double radius : {low, 1 + bounds.highest})
+        bounds.radius =
+            std::max(bounds.radius, std::sqrt((radius - middle) * (radius - middle) + 2 * radius * middle * c));
+    return bounds;
+}
+
+}  // namespace
+
+const Measured& measured(const Shape& shape) {
+    const std::lock_guard hold(survey_lock);
+    return survey(shape).measured;
+}
+
+Bounds bounds_of(const Shape& shape, const PatchId& id) {
+    const std::lock_guard hold(survey_lock);
+    Survey& known = survey(shape);
+    const auto found = known.bounds.find(id);
+    return found != known.bounds.end() ? found->second
+                                       : known.bounds.emplace(id, enclose(shape, known.measured, id)).first->second;
+}
+
+std::pair<int, glm::dvec2> face_place(Mapping mapping, const glm::dvec3& direction) {
+    if (mapping == Mapping::lat_long) {
+        const int face = direction.z < 0;
+        const double side = face ? -1 : 1;
+        return {face, glm::dvec2(std::atan2(side * direction.x, side * direction.z), std::asin(direction.y)) /
+                          glm::half_pi<double>()};
+    }
+    const glm::dvec3 size = glm::abs(direction);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const int face = 2 * axis + (direction[axis] < 0);
+    const glm::dvec3 on_face = glm::transpose(face_axes(mapping, face)) * direction;
+    const glm::dvec2 on_cube = glm::dvec2(on_face) / on_face.z;
+    return {face, mapping == Mapping::gnomonic ? on_cube : glm::atan(on_cube) / glm::quarter_pi<double>()};
+}
+
+Rules students_rules() { return {split_distance, skirt_depth, behind_horizon}; }
+
+Eye Eye::of(const Camera& camera, double aspect) {
+    return {camera.eye(), glm::dmat3(camera.view_from_world()), glm::radians(camera.orbit().field_of_view), aspect};
+}
+
+Eye Eye::looking(const glm::dvec3& place, const glm::dvec3& along, const glm::dvec3& up, double field_of_view_rad,
+                 double aspect) {
+    const glm::dvec3 right = glm::normalize(glm::cross(along, up)), above = glm::cross(right, along);
+    return {place, glm::transpose(glm::dmat3(right, above, -along)), field_of_view_rad, aspect};
+}
+
+Ray Eye::ray(glm::dvec2 clip) const {
+    const double tangent = std::tan(field_of_view_rad / 2);
+    const glm::dvec3 seen(clip.x * tangent * aspect, clip.y * tangent, -1);
+    return {place, glm::normalize(glm::transpose(view_from_world) * seen)};
+}
+
+bool is_outside(const Eye& eye, const glm::dvec3& middle, double radius) {
+    const glm::dvec3 seen = eye.view_from_world * (middle - eye.place);
+    const double y = std::tan(eye.field_of_view_rad / 2), x = y * eye.aspect;
+    // Distances in front of the planes through the eye.
+    const double sideways = (-seen.z * x - std::abs(seen.x)) / std::sqrt(1 + x * x);
+    const double upwards = (-seen.z * y - std::abs(seen.y)) / std::sqrt(1 + y * y);
+    return seen.z > radius || sideways < -radius || upwards < -radius;
+}
+
+namespace {
+
+/// Splits what is drawn until neighbours differ by one level at most.
+void balance(const Shape& shape, std::vector<Leaf>& all) {
+    std::map<PatchId, size_t> places;
+    for (size_t i = 0; i < all.size(); ++i) places[all[i].id] = i;
+    const auto leaf_at = [&](const glm::dvec3& direction, int finest) -> Leaf* {
+        const auto [face, st] = face_place(shape.mapping, direction);
+        for (int level = 0; level <= finest; ++level) {
+            const glm::ivec2 at(glm::clamp((st + 1.0) / 2.0, 0.0, 1 - 1e-12) * double(1 << level));
+            const auto found = places.find({face, level, at.x, at.y});
+            if (found != places.end()) return &all[found->second];
+        }
+        return nullptr;  // finer
+    };
+    for (size_t i = 0; i < all.size(); ++i) {
+        const Leaf leaf = all[i];
+        if (leaf.state != Leaf::drawn || leaf.id.level < 2) continue;
+        for (const glm::dvec2 beyond : {glm::dvec2(-0.01, 0.5), {1.01, 0.5}, {0.5, -0.01}, {0.5, 1.01}}) {
+            const glm::dvec3 r = direction_at(shape.mapping, leaf.id.face, leaf.id.on_face(beyond));
+            for (Leaf* coarse; (coarse = leaf_at(r, leaf.id.level - 2)) && coarse->state == Leaf::drawn;) {
+                const PatchId whole = coarse->id;
+                const size_t place = places[whole];
+                places.erase(whole);
+                for (int child = 0; child < 4; ++child) {
+                    const PatchId part{whole.face, whole.level + 1, 2 * whole.x + child % 2, 2 * whole.y + child / 2};
+                    if (child == 0)
+                        all[place].id = part, places[part] = place;
+                    else
+                        places[part] = all.size(), all.push_back({part, Leaf::drawn});
+                }
+                // The first of them stands where the whole was looked at already, or will be.
+                if (place < i) places[all[place].id] = all.size(), all.push_back(all[place]), all[place].state = Leaf::gone;
+            }
+        }
+    }
+    std::erase_if(all, [](const Leaf& leaf) { return leaf.state == Leaf::gone; });
+}
+
+}  // namespace
+
+std::vector<Leaf> leaves(const Plan& plan, const Rules& rules) {
+    const Measured& known = measured(plan.shape);
+    std::array<double, deepest_level + 1> within{};
+    for (int level = 0; level < deepest_level; ++level)
+        within[size_t(level)] =
+            plan.levels == Levels::uniform    ? (level < plan.level ? INFINITY : -1)
+            : plan.levels == Levels::distance ? 6 / (plan.budget * (1 << level))
+                                              : rules.split_distance(known.errors[size_t(level)] * plan.radius, plan.budget,
+                                                                     plan.pixels, plan.eye.field_of_view_rad) /
+                                                    plan.radius;
+    const double from_centre = glm::length(plan.eye.place);
+    std::vector<Leaf> all;
+    const auto add = [&](const auto& self, const PatchId& id) -> void {
+        const Bounds bounds = bounds_of(plan.shape, id);
+        Leaf::State state = Leaf::drawn;
+        if (plan.cull != Cull::none && is_outside(plan.eye, bounds.middle, bounds.radius)) state = Leaf::outside;
+        if (plan.cull == Cull::horizon && from_centre > 0) {
+            const double apart =
+                std::acos(std::clamp(glm::dot(plan.eye.place, bounds.direction) / from_centre, -1.0, 1.0));
+            if (rules.behind_horizon(from_centre * plan.radius, std::max(0.0, apart - bounds.angle), plan.radius,
+                                     plan.radius * (1 + bounds.highest)))
+                state = Leaf::hidden;
+        }
+        const double away = std::max(0.0, glm::distance(plan.eye.place, bounds.middle) - bounds.radius);
+        if (state != Leaf::drawn || id.level == deepest_level || away > within[size_t(id.level)]) {
+            all.push_back({id, state});
+            return;
+        }
+        for (int child = 0; child < 4; ++child)
+            self(self, PatchId{id.face, id.level + 1, 2 * id.x + child % 2, 2 * id.y + child / 2});
+    };
+    for (int face = 0; face < face_count(plan.shape.mapping); ++face) add(add, PatchId{.face = face});
+    balance(plan.shape, all);
+    return all;
+}
+
+}  // namespace relief::planet

@@ -1,0 +1,84 @@
+#version 410 core
+// The planet: its map's normal in the light of the sun, its colours by height, slope and latitude, the air in front.
+
+#include "09_planet/air.glsl"
+#include "09_planet/ground.glsl"
+#include "09_planet/map.glsl"
+#include "common/heat.glsl"
+#include "common/srgb.glsl"
+#include "common/unfinished.glsl"
+
+in vec3 v_from_eye;
+in vec2 v_local;
+in float v_away;
+#ifdef VERTEX_NORMALS
+in vec3 v_normal;
+#endif
+
+uniform float u_radius;
+uniform vec3 u_eye;        // radii
+uniform float u_near;
+uniform float u_far;
+uniform float u_level;     // of the patch; below 0 it is not drawn from the eye
+uniform float u_skirt;
+uniform float u_quads;
+
+layout(location = 0) out vec4 o_color;
+
+void main() {
+#ifdef LOG_DEPTH
+    // By a logarithm, so that each length is resolved to the same share, however far away it is.
+    gl_FragDepth = log2(1.0 + max(v_away, 0.0) / u_near) / log2(1.0 + u_far / u_near);
+#endif
+    vec3 from_eye = v_from_eye / u_radius, place = u_eye + from_eye;
+#if defined PROBE_seen
+    o_color = vec4(1.0, 0.0, 0.0, 0.0);
+#elif defined PROBE_level
+    o_color = vec4(u_level, 0.0, 0.0, 0.0);
+#elif defined PROBE_skirt
+    o_color = vec4(u_skirt, 0.0, 0.0, 0.0);
+#elif defined PROBE_place
+    o_color = vec4(v_from_eye, 0.0);
+#else
+    vec4 texel = map_at(v_local);
+#ifdef VERTEX_NORMALS
+    vec3 normal = normalize(v_normal);
+#else
+    vec3 normal = texel.xyz;
+#endif
+    if (texel.w < -8.0) is_unfinished = true;
+#ifdef PROBE_normal
+    o_color = vec4(normal, 0.0);
+#else
+    float distance_ = length(from_eye);
+    vec3 to_eye = -from_eye / distance_, up = normalize(place);
+#ifdef PATCHES
+    vec3 albedo = u_level < -1.5 ? vec3(0.045, 0.055, 0.085) : u_level < -0.5 ? vec3(0.10, 0.06, 0.05) : 0.8 * heat(0.25 + 0.09 * u_level);
+    vec2 edge = min(v_local, 1.0 - v_local), line = fwidth(v_local);
+    float border = min(smoothstep(0.5, 1.7, edge.x / line.x), smoothstep(0.5, 1.7, edge.y / line.y));
+    vec2 cell = abs(fract(v_local * u_quads - 0.5) - 0.5) / (line * u_quads);
+    if (u_level > -0.5) albedo *= mix(0.72, 1.0, smoothstep(0.2, 1.2, min(cell.x, cell.y)));
+    albedo *= mix(0.25, 1.0, border);
+    float facing = max(dot(normal, u_to_sun), 0.0), gloss = 0.0;
+    vec3 light = albedo * (0.30 + 0.9 * facing);
+#else
+    vec3 albedo;
+    float gloss;
+    ground(texel.w, up, normal, place, albedo, gloss);
+    vec3 sun = sunlight(length(place) - 1.0, dot(up, u_to_sun));
+    float facing = max(dot(normal, u_to_sun), 0.0);
+    vec3 half_ = normalize(u_to_sun + to_eye);
+    float glint = gloss * (1.6 * pow(max(dot(normal, half_), 0.0), 60.0) + 6.0 * pow(max(dot(normal, half_), 0.0), 700.0));
+    vec3 sky = vec3(0.05, 0.09, 0.17) * smoothstep(-0.25, 0.5, dot(up, u_to_sun)) * (0.6 + 0.4 * dot(normal, up));
+    vec3 light = albedo * (2.4 * sun * facing + sky + vec3(0.0020, 0.0026, 0.0045)) + sun * glint * step(0.0, dot(up, u_to_sun) + 0.1);
+    // The sea mirrors the sky at grazing angles.
+    float graze = pow(1.0 - max(dot(normal, to_eye), 0.0), 5.0);
+    light += gloss * graze * sky * 3.0;
+    float opacity;
+    vec3 air = air_light(u_eye, -to_eye, distance_, opacity);
+    light = light * (1.0 - 0.75 * opacity) + air;
+#endif
+    o_color = finished(vec4(srgb_from_linear(exposed(light)), 1.0), gl_FragCoord.xy);
+#endif
+#endif
+}
