@@ -263,20 +263,6 @@ private:
         const Eye& eye = view.seen_from;
         const double tangent = std::tan(eye.field_of_view_rad / 2);
         const Plan& plan = view.plan;
-        if (!frame.probe) {
-            const Program& sky = sky_.with();
-            glUseProgram(sky);
-            sky.set("u_to_sun", sun_.direction());
-            sky.set("u_world_from_view", glm::mat3(glm::transpose(eye.view_from_world)));
-            sky.set("u_tangents", glm::vec2(tangent * eye.aspect, tangent));
-            sky.set("u_window", glm::vec4(view.tile.corner, view.tile.size));
-            sky.set("u_eye", eye.place);
-            if (!nothing_) nothing_.emplace();
-            glDisable(GL_DEPTH_TEST);
-            glBindVertexArray(*nothing_);
-            glDrawArrays(GL_TRIANGLES, 0, 3);
-            glEnable(GL_DEPTH_TEST);
-        }
         const bool has_map = !frame.probe || frame.probe.name == "normal";
         const Program& surface =
             surface_.with({frame.probe, !frame.probe && view.shows_patches ? "PATCHES" : "",
@@ -309,6 +295,20 @@ private:
             surface.set("u_skirt", needs_skirts ? skirt_depth(metres, id.level) : 0.0);
             globe.draw(surface, seen, i, precise_ == 0);
         }
+        if (!frame.probe) {
+            const Program& sky = sky_.with();
+            glUseProgram(sky);
+            sky.set("u_to_sun", sun_.direction());
+            sky.set("u_world_from_view", glm::mat3(glm::transpose(eye.view_from_world)));
+            sky.set("u_tangents", glm::vec2(tangent * eye.aspect, tangent));
+            sky.set("u_window", glm::vec4(view.tile.corner, view.tile.size));
+            sky.set("u_eye", eye.place);
+            if (!nothing_) nothing_.emplace();
+            glDepthFunc(GL_LEQUAL);  // where nothing stands before it
+            glBindVertexArray(*nothing_);
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+            glDepthFunc(GL_LESS);
+        }
     }
 
     void describe(glm::ivec2 size, const View& view, const Globe& globe) {
@@ -329,10 +329,10 @@ private:
     Labels labels_;
 
     int view_ = compare, mapping_ = 0, normals_ = 0, slopes_from_ = 0, lit_by_ = 0, strength_ = 0, levels_ = 2;
-    int level_ = 0, quads_ = 1, texels_ = 2, cull_ = 2, eye_ = 0, precise_ = 0, depth_ = 0, detail_ = 4, seed_ = 1;
-    float budget_ = 2, altitude_ = -2, longitude_ = 0, latitude_ = 20, heading_ = 0, tilt_ = -10, radius_ = 6.804f, height_ = 1;
+    int level_ = 0, quads_ = 1, texels_ = 3, cull_ = 2, eye_ = 0, precise_ = 0, depth_ = 0, detail_ = 4, seed_ = 3;
+    float budget_ = 1.5f, altitude_ = -2, longitude_ = 0, latitude_ = 20, heading_ = 0, tilt_ = -10, radius_ = 6.804f, height_ = 1;
     bool gutter_ = true, skirts_ = true;
-    DistantLight sun_{.yaw = -70, .pitch = 12};
+    DistantLight sun_{.yaw = -52, .pitch = 16};
 };
 
 RELIEF_LAB(PlanetLab);

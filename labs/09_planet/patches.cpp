@@ -38,12 +38,11 @@ glm::dvec3 direction_at(Mapping mapping, int face, glm::dvec2 st) {
 
 namespace {
 
-/// How far the ground's triangles of a level are off, at places thrown by chance.
-double largest_error(const Shape& shape, int level, int samples) {
-    std::mutex lock;
-    double largest = 0;
+/// How far the ground's triangles of a level are off at places thrown by chance, ascending.
+std::vector<double> errors_of(const Shape& shape, int level, int samples) {
+    constexpr int places = 5;
+    std::vector<double> errors(size_t(samples) * places);
     parallel_pieces(size_t(samples), 64, 0, [&](size_t begin, size_t end) {
-        double most = 0;
         for (size_t i = begin; i < end; ++i) {
             std::mt19937 random(unsigned(i + 1000003 * size_t(level)));
             const int across = (1 << level) * shape.quads, face = int(random() % unsigned(face_count(shape.mapping)));
@@ -53,30 +52,33 @@ double largest_error(const Shape& shape, int level, int samples) {
                 return (1 + height(shape.ground, r)) * r;
             };
             const glm::dvec3 a = ground({0, 0}), b = ground({1, 0}), c = ground({0, 1}), d = ground({1, 1});
-            const std::pair<glm::dvec3, glm::dvec2> places[] = {{(a + b) / 2.0, {0.5, 0}},
-                                                                {(a + c) / 2.0, {0, 0.5}},
-                                                                {(a + d) / 2.0, {0.5, 0.5}},
-                                                                {(a + b + d) / 3.0, {2 / 3.0, 1 / 3.0}},
-                                                                {(a + c + d) / 3.0, {1 / 3.0, 2 / 3.0}}};
-            for (const auto& [flat, local] : places) {
-                const double radius = glm::length(flat);
-                most = std::max(most, std::abs(radius - 1 - height(shape.ground, flat / radius)));
+            const glm::dvec3 flat[places] = {(a + b) / 2.0, (a + c) / 2.0, (a + d) / 2.0, (a + b + d) / 3.0,
+                                             (a + c + d) / 3.0};
+            for (size_t at = 0; at < places; ++at) {
+                const double radius = glm::length(flat[at]);
+                errors[i * places + at] = std::abs(radius - 1 - height(shape.ground, flat[at] / radius));
             }
         }
-        const std::lock_guard hold(lock);
-        largest = std::max(largest, most);
     });
-    return largest;
+    std::sort(errors.begin(), errors.end());
+    return errors;
 }
 
 Measured measure(const Shape& shape) {
     Measured result;
     constexpr int measured_levels = 7;
-    for (int level = 0; level <= deepest_level; ++level) {
-        double& error = result.errors[size_t(level)];
-        // Once the triangles are smaller than all that is on the ground, half their side is a quarter of the error.
-        error = level < measured_levels ? 1.25 * largest_error(shape, level, 1200) : result.errors[size_t(level) - 1] / 4;
-        if (level > 0) error = std::min(error, result.errors[size_t(level) - 1]);
+    for (size_t level = 0; level <= deepest_level; ++level) {
+        double &usual = result.usual_errors[level], &largest = result.errors[level];
+        if (level < measured_levels) {
+            const std::vector<double> errors = errors_of(shape, int(level), 700);
+            usual = errors[errors.size() * 9 / 10], largest = 1.5 * errors.back();
+        } else {  // triangles are smaller than all that is on the ground: half the side is a quarter of the error
+            usual = result.usual_errors[level - 1] / 4, largest = result.errors[level - 1] / 4;
+        }
+        if (level > 0) {
+            usual = std::min(usual, result.usual_errors[level - 1]);
+            largest = std::min(largest, result.errors[level - 1]);
+        }
     }
     std::mt19937 random(7);
     for (int i = 0; i < 6000; ++i) {
@@ -234,7 +236,7 @@ std::vector<Leaf> leaves(const Plan& plan, const Rules& rules) {
         within[size_t(level)] =
             plan.levels == Levels::uniform    ? (level < plan.level ? INFINITY : -1)
             : plan.levels == Levels::distance ? 6 / (plan.budget * (1 << level))
-                                              : rules.split_distance(known.errors[size_t(level)] * plan.radius, plan.budget,
+                                              : rules.split_distance(known.usual_errors[size_t(level)] * plan.radius, plan.budget,
                                                                      plan.pixels, plan.eye.field_of_view_rad) /
                                                     plan.radius;
     const double from_centre = glm::length(plan.eye.place);

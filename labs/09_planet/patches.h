@@ -38,11 +38,11 @@ struct Shape {
     bool operator==(const Shape&) const = default;
 };
 
-/// How far the triangles of each level are from the ground at most, and how high that is: in radii, from some thousand
-/// places, with a margin.
+/// How far the triangles of each level are from the ground, and how high that is: in radii, from some thousand places.
 struct Measured {
-    std::array<double, deepest_level + 1> errors{};
-    double highest = 0;  ///< of the ground, above the radius; the lowest is 0
+    std::array<double, deepest_level + 1> errors{};        ///< at most, with a margin
+    std::array<double, deepest_level + 1> usual_errors{};  ///< at nine of ten places
+    double highest = 0;                                    ///< of the ground, above the radius; the lowest is 0
 };
 const Measured& measured(const Shape& shape);
 

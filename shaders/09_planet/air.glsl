@@ -6,21 +6,20 @@ const float air_top = 1.16;       // where it is cut off
 const float air_scale = 0.030;    // height at which a third is left
 const vec3 air_blue = vec3(0.9, 2.1, 5.0);
 
-// What is left of the sun's light after its way through the air to a place.
+// What is left of the sun's light after its way through the air to a place; mu is the cosine to the zenith.
 vec3 sunlight(float height, float mu) {
     float way = exp(-max(height, 0.0) / air_scale) / (max(mu, 0.0) + 0.12);
-    return exp(-air_blue * 0.055 * way) * smoothstep(-0.22, 0.10, mu);
+    return exp(-air_blue * (0.055 * way)) * smoothstep(-0.22, 0.10, mu);
 }
 
-// Light gathered on the way from `eye` to t, in radii.
-vec3 air_light(vec3 eye, vec3 along, float end, out float opacity) {
+// Light gathered on the way from `eye` to `end`, in radii.
+vec3 air_light(vec3 eye, vec3 along, float end, int steps, out float opacity) {
     float b = dot(eye, along), c = dot(eye, eye) - air_top * air_top, root = b * b - c;
     opacity = 0.0;
     if (root <= 0.0) return vec3(0.0);
     float begin = max(0.0, -b - sqrt(root));
     end = min(end, -b + sqrt(root));
     if (end <= begin) return vec3(0.0);
-    const int steps = 8;
     float size = (end - begin) / float(steps), facing = dot(along, u_to_sun);
     float forward = 0.75 + 0.75 * facing * facing, haze = 0.25 * pow(0.5 + 0.5 * facing, 12.0);
     vec3 light = vec3(0.0);
@@ -28,13 +27,14 @@ vec3 air_light(vec3 eye, vec3 along, float end, out float opacity) {
     for (int i = 0; i < steps; ++i) {
         vec3 at = eye + along * (begin + (float(i) + 0.5) * size);
         float from_centre = length(at), height = from_centre - 1.0;
-        float density = exp(-max(height, 0.0) / air_scale) * size;
-        vec3 sun = sunlight(height, dot(at, u_to_sun) / from_centre);
-        sum += density;
-        light += density * sun * exp(-air_blue * 0.35 * sum) * (air_blue * forward + vec3(1.0, 0.75, 0.5) * haze * 6.0);
+        float density = exp(-max(height, 0.0) / air_scale), mu = dot(at, u_to_sun) / from_centre;
+        sum += density * size;
+        // To the place from the sun, and from there to the eye.
+        float way = 0.055 * density / (max(mu, 0.0) + 0.12) + 0.35 * sum;
+        light += density * size * smoothstep(-0.22, 0.10, mu) * exp(-air_blue * way);
     }
     opacity = 1.0 - exp(-sum * 2.2);
-    return light * 0.9;
+    return 0.9 * light * (air_blue * forward + vec3(6.0, 4.5, 3.0) * haze);
 }
 
 // Light from 0 on, without end, to a colour below 1.

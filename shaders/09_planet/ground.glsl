@@ -4,8 +4,8 @@
 void ground(float elevation_, vec3 up, vec3 normal, vec3 place, out vec3 albedo, out float gloss) {
     float steep = 1.0 - clamp(dot(up, normal), 0.0, 1.0), cold = abs(up.y);
     // Patches without a pattern.
-    float wild = sin(31.0 * place.x + 3.0 * sin(17.0 * place.y)) * sin(29.0 * place.y + 3.0 * sin(19.0 * place.z)) *
-                 sin(37.0 * place.z + 3.0 * sin(23.0 * place.x));
+    vec3 waves = sin(37.0 * place + 3.0 * sin(19.0 * place.yzx));
+    float wild = waves.x * waves.y * waves.z;
     float h = elevation_ + 0.0025 * wild;
     vec3 sea = mix(vec3(0.010, 0.105, 0.135), vec3(0.004, 0.018, 0.060), smoothstep(0.0, -0.012, elevation_));
     vec3 sand = vec3(0.52, 0.40, 0.22);

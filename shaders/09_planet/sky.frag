@@ -17,7 +17,7 @@ void main() {
     vec2 clip = 2.0 * (gl_FragCoord.xy - u_window.xy) / u_window.zw - 1.0;
     vec3 along = normalize(u_world_from_view * vec3(clip * u_tangents, -1.0));
     float opacity;
-    vec3 light = air_light(u_eye, along, 1e9, opacity);
+    vec3 light = air_light(u_eye, along, 1e9, 5, opacity);
     vec3 grid = along * 70.0, cell = floor(grid), off = fract(grid) - 0.5;
     float star = chance(cell);
     if (star > 0.965) {

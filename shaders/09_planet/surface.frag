@@ -68,14 +68,16 @@ void main() {
     vec3 sun = sunlight(length(place) - 1.0, dot(up, u_to_sun));
     float facing = max(dot(normal, u_to_sun), 0.0);
     vec3 half_ = normalize(u_to_sun + to_eye);
-    float glint = gloss * (1.6 * pow(max(dot(normal, half_), 0.0), 60.0) + 6.0 * pow(max(dot(normal, half_), 0.0), 700.0));
+    float wide = pow(max(dot(normal, half_), 0.0), 64.0), narrow = wide * wide;
+    narrow *= narrow * narrow;
+    float glint = gloss * (1.6 * wide + 5.0 * narrow);
     vec3 sky = vec3(0.05, 0.09, 0.17) * smoothstep(-0.25, 0.5, dot(up, u_to_sun)) * (0.6 + 0.4 * dot(normal, up));
     vec3 light = albedo * (2.4 * sun * facing + sky + vec3(0.0020, 0.0026, 0.0045)) + sun * glint * step(0.0, dot(up, u_to_sun) + 0.1);
     // The sea mirrors the sky at grazing angles.
-    float graze = pow(1.0 - max(dot(normal, to_eye), 0.0), 5.0);
-    light += gloss * graze * sky * 3.0;
+    float graze = 1.0 - max(dot(normal, to_eye), 0.0);
+    light += gloss * graze * graze * graze * sky * 3.0;
     float opacity;
-    vec3 air = air_light(u_eye, -to_eye, distance_, opacity);
+    vec3 air = air_light(u_eye, -to_eye, distance_, 2, opacity);
     light = light * (1.0 - 0.75 * opacity) + air;
 #endif
     o_color = finished(vec4(srgb_from_linear(exposed(light)), 1.0), gl_FragCoord.xy);
