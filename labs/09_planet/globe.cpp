@@ -47,7 +47,10 @@ void Globe::make_buffers(int quads) {
     for (int edge = 0; edge < 4; ++edge)
         for (int i = 0; i < quads; ++i) {
             const auto border = [&](int at) {
-                return uint32_t(edge == 0 ? at : edge == 1 ? at * side + quads : edge == 2 ? quads * side + quads - at : (quads - at) * side);
+                return uint32_t(edge == 0   ? at
+                                : edge == 1 ? at * side + quads
+                                : edge == 2 ? quads * side + quads - at
+                                            : (quads - at) * side);
             };
             const uint32_t below = uint32_t(side * side + edge * side + i);
             quad(below, below + 1, border(i), border(i + 1));
@@ -55,7 +58,8 @@ void Globe::make_buffers(int quads) {
     index_count_ = int(indices.size());
     glBindVertexArray(buffers_->layout);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_->indices);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(uint32_t)), indices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(uint32_t)), indices.data(),
+                 GL_STATIC_DRAW);
 }
 
 void Globe::make_vertices(const Shape& shape, const std::vector<PatchId>& fresh) {
@@ -103,10 +107,9 @@ void Globe::make_maps(const MapRecipe& recipe, const std::vector<PatchId>& fresh
     const TexelTarget heights({batch_columns * heights_side, rows * heights_side}, {GL_RGBA32F});
     const Define mapping = mapping_define(recipe.shape.mapping);
     const Program& low = heights_.with({mapping, recipe.gutter ? "" : "NO_GUTTER"});
-    const Program& high =
-        normals_.with({mapping, recipe.gutter ? "" : "NO_GUTTER",
-                       recipe.slopes ? "PROBE_slope" : normals_defines[size_t(recipe.normals)],
-                       strength_defines[size_t(recipe.strength)]});
+    const Program& high = normals_.with({mapping, recipe.gutter ? "" : "NO_GUTTER",
+                                         recipe.slopes ? "PROBE_slope" : normals_defines[size_t(recipe.normals)],
+                                         strength_defines[size_t(recipe.strength)]});
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(*nothing_);
     for (size_t begin = 0; begin < fresh.size(); begin += batch) {
@@ -166,10 +169,12 @@ void Globe::prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, b
         const int side = quads_ + 1;
         glBindVertexArray(buffers_->layout);
         glBindBuffer(GL_ARRAY_BUFFER, buffers_->vertices);
-        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(Vertex)) * capacity_ * side * (side + 4), nullptr, GL_DYNAMIC_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(Vertex)) * capacity_ * side * (side + 4), nullptr,
+                     GL_DYNAMIC_DRAW);
         for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
         glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
-        glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(offsetof(Vertex, local)));
+        glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                              reinterpret_cast<const void*>(offsetof(Vertex, local)));
     }
     if (other_tiles || !maps) map_.reset();
     if (!map_)
@@ -192,9 +197,9 @@ void Globe::prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, b
     }
     make_vertices(recipe.shape, bare);
     if (maps && !map_)
-        map_ = std::make_unique<TexelTarget>(glm::ivec2(tile_columns(), (capacity_ + tile_columns() - 1) / tile_columns()) *
-                                                 (recipe.texels + 2),
-                                             std::initializer_list<GLenum>{GL_RGBA32F});
+        map_ = std::make_unique<TexelTarget>(
+            glm::ivec2(tile_columns(), (capacity_ + tile_columns() - 1) / tile_columns()) * (recipe.texels + 2),
+            std::initializer_list<GLenum>{GL_RGBA32F});
     make_maps(recipe, plain);
 }
 

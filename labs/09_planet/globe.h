@@ -1,5 +1,5 @@
-// What the graphics card has of lab 09's planet: for each patch that is drawn its vertices, and its map of normals, which
-// the card makes itself.
+// What the graphics card has of lab 09's planet: for each patch that is drawn its vertices, and its map of normals,
+// which the card makes itself.
 #pragma once
 
 #include <map>
@@ -17,9 +17,9 @@ enum class Normals : int { metric, right_angled, b_by_cross, one_scale };
 struct MapRecipe {
     Shape shape;
     Normals normals = Normals::metric;
-    int texels = 64;   ///< along a patch's side, without the gutter
+    int texels = 64;  ///< along a patch's side, without the gutter
     bool gutter = true;
-    int strength = 0;  ///< of the slopes at level l: 2^l, 1 + 2^l, 1
+    int strength = 0;     ///< of the slopes at level l: 2^l, 1 + 2^l, 1
     bool slopes = false;  ///< in place of normals: what the probe `slope` shows
     bool operator==(const MapRecipe&) const = default;
 };
@@ -32,7 +32,8 @@ public:
     /// Vertices and, with `maps`, maps of these patches, and of no others. Leaves another framebuffer and viewport when
     /// it has made maps.
     void prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, bool maps);
-    /// Draws patch `i` of those; the program is in use. Sets what is its own: u_middle, u_minus, u_centre, u_map_corner.
+    /// Draws patch `i` of those; the program is in use. Sets what is its own: u_middle, u_minus, u_centre,
+    /// u_map_corner.
     void draw(const Program& program, const Plan& plan, size_t i, bool precise) const;
     void bind_maps(int unit) const {
         if (map_) map_->bind(unit);

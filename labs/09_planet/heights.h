@@ -1,6 +1,6 @@
 // The heights of lab 09's planet, in closed form: noise for continents and ridges, craters, a calm sea. The twin of
-// shaders/09_planet/heights.glsl. `Number` is double, or a type with its functions (staff/truth.cpp has one that carries
-// the gradient along).
+// shaders/09_planet/heights.glsl. `Number` is double, or a type with its functions (staff/truth.cpp has one that
+// carries the gradient along).
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ using Place = std::array<Number, 3>;
 /// What the heights depend on.
 struct Ground {
     int seed = 0;
-    int detail = 4;     ///< octaves of ridges, 0 to 5
-    float height = 1;   ///< of the relief; 0 is a smooth ball
+    int detail = 4;    ///< octaves of ridges, 0 to 5
+    float height = 1;  ///< of the relief; 0 is a smooth ball
     bool operator==(const Ground&) const = default;
 };
 
@@ -35,7 +35,8 @@ inline double value_of(double x) { return x; }
 /// Perlin's noise with a fifth-degree blend (2002): its gradient has no jumps. About -1 to 1, 0 on average.
 template <class Number>
 Number noise(const Place<Number>& p) {
-    const std::array<double, 3> low = {std::floor(value_of(p[0])), std::floor(value_of(p[1])), std::floor(value_of(p[2]))};
+    const std::array<double, 3> low = {std::floor(value_of(p[0])), std::floor(value_of(p[1])),
+                                       std::floor(value_of(p[2]))};
     const Place<Number> f = {p[0] - low[0], p[1] - low[1], p[2] - low[2]};
     std::array<std::array<Number, 2>, 3> weight;
     for (size_t i = 0; i < 3; ++i) {
@@ -46,7 +47,8 @@ Number noise(const Place<Number>& p) {
     for (unsigned corner = 0; corner < 8; ++corner) {
         const unsigned x = corner & 1u, y = corner >> 1u & 1u, z = corner >> 2u;
         const glm::uvec3 bits = scrambled(glm::uvec3(uint32_t(int32_t(low[0])) + x, uint32_t(int32_t(low[1])) + y,
-                                                     uint32_t(int32_t(low[2])) + z)) >> 16u;
+                                                     uint32_t(int32_t(low[2])) + z)) >>
+                                16u;
         const glm::dvec3 slope = glm::dvec3(bits) / 32767.5 - 1.0;
         const Number rise = (f[0] - double(x)) * slope.x + (f[1] - double(y)) * slope.y + (f[2] - double(z)) * slope.z;
         sum = sum + weight[0][x] * weight[1][y] * weight[2][z] * rise;

@@ -38,7 +38,8 @@ public:
     void knobs(Knobs& knobs) override {
         knobs.choice("view", view_, view_names,
                      "the planet, its pole and its patches; one of them; or the faces spread out");
-        knobs.choice("mapping", mapping_, mappings, "where the grid lies: equal angles, the cube, latitude and longitude");
+        knobs.choice("mapping", mapping_, mappings,
+                     "where the grid lies: equal angles, the cube, latitude and longitude");
         knobs.choice("normals", normals_, normal_rules, "normals by the metric, or by what is commonly written");
         knobs.choice("slopes_from", slopes_from_, slope_sources,
                      "for view = faces: slopes by a filter in the map, or from the heights' formula");
@@ -106,9 +107,7 @@ private:
         std::string title;
     };
 
-    Shape shape() const {
-        return {{seed_, detail_, height_}, Mapping(mapping_), 8 << quads_};
-    }
+    Shape shape() const { return {{seed_, detail_, height_}, Mapping(mapping_), 8 << quads_}; }
 
     Eye eye_of(const Frame& frame) const {
         const double aspect = double(frame.size.x) / std::max(1, frame.size.y);
@@ -119,7 +118,8 @@ private:
         const double turn = glm::radians(double(heading_)), rise = glm::radians(double(tilt_));
         const glm::dvec3 ahead = std::cos(turn) * north + std::sin(turn) * east;
         const double from_centre = 1 + height(shape().ground, up) + std::pow(10.0, double(altitude_));
-        const double field_of_view = std::min(2.4, 2 * std::atan(std::tan(glm::radians(30.0)) * std::max(1.0, 1 / aspect)));
+        const double field_of_view =
+            std::min(2.4, 2 * std::atan(std::tan(glm::radians(30.0)) * std::max(1.0, 1 / aspect)));
         return Eye::looking(from_centre * up, std::cos(rise) * ahead + std::sin(rise) * up,
                             std::cos(rise) * up - std::sin(rise) * ahead, field_of_view, aspect);
     }
@@ -130,14 +130,14 @@ private:
         const glm::dvec3 towards = away > 0 ? eye.place / away : glm::dvec3(0, 0, 1);
         const glm::dvec3 pole = std::abs(towards.y) > 0.95 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
         const glm::dvec3 side = glm::normalize(glm::cross(pole, towards)), up = glm::cross(towards, side);
-        const glm::dvec3 from = glm::normalize(0.45 * towards + 0.85 * side + 0.35 * up);
+        const glm::dvec3 from = glm::normalize(0.75 * towards + 0.75 * side + 0.35 * up);
         const double field_of_view = 2 * std::atan(0.42 * std::max(1.0, 1 / aspect));
         return Eye::looking(3.1 * from, -from, glm::normalize(up - glm::dot(up, from) * from), field_of_view, aspect);
     }
 
     static Eye above_pole(double aspect) {
         const glm::dvec3 from = glm::normalize(glm::dvec3(0.0, 1.0, 0.32));
-        return Eye::looking(1.9 * from, -from, glm::normalize(glm::dvec3(0, 0.32, -1)),
+        return Eye::looking(1.75 * from, -from, glm::normalize(glm::dvec3(0, 0.32, -1)),
                             2 * std::atan(0.42 * std::max(1.0, 1 / aspect)), aspect);
     }
 
@@ -150,8 +150,9 @@ private:
             View made;
             made.tile = tile, made.title = std::move(title);
             const Frame part = frame_in(frame, tile);
-            made.plan = {shape(),  Levels(levels_),       level_, double(budget_), Cull(cull_),
-                         std::pow(10.0, double(radius_)), skirts_, double(tile.size.y), eye_of(part)};
+            made.plan = {shape(),         Levels(levels_),     level_,
+                         double(budget_), Cull(cull_),         std::pow(10.0, double(radius_)),
+                         skirts_,         double(tile.size.y), eye_of(part)};
             made.seen_from = made.plan.eye;
             made.recipe = {shape(), Normals(normals_), 16 << texels_, gutter_, strength_, probe == "slope"};
             return made;
@@ -194,7 +195,8 @@ private:
         const glm::ivec2 size = frame.size;
         const Tile large = is_wide ? Tile{{0, 0}, {part, size.y}} : Tile{{0, size.y - part}, {size.x, part}};
         const int half = (is_wide ? size.y : size.x) / 2;
-        const Tile first = is_wide ? Tile{{part, half}, {size.x - part, size.y - half}} : Tile{{0, 0}, {half, size.y - part}};
+        const Tile first =
+            is_wide ? Tile{{part, half}, {size.x - part, size.y - half}} : Tile{{0, 0}, {half, size.y - part}};
         const Tile second =
             is_wide ? Tile{{part, 0}, {size.x - part, half}} : Tile{{half, 0}, {size.x - half, size.y - part}};
         views.push_back(view(large, ""));
@@ -218,8 +220,9 @@ private:
         view.leaves = leaves(view.plan);
         // What is only seen from beside is drawn there.
         if (!view.shows_patches) std::erase_if(view.leaves, [](const Leaf& leaf) { return leaf.state != Leaf::drawn; });
-        const bool maps = view.is_flat ? !probe || probe.name == "slope" || (probe.name == "normal" && slopes_from_ == 0)
-                                       : !probe || probe.name == "normal";
+        const bool maps = view.is_flat
+                              ? !probe || probe.name == "slope" || (probe.name == "normal" && slopes_from_ == 0)
+                              : !probe || probe.name == "normal";
         globe.prepare(view.recipe, view.leaves, maps);
     }
 
@@ -264,10 +267,9 @@ private:
         const double tangent = std::tan(eye.field_of_view_rad / 2);
         const Plan& plan = view.plan;
         const bool has_map = !frame.probe || frame.probe.name == "normal";
-        const Program& surface =
-            surface_.with({frame.probe, !frame.probe && view.shows_patches ? "PATCHES" : "",
-                           plan.skirts ? "SKIRTS" : "", has_map && lit_by_ == 1 ? "VERTEX_NORMALS" : "",
-                           depth_ == 0 ? "LOG_DEPTH" : ""});
+        const Program& surface = surface_.with(
+            {frame.probe, !frame.probe && view.shows_patches ? "PATCHES" : "", plan.skirts ? "SKIRTS" : "",
+             has_map && lit_by_ == 1 ? "VERTEX_NORMALS" : "", depth_ == 0 ? "LOG_DEPTH" : ""});
         glUseProgram(surface);
         constexpr double near = 1e-7;  // radii
         Plan seen = plan;
@@ -330,7 +332,8 @@ private:
 
     int view_ = compare, mapping_ = 0, normals_ = 0, slopes_from_ = 0, lit_by_ = 0, strength_ = 0, levels_ = 2;
     int level_ = 0, quads_ = 1, texels_ = 3, cull_ = 2, eye_ = 0, precise_ = 0, depth_ = 0, detail_ = 4, seed_ = 3;
-    float budget_ = 1.5f, altitude_ = -2, longitude_ = 0, latitude_ = 20, heading_ = 0, tilt_ = -10, radius_ = 6.804f, height_ = 1;
+    float budget_ = 1.5f, altitude_ = -2, longitude_ = 0, latitude_ = 20, heading_ = 0, tilt_ = -10, radius_ = 6.804f,
+          height_ = 1;
     bool gutter_ = true, skirts_ = true;
     DistantLight sun_{.yaw = -52, .pitch = 16};
 };

@@ -25,7 +25,10 @@ glm::dvec3 direction_at(Mapping mapping, int face, glm::dvec2 st) {
             const double whole = std::round(quarters), rest = glm::half_pi<double>() * (quarters - whole);
             const double c = std::cos(rest), s = std::sin(rest);
             const int at = int(whole) & 3;
-            return at == 0 ? glm::dvec2(c, s) : at == 1 ? glm::dvec2(-s, c) : at == 2 ? glm::dvec2(-c, -s) : glm::dvec2(s, -c);
+            return at == 0   ? glm::dvec2(c, s)
+                   : at == 1 ? glm::dvec2(-s, c)
+                   : at == 2 ? glm::dvec2(-c, -s)
+                             : glm::dvec2(s, -c);
         };
         const glm::dvec2 around = turn(st.x + 2 * face), up = turn(st.y);
         return {up.x * around.y, up.y, up.x * around.x};
@@ -220,7 +223,8 @@ void balance(const Shape& shape, std::vector<Leaf>& all) {
                         places[part] = all.size(), all.push_back({part, Leaf::drawn});
                 }
                 // The first of them stands where the whole was looked at already, or will be.
-                if (place < i) places[all[place].id] = all.size(), all.push_back(all[place]), all[place].state = Leaf::gone;
+                if (place < i)
+                    places[all[place].id] = all.size(), all.push_back(all[place]), all[place].state = Leaf::gone;
             }
         }
     }
@@ -233,12 +237,12 @@ std::vector<Leaf> leaves(const Plan& plan, const Rules& rules) {
     const Measured& known = measured(plan.shape);
     std::array<double, deepest_level + 1> within{};
     for (int level = 0; level < deepest_level; ++level)
-        within[size_t(level)] =
-            plan.levels == Levels::uniform    ? (level < plan.level ? INFINITY : -1)
-            : plan.levels == Levels::distance ? 6 / (plan.budget * (1 << level))
-                                              : rules.split_distance(known.usual_errors[size_t(level)] * plan.radius, plan.budget,
-                                                                     plan.pixels, plan.eye.field_of_view_rad) /
-                                                    plan.radius;
+        within[size_t(level)] = plan.levels == Levels::uniform ? (level < plan.level ? INFINITY : -1)
+                                : plan.levels == Levels::distance
+                                    ? 6 / (plan.budget * (1 << level))
+                                    : rules.split_distance(known.usual_errors[size_t(level)] * plan.radius, plan.budget,
+                                                           plan.pixels, plan.eye.field_of_view_rad) /
+                                          plan.radius;
     const double from_centre = glm::length(plan.eye.place);
     std::vector<Leaf> all;
     const auto add = [&](const auto& self, const PatchId& id) -> void {

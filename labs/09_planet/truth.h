@@ -9,8 +9,8 @@ namespace relief::planet {
 /// What a probe is seen as: from an eye, or as faces spread out flat.
 struct Sight {
     Plan plan;
-    Eye seen_from;         ///< the plan's own eye, or one that looks at what that needs
-    int texels = 64;       ///< of a patch's map
+    Eye seen_from;    ///< the plan's own eye, or one that looks at what that needs
+    int texels = 64;  ///< of a patch's map
 };
 
 /// From an eye: `normal`, `seen`, `place`, `level`, `skirt`.

@@ -70,7 +70,7 @@ void main() {
     vec3 half_ = normalize(u_to_sun + to_eye);
     float wide = pow(max(dot(normal, half_), 0.0), 64.0), narrow = wide * wide;
     narrow *= narrow * narrow;
-    float glint = gloss * (1.6 * wide + 5.0 * narrow);
+    float glint = gloss * (0.6 * wide + 4.0 * narrow);
     vec3 sky = vec3(0.05, 0.09, 0.17) * smoothstep(-0.25, 0.5, dot(up, u_to_sun)) * (0.6 + 0.4 * dot(normal, up));
     vec3 light = albedo * (2.4 * sun * facing + sky + vec3(0.0020, 0.0026, 0.0045)) + sun * glint * step(0.0, dot(up, u_to_sun) + 0.1);
     // The sea mirrors the sky at grazing angles.

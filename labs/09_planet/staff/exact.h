@@ -1,7 +1,7 @@
 // The planet of lab 09 in double precision: gradient, normal, grid and first hit.
 #pragma once
 
-#include "../patches.h"
+#include "patches.h"
 #include "dual.h"
 
 namespace relief::planet {

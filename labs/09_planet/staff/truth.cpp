@@ -1,5 +1,5 @@
 // What only the staff has of lab 09: see ../truth.h.
-#include "../truth.h"
+#include "truth.h"
 
 #include <glm/gtc/constants.hpp>
 #include <map>
@@ -70,8 +70,7 @@ double steepest(const Ground& ground) {
             const auto coordinate = [&] { return double(random()) / double(std::mt19937::max()) * 2 - 1; };
             const glm::dvec3 at{coordinate(), coordinate(), coordinate()};
             if (glm::length(at) > 0.01)
-                found->second =
-                    std::max(found->second, glm::length(exact_height(ground, glm::normalize(at)).gradient));
+                found->second = std::max(found->second, glm::length(exact_height(ground, glm::normalize(at)).gradient));
         }
         found->second = 0.2 + 1.3 * found->second;
     }

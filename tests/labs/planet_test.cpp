@@ -1,0 +1,401 @@
+// Lab 09: normals on a grid that is bent and skewed, patches that meet, and what is not drawn.
+#include <cstdlib>
+#include <random>
+#include <set>
+
+#include "framework/gl/counters.h"
+#include "framework/gl/program.h"
+#include "labs/09_planet/staff/exact.h"
+#include "labs/09_planet/task.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+using namespace planet;
+
+/// `./relief test --all` asks for more.
+int view_count() {
+    const char* const wanted = std::getenv("RELIEF_RANDOM_VIEWS");
+    return wanted ? std::max(1, std::atoi(wanted)) : 200;
+}
+
+struct Dice {
+    std::mt19937 random{9};
+    double between(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
+    glm::dvec3 direction() {
+        while (true) {
+            const glm::dvec3 at(between(-1, 1), between(-1, 1), between(-1, 1));
+            if (const double length = glm::length(at); length > 0.1 && length < 1) return at / length;
+        }
+    }
+};
+
+TEST(Planet, TheExactGradientIsThatOfDifferencesAndTheSmoothBallsNormalIsRadial) {
+    Dice dice;
+    for (int detail = 0; detail <= 5; ++detail)
+        for (int i = 0; i < 200; ++i) {
+            const Ground ground{.seed = i, .detail = detail};
+            const glm::dvec3 r = dice.direction();
+            const glm::dvec3 gradient = exact_height(ground, r).gradient;
+            EXPECT_NEAR(glm::dot(gradient, r), 0, 1e-12);
+            for (const glm::dvec3 axis : {glm::dvec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}}) {
+                const double e = 1e-6;
+                const double slope =
+                    (height(ground, glm::normalize(r + e * axis)) - height(ground, glm::normalize(r - e * axis))) /
+                    (2 * e);
+                // Second derivatives of the noise jump: by 60 at most, half of which e times.
+                ASSERT_NEAR(glm::dot(gradient, axis), slope, 1e-4) << "seed " << i << ", detail " << detail;
+            }
+            EXPECT_LT(glm::distance(exact_normal({.seed = i, .height = 0}, r), r), 1e-14);
+        }
+}
+
+TEST(Planet, TheExactHitOfASmoothBallIsThatOfASphereAndOthersLieOnTheGround) {
+    Dice dice;
+    int hits = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Ray ray{3.0 * dice.direction(), {}};
+        const Ray aimed{ray.origin, glm::normalize(0.9 * dice.direction() - ray.origin)};
+        const double b = glm::dot(aimed.origin, aimed.direction), root = b * b - 8;
+        const Shape smooth{.ground = {.seed = 1, .height = 0}}, rough{.ground = {.seed = 1}};
+        const auto hit = exact_hit(smooth, aimed);
+        ASSERT_EQ(hit.has_value(), root > 0);
+        if (hit) {
+            EXPECT_NEAR(*hit, -b - std::sqrt(root), 1e-9);
+        }
+        const auto met = exact_hit(rough, aimed);
+        hits += met.has_value();
+        if (!met) continue;
+        const double radius = glm::length(aimed.at(*met));
+        EXPECT_NEAR(radius, 1 + height(rough.ground, aimed.at(*met) / radius), 1e-12);
+        for (double t = *met - 0.3; t < *met - 1e-6; t += 0.004) {  // nothing before it
+            const double there = glm::length(aimed.at(t));
+            EXPECT_GT(there, 1 + height(rough.ground, aimed.at(t) / there));
+        }
+    }
+    EXPECT_GT(hits, 200);
+}
+
+TEST(Planet, PlacesGoToTheirFaceAndBackAndFacesShareTheirBorders) {
+    Dice dice;
+    for (const Mapping mapping : {Mapping::equal_angle, Mapping::gnomonic, Mapping::lat_long}) {
+        for (int i = 0; i < 300; ++i) {
+            const glm::dvec3 r = dice.direction();
+            const auto [face, st] = face_place(mapping, r);
+            EXPECT_LT(glm::distance(direction_at(mapping, face, st), r), 1e-14);
+            EXPECT_LT(glm::distance(exact_direction(mapping, face, st), r), 1e-14);
+        }
+        for (int face = 0; face < face_count(mapping); ++face)
+            for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
+                std::set<std::array<double, 3>> met;
+                for (int other = 0; other < face_count(mapping); ++other)
+                    for (const glm::dvec2 at : {glm::dvec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
+                        const glm::dvec3 here = direction_at(mapping, other, at);
+                        if (glm::distance(here, direction_at(mapping, face, corner)) < 1e-9)
+                            met.insert({here.x + 0.0, here.y + 0.0, here.z + 0.0});
+                    }
+                EXPECT_EQ(met.size(), 1u) << "to the last bit";
+            }
+    }
+}
+
+double degrees(std::vector<Knob> knobs, int texels, int level = 0) {
+    knobs.insert(knobs.end(), {{"view", "faces"}, {"seed", "1"}, {"detail", "1"}, {"level", std::to_string(level)}});
+    knobs.emplace_back("texels", std::to_string(texels >> level));
+    return error_of("09", shot_of("09", knobs, "normal", {3 * texels, 2 * texels})).mean;
+}
+
+TEST(Planet, NormalsAreAsGoodAsTheirSlopesWhateverTheLevel) {
+    EXPECT_LT(degrees({}, 64), 1.41);
+    EXPECT_LT(degrees({}, 128), 0.37);
+    EXPECT_LT(degrees({}, 256), 0.094);
+    // Four patches a face, or sixteen, with the same texels in all.
+    EXPECT_NEAR(degrees({}, 128, 1), degrees({}, 128), 1e-4);
+    EXPECT_NEAR(degrees({}, 128, 2), degrees({}, 128), 1e-4);
+    EXPECT_LT(degrees({{"slopes_from", "formula"}}, 64), 0.02);
+    // What does not fall with the texels.
+    EXPECT_GT(degrees({{"normals", "b-by-cross"}}, 256), 0.5);
+    EXPECT_GT(degrees({{"normals", "right-angled"}}, 256), 0.7);
+    EXPECT_GT(degrees({{"strength", "1+2^level"}}, 128, 1), 2);
+    EXPECT_GT(degrees({{"strength", "none"}}, 128, 1), 3);
+    EXPECT_LT(degrees({{"mapping", "gnomonic"}}, 256), 0.12);
+}
+
+TEST(Planet, AGutterLeavesNoJumpAtBorders) {
+    const auto border = [](const char* gutter) {
+        Shot shot =
+            shot_of("09", {{"view", "faces"}, {"seed", "1"}, {"detail", "1"}, {"texels", "128"}, {"gutter", gutter}},
+                    "normal", {384, 256});
+        const auto lab = make_lab(find_lab("09"), shot);
+        const Image errors = error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::angle);
+        double at_border = 0, within = 0;
+        int borders = 0, others = 0;
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 384; ++x) {
+                const int s = x % 128, t = y % 128;
+                const bool is_border = s == 0 || t == 0 || s == 127 || t == 127;
+                (is_border ? at_border : within) += double(*errors.pixel(x, y));
+                ++(is_border ? borders : others);
+            }
+        return std::pair(at_border / borders, within / others);
+    };
+    const auto [with, within] = border("true");
+    EXPECT_LT(with, 1.15 * within);
+    const auto [without, still_within] = border("false");
+    EXPECT_GT(without, 5 * still_within);
+}
+
+TEST(Planet, TexelsDifferByAThirdAndLinesCrossAt120DegreesInTheCorners) {
+    const auto ends = [](const char* mapping, const char* probe) {
+        const Image image = drawn("09", shot_of("09", {{"mapping", mapping}}, probe, {384, 256}));
+        double low = INFINITY, high = 0;
+        for (size_t i = 0; i < image.values.size(); i += 4) {
+            low = std::min(low, double(image.values[i])), high = std::max(high, double(image.values[i]));
+        }
+        return std::pair(low, high);
+    };
+    // In the limit sqrt(2) and 3 sqrt(3); half a pixel from the corners it is a little less.
+    const auto [small, large] = ends("equal-angle", "stretch");
+    EXPECT_NEAR(large / small, std::sqrt(2), 0.02);
+    const auto [narrow, wide] = ends("gnomonic", "stretch");
+    EXPECT_NEAR(wide / narrow, 3 * std::sqrt(3), 0.12);
+    const auto [sharp, blunt] = ends("equal-angle", "corner");
+    EXPECT_NEAR(sharp, 60, 1);
+    EXPECT_NEAR(blunt, 120, 1);
+}
+
+Plan near_ground(Dice& dice, double altitude) {
+    Plan plan;
+    plan.shape.ground.seed = 3, plan.budget = dice.between(0.5, 4), plan.pixels = 256;
+    const glm::dvec3 up = dice.direction();
+    const glm::dvec3 side = glm::normalize(glm::cross(up, dice.direction()));
+    const double tilt = dice.between(-1.2, 0.3);
+    plan.eye =
+        Eye::looking((1 + height(plan.shape.ground, up) + altitude) * up, std::cos(tilt) * side + std::sin(tilt) * up,
+                     std::cos(tilt) * up - std::sin(tilt) * side, 1, 1);
+    return plan;
+}
+
+TEST(Planet, NeighboursDifferByOneLevelAndAllOfTheGroundHasOnePatch) {
+    Dice dice;
+    for (int view = 0; view < 60; ++view) {
+        const Plan plan = near_ground(dice, std::pow(10, dice.between(-6, 1)));
+        std::map<PatchId, Leaf::State> all;
+        double area = 0;
+        for (const Leaf& leaf : leaves(plan)) all[leaf.id] = leaf.state, area += std::pow(0.25, leaf.id.level);
+        EXPECT_EQ(area, 6) << "faces";
+        const auto level_at = [&](const glm::dvec3& r) {
+            const auto [face, st] = face_place(plan.shape.mapping, r);
+            for (int level = 0; level <= deepest_level; ++level) {
+                const glm::ivec2 at(glm::clamp((st + 1.0) / 2.0, 0.0, 1 - 1e-12) * double(1 << level));
+                const auto found = all.find({face, level, at.x, at.y});
+                if (found != all.end()) return found->second == Leaf::drawn ? level : -1;
+            }
+            return -1;
+        };
+        for (const auto& [id, state] : all) {
+            if (state != Leaf::drawn) continue;
+            for (int i = 0; i < 8; ++i)
+                for (const glm::dvec2 beyond : {glm::dvec2((i + 0.5) / 8, -0.01),
+                                                {(i + 0.5) / 8, 1.01},
+                                                {-0.01, (i + 0.5) / 8},
+                                                {1.01, (i + 0.5) / 8}}) {
+                    const int other = level_at(direction_at(plan.shape.mapping, id.face, id.on_face(beyond)));
+                    if (other >= 0) {
+                        ASSERT_LE(std::abs(other - id.level), 1) << "view " << view;
+                    }
+                }
+        }
+    }
+}
+
+/// Pixels of the planet on which nothing was drawn: by a ball in its ground, smaller by what the budget allows where
+/// the ground meets the sky.
+size_t holes(const Shot& shot, Lab& lab, const Plan& plan) {
+    const Image seen = draw_shot(lab, shot);
+    const double away = std::sqrt(glm::dot(plan.eye.place, plan.eye.place) - 1);
+    const double radius = 1 - 2 * plan.budget * away * 2 * std::tan(plan.eye.field_of_view_rad / 2) / seen.height;
+    size_t count = 0;
+    for (int y = 0; y < seen.height; ++y)
+        for (int x = 0; x < seen.width; ++x) {
+            if (std::isfinite(*seen.pixel(x, y))) continue;
+            const Ray ray = plan.eye.ray({(x + 0.5) / seen.width * 2 - 1, 1 - (y + 0.5) / seen.height * 2});
+            const double b = glm::dot(ray.origin, ray.direction);
+            count += b < 0 && radius > 0 && b * b - (glm::dot(ray.origin, ray.origin) - radius * radius) > 0;
+        }
+    return count;
+}
+
+struct GroundView {
+    double longitude, latitude, heading, tilt, altitude, budget;
+    std::vector<Knob> knobs(const char* skirts) const {
+        const auto text = [](double x) { return std::to_string(x); };
+        return {{"view", "planet"},           {"eye", "ground"},          {"longitude", text(longitude)},
+                {"latitude", text(latitude)}, {"heading", text(heading)}, {"tilt", text(tilt)},
+                {"altitude", text(altitude)}, {"budget", text(budget)},   {"skirts", skirts}};
+    }
+};
+
+TEST(Planet, SkirtsLeaveNoHoleFromAnyCamera) {
+    Dice dice;
+    Shot shot = shot_of("09", {}, "seen", {64, 64});
+    const auto lab = make_lab(find_lab("09"), shot);
+    size_t without = 0;
+    for (int i = 0; i < view_count(); ++i) {
+        const GroundView view{dice.between(-180, 180), dice.between(-89, 89), dice.between(-180, 180),
+                              dice.between(-80, -5),   dice.between(-6, 1),   dice.between(1, 3)};
+        // As the lab stands there.
+        const double lon = glm::radians(double(float(view.longitude))),
+                     lat = glm::radians(double(float(view.latitude)));
+        const glm::dvec3 up(std::cos(lat) * std::sin(lon), std::sin(lat), std::cos(lat) * std::cos(lon));
+        const glm::dvec3 east(std::cos(lon), 0, -std::sin(lon)), north = glm::cross(up, east);
+        const double turn = glm::radians(view.heading), rise = glm::radians(view.tilt);
+        const glm::dvec3 ahead = std::cos(turn) * north + std::sin(turn) * east;
+        Plan plan;
+        plan.budget = view.budget;
+        plan.eye = Eye::looking((1 + height({.seed = 3}, up) + std::pow(10.0, view.altitude)) * up,
+                                std::cos(rise) * ahead + std::sin(rise) * up,
+                                std::cos(rise) * up - std::sin(rise) * ahead, glm::radians(60.0), 1);
+        for (const auto& [knob, value] : view.knobs("true")) set_knob(*lab, knob, value);
+        ASSERT_EQ(holes(shot, *lab, plan), 0u) << "view " << i << ", altitude " << view.altitude;
+        set_knob(*lab, "skirts", "false");
+        without += holes(shot, *lab, plan);
+    }
+    EXPECT_GT(without, 0u) << "there are gaps to hide";
+}
+
+TEST(Planet, FromNearTheGroundATenthOfThePatchesIsLeft) {
+    Dice dice;
+    double drawn_patches = 0, all_patches = 0;
+    for (int i = 0; i < 30; ++i) {
+        Plan plan = near_ground(dice, 0.01);
+        plan.levels = Levels::uniform, plan.level = 4;
+        for (const Leaf& leaf : leaves(plan)) drawn_patches += leaf.state == Leaf::drawn;
+        all_patches += 6 * 256;
+    }
+    EXPECT_LT(drawn_patches / all_patches, 0.1);
+    EXPECT_GT(drawn_patches, 0);
+}
+
+TEST(Planet, LevelsByErrorTakeLessThanHalfTheTrianglesOfUniformOnes) {
+    Dice dice;
+    double adaptive = 0, uniform = 0;
+    for (int i = 0; i < 20; ++i) {
+        Plan plan = near_ground(dice, 0.05);
+        plan.budget = 2;
+        int finest = 0;
+        for (const Leaf& leaf : leaves(plan))
+            if (leaf.state == Leaf::drawn) ++adaptive, finest = std::max(finest, leaf.id.level);
+        // The same error on the screen needs the finest level everywhere.
+        plan.levels = Levels::uniform, plan.level = finest;
+        for (const Leaf& leaf : leaves(plan)) uniform += leaf.state == Leaf::drawn;
+    }
+    EXPECT_LT(adaptive, 0.5 * uniform) << adaptive << " of " << uniform;
+}
+
+TEST(Planet, HiddenPatchesAreHidden) {
+    // What task 9.7 leaves out shows no pixel: the picture is that of all patches.
+    for (const auto& [altitude, tilt] : {std::pair("-3", "-2"), {"-1.5", "-12"}, {"0", "-60"}}) {
+        const std::vector<Knob> knobs = {{"view", "planet"}, {"eye", "ground"},     {"altitude", altitude},
+                                         {"tilt", tilt},     {"levels", "uniform"}, {"level", "3"},
+                                         {"seed", "8"},      {"skirts", "false"}};
+        std::vector<Knob> all = knobs;
+        all.emplace_back("cull", "none");
+        EXPECT_EQ(drawn("09", shot_of("09", knobs, "place", {96, 96})).values,
+                  drawn("09", shot_of("09", all, "place", {96, 96})).values)
+            << altitude;
+    }
+}
+
+TEST(Planet, IsTheSameFromAMetreToTheSizeOfTheEarth) {
+    const auto picture = [](const char* radius) {
+        return drawn("09", shot_of("09", {{"view", "planet"}, {"texels", "32"}, {"radius", radius}}, "", {96, 96}));
+    };
+    const Image earth = picture("6.804");
+    for (const char* radius : {"0", "3", "7"}) expect_same_picture(picture(radius), earth, 3, 20);
+}
+
+TEST(Planet, SubtractedInDoubleTheGroundStandsStill) {
+    const auto metres = [](const char* precise) {
+        Shot shot = shot_of(
+            "09", {{"view", "planet"}, {"eye", "ground"}, {"altitude", "-4.5"}, {"tilt", "-80"}, {"precise", precise}},
+            "place", {64, 64});
+        return error_of("09", shot).mean;
+    };
+    EXPECT_LT(metres("camera-relative"), 0.01) << "from 200 m above a planet as large as the Earth";
+    EXPECT_GT(metres("float"), 0.05);
+}
+
+TEST(Planet, MapsAreMadeForWhatIsDrawnAndOnlyOnce) {
+    Shot shot = shot_of("09", {{"view", "planet"}, {"texels", "32"}}, "", {96, 96});
+    const auto lab = make_lab(find_lab("09"), shot);
+    const Target target(TargetKind::picture, shot.size);
+    const auto draw_calls = [&] {
+        const int64_t before = counters().draw_calls;
+        draw_lab(*lab, frame_of(shot, target));
+        return counters().draw_calls - before;
+    };
+    const int64_t first = draw_calls(), still = draw_calls(), patches = still - 1;  // the sky
+    EXPECT_EQ(first, still + 2 * patches) << "heights and normals of each patch";
+    for (const auto& [knob, value] : {std::pair("light_yaw", "20"), {"skirts", "false"}, {"radius", "2"}}) {
+        set_knob(*lab, knob, value);
+        EXPECT_EQ(draw_calls(), still) << knob;
+    }
+    const int64_t with_culling = counters().texture_bytes;
+    set_knob(*lab, "normals", "right-angled");
+    EXPECT_EQ(draw_calls(), still + 2 * patches);
+    for (const auto& [knob, value] : {std::pair("levels", "uniform"), {"level", "3"}}) set_knob(*lab, knob, value);
+    draw_calls();
+    const int64_t fine = counters().texture_bytes;
+    set_knob(*lab, "cull", "none");
+    draw_calls();
+    EXPECT_GT(counters().texture_bytes, fine) << "maps of the far side as well";
+    EXPECT_GT(fine, with_culling);
+    // What shows no normal makes no map.
+    Shot bare = shot;
+    bare.probe = {"seen"};
+    const auto other = make_lab(find_lab("09"), bare);
+    const int64_t before = counters().texture_bytes;
+    const Target numbers(TargetKind::probe, bare.size);
+    draw_lab(*other, frame_of(bare, numbers));
+    EXPECT_EQ(counters().texture_bytes, before);
+}
+
+TEST(Planet, EveryPixelIsFiniteFromInsideFromAVertexAndInAMountain) {
+    const glm::dvec3 vertex = (1 + height({.seed = 3}, glm::dvec3(0, 0, 1))) * glm::dvec3(0, 0, 1);
+    std::vector<Orbit> cameras = {{.yaw = 0, .pitch = 0, .distance = 1e-12},
+                                  {.yaw = 10, .pitch = 20, .distance = 1e-12, .target = vertex},
+                                  {.yaw = 90, .pitch = 0, .distance = 1e-9, .target = vertex},
+                                  {.yaw = 30, .pitch = -20, .distance = 0.001, .target = {0.58, 0.58, 0.58}},
+                                  {.yaw = 30, .pitch = 40, .distance = 0.02, .target = {0.0, 1.01, 0.0}},
+                                  {.yaw = 30, .pitch = 40, .distance = 1e6}};
+    for (const char* radius : {"0", "7"})
+        for (const Orbit& camera : cameras)
+            for (const char* probe : {"", "normal", "place", "level"}) {
+                Shot shot = shot_of("09", {{"view", "planet"}, {"texels", "16"}, {"radius", radius}}, probe, {48, 48});
+                shot.camera = camera;
+                const Image image = draw_shot(*make_lab(find_lab("09"), shot), shot);
+                for (const float value : image.values)
+                    ASSERT_TRUE(std::isfinite(value) || (*probe && value == no_surface))
+                        << probe << ", from " << camera.distance << ", radius " << radius;
+            }
+}
+
+TEST(Planet, HorizonSkirtsAndSplitsFollowTheirFormulas) {
+    EXPECT_DOUBLE_EQ(split_distance(2, 1, 500, glm::radians(90.0)), 500);
+    EXPECT_DOUBLE_EQ(split_distance(2, 4, 500, glm::radians(90.0)), 125);
+    const double errors[] = {4, 1, 0.25};
+    EXPECT_DOUBLE_EQ(skirt_depth(errors, 2), 1.25);
+    EXPECT_DOUBLE_EQ(skirt_depth(errors, 0), 8);
+    // 60 degrees to the horizon from 2 radii; 45 more to a place sqrt(2) high.
+    EXPECT_FALSE(behind_horizon(2, glm::radians(59.0), 1, 1));
+    EXPECT_TRUE(behind_horizon(2, glm::radians(61.0), 1, 1));
+    EXPECT_FALSE(behind_horizon(2, glm::radians(104.0), 1, std::sqrt(2)));
+    EXPECT_TRUE(behind_horizon(2, glm::radians(106.0), 1, std::sqrt(2)));
+    EXPECT_FALSE(behind_horizon(0.5, glm::radians(179.0), 1, 1.01)) << "from within there is no horizon";
+    EXPECT_FALSE(behind_horizon(0, 0, 1, 1));
+}
+
+}  // namespace
+}  // namespace relief
