@@ -253,6 +253,7 @@ private:
             glViewport(begin.x, begin.y, end.x - begin.x, end.y - begin.y);
             program.set("u_window", glm::vec4(low, size));
             program.set("u_face", glm::mat3(face_axes(view.plan.shape.mapping, id.face)));
+            program.set("u_patch_on_face", glm::vec4(id.on_face({0, 0}), id.on_face({1, 1})));
             program.set("u_patch", glm::ivec2(id.x, id.y));
             program.set("u_level", id.level);
             program.set("u_map_corner", globe.map_corner(i));

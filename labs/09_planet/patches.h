@@ -18,7 +18,10 @@ struct PatchId {
     int face = 0, level = 0, x = 0, y = 0;
     auto operator<=>(const PatchId&) const = default;
     /// (0, 0) to (1, 1) on the patch; -1 to 1 on its face.
-    glm::dvec2 on_face(glm::dvec2 local) const { return 2.0 * (glm::dvec2(x, y) + local) / double(1 << level) - 1.0; }
+    glm::dvec2 on_face(glm::dvec2 local) const {
+        const double width = 2.0 / (1 << level);  // a power of 2: neighbours agree to the last bit
+        return width * (glm::dvec2(x, y) + local) - 1.0;
+    }
 };
 
 /// A cube has six faces, latitude and longitude two halves.

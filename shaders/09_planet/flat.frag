@@ -10,6 +10,7 @@
 
 uniform vec4 u_window;  // of the patch: lower left corner and size, pixels
 uniform mat3 u_face;
+uniform vec4 u_patch_on_face;  // s and t of its lower left corner, then of its upper right one
 uniform ivec2 u_patch;
 uniform int u_level;
 
@@ -17,7 +18,7 @@ layout(location = 0) out vec4 o_color;
 
 void main() {
     vec2 local = (gl_FragCoord.xy - u_window.xy) / u_window.zw;
-    vec2 st = 2.0 * (vec2(u_patch) + local) / exp2(float(u_level)) - 1.0;
+    vec2 st = mix(u_patch_on_face.xy, u_patch_on_face.zw, local);
 #if defined PROBE_direction
     o_color = vec4(grid_direction(u_face, st), 0.0);
 #elif defined PROBE_stretch

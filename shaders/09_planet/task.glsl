@@ -24,7 +24,9 @@ vec3 direction(mat3 face, vec2 st) {
 //(gradient
 vec3 gradient(vec3 u, vec3 v, vec2 slope) {
     //[solution
-    float e = dot(u, u), f = dot(u, v), g = dot(v, v);
+    float e = dot(u, u);
+    float f = dot(u, v);
+    float g = dot(v, v);
     return ((g * slope.x - f * slope.y) * u + (e * slope.y - f * slope.x) * v) / (e * g - f * f);
     //]starter
     //| return unfinished(vec3(0.0));
