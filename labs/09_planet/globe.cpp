@@ -138,7 +138,6 @@ void Globe::make_maps(const MapRecipe& recipe, const std::vector<PatchId>& fresh
         }
     }
     glEnable(GL_DEPTH_TEST);
-    made_ += int(fresh.size());
 }
 
 void Globe::prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, bool maps) {

@@ -42,7 +42,6 @@ public:
     glm::ivec2 map_corner(size_t i) const;
     int triangles_of_patch() const { return index_count_ / 3; }
     int skirt_triangles() const { return 8 * quads_; }
-    int maps_made() const { return made_; }
 
 private:
     struct Vertex {
@@ -74,7 +73,7 @@ private:
     std::vector<PatchId> drawn_;
     MapRecipe recipe_;
     std::array<GLuint, 2> programs_{};
-    int capacity_ = 0, quads_ = 0, index_count_ = 0, made_ = 0;
+    int capacity_ = 0, quads_ = 0, index_count_ = 0;
 };
 
 /// The uniforms of shaders/09_planet/heights.glsl.

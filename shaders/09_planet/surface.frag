@@ -53,7 +53,9 @@ void main() {
     float distance_ = length(from_eye);
     vec3 to_eye = -from_eye / distance_, up = normalize(place);
 #ifdef PATCHES
-    vec3 albedo = u_level < -1.5 ? vec3(0.045, 0.055, 0.085) : u_level < -0.5 ? vec3(0.10, 0.06, 0.05) : 0.8 * heat(0.25 + 0.09 * u_level);
+    vec3 albedo = u_level < -1.5   ? vec3(0.045, 0.055, 0.085)
+                  : u_level < -0.5 ? vec3(0.10, 0.06, 0.05)
+                                   : 0.8 * heat(0.25 + 0.09 * u_level);
     vec2 edge = min(v_local, 1.0 - v_local), line = fwidth(v_local);
     float border = min(smoothstep(0.5, 1.7, edge.x / line.x), smoothstep(0.5, 1.7, edge.y / line.y));
     vec2 cell = abs(fract(v_local * u_quads - 0.5) - 0.5) / (line * u_quads);
@@ -72,7 +74,8 @@ void main() {
     narrow *= narrow * narrow;
     float glint = gloss * (0.6 * wide + 4.0 * narrow);
     vec3 sky = vec3(0.05, 0.09, 0.17) * smoothstep(-0.25, 0.5, dot(up, u_to_sun)) * (0.6 + 0.4 * dot(normal, up));
-    vec3 light = albedo * (2.4 * sun * facing + sky + vec3(0.0020, 0.0026, 0.0045)) + sun * glint * step(0.0, dot(up, u_to_sun) + 0.1);
+    vec3 light = albedo * (2.4 * sun * facing + sky + vec3(0.0020, 0.0026, 0.0045));
+    light += sun * glint * step(-0.1, dot(up, u_to_sun));
     // The sea mirrors the sky at grazing angles.
     float graze = 1.0 - max(dot(normal, to_eye), 0.0);
     light += gloss * graze * graze * graze * sky * 3.0;
