@@ -47,12 +47,7 @@ Mesh make_patch(int columns, int rows, glm::vec2 repeat, Surface vertex) {
     return mesh;
 }
 
-/// A face of the cube [-1, 1]³: the axes along its normal, u and v.
-struct Face {
-    glm::dvec3 normal, right, up;
-};
-
-constexpr Face cube_faces[] = {
+constexpr CubeFace cube_faces[] = {
     {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
     {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
 };
@@ -86,7 +81,7 @@ Mesh make_box(const BoxShape& shape) {
     const glm::dvec3 half = glm::dvec3(extent(shape.size.x), extent(shape.size.y), extent(shape.size.z)) / 2.0;
     const glm::dvec3 cells(shape.cells);
     Mesh mesh;
-    for (const Face& face : cube_faces) {
+    for (const CubeFace& face : cube_faces) {
         const double columns = glm::dot(cells, glm::abs(face.right)), rows = glm::dot(cells, glm::abs(face.up));
         add_patch(mesh, int(columns), int(rows), shape.repeat, [&](const Place& at) {
             return Vertex{.position = half * (face.normal + at.s * face.right + at.t * face.up),
@@ -132,10 +127,12 @@ Mesh make_sphere(const SphereShape& shape) {
     });
 }
 
+const CubeFace& cube_face(int face) { return cube_faces[face]; }
+
 glm::dvec3 cube_sphere_direction(int index, double s, double t) {
     // tan(pi / 4) is not 1 in floating point, and the faces must meet in their edges.
     const auto equal_angle = [](double x) { return std::abs(x) == 1 ? x : std::tan(glm::quarter_pi<double>() * x); };
-    const Face& face = cube_faces[index];
+    const CubeFace& face = cube_faces[index];
     return glm::normalize(face.normal + equal_angle(s) * face.right + equal_angle(t) * face.up);
 }
 
@@ -143,7 +140,7 @@ Mesh make_cube_sphere(const CubeSphereShape& shape) {
     const double radius = extent(shape.radius);
     Mesh mesh;
     for (int index = 0; index < 6; ++index) {
-        const Face& face = cube_faces[index];
+        const CubeFace& face = cube_faces[index];
         add_patch(mesh, shape.cells, shape.cells, shape.repeat, [&](const Place& at) {
             const glm::dvec3 out = cube_sphere_direction(index, at.s, at.t);
             // The place on the cube moves along `right`; pushed onto the sphere, what is left is tangential.

@@ -75,8 +75,14 @@ struct CubeSphereShape {
 };
 Mesh make_cube_sphere(const CubeSphereShape& shape);
 
-/// Of unit length: the place (s, t) of a face, each from -1 to 1; beyond that the face's lines go on. The faces are +x,
-/// -x, +y, -y, +z, -z. Places that two faces share agree to the last bit.
+/// A face of the cube [-1, 1]³: its outward normal, and its directions of u and v. They are +x, -x, +y, -y, +z, -z.
+struct CubeFace {
+    glm::dvec3 normal, right, up;
+};
+const CubeFace& cube_face(int face);
+
+/// Of unit length: the place (s, t) of a face, each from -1 to 1; beyond that the face's lines go on. Places that two
+/// faces share agree to the last bit.
 glm::dvec3 cube_sphere_direction(int face, double s, double t);
 
 /// A ring around the y axis: a tube (at most as thick as the ring, where its hole closes) around a circle. u runs

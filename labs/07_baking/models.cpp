@@ -69,26 +69,19 @@ void mirror(Mesh& mesh) {
     for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
 }
 
-/// The face's outward normal and its directions of u and v.
-struct Face {
-    glm::vec3 normal, u, v;
-};
-constexpr std::array<Face, 6> faces = {{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
-                                        {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
-                                        {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
-                                        {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
-                                        {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-                                        {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}}};
+/// In the order of their squares on the map: +x, +y, +z, -x, -y, -z.
+const CubeFace& face_on_map(uint32_t f) { return cube_face(int(f < 3 ? 2 * f : 2 * f - 5)); }
 
 Mesh make_cube(bool averaged, bool other_diagonal) {
     Mesh mesh;
-    for (uint32_t f = 0; f < faces.size(); ++f) {
-        const Face& face = faces[f];
+    for (uint32_t f = 0; f < 6; ++f) {
+        const CubeFace& face = face_on_map(f);
+        const glm::vec3 out(face.normal), u(face.right), v(face.up);
         const glm::vec2 corner = float(border) + float(step) * glm::vec2(f % 3, f / 3);
         for (const glm::vec2 at : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
-            const glm::vec3 direction = face.normal + (2 * at.x - 1) * face.u + (2 * at.y - 1) * face.v;
-            const glm::vec3 normal = averaged ? glm::normalize(direction) : face.normal;
-            const glm::vec3 tangent = glm::normalize(face.u - glm::dot(face.u, normal) * normal);
+            const glm::vec3 direction = out + (2 * at.x - 1) * u + (2 * at.y - 1) * v;
+            const glm::vec3 normal = averaged ? glm::normalize(direction) : out;
+            const glm::vec3 tangent = glm::normalize(u - glm::dot(u, normal) * normal);
             mesh.vertices.push_back({cube_centre + direction * (cube_side / 2), normal, glm::vec4(tangent, 1),
                                      averaged ? corner + float(strip) * at : glm::vec2(0)});
         }

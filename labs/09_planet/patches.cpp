@@ -13,9 +13,8 @@ namespace relief::planet {
 
 glm::dmat3 face_axes(Mapping mapping, int face) {
     if (mapping == Mapping::lat_long) return glm::dmat3({face ? -1 : 1, 0, 0}, {0, 1, 0}, {0, 0, face ? -1 : 1});
-    const glm::dvec3 out = cube_sphere_direction(face, 0, 0);
-    const glm::dvec3 right = glm::normalize(cube_sphere_direction(face, 1, 0) - out * std::sqrt(0.5));
-    return {glm::round(right), glm::round(glm::cross(out, right)), out};
+    const CubeFace& axes = cube_face(face);
+    return {axes.right, axes.up, axes.normal};
 }
 
 glm::dvec3 direction_at(Mapping mapping, int face, glm::dvec2 st) {

@@ -6,22 +6,15 @@
 
 #include "framework/base/parallel.h"
 #include "framework/image/color.h"
+#include "framework/mesh/shapes.h"
 #include "framework/staff/reference/mesh_rays.h"
 #include "framework/staff/reference/tangent_space.h"
 
 namespace relief {
 namespace {
 
-/// A face's outward normal, and its directions of u and v.
-struct Face {
-    glm::vec3 normal, u, v;
-};
-constexpr std::array<Face, 6> faces = {{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
-                                        {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
-                                        {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
-                                        {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
-                                        {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-                                        {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}}};
+/// In the order of their squares on the map: +x, +y, +z, -x, -y, -z.
+const CubeFace& face_on_map(uint32_t f) { return cube_face(int(f < 3 ? 2 * f : 2 * f - 5)); }
 // Squares of 4 / 16, with gaps of 1 / 16: all borders lie between texels.
 constexpr double square = 4.0 / 16, gap = 1.0 / 16;
 
@@ -97,12 +90,13 @@ glm::dvec3 shown(const SyncRenderer& renderer, const Place& place, const Image& 
 
 Mesh make_synctest_cube(bool other_diagonal) {
     Mesh mesh;
-    for (uint32_t f = 0; f < faces.size(); ++f) {
-        const Face& face = faces[f];
+    for (uint32_t f = 0; f < 6; ++f) {
+        const CubeFace& face = face_on_map(f);
+        const glm::vec3 out(face.normal), u(face.right), v(face.up);
         for (const glm::vec2 at : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
-            const glm::vec3 direction = face.normal + (2 * at.x - 1) * face.u + (2 * at.y - 1) * face.v;
+            const glm::vec3 direction = out + (2 * at.x - 1) * u + (2 * at.y - 1) * v;
             const glm::vec3 normal = glm::normalize(direction);
-            const glm::vec3 tangent = glm::normalize(face.u - glm::dot(face.u, normal) * normal);
+            const glm::vec3 tangent = glm::normalize(u - glm::dot(u, normal) * normal);
             mesh.vertices.push_back(
                 {0.5f * direction, normal, glm::vec4(tangent, 1), glm::vec2(corner_of(f) + square * glm::dvec2(at))});
         }
@@ -129,7 +123,7 @@ Image bake_synctest_map(int size, int bits) {
             const size_t face = size_t(3 * cell(uv.y, 2) + cell(uv.x, 3));
             const glm::dvec2 at = glm::clamp((uv - corner_of(face)) / square, 0.0, 1.0);
             const Place place = place_on(mesh, face, at);
-            const glm::dvec3 n = to_interpolated_frame(glm::dvec3(faces[face].normal), place.normal, place.tangent);
+            const glm::dvec3 n = to_interpolated_frame(face_on_map(uint32_t(face)).normal, place.normal, place.tangent);
             for (int c = 0; c < 3; ++c) {
                 const float value = float(0.5 * n[c] + 0.5);
                 map.pixel(x, y)[c] = bits == 32 ? value : std::round(value * largest) / largest;
