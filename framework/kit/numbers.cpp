@@ -22,16 +22,21 @@ Image draw_numbers(glm::ivec2 size, const std::function<void()>& draw) {
     return drawn;
 }
 
-Image truth_of_rays(const Frame& frame, const std::function<std::optional<glm::dvec4>(const Ray&)>& value) {
-    Image image(frame.size.x, frame.size.y, 4);
-    parallel_pieces(size_t(frame.size.y), 1, 0, [&](size_t begin, size_t end) {
+Image image_of_values(glm::ivec2 size, const std::function<glm::dvec4(int x, int y)>& value) {
+    Image image(size.x, size.y, 4);
+    parallel_pieces(size_t(size.y), 1, 0, [&](size_t begin, size_t end) {
         for (int y = int(begin); y < int(end); ++y)
-            for (int x = 0; x < frame.size.x; ++x) {
-                const glm::vec4 seen(value(frame.ray(x, y)).value_or(glm::dvec4(no_surface)));
-                for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = seen[c];
+            for (int x = 0; x < size.x; ++x) {
+                const glm::vec4 values(value(x, y));
+                for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = values[c];
             }
     });
     return image;
+}
+
+Image truth_of_rays(const Frame& frame, const std::function<std::optional<glm::dvec4>(const Ray&)>& value) {
+    return image_of_values(frame.size,
+                           [&](int x, int y) { return value(frame.ray(x, y)).value_or(glm::dvec4(no_surface)); });
 }
 
 }  // namespace relief

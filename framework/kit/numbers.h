@@ -14,6 +14,9 @@ namespace relief {
 /// the whole target. Afterwards framebuffer and viewport are as they were.
 Image draw_numbers(glm::ivec2 size, const std::function<void()>& draw);
 
+/// An image of four floats a pixel; row 0 is the top. Several threads call `value`, which gets column and row.
+Image image_of_values(glm::ivec2 size, const std::function<glm::dvec4(int x, int y)>& value);
+
 /// The truth of a frame from what the ray of each pixel sees; +infinity where that is nothing. Several threads call
 /// `value`.
 Image truth_of_rays(const Frame& frame, const std::function<std::optional<glm::dvec4>(const Ray&)>& value);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "framework/base/parallel.h"
+#include "framework/kit/numbers.h"
 #include "framework/staff/reference/mesh_rays.h"
 #include "framework/staff/reference/tangent_space.h"
 
@@ -104,29 +104,17 @@ glm::dvec3 stored(const Recipe& recipe, const Place& place, const glm::dvec3& n)
     return to_interpolated_frame(n, place.normal, place.tangent);
 }
 
-Image filled(glm::ivec2 size, const std::function<glm::dvec4(int x, int y)>& value) {
-    Image image(size.x, size.y, 4);
-    parallel_pieces(size_t(size.y), 1, 0, [&](size_t begin, size_t end) {
-        for (int y = int(begin); y < int(end); ++y)
-            for (int x = 0; x < size.x; ++x) {
-                const glm::dvec4 v = value(x, y);
-                for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = float(v[c]);
-            }
-    });
-    return image;
-}
-
 const glm::dvec4 nothing(std::numeric_limits<double>::infinity());
 
 std::optional<Image> exact_normals(const Frame& frame, const Sight& sight) {
     const Scene scene(sight.recipe, sight.other_diagonal);
     if (sight.shown == Shown::high)
-        return filled(frame.size, [&](int x, int y) {
+        return image_of_values(frame.size, [&](int x, int y) {
             const auto hit = first_hit(scene.high_tree, scene.high, frame.ray(x, y), 1e9);
             return hit ? glm::dvec4(normal_at(scene.high, *hit), 0) : nothing;
         });
     const TriangleTree low_tree = build_tree(scene.low);
-    return filled(frame.size, [&](int x, int y) {
+    return image_of_values(frame.size, [&](int x, int y) {
         const auto hit = first_hit(low_tree, scene.low, frame.ray(x, y), 1e9);
         if (!hit) return nothing;
         const Place place = place_at(scene.low, hit->triangle, hit->weights);
@@ -144,13 +132,13 @@ std::optional<Image> exact_map(const Frame& frame, const Probe& probe, const Rec
     const Scene scene(recipe, false);
     if (probe.name == "cover") {
         const std::vector<Place> places = texel_places(scene.low, frame.size);
-        return filled(frame.size, [&](int x, int y) {
+        return image_of_values(frame.size, [&](int x, int y) {
             return glm::dvec4(places[size_t(y) * size_t(frame.size.x) + size_t(x)].cover, 0, 0, 0);
         });
     }
     if (recipe.overlapping) return {};  // one of two triangles has the texel
     const std::vector<Place> places = texel_places(scene.low, glm::ivec2(recipe.size));
-    return filled(frame.size, [&](int x, int y) {
+    return image_of_values(frame.size, [&](int x, int y) {
         // A pixel between two texels shows the upper one, and the one on the right.
         const auto texel_of = [&](int i, int count) {
             return std::min(recipe.size - 1, int((i + 0.5) / count * recipe.size + 0.001));

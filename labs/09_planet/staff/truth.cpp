@@ -7,7 +7,7 @@
 #include <random>
 
 #include "exact.h"
-#include "framework/base/parallel.h"
+#include "framework/kit/numbers.h"
 #include "framework/kit/tiles.h"
 
 namespace relief::planet {
@@ -111,18 +111,6 @@ namespace {
 
 const glm::dvec4 nothing(std::numeric_limits<double>::infinity());
 
-Image filled(glm::ivec2 size, const std::function<glm::dvec4(int x, int y)>& value) {
-    Image image(size.x, size.y, 4);
-    parallel_pieces(size_t(size.y), 1, 0, [&](size_t begin, size_t end) {
-        for (int y = int(begin); y < int(end); ++y)
-            for (int x = 0; x < size.x; ++x) {
-                const glm::dvec4 v = value(x, y);
-                for (int c = 0; c < 4; ++c) image.pixel(x, y)[c] = float(v[c]);
-            }
-    });
-    return image;
-}
-
 std::optional<Image> from_an_eye(glm::ivec2 size, const Probe& probe, const Sight& sight) {
     const Plan& plan = sight.plan;
     const Ground& ground = plan.shape.ground;
@@ -130,7 +118,7 @@ std::optional<Image> from_an_eye(glm::ivec2 size, const Probe& probe, const Sigh
     if (probe.name == "level" || probe.name == "skirt")
         for (const Leaf& leaf : leaves(plan, exact_rules())) known[leaf.id] = leaf.state;
     const Measured& errors = measured(plan.shape);
-    return filled(size, [&](int x, int y) {
+    return image_of_values(size, [&](int x, int y) {
         const Ray ray = sight.seen_from.ray({(x + 0.5) / size.x * 2 - 1, 1 - (y + 0.5) / size.y * 2});
         const auto t = exact_hit(plan.shape, ray);
         if (!t) return nothing;
@@ -157,7 +145,7 @@ std::optional<Image> spread_out(glm::ivec2 size, const Probe& probe, const Sight
     const bool is_lat_long = shape.mapping == Mapping::lat_long;
     const std::vector<Tile> tiles = tile_grid(size, is_lat_long ? 2 : 3, is_lat_long ? 1 : 2);
     const double across = double(1 << sight.plan.level);
-    return filled(size, [&](int x, int y) {
+    return image_of_values(size, [&](int x, int y) {
         const glm::dvec2 pixel(x + 0.5, size.y - y - 0.5);
         int face = 0;
         while (pixel.x < tiles[size_t(face)].corner.x || pixel.y < tiles[size_t(face)].corner.y ||
