@@ -99,17 +99,20 @@ void Globe::set_patch(const Program& program, const MapRecipe& recipe, const Pat
     program.set("u_texels", recipe.texels);
 }
 
+std::pair<const Program&, const Program&> Globe::programs_of(const MapRecipe& recipe) const {
+    const Define mapping = mapping_define(recipe.shape.mapping), gutter = recipe.gutter ? "" : "NO_GUTTER";
+    return {heights_.with({mapping, gutter}),
+            normals_.with({mapping, gutter, recipe.slopes ? "PROBE_slope" : normals_defines[size_t(recipe.normals)],
+                           strength_defines[size_t(recipe.strength)]})};
+}
+
 void Globe::make_maps(const MapRecipe& recipe, const std::vector<PatchId>& fresh) {
     if (fresh.empty()) return;
     const int tile_side = recipe.texels + 2, heights_side = recipe.texels + 4;
     const size_t batch = batch_columns * batch_columns;
     const int rows = int(std::min<size_t>(batch, fresh.size()) + batch_columns - 1) / batch_columns;
     const TexelTarget heights({batch_columns * heights_side, rows * heights_side}, {GL_RGBA32F});
-    const Define mapping = mapping_define(recipe.shape.mapping);
-    const Program& low = heights_.with({mapping, recipe.gutter ? "" : "NO_GUTTER"});
-    const Program& high = normals_.with({mapping, recipe.gutter ? "" : "NO_GUTTER",
-                                         recipe.slopes ? "PROBE_slope" : normals_defines[size_t(recipe.normals)],
-                                         strength_defines[size_t(recipe.strength)]});
+    const auto [low, high] = programs_of(recipe);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(*nothing_);
     for (size_t begin = 0; begin < fresh.size(); begin += batch) {
@@ -142,14 +145,12 @@ void Globe::make_maps(const MapRecipe& recipe, const std::vector<PatchId>& fresh
 
 void Globe::prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, bool maps) {
     if (!buffers_) buffers_.emplace(), nothing_.emplace();
-    const Define mapping = mapping_define(recipe.shape.mapping);
     // A program that was saved and compiled anew has another name.
     std::array<GLuint, 2> programs = programs_;
-    if (maps)
-        programs = {heights_.with({mapping, recipe.gutter ? "" : "NO_GUTTER"}),
-                    normals_.with({mapping, recipe.gutter ? "" : "NO_GUTTER",
-                                   recipe.slopes ? "PROBE_slope" : normals_defines[size_t(recipe.normals)],
-                                   strength_defines[size_t(recipe.strength)]})};
+    if (maps) {
+        const auto [heights, normals] = programs_of(recipe);
+        programs = {heights, normals};
+    }
     if (!(recipe.shape == recipe_.shape)) slots_.clear();
     if (!(recipe == recipe_) || programs != programs_)
         for (auto& [id, slot] : slots_) slot.has_map = false;

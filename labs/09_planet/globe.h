@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "framework/gl/texel_target.h"
 #include "patches.h"
@@ -60,6 +61,8 @@ private:
     };
     void make_buffers(int quads);
     void make_vertices(const Shape& shape, const std::vector<PatchId>& fresh);
+    /// Those that fill the maps: heights, then normals.
+    std::pair<const Program&, const Program&> programs_of(const MapRecipe& recipe) const;
     void make_maps(const MapRecipe& recipe, const std::vector<PatchId>& fresh);
     void set_patch(const Program& program, const MapRecipe& recipe, const PatchId& id) const;
     int tile_columns() const { return 16; }
