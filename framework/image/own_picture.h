@@ -32,4 +32,10 @@ private:
     int version_ = 0;
 };
 
+/// Whether the first three channels are 0.02 apart on average at most; fewer channels are grey.
+bool is_nearly_grey(const Image& picture);
+
+/// Some of an image's channels; its bits stay.
+Image channels_of(const Image& image, int first, int count);
+
 }  // namespace relief

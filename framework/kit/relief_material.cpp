@@ -50,13 +50,6 @@ Image level_of(Image image, int side) {
 /// Whether the four channels are a normal map with heights in the fourth.
 bool has_normals(const Image& image) { return image.channels == 4; }
 
-Image channel_of(const Image& image, int channel) {
-    Image one(image.width, image.height, 1, image.bits);
-    for (size_t i = 0; i < one.values.size(); ++i)
-        one.values[i] = image.values[i * size_t(image.channels) + size_t(channel)];
-    return one;
-}
-
 /// Heights that are finite; those beyond 0 and 1, as in files of floats, are brought between.
 void bring_between_0_and_1(float* heights, size_t count, size_t stride) {
     float low = 0, high = 1;
@@ -73,24 +66,23 @@ void bring_between_0_and_1(float* heights, size_t count, size_t stride) {
 /// Heights of a user's picture: one that is grey, or the fourth channel. With it stays a normal map, if that is what
 /// the other three channels are.
 Image own_heights(Image picture) {
-    double spread = 0, up = 0,
-           length = 0;          // means over the picture: between channels; of z, and of how long normals are
+    double up = 0, length = 0;  // sums over the picture: of z, and of how long normals are
     float least = 1, most = 0;  // of the fourth channel
-    for (size_t i = 0; picture.channels >= 3 && i < picture.pixel_count(); ++i) {
-        const float* const texel = picture.values.data() + i * size_t(picture.channels);
-        const auto [low, high] = std::minmax({texel[0], texel[1], texel[2]});
+    for (size_t i = 0; picture.channels == 4 && i < picture.pixel_count(); ++i) {
+        const float* const texel = picture.values.data() + i * 4;
         const glm::vec3 normal = 2.0f * glm::vec3(texel[0], texel[1], texel[2]) - 1.0f;
-        spread += double(high) - double(low), up += double(normal.z), length += double(glm::length(normal));
-        if (picture.channels == 4) least = std::min(least, texel[3]), most = std::max(most, texel[3]);
+        up += double(normal.z), length += double(glm::length(normal));
+        least = std::min(least, texel[3]), most = std::max(most, texel[3]);
     }
     const auto texels_of_it = double(picture.pixel_count());
     if (least < most) {
         bring_between_0_and_1(picture.values.data() + 3, picture.pixel_count(), 4);
-        return up > 0.5 * texels_of_it && std::abs(length / texels_of_it - 1) < 0.1 ? picture : channel_of(picture, 3);
+        return up > 0.5 * texels_of_it && std::abs(length / texels_of_it - 1) < 0.1 ? picture
+                                                                                    : channels_of(picture, 3, 1);
     }
-    if (!(spread <= 0.02 * texels_of_it))
+    if (!is_nearly_grey(picture))
         throw Error("shows colours or normals: a height map is grey, or the fourth channel of a picture");
-    Image heights = channel_of(picture, 0);
+    Image heights = channels_of(picture, 0, 1);
     bring_between_0_and_1(heights.values.data(), heights.values.size(), 1);
     return heights;
 }
@@ -120,7 +112,7 @@ ReliefMaterial::Made ReliefMaterial::make() const {
         if (image.width > asset_texels) image = level_of(std::move(image), asset_texels);
     } else if (map == ReliefMap::own) {
         image = resampled(own_.image(), texels[size_t(size)], texels[size_t(size)]);
-        if (has_normals(image)) image = channel_of(image, 3);
+        if (has_normals(image)) image = channels_of(image, 3, 1);
     } else {
         image = make_height_map(HeightMap(map < ReliefMap::wall ? map : map - 2), texels[size_t(size)]);
     }
@@ -155,17 +147,16 @@ Image ReliefMaterial::normals() const {
     // In full detail, also where the search makes do with less.
     const Image& heights = made().full.values.empty() ? made().heights : made().full;
     const int side = heights.width;
+    if (map == ReliefMap::own && has_normals(own_.image())) {
+        Image stored = channels_of(resampled(own_.image(), side, side), 0, 3);
+        stored.bits = 8;
+        return stored;
+    }
     const auto point = [&](int x, int y) {  // in texels; row 0 is the top
         const float height = *heights.pixel((x + side) % side, (y + side) % side);
         return glm::vec3(x, -y, height * normals_depth * float(side));
     };
     Image image(side, side, 3, 8);
-    if (map == ReliefMap::own && has_normals(own_.image())) {
-        const Image stored = resampled(own_.image(), side, side);
-        for (size_t i = 0; i < stored.pixel_count(); ++i)
-            std::copy_n(stored.values.data() + 4 * i, 3, image.values.data() + 3 * i);
-        return image;
-    }
     parallel_pieces(size_t(side), 16, 0, [&](size_t begin, size_t end) {
         for (int y = int(begin); y < int(end); ++y)
             for (int x = 0; x < side; ++x) {

@@ -109,18 +109,7 @@ private:
     static Image own_picture(Image picture) {
         for (float& value : picture.values) value = std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0;
         const Image whole = resampled(picture, picture_size, picture_size);
-        double spread = 0;
-        for (size_t i = 0; whole.channels >= 3 && i < whole.pixel_count(); ++i) {
-            const float* const texel = whole.values.data() + i * size_t(whole.channels);
-            const auto [low, high] = std::minmax({texel[0], texel[1], texel[2]});
-            spread += double(high) - double(low);
-        }
-        const int channels = spread > 0.02 * double(whole.pixel_count()) ? 3 : 1;
-        Image image(picture_size, picture_size, channels);
-        for (size_t i = 0; i < whole.pixel_count(); ++i)
-            std::copy_n(whole.values.data() + i * size_t(whole.channels), channels,
-                        image.values.data() + i * size_t(channels));
-        return image;
+        return channels_of(whole, 0, is_nearly_grey(whole) ? 1 : 3);
     }
     bool has_colors() const { return source_ == colors || (source_ == own && own_.image().channels == 3); }
     Image color_picture() const { return source_ == own ? own_.image() : picture("bricks_albedo.png"); }
