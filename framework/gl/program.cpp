@@ -8,6 +8,7 @@
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
+#include "framework/gl/cube_texture.h"
 #include "framework/gl/texture.h"
 
 namespace relief {
@@ -132,6 +133,12 @@ void Program::set(const char* uniform, const glm::mat4& value) const {
     glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }
 void Program::set(const char* sampler, int unit, const Texture& texture) const {
+    const GLint place = location(sampler);
+    if (place < 0) return;
+    glUniform1i(place, unit);
+    bind(unit, texture);
+}
+void Program::set(const char* sampler, int unit, const CubeTexture& texture) const {
     const GLint place = location(sampler);
     if (place < 0) return;
     glUniform1i(place, unit);

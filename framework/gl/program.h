@@ -17,6 +17,7 @@
 
 namespace relief {
 
+class CubeTexture;
 class Texture;
 
 /// A linked program. Uniforms are set by name: one that this permutation does not use is skipped, one that
@@ -47,6 +48,7 @@ public:
     /// Binds the texture to a unit and points the sampler at it. A sampler that this permutation does not use
     /// loads no texture.
     void set(const char* sampler, int unit, const Texture& texture) const;
+    void set(const char* sampler, int unit, const CubeTexture& texture) const;
 
 private:
     GLint location(const char* uniform) const;  ///< -1 when not in use

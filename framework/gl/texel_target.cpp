@@ -14,7 +14,7 @@ int bytes_of_texel(GLenum format) { return format == GL_RGBA32F ? 16 : format ==
 
 }  // namespace
 
-TexelTarget::TexelTarget(glm::ivec2 size, std::initializer_list<GLenum> formats, bool mips) : size_(size) {
+TexelTarget::TexelTarget(glm::ivec2 size, std::initializer_list<GLenum> formats, bool mips, bool depth) : size_(size) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     label(GL_FRAMEBUFFER, framebuffer_, "texels");
     std::vector<GLenum> places;
@@ -37,6 +37,11 @@ TexelTarget::TexelTarget(glm::ivec2 size, std::initializer_list<GLenum> formats,
         glFramebufferTexture2D(GL_FRAMEBUFFER, places.back(), GL_TEXTURE_2D, textures_.back(), 0);
     }
     glBindTexture(GL_TEXTURE_2D, 0);
+    if (depth) {
+        glBindRenderbuffer(GL_RENDERBUFFER, depth_.emplace());
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, size.x, size.y);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, *depth_);
+    }
     glDrawBuffers(GLsizei(places.size()), places.data());
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     const std::string errors = take_gl_errors();

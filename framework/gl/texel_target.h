@@ -1,8 +1,9 @@
-// A framebuffer of textures without depth: several floats a texel, to be read by the next pass.
+// A framebuffer of textures: several floats a texel, to be read by the next pass.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <initializer_list>
+#include <optional>
 #include <vector>
 
 #include "framework/gl/object.h"
@@ -14,8 +15,8 @@ class TexelTarget {
 public:
     /// One texture for each of `formats` (GL_RGBA32F, GL_RGBA16, GL_RGBA8), the colour attachments 0, 1, ... in this
     /// order. With `mips` they have all levels, read trilinearly; else they are read by the nearest texel. Coordinates
-    /// are clamped. Throws Error when the driver cannot hold it.
-    TexelTarget(glm::ivec2 size, std::initializer_list<GLenum> formats, bool mips = false);
+    /// are clamped. With `depth` what is near hides what is far. Throws Error when the driver cannot hold it.
+    TexelTarget(glm::ivec2 size, std::initializer_list<GLenum> formats, bool mips = false, bool depth = false);
     ~TexelTarget();
     TexelTarget(const TexelTarget&) = delete;
     TexelTarget& operator=(const TexelTarget&) = delete;
@@ -34,6 +35,7 @@ private:
     glm::ivec2 size_;
     FramebufferName framebuffer_;
     std::vector<TextureName> textures_;
+    std::optional<RenderbufferName> depth_;
     int64_t bytes_ = 0;
 };
 

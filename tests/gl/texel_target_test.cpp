@@ -43,6 +43,18 @@ TEST(TexelTarget, LevelsAreMeansOfThoseBeforeAndRowZeroIsTheTop) {
     EXPECT_NEAR(texel[1], 0.1, 1.0 / 255);
 }
 
+TEST(TexelTarget, HasADepthBufferOnlyWhereItIsAskedFor) {
+    for (const bool has_depth : {false, true}) {
+        const TexelTarget target({2, 2}, {GL_RGBA32F}, false, has_depth);
+        target.begin();
+        GLint kind = 0;
+        glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
+                                              GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &kind);
+        EXPECT_EQ(kind, has_depth ? GL_RENDERBUFFER : GL_NONE);
+        EXPECT_EQ(take_gl_errors(), "");
+    }
+}
+
 TEST(TexelTarget, CountsItsBytesWithAllLevelsAndGivesThemBack) {
     const Counters before = counters();
     {
