@@ -196,10 +196,14 @@ void Globe::prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, b
         if (maps && !slot.has_map) plain.push_back(id), slot.has_map = true;
     }
     make_vertices(recipe.shape, bare);
-    if (maps && !map_)
+    if (maps && !map_) {
         map_ = std::make_unique<TexelTarget>(
             glm::ivec2(tile_columns(), (capacity_ + tile_columns() - 1) / tile_columns()) * (recipe.texels + 2),
             std::initializer_list<GLenum>{GL_RGBA32F});
+        map_->bind(0);
+        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+    }
     make_maps(recipe, plain);
 }
 

@@ -37,7 +37,8 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.choice("view", view_, view_names,
-                     "the planet, its pole and its patches; one of them; or the faces spread out");
+                     "the planet, its pole and its patches; one of them; mountains by the map and by their vertices; the "
+                     "grid's frames where patches meet; or the faces spread out");
         knobs.choice("mapping", mapping_, mappings,
                      "where the grid lies: equal angles, the cube, latitude and longitude");
         knobs.choice("normals", normals_, normal_rules, "normals by the metric, or by what is commonly written");
@@ -82,8 +83,8 @@ public:
     }
 
 private:
-    enum ViewKind { compare, planet, pole, patches, faces };
-    static constexpr std::array view_names = {"compare", "planet", "pole", "patches", "faces"};
+    enum ViewKind { compare, planet, pole, patches, faces, mountains, frames };
+    static constexpr std::array view_names = {"compare", "planet", "pole", "patches", "faces", "mountains", "frames"};
     static constexpr std::array mappings = {"equal-angle", "gnomonic", "lat-long"};
     static constexpr std::array normal_rules = {"metric", "right-angled", "b-by-cross", "one-scale"};
     static constexpr std::array slope_sources = {"map", "formula"};
@@ -95,11 +96,12 @@ private:
     static constexpr std::array culls = {"none", "outside", "horizon"};
     static constexpr std::array eyes = {"camera", "ground"};
     static constexpr std::array precisions = {"camera-relative", "float"};
+    static constexpr double near = 1e-7;  // radii
     static constexpr std::array depths = {"logarithm", "usual"};
 
     struct View {
         Tile tile;
-        bool is_flat = false, shows_patches = false;
+        bool is_flat = false, shows_patches = false, shows_frames = false, by_vertices = false;
         Plan plan;
         Eye seen_from;
         MapRecipe recipe;
@@ -135,11 +137,14 @@ private:
         return Eye::looking(3.1 * from, -from, glm::normalize(up - glm::dot(up, from) * from), field_of_view, aspect);
     }
 
-    static Eye above_pole(double aspect) {
-        const glm::dvec3 from = glm::normalize(glm::dvec3(0.0, 1.0, 0.32));
-        return Eye::looking(1.75 * from, -from, glm::normalize(glm::dvec3(0, 0.32, -1)),
+    /// Above a place, with `up` towards the picture's upper edge.
+    static Eye above(const glm::dvec3& place, double distance, const glm::dvec3& up, double aspect) {
+        const glm::dvec3 from = glm::normalize(place);
+        return Eye::looking(distance * from, -from, glm::normalize(up - glm::dot(up, from) * from),
                             2 * std::atan(0.42 * std::max(1.0, 1 / aspect)), aspect);
     }
+
+    static Eye above_pole(double aspect) { return above({0, 1, 0.32}, 1.75, {0, 0, -1}, aspect); }
 
     /// What is drawn where.
     std::vector<View> views_of(const Frame& frame) const {
@@ -155,6 +160,7 @@ private:
                          skirts_,         double(tile.size.y), eye_of(part)};
             made.seen_from = made.plan.eye;
             made.recipe = {shape(), Normals(normals_), 16 << texels_, gutter_, strength_, probe == "slope"};
+            made.by_vertices = lit_by_ == 1;
             return made;
         };
         const Tile whole{{0, 0}, frame.size};
@@ -174,6 +180,25 @@ private:
                 View& made = views.back();
                 made.plan.eye = made.seen_from = above_pole(double(tile.size.x) / std::max(1, tile.size.y));
                 if (i++ == 1) as_usual(made);
+            }
+            return views;
+        }
+        if (view_ == frames) {
+            for (size_t i = 0; const Tile& tile : tiles_of(frame.size, 2)) {
+                views.push_back(view(tile, i == 0 ? "a corner of the cube" : "a pole of latitude and longitude"));
+                View& made = views.back();
+                const double aspect = double(tile.size.x) / std::max(1, tile.size.y);
+                made.plan.eye = made.seen_from =
+                    i == 0 ? above({-1, 0.85, 1}, 1.75, {0, 1, 0}, aspect) : above({0, 1, 0}, 1.7, {0, 0, -1}, aspect);
+                made.plan.levels = Levels::uniform, made.plan.level = 2, made.shows_frames = true;
+                if (i++ == 1) as_usual(made);
+            }
+            return views;
+        }
+        if (!frame.probe && view_ == mountains) {
+            for (size_t i = 0; const Tile& tile : tiles_of(frame.size, 2)) {
+                views.push_back(view(tile, i == 0 ? "normals of the map" : "normals of the vertices"));
+                views.back().by_vertices = i++ == 1;
             }
             return views;
         }
@@ -270,9 +295,8 @@ private:
         const bool has_map = !frame.probe || frame.probe.name == "normal";
         const Program& surface = surface_.with(
             {frame.probe, !frame.probe && view.shows_patches ? "PATCHES" : "", plan.skirts ? "SKIRTS" : "",
-             has_map && lit_by_ == 1 ? "VERTEX_NORMALS" : "", depth_ == 0 ? "LOG_DEPTH" : ""});
+             has_map && view.by_vertices ? "VERTEX_NORMALS" : "", depth_ == 0 ? "LOG_DEPTH" : ""});
         glUseProgram(surface);
-        constexpr double near = 1e-7;  // radii
         Plan seen = plan;
         seen.eye = eye;
         surface.set("u_radius", plan.radius);
@@ -298,6 +322,7 @@ private:
             surface.set("u_skirt", needs_skirts ? skirt_depth(metres, id.level) : 0.0);
             globe.draw(surface, seen, i, precise_ == 0);
         }
+        if (!frame.probe && view.shows_frames) draw_frames(view, globe);
         if (!frame.probe) {
             const Program& sky = sky_.with();
             glUseProgram(sky);
@@ -314,6 +339,36 @@ private:
         }
     }
 
+    void draw_frames(const View& view, const Globe& globe) {
+        constexpr int side = 5;
+        const Eye& eye = view.seen_from;
+        const double tangent = std::tan(eye.field_of_view_rad / 2);
+        const Program& lines =
+            frames_.with({mapping_define(view.plan.shape.mapping), depth_ == 0 ? "LOG_DEPTH" : ""});
+        glUseProgram(lines);
+        set_ground(lines, view.plan.shape.ground);
+        lines.set("u_view_from_world", glm::mat3(eye.view_from_world));
+        lines.set("u_zoom", glm::vec2(1 / (tangent * std::max(1e-9, eye.aspect)), 1 / tangent));
+        lines.set("u_size", glm::vec2(view.tile.size));
+        lines.set("u_near", near);
+        lines.set("u_far", glm::length(eye.place) + 2);
+        lines.set("u_eye", eye.place);
+        lines.set("u_texels", view.recipe.texels);
+        lines.set("u_side", side);
+        lines.set("u_length", 0.045);
+        lines.set("s_map", 0);
+        globe.bind_maps(0);
+        if (!nothing_) nothing_.emplace();
+        glBindVertexArray(*nothing_);
+        for (size_t i = 0; i < view.leaves.size(); ++i) {
+            const PatchId& id = view.leaves[i].id;
+            lines.set("u_face", glm::mat3(face_axes(view.plan.shape.mapping, id.face)));
+            lines.set("u_patch_on_face", glm::vec4(id.on_face({0, 0}), id.on_face({1, 1})));
+            lines.set("u_map_corner", globe.map_corner(i));
+            glDrawArrays(GL_TRIANGLES, 0, 18 * side * side);
+        }
+    }
+
     void describe(glm::ivec2 size, const View& view, const Globe& globe) {
         if (!view.title.empty()) labels_.caption(size, view.tile, 0, view.title);
         if (view_ != patches) return;
@@ -326,6 +381,7 @@ private:
 
     Programs surface_{"09_planet/surface.vert", "09_planet/surface.frag"};
     Programs flat_{"09_planet/window.vert", "09_planet/flat.frag"};
+    Programs frames_{"09_planet/frames.vert", "09_planet/frames.frag"};
     Programs sky_{"09_planet/window.vert", "09_planet/sky.frag"};
     std::array<Globe, 3> globes_;
     std::optional<VertexArrayName> nothing_;

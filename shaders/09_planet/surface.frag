@@ -2,6 +2,7 @@
 // The planet: its map's normal in the light of the sun, its colours by height, slope and latitude, the air in front.
 
 #include "09_planet/air.glsl"
+#include "09_planet/depth.glsl"
 #include "09_planet/ground.glsl"
 #include "09_planet/map.glsl"
 #include "common/heat.glsl"
@@ -10,15 +11,13 @@
 
 in vec3 v_from_eye;
 in vec2 v_local;
-in float v_away;
+in vec4 v_air;  // between here and the eye: light, opacity
 #ifdef VERTEX_NORMALS
 in vec3 v_normal;
 #endif
 
 uniform float u_radius;
 uniform vec3 u_eye;        // radii
-uniform float u_near;
-uniform float u_far;
 uniform float u_level;     // of the patch; below 0 it is not drawn from the eye
 uniform float u_skirt;
 uniform float u_quads;
@@ -26,10 +25,7 @@ uniform float u_quads;
 layout(location = 0) out vec4 o_color;
 
 void main() {
-#ifdef LOG_DEPTH
-    // By a logarithm, so that each length is resolved to the same share, however far away it is.
-    gl_FragDepth = log2(1.0 + max(v_away, 0.0) / u_near) / log2(1.0 + u_far / u_near);
-#endif
+    write_depth();
     vec3 from_eye = v_from_eye / u_radius, place = u_eye + from_eye;
 #if defined PROBE_seen
     o_color = vec4(1.0, 0.0, 0.0, 0.0);
@@ -79,9 +75,7 @@ void main() {
     // The sea mirrors the sky at grazing angles.
     float graze = 1.0 - max(dot(normal, to_eye), 0.0);
     light += gloss * graze * graze * graze * sky * 3.0;
-    float opacity;
-    vec3 air = air_light(u_eye, -to_eye, distance_, 2, opacity);
-    light = light * (1.0 - 0.75 * opacity) + air;
+    light = light * (1.0 - 0.75 * v_air.w) + v_air.xyz;
 #endif
     o_color = finished(vec4(srgb_from_linear(exposed(light)), 1.0), gl_FragCoord.xy);
 #endif

@@ -17,6 +17,9 @@ uniform float u_near;
 out vec3 v_from_eye;
 out vec2 v_local;
 out float v_away;
+out vec4 v_air;
+uniform vec3 u_eye;
+#include "09_planet/air.glsl"
 #ifdef VERTEX_NORMALS
 #include "09_planet/map.glsl"
 out vec3 v_normal;
@@ -30,6 +33,8 @@ void main() {
     v_local = a_local;
     vec3 seen = u_view_from_world * v_from_eye;
     v_away = -seen.z;
+    float distance_ = length(v_from_eye) / u_radius;
+    v_air.xyz = air_light(u_eye, v_from_eye / (u_radius * max(distance_, 1e-30)), distance_, 3, v_air.w);
     gl_Position = vec4(u_zoom * seen.xy, -seen.z - 2.0 * u_near, -seen.z);
 #ifdef VERTEX_NORMALS
     v_normal = map_at(a_local).xyz;
