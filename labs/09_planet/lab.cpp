@@ -36,9 +36,10 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.choice("view", view_, view_names,
-                     "the planet, its pole and its patches; one of them; mountains by the map and by their vertices; the "
-                     "grid's frames where patches meet; or the faces spread out");
+        knobs.choice(
+            "view", view_, view_names,
+            "the planet, its pole and its patches; one of them; mountains by the map and by their vertices; the "
+            "grid's frames where patches meet; or the faces spread out");
         knobs.choice("mapping", mapping_, mappings,
                      "where the grid lies: equal angles, the cube, latitude and longitude");
         knobs.choice("normals", normals_, normal_rules, "normals by the metric, or by what is commonly written");
@@ -343,8 +344,7 @@ private:
         constexpr int side = 5;
         const Eye& eye = view.seen_from;
         const double tangent = std::tan(eye.field_of_view_rad / 2);
-        const Program& lines =
-            frames_.with({mapping_define(view.plan.shape.mapping), depth_ == 0 ? "LOG_DEPTH" : ""});
+        const Program& lines = frames_.with({mapping_define(view.plan.shape.mapping), depth_ == 0 ? "LOG_DEPTH" : ""});
         glUseProgram(lines);
         set_ground(lines, view.plan.shape.ground);
         lines.set("u_view_from_world", glm::mat3(eye.view_from_world));

@@ -22,7 +22,7 @@ float turn_here() {
 }
 
 void main() {
-    vec3 outwards = normalize(v_normal);
+    vec3 outwards = finite_or(normalize(v_normal), vec3(0.0, 0.0, 1.0));
 #ifdef RAYS_OF_FACE
     vec3 ray_normal = v_tangent.w * normalize(cross(dFdx(v_position), dFdy(v_position)));
 #else
@@ -41,5 +41,6 @@ void main() {
 #ifndef OBJECT_SPACE
     normal = stored_normal(normal, frame_tangent(v_normal, v_tangent), frame_normal(v_normal));
 #endif
+    normal = finite_or(normal, vec3(0.0, 0.0, 1.0));
     o_texel = vec4(normal, is_unfinished ? 2.0 : 1.0);
 }

@@ -16,3 +16,6 @@ vec4 frame_tangent(vec3 normal, vec4 tangent) {
     return tangent;
 #endif
 }
+
+// Of a vector that should have unit length: itself, or `otherwise` where a normal or a frame of length 0 left no number.
+vec3 finite_or(vec3 unit, vec3 otherwise) { return dot(unit, unit) < 1.5 ? unit : otherwise; }

@@ -1,4 +1,6 @@
 // relief synctest as its users run it; lab 07's cube, drawn on the graphics card, is a renderer to be judged.
+#include <nlohmann/json.hpp>
+
 #include "tests/app/course_copy.h"
 
 namespace relief {
@@ -22,6 +24,11 @@ TEST_F(SynctestCommand, WritesAFolderWhoseExpectedPictureIsFlat) {
     EXPECT_EQ(judged.code, 0) << judged.out << judged.err;
     EXPECT_TRUE(contains(judged.out, "expected.png: flat, 0.318 degrees on average")) << judged.out;
     EXPECT_TRUE(contains(judged.out, "\nframe: as interpolated, in sync with the map\n")) << judged.out;
+    const auto json = nlohmann::json::parse(relief({"synctest", "--judge", "cube/expected.png", "--json"}).out);
+    EXPECT_EQ(json["frame"], "as interpolated");
+    EXPECT_TRUE(json["in_sync"] && json["flat"]);
+    EXPECT_NEAR(json["degrees"]["mean"].get<double>(), 0.318, 0.001);
+    EXPECT_GT(json["likenesses"].size(), 10u);
 }
 
 TEST_F(SynctestCommand, NamesTheFramesOfLab07) {
@@ -50,6 +57,7 @@ TEST_F(SynctestCommand, WrongUseAndOtherPicturesAreOneLine) {
         int code;
         const char* words;
     } cases[] = {{{"synctest"}, 2, "synctest takes -o FOLDER or --judge PICTURE"},
+                 {{"synctest", "-o", "a", "--json"}, 2, "--json goes with --judge PICTURE"},
                  {{"synctest", "-o", "a", "--judge", "b"}, 2, "synctest takes -o FOLDER or --judge PICTURE"},
                  {{"synctest", "--judge", "text.png"}, 1, "text.png: "},
                  {{"synctest", "--judge", "missing.png"}, 1, "missing.png: cannot read"},

@@ -194,9 +194,7 @@ std::vector<Twin> normals_and_frames() {
          "staff/tangent_space.glsl",
          "vec4(from_interpolated_frame(a.xyz, b.xyz, c), 0.0)",
          random_frame,
-         [](const GlslInput& in) {
-             return glm::dvec4(from_interpolated_frame(xyz(in[0]), xyz(in[1]), in[2]), 0);
-         },
+         [](const GlslInput& in) { return glm::dvec4(from_interpolated_frame(xyz(in[0]), xyz(in[1]), in[2]), 0); },
          {"interpolated_frame(normal, tangent) * direction", "direction * interpolated_frame(normal, tangent)"}},
         {"to_interpolated_frame",
          "staff/tangent_space.glsl",
@@ -708,8 +706,8 @@ std::vector<Twin> mesh_rays() {
              return GlslInput{grid() + 0.1f, grid() + glm::vec4(0.03f, 0.07f, 0.013f, 0), grid(), grid()};
          },
          [](const GlslInput& in) {
-             return glm::dvec4(meets_box(xyz(in[0]), inverse_direction(xyz(in[1])), 1,
-                                         glm::min(xyz(in[2]), xyz(in[3])), glm::max(xyz(in[2]), xyz(in[3]))));
+             return glm::dvec4(meets_box(xyz(in[0]), inverse_direction(xyz(in[1])), 1, glm::min(xyz(in[2]), xyz(in[3])),
+                                         glm::max(xyz(in[2]), xyz(in[3]))));
          },
          {"max(near.z, 0.0)", "near.z"}},
         {"triangle_hit",
@@ -908,6 +906,17 @@ TEST(ShaderFunction, ExactHitsAreTheHeightFieldsHoweverFarTheRayStartsAndGoes) {
             EXPECT_LE(off, inputs.size() / 200) << int(kind) << ", " << rays.reach << ": a few graze an edge";
         }
     }
+}
+
+TEST(ShaderFunction, ATexelWithoutANormalOrAFrameIsBakedFlat) {
+    const std::vector<GlslInput> inputs = {{glm::vec4(0), glm::vec4(0.6f, 0, 0.8f, 0)}};
+    const auto value = [&](const char* unit) {
+        const std::string expression = "vec4(finite_or(" + std::string(unit) + ", vec3(0.0, 0.0, 1.0)), 0.0)";
+        return evaluate_glsl("07_baking/frames.glsl", expression, inputs)[0];
+    };
+    EXPECT_EQ(value("normalize(a.xyz)"), glm::vec4(0, 0, 1, 0));
+    EXPECT_EQ(value("normalize(b.xyz / a.x)"), glm::vec4(0, 0, 1, 0));
+    EXPECT_EQ(value("b.xyz"), inputs[0][1]);
 }
 
 TEST(ShaderFunction, DegenerateInputsGiveWhatTheTwinsSay) {
