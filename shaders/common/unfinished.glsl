@@ -8,6 +8,9 @@ vec2 unfinished(vec2 placeholder) { is_unfinished = true; return placeholder; }
 vec3 unfinished(vec3 placeholder) { is_unfinished = true; return placeholder; }
 vec4 unfinished(vec4 placeholder) { is_unfinished = true; return placeholder; }
 mat3 unfinished(mat3 placeholder) { is_unfinished = true; return placeholder; }
+mat2x3 unfinished(mat2x3 placeholder) { is_unfinished = true; return placeholder; }
+mat2x4 unfinished(mat2x4 placeholder) { is_unfinished = true; return placeholder; }
+int unfinished(int placeholder) { is_unfinished = true; return placeholder; }
 ivec2 unfinished(ivec2 placeholder) { is_unfinished = true; return placeholder; }
 
 vec4 finished(vec4 color, vec2 pixel) {

@@ -1,0 +1,233 @@
+#version 410 core
+// A skin's pixel: its frame at rest, moved by the skin and by its instance; then its scales and its light.
+
+#include "18_moving_frames/passed.glsl"
+#include "18_moving_frames/skin.glsl"
+#include "18_moving_frames/sky.glsl"
+#include "18_moving_frames/task.glsl"
+#include "common/heat.glsl"
+#include "common/light.glsl"
+#include "common/srgb.glsl"
+
+// The order of `ways` in lab.cpp.
+#define MATRIX 0
+#define INVERSE_TRANSPOSE 1
+#define UNIT_COFACTORS 2
+#define GRADIENT 3
+
+in vec2 v_uv;
+in vec3 v_world;
+flat in mat3 v_world_from_model;
+flat in vec3 v_origin;
+flat in mat3 v_texture;
+
+uniform mat3 u_materials[8];    // texture transforms
+uniform vec3 u_backs[8];        // colours
+uniform vec3 u_bellies[8];
+uniform sampler2D s_scales;     // normals; in the fourth channel heights
+uniform float u_relief;         // strength of the normals
+uniform vec3 u_eye;
+uniform vec3 u_to_light;
+uniform float u_fog;            // share of light that is lost, a metre
+uniform float u_error_scale;    // degrees that are pale yellow
+
+layout(location = 0) out vec4 o_color;
+
+vec3 unit_or(vec3 v, vec3 otherwise) {
+    float squared = dot(v, v);
+    return squared > 0.0 ? v * inversesqrt(squared) : otherwise;
+}
+
+// What moves the skin at this place: four bones, or one motion that they are blended to.
+struct Moves {
+    vec3 place;
+    mat3 jacobian;
+    mat3 blend;  // as if the weights were the same everywhere
+    Influence influence;
+};
+
+//(moves
+Moves moves_at(vec3 rest) {
+    Moves moves;
+#ifdef RIGID
+    moves.place = rest;
+    moves.jacobian = moves.blend = mat3(1.0);
+#else
+    moves.influence = influence_at(rest.x);
+    vec4 weights = moves.influence.weights, slopes = moves.influence.slopes;
+    int first = moves.influence.first;
+#ifdef DUAL
+    mat2x4 bones[4], sum = mat2x4(0.0), change = mat2x4(0.0);
+    for (int i = 0; i < 4; ++i) {
+        bones[i] = motion_of(first + i);
+        mat2x4 alike = mat2x4(u_rotations[first + i], u_duals[first + i]);
+        sum += weights[i] * alike;
+        change += slopes[i] * alike;
+    }
+    mat2x4 motion = blended_motion(weights, bones);
+    moves.place = moved_by(motion, motion, rest);
+    moves.blend = moves.jacobian = rotation_of(motion[0]);
+    // The numerator is a square in the blend, and so is the denominator.
+    float square = dot(sum[0], sum[0]);
+    vec3 place = moved_by(sum, sum, rest) / square;
+    moves.jacobian[0] += 2.0 * (moved_by(sum, change, rest) - place * dot(sum[0], change[0])) / square;
+#else
+    mat4 bones[4];
+    vec3 gradients[4];
+    mat4 sum = mat4(0.0);
+    for (int i = 0; i < 4; ++i) {
+        bones[i] = u_bones[first + i];
+        gradients[i] = vec3(slopes[i], 0.0, 0.0);
+        sum += weights[i] * bones[i];
+    }
+    vec4 place = sum * vec4(rest, 1.0);
+    moves.place = place.xyz / place.w;
+    moves.blend = mat3(sum) / place.w;
+#ifdef NEEDS_JACOBIAN
+    moves.jacobian = skin_jacobian(rest, weights, gradients, bones);
+#endif
+#endif
+#endif
+    return moves;
+}
+//)
+
+// By the inverse transpose; by the matrix where there is no inverse.
+vec3 by_inverse(vec3 normal, mat3 m) {
+    float size = determinant(m);
+    return abs(size) > 1e-12 ? transpose(inverse(m)) * normal : m * normal;
+}
+
+//(ways
+vec3 skin_normal(vec3 normal, Moves moves, int way) {
+    if (way == GRADIENT) return moved_normal(normal, v_world_from_model * moves.jacobian);
+    vec3 posed = moves.blend * normal;
+#if !defined DUAL && !defined RIGID
+    if (way == INVERSE_TRANSPOSE) posed = by_inverse(normal, moves.blend);
+    if (way == UNIT_COFACTORS) {
+        posed = vec3(0.0);
+        for (int i = 0; i < 4; ++i)
+            posed += moves.influence.weights[i] *
+                     unit_or(u_bone_normals[moves.influence.first + i] * normal, vec3(0.0));
+    }
+#endif
+    return by_inverse(posed, v_world_from_model);
+}
+//)
+
+#ifdef TEXTURED
+mat3 material_texture() { return u_materials[passed_material()]; }
+#endif
+
+// Where the texture is read, and unit directions of the skin at rest along which its u and v grow.
+vec2 texture_at(vec2 uv) {
+#ifdef TEXTURED
+    return texture_place(uv, v_texture, material_texture());
+#else
+    return uv;
+#endif
+}
+mat2x3 directions_at(Rest rest) {
+    mat2x3 along = rest.along;
+#ifdef TEXTURED
+    along = texture_directions(along, v_texture, material_texture());
+#endif
+    return mat2x3(unit_or(along[0], vec3(0.0, 0.0, 1.0)), unit_or(along[1], vec3(1.0, 0.0, 0.0)));
+}
+
+#ifdef ZEBRA
+// Lamps side by side in a hall, as coachbuilders look at their work.
+float lamps(vec3 mirrored) {
+    float place = atan(mirrored.x, mirrored.y) * 1.9, width = fwidth(place) + 0.02;
+    float off = abs(fract(place) - 0.5);
+    return smoothstep(0.26 + width, 0.26 - width, off) * smoothstep(-0.95, -0.2, mirrored.y);
+}
+#endif
+
+vec3 lit(Rest rest, Moves moves, int way) {
+    vec3 to_eye = normalize(u_eye - v_world);
+    vec3 normal = rest.normal;
+    float height = 0.7;
+#ifdef BUMPS
+    vec4 texel = texture(s_scales, texture_at(v_uv));
+    mat2x3 along = directions_at(rest);
+    mat3 frame = mat3(along[0], along[1], normal);
+    vec3 scale = vec3(u_relief * (2.0 * texel.xy - 1.0), 2.0 * texel.z - 1.0);
+    if (abs(determinant(frame)) > 1e-6) normal = normalize(transpose(inverse(frame)) * scale);
+    height = texel.a;
+#endif
+    normal = unit_or(skin_normal(normal, moves, way), to_eye);
+    vec3 smooth_normal = unit_or(skin_normal(rest.normal, moves, way), to_eye);
+#ifdef ZEBRA
+    vec3 clay = vec3(0.36, 0.25, 0.17);
+    vec3 light = clay * mix(vec3(0.05, 0.055, 0.065), vec3(0.16, 0.18, 0.21), 0.5 + 0.5 * normal.y);
+    light += vec3(1.15, 1.05, 0.9) * blinn_phong(clay, 0.02, 30.0, normal, u_to_light, to_eye);
+    light += vec3(0.13, 0.145, 0.16) * lamps(reflect(-to_eye, normal));
+    if (gl_FrontFacing != determinant(v_world_from_model) >= 0.0) light = vec3(0.02);
+    return light;
+#else
+    int material = passed_material();
+    float belly = 1.0 - smoothstep(-0.75, -0.05, -cos(turn_rad * v_uv.x));
+    vec3 albedo = mix(u_backs[material], u_bellies[material], belly);
+    // Saddles along the back, darker.
+    float saddle = sin(turn_rad * 9.0 * v_uv.y + 1.3 * sin(turn_rad * v_uv.x * 2.0));
+    albedo *= mix(1.0, 0.42, (1.0 - belly) * smoothstep(0.15, 0.55, saddle));
+    albedo *= 0.35 + 0.75 * height;
+    float facing = max(dot(normal, to_eye), 0.0), rim = pow(1.0 - max(dot(smooth_normal, to_eye), 0.0), 3.0);
+    float gate = smoothstep(-0.15, 0.25, dot(smooth_normal, u_to_light));
+    vec3 light = albedo * mix(vec3(0.05, 0.075, 0.09), vec3(0.24, 0.30, 0.36), 0.5 + 0.5 * normal.y) * (0.4 + 0.6 * height);
+    light += vec3(3.0, 2.3, 1.6) * gate * blinn_phong(albedo, 0.10, 38.0, normal, u_to_light, to_eye);
+    light += rim * (0.25 + 0.75 * facing) * mist(reflect(-to_eye, normal), u_to_light);
+#ifdef SERPENT
+    // An eye on each side of the head.
+    vec2 off = (vec2(abs(v_uv.x - 0.5), v_uv.y) - vec2(0.155, 0.952)) * vec2(turn_rad * 0.21, 9.0);
+    float away = length(off);
+    vec3 iris = mix(vec3(0.95, 0.62, 0.10), vec3(0.25, 0.09, 0.02), smoothstep(0.03, 0.065, away));
+    iris *= smoothstep(0.020, 0.030, length(off * vec2(1.0, 2.4)));
+    vec3 wet = iris * (0.35 + max(dot(smooth_normal, u_to_light), 0.0)) +
+               pow(max(dot(smooth_normal, normalize(u_to_light + to_eye)), 0.0), 220.0);
+    light = mix(wet, light, smoothstep(0.062, 0.07, away));
+#endif
+    vec3 away_from_eye = v_world - u_eye;
+    return mix(mist(normalize(away_from_eye), u_to_light), light, exp(-u_fog * max(length(away_from_eye) - 9.0, 0.0)));
+#endif
+}
+
+float degrees_between(vec3 a, vec3 b) { return degrees(atan(length(cross(a, b)), dot(a, b))); }
+
+void main() {
+    Rest rest = rest_at(v_uv);
+    Moves moves = moves_at(rest.position);
+#if defined PROBE_normal
+    o_color = vec4(unit_or(skin_normal(rest.normal, moves, WAY), vec3(0.0, 0.0, 1.0)), 0.0);
+#elif defined PROBE_tangent
+    mat2x3 along = directions_at(rest);
+    float handedness = dot(cross(along[0], along[1]), rest.normal) < 0.0 ? -1.0 : 1.0;
+    vec4 tangent = moved_tangent(vec4(along[0], handedness), v_world_from_model * moves.jacobian);
+    o_color = vec4(unit_or(tangent.xyz, vec3(0.0, 0.0, 1.0)), tangent.w);
+#elif defined PROBE_carried
+    o_color = vec4(v_world_from_model * moves.jacobian[0], 0.0);
+#elif defined PROBE_fold
+    o_color = vec4(determinant(moves.jacobian), 0.0, 0.0, 0.0);
+#elif defined PROBE_place
+    o_color = vec4(v_world_from_model * moves.place + v_origin, 0.0);
+#elif defined PROBE_uv
+    o_color = vec4(texture_at(v_uv), 0.0, 0.0);
+#elif defined PROBE_material
+    o_color = vec4(passed_material(), 0.0, 0.0, 0.0);
+#elif defined MEASURE || defined ERROR
+    vec3 wrong = skin_normal(rest.normal, moves, WAY), right = skin_normal(rest.normal, moves, GRADIENT);
+    float off = degrees_between(wrong, right);
+#ifdef MEASURE
+    o_color = vec4(off, 0.0, 0.0, 0.0);
+#else
+    o_color = finished(vec4(heat(off / u_error_scale), 1.0), gl_FragCoord.xy);
+#endif
+#else
+    vec3 color = srgb_from_linear(lit(rest, moves, WAY));
+#ifdef FOLDS
+    if (determinant(moves.jacobian) <= 0.0) color = vec3(1.0, 0.15, 0.05);
+#endif
+    o_color = finished(vec4(color, 1.0), gl_FragCoord.xy);
+#endif
+}

@@ -1,0 +1,277 @@
+// Lab 18: a frame moves by the derivative of what moves it; and what of a flock is drawn.
+#include <glm/gtc/constants.hpp>
+#include <random>
+
+#include "framework/gl/counters.h"
+#include "framework/gl/program.h"
+#include "labs/18_moving_frames/staff/exact.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+using namespace moving_frames;
+
+/// The first body's skin, unrolled: every place of it, seen or not.
+Shot skin(std::vector<Knob> knobs, const char* probe, glm::ivec2 size = {96, 96}) {
+    knobs.emplace_back("view", "skin");
+    return shot_of("18", std::move(knobs), probe, size);
+}
+
+Pose random_pose(std::mt19937& random, bool dual) {
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    return {.bend = between(0, 100), .twist = between(-150, 150), .stretch = between(0.5, 1.5), .over = between(1, 6),
+            .dual = dual, .uneven = random() % 2 == 1};
+}
+
+TEST(MovingFrames, TheJacobianIsTheDerivativeOfThePoseAndItsCofactorsKeepTheNormalPerpendicular) {
+    std::mt19937 random(18);
+    constexpr double step = 1e-6;
+    for (int i = 0; i < 400; ++i) {
+        const Body& body = i % 2 ? serpent : tube;
+        const Pose pose = random_pose(random, i % 4 > 1);
+        const std::vector<Bone> bones = bones_of(body, pose);
+        const glm::dvec2 uv(std::uniform_real_distribution(0.0, 1.0)(random),
+                            std::uniform_real_distribution(0.02, 0.98)(random));
+        const auto at = [&](double u, double v) { return posed(body, pose, bones, uv + glm::dvec2(u, v)); };
+        const glm::dvec3 along_u = (at(step, 0) - at(-step, 0)) / (2 * step),
+                         along_v = (at(0, step) - at(0, -step)) / (2 * step);
+        const glm::dmat3 jacobian = exact_jacobian(body, pose, bones, uv);
+        const Rest rest = rest_at(body, uv);
+        // What differences over 1e-6 leave of lengths of metres.
+        EXPECT_LT(glm::distance(jacobian * rest.along_u, along_u), 1e-6 * body.length * (1 + glm::length(along_u))) << i;
+        EXPECT_LT(glm::distance(jacobian * rest.along_v, along_v), 1e-6 * body.length * (1 + glm::length(along_v))) << i;
+        const glm::dvec3 normal = cofactors(jacobian) * rest.normal;
+        EXPECT_NEAR(glm::dot(normal, jacobian * rest.along_u), 0, 1e-9 * glm::length(normal)) << i;
+        EXPECT_NEAR(glm::dot(normal, jacobian * rest.along_v), 0, 1e-8 * glm::length(normal)) << i;
+    }
+}
+
+TEST(MovingFrames, WeightsSumTo1AndAVertexHasThoseOfTheFormula) {
+    for (const Body& body : {tube, serpent})
+        for (const double over : {0.0, 0.4, 1.2, 99.0}) {
+            const Mesh mesh = make_skin(body, 37, 5);
+            const std::vector<Bound> bound = bind_skin(body, mesh, over, false);
+            for (size_t i = 0; i < mesh.vertices.size(); ++i) {
+                const Influence exact =
+                    influence_at(body, body.length * (double(mesh.vertices[i].uv.y) - 0.5), over, false);
+                double sum = 0, change = 0;
+                for (int j = 0; j < 4; ++j) {
+                    sum += exact.weights[j], change += exact.slopes[j];
+                    EXPECT_GE(exact.weights[j], 0) << j;
+                    EXPECT_EQ(bound[i].bones[size_t(j)], exact.first + j);
+                    EXPECT_EQ(bound[i].weights[j], float(exact.weights[j]));
+                }
+                EXPECT_NEAR(sum, 1, 1e-15);
+                EXPECT_NEAR(change, 0, 1e-12);
+            }
+        }
+}
+
+/// Mean and largest error in degrees, over the tube.
+struct WayError {
+    const char *bend, *twist;
+    double mean, most, transposed_mean;
+};
+
+TEST(MovingFrames, WhatEnginesDoIsOffByWhatTheHandoutSays) {
+    // Measured before, in double precision, by a program of its own: weights over four radii of a tube that is 20/3 long.
+    for (const auto& [bend, twist, mean, most, transposed] :
+         {WayError{"30", "0", 2.24, 11.1, 2.13}, WayError{"60", "0", 4.81, 26.1, 4.19}, WayError{"90", "0", 7.91, 47.9, 6.14},
+          WayError{"0", "60", 2.30, 5.9, 2.30}, WayError{"0", "90", 4.98, 12.7, 4.98},
+          WayError{"0", "120", 8.33, 21.0, 8.33}}) {
+        const auto off = [&, bend = bend, twist = twist](const char* way) {
+            return error_of("18", skin({{"shape", "tube"}, {"bend", bend}, {"twist", twist}, {"normal_by", way}}, "normal"));
+        };
+        // 96 places along the tube do not meet the worst one.
+        for (const char* way : {"matrix", "unit-cofactors"}) {
+            EXPECT_NEAR(off(way).mean, mean, 0.02) << way << ' ' << bend << ' ' << twist;
+            EXPECT_NEAR(off(way).largest, most, 0.2) << way << ' ' << bend << ' ' << twist;
+        }
+        EXPECT_NEAR(off("inverse-transpose").mean, transposed, 0.02) << bend << ' ' << twist;
+        EXPECT_NEAR(off("inverse-transpose").largest, most, 0.2) << bend << ' ' << twist;
+        EXPECT_LT(off("gradient").largest, 2e-4) << bend << ' ' << twist;
+    }
+}
+
+TEST(MovingFrames, WithTheGradientNormalsAreRightToARounding) {
+    for (const char* shape : {"tube", "serpent"})
+        for (const char* blend : {"linear", "dual-quaternion"})
+            for (const char* weights : {"even", "uneven"})
+                for (const char* twist : {"-40", "70"})
+                    // A thousandth of a degree is 2^-16 radians: some roundings of lengths of metres.
+                    EXPECT_LT(error_of("18", skin({{"shape", shape}, {"blend", blend}, {"weights", weights},
+                                                   {"twist", twist}, {"bend", "75"}, {"stretch", "1.3"}},
+                                                  "normal", {64, 128}))
+                                  .largest,
+                              1e-3)
+                        << shape << ' ' << blend << ' ' << weights << ' ' << twist;
+}
+
+TEST(MovingFrames, ATwistThinsALinearSkinAndNotOneOfDualQuaternions) {
+    const auto thinnest = [](double twist, bool dual) {
+        const Pose pose{.bend = 0, .twist = twist, .dual = dual};
+        const std::vector<Bone> bones = bones_of(tube, pose);
+        const glm::dvec3 place = posed(tube, pose, bones, {0.3, 0.5});
+        return glm::length(glm::dvec2(place.y, place.z)) / tube.radius;
+    };
+    // The middle of a chord: cos(twist / 2) of the radius.
+    EXPECT_NEAR(thinnest(120, false), 0.5, 1e-12);
+    EXPECT_NEAR(thinnest(180, false), 0, 1e-12);
+    EXPECT_NEAR(thinnest(120, true), 1, 1e-12);
+    EXPECT_NEAR(thinnest(170, true), 1, 1e-12);
+}
+
+TEST(MovingFrames, DualQuaternionsHaveAGradientToo) {
+    // What engines do: the blended rotation alone.
+    const auto off = [](const char* bend, const char* twist, const char* way) {
+        return error_of("18", skin({{"shape", "tube"}, {"blend", "dual-quaternion"}, {"bend", bend}, {"twist", twist},
+                                    {"normal_by", way}}, "normal"));
+    };
+    EXPECT_GT(off("90", "0", "matrix").mean, 3);
+    EXPECT_LT(off("90", "0", "gradient").largest, 2e-4);
+    // A twist turns each ring about the axis, and shears the skin along itself: the normal stays.
+    EXPECT_LT(off("0", "120", "matrix").largest, 1e-3);
+}
+
+TEST(MovingFrames, SignsOfDualQuaternionsMakeNoDifference) {
+    const auto places = [](const char* signs) {
+        return drawn("18", skin({{"blend", "dual-quaternion"}, {"signs", signs}, {"twist", "80"}}, "place", {32, 64}));
+    };
+    const Image alike = places("alike"), opposite = places("opposite");
+    for (size_t i = 0; i < alike.values.size(); ++i) ASSERT_NEAR(alike.values[i], opposite.values[i], 2e-6) << i;
+}
+
+TEST(MovingFrames, AFoldedSkinIsToldByItsDeterminant) {
+    const auto share = [](const char* bend, const char* over) {
+        const Shot shot = skin({{"shape", "tube"}, {"bend", bend}, {"weights_over", over}}, "fold", {64, 256});
+        const auto lab = make_lab(find_lab("18"), shot);
+        const Image found = render_shot(*lab, shot), exact = truth_of(*lab, shot);
+        int folded = 0;
+        for (size_t i = 0; i < found.values.size(); i += 4) {
+            if (std::abs(exact.values[i]) > 1e-5f) {
+                EXPECT_EQ(found.values[i] <= 0, exact.values[i] <= 0) << i;
+            }
+            folded += exact.values[i] <= 0;
+        }
+        return double(folded) / double(found.pixel_count());
+    };
+    EXPECT_EQ(share("60", "4"), 0);
+    EXPECT_EQ(share("90", "4"), 0);
+    // At the inner side of the middle, where weights change by 1.5 / length: 1 - 1.5 tan(bend / 2) cos(bend / 2) ... is
+    // what is left; at 90 degrees over three radii nothing is.
+    EXPECT_GT(share("90", "2"), 0.01);
+    EXPECT_GT(share("120", "4"), 0.001);
+}
+
+TEST(MovingFrames, IsFiniteWhateverBonesWeightsAndScalesAre) {
+    for (const std::vector<Knob>& knobs : std::vector<std::vector<Knob>>{{{"stretch", "0"}},
+                                                                         {{"stretch", "0"}, {"weights_over", "0"}},
+                                                                         {{"weights_over", "0"}},
+                                                                         {{"scale_y", "0"}},
+                                                                         {{"bend", "150"}, {"twist", "180"}},
+                                                                         {{"bend", "0"}, {"twist", "180"}},
+                                                                         {{"weights", "uneven"}, {"bend", "150"}},
+                                                                         {{"instance_scale", "0"}},
+                                                                         {{"material_scale", "0"}}})
+        for (const char* blend : {"linear", "dual-quaternion"})
+            for (const char* shape : {"tube", "serpent"}) {
+                std::vector<Knob> all = knobs;
+                all.insert(all.end(), {{"blend", blend}, {"shape", shape}, {"signs", "opposite"}});
+                for (const char* probe : {"normal", "tangent", "carried", "fold", "place", "uv"})
+                    for (const char* way : {"matrix", "inverse-transpose", "unit-cofactors", "gradient"}) {
+                        if (way != std::string("gradient") && probe != std::string("normal")) continue;
+                        std::vector<Knob> both = all;
+                        both.emplace_back("normal_by", way);
+                        const Image image = drawn("18", skin(both, probe, {12, 24}));
+                        for (const float value : image.values)
+                            ASSERT_TRUE(std::isfinite(value)) << probe << ' ' << way << ' ' << knobs[0].first << ' ' << shape;
+                    }
+            }
+}
+
+TEST(MovingFrames, TheTextureOfEveryBodyGoesThroughBothTransforms) {
+    Shot shot = shot_of("18", {{"instances", "30"}, {"material_turn", "20"}}, "uv", {96, 96});
+    EXPECT_LT(error_of("18", shot).p99, 1e-3);
+    shot.probe = {"material"};
+    EXPECT_EQ(error_of("18", shot).largest, 0);
+}
+
+/// Drawn triangles and draw calls of a shot.
+std::pair<int64_t, int64_t> work_of(const std::vector<Knob>& knobs, const Orbit& camera, glm::ivec2 size = {48, 48}) {
+    Shot shot = shot_of("18", knobs, "", size);
+    shot.camera = camera;
+    const auto lab = make_lab(find_lab("18"), shot);
+    const Target target(TargetKind::picture, shot.size);
+    const int64_t calls = counters().draw_calls;
+    GLuint query = 0, count = 0;
+    glGenQueries(1, &query);
+    glBeginQuery(GL_PRIMITIVES_GENERATED, query);
+    draw_lab(*lab, frame_of(shot, target));
+    glEndQuery(GL_PRIMITIVES_GENERATED);
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+    glDeleteQueries(1, &query);
+    return {count, counters().draw_calls - calls};
+}
+
+const Orbit far_away{.yaw = -35, .pitch = 5, .distance = 150, .target = {10, 0, -16}, .field_of_view = 40};
+
+TEST(MovingFrames, TwoHundredBodiesAreOneDraw) {
+    // The mist's triangle, the first body, the flock.
+    EXPECT_EQ(work_of({{"instances", "200"}}, far_away), std::pair(int64_t(1 + 6144 + 199 * 576), int64_t(3)));
+    EXPECT_EQ(work_of({{"instances", "200"}, {"triangles", "12288"}, {"flock_triangles", "12288"}}, far_away),
+              std::pair(int64_t(1 + 200 * 12288), int64_t(3)));
+}
+
+TEST(MovingFrames, BodiesOutsideOfThePictureAreNotDrawnAndNoOtherIsMissing) {
+    const Orbit camera = load_manifest(find_lab("18")).camera;
+    const int64_t all = work_of({}, far_away).first;
+    Orbit away = camera;
+    away.yaw += 180;  // the flock is behind the eye
+    EXPECT_EQ(work_of({}, away).first, 1 + 6144);
+    Orbit beside = camera;
+    beside.target = {40, 0, 40};
+    EXPECT_LT(work_of({}, beside).first, all / 3);
+    Orbit nothing = away;
+    nothing.target = {-40, 0, 60};
+    EXPECT_EQ(work_of({}, nothing), std::pair(int64_t(1), int64_t(1)));
+    // The truth looks for every body: its pixels and the drawn ones differ at most along the outlines.
+    std::mt19937 random(18);
+    for (int i = 0; i < 8; ++i) {
+        const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+        Shot shot = shot_of("18", {}, "material", {64, 64});
+        shot.camera = {.yaw = between(-180, 180), .pitch = between(-40, 40), .distance = between(2, 20),
+                       .target = {between(-6, 16), between(-4, 4), between(-30, 4)}};
+        const auto lab = make_lab(find_lab("18"), shot);
+        const Image found = draw_shot(*lab, shot), exact = truth_of(*lab, shot);
+        int apart = 0;
+        for (size_t p = 0; p < found.values.size(); p += 4) apart += found.values[p] != exact.values[p];
+        EXPECT_LE(apart, 12) << i;
+    }
+}
+
+TEST(MovingFrames, ASkinAtRestReadsNoBones) {
+    const auto active = [](const std::vector<std::string>& defines) {
+        const std::filesystem::path folder = std::filesystem::path(RELIEF_SOURCE_FOLDER) / "shaders/18_moving_frames";
+        const Program program({folder / "serpent.vert", folder / "serpent.frag"}, defines);
+        return std::pair(glGetAttribLocation(program, "a_bones") >= 0 || glGetAttribLocation(program, "a_weights") >= 0,
+                         glGetUniformLocation(program, "u_bones[0]") >= 0);
+    };
+    EXPECT_EQ(active({"WAY 3", "SERPENT", "RIGID"}), std::pair(false, false));
+    EXPECT_EQ(active({"WAY 3", "SERPENT", "NEEDS_JACOBIAN"}), std::pair(true, true));
+    // And the lab takes the first one where nothing bends, twists or stretches.
+    const auto links = [](const char* bend, const char* blend) {
+        const int64_t before = counters().links;
+        const auto shot = shot_of("18", {{"view", "one"}, {"bend", bend}}, "normal", {16, 16});
+        const auto lab = make_lab(find_lab("18"), shot);
+        render_shot(*lab, shot);
+        set_knob(*lab, "blend", blend);
+        render_shot(*lab, shot);
+        return counters().links - before;
+    };
+    EXPECT_EQ(links("0", "dual-quaternion"), links("0", "linear"));
+    EXPECT_EQ(links("40", "dual-quaternion"), links("40", "linear") + 1);
+}
+
+}  // namespace
+}  // namespace relief
