@@ -1,7 +1,7 @@
 // Lab 18: moving frames.
 //
 // A skin over a chain of bones, and a flock of it. A frame moves by the derivative of what moves it, and in a skin the
-// weights have a derivative, too. Your tasks: shaders/18_moving_frames/task.glsl and passed.glsl
+// weights have a derivative, too. Your tasks: shaders/18_moving_frames/task.glsl
 #include <fmt/format.h>
 
 #include <cmath>
@@ -189,9 +189,13 @@ private:
         return all;
     }
     Scene scene() const {
-        return {
-            is_serpent(), pose(), materials(), instances(), fineness_of[size_t(fine_)], fineness_of[size_t(coarse_)],
-            view_ == unrolled_skin};
+        return {is_serpent(),
+                pose(),
+                materials(),
+                instances(),
+                fineness_of[size_t(fine_)],
+                fineness_of[size_t(coarse_)],
+                view_ == unrolled_skin};
     }
 
     /// Whether any of the ball around a body can be in the picture.
@@ -265,7 +269,8 @@ private:
         set_pose(program, now);
         set_look(program);
         glBindVertexArray(drawn.uploaded.layout());
-        glDrawElementsInstanced(GL_TRIANGLES, drawn.uploaded.count(), GL_UNSIGNED_INT, nullptr, drawn.instances.count());
+        glDrawElementsInstanced(GL_TRIANGLES, drawn.uploaded.count(), GL_UNSIGNED_INT, nullptr,
+                                drawn.instances.count());
     }
     Skin& kept_skin(KeptSkin& kept, int fineness) {
         return *kept.get({is_serpent(), fineness},
@@ -286,7 +291,7 @@ private:
                            now.uneven && !now.is_rest() ? "UNEVEN" : "",
                            needs_jacobian && !now.is_rest() && !now.dual ? "NEEDS_JACOBIAN" : "",
                            textured_ && (has_scales || reads_texture) ? "TEXTURED" : "", has_scales ? "BUMPS" : "",
-                           folds_ && is_picture ? "FOLDS" : "", purpose.unrolled ? "UNROLLED" : ""});
+                           purpose.unrolled ? "UNROLLED" : ""});
     }
 
     void set_pose(const Program& program, const Pose& now) const {
@@ -329,6 +334,7 @@ private:
         program.set("s_scales", 0, scales_);
         program.set("u_relief", relief_);
         program.set("u_to_light", light_.direction());
+        program.set("u_folds", folds_);
         program.set("u_fog", 0.028f);
         program.set("u_error_scale", error_scale);
     }
@@ -400,8 +406,8 @@ private:
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
 
-    int view_ = the_flock, shape_ = serpent_shape, way_ = gradient, blend_ = 0, uneven_ = 0, opposite_ = 0, instances_ = 50,
-        fine_ = 2, coarse_ = 0, material_ = 0;
+    int view_ = the_flock, shape_ = serpent_shape, way_ = gradient, blend_ = 0, uneven_ = 0, opposite_ = 0,
+        instances_ = 50, fine_ = 2, coarse_ = 0, material_ = 0;
     float bend_ = 90, twist_ = 0, stretch_ = 1, over_ = 4, scale_y_ = 1, instance_turn_ = 0, instance_scale_ = 1,
           material_turn_ = 0, material_scale_ = 1, relief_ = 1;
     bool folds_ = false, textured_ = true;

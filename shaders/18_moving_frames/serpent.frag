@@ -1,7 +1,6 @@
 #version 410 core
 // A skin's pixel: its frame at rest, moved by the skin and by its instance; then its scales and its light.
 
-#include "18_moving_frames/passed.glsl"
 #include "18_moving_frames/skin.glsl"
 #include "18_moving_frames/sky.glsl"
 #include "18_moving_frames/task.glsl"
@@ -29,6 +28,7 @@ uniform float u_relief;         // strength of the normals
 uniform vec3 u_eye;
 uniform vec3 u_to_light;
 uniform float u_fog;            // share of light that is lost, a metre
+uniform bool u_folds;           // paint the skin where it folds over itself
 uniform float u_error_scale;    // degrees that are pale yellow
 
 layout(location = 0) out vec4 o_color;
@@ -225,8 +225,8 @@ void main() {
 #endif
 #else
     vec3 color = srgb_from_linear(lit(rest, moves, WAY));
-#ifdef FOLDS
-    if (determinant(moves.jacobian) <= 0.0) color = vec3(1.0, 0.15, 0.05);
+#if defined NEEDS_JACOBIAN || defined DUAL
+    if (u_folds && determinant(moves.jacobian) <= 0.0) color = vec3(1.0, 0.15, 0.05);
 #endif
     o_color = finished(vec4(color, 1.0), gl_FragCoord.xy);
 #endif

@@ -166,7 +166,7 @@ std::string starter_of_task(const std::string& text, const std::string& file, co
 constexpr int wrong_versions = 4;
 std::string not_yet() {
     std::string text = "const float no_number = uintBitsToFloat(0x7fc00000u);\n";
-    for (const char* type : {"float", "vec2", "vec3", "vec4", "mat3"})
+    for (const char* type : {"float", "vec2", "vec3", "vec4", "mat3", "mat2x3", "mat2x4"})
         text += fmt::format(
             "{0} not_yet({0} v) {{\n"
             "    {0} one = {0}(1.0);\n"
@@ -175,7 +175,9 @@ std::string not_yet() {
             "         : u_wrong == 3 ? -40.0 * v - 2.0 * one : no_number * one;\n"
             "}}\n",
             type);
-    return text + "ivec2 not_yet(ivec2 v) { return u_wrong == 0 ? unfinished(v) : u_wrong * v + 1; }\n";
+    for (const char* type : {"int", "ivec2"})
+        text += fmt::format("{0} not_yet({0} v) {{ return u_wrong == 0 ? unfinished(v) : u_wrong * v + 1; }}\n", type);
+    return text;
 }
 
 /// A task file that has every task's starter as well: a uniform says which of them is in use, counted from 1. So a

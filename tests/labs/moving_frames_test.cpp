@@ -20,8 +20,12 @@ Shot skin(std::vector<Knob> knobs, const char* probe, glm::ivec2 size = {96, 96}
 
 Pose random_pose(std::mt19937& random, bool dual) {
     const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-    return {.bend = between(0, 100), .twist = between(-150, 150), .stretch = between(0.5, 1.5), .over = between(1, 6),
-            .dual = dual, .uneven = random() % 2 == 1};
+    return {.bend = between(0, 100),
+            .twist = between(-150, 150),
+            .stretch = between(0.5, 1.5),
+            .over = between(1, 6),
+            .dual = dual,
+            .uneven = random() % 2 == 1};
 }
 
 TEST(MovingFrames, TheJacobianIsTheDerivativeOfThePoseAndItsCofactorsKeepTheNormalPerpendicular) {
@@ -39,8 +43,10 @@ TEST(MovingFrames, TheJacobianIsTheDerivativeOfThePoseAndItsCofactorsKeepTheNorm
         const glm::dmat3 jacobian = exact_jacobian(body, pose, bones, uv);
         const Rest rest = rest_at(body, uv);
         // What differences over 1e-6 leave of lengths of metres.
-        EXPECT_LT(glm::distance(jacobian * rest.along_u, along_u), 1e-6 * body.length * (1 + glm::length(along_u))) << i;
-        EXPECT_LT(glm::distance(jacobian * rest.along_v, along_v), 1e-6 * body.length * (1 + glm::length(along_v))) << i;
+        EXPECT_LT(glm::distance(jacobian * rest.along_u, along_u), 1e-6 * body.length * (1 + glm::length(along_u)))
+            << i;
+        EXPECT_LT(glm::distance(jacobian * rest.along_v, along_v), 1e-6 * body.length * (1 + glm::length(along_v)))
+            << i;
         const glm::dvec3 normal = cofactors(jacobian) * rest.normal;
         EXPECT_NEAR(glm::dot(normal, jacobian * rest.along_u), 0, 1e-9 * glm::length(normal)) << i;
         EXPECT_NEAR(glm::dot(normal, jacobian * rest.along_v), 0, 1e-8 * glm::length(normal)) << i;
@@ -75,13 +81,15 @@ struct WayError {
 };
 
 TEST(MovingFrames, WhatEnginesDoIsOffByWhatTheHandoutSays) {
-    // Measured before, in double precision, by a program of its own: weights over four radii of a tube that is 20/3 long.
+    // Measured before, in double precision, by a program of its own: weights over four radii of a tube that is 20/3
+    // long.
     for (const auto& [bend, twist, mean, most, transposed] :
-         {WayError{"30", "0", 2.24, 11.1, 2.13}, WayError{"60", "0", 4.81, 26.1, 4.19}, WayError{"90", "0", 7.91, 47.9, 6.14},
-          WayError{"0", "60", 2.30, 5.9, 2.30}, WayError{"0", "90", 4.98, 12.7, 4.98},
-          WayError{"0", "120", 8.33, 21.0, 8.33}}) {
+         {WayError{"30", "0", 2.24, 11.1, 2.13}, WayError{"60", "0", 4.81, 26.1, 4.19},
+          WayError{"90", "0", 7.91, 47.9, 6.14}, WayError{"0", "60", 2.30, 5.9, 2.30},
+          WayError{"0", "90", 4.98, 12.7, 4.98}, WayError{"0", "120", 8.33, 21.0, 8.33}}) {
         const auto off = [&, bend = bend, twist = twist](const char* way) {
-            return error_of("18", skin({{"shape", "tube"}, {"bend", bend}, {"twist", twist}, {"normal_by", way}}, "normal"));
+            return error_of("18",
+                            skin({{"shape", "tube"}, {"bend", bend}, {"twist", twist}, {"normal_by", way}}, "normal"));
         };
         // 96 places along the tube do not meet the worst one.
         for (const char* way : {"matrix", "unit-cofactors"}) {
@@ -100,8 +108,12 @@ TEST(MovingFrames, WithTheGradientNormalsAreRightToARounding) {
             for (const char* weights : {"even", "uneven"})
                 for (const char* twist : {"-40", "70"})
                     // A thousandth of a degree is 2^-16 radians: some roundings of lengths of metres.
-                    EXPECT_LT(error_of("18", skin({{"shape", shape}, {"blend", blend}, {"weights", weights},
-                                                   {"twist", twist}, {"bend", "75"}, {"stretch", "1.3"}},
+                    EXPECT_LT(error_of("18", skin({{"shape", shape},
+                                                   {"blend", blend},
+                                                   {"weights", weights},
+                                                   {"twist", twist},
+                                                   {"bend", "75"},
+                                                   {"stretch", "1.3"}},
                                                   "normal", {64, 128}))
                                   .largest,
                               1e-3)
@@ -125,8 +137,11 @@ TEST(MovingFrames, ATwistThinsALinearSkinAndNotOneOfDualQuaternions) {
 TEST(MovingFrames, DualQuaternionsHaveAGradientToo) {
     // What engines do: the blended rotation alone.
     const auto off = [](const char* bend, const char* twist, const char* way) {
-        return error_of("18", skin({{"shape", "tube"}, {"blend", "dual-quaternion"}, {"bend", bend}, {"twist", twist},
-                                    {"normal_by", way}}, "normal"));
+        return error_of(
+            "18",
+            skin(
+                {{"shape", "tube"}, {"blend", "dual-quaternion"}, {"bend", bend}, {"twist", twist}, {"normal_by", way}},
+                "normal"));
     };
     EXPECT_GT(off("90", "0", "matrix").mean, 3);
     EXPECT_LT(off("90", "0", "gradient").largest, 2e-4);
@@ -156,12 +171,19 @@ TEST(MovingFrames, AFoldedSkinIsToldByItsDeterminant) {
         }
         return double(folded) / double(found.pixel_count());
     };
-    EXPECT_EQ(share("60", "4"), 0);
     EXPECT_EQ(share("90", "4"), 0);
-    // At the inner side of the middle, where weights change by 1.5 / length: 1 - 1.5 tan(bend / 2) cos(bend / 2) ... is
-    // what is left; at 90 degrees over three radii nothing is.
     EXPECT_GT(share("90", "2"), 0.01);
     EXPECT_GT(share("120", "4"), 0.001);
+    // First in the middle of the inner side: the skin is as long there as cos(bend / 2) - 3 radius / length sin(bend /
+    // 2).
+    for (const double over : {2.0, 4.0, 6.0})
+        for (const double bend : {40.0, 90.0, 130.0}) {
+            const Pose pose{.bend = bend, .over = over};
+            const double half = glm::radians(bend) / 2, along = std::cos(half) - 3 / over * std::sin(half);
+            EXPECT_NEAR(glm::determinant(exact_jacobian(tube, pose, bones_of(tube, pose), {0.5, 0.5})),
+                        along * std::cos(half), 1e-12)
+                << bend << ' ' << over;
+        }
 }
 
 TEST(MovingFrames, IsFiniteWhateverBonesWeightsAndScalesAre) {
@@ -174,20 +196,21 @@ TEST(MovingFrames, IsFiniteWhateverBonesWeightsAndScalesAre) {
                                                                          {{"weights", "uneven"}, {"bend", "150"}},
                                                                          {{"instance_scale", "0"}},
                                                                          {{"material_scale", "0"}}})
-        for (const char* blend : {"linear", "dual-quaternion"})
-            for (const char* shape : {"tube", "serpent"}) {
-                std::vector<Knob> all = knobs;
-                all.insert(all.end(), {{"blend", blend}, {"shape", shape}, {"signs", "opposite"}});
-                for (const char* probe : {"normal", "tangent", "carried", "fold", "place", "uv"})
-                    for (const char* way : {"matrix", "inverse-transpose", "unit-cofactors", "gradient"}) {
+        for (const char* shape : {"tube", "serpent"}) {
+            Shot shot = skin(knobs, "", {12, 24});
+            shot.set.emplace_back("shape", shape), shot.set.emplace_back("signs", "opposite");
+            const auto lab = make_lab(find_lab("18"), shot);  // one, so that nothing is compiled twice
+            for (const char* blend : {"linear", "dual-quaternion"})
+                for (const char* way : {"gradient", "matrix", "inverse-transpose", "unit-cofactors"})
+                    for (const char* probe : {"normal", "tangent", "carried", "fold", "place", "uv"}) {
                         if (way != std::string("gradient") && probe != std::string("normal")) continue;
-                        std::vector<Knob> both = all;
-                        both.emplace_back("normal_by", way);
-                        const Image image = drawn("18", skin(both, probe, {12, 24}));
-                        for (const float value : image.values)
-                            ASSERT_TRUE(std::isfinite(value)) << probe << ' ' << way << ' ' << knobs[0].first << ' ' << shape;
+                        set_knob(*lab, "blend", blend), set_knob(*lab, "normal_by", way);
+                        shot.probe = {probe};
+                        for (const float value : draw_shot(*lab, shot).values)
+                            ASSERT_TRUE(std::isfinite(value))
+                                << probe << ' ' << way << ' ' << knobs[0].first << ' ' << shape << ' ' << blend;
                     }
-            }
+        }
 }
 
 TEST(MovingFrames, TheTextureOfEveryBodyGoesThroughBothTransforms) {
@@ -227,8 +250,8 @@ TEST(MovingFrames, BodiesOutsideOfThePictureAreNotDrawnAndNoOtherIsMissing) {
     const Orbit camera = load_manifest(find_lab("18")).camera;
     const int64_t all = work_of({}, far_away).first;
     Orbit away = camera;
-    away.yaw += 180;  // the flock is behind the eye
-    EXPECT_EQ(work_of({}, away).first, 1 + 6144);
+    away.yaw += 180;  // all but the nearest of the flock are behind the eye
+    EXPECT_LT(work_of({}, away).first, 1 + 6144 + 5 * 576);
     Orbit beside = camera;
     beside.target = {40, 0, 40};
     EXPECT_LT(work_of({}, beside).first, all / 3);
@@ -240,7 +263,9 @@ TEST(MovingFrames, BodiesOutsideOfThePictureAreNotDrawnAndNoOtherIsMissing) {
     for (int i = 0; i < 8; ++i) {
         const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
         Shot shot = shot_of("18", {}, "material", {64, 64});
-        shot.camera = {.yaw = between(-180, 180), .pitch = between(-40, 40), .distance = between(2, 20),
+        shot.camera = {.yaw = between(-180, 180),
+                       .pitch = between(-40, 40),
+                       .distance = between(2, 20),
                        .target = {between(-6, 16), between(-4, 4), between(-30, 4)}};
         const auto lab = make_lab(find_lab("18"), shot);
         const Image found = draw_shot(*lab, shot), exact = truth_of(*lab, shot);
