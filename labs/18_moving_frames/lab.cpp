@@ -50,7 +50,7 @@ public:
         knobs.slider("weights_over", over_, 0, 6, "length of a joint, over which weights change, radii");
         knobs.choice("weights", uneven_, sums, "weights that sum to 1, or do not");
         knobs.choice("signs", opposite_, signs, "dual quaternions of neighbours alike, or opposite (the same motions)");
-        knobs.toggle("folds", folds_, "paint red where the skin folds over itself");
+        knobs.toggle("folds", folds_, "paint blue where the skin folds over itself");
         knobs.steps("instances", instances_, 1, most_instances, "bodies, the first one included");
         knobs.choice("triangles", fine_, finenesses, "of the first body");
         knobs.choice("flock_triangles", coarse_, finenesses, "of each other body");
@@ -82,8 +82,8 @@ private:
     static constexpr std::array blends = {"linear", "dual-quaternion"};
     static constexpr std::array sums = {"even", "uneven"};
     static constexpr std::array signs = {"alike", "opposite"};
-    static constexpr std::array finenesses = {"576", "3072", "6144", "12288"};
-    static constexpr std::array<Fineness, 4> fineness_of = {{{36, 8}, {96, 16}, {128, 24}, {192, 32}}};
+    static constexpr std::array finenesses = {"288", "3072", "6144", "12288"};
+    static constexpr std::array<Fineness, 4> fineness_of = {{{24, 6}, {96, 16}, {128, 24}, {192, 32}}};
     static constexpr float error_scale = 30;  ///< degrees that are pale yellow
 
     /// As an instance's attributes have it.
@@ -269,8 +269,10 @@ private:
         set_pose(program, now);
         set_look(program);
         glBindVertexArray(drawn.uploaded.layout());
+        if (is_serpent() && !purpose.unrolled) glEnable(GL_CULL_FACE);  // a tube is open
         glDrawElementsInstanced(GL_TRIANGLES, drawn.uploaded.count(), GL_UNSIGNED_INT, nullptr,
                                 drawn.instances.count());
+        glDisable(GL_CULL_FACE);
     }
     Skin& kept_skin(KeptSkin& kept, int fineness) {
         return *kept.get({is_serpent(), fineness},

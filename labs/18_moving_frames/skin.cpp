@@ -183,7 +183,8 @@ std::vector<Instance> make_flock(int count) {
                      above = std::fmod((i + 0.5) * 0.5698402910, 1.0) - 0.44 + 0.12 * (random(i, 3) - 0.5);
         Instance one;
         glm::dmat4& m = one.world_from_model;
-        m = glm::translate(behind, glm::dvec3(aside * (7 + 1.25 * depth), above * (5 + 0.7 * depth) - 0.1 * depth, -depth));
+        m = glm::translate(behind,
+                           glm::dvec3(aside * (7 + 1.25 * depth), above * (5 + 0.7 * depth) - 0.1 * depth, -depth));
         m = glm::rotate(m, glm::radians(10 + 60 * random(i, 4)), glm::dvec3(0, 1, 0));
         m = glm::rotate(m, glm::radians(-18 + 36 * random(i, 5)), glm::dvec3(0, 0, 1));
         m = glm::rotate(m, glm::radians(-60 + 120 * random(i, 6)), glm::dvec3(1, 0, 0));

@@ -163,7 +163,7 @@ vec3 lit(Rest rest, Moves moves, int way) {
     vec3 light = clay * mix(vec3(0.05, 0.055, 0.065), vec3(0.16, 0.18, 0.21), 0.5 + 0.5 * normal.y);
     light += vec3(1.15, 1.05, 0.9) * blinn_phong(clay, 0.02, 30.0, normal, u_to_light, to_eye);
     light += vec3(0.13, 0.145, 0.16) * lamps(reflect(-to_eye, normal));
-    if (gl_FrontFacing != determinant(v_world_from_model) >= 0.0) light = vec3(0.02);
+    if (!gl_FrontFacing) light = vec3(0.02);
     return light;
 #else
     int material = passed_material();
@@ -191,6 +191,13 @@ vec3 lit(Rest rest, Moves moves, int way) {
     vec3 away_from_eye = v_world - u_eye;
     return mix(mist(normalize(away_from_eye), u_to_light), light, exp(-u_fog * max(length(away_from_eye) - 9.0, 0.0)));
 #endif
+}
+
+vec3 with_folds(vec3 color, Moves moves) {
+#if defined NEEDS_JACOBIAN || defined DUAL
+    if (u_folds && determinant(moves.jacobian) <= 0.0) return vec3(0.10, 0.72, 0.95);
+#endif
+    return color;
 }
 
 float degrees_between(vec3 a, vec3 b) { return degrees(atan(length(cross(a, b)), dot(a, b))); }
@@ -221,13 +228,9 @@ void main() {
 #ifdef MEASURE
     o_color = vec4(off, 0.0, 0.0, 0.0);
 #else
-    o_color = finished(vec4(heat(off / u_error_scale), 1.0), gl_FragCoord.xy);
+    o_color = finished(vec4(with_folds(heat(off / u_error_scale), moves), 1.0), gl_FragCoord.xy);
 #endif
 #else
-    vec3 color = srgb_from_linear(lit(rest, moves, WAY));
-#if defined NEEDS_JACOBIAN || defined DUAL
-    if (u_folds && determinant(moves.jacobian) <= 0.0) color = vec3(1.0, 0.15, 0.05);
-#endif
-    o_color = finished(vec4(color, 1.0), gl_FragCoord.xy);
+    o_color = finished(vec4(with_folds(srgb_from_linear(lit(rest, moves, WAY)), moves), 1.0), gl_FragCoord.xy);
 #endif
 }

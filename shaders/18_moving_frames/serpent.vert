@@ -42,15 +42,22 @@ vec3 posed(vec3 rest) {
 //)
 
 void main() {
-    vec4 place = vec4(posed(a_position), 1.0);
-    v_uv = a_uv;
-    v_world = vec3(dot(a_world_x, place), dot(a_world_y, place), dot(a_world_z, place));
     v_world_from_model = transpose(mat3(a_world_x.xyz, a_world_y.xyz, a_world_z.xyz));
+    vec3 rest = a_position;
+    v_uv = a_uv;
+    // A mirror turns triangles over. A body of revolution has its mirror image among its own vertices, so a mirrored
+    // body takes those: its triangles face outwards, and one draw can leave out what faces away.
+    if (determinant(v_world_from_model) < 0.0) {
+        rest.z = -rest.z;
+        v_uv.x = 1.0 - v_uv.x;
+    }
+    vec4 place = vec4(posed(rest), 1.0);
+    v_world = vec3(dot(a_world_x, place), dot(a_world_y, place), dot(a_world_z, place));
     v_origin = vec3(a_world_x.w, a_world_y.w, a_world_z.w);
     v_texture = transpose(mat3(a_texture_u, a_texture_v, vec3(0.0, 0.0, 1.0)));
     pass_material(a_material);
 #ifdef UNROLLED
-    gl_Position = vec4(2.0 * a_uv - 1.0, 0.0, 1.0);
+    gl_Position = vec4(2.0 * v_uv - 1.0, 0.0, 1.0);
 #else
     gl_Position = u_clip_from_world * vec4(v_world, 1.0);
 #endif

@@ -241,7 +241,7 @@ const Orbit far_away{.yaw = -35, .pitch = 5, .distance = 150, .target = {10, 0, 
 
 TEST(MovingFrames, TwoHundredBodiesAreOneDraw) {
     // The mist's triangle, the first body, the flock.
-    EXPECT_EQ(work_of({{"instances", "200"}}, far_away), std::pair(int64_t(1 + 6144 + 199 * 576), int64_t(3)));
+    EXPECT_EQ(work_of({{"instances", "200"}}, far_away), std::pair(int64_t(1 + 6144 + 199 * 288), int64_t(3)));
     EXPECT_EQ(work_of({{"instances", "200"}, {"triangles", "12288"}, {"flock_triangles", "12288"}}, far_away),
               std::pair(int64_t(1 + 200 * 12288), int64_t(3)));
 }
@@ -251,7 +251,7 @@ TEST(MovingFrames, BodiesOutsideOfThePictureAreNotDrawnAndNoOtherIsMissing) {
     const int64_t all = work_of({}, far_away).first;
     Orbit away = camera;
     away.yaw += 180;  // all but the nearest of the flock are behind the eye
-    EXPECT_LT(work_of({}, away).first, 1 + 6144 + 5 * 576);
+    EXPECT_LT(work_of({}, away).first, 1 + 6144 + 5 * 288);
     Orbit beside = camera;
     beside.target = {40, 0, 40};
     EXPECT_LT(work_of({}, beside).first, all / 3);

@@ -16,6 +16,7 @@ BenchTopic lighting_topic();
 BenchTopic baking_topic();
 BenchTopic planet_topic();
 BenchTopic ocean_topic();
+BenchTopic moving_frames_topic();
 BenchTopic budget_topic();
 BenchTopic frames_topic();
 BenchTopic grade_topic();

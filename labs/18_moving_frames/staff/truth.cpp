@@ -54,9 +54,11 @@ public:
         return glm::dvec4(unit(whole * unit(tangent)), side * turned);
     }
 
-    Mesh triangles(Fineness fineness) const {
+    /// In the pose. A mirrored body is drawn with its vertices in a mirror, so its quads have the other diagonal.
+    Mesh triangles(Fineness fineness, bool mirrored) const {
         Mesh mesh = make_skin(body_, fineness.rings, fineness.sides);
         for (Vertex& vertex : mesh.vertices) {
+            if (mirrored) vertex.uv.x = 1 - vertex.uv.x;
             const double u = vertex.uv.x == 1 ? 0 : double(vertex.uv.x);
             vertex.position = posed(body_, scene_.pose, bones_, {u, vertex.uv.y});
         }
@@ -83,16 +85,17 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
             const glm::dvec2 uv((x + 0.5) / frame.size.x, 1 - (y + 0.5) / frame.size.y);
             return exact.value(scene.instances[0], uv, probe.name);
         });
-    std::array<Drawn, 2> drawn;
-    for (size_t kind = 0; kind < 2; ++kind) {
-        if (kind == 1 && scene.instances.size() < 2) break;
-        drawn[kind].mesh = exact.triangles(kind == 0 ? scene.fine : scene.coarse);
-        drawn[kind].tree = build_tree(drawn[kind].mesh);
-    }
+    std::array<Drawn, 4> drawn;  // fine and coarse; of either kind the mirrored ones behind the others
     for (size_t i = 0; i < scene.instances.size(); ++i) {
         const glm::dmat4& m = scene.instances[i].world_from_model;
-        if (std::abs(glm::determinant(glm::dmat3(m))) < 1e-12) return {};  // flat: rays do not go back
-        drawn[i > 0].instances.emplace_back(&scene.instances[i], glm::inverse(m));
+        const double size = glm::determinant(glm::dmat3(m));
+        if (std::abs(size) < 1e-12) return {};  // flat: rays do not go back
+        Drawn& kind = drawn[size_t(2 * (i > 0) + (size < 0))];
+        if (kind.instances.empty()) {
+            kind.mesh = exact.triangles(i == 0 ? scene.fine : scene.coarse, size < 0);
+            kind.tree = build_tree(kind.mesh);
+        }
+        kind.instances.emplace_back(&scene.instances[i], glm::inverse(m));
     }
     return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         double nearest = INFINITY;
