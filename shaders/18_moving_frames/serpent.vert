@@ -51,9 +51,8 @@ void main() {
         rest.z = -rest.z;
         v_uv.x = 1.0 - v_uv.x;
     }
-    vec4 place = vec4(posed(rest), 1.0);
-    v_world = vec3(dot(a_world_x, place), dot(a_world_y, place), dot(a_world_z, place));
     v_origin = vec3(a_world_x.w, a_world_y.w, a_world_z.w);
+    v_world = v_world_from_model * posed(rest) + v_origin;
     v_texture = transpose(mat3(a_texture_u, a_texture_v, vec3(0.0, 0.0, 1.0)));
     pass_material(a_material);
 #ifdef UNROLLED
