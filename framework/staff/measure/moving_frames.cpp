@@ -24,7 +24,7 @@ BenchScene joint(const BenchKnobs& pose, const BenchSettings& settings) {
     for (const Way& way : ways)
         scene.methods.push_back(
             {way.name,
-             {{"normal_by", way.name}},
+             {{"blend", way.blend}},
              [=] {
                  Shot shot;
                  shot.size = glm::ivec2(settings.quick ? 256 : 512);
