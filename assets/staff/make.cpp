@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "assets/garden.h"
 #include "assets/staff/textures.h"
 #include "assets/urn.h"
 #include "framework/base/error.h"
@@ -14,15 +15,19 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        for (const char* surface : {"bricks", "paving", "quilt"})
+        for (const char* surface : {"bricks", "paving", "quilt", "garden"})
             for (const relief::NamedTexture& texture : relief::make_textures(surface)) {
                 const std::filesystem::path file = std::filesystem::path(argv[1]) / texture.file;
                 relief::write_image(file, texture.image, {}, texture.space);
                 std::puts(file.c_str());
             }
-        const std::filesystem::path urn = std::filesystem::path(argv[1]) / "urn.obj";
-        relief::write_file(urn, relief::make_urn());
-        std::puts(urn.c_str());
+        auto models = relief::make_garden();
+        models.emplace_back("urn.obj", relief::make_urn());
+        for (const auto& [name, text] : models) {
+            const std::filesystem::path file = std::filesystem::path(argv[1]) / name;
+            relief::write_file(file, text);
+            std::puts(file.c_str());
+        }
     } catch (const relief::Error& error) {
         std::fprintf(stderr, "relief-assets: %s\n", error.what());
         return 1;

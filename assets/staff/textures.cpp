@@ -1,7 +1,9 @@
 #include "assets/staff/textures.h"
 
 #include "assets/bricks.h"
+#include "assets/grass.h"
 #include "assets/paving.h"
+#include "assets/staff/masks.h"
 #include "assets/staff/quilt.h"
 #include "framework/staff/reference/normals.h"
 
@@ -14,6 +16,12 @@ std::vector<NamedTexture> make_textures(const std::string& surface) {
                 {"quilt_world.png", ColorSpace::linear, std::move(maps.world)},
                 {"quilt_tangent.png", ColorSpace::linear, std::move(maps.tangent)}};
     }
+    if (surface == "garden")
+        return {{"grass_albedo.png", ColorSpace::srgb, make_grass()},
+                {"leaves_albedo.png", ColorSpace::srgb, make_leaf_colors()},
+                {"leaves_mask.png", ColorSpace::linear, make_leaf_mask()},
+                {"wire_mask.png", ColorSpace::linear, make_wire_mask()},
+                {"bricks_specular.png", ColorSpace::linear, make_brick_highlights()}};
     const bool bricks = surface == "bricks";
     SurfaceMaps maps = bricks ? make_bricks() : make_paving();
     const double depth = bricks ? bricks_depth_in_texels : paving_depth_in_texels;

@@ -41,6 +41,8 @@ struct Material {
     std::filesystem::path bump_map;          ///< map_Bump, map_bump or bump: heights, and in some files normals
     std::filesystem::path normal_map;        ///< norm
     std::filesystem::path displacement_map;  ///< disp or map_disp
+    std::filesystem::path file = {};         ///< that describes it, and the line of its newmtl
+    int line = 0;
 };
 
 /// The triangles of one material, as a range of Mesh::indices.

@@ -109,6 +109,7 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
                                      const std::filesystem::path& folder, Notes& notes) {
     std::string shown;
     std::vector<std::string> names;
+    std::vector<int> lines;  // of the names
     Statements statements(text, file);
     try {
         while (statements.next()) {
@@ -119,6 +120,7 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
                 // diffuse colour, because its default depends on the materials before.
                 shown += fmt::format("newmtl {}\nKd 1 1 1\n", names.size());
                 names.emplace_back(statements.rest());
+                lines.push_back(statements.line());
             } else if (!names.empty()) {
                 shown += checked(statements, notes);
             }
@@ -151,7 +153,9 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
                              .emission_map = map_path(material.emissive_texname, folder),
                              .bump_map = map_path(material.bump_texname, folder),
                              .normal_map = map_path(material.normal_texname, folder),
-                             .displacement_map = map_path(material.displacement_texname, folder)});
+                             .displacement_map = map_path(material.displacement_texname, folder),
+                             .file = file,
+                             .line = lines[materials.size()]});
     }
     return materials;
 }

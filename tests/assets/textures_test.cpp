@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "assets/garden.h"
 #include "assets/urn.h"
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
@@ -54,6 +55,11 @@ TEST_P(Surface, TilesWithoutASeam) {
 }
 
 TEST(Urn, IsMadeAsItLiesInTheRepository) { EXPECT_EQ(make_urn(), read_file(course_root() / "assets/urn.obj")); }
+
+TEST(Garden, IsMadeAsItLiesInTheRepository) {
+    for (const auto& [name, text] : make_garden()) EXPECT_EQ(text, read_file(course_root() / "assets" / name)) << name;
+    expect_made_as_kept("garden");
+}
 
 TEST(Quilt, IsMadeAsItLiesInTheRepository) { expect_made_as_kept("quilt"); }
 

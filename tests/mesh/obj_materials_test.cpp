@@ -50,6 +50,14 @@ TEST(ObjMaterials, AnUnknownOneIsNotedWithItsFirstLine) {
     EXPECT_EQ(model.subsets.at(1).material, -1);
 }
 
+TEST(ObjMaterials, EachKnowsItsFileAndTheLineOfItsName) {
+    const ObjModel model = parse_obj(square + "f 1 2 3\n", "# none\nnewmtl a\nKd 1 0 0\n\nnewmtl b\n", "m/x.obj");
+    ASSERT_EQ(model.materials.size(), 2u);
+    EXPECT_EQ(model.materials[0].file, "m/x.mtl");
+    EXPECT_EQ(model.materials[0].line, 2);
+    EXPECT_EQ(model.materials[1].line, 5);
+}
+
 TEST(ObjMaterials, NamesMayHaveBlanksAndTheFirstOfAnEqualNameCounts) {
     const ObjModel model = parse_obj(square + "usemtl red  brick \nf 1 2 3\n",
                                      "newmtl stone\nnewmtl  red  brick\t\nKd 1 0 0\nnewmtl red  brick\nKd 0 0 1\n");

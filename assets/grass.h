@@ -1,0 +1,13 @@
+// A lawn from above.
+#pragma once
+
+#include "framework/image/image.h"
+
+namespace relief {
+
+constexpr int grass_texels = 512;
+
+/// Its diffuse colour: 3 channels, sRGB, 8 bits. Tiles.
+Image make_grass();
+
+}  // namespace relief

@@ -1,0 +1,34 @@
+// The lights of lab 08's garden: the last of the day, and a lantern.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace relief::materials {
+
+enum Lamp { spot_lamp, point_lamp, sun };
+
+/// Light is linear, 1 is white paper in full light. Metres.
+struct Lights {
+    Lamp lamp = spot_lamp;
+    glm::dvec3 to_sun{0, 1, 0}, sun{0}, sky{0}, ground{0};  ///< `sky` comes from above, `ground` from below
+    glm::dvec3 place{1, 1.45, 0.6}, axis{0, -1, 0}, light{0};
+    double range = 7, cone = 2;
+    glm::dvec3 attenuation{1, 0.3, 0.5};  ///< constant, by the distance, and by its square
+};
+
+inline Lights lights_of(Lamp lamp, const glm::dvec3& to_sun, double range, double cone, double height) {
+    Lights lights;
+    lights.lamp = lamp, lights.to_sun = to_sun, lights.range = range;
+    lights.cone = lamp == point_lamp ? 0 : cone;
+    lights.place.y = height;
+    lights.axis = glm::normalize(glm::dvec3(-0.32, -1, -0.22));
+    if (lamp == sun) {
+        lights.sun = {1.0, 0.9, 0.74}, lights.sky = {0.26, 0.32, 0.42}, lights.ground = {0.10, 0.10, 0.07};
+    } else {
+        lights.sun = {0.34, 0.13, 0.05}, lights.sky = {0.060, 0.078, 0.150}, lights.ground = {0.026, 0.022, 0.024};
+        lights.light = {10.5, 5.6, 2.0};
+    }
+    return lights;
+}
+
+}  // namespace relief::materials

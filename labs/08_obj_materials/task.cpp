@@ -1,0 +1,66 @@
+// Lab 08, your first tasks: what a bump map holds, and the order of surfaces. The others are in
+// shaders/08_obj_materials/task.glsl.
+#include "task.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "framework/base/error.h"
+
+namespace relief::materials {
+
+// TASK 8.1 (3 points): what does a picture hold that an MTL file names as map_bump? The format says heights; many files
+// name a normal map. Nothing but the texels tells. (image.values has image.channels floats for each of
+// image.pixel_count() texels; a fourth channel does not count.)
+//  - Heights: one channel; or, in 99 of 100 texels, no two channels differ by more than 2/255.
+//  - Normals: in 99 of 100 texels, 2 c - 1 of the color c has a length within 0.1 of 1, and z > 0.
+//  - Else neither: the lab then leaves the map out. So it does with two channels.
+//(kind
+MapKind kind_of(const Image& image) {
+    //[solution
+    if (image.channels == 1) return MapKind::heights;
+    if (image.channels < 3) return MapKind::neither;
+    size_t grey = 0, upright = 0;
+    for (size_t i = 0; i < image.pixel_count(); ++i) {
+        const float* const texel = &image.values[i * size_t(image.channels)];
+        const auto [least, most] = std::minmax({texel[0], texel[1], texel[2]});
+        grey += most - least <= 2.001f / 255;
+        const glm::vec3 normal = 2.0f * glm::vec3(texel[0], texel[1], texel[2]) - 1.0f;
+        upright += std::abs(glm::length(normal) - 1) <= 0.1f && normal.z > 0;
+    }
+    const auto nearly_all = [&](size_t count) { return 100 * count >= 99 * image.pixel_count(); };
+    return nearly_all(grey) ? MapKind::heights : nearly_all(upright) ? MapKind::normals : MapKind::neither;
+    //]starter
+    //| static_cast<void>(image);
+    //| unfinished("8.1");
+    //]
+}
+//)
+
+// TASK 8.2 (3 points): in which order are surfaces drawn? First the opaque ones: those of program 0, then of program 1
+// and so on, since changing the program costs time; those that share a program from the nearest to the farthest, so
+// that what is hidden is never shaded. Then the transparent ones from the farthest to the nearest, whatever their
+// program, since each is blended over what lies behind it. The distance is that of the centre. Of two surfaces that
+// are equally far, the one with the smaller index comes first.
+//(order
+std::vector<int> draw_order(std::span<const Surface> surfaces, const glm::dvec3& eye) {
+    //[solution
+    std::vector<int> order(surfaces.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto key = [&](int i) {
+        const Surface& surface = surfaces[size_t(i)];
+        const double far_away = glm::distance(surface.centre, eye);
+        return surface.is_transparent ? std::tuple(1, 0, -far_away) : std::tuple(0, surface.program, far_away);
+    };
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
+    return order;
+    //]starter
+    //| static_cast<void>(surfaces), static_cast<void>(eye);
+    //| unfinished("8.2");
+    //]
+}
+//)
+
+}  // namespace relief::materials
