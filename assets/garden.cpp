@@ -209,6 +209,49 @@ map_Kd bricks_albedo.png
 map_bump quilt_object.png
 )";
 
+/// Fences one behind the other, and a wet pier; no bump maps.
+std::string fence_obj() {
+    Model model("Four fences, a pier and a pane", "fence.mtl");
+    model.material("Pane");  // first in the file, and last to be drawn
+    model.quad({-3.2, 0.3, 0.4}, {1.2, 0, 0}, {0, 1.2, 0}, {0, 0}, {1, 1});
+    model.material("Grass");
+    model.quad({-36, 0, 10}, {72, 0, 0}, {0, 0, -72}, {0, 0}, {30, 30});
+    model.material("Pier");
+    model.box({-1.7, 0, -0.3}, {-0.7, 1.7, 0.3});
+    model.material("Iron");
+    constexpr double left[] = {-0.5, -2.0, -5.0, -14.0}, right[] = {2.2, 4.5, 9.0, 20.0}, z[] = {0.5, -5.0, -15.0, -40.0};
+    for (size_t i = 0; i < 4; ++i)
+        for (const double x : {left[i], right[i]}) model.box({x - 0.03, 0, z[i] - 0.03}, {x + 0.03, 1.5, z[i] + 0.03});
+    model.material("Wire");
+    constexpr double mesh = 0.35;
+    for (size_t i = 0; i < 4; ++i)
+        model.quad({left[i], 0, z[i]}, {right[i] - left[i], 0, 0}, {0, 1.4, 0}, {left[i] / mesh, 0},
+                   {right[i] / mesh, 1.4 / mesh});
+    return model.text();
+}
+
+constexpr const char* fence_mtl = R"(# Materials of fence.obj. Written by assets/garden.cpp.
+newmtl Pane
+Kd 0.1 0.45 0.3
+Ks 0.5 0.5 0.5
+Ns 90
+d 0.4
+
+newmtl Grass
+map_Kd grass_albedo.png
+
+newmtl Pier
+map_Kd bricks_albedo.png
+map_Ks bricks_specular.png
+
+newmtl Iron
+Kd 0.035 0.035 0.04
+
+newmtl Wire
+Kd 0.45 0.46 0.48
+map_d wire_mask.png
+)";
+
 /// What files from elsewhere have: a material under another name, a map that is not there.
 std::string broken_obj() {
     Model model("A ground whose material has another name", "broken.mtl");
@@ -240,7 +283,7 @@ Tr 0.0
 
 std::vector<std::pair<std::string, std::string>> make_garden() {
     return {{"garden.obj", garden_obj()}, {"garden.mtl", garden_mtl}, {"ground.obj", ground_obj()},
-            {"ground.mtl", ground_mtl},   {"broken.obj", broken_obj()}, {"broken.mtl", broken_mtl}};
+            {"ground.mtl", ground_mtl}, {"fence.obj", fence_obj()}, {"fence.mtl", fence_mtl},   {"broken.obj", broken_obj()}, {"broken.mtl", broken_mtl}};
 }
 
 }  // namespace relief

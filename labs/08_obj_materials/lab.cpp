@@ -84,12 +84,12 @@ public:
 
 private:
     enum ViewKind { garden, one, ground, levels, lamp_cut };
-    enum File { garden_file, ground_file, broken_file, thousand };
+    enum File { garden_file, fence_file, ground_file, broken_file, thousand };
     enum MapChoice { maps_on, maps_off, wipe };
     enum Order { sorted, of_file, backwards, weighted };
     enum Alpha { test, keep, to_coverage, hashed };
     static constexpr std::array view_names = {"garden", "one", "ground", "levels", "lamp"};
-    static constexpr std::array files = {"garden", "ground", "broken", "thousand"};
+    static constexpr std::array files = {"garden", "fence", "ground", "broken", "thousand"};
     static constexpr std::array map_choices = {"on", "off", "wipe"};
     static constexpr std::array program_kinds = {"compiled", "branches"};
     static constexpr std::array orders = {"sorted", "file", "backwards", "weighted"};
@@ -120,7 +120,7 @@ private:
 
     Loaded& loaded(bool with_maps) const {
         return *scenes_[with_maps].get({file_}, [&] {
-            static constexpr std::array names = {"garden.obj", "ground.obj", "broken.obj"};
+            static constexpr std::array names = {"garden.obj", "fence.obj", "ground.obj", "broken.obj"};
             ObjModel model = file_ == thousand ? thousand_tiles()
                                                : read_obj(course_root() / "assets" / names[size_t(file_)]);
             return std::make_unique<Loaded>(make_scene(std::move(model), with_maps, kind_of));
@@ -393,8 +393,6 @@ private:
                 labels_.caption(frame.size, views[i].tile, -1, fmt::format("{:.1f} % off", 100 * measure(i, views[i])));
             }
         }
-        const float line = Labels::line_height(frame.size) * 0.62f;
-        float below = float(frame.size.y) - 1.3f * line * float(scene.notes.size() + 1);
         if (view_ == garden) {
             list(frame, views[0].tile, scene);
             if (maps_ == wipe) {
@@ -402,10 +400,17 @@ private:
                 labels_.rectangle({middle - 0.5f, 0}, {1, float(frame.size.y)}, {1, 1, 1, 0.4f});
             }
         }
-        if (file_ == garden_file) return;
-        for (const std::string& note : scene.notes) {
-            labels_.text(note, {line, below}, std::min(line, 1.8f * float(frame.size.x) / float(note.size() + 4)));
-            below += 1.3f * line;
+        if (file_ == ground_file || file_ == broken_file) write_notes(frame, scene);
+    }
+
+    /// What was left out or made up, along the lower edge.
+    void write_notes(const Frame& frame, const Scene& scene) {
+        const float line = Labels::line_height(frame.size) * 0.62f;
+        float top = float(frame.size.y) - 1.3f * line * float(scene.notes.size() + 1);
+        for (const std::string& whole : scene.notes) {
+            const std::string note = whole.substr(whole.rfind('/', whole.find(':')) + 1);  // without the folder
+            labels_.text(note, {line, top}, std::min(line, 1.8f * float(frame.size.x) / float(note.size() + 4)));
+            top += 1.3f * line;
         }
     }
 

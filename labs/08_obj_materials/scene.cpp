@@ -88,10 +88,10 @@ double alpha_at(const Image& level, double u, double v) {
     return glm::mix(bottom, glm::mix(texel(left, low + 1), texel(left + 1, low + 1), x - left), y - low);
 }
 
-/// At 65,536 places that lie evenly, whatever the size of texels (Roberts 2018).
+/// At 16,384 places that lie evenly, whatever the size of texels (Roberts 2018).
 std::vector<double> alphas_of(const Image& level) {
     std::vector<double> alphas;
-    for (int i = 0; i < 1 << 16; ++i) {
+    for (int i = 0; i < 1 << 14; ++i) {
         const double u = (i + 0.5) * 0.7548776662466927, v = (i + 0.5) * 0.5698402909980532;
         alphas.push_back(alpha_at(level, u - std::floor(u), v - std::floor(v)));
     }

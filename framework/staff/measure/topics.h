@@ -14,6 +14,7 @@ BenchTopic parallax_topic();
 BenchTopic displacement_topic();
 BenchTopic lighting_topic();
 BenchTopic baking_topic();
+BenchTopic materials_topic();
 BenchTopic planet_topic();
 BenchTopic ocean_topic();
 BenchTopic moving_frames_topic();
