@@ -22,8 +22,7 @@ public:
         const dvec3 normal = glm::normalize(glm::cross(right, up));
         const dvec3 places[] = {corner, corner + right, corner + right + up, corner + up};
         const dvec2 uvs[] = {low, {high.x, low.y}, high, {low.x, high.y}};
-        for (const dvec3& place : places)
-            text_ += fmt::format("v {:.4f} {:.4f} {:.4f}\n", place.x, place.y, place.z);
+        for (const dvec3& place : places) text_ += fmt::format("v {:.4f} {:.4f} {:.4f}\n", place.x, place.y, place.z);
         for (const dvec2& uv : uvs) text_ += fmt::format("vt {:.4f} {:.4f}\n", uv.x, uv.y);
         text_ += fmt::format("vn {:.0f} {:.0f} {:.0f}\n", normal.x + 0.0, normal.y + 0.0, normal.z + 0.0);
         ++normals_, points_ += 4;
@@ -80,16 +79,17 @@ std::string garden_obj() {
 
     model.material("Iron");
     each_stretch([&](double left, double right) { model.box({left, 1.68, -0.012}, {right, 1.7, 0.012}); });
-    model.box({0.98, 1.66, 0.2}, {1.02, 1.69, 0.66});    // the lantern's arm
-    model.box({0.99, 1.6, 0.59}, {1.01, 1.66, 0.61});    // its hook
-    model.box({0.9, 1.57, 0.5}, {1.1, 1.6, 0.7});        // its roof
+    model.box({0.98, 1.66, 0.2}, {1.02, 1.69, 0.66});  // the lantern's arm
+    model.box({0.99, 1.6, 0.59}, {1.01, 1.66, 0.61});  // its hook
+    model.box({0.9, 1.57, 0.5}, {1.1, 1.6, 0.7});      // its roof
     model.box({0.93, 1.6, 0.53}, {1.07, 1.62, 0.67});
-    model.box({0.91, 1.31, 0.51}, {1.09, 1.33, 0.69});   // its floor
+    model.box({0.91, 1.31, 0.51}, {1.09, 1.33, 0.69});  // its floor
     for (const double x : {0.915, 1.07})
         for (const double z : {0.515, 0.67}) model.box({x, 1.33, z}, {x + 0.015, 1.57, z + 0.015});
     constexpr dvec3 panes[] = {{-3.0, 0.42, 0.9}, {-2.55, 0.27, 1.5}, {-2.2, 0.14, 2.1}};  // lower left corners
     for (const dvec3& pane : panes)
-        for (const double x : {-0.015, 0.75}) model.box({pane.x + x, 0, pane.z - 0.008}, {pane.x + x + 0.015, pane.y + 1.05, pane.z + 0.007});
+        for (const double x : {-0.015, 0.75})
+            model.box({pane.x + x, 0, pane.z - 0.008}, {pane.x + x + 0.015, pane.y + 1.05, pane.z + 0.007});
 
     model.material("Flame");
     model.box({0.965, 1.36, 0.565}, {1.035, 1.53, 0.635});
@@ -219,7 +219,8 @@ std::string fence_obj() {
     model.material("Pier");
     model.box({-1.7, 0, -0.3}, {-0.7, 1.7, 0.3});
     model.material("Iron");
-    constexpr double left[] = {-0.5, -2.0, -5.0, -14.0}, right[] = {2.2, 4.5, 9.0, 20.0}, z[] = {0.5, -5.0, -15.0, -40.0};
+    constexpr double left[] = {-0.5, -2.0, -5.0, -14.0}, right[] = {2.2, 4.5, 9.0, 20.0},
+                     z[] = {0.5, -5.0, -15.0, -40.0};
     for (size_t i = 0; i < 4; ++i)
         for (const double x : {left[i], right[i]}) model.box({x - 0.03, 0, z[i] - 0.03}, {x + 0.03, 1.5, z[i] + 0.03});
     model.material("Wire");
@@ -283,7 +284,8 @@ Tr 0.0
 
 std::vector<std::pair<std::string, std::string>> make_garden() {
     return {{"garden.obj", garden_obj()}, {"garden.mtl", garden_mtl}, {"ground.obj", ground_obj()},
-            {"ground.mtl", ground_mtl}, {"fence.obj", fence_obj()}, {"fence.mtl", fence_mtl},   {"broken.obj", broken_obj()}, {"broken.mtl", broken_mtl}};
+            {"ground.mtl", ground_mtl},   {"fence.obj", fence_obj()}, {"fence.mtl", fence_mtl},
+            {"broken.obj", broken_obj()}, {"broken.mtl", broken_mtl}};
 }
 
 }  // namespace relief

@@ -31,7 +31,8 @@ Image make_grass() {
             for (int dy = -2; dy <= 2; ++dy)
                 for (int dx = -2; dx <= 2; ++dx) {
                     const glm::ivec2 texel = glm::ivec2(glm::floor(place)) + glm::ivec2(dx, dy);
-                    const float cover = glm::clamp(wide + 0.5f - glm::length(glm::vec2(texel) + 0.5f - place), 0.0f, 1.0f);
+                    const float cover =
+                        glm::clamp(wide + 0.5f - glm::length(glm::vec2(texel) + 0.5f - place), 0.0f, 1.0f);
                     if (cover <= 0) continue;
                     float* into = light.pixel(((texel.x % n) + n) % n, ((texel.y % n) + n) % n);
                     const glm::vec3 lit = color * (0.7f + 0.5f * at / length);

@@ -20,7 +20,8 @@ Image mask_of(Covers covers) {
             for (int x = 0; x < side; ++x) {
                 int inside = 0;
                 for (int i = 0; i < places * places; ++i) {
-                    const glm::dvec2 at = glm::dvec2(x, side - 1 - y) + (glm::dvec2(i % places, i / places) + 0.5) / double(places);
+                    const glm::dvec2 at =
+                        glm::dvec2(x, side - 1 - y) + (glm::dvec2(i % places, i / places) + 0.5) / double(places);
                     inside += covers(at / double(side));
                 }
                 *mask.pixel(x, y) = std::round(float(inside) * 255 / (places * places)) / 255;
@@ -49,7 +50,8 @@ Image make_leaf_colors() {
                 color = glm::mix(dark, fresh, dice.between(0.1f, 0.9f));
                 if (dice.chance(0.12f)) color = glm::mix(color, red, dice.between(0.3f, 0.9f));
                 const glm::vec2 at(leaf->place);
-                const float middle = glm::abs(at.x), vein = glm::min(middle, glm::abs(middle - 0.75f * glm::abs(at.y - 0.2f)));
+                const float middle = glm::abs(at.x),
+                            vein = glm::min(middle, glm::abs(middle - 0.75f * glm::abs(at.y - 0.2f)));
                 color *= 0.8f + 0.3f * at.y;
                 color = glm::mix(color * 1.55f + 0.01f, color, ramp(0.01f, 0.05f, vein));
                 color *= 1 + 0.15f * noise(glm::vec2(x, y) * (tile / side), 16, hash(uint32_t(leaf->number)));
@@ -70,9 +72,9 @@ Image make_brick_highlights() {
             // Wet bricks shine where they stand out, in patches; the joints are dull: their exponent is 0.
             const float out = ramp(0.45f, 0.8f, height), wet = ramp(-0.3f, 0.5f, noise(p, 128, 3, 84));
             const float shine = out * glm::mix(0.25f, 1.0f, wet) * (1 + 0.3f * grain_noise(p, 85));
-            const glm::vec4 texel(0.02f + 0.30f * shine * glm::vec3(1, 0.93f, 0.86f), out * glm::mix(0.06f, 0.35f, wet));
-            for (int c = 0; c < 4; ++c)
-                map.pixel(x, y)[c] = std::round(glm::clamp(texel[c], 0.0f, 1.0f) * 255) / 255;
+            const glm::vec4 texel(0.02f + 0.30f * shine * glm::vec3(1, 0.93f, 0.86f),
+                                  out * glm::mix(0.06f, 0.35f, wet));
+            for (int c = 0; c < 4; ++c) map.pixel(x, y)[c] = std::round(glm::clamp(texel[c], 0.0f, 1.0f) * 255) / 255;
         }
     return map;
 }

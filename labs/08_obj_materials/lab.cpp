@@ -45,7 +45,8 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
-        knobs.choice("view", view_, view_names, "the garden and its programs; or one picture, filters, mip levels, the lamp");
+        knobs.choice("view", view_, view_names,
+                     "the garden and its programs; or one picture, filters, mip levels, the lamp");
         knobs.choice("file", file_, files, "the OBJ file");
         knobs.choice("maps", maps_, map_choices, "read the maps that materials name; or both, side by side");
         knobs.choice("programs", programs_, program_kinds, "a program for each set of features, or one with branches");
@@ -111,8 +112,8 @@ private:
 
     /// A part of the picture, with or without maps.
     struct View {
-        Tile tile;           ///< that the camera sees
-        Tile part;           ///< of it, that is drawn
+        Tile tile;  ///< that the camera sees
+        Tile part;  ///< of it, that is drawn
         bool has_maps = true;
         bool is_flat = false;  ///< in the colours of the programs
         int filter = -1;       ///< another than the knob's
@@ -121,8 +122,8 @@ private:
     Loaded& loaded(bool with_maps) const {
         return *scenes_[with_maps].get({file_}, [&] {
             static constexpr std::array names = {"garden.obj", "fence.obj", "ground.obj", "broken.obj"};
-            ObjModel model = file_ == thousand ? thousand_tiles()
-                                               : read_obj(course_root() / "assets" / names[size_t(file_)]);
+            ObjModel model =
+                file_ == thousand ? thousand_tiles() : read_obj(course_root() / "assets" / names[size_t(file_)]);
             return std::make_unique<Loaded>(make_scene(std::move(model), with_maps, kind_of));
         });
     }
@@ -213,9 +214,8 @@ private:
     }
 
     void encode(const Frame& frame) {
-        const Program& program =
-            encode_.with({frame.probe, fmt::format("SAMPLES {}", target_->samples()),
-                          order_ == weighted ? "WEIGHTED" : "", is_stored() ? "STORED" : ""});
+        const Program& program = encode_.with({frame.probe, fmt::format("SAMPLES {}", target_->samples()),
+                                               order_ == weighted ? "WEIGHTED" : "", is_stored() ? "STORED" : ""});
         glUseProgram(program);
         for (int i = 0; i < (order_ == weighted ? 3 : 1); ++i) {
             program.set(std::array{"s_light", "s_sum", "s_passed"}[size_t(i)], i);
@@ -232,7 +232,8 @@ private:
         std::iota(order.begin(), order.end(), 0);
         if (order_ == backwards) std::reverse(order.begin(), order.end());
         if (order_ == weighted)
-            std::stable_partition(order.begin(), order.end(), [&](int i) { return !scene.pieces[size_t(i)].is_glass(); });
+            std::stable_partition(order.begin(), order.end(),
+                                  [&](int i) { return !scene.pieces[size_t(i)].is_glass(); });
         if (order_ != sorted) return order;
         std::vector<Surface> surfaces;
         for (const Piece& piece : scene.pieces) surfaces.push_back({piece.program, piece.is_glass(), piece.centre});
@@ -290,18 +291,18 @@ private:
         const bool draws_mask = (features & mask_map) && (is_light || is_flat || purpose == "coverage");
         const size_t reads = reads_colors ? size_t(filter) : 1;
         return surface_.with(
-               {is_light   ? Define("")
-                : is_named ? Define(purpose)
-                           : Define("PROBE_" + purpose),
-                fmt::format("FEATURES {}", features),
-                branches ? "BRANCHES" : "",
-                fmt::format("LAMP {}", is_light || purpose == "lamp" ? std::min(lamp_, int(sun)) : int(sun)),
-                fmt::format("FILTER {}", filter_kinds[reads]),
-                fmt::format("TAPS {}", taps[reads]),
-                fmt::format("ALPHA {}", !draws_mask ? int(test) : is_flat ? int(keep) : alpha_),
-                is_light || is_flat || purpose == "coverage" || !piece.has(mask_map) ? "" : "PLAIN_MASK",
-                is_light && is_stored() ? "STORED" : "",
-                is_light && order_ == weighted && piece.is_glass() ? "WEIGHTED" : ""});
+            {is_light   ? Define("")
+             : is_named ? Define(purpose)
+                        : Define("PROBE_" + purpose),
+             fmt::format("FEATURES {}", features), branches ? "BRANCHES" : "",
+             fmt::format("LAMP {}", is_light || purpose == "lamp" ? std::min(lamp_, int(sun)) : int(sun)),
+             fmt::format("FILTER {}", filter_kinds[reads]), fmt::format("TAPS {}", taps[reads]),
+             fmt::format("ALPHA {}", !draws_mask ? int(test)
+                                     : is_flat   ? int(keep)
+                                                 : alpha_),
+             is_light || is_flat || purpose == "coverage" || !piece.has(mask_map) ? "" : "PLAIN_MASK",
+             is_light && is_stored() ? "STORED" : "",
+             is_light && order_ == weighted && piece.is_glass() ? "WEIGHTED" : ""});
     }
 
     void set_frame(const Program& program, const Frame& frame) {
@@ -414,24 +415,26 @@ private:
         }
     }
 
-    /// Each material with its program and its triangles, below a tile.
+    /// Each material with what it names, in the colour of its program, and its triangles; below a tile.
     void list(const Frame& frame, const Tile& tile, const Scene& scene) {
         const float left = float(tile.corner.x), width = float(tile.size.x),
                     top = float(tile.size.y) + 0.03f * float(frame.size.y),
-                    line = std::min(width / 17, (float(frame.size.y) - top) / (1.35f * float(most_listed + 2)));
+                    line = std::min(width / 17.5f, (float(frame.size.y) - top) / (1.35f * float(most_listed + 2)));
         labels_.rectangle({left, float(tile.size.y)}, {width, float(frame.size.y - tile.size.y)},
                           {0.05f, 0.055f, 0.065f, 1});
         labels_.text(fmt::format("{} materials, {} programs,", scene.pieces.size(), scene.programs), {left + line, top},
                      line);
         labels_.text(fmt::format("{} draws", scene.pieces.size()), {left + line, top + 1.25f * line}, line);
+        labels_.text("triangles", {left + width - line, top + 1.25f * line}, line, Align::right);
         for (size_t i = 0; i < std::min(scene.pieces.size(), size_t(most_listed)); ++i) {
             const Piece& piece = scene.pieces[i];
             const float y = top + line * (2.9f + 1.3f * float(i));
             const glm::vec3 color = glm::pow(program_color(piece.program), glm::vec3(1 / 2.2f));
             labels_.rectangle({left + line, y + 0.1f * line}, {0.8f * line, 0.8f * line}, glm::vec4(color, 1));
-            labels_.text(piece.material.name.substr(0, 13), {left + 2.4f * line, y}, line, Align::left,
+            labels_.text(piece.material.name.substr(0, 12), {left + 2.4f * line, y}, line, Align::left,
                          highlight_ == int(i) + 1 ? glm::vec3(1, 0.85f, 0.4f) : glm::vec3(0.93f, 0.92f, 0.89f));
-            labels_.text(fmt::format("{} tri", piece.index_count / 3), {left + width - line, y}, line, Align::right);
+            labels_.text(words(piece.features), {left + 8.6f * line, y}, line);
+            labels_.text(fmt::format("{}", piece.index_count / 3), {left + width - line, y}, line, Align::right);
         }
     }
 

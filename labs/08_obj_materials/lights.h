@@ -25,8 +25,8 @@ inline Lights lights_of(Lamp lamp, const glm::dvec3& to_sun, double range, doubl
     if (lamp == sun) {
         lights.sun = {1.0, 0.9, 0.74}, lights.sky = {0.26, 0.32, 0.42}, lights.ground = {0.10, 0.10, 0.07};
     } else {
-        lights.sun = {0.34, 0.13, 0.05}, lights.sky = {0.060, 0.078, 0.150}, lights.ground = {0.026, 0.022, 0.024};
-        lights.light = {10.5, 5.6, 2.0};
+        lights.sun = {0.34, 0.13, 0.05}, lights.sky = {0.075, 0.095, 0.175}, lights.ground = {0.032, 0.026, 0.028};
+        lights.light = {15, 8, 2.8};
     }
     return lights;
 }

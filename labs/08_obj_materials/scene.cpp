@@ -49,8 +49,8 @@ public:
         if (file.empty()) return {};
         std::error_code ignored;
         if (fs::is_regular_file(file, ignored)) return file.lexically_proximate(course_root() / "assets").string();
-        note(material, fmt::format("{} of '{}' is left out: {} is not there", keyword, material.name,
-                                   file.filename().string()));
+        note(material,
+             fmt::format("{} of '{}' is left out: {} is not there", keyword, material.name, file.filename().string()));
         return {};
     }
 
@@ -101,11 +101,11 @@ std::vector<double> alphas_of(const Image& level) {
 }  // namespace
 
 std::string words(unsigned features) {
-    static const std::array names = {"color", "highlight", "normal", "height", "mask", "glass"};
+    static const std::array names = {"Kd", "Ks", "norm", "bump", "d", "glass"};
     std::string text;
     for (size_t i = 0; i < names.size(); ++i)
-        if (features >> i & 1) text.append(text.empty() ? "" : "+").append(names[i]);
-    return text.empty() ? "plain" : text;
+        if (features >> i & 1) text.append(text.empty() ? "" : " ").append(names[i]);
+    return text;
 }
 
 Scene make_scene(ObjModel model, bool with_maps, const std::function<MapKind(const Image&)>& kind_of) {
@@ -161,9 +161,10 @@ ObjModel thousand_tiles() {
         obj += fmt::format("usemtl {0}\nf {1}/{1} {2}/{2} {3}/{3} {4}/{4}\n", i, 4 * i + 1, 4 * i + 2, 4 * i + 3,
                            4 * i + 4);
         const auto shade = [&](int prime) { return 0.25 + 0.6 * ((i * prime) % 101) / 100; };
-        mtl += fmt::format("newmtl {}\nKd {:.2f} {:.2f} {:.2f}\n{}", i, shade(37), shade(53), shade(71),
-                           std::array{"", "map_Kd paving_albedo.png\n", "map_d wire_mask.png\n",
-                                      "map_Kd bricks_albedo.png\nmap_bump bricks_normal.png\n"}[size_t(i * 7 % 11 % 4)]);
+        mtl +=
+            fmt::format("newmtl {}\nKd {:.2f} {:.2f} {:.2f}\n{}", i, shade(37), shade(53), shade(71),
+                        std::array{"", "map_Kd paving_albedo.png\n", "map_d wire_mask.png\n",
+                                   "map_Kd bricks_albedo.png\nmap_bump bricks_normal.png\n"}[size_t(i * 7 % 11 % 4)]);
     }
     return parse_obj(obj, mtl, course_root() / "assets" / "thousand.obj");
 }

@@ -36,7 +36,7 @@ struct Piece {
     bool is_glass() const { return features & glass; }
 };
 
-/// Words for a set of features: "color normal"; "plain" without any.
+/// A set of features as an MTL file would name them: "Kd Ks norm".
 std::string words(unsigned features);
 
 struct Scene {

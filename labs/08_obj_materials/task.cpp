@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "framework/base/error.h"
@@ -12,10 +11,10 @@
 namespace relief::materials {
 
 // TASK 8.1 (3 points): what does a picture hold that an MTL file names as map_bump? The format says heights; many files
-// name a normal map. Nothing but the texels tells. (image.values has image.channels floats for each of
-// image.pixel_count() texels; a fourth channel does not count.)
+// name a normal map. Nothing but the texels tells. (color_of() gives the first three channels of each of the
+// image.pixel_count() texels, where image.channels is 3 or 4.)
 //  - Heights: one channel; or, in 99 of 100 texels, no two channels differ by more than 2/255.
-//  - Normals: in 99 of 100 texels, 2 c - 1 of the color c has a length within 0.1 of 1, and z > 0.
+//  - Normals: in 99 of 100 texels, 2 c - 1 of the colour c has a length within 0.1 of 1, and z > 0.
 //  - Else neither: the lab then leaves the map out. So it does with two channels.
 //(kind
 MapKind kind_of(const Image& image) {
@@ -23,11 +22,9 @@ MapKind kind_of(const Image& image) {
     if (image.channels == 1) return MapKind::heights;
     if (image.channels < 3) return MapKind::neither;
     size_t grey = 0, upright = 0;
-    for (size_t i = 0; i < image.pixel_count(); ++i) {
-        const float* const texel = &image.values[i * size_t(image.channels)];
-        const auto [least, most] = std::minmax({texel[0], texel[1], texel[2]});
-        grey += most - least <= 2.001f / 255;
-        const glm::vec3 normal = 2.0f * glm::vec3(texel[0], texel[1], texel[2]) - 1.0f;
+    for (size_t texel = 0; texel < image.pixel_count(); ++texel) {
+        const glm::vec3 color = color_of(image, texel), normal = 2.0f * color - 1.0f;
+        grey += std::max({color.r, color.g, color.b}) - std::min({color.r, color.g, color.b}) <= 2.001f / 255;
         upright += std::abs(glm::length(normal) - 1) <= 0.1f && normal.z > 0;
     }
     const auto nearly_all = [&](size_t count) { return 100 * count >= 99 * image.pixel_count(); };
@@ -47,8 +44,8 @@ MapKind kind_of(const Image& image) {
 //(order
 std::vector<int> draw_order(std::span<const Surface> surfaces, const glm::dvec3& eye) {
     //[solution
-    std::vector<int> order(surfaces.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<int> order;
+    for (int i = 0; i < int(surfaces.size()); ++i) order.push_back(i);
     const auto key = [&](int i) {
         const Surface& surface = surfaces[size_t(i)];
         const double far_away = glm::distance(surface.centre, eye);

@@ -11,6 +11,12 @@ namespace relief::materials {
 
 enum class MapKind { heights, normals, neither };
 
+/// The first three channels of a texel, of a picture that has as many.
+inline glm::vec3 color_of(const Image& image, size_t texel) {
+    const float* const values = &image.values[texel * size_t(image.channels)];
+    return {values[0], values[1], values[2]};
+}
+
 /// What a picture with 1 to 4 channels in [0, 1] holds.
 MapKind kind_of(const Image& image);
 

@@ -8,9 +8,11 @@
 #define MASK_MAP 16
 #define GLASS 32
 
+//(has
 #ifdef BRANCHES
 uniform int u_features;
 #define HAS(feature) ((u_features & feature) != 0)
 #else
 #define HAS(feature) ((FEATURES & feature) != 0)
 #endif
+//)

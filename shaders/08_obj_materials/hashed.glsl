@@ -1,5 +1,5 @@
-// A threshold for alpha that differs from place to place and stays where it is when the camera moves: on average as much
-// of a pixel is left as alpha says (Wyman and McGuire 2017).
+// A threshold for alpha that differs from place to place and stays where it is when the camera moves: on average as
+// much of a pixel is left as alpha says (Wyman and McGuire 2017).
 
 float hash_of(vec2 p) { return fract(1e4 * sin(17.0 * p.x + 0.1 * p.y) * (0.1 + abs(sin(13.0 * p.y + p.x)))); }
 float hash_of(vec3 p) { return hash_of(vec2(hash_of(p.xy), p.z)); }

@@ -12,12 +12,13 @@ float level_of(sampler2D map, vec2 right, vec2 up) {
 vec4 by_samples(sampler2D map, vec2 uv, vec2 right, vec2 up) {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 1024; ++i)
-        sum += textureLod(map, uv + right * ((float(i % 32) + 0.5) / 32.0 - 0.5) + up * ((float(i / 32) + 0.5) / 32.0 - 0.5), 0.0);
+        sum += textureLod(map, uv + right * ((float(i % 32) + 0.5) / 32.0 - 0.5) +
+                               up * ((float(i / 32) + 0.5) / 32.0 - 0.5), 0.0);
     return sum / 1024.0;
 }
 
-/// FILTER 0: the nearest texel; 1: mip levels as wide as the footprint is long; 2: up to TAPS places along the longer side
-/// of the footprint, from mip levels as wide as the shorter one; 3: 1024 samples.
+/// FILTER 0: the nearest texel; 1: mip levels as wide as the footprint is long; 2: up to TAPS places along the longer
+/// side of the footprint, from mip levels as wide as the shorter one; 3: 1024 samples.
 vec4 filtered(sampler2D map, vec2 uv) {
     vec2 right = dFdx(uv), up = dFdy(uv);
 #if FILTER == 0

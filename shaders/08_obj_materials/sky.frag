@@ -21,8 +21,9 @@ float trees(float angle) {
 
 vec3 sky(vec3 direction) {
     float height = max(direction.y, 0.0), to_sun = dot(direction, u_to_sun);
-    if (direction.y < trees(atan(direction.x, -direction.z))) return mix(vec3(0.006, 0.008, 0.011), vec3(0.05, 0.08, 0.03), u_day);
-    vec3 dusk = mix(vec3(0.34, 0.13, 0.075), vec3(0.018, 0.034, 0.13), 1.0 - exp(-7.0 * height));
+    if (direction.y < trees(atan(direction.x, -direction.z)))
+        return mix(vec3(0.006, 0.008, 0.011), vec3(0.05, 0.08, 0.03), u_day);
+    vec3 dusk = mix(vec3(0.34, 0.13, 0.075), vec3(0.018, 0.034, 0.13), 1.0 - exp(-9.0 * height));
     dusk += vec3(0.75, 0.25, 0.05) * exp(-5.0 * (1.0 - to_sun)) * exp(-6.0 * height);
     return mix(dusk, mix(vec3(0.62, 0.74, 0.9), vec3(0.16, 0.33, 0.72), 1.0 - exp(-3.0 * height)), u_day);
 }

@@ -3,9 +3,9 @@
 
 #include "common/unfinished.glsl"
 
-// TASK 8.3 (2 points): a pane of glass sends `light` and covers the share `opacity` of what lies behind it. The result is
-// premultiplied: the light that is added, and in the fourth channel the share that it covers. (The lab has set
-// glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); target and light are linear.)
+// TASK 8.3 (2 points): a pane of glass sends `light` and covers the share `opacity` of what lies behind it. The
+// result is premultiplied: the light that is added, and in the fourth channel the share that it covers. (The lab has
+// set glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); target and light are linear.)
 //(over
 vec4 over(vec3 light, float opacity) {
     //[solution
@@ -16,10 +16,11 @@ vec4 over(vec3 light, float opacity) {
 }
 //)
 
-// TASK 8.4 (4 points): how much of a pixel does a masked surface cover? `alpha` is the mask at the pixel, and `change` is
-// how much it changes from this pixel to the next. The edge of the surface is where scale * alpha is 1/2; `scale` belongs
-// to the mip level, and keeps as much of the mask above 1/2 as on level 0 (1 there). The edge is to be one pixel wide:
-// over it the share grows evenly from 0 to 1, and is 1/2 on the edge itself. A change below 1/256 counts as 1/256.
+// TASK 8.4 (4 points): how much of a pixel does a masked surface cover? `alpha` is the mask at the pixel, and
+// `change` is how much it changes from this pixel to the next. The edge of the surface is where scale * alpha is 1/2;
+// `scale` belongs to the mip level, and keeps as much of the mask above 1/2 as on level 0 (1 there). The edge is to
+// be one pixel wide: over it the share grows evenly from 0 to 1, and is 1/2 on the edge itself. A change below 1/256
+// counts as 1/256.
 //(covered
 float covered(float alpha, float change, float scale) {
     //[solution
@@ -30,10 +31,11 @@ float covered(float alpha, float change, float scale) {
 }
 //)
 
-// TASK 8.5 (3 points): the share of a lamp's light that reaches a place. `from_lamp` (metres) leads from the lamp to the
-// place. The light falls off as 1 / (a.x + a.y d + a.z d^2) with the distance d, and is 0 from `range` on. Off the axis
-// (of unit length, the way the lamp shines) it falls as the cosine to the power of `cone`, and behind the lamp it is 0;
-// with a cone of 0 it shines alike in all directions. At the lamp itself the share is 1 / a.x (a.x is above 0).
+// TASK 8.5 (3 points): the share of a lamp's light that reaches a place. `from_lamp` (metres) leads from the lamp to
+// the place. The light falls off as 1 / (a.x + a.y d + a.z d^2) with the distance d, and is 0 from `range` on. Off
+// the axis (of unit length, the way the lamp shines) it falls as the cosine to the power of `cone`, and behind the
+// lamp it is 0; with a cone of 0 it shines alike in all directions. At the lamp itself the share is 1 / a.x (a.x is
+// above 0).
 //(spot
 float spot(vec3 from_lamp, vec3 axis, float range, float cone, vec3 a) {
     //[solution

@@ -39,13 +39,12 @@ std::vector<glm::vec4> read(const LightTarget& target, int attachment = 0) {
         "#version 410 core\nvoid main() {\n"
         "    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n}\n";
     fragment.stage = "read.frag";
-    fragment.text =
-        target.samples() > 1
-            ? "#version 410 core\nuniform sampler2DMS s_light;\nout vec4 o_color;\nvoid main() {\n"
-              "    o_color = vec4(0.0);\n    for (int i = 0; i < 4; ++i)\n"
-              "        o_color += 0.25 * texelFetch(s_light, ivec2(gl_FragCoord.xy), i);\n}\n"
-            : "#version 410 core\nuniform sampler2D s_light;\nout vec4 o_color;\nvoid main() {\n"
-              "    o_color = texelFetch(s_light, ivec2(gl_FragCoord.xy), 0);\n}\n";
+    fragment.text = target.samples() > 1
+                        ? "#version 410 core\nuniform sampler2DMS s_light;\nout vec4 o_color;\nvoid main() {\n"
+                          "    o_color = vec4(0.0);\n    for (int i = 0; i < 4; ++i)\n"
+                          "        o_color += 0.25 * texelFetch(s_light, ivec2(gl_FragCoord.xy), i);\n}\n"
+                        : "#version 410 core\nuniform sampler2D s_light;\nout vec4 o_color;\nvoid main() {\n"
+                          "    o_color = texelFetch(s_light, ivec2(gl_FragCoord.xy), 0);\n}\n";
     const TexelTarget texels(target.size(), {GL_RGBA32F});
     texels.begin();
     const Program program({vertex, fragment});

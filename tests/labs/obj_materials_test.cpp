@@ -66,8 +66,8 @@ TEST(ObjMaterials, AMapThatNoMaterialNamesIsNotLoaded) {
 }
 
 std::vector<double> coverages(const char* alpha, const char* threshold = "0.5") {
-    const Image image = drawn("08", shot_of("08", {{"view", "levels"}, {"alpha", alpha}, {"threshold", threshold}},
-                                            "coverage", {6, 1}));
+    const Image image = drawn(
+        "08", shot_of("08", {{"view", "levels"}, {"alpha", alpha}, {"threshold", threshold}}, "coverage", {6, 1}));
     std::vector<double> found;
     for (int x = 0; x < 6; ++x) found.push_back(double(image.pixel(x, 0)[0]));
     return found;
@@ -85,7 +85,8 @@ TEST(ObjMaterials, AFenceKeepsItsCoverageAtEachLevelAndByAThresholdItDoesNot) {
 }
 
 TEST(ObjMaterials, HashedAlphaLeavesAsMuchOfAFarFenceAsItCovers) {
-    Shot shot = shot_of("08", {{"view", "one"}, {"file", "fence"}, {"alpha", "hashed"}, {"highlight", "5"}}, "", {160, 60});
+    Shot shot =
+        shot_of("08", {{"view", "one"}, {"file", "fence"}, {"alpha", "hashed"}, {"highlight", "5"}}, "", {160, 60});
     shot.camera = {.yaw = 0, .pitch = 0, .distance = 40, .target = {3, 0.75, -40}, .field_of_view = 1.2};
     const Image hashed = drawn("08", shot);
     for (auto& [knob, value] : shot.set)
@@ -99,8 +100,8 @@ TEST(ObjMaterials, HashedAlphaLeavesAsMuchOfAFarFenceAsItCovers) {
 
 /// The pieces of a square with a material.
 Scene scene_of(const std::string& lines, const char* use = "a") {
-    const std::string obj = std::string("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl ") + use +
-                            "\nf 1/1 2/2 3/3\n";
+    const std::string obj =
+        std::string("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl ") + use + "\nf 1/1 2/2 3/3\n";
     return make_scene(parse_obj(obj, "newmtl a\n" + lines, "m/model.obj"), true, kind_of);
 }
 
@@ -119,7 +120,8 @@ TEST(ObjMaterials, WhatIsMissingIsGreyOrLeftOutWithANoteOfItsFileAndLine) {
     EXPECT_EQ(no_map.pieces.at(0).features, 0u);
     EXPECT_EQ(no_map.notes.at(0), "model.mtl:1: map_Kd of 'a' is left out: none.png is not there");
     // It shows, and it is not black.
-    const Shot shot = shot_of("08", {{"view", "one"}, {"file", "broken"}, {"lamp", "sun"}, {"light_pitch", "60"}}, "color");
+    const Shot shot =
+        shot_of("08", {{"view", "one"}, {"file", "broken"}, {"lamp", "sun"}, {"light_pitch", "60"}}, "color");
     const Image light = drawn("08", shot);
     EXPECT_GT(light.pixel(64, 120)[0], 0.2f);
 }
@@ -179,7 +181,8 @@ TEST(ObjMaterials, TheLampIsFiniteAtItselfAndOnItsAxisWhateverItsConeAndRange) {
 
 TEST(ObjMaterials, MoreTapsAlongTheFootprintAreNearerToTheSamples) {
     const auto off = [](const char* filter) {
-        Shot shot = shot_of("08", {{"view", "one"}, {"file", "fence"}, {"filter", filter}, {"lamp", "sun"}}, "color", {24, 16});
+        Shot shot =
+            shot_of("08", {{"view", "one"}, {"file", "fence"}, {"filter", filter}, {"lamp", "sun"}}, "color", {24, 16});
         shot.camera = {.yaw = 0, .pitch = 6, .distance = 12, .target = {-14, 0, -18}, .field_of_view = 8};
         return error_of("08", shot).mean;
     };

@@ -59,15 +59,16 @@ BenchScene orders(const BenchSettings& settings) {
     BenchScene scene{{{"panes", "3"}}, "frame"};
     const auto exact = std::make_shared<Image>();
     for (const char* order : {"sorted", "file", "backwards", "weighted"})
-        scene.methods.push_back({order, {{"order", order}}, [=] {
-                                     Shot shot = garden_shot(settings, {{"maps", "off"}, {"order", order}});
-                                     shot.camera = {.yaw = 180, .pitch = 0, .distance = 1.4, .target = {-2.2, 0.8, 1.7},
-                                                    .field_of_view = 75};
-                                     const std::shared_ptr<Lab> lab = make_lab(find_lab("08"), shot);
-                                     BenchSubject subject = frame_of(lab, shot, settings);
-                                     add_light_error(subject, *lab, shot, {128, 128}, *exact, settings);
-                                     return subject;
-                                 }});
+        scene.methods.push_back(
+            {order, {{"order", order}}, [=] {
+                 Shot shot = garden_shot(settings, {{"maps", "off"}, {"order", order}});
+                 shot.camera = {
+                     .yaw = 180, .pitch = 0, .distance = 1.4, .target = {-2.2, 0.8, 1.7}, .field_of_view = 75};
+                 const std::shared_ptr<Lab> lab = make_lab(find_lab("08"), shot);
+                 BenchSubject subject = frame_of(lab, shot, settings);
+                 add_light_error(subject, *lab, shot, {128, 128}, *exact, settings);
+                 return subject;
+             }});
     return scene;
 }
 
@@ -102,15 +103,15 @@ BenchScene filters(const BenchSettings& settings) {
     const auto exact = std::make_shared<Image>();
     for (const char* filter : {"nearest", "mips", "2", "4", "8", "16", "samples"}) {
         if (settings.quick && std::string(filter) == "samples") continue;
-        scene.methods.push_back({filter, {{"filter", filter}}, [=] {
-                                     Shot shot = garden_shot(settings, {{"filter", filter}, {"lamp", "sun"}});
-                                     shot.camera = {.yaw = 0, .pitch = 6, .distance = 12, .target = {-4.6, 0, -18},
-                                                    .field_of_view = 8};
-                                     const std::shared_ptr<Lab> lab = make_lab(find_lab("08"), shot);
-                                     BenchSubject subject = frame_of(lab, shot, settings);
-                                     add_light_error(subject, *lab, shot, {48, 32}, *exact, settings);
-                                     return subject;
-                                 }});
+        scene.methods.push_back(
+            {filter, {{"filter", filter}}, [=] {
+                 Shot shot = garden_shot(settings, {{"filter", filter}, {"lamp", "sun"}});
+                 shot.camera = {.yaw = 0, .pitch = 6, .distance = 12, .target = {-4.6, 0, -18}, .field_of_view = 8};
+                 const std::shared_ptr<Lab> lab = make_lab(find_lab("08"), shot);
+                 BenchSubject subject = frame_of(lab, shot, settings);
+                 add_light_error(subject, *lab, shot, {48, 32}, *exact, settings);
+                 return subject;
+             }});
     }
     return scene;
 }

@@ -34,7 +34,8 @@ const std::vector<Placed>& leaves() {
             const double u = numbers.next(), share = numbers.next(), size = 0.06 + 0.05 * numbers.next(),
                          hang = numbers.next() + numbers.next() - 1, strand = numbers.next();
             // Strands climb to different heights.
-            const double top = 0.45 + 0.42 * std::pow(0.5 + 0.5 * std::sin(2 * glm::pi<double>() * (2 * u + 0.13)), 1.5);
+            const double top =
+                0.45 + 0.42 * std::pow(0.5 + 0.5 * std::sin(2 * glm::pi<double>() * (2 * u + 0.13)), 1.5);
             const double v = 0.13 + (top - 0.13) * (strand < 0.7 ? share : share * share);
             // Leaves hang: their tips point downwards, give or take.
             const double angle = -glm::half_pi<double>() + 1.3 * hang;

@@ -143,8 +143,7 @@ private:
         for (const Vertex* corner : triangle.corners) {
             const glm::dvec4 clip = frame_.camera.clip_from_world() * glm::dvec4(corner->position, 1);
             if (clip.w < 1e-3) return;  // behind the eye: anywhere
-            const glm::dvec2 pixel =
-                (glm::dvec2(clip.x, -clip.y) / clip.w * 0.5 + 0.5) * glm::dvec2(frame_.size);
+            const glm::dvec2 pixel = (glm::dvec2(clip.x, -clip.y) / clip.w * 0.5 + 0.5) * glm::dvec2(frame_.size);
             low = glm::min(low, pixel), high = glm::max(high, pixel);
         }
         triangle.low = low, triangle.high = high;
@@ -161,7 +160,8 @@ private:
                 features |= kinds_[i] == MapKind::heights ? height_map : normal_map;
             const int program = program_of.try_emplace(features, int(program_of.size())).first->second;
             const double away = glm::distance(piece.centre, frame_.camera.eye());
-            keys.emplace_back(piece.is_glass(), piece.is_glass() ? 0 : program, piece.is_glass() ? -away : away, int(i));
+            keys.emplace_back(piece.is_glass(), piece.is_glass() ? 0 : program, piece.is_glass() ? -away : away,
+                              int(i));
         }
         std::sort(keys.begin(), keys.end());
         ranks_.resize(keys.size());
@@ -217,7 +217,9 @@ private:
                 bump = 2.0 * glm::dvec3(map->second->at(hit.uv)) - 1.0;
             } else {
                 const glm::dvec2 texel = map->second->texel_size();
-                const auto height = [&](double u, double v) { return map->second->at(hit.uv + texel * glm::dvec2(u, v)).x; };
+                const auto height = [&](double u, double v) {
+                    return map->second->at(hit.uv + texel * glm::dvec2(u, v)).x;
+                };
                 const glm::dvec2 rise(height(1, 0) - height(-1, 0), height(0, 1) - height(0, -1));
                 bump = glm::dvec3(-double(hit.piece->material.bump_scale) * rise / (2.0 * texel), 1);
             }
@@ -231,8 +233,7 @@ private:
     glm::dvec4 shine_of(const Hit& hit) const {
         const Material& material = hit.piece->material;
         const auto map = highlights_.find(hit.piece);
-        if (map == highlights_.end())
-            return glm::dvec4(material.specular, std::max(double(material.shininess), 1.0));
+        if (map == highlights_.end()) return glm::dvec4(material.specular, std::max(double(material.shininess), 1.0));
         const glm::dvec4 texel = map->second->at(hit.uv);
         return glm::dvec4(glm::dvec3(texel), std::max(256 * texel.w, 1.0));
     }
@@ -242,7 +243,8 @@ private:
         const glm::dvec3 normal = normal_of(hit, to_eye);
         const glm::dvec4 shine = shine_of(hit);
         glm::dvec3 color(hit.piece->material.diffuse);
-        if (const auto map = colors_.find(hit.piece); map != colors_.end()) color *= glm::dvec3(map->second->at(hit.uv));
+        if (const auto map = colors_.find(hit.piece); map != colors_.end())
+            color *= glm::dvec3(map->second->at(hit.uv));
         glm::dvec3 sum = glm::dvec3(hit.piece->material.emission) +
                          color * glm::mix(lights.ground, lights.sky, 0.5 + 0.5 * normal.y);
         const auto add = [&](const glm::dvec3& to_light, const glm::dvec3& light) {
@@ -265,8 +267,9 @@ private:
                              0.0015 * std::sin(293 * angle);
         const bool is_day = setting_.lights.lamp == sun;
         if (direction.y < trees) return is_day ? glm::dvec3(0.05, 0.08, 0.03) : glm::dvec3(0.006, 0.008, 0.011);
-        if (is_day) return glm::mix(glm::dvec3(0.62, 0.74, 0.9), glm::dvec3(0.16, 0.33, 0.72), 1 - std::exp(-3 * height));
-        return glm::mix(glm::dvec3(0.34, 0.13, 0.075), glm::dvec3(0.018, 0.034, 0.13), 1 - std::exp(-7 * height)) +
+        if (is_day)
+            return glm::mix(glm::dvec3(0.62, 0.74, 0.9), glm::dvec3(0.16, 0.33, 0.72), 1 - std::exp(-3 * height));
+        return glm::mix(glm::dvec3(0.34, 0.13, 0.075), glm::dvec3(0.018, 0.034, 0.13), 1 - std::exp(-9 * height)) +
                glm::dvec3(0.75, 0.25, 0.05) * std::exp(-5 * (1 - glm::dot(direction, setting_.lights.to_sun))) *
                    std::exp(-6 * height);
     }
