@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        for (const char* surface : {"bricks", "paving", "quilt", "garden"})
+        for (const char* surface : {"bricks", "paving", "marble", "quilt", "garden"})
             for (const relief::NamedTexture& texture : relief::make_textures(surface)) {
                 const std::filesystem::path file = std::filesystem::path(argv[1]) / texture.file;
                 relief::write_image(file, texture.image, {}, texture.space);

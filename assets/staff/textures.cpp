@@ -4,6 +4,7 @@
 #include "assets/grass.h"
 #include "assets/paving.h"
 #include "assets/staff/masks.h"
+#include "assets/staff/packed.h"
 #include "assets/staff/quilt.h"
 #include "framework/staff/reference/normals.h"
 
@@ -22,13 +23,16 @@ std::vector<NamedTexture> make_textures(const std::string& surface) {
                 {"leaves_mask.png", ColorSpace::linear, make_leaf_mask()},
                 {"wire_mask.png", ColorSpace::linear, make_wire_mask()},
                 {"bricks_specular.png", ColorSpace::linear, make_brick_highlights()}};
+    if (surface == "marble") return {{"marble_albedo.png", ColorSpace::srgb, make_marble()}};
     const bool bricks = surface == "bricks";
     SurfaceMaps maps = bricks ? make_bricks() : make_paving();
     const double depth = bricks ? bricks_depth_in_texels : paving_depth_in_texels;
     Image normals = normals_from_heights(maps.heights, {.texels_u = depth, .texels_v = depth});
+    Image packed = make_packed(maps, depth);
     return {{surface + "_albedo.png", ColorSpace::srgb, std::move(maps.albedo)},
             {surface + "_height.png", ColorSpace::linear, std::move(maps.heights)},
-            {surface + "_normal.png", ColorSpace::linear, std::move(normals)}};
+            {surface + "_normal.png", ColorSpace::linear, std::move(normals)},
+            {surface + "_packed.png", ColorSpace::linear, std::move(packed)}};
 }
 
 }  // namespace relief

@@ -14,8 +14,8 @@ struct NamedTexture {
     Image image;
 };
 
-/// "bricks" or "paving": albedo, height and normal map; "quilt": its normals in three spaces; "garden": the
-/// grass, the ivy, the masks of lab 08, and how its bricks shine.
+/// "bricks" or "paving": albedo, height, normal map, and gloss, height and occlusion in one; "marble": albedo; "quilt":
+/// its normals in three spaces; "garden": the grass, the ivy, the masks of lab 08, and how its bricks shine.
 std::vector<NamedTexture> make_textures(const std::string& surface);
 
 }  // namespace relief

@@ -63,6 +63,8 @@ TEST(Garden, IsMadeAsItLiesInTheRepository) {
 
 TEST(Quilt, IsMadeAsItLiesInTheRepository) { expect_made_as_kept("quilt"); }
 
+TEST(Marble, IsMadeAsItLiesInTheRepository) { expect_made_as_kept("marble"); }
+
 INSTANTIATE_TEST_SUITE_P(Textures, Surface, testing::Values("bricks", "paving"),
                          [](const auto& name) { return std::string(name.param); });
 

@@ -1,0 +1,351 @@
+// What only the staff has of lab 16: see ../truth.h.
+#include "truth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "framework/image/asset.h"
+#include "framework/image/color.h"
+#include "framework/kit/numbers.h"
+
+namespace relief::court {
+namespace {
+
+constexpr double pi = glm::pi<double>();
+
+struct Hit {
+    double t = INFINITY;
+    glm::dvec3 face{0}, tangent{0};
+    glm::dvec2 uv{0};
+    Material material{};
+};
+
+/// A picture whose values are numbers, or light; read as GL does it on level 0.
+class Map {
+public:
+    Map(const char* asset, bool is_light) : image_(read_asset(asset)) {
+        if (is_light)
+            for (float& value : image_.values) value = float(linear_from_srgb(double(value)));
+    }
+    glm::dvec3 read(const glm::dvec2& uv) const {
+        const glm::dvec2 size(image_.width, image_.height);
+        const glm::dvec2 place = (uv - glm::floor(uv)) * size - 0.5, low = glm::floor(place), part = place - low;
+        const auto at = [&](double x, double y) {
+            const int column = (int(x) + image_.width) % image_.width, row = (int(y) + image_.height) % image_.height;
+            const float* texel = image_.pixel(column, image_.height - 1 - row);
+            return glm::dvec3(texel[0], texel[1], texel[2]);
+        };
+        return glm::mix(glm::mix(at(low.x, low.y), at(low.x + 1, low.y), part.x),
+                        glm::mix(at(low.x, low.y + 1), at(low.x + 1, low.y + 1), part.x), part.y);
+    }
+
+private:
+    Image image_;
+};
+
+struct Maps {
+    Map albedo, normals, packed;
+};
+
+const Maps& maps_of(Material material) {
+    if (material == Material::brick) {
+        static const Maps maps{{"bricks_albedo.png", true}, {"bricks_normal.png", false}, {"bricks_packed.png", false}};
+        return maps;
+    }
+    static const Maps maps{{"paving_albedo.png", true}, {"paving_normal.png", false}, {"paving_packed.png", false}};
+    return maps;
+}
+
+double ramp(double low, double high, double x) {
+    const double t = glm::clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+struct Surface {
+    glm::dvec3 place, face, normal, albedo;
+    double gloss, occlusion, straight, exponent;
+};
+
+class Exact {
+public:
+    explicit Exact(const Lighting& lighting) : lighting_(lighting) {}
+
+    std::optional<glm::dvec4> value(const Ray& ray, const std::string& probe) const {
+        const Hit hit = first_hit(ray);
+        if (!std::isfinite(hit.t)) return {};
+        const Surface surface = surface_at(ray, hit);
+        const glm::dvec3 to_eye = -glm::normalize(ray.direction);
+        const glm::dvec3 normal = lighting_.light_only ? surface.face : surface.normal;
+        if (probe == "normal") return glm::dvec4(surface.normal, 0);
+        if (probe == "reflection") return glm::dvec4(mirrored_sky(surface, to_eye, normal), 0);
+        if (probe == "fresnel") return glm::dvec4(share(surface.straight, glm::dot(normal, to_eye)), 0, 0, 0);
+        if (probe == "exponent") return glm::dvec4(surface.exponent, 0, 0, 0);
+        if (probe == "shadow") return glm::dvec4(shadow(surface), 0, 0, 0);
+        if (probe == "occlusion") return glm::dvec4(lighting_.ao ? openness(surface) : 1, 0, 0, 0);
+        return glm::dvec4(terms(surface, to_eye).light, 0);
+    }
+
+    std::optional<Terms> terms(const Ray& ray) const {
+        const Hit hit = first_hit(ray);
+        if (!std::isfinite(hit.t)) return {};
+        return terms(surface_at(ray, hit), -glm::normalize(ray.direction));
+    }
+
+private:
+    template <class Take>
+    void each_hit(const Ray& ray, Take take) const {
+        const Scene& scene = lighting_.scene;
+        for (const Quad& quad : scene.quads) {
+            const glm::dvec3 across = glm::cross(quad.right, quad.up);
+            const double t = glm::dot(quad.corner - ray.origin, across) / glm::dot(ray.direction, across);
+            if (!std::isfinite(t)) continue;
+            const glm::dvec3 place = ray.at(t) - quad.corner;
+            const double u = glm::dot(place, quad.right) / glm::dot(quad.right, quad.right),
+                         v = glm::dot(place, quad.up) / glm::dot(quad.up, quad.up);
+            if (u < 0 || u > 1 || v < 0 || v > 1) continue;
+            take(t, glm::normalize(across), quad.material);
+        }
+        for (const Box& box : scene.boxes) {
+            const glm::dvec3 a = (box.low - ray.origin) / ray.direction, b = (box.high - ray.origin) / ray.direction;
+            const glm::dvec3 near = glm::min(a, b), far = glm::max(a, b);
+            const double enters = std::max({near.x, near.y, near.z}), leaves = std::min({far.x, far.y, far.z});
+            if (!(enters <= leaves)) continue;
+            for (const double t : {enters, leaves}) {
+                const glm::dvec3& ends = t == enters ? near : far;
+                glm::dvec3 normal(0);
+                const int axis = t == ends.x ? 0 : t == ends.y ? 1 : 2;
+                normal[axis] = (ray.direction[axis] > 0) == (t == enters) ? -1 : 1;
+                take(t, normal, box.material);
+            }
+        }
+        for (const Column& column : scene.columns) {
+            const glm::dvec2 from(ray.origin.x - column.foot.x, ray.origin.z - column.foot.z),
+                way(ray.direction.x, ray.direction.z);
+            for (const double t :
+                 roots(glm::dot(way, way), glm::dot(from, way), glm::dot(from, from) - column.radius * column.radius)) {
+                const glm::dvec3 place = ray.at(t);
+                if (!(place.y >= column.foot.y && place.y <= column.foot.y + column.height)) continue;
+                take(t, glm::dvec3(place.x - column.foot.x, 0, place.z - column.foot.z) / column.radius,
+                     Material::marble);
+            }
+        }
+        for (const Ball& ball : scene.balls) {
+            const glm::dvec3 from = ray.origin - ball.centre;
+            for (const double t : roots(glm::dot(ray.direction, ray.direction), glm::dot(from, ray.direction),
+                                        glm::dot(from, from) - ball.radius * ball.radius))
+                take(t, (ray.at(t) - ball.centre) / ball.radius, Material::marble);
+        }
+    }
+
+    /// Of a t^2 + 2 b t + c; not numbers where there are none.
+    static std::array<double, 2> roots(double a, double b, double c) {
+        const double root = std::sqrt(b * b - a * c);
+        return {(-b - root) / a, (-b + root) / a};
+    }
+
+    Hit first_hit(const Ray& ray) const {
+        Hit first;
+        each_hit(ray, [&](double t, const glm::dvec3& face, Material material) {
+            if (t > 0 && t < first.t && glm::dot(face, ray.direction) < 0)
+                first.t = t, first.face = face, first.material = material;
+        });
+        if (!std::isfinite(first.t)) return first;
+        const glm::dvec3 place = ray.at(first.t);
+        const double tile = tile_of[size_t(first.material)];
+        const Axes axes = axes_of(first.face);
+        first.tangent = axes.right;
+        first.uv = glm::dvec2(glm::dot(place, axes.right), glm::dot(place, axes.up)) / tile;
+        if (first.material == Material::marble && lighting_.scene.quads.size() == 1 && !lighting_.scene.columns.empty())
+            first.uv = around(place);
+        return first;
+    }
+
+    /// A tile goes once around columns and balls.
+    glm::dvec2 around(const glm::dvec3& place) const {
+        for (const Column& column : lighting_.scene.columns) {
+            const glm::dvec3 from = place - column.foot;
+            if (std::hypot(from.x, from.z) < 1.001 * column.radius)
+                return {std::atan2(from.x, from.z) / (2 * pi), from.y / tile_of[size_t(Material::marble)]};
+        }
+        const Ball& ball = lighting_.scene.balls.at(0);
+        const glm::dvec3 from = (place - ball.centre) / ball.radius;
+        return {std::atan2(-from.x, -from.z) / (2 * pi), 0.5 * (0.5 + std::asin(glm::clamp(from.y, -1.0, 1.0)) / pi)};
+    }
+
+    bool is_free(const Ray& ray, double most) const {
+        bool free = true;
+        each_hit(ray, [&](double t, const glm::dvec3&, Material) { free = free && !(t > 1e-9 && t < most); });
+        return free;
+    }
+
+    Surface surface_at(const Ray& ray, const Hit& hit) const {
+        Surface surface;
+        surface.place = ray.at(hit.t), surface.face = hit.face;
+        surface.straight = 0.04;
+        glm::dvec3 bump(0, 0, 1), packed(marble_gloss, 1, 1);
+        if (hit.material == Material::marble) {
+            static const Map marble("marble_albedo.png", true);
+            surface.albedo = marble.read(hit.uv);
+        } else {
+            const Maps& maps = maps_of(hit.material);
+            surface.albedo = maps.albedo.read(hit.uv);
+            bump = maps.normals.read(hit.uv) * 2.0 - 1.0, packed = maps.packed.read(hit.uv);
+        }
+        if (hit.material == Material::floor) {
+            const double depth = water - ground_at({surface.place.x, surface.place.z}).height + 0.5 * (0.6 - packed.g);
+            const double wet = ramp(0, 0.12, depth), damp = ramp(-0.35, 0.05, depth);
+            bump = glm::mix(bump, glm::dvec3(0, 0, 1), wet);
+            packed.r = glm::mix(packed.r, 1.0, std::max(wet, 0.3 * damp)), packed.b = glm::mix(packed.b, 1.0, wet);
+            surface.albedo *= glm::mix(1.0, 0.55, damp) * glm::mix(1.0, 0.45, wet);
+            surface.straight = glm::mix(0.04, 0.02, wet);
+        }
+        surface.normal =
+            glm::normalize(bump.x * hit.tangent + bump.y * glm::cross(hit.face, hit.tangent) + bump.z * hit.face);
+        surface.gloss = lighting_.gloss == Gloss::even ? 1 : packed.r, surface.occlusion = packed.b;
+        surface.exponent = lighting_.gloss == Gloss::map ? lighting_.exponent * packed.r * (1 - lighting_.roughness)
+                                                         : lighting_.exponent;
+        return surface;
+    }
+
+    double share(double straight, double cosine) const {
+        const double c = glm::clamp(cosine, 0.0, 1.0);
+        if (lighting_.fresnel == Fresnel::whole) return 1;
+        if (lighting_.fresnel == Fresnel::schlick) return straight + (1 - straight) * std::pow(1 - c, 5);
+        const double root = std::sqrt(straight), eta = (1 + root) / (1 - root);
+        const double within = std::sqrt(1 - (1 - c * c) / (eta * eta));
+        const double s = (c - eta * within) / (c + eta * within), p = (within - eta * c) / (within + eta * c);
+        return (s * s + p * p) / 2;
+    }
+
+    /// The sky's direction of one of the world.
+    glm::dvec3 turned(const glm::dvec3& direction) const {
+        const double s = std::sin(lighting_.sun_yaw_rad), c = std::cos(lighting_.sun_yaw_rad);
+        return {c * direction.x - s * direction.z, direction.y, s * direction.x + c * direction.z};
+    }
+
+    /// Blurred by the cosine to the power of the exponent m, which falls off as exp(-m a^2 / 2) over an angle a, and a
+    /// lobe of sharpness k of the sky as exp(-k a^2 / 2): the wider of the two is read at places of the narrower one,
+    /// each of which stands for as much of it.
+    glm::dvec3 mirrored_sky(const Surface& surface, const glm::dvec3& to_eye, const glm::dvec3& normal) const {
+        glm::dvec3 from = 2 * glm::dot(normal, to_eye) * normal - to_eye;
+        from -= 2 * std::min(0.0, glm::dot(from, surface.face)) * surface.face;
+        from = turned(from);
+        if (lighting_.gloss == Gloss::mirror) return sky(from);
+        const double m = surface.exponent;
+        glm::dvec3 sum(0);
+        const std::vector<Lobe>& lobes = sky_lobes();
+        const double least = std::exp(-20 / std::max(m, 1e-9));  // beyond it the cosine's power is below 2e-9
+        for (size_t i = 0; i < lobes.size(); ++i) {
+            const double k = lobes[i].sharpness;
+            if (k <= m) continue;
+            double seen = 0;
+            for (const glm::dvec3& place : places_of_lobes()[i]) {
+                const double cosine = glm::dot(place, from);
+                if (cosine > least) seen += std::pow(cosine, m);
+            }
+            // Of all its light exp(-2 k) is on the other side.
+            sum += lobes[i].color * ((m + 1) / k * (1 - std::exp(-2 * k)) * seen / places);
+        }
+        for (const glm::dvec3& place : places_around(from, [m](double u) { return std::pow(u, 1 / (m + 1)); }))
+            for (const Lobe& lobe : lobes)
+                if (lobe.sharpness <= m)
+                    sum += lobe.color * (std::exp(lobe.sharpness * (glm::dot(place, lobe.middle) - 1)) / places);
+        return sum;
+    }
+
+    static constexpr int rings = 8, spokes = 11, places = rings * spokes;
+    using Places = std::array<glm::dvec3, size_t(places)>;
+    /// Places around a direction, in rings that hold equal parts of a lobe; `cosine_of` is from its share within.
+    template <class CosineOf>
+    static Places places_around(const glm::dvec3& middle, CosineOf cosine_of) {
+        const Axes axes = axes_of(middle);
+        Places found;
+        for (int ring = 0; ring < rings; ++ring) {
+            const double cosine = cosine_of((ring + 0.5) / rings), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+            for (int i = 0; i < spokes; ++i) {
+                const double turn = 2 * pi * (i + 0.5 * (ring % 2)) / spokes;
+                found[size_t(ring * spokes + i)] =
+                    cosine * middle + sine * (std::cos(turn) * axes.right + std::sin(turn) * axes.up);
+            }
+        }
+        return found;
+    }
+    static const std::vector<Places>& places_of_lobes() {
+        static const std::vector<Places> all = [] {
+            std::vector<Places> made;
+            for (const Lobe& lobe : sky_lobes()) {
+                const double k = std::max(lobe.sharpness, 1e-3);
+                made.push_back(places_around(
+                    lobe.middle, [k](double u) { return 1 + std::log(u + (1 - u) * std::exp(-2 * k)) / k; }));
+            }
+            return made;
+        }();
+        return all;
+    }
+
+    double shadow(const Surface& surface) const {
+        if (glm::dot(surface.face, lighting_.to_sun) <= 0) return 0;
+        return is_free({surface.place + 1e-7 * surface.face, lighting_.to_sun}, INFINITY) ? 1 : 0;
+    }
+
+    /// 1024 rays, by the cosine (Hammersley's points).
+    double openness(const Surface& surface) const {
+        constexpr int rays = 1024;
+        const Axes axes = axes_of(surface.face);
+        int free = 0;
+        for (int i = 0; i < rays; ++i) {
+            double radical = 0;
+            for (int bit = 0; bit < 10; ++bit)
+                if (i >> bit & 1) radical += 1.0 / (2 << bit);
+            const double square = (i + 0.5) / rays, turn = 2 * pi * radical, r = std::sqrt(square);
+            const glm::dvec3 direction =
+                r * (std::cos(turn) * axes.right + std::sin(turn) * axes.up) + std::sqrt(1 - square) * surface.face;
+            free += is_free({surface.place + 1e-7 * surface.face, direction}, lighting_.scene.reach);
+        }
+        return double(free) / rays;
+    }
+
+    glm::dvec3 lamp(const Surface& surface, const glm::dvec3& to_light, const glm::dvec3& to_eye) const {
+        const double facing = std::max(0.0, glm::dot(surface.normal, to_light)), exponent = 4 * surface.exponent;
+        const glm::dvec3 sum = to_light + to_eye, between = sum / std::max(1e-6, glm::length(sum));
+        const double lobe = std::pow(std::max(1e-6, glm::dot(surface.normal, between)), exponent),
+                     mirrored = surface.gloss * share(surface.straight, glm::dot(between, to_light));
+        return facing * (surface.albedo + mirrored * (exponent + 8) / 8 * lobe);
+    }
+
+    Terms terms(const Surface& surface, const glm::dvec3& to_eye) const {
+        Terms terms;
+        terms.ambient =
+            surface.albedo * glm::mix(lighting_.ambient[0], lighting_.ambient[1], 0.5 + 0.5 * surface.normal.y);
+        terms.occlusion = (lighting_.ao ? openness(surface) : 1) * (lighting_.occlusion ? surface.occlusion : 1);
+        terms.shadow = lighting_.shadow ? shadow(surface) : 1;
+        terms.lamps = terms.shadow * lighting_.lamp_color[0] * lamp(surface, lighting_.to_sun, to_eye);
+        for (size_t i = 1; i < size_t(lighting_.lamps); ++i) {
+            const glm::dvec3 way = lighting_.lamp_place[i] - surface.place;
+            const double square = glm::dot(way, way);
+            terms.lamps += lighting_.lamp_color[i] / std::max(square, 0.01) *
+                           lamp(surface, way / std::sqrt(std::max(square, 1e-8)), to_eye);
+        }
+        const glm::dvec3 normal = lighting_.light_only ? surface.face : surface.normal;
+        terms.share = surface.gloss * share(surface.straight, glm::dot(normal, to_eye));
+        if (lighting_.reflection) terms.mirror = terms.share * mirrored_sky(surface, to_eye, normal);
+        terms.light = terms.ambient * terms.occlusion + terms.lamps + terms.mirror;
+        return terms;
+    }
+
+    const Lighting& lighting_;
+};
+
+std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Lighting& lighting) {
+    const Exact exact(lighting);
+    return truth_of_rays(frame, [&](const Ray& ray) { return exact.value(ray, probe.name); });
+}
+
+std::optional<Terms> terms_of_ray(const Ray& ray, const Lighting& lighting) { return Exact(lighting).terms(ray); }
+
+const decltype(truth)::Provided provided(truth, exact_values);
+const decltype(exact_terms)::Provided provided_terms(exact_terms, terms_of_ray);
+
+}  // namespace
+}  // namespace relief::court

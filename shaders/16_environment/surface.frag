@@ -1,0 +1,260 @@
+#version 410 core
+// The court's surfaces: light of the sky, of lamps and of the mirrored sky, each with what hides it.
+
+#include "16_environment/ground.glsl"
+#include "16_environment/sky.glsl"
+#include "16_environment/task.glsl"
+#include "common/srgb.glsl"
+
+// The order of `fresnels`, `glosses` and `biases` in lab.cpp.
+#define WHOLE 0
+#define SCHLICK 1
+#define EXACT 2
+
+#define EVEN 1
+#define MIRROR 2
+
+#define CONSTANT 1
+#define PLANE 2
+
+in vec3 v_position;
+in vec3 v_normal;
+in vec3 v_tangent;
+in vec2 v_uv;
+in vec4 v_clip;
+
+uniform sampler2D s_albedo;
+uniform sampler2D s_normals;
+uniform sampler2D s_packed;
+uniform sampler2D s_open;
+uniform sampler2DShadow s_shadow;
+
+uniform vec3 u_eye;
+uniform float u_roughness;
+uniform float u_exponent;     // of the glossiest
+uniform float u_side;         // texels along an edge of the sky
+uniform vec3 u_ambient[2];    // from below, from above
+uniform vec3 u_lamp_color[3];
+uniform vec3 u_lamp_place[3]; // of the first: its direction
+uniform mat3 u_light_from_world;
+uniform mat4 u_light_clip_from_world;
+uniform vec3 u_shadow;        // metres: a texel's width, all depths; rounding, in depths
+uniform int u_pcf;
+
+#ifdef TERMS
+layout(location = 0) out vec4 o_ambient;
+layout(location = 1) out vec4 o_lamps;
+layout(location = 2) out vec4 o_mirror;
+layout(location = 3) out vec4 o_light;
+#else
+layout(location = 0) out vec4 o_color;
+#endif
+
+vec4 read_map(sampler2D map, vec2 uv) {
+#ifdef LEVEL_0
+    // The filter of level 0 in floats: a driver may take weights of 8 bits.
+    ivec2 size = textureSize(map, 0);
+    vec2 place = fract(uv) * vec2(size) - 0.5, low = floor(place), part = place - low;
+    ivec2 a = (ivec2(low) + size) % size, b = (a + 1) % size;
+    return mix(mix(texelFetch(map, a, 0), texelFetch(map, ivec2(b.x, a.y), 0), part.x),
+               mix(texelFetch(map, ivec2(a.x, b.y), 0), texelFetch(map, b, 0), part.x), part.y);
+#else
+    return texture(map, uv);
+#endif
+}
+
+// What is known of a place before it is lit.
+struct Surface {
+    vec3 face, normal, albedo;
+    float gloss, occlusion, straight, exponent;
+};
+
+Surface surface_at() {
+    Surface surface;
+    surface.face = normalize(v_normal);
+#ifdef DISPLACED
+    vec3 rise = floor_at(ground_at(v_position.xz));
+    surface.face = normalize(vec3(-rise.y, 1.0, -rise.z));
+#endif
+    vec3 tangent = normalize(v_tangent - dot(v_tangent, surface.face) * surface.face);
+    vec3 bump = read_map(s_normals, v_uv).xyz * 2.0 - 1.0, maps = read_map(s_packed, v_uv).rgb;
+    surface.albedo = read_map(s_albedo, v_uv).rgb;
+#ifdef FLOOR
+    // Water over the lowest ground: smooth, and what is below it is darker. Joints fill first.
+    float depth = u_water - ground_at(v_position.xz).x + 0.5 * (0.6 - maps.g);
+    float wet = smoothstep(0.0, 0.12, depth), damp = smoothstep(-0.35, 0.05, depth);
+    bump = mix(bump, vec3(0.0, 0.0, 1.0), wet);
+    maps = mix(maps, vec3(1.0, maps.g, 1.0), vec3(max(wet, 0.3 * damp), 0.0, wet));
+    surface.albedo *= mix(1.0, 0.55, damp) * mix(1.0, 0.45, wet);
+    surface.straight = mix(0.04, 0.02, wet);
+#else
+    surface.straight = 0.04;
+#endif
+    surface.normal = normalize(mat3(tangent, cross(surface.face, tangent), surface.face) * bump);
+    surface.gloss = maps.r;
+    surface.occlusion = maps.b;
+#if GLOSS == EVEN
+    surface.gloss = 1.0;
+    surface.exponent = u_exponent;
+#elif GLOSS == MIRROR
+    surface.exponent = u_exponent;
+#else
+    surface.exponent = sharpness(maps, u_roughness, u_exponent);
+#endif
+    return surface;
+}
+
+float mirrored_share(float straight, float cosine) {
+#if FRESNEL == WHOLE
+    return 1.0;
+#elif FRESNEL == EXACT
+    float eta = (1.0 + sqrt(straight)) / (1.0 - sqrt(straight)), c = clamp(cosine, 0.0, 1.0);
+    float within = sqrt(1.0 - (1.0 - c * c) / (eta * eta));
+    float s = (c - eta * within) / (c + eta * within), p = (within - eta * c) / (within + eta * c);
+    return 0.5 * (s * s + p * p);
+#else
+    return fresnel(straight, cosine);
+#endif
+}
+
+// ---- what hides
+
+float shadow_at(Surface surface) {
+#ifdef SHADOW
+    vec3 normal = u_light_from_world * surface.face;
+    if (normal.z <= 0.0) return 0.0;
+    float bias = 0.0;
+#if BIAS == CONSTANT
+    bias = u_shadow.x;
+#elif BIAS == PLANE
+    // The plane is that of the triangle: of a round thing it is another than the normal says.
+    vec3 plane = u_light_from_world * cross(dFdx(v_position), dFdy(v_position));
+    plane *= inversesqrt(max(dot(plane, plane), 1e-24));
+    bias = shadow_bias(plane.z < 0.0 ? -plane : plane, u_shadow.x, u_pcf);
+#endif
+    return lit(s_shadow, u_light_clip_from_world * vec4(v_position, 1.0), bias / u_shadow.y + u_shadow.z, u_pcf);
+#else
+    return 1.0;
+#endif
+}
+
+// What the smaller picture says here, from those of its four texels that lie at about this distance.
+float open_at() {
+#ifdef AO
+    vec2 size = vec2(textureSize(s_open, 0)), place = (v_clip.xy / v_clip.w * 0.5 + 0.5) * size - 0.5;
+    vec2 low = floor(place), part = place - low;
+    ivec2 last = ivec2(size) - 1;
+    float sum = 0.0, weights = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = ivec2(i & 1, i >> 1);
+        vec4 there = texelFetch(s_open, clamp(ivec2(low) + corner, ivec2(0), last), 0);
+        vec2 near = mix(1.0 - part, part, vec2(corner));
+        float weight = (near.x * near.y + 1e-3) * (clamp(1.0 - 20.0 * abs(there.y - v_clip.w) / v_clip.w, 0.0, 1.0) + 1e-4);
+        sum += weight * there.x;
+        weights += weight;
+        if (there.z > 0.0) is_unfinished = true;
+    }
+    return sum / weights;
+#else
+    return 1.0;
+#endif
+}
+
+// ---- the lights
+
+vec3 ambient_at(Surface surface) { return surface.albedo * mix(u_ambient[0], u_ambient[1], 0.5 + 0.5 * surface.normal.y); }
+
+// Of a lamp of strength 1. A half vector's exponent is four times that of a mirrored one.
+vec3 lamp_at(Surface surface, vec3 to_light, vec3 to_eye) {
+    float facing = max(dot(surface.normal, to_light), 0.0), exponent = 4.0 * surface.exponent;
+    vec3 between = to_light + to_eye;
+    between *= inversesqrt(max(dot(between, between), 1e-12));
+    float lobe = exp2(exponent * log2(max(dot(surface.normal, between), 1e-6)));
+    float share = surface.gloss * mirrored_share(surface.straight, dot(between, to_light));
+    return facing * (surface.albedo + share * (exponent + 8.0) / 8.0 * lobe);
+}
+
+vec3 lamps_at(Surface surface, vec3 to_eye, float shadow) {
+    vec3 sum = shadow * u_lamp_color[0] * lamp_at(surface, u_lamp_place[0], to_eye);
+    for (int i = 1; i < LAMPS; ++i) {
+        vec3 way = u_lamp_place[i] - v_position;
+        float square = dot(way, way);
+        sum += u_lamp_color[i] / max(square, 0.01) * lamp_at(surface, way * inversesqrt(max(square, 1e-8)), to_eye);
+    }
+    return sum;
+}
+
+vec3 mirrored_sky(Surface surface, vec3 to_eye, vec3 normal) {
+    float level = 0.0;
+#if GLOSS != MIRROR
+    level = blur_level(surface.exponent, u_side);
+#endif
+    return sky_at(mirrored(to_eye, normal, surface.face), level);
+}
+
+void main() {
+    Surface surface = surface_at();
+    vec3 to_eye = normalize(u_eye - v_position);
+    vec3 mirror_normal = surface.normal;
+#ifdef LIGHT_ONLY
+    mirror_normal = surface.face;
+#endif
+#if defined PROBE_normal
+    o_color = vec4(surface.normal, 0.0);
+#elif defined PROBE_reflection
+    o_color = vec4(mirrored_sky(surface, to_eye, mirror_normal), 0.0);
+#elif defined PROBE_fresnel
+    o_color = vec4(mirrored_share(surface.straight, dot(mirror_normal, to_eye)), 0.0, 0.0, 0.0);
+#elif defined PROBE_exponent
+    o_color = vec4(surface.exponent, 0.0, 0.0, 0.0);
+#elif defined PROBE_shadow
+    o_color = vec4(shadow_at(surface), 0.0, 0.0, 0.0);
+#elif defined PROBE_occlusion
+    o_color = vec4(open_at(), 0.0, 0.0, 0.0);
+#elif defined SHOW
+    vec3 shown = vec3(0.0);
+    float share = surface.gloss * mirrored_share(surface.straight, dot(mirror_normal, to_eye));
+    float occlusion = open_at();
+#ifdef OCCLUSION
+    occlusion *= surface.occlusion;
+#endif
+#if SHOW == 1
+    shown = ambient_at(surface);
+#elif SHOW == 2
+    shown = lamps_at(surface, to_eye, 1.0);
+#elif SHOW == 3
+    shown = mirrored_sky(surface, to_eye, mirror_normal);
+#elif SHOW == 4
+    shown = vec3(occlusion);
+#elif SHOW == 5
+    shown = vec3(shadow_at(surface));
+#elif SHOW == 6
+    shown = vec3(share);
+#endif
+#if SHOW < 4
+    shown = exposed(shown);
+#endif
+    o_color = finished(vec4(srgb_from_linear(shown), 1.0), gl_FragCoord.xy);
+#else
+    float shadow = shadow_at(surface), occlusion = open_at();
+#ifdef OCCLUSION
+    occlusion *= surface.occlusion;
+#endif
+    vec3 ambient = ambient_at(surface), lamps = lamps_at(surface, to_eye, shadow), mirror = vec3(0.0);
+    float share = surface.gloss * mirrored_share(surface.straight, dot(mirror_normal, to_eye));
+#ifdef REFLECTION
+    mirror = share * mirrored_sky(surface, to_eye, mirror_normal);
+#endif
+    vec3 light = sum_of_light(ambient, lamps, mirror, occlusion);
+#if defined TERMS
+    o_ambient = vec4(ambient, occlusion);
+    o_lamps = vec4(lamps, shadow);
+    o_mirror = vec4(mirror, share);
+    o_light = vec4(light, is_unfinished ? 1.0 : 0.0);
+#elif defined PROBE_light
+    o_color = vec4(light, 0.0);
+#else
+    o_color = finished(vec4(srgb_from_linear(exposed(light)), 1.0), gl_FragCoord.xy);
+#endif
+#endif
+}

@@ -1,0 +1,306 @@
+// Lab 16: what each light is hidden by, and how near its exact value it comes.
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "framework/gl/counters.h"
+#include "framework/staff/reference/occlusion.h"
+#include "labs/16_environment/scene.h"
+#include "tests/labs/shots.h"
+
+namespace relief {
+namespace {
+
+/// Of the court with a flat floor, its maps without minification; `more` after that.
+Shot court_shot(const char* probe, std::vector<Knob> more = {}, glm::ivec2 size = {96, 96}) {
+    std::vector<Knob> knobs = {{"level", "0"}, {"displace", "false"}};
+    knobs.insert(knobs.end(), more.begin(), more.end());
+    return shot_of("16", knobs, probe, size);
+}
+
+const Orbit ball = {.yaw = 0, .pitch = 25, .distance = 3.2, .target = {1.9, 1.0, -1.1}, .field_of_view = 24};
+
+// ---- the mirrored sky
+
+TEST(Environment, TheCubeMapHoldsTheSky) {
+    const ErrorSummary error = error_of("16", court_shot("reflection", {{"gloss", "mirror"}}));
+    EXPECT_LT(error.mean, 0.005);
+}
+
+/// Mean error of the mirrored light as a share of it.
+double blur_error(const char* gloss, const char* exponent) {
+    Shot shot = court_shot("reflection", {{"gloss", "even"}, {"exponent", exponent}}, {48, 48});
+    shot.camera = ball;
+    const auto exact_lab = make_lab(find_lab("16"), shot);
+    const Image exact = truth_of(*exact_lab, shot);
+    shot.set.emplace_back("gloss", gloss);
+    const auto lab = make_lab(find_lab("16"), shot);
+    const Image errors = error_image(render_shot(*lab, shot), exact, ErrorMetric::distance);
+    double light = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < exact.values.size(); i += 4)
+        if (std::isfinite(exact.values[i])) {
+            light += glm::length(glm::dvec3(exact.values[i], exact.values[i + 1], exact.values[i + 2]));
+            ++count;
+        }
+    return summarize(errors).mean / (light / double(count));
+}
+
+TEST(Environment, ALevelIsAsBlurredAsItsLobeWithinTenPercentOfTheLight) {
+    for (const auto& [exponent, most] : {std::pair{"8", 0.09}, {"32", 0.08}, {"128", 0.07}, {"512", 0.06}}) {
+        const double blurred = blur_error("even", exponent), sharp = blur_error("mirror", exponent);
+        EXPECT_LT(blurred, most) << exponent;
+        EXPECT_GT(sharp, 1.5 * blurred) << exponent << ": level 0";
+        std::printf("exponent %s: %.3f of the light, level 0 %.3f\n", exponent, blurred, sharp);
+    }
+}
+
+// ---- the sun's shadow
+
+Shot plane_shot(const char* scene, double tilt, double yaw, double pitch, const char* pcf, const char* texels) {
+    Shot shot = shot_of("16",
+                        {{"scene", scene},
+                         {"tilt", std::to_string(tilt)},
+                         {"light_yaw", std::to_string(yaw)},
+                         {"light_pitch", std::to_string(pitch)},
+                         {"pcf", pcf},
+                         {"shadow_texels", texels}},
+                        "shadow", {96, 96});
+    shot.camera = {.yaw = tilt > 0 ? -50.0 : 50.0, .pitch = 50, .distance = 10, .target = {0, 0, 0}};
+    return shot;
+}
+
+/// Of a plane that faces the sun, how many pixels, and how many of them hide themselves.
+struct Shadows {
+    int pixels = 0, false_ones = 0;
+};
+Shadows shadows_of(const Shot& shot) {
+    const auto lab = make_lab(find_lab("16"), shot);
+    const Image drawn = render_shot(*lab, shot), exact = truth_of(*lab, shot);
+    Shadows found;
+    for (size_t i = 0; i < drawn.values.size(); i += 4)
+        if (exact.values[i] == 1 && std::isfinite(drawn.values[i]))
+            ++found.pixels, found.false_ones += drawn.values[i] < 1;
+    return found;
+}
+
+TEST(Environment, NoPlaneHasAFalseShadowFromAnyLight) {
+    int pixels = 0, without = 0;
+    for (const double tilt : {0.0, 17.0, -40.0, 63.0, -80.0})
+        for (const double yaw : {-170.0, -75.0, 0.0, 33.0, 121.0})
+            for (const double pitch : {90.0, 61.0, 24.0, 3.0}) {
+                const char* pcf = int(yaw) % 2 ? "1" : pitch > 50 ? "2" : "0";
+                Shot shot = plane_shot("plane", tilt, yaw, pitch, pcf, "512");
+                const Shadows found = shadows_of(shot);
+                EXPECT_EQ(found.false_ones, 0) << "tilt " << tilt << ", light " << yaw << ", " << pitch;
+                pixels += found.pixels;
+                shot.set.emplace_back("bias", "none");
+                without += shadows_of(shot).false_ones;
+            }
+    EXPECT_GT(pixels, 100000) << "what was looked at";
+    EXPECT_GT(without, pixels / 5) << "without a bias planes hide themselves";
+}
+
+TEST(Environment, AShadowsEdgeIsWithinRadiusAndATexel) {
+    for (const int radius : {0, 1, 2}) {
+        Shot shot = plane_shot("board", 0, 30, 60, std::to_string(radius).c_str(), "256");
+        shot.camera = {.yaw = 0, .pitch = 89, .distance = 3, .target = {-0.35, 0, -0.6}};
+        const auto lab = make_lab(find_lab("16"), shot);
+        const Image drawn = render_shot(*lab, shot), exact = truth_of(*lab, shot);
+        // A texel in metres (the scene's box is seen along its diagonal at most), in pixels of the ground, and where
+        // the light falls slantwise as much longer.
+        const double texel = 10.6 / 256, pixel = 2 * 3 * std::tan(glm::radians(20.0)) / 96;
+        const int wide = int(std::ceil((radius + 1) * texel / pixel / std::sin(glm::radians(60.0)))) + 1;
+        int seen = 0;
+        for (int y = wide; y < 96 - wide; ++y)
+            for (int x = wide; x < 96 - wide; ++x) {
+                double low = 1, high = 0;
+                for (int j = -wide; j <= wide; ++j)
+                    for (int i = -wide; i <= wide; ++i) {
+                        low = std::min(low, double(*exact.pixel(x + i, y + j)));
+                        high = std::max(high, double(*exact.pixel(x + i, y + j)));
+                    }
+                if (low != high) continue;
+                ++seen;
+                EXPECT_EQ(*drawn.pixel(x, y), low) << x << ", " << y << ", radius " << radius;
+            }
+        EXPECT_GT(seen, 500);
+        double hidden = 0;
+        for (size_t i = 0; i < exact.values.size(); i += 4) hidden += exact.values[i] == 0;
+        EXPECT_GT(hidden, 300) << "the board's shadow";
+    }
+}
+
+TEST(Environment, ADisplacedFloorCastsAndReceivesShadows) {
+    Shot shot =
+        shot_of("16", {{"light_yaw", "90"}, {"light_pitch", "2"}, {"shadow_texels", "2048"}}, "shadow", {128, 128});
+    shot.camera = {.yaw = 0, .pitch = 85, .distance = 9, .target = {0, 0, 4}, .field_of_view = 40};
+    const auto lab = make_lab(find_lab("16"), shot);
+    const Image drawn = render_shot(*lab, shot);
+    // The same by steps of a centimetre over the formula, from where the eye's ray meets it.
+    const Frame frame = {0, shot.size, 0, Camera(shot.camera, 1), {}};
+    const glm::dvec3 to_sun(std::cos(glm::radians(2.0)), std::sin(glm::radians(2.0)), 0);
+    int hidden = 0, wrong = 0, count = 0;
+    for (int y = 0; y < 128; y += 2)
+        for (int x = 0; x < 128; x += 2) {
+            const Ray ray = frame.ray(x, y);
+            double t = (0.2 - ray.origin.y) / ray.direction.y;
+            const auto above = [&](const glm::dvec3& p) { return p.y - court::floor_height({p.x, p.z}); };
+            while (above(ray.at(t)) > 0) t += 0.002;
+            const glm::dvec3 from = ray.at(t);
+            if (std::abs(from.x) > 6.2 || from.z < 1.6 || from.z > 6.5) continue;  // nothing else casts there
+            bool is_lit = true;
+            for (double s = 0.05; s < 5 && std::abs(from.x + s) < 7; s += 0.01)
+                is_lit = is_lit && above(from + s * to_sun) > -1e-3;
+            ++count, hidden += !is_lit;
+            wrong += std::abs(double(*drawn.pixel(x, y)) - is_lit) > 0.5;
+        }
+    EXPECT_GT(hidden, count / 20) << "humps hide what lies behind them";
+    // Triangles of a third of a metre are chords of the humps.
+    EXPECT_LT(wrong, count / 12) << "of " << count << ", " << hidden << " hidden";
+    shot.set.emplace_back("displace", "false");
+    const Image flat = relief::drawn("16", shot);
+    for (size_t i = 0; i < flat.values.size(); i += 4)
+        if (std::isfinite(flat.values[i])) hidden -= flat.values[i] < 1;
+    EXPECT_GT(hidden, count / 20) << "a flat floor casts none";
+}
+
+// ---- occlusion
+
+TEST(Environment, TheIntegralGivesTheCosineOfASlopeBetweenTwoEndlessWalls) {
+    for (const double slope : {10.0, 30.0, 45.0, 60.0}) {
+        // At the bottom, with an upright normal; a slice at an angle to the walls sees them less steep.
+        constexpr int slices = 64;
+        double sum = 0;
+        for (int i = 0; i < slices; ++i) {
+            const double angle = glm::pi<double>() * (i + 0.5) / slices;
+            const double horizon = std::atan2(1, std::tan(glm::radians(slope)) * std::abs(std::cos(angle)));
+            sum += open_share(-horizon, horizon, 0) / slices;
+        }
+        EXPECT_NEAR(sum, std::cos(glm::radians(slope)), 1e-3) << slope;
+    }
+}
+
+TEST(Environment, OcclusionBetweenTwoWallsIsWithinAHundredthWhereThePictureShowsThem) {
+    for (const double slope : {15.0, 30.0, 45.0}) {
+        Shot shot =
+            shot_of("16", {{"scene", "groove"}, {"tilt", std::to_string(slope)}, {"slices", "16"}, {"taps", "48"}},
+                    "occlusion", {48, 320});
+        shot.camera = {.yaw = 0, .pitch = 89, .distance = 22, .target = {0, 0, 0}, .field_of_view = 40};
+        const auto lab = make_lab(find_lab("16"), shot);
+        const Image drawn = render_shot(*lab, shot), exact = truth_of(*lab, shot);
+        double off = 0;
+        int count = 0;
+        for (int x = 0; x < 48; ++x) {
+            if (!std::isfinite(*drawn.pixel(x, 160))) continue;
+            off += std::abs(double(*drawn.pixel(x, 160)) - double(*exact.pixel(x, 160)));
+            ++count;
+        }
+        EXPECT_GT(count, 20);
+        EXPECT_LT(off / count, slope < 40 ? 0.01 : 0.016) << slope;
+        std::printf("walls of %.0f degrees: %.4f off\n", slope, off / count);
+    }
+}
+
+TEST(Environment, APlaneIsWhollyOpen) {
+    Shot shot = shot_of("16", {{"scene", "plane"}, {"tilt", "0"}}, "occlusion", {64, 64});
+    shot.camera = {.yaw = 30, .pitch = 40, .distance = 1.2, .target = {2.2, 0, 2.2}};
+    const Image image = drawn("16", shot);
+    // Three slices, each at four angles, which are equal ones in the picture only.
+    for (size_t i = 0; i < image.values.size(); i += 4) ASSERT_NEAR(image.values[i], 1, 0.02);
+}
+
+// ---- the sum
+
+TEST(Environment, LightIsWithinAThousandthOfDoublePrecisionWhereNothingIsSearched) {
+    for (const std::vector<Knob>& more : std::vector<std::vector<Knob>>{
+             {{"reflection", "false"}, {"lamps", "1"}}, {{"gloss", "mirror"}, {"exponent", "16"}, {"lamps", "3"}}}) {
+        std::vector<Knob> knobs = {{"ao", "false"}, {"shadow", "false"}};
+        knobs.insert(knobs.end(), more.begin(), more.end());
+        EXPECT_LT(error_of("16", court_shot("light", knobs)).mean, 0.00125);
+    }
+}
+
+TEST(Environment, ThePixelOfTheTableIsThatOfThePicture) {
+    // A picture with the cross is the court's, but for the cross and the table.
+    Shot shot = court_shot("", {{"view", "one-pixel"}, {"pixel_x", "0.25"}, {"pixel_y", "0.25"}}, {64, 64});
+    const Image table = drawn("16", shot);
+    shot.set[2].second = "court";
+    const Image plain = drawn("16", shot);
+    size_t same = 0;
+    for (size_t i = 0; i < plain.values.size(); i += 4) same += plain.values[i] == table.values[i];
+    EXPECT_GT(same, plain.pixel_count() / 10);
+    EXPECT_LT(same, plain.pixel_count() - 20);
+}
+
+// ---- what may happen
+
+TEST(Environment, IsFiniteWhereverTheSunAndTheEyeAre) {
+    const std::vector<std::vector<Knob>> settings = {{{"light_pitch", "90"}},
+                                                     {{"light_pitch", "-90"}},
+                                                     {{"light_pitch", "0"}, {"light_yaw", "90"}},
+                                                     {{"light_pitch", "0"}, {"light_yaw", "180"}},
+                                                     {{"exponent", "0"}},
+                                                     {{"roughness", "1"}},
+                                                     {{"fresnel", "exact"}, {"gloss", "even"}},
+                                                     {{"fresnel", "whole"}, {"exponent", "512"}, {"lamps", "3"}},
+                                                     {{"shadow_texels", "256"}, {"pcf", "2"}},
+                                                     {{"scene", "groove"}, {"tilt", "89"}},
+                                                     {{"scene", "groove"}, {"tilt", "0"}},
+                                                     {{"scene", "plane"}, {"tilt", "89"}, {"light_yaw", "0"}},
+                                                     {{"slices", "1"}, {"taps", "1"}}};
+    // The second stands on the floor and looks along it; the third stands in the lantern.
+    const std::vector<Orbit> eyes = {{.yaw = 18, .pitch = 5.5, .distance = 11, .target = {-0.9, 1.6, -2.0}},
+                                     {.yaw = 10, .pitch = 0, .distance = 3, .target = {0, 0, 0}},
+                                     {.yaw = 90, .pitch = 0, .distance = 0.5, .target = {-6.6, 2.1, -1.0}}};
+    for (const std::vector<Knob>& knobs : settings)
+        for (const Orbit& eye : eyes)
+            for (const char* probe : {"light", "reflection", "shadow", "occlusion"}) {
+                Shot shot = shot_of("16", knobs, probe, {16, 16});
+                shot.camera = eye;
+                const auto lab = make_lab(find_lab("16"), shot);
+                const Image image = draw_shot(*lab, shot);
+                for (const float value : image.values)
+                    ASSERT_FALSE(std::isnan(value)) << knobs[0].first << " " << knobs[0].second << " " << probe;
+            }
+}
+
+// ---- what is not done
+
+TEST(Environment, TermsThatAreOffLoadNoMapAndDrawNothing) {
+    const auto work = [](std::vector<Knob> knobs) {
+        const Shot shot = shot_of("16", std::move(knobs), "light", {32, 32});
+        const auto lab = make_lab(find_lab("16"), shot);
+        const Counters before = counters();
+        render_shot(*lab, shot);
+        return std::pair(counters().texture_bytes - before.texture_bytes, counters().draw_calls - before.draw_calls);
+    };
+    const auto all = work({}), no_shadow = work({{"shadow", "false"}}), no_ao = work({{"ao", "false"}}),
+               no_sky = work({{"reflection", "false"}});
+    EXPECT_EQ(all.first - no_shadow.first, 1024 * 1024 * 4) << "the depth map";
+    EXPECT_EQ(all.second - no_shadow.second, 4) << "floor, bricks, stone, marble";
+    EXPECT_EQ(all.first - no_ao.first, 3 * 32 * 32 * 16) << "surfaces, openness, and that smoothed";
+    EXPECT_EQ(all.second - no_ao.second, 4 + 2);
+    EXPECT_GT(all.first - no_sky.first, 6 * 128 * 128 * 12) << "the sky";
+}
+
+TEST(Environment, TheShadowMapIsDrawnAgainOnlyWhenSunOrSceneMoved) {
+    Shot shot = shot_of("16", {{"ao", "false"}}, "", {32, 32});
+    const auto lab = make_lab(find_lab("16"), shot);
+    const auto calls = [&] {
+        const int64_t before = counters().draw_calls;
+        render_shot(*lab, shot);
+        return counters().draw_calls - before;
+    };
+    const int64_t first = calls();
+    EXPECT_EQ(first - calls(), 4);
+    shot.camera.yaw += 30;
+    EXPECT_EQ(first - calls(), 4) << "the eye moved";
+    set_knob(*lab, "light_pitch", "20");
+    EXPECT_EQ(calls(), first) << "the sun moved";
+    set_knob(*lab, "displace", "false");
+    EXPECT_EQ(calls(), first) << "the floor moved";
+    EXPECT_EQ(first - calls(), 4);
+}
+
+}  // namespace
+}  // namespace relief
