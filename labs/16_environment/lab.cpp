@@ -435,10 +435,10 @@ private:
     Labels labels_;
 
     int view_ = court_, scene_ = 0, fresnel_ = 1, gloss_ = 0, normal_for_ = 0, shadow_texels_ = 2, pcf_ = 1, bias_ = 2;
-    int slices_ = 3, taps_ = 5, lamps_ = 2, level_ = 0;
+    int slices_ = 2, taps_ = 5, lamps_ = 2, level_ = 0;
     bool reflection_ = true, seamless_ = true, shadow_ = true, ao_ = true, occlusion_ = true, displace_ = true;
     float exponent_ = 256, roughness_ = 0, tilt_ = 30;
-    glm::vec2 pixel_{0.72f, 0.74f};
+    glm::vec2 pixel_{0.7f, 0.93f};
     DistantLight light_{.yaw = 162, .pitch = 10};
 };
 

@@ -149,7 +149,7 @@ Axes axes_of(const glm::dvec3& normal) {
 Mesh mesh_of(const Scene& scene, Material material, bool displaced) {
     Mesh mesh;
     for (const Quad& quad : scene.quads)
-        if (quad.material == material) add_quad(mesh, quad, material == Material::floor && displaced ? 40 : 1);
+        if (quad.material == material) add_quad(mesh, quad, material == Material::floor && displaced ? 24 : 1);
     for (const Box& box : scene.boxes) {
         if (box.material != material) continue;
         const glm::dvec3 middle = (box.low + box.high) / 2.0, reach = (box.high - box.low) / 2.0;
@@ -167,11 +167,11 @@ Mesh mesh_of(const Scene& scene, Material material, bool displaced) {
             make_column({.bottom_radius = float(column.radius),
                          .top_radius = float(column.radius),
                          .height = float(column.height),
-                         .sides = 40,
+                         .sides = 28,
                          .rows = 1}),
             column.foot, {1, column.height / tile_of[size_t(material)]});
     for (const Ball& ball : scene.balls)
-        add(mesh, make_sphere({.radius = float(ball.radius), .sides = 40, .rows = 20}), ball.centre, {1, 0.5});
+        add(mesh, make_sphere({.radius = float(ball.radius), .sides = 28, .rows = 14}), ball.centre, {1, 0.5});
     return mesh;
 }
 

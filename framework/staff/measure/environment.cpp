@@ -1,0 +1,93 @@
+// Environment: what a frame of lab 16 costs with and without each of its terms, and what shadows by bias and size of
+// the map, occlusion by slices and taps, and blurred mirror images are off by.
+#include "framework/lab/manifest.h"
+#include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/topics.h"
+
+namespace relief {
+namespace {
+
+Shot court_shot(const BenchSettings& settings, const BenchKnobs& set) {
+    Shot shot;
+    shot.size = glm::ivec2(settings.quick ? 256 : 512), shot.camera = load_manifest(find_lab("16")).camera;
+    shot.set = set;
+    return shot;
+}
+
+/// A frame of the court with `set`, and the error of a probe in a shot of its own.
+BenchMethod method(const BenchSettings& settings, const char* name, const BenchKnobs& swept, const BenchKnobs& set,
+                   const std::optional<Shot>& measured = {}, const char* unit = "share") {
+    return {name, swept, [=] {
+                const Shot shot = court_shot(settings, set);
+                const std::shared_ptr<Lab> lab = make_lab(find_lab("16"), shot);
+                BenchSubject subject = drawn(lab, shot);
+                if (settings.pictures) show_picture(subject, *lab, shot);
+                if (!measured) return subject;
+                const auto exact = make_lab(find_lab("16"), *measured);
+                const ErrorMetric metric =
+                    measured->probe.name == "reflection" ? ErrorMetric::distance : ErrorMetric::absolute;
+                const Image errors = error_image(render_shot(*exact, *measured), truth_of(*exact, *measured), metric);
+                subject.error = error_over(errors, unit);
+                subject.error.wrong.reset();
+                if (settings.pictures) show_errors(subject, errors, 0.5);
+                return subject;
+            }};
+}
+
+BenchScene terms(const BenchSettings& settings) {
+    BenchScene scene{{{"term", "all but"}}, "frame"};
+    for (const char* off : {"nothing", "reflection", "shadow", "ao", "occlusion", "displace"})
+        scene.methods.push_back(method(settings, off, {{"without", off}},
+                                       off == std::string("nothing") ? BenchKnobs{} : BenchKnobs{{off, "false"}}));
+    return scene;
+}
+
+BenchScene shadows(const BenchSettings& settings) {
+    BenchScene scene{{{"term", "shadow"}}, "frame"};
+    for (const char* texels : {"512", "1024", "2048"})
+        for (const char* bias : {"none", "constant", "plane"}) {
+            if (texels != std::string("1024") && bias != std::string("plane")) continue;
+            const BenchKnobs set = {{"bias", bias}, {"shadow_texels", texels}, {"displace", "false"}};
+            Shot shot = court_shot(settings, set);
+            shot.size = {128, 128}, shot.probe = {"shadow"};
+            scene.methods.push_back(method(settings, bias, {{"bias", bias}, {"texels", texels}}, set, shot));
+        }
+    return scene;
+}
+
+BenchScene occlusions(const BenchSettings& settings) {
+    BenchScene scene{{{"term", "occlusion"}}, "frame"};
+    for (const auto& [slices, taps] : {std::pair{"1", "4"}, {"2", "4"}, {"3", "5"}, {"4", "8"}, {"8", "16"}}) {
+        Shot shot = court_shot(settings, {{"scene", "groove"}, {"tilt", "30"}, {"slices", slices}, {"taps", taps}});
+        shot.size = {48, 128}, shot.probe = {"occlusion"};
+        shot.camera = {.yaw = 0, .pitch = 89, .distance = 12, .target = {0, 0, 0}, .field_of_view = 40};
+        scene.methods.push_back(method(settings, "horizons", {{"slices", slices}, {"taps", taps}},
+                                       {{"slices", slices}, {"taps", taps}}, shot));
+    }
+    return scene;
+}
+
+BenchScene mirrors(const BenchSettings& settings) {
+    BenchScene scene{{{"term", "mirrored sky"}}, "frame"};
+    for (const char* exponent : {"8", "64", "512"}) {
+        Shot shot =
+            court_shot(settings, {{"gloss", "even"}, {"exponent", exponent}, {"level", "0"}, {"displace", "false"}});
+        shot.size = {48, 48}, shot.probe = {"reflection"};
+        shot.camera = {.yaw = 0, .pitch = 25, .distance = 3.2, .target = {1.9, 1.0, -1.1}, .field_of_view = 24};
+        scene.methods.push_back(method(settings, "level", {{"exponent", exponent}},
+                                       {{"gloss", "even"}, {"exponent", exponent}}, shot, "light"));
+    }
+    return scene;
+}
+
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    return {terms(settings), shadows(settings), occlusions(settings), mirrors(settings)};
+}
+
+}  // namespace
+
+BenchTopic environment_topic() {
+    return {"environment", "terms of the light in lab 16, and what hides them: time against error", scenes, true};
+}
+
+}  // namespace relief
