@@ -141,8 +141,8 @@ Scene make_scene(Place place, double tilt) {
 
 Axes axes_of(const glm::dvec3& normal) {
     const glm::dvec3 across = glm::cross(glm::dvec3(0, 1, 0), normal);
-    const double length = glm::length(across);
-    const glm::dvec3 right = length > 1e-6 ? across / length : glm::dvec3(1, 0, 0);
+    const double sine = glm::length(across);
+    const glm::dvec3 right = sine > 1e-6 ? across / sine : glm::dvec3(1, 0, 0);
     return {right, glm::cross(normal, right)};
 }
 

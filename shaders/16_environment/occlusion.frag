@@ -24,7 +24,7 @@ void main() {
     vec4 surface = texelFetch(s_surface, ivec2(gl_FragCoord.xy), 0);
     o_open = vec4(1.0, surface.w, 0.0, 0.0);
     if (surface.w <= 0.0) return;
-    vec3 place = place_of(uv, surface.w), to_eye = -normalize(place);
+    vec3 normal = surface.xyz, place = place_of(uv, surface.w), to_eye = -normalize(place);
     float radius = min(u_reach * size.y / (2.0 * u_half.y * surface.w), u_most);
     // Four neighbours look in different directions and at different distances; their mean is taken afterwards.
     ivec2 pixel = ivec2(gl_FragCoord.xy) & 1;
@@ -35,7 +35,7 @@ void main() {
         vec2 way = vec2(cos(angle), sin(angle));
         vec3 along = vec3(way, 0.0) - dot(vec3(way, 0.0), to_eye) * to_eye;
         vec3 axis = normalize(cross(along, to_eye));
-        vec3 within = surface.xyz - dot(surface.xyz, axis) * axis;
+        vec3 within = normal - dot(normal, axis) * axis;
         float weight = length(within);
         float g = sign(dot(within, along)) * acos(clamp(dot(within, to_eye) / max(weight, 1e-6), -1.0, 1.0));
         float horizons[2];
@@ -53,7 +53,7 @@ void main() {
                 // Fades out over the last fifth of the reach, so that no edge is seen there. And a tap is in the middle of
                 // a texel, beside the plane: so what is hardly above the surface may be the surface.
                 float counts = ahead > 0.0 ? clamp(5.0 * (1.0 - away / u_reach), 0.0, 1.0) : 0.0;
-                counts *= clamp(40.0 * dot(to, surface.xyz) / max(away, 1e-6), 0.0, 1.0);
+                counts *= clamp(40.0 * dot(to, normal) / max(away, 1e-6), 0.0, 1.0);
                 best = max(best, mix(lowest, dot(to, to_eye) / max(away, 1e-6), counts));
             }
             horizons[side] = acos(clamp(best, -1.0, 1.0));

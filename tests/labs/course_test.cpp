@@ -49,7 +49,9 @@ TEST_P(Course, HasTasksChecksAndMistakes) {
     EXPECT_GE(manifest_.mistakes.size(), 8u);
     for (const TaskInfo& task : manifest_.tasks) {
         const std::string text = read_file(course_root() / task.file);
-        EXPECT_TRUE(contains(text, "TASK " + task.id + " (" + std::to_string(task.points) + " points)")) << task.id;
+        EXPECT_TRUE(contains(
+            text, "TASK " + task.id + " (" + std::to_string(task.points) + (task.points == 1 ? " point)" : " points)")))
+            << task.id;
         EXPECT_TRUE(is_unfinished(starter_of(text, task.file), task.id)) << task.id;
         EXPECT_FALSE(is_unfinished(text, task.id)) << task.id;
         bool is_public = false;

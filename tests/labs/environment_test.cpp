@@ -178,8 +178,12 @@ TEST(Environment, TheIntegralGivesTheCosineOfASlopeBetweenTwoEndlessWalls) {
             older += (1 - std::cos(horizon)) / slices;  // less the sine of the elevation
         }
         EXPECT_NEAR(sum, std::cos(glm::radians(slope)), 1e-3) << slope;
-        if (slope == 30) EXPECT_NEAR(older, 0.67, 0.005);
-        if (slope == 45) EXPECT_NEAR(older, 0.50, 0.005);
+        if (slope == 30) {
+            EXPECT_NEAR(older, 0.67, 0.005);
+        }
+        if (slope == 45) {
+            EXPECT_NEAR(older, 0.50, 0.005);
+        }
     }
 }
 
