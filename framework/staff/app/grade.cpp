@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "framework/app/command.h"
 #include "framework/base/error.h"
@@ -14,6 +15,7 @@
 #include "framework/staff/grade/class.h"
 #include "framework/staff/grade/gradescope.h"
 #include "framework/staff/grade/merge.h"
+#include "framework/staff/grade/mutation_test.h"
 #include "framework/staff/grade/self_test.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/student_page.h"
@@ -24,7 +26,9 @@ namespace {
 struct GradeArguments {
     std::vector<std::string> paths, labs;
     std::string output, jobs, seconds, sample, seed, shard, merge, context = "auto", threads = "0";
-    bool trust = false, fresh = false, self_test = false, resume = false, unpinned = false, gradescope = false;
+    std::string mutate;
+    bool trust = false, fresh = false, self_test = false, json = false, resume = false, unpinned = false,
+         gradescope = false;
 };
 
 namespace fs = std::filesystem;
@@ -97,6 +101,66 @@ int test_the_grader(ClassOptions& options, int sample) {
     return sum.wrong.empty() ? 0 : 1;
 }
 
+constexpr double kill_rate_goal = 0.97;
+
+void print_mutants(const LabEntry& lab, const MutationTest& test) {
+    fmt::print("{:<6}", "task");
+    for (const char* fate : mutant_fates) fmt::print("{:>10}", fate);
+    const auto row = [&](const std::string& name, const std::string& task) {
+        fmt::print("\n{:<6}", name);
+        for (size_t i = 0; i < mutant_fates.size(); ++i) fmt::print("{:>10}", test.count(MutantFate(i), task));
+    };
+    for (const TaskInfo& task : load_manifest(lab).tasks) row(task.id, task.id);
+    row("all", "");
+    fmt::print("\n");
+    for (const auto& [mutant, fate, accused, largest, share, where] : test.results) {
+        if (fate != MutantFate::survived && fate != MutantFate::elsewhere) continue;
+        fmt::print("{} line {}: {}: {} -> {}\n", mutant.task, mutant.line, mutant.rule, mutant.was,
+                   mutant.now.empty() ? "nothing" : mutant.now);
+        if (fate == MutantFate::survived)
+            fmt::print("    {} % of the pixels differ, by {:.0f}/255 at most: {}\n", rounded(100 * share),
+                       255 * largest, where);
+        else
+            fmt::print("    only other tasks lose points\n");
+    }
+    fmt::print(
+        "lab {}: {} mutants; {} % of those that can be seen are killed; survivors were looked at in {} views; "
+        "{:.0f} s\n",
+        lab.two_digits(), test.results.size(), rounded(100 * test.kill_rate()), test.views, test.seconds);
+}
+
+void print_mutants_json(const LabEntry& lab, const MutationTest& test) {
+    nlohmann::ordered_json all = {{"lab", lab.folder}, {"views", test.views}, {"kill_rate", test.kill_rate()}};
+    for (const auto& [mutant, fate, accused, largest, share, where] : test.results)
+        all["mutants"].push_back({{"task", mutant.task},
+                                  {"line", mutant.line},
+                                  {"rule", mutant.rule},
+                                  {"was", mutant.was},
+                                  {"now", mutant.now},
+                                  {"fate", mutant_fates[size_t(fate)]},
+                                  {"accuses_others", accused},
+                                  {"largest", largest},
+                                  {"share", share},
+                                  {"where", where}});
+    fmt::print("{}\n", all.dump(2));
+}
+
+/// Returns 1 if the lab's checks notice too few.
+int mutate(const GradeArguments& arguments, ClassOptions& options, int sample) {
+    const LabEntry& lab = find_lab(arguments.mutate);
+    if (load_manifest(lab).tasks.empty()) throw UsageError(fmt::format("lab {} has no tasks", lab.two_digits()));
+    const IsolationReport isolation = isolation_for(options.trust);
+    options.setup.isolation = isolation.level;
+    if (options.setup.seed.empty()) options.setup.seed = "mutants";
+    print_isolation(isolation);
+    const MutationTest test = test_mutants(lab, options.setup, {options.jobs, sample});
+    if (arguments.json)
+        print_mutants_json(lab, test);
+    else
+        print_mutants(lab, test);
+    return test.kill_rate() >= kill_rate_goal ? 0 : 1;
+}
+
 int make_gradescope(const ClassOptions& options) {
     const std::string seed = options.setup.seed.empty() ? new_seed() : options.setup.seed;
     write_gradescope(options.output, options.labs, seed);
@@ -161,6 +225,7 @@ void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
 int grade_submissions(const GradeArguments& arguments) {
     for (const auto& [given, option] : {std::pair(!arguments.merge.empty(), "--merge"),
                                         {arguments.self_test, "--self-test"},
+                                        {!arguments.mutate.empty(), "--mutate"},
                                         {arguments.gradescope, "--gradescope"}})
         if (given && !arguments.paths.empty())
             throw UsageError(
@@ -178,7 +243,9 @@ int grade_submissions(const GradeArguments& arguments) {
     ClassOptions options = options_of(arguments);
     const int sample = arguments.sample.empty() ? 0 : whole_number(arguments.sample, "--sample", 1, 1000);
     if (arguments.self_test) return test_the_grader(options, sample);
-    if (sample > 0) throw UsageError("--sample needs --self-test: --self-test --sample N");
+    if (!arguments.mutate.empty()) return mutate(arguments, options, sample);
+    if (sample > 0) throw UsageError("--sample goes with --self-test or --mutate");
+    if (arguments.json) throw UsageError("--json goes with --mutate");
     if (arguments.output.empty()) throw UsageError("grade needs a folder for its results: -o FOLDER");
     options.output = arguments.output;
     if (arguments.gradescope) return make_gradescope(options);
@@ -224,7 +291,11 @@ public:
         options.flag(
             "--self-test", grade_.self_test,
             "test the grader with solutions, starters, known mistakes and correct variants; takes no submissions");
-        options.value("--sample", "N", grade_.sample, "with --self-test: only N mistakes and variants per lab");
+        options.value("--mutate", "LAB", grade_.mutate,
+                      "test a lab's checks with small changes of its solution; takes no submissions");
+        options.value("--sample", "N", grade_.sample,
+                      "with --self-test: only N mistakes and variants per lab; with --mutate: only N mutants");
+        options.flag("--json", grade_.json, "with --mutate: print JSON, for scripts");
         options.flag("--fresh", grade_.fresh, "grade everything again, unchanged submissions too");
     }
     int run() override { return grade_submissions(grade_); }

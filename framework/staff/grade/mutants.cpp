@@ -1,0 +1,308 @@
+#include "framework/staff/grade/mutants.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+#include <string_view>
+
+#include "framework/base/text.h"
+#include "framework/check/starter.h"
+
+namespace relief {
+namespace {
+
+struct Token {
+    enum Kind { name, number, sign } kind;
+    size_t begin, end;  ///< in the text
+};
+
+bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// Of a piece of code, without comments, strings and preprocessor lines.
+class Tokens {
+public:
+    Tokens(const std::string& text, size_t begin, size_t end) : text_(text) {
+        for (size_t i = begin; i < end;) i = take(i, end);
+    }
+    size_t size() const { return list_.size(); }
+    const Token& operator[](size_t i) const { return list_[i]; }
+    std::string_view text(size_t i) const {
+        if (i >= list_.size()) return {};
+        return std::string_view(text_).substr(list_[i].begin, list_[i].end - list_[i].begin);
+    }
+    bool is(size_t i, std::string_view what) const { return text(i) == what; }
+    /// The place of the bracket that closes the one at `open`, or size().
+    size_t closing(size_t open) const {
+        int depth = 0;
+        for (size_t i = open; i < size(); ++i) {
+            const std::string_view token = text(i);
+            depth += token == "(" || token == "[" || token == "{";
+            depth -= token == ")" || token == "]" || token == "}";
+            if (depth == 0) return i;
+        }
+        return size();
+    }
+
+private:
+    size_t take(size_t i, size_t end) {
+        const auto here = [&](std::string_view word) { return text_.compare(i, word.size(), word) == 0; };
+        if (here("//") || text_[i] == '#') return std::min(text_.find('\n', i), end);
+        if (here("/*")) return std::min(text_.find("*/", i), end - 2) + 2;
+        if (std::isspace(static_cast<unsigned char>(text_[i]))) return i + 1;
+        if (text_[i] == '"' || text_[i] == '\'') {
+            size_t j = i + 1;
+            while (j < end && text_[j] != text_[i]) j += text_[j] == '\\' ? 2 : 1;
+            return j + 1;
+        }
+        size_t j = i + 1;
+        Token::Kind kind = Token::sign;
+        if (is_digit(text_[i]) || (text_[i] == '.' && j < end && is_digit(text_[j]))) {
+            kind = Token::number;
+            while (j < end && (is_name_character(text_[j]) || text_[j] == '.' ||
+                               ((text_[j] == '-' || text_[j] == '+') && (text_[j - 1] == 'e' || text_[j - 1] == 'E'))))
+                ++j;
+        } else if (is_name_character(text_[i])) {
+            kind = Token::name;
+            while (j < end && is_name_character(text_[j])) ++j;
+        } else {
+            for (const char* pair :
+                 {"+=", "-=", "*=", "/=", "==", "!=", "<=", ">=", "&&", "||", "++", "--", "::", "->", "<<", ">>"})
+                if (here(pair)) j = i + 2;
+        }
+        list_.push_back({kind, i, j});
+        return j;
+    }
+
+    const std::string& text_;
+    std::vector<Token> list_;
+};
+
+constexpr std::array<std::pair<const char*, const char*>, 22> operators = {{
+    {"+", "-"},   {"-", "+"},   {"*", "/"},  {"/", "*"},          {"+=", "-="}, {"-=", "+="},
+    {"*=", "/="}, {"/=", "*="}, {"<", "<="}, {"<", ">"},          {">", ">="},  {">", "<"},
+    {"<=", "<"},  {"<=", ">="}, {">=", ">"}, {">=", "<="},        {"==", "!="}, {"!=", "=="},
+    {"&&", "||"}, {"||", "&&"}, {"!", ""},   {"?", "&& false ?"},
+}};
+/// What can be replaced by its first argument.
+constexpr std::array droppable = {"normalize", "clamp", "max",  "min",   "abs",  "sqrt",
+                                  "fract",     "floor", "ceil", "round", "sign", "exp2"};
+constexpr std::array<std::pair<const char*, const char*>, 8> twins = {{{"max", "min"},
+                                                                       {"min", "max"},
+                                                                       {"sin", "cos"},
+                                                                       {"cos", "sin"},
+                                                                       {"floor", "ceil"},
+                                                                       {"ceil", "floor"},
+                                                                       {"tan", "sin"},
+                                                                       {"round", "floor"}}};
+constexpr std::array no_calls = {"if", "for", "while", "switch", "return", "sizeof", "unfinished"};
+/// Their arguments can change places.
+constexpr std::array commutative = {"max", "min", "dot", "distance"};
+
+template <class List>
+bool has(const List& list, std::string_view word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+class Maker {
+public:
+    Maker(const std::string& text, const std::filesystem::path& file) : text_(text) {
+        for (const auto& [begin, end] : solutions(text, file)) {
+            const Tokens tokens(text, begin, end);
+            for (size_t i = 0; i < tokens.size(); ++i) token(tokens, i);
+        }
+        std::stable_sort(made_.begin(), made_.end(), [](const Made& a, const Made& b) { return a.begin < b.begin; });
+    }
+
+    std::vector<Mutant> take() {
+        std::vector<Mutant> mutants;
+        for (Made& one : made_) mutants.push_back(std::move(one.mutant));
+        return mutants;
+    }
+
+private:
+    struct Made {
+        size_t begin;
+        Mutant mutant;
+    };
+
+    static std::vector<std::pair<size_t, size_t>> solutions(const std::string& text,
+                                                            const std::filesystem::path& file) {
+        solution_lines(text, file);  // throws where marks do not match
+        std::vector<std::pair<size_t, size_t>> parts;
+        const std::string open = "//[solution";
+        for (size_t at = text.find(open); at != std::string::npos; at = text.find(open, at + 1))
+            parts.emplace_back(at + open.size(), std::min(text.find("//]", at), text.size()));
+        return parts;
+    }
+
+    /// The first task, if it stands before all.
+    std::string task_at(size_t place) const {
+        const std::string word = "TASK ";
+        size_t at = text_.rfind(word, place);
+        if (at == std::string::npos) at = text_.find(word);
+        if (at == std::string::npos) return {};
+        size_t end = at + word.size();
+        while (end < text_.size() && (is_digit(text_[end]) || (text_[end] == '.' && is_digit(text_[end + 1])))) ++end;
+        return text_.substr(at + word.size(), end - at - word.size());
+    }
+
+    static std::string on_one_line(std::string_view text) {
+        std::string line;
+        for (const char c : text)
+            if (!std::isspace(static_cast<unsigned char>(c)))
+                line += c;
+            else if (!line.empty() && line.back() != ' ')
+                line += ' ';
+        return line;
+    }
+
+    void add(const char* rule, size_t begin, size_t end, const std::string& now) {
+        Mutant mutant{task_at(begin),
+                      rule,
+                      1 + int(std::count(text_.begin(), text_.begin() + long(begin), '\n')),
+                      on_one_line(std::string_view(text_).substr(begin, end - begin)),
+                      on_one_line(now),
+                      text_.substr(0, begin) + now + text_.substr(end)};
+        if (mutant.text != text_ && seen_.insert(mutant.text).second) made_.push_back({begin, std::move(mutant)});
+    }
+
+    void token(const Tokens& tokens, size_t i) {
+        const Token& here = tokens[i];
+        const std::string_view word = tokens.text(i);
+        if (here.kind == Token::number) {
+            constant(tokens, i);
+        } else if (here.kind == Token::sign) {
+            const bool has_left =
+                i > 0 && (tokens[i - 1].kind != Token::sign || tokens.is(i - 1, ")") || tokens.is(i - 1, "]")) &&
+                !tokens.is(i - 1, "return");
+            if (word == "-" && !has_left) return add("sign", here.begin, here.end, "");
+            for (const auto& [was, now] : operators)
+                if (word == was && (has_left || word == "!")) add("operator", here.begin, here.end, now);
+            if (word == "?") add("branch", here.begin, here.end, "|| true ?");
+        } else {
+            if (i > 0 && tokens.is(i - 1, ".")) swizzle(here, word);
+            if (tokens.is(i + 1, "(")) call(tokens, i);
+        }
+        if (i == 0 || tokens.is(i - 1, ";") || tokens.is(i - 1, "{") || tokens.is(i - 1, "}")) statement(tokens, i);
+    }
+
+    void constant(const Tokens& tokens, size_t i) {
+        const Token& here = tokens[i];
+        const std::string word(tokens.text(i));
+        if (word.find_first_of(".eE") == std::string::npos || word.starts_with("0x")) {
+            long value = 0;
+            const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+            if (error != std::errc()) return;
+            const std::string ending(end, word.data() + word.size());  // u, L
+            add("off by one", here.begin, here.end, std::to_string(value + 1) + ending);
+            if (value > 0) add("off by one", here.begin, here.end, std::to_string(value - 1) + ending);
+            return;
+        }
+        size_t digits = word.size();
+        while (digits > 0 && (word[digits - 1] == 'f' || word[digits - 1] == 'F')) --digits;
+        const std::string ending = word.substr(digits);
+        const double value = std::stod(word.substr(0, digits));
+        const auto constant = [&](double other) {
+            std::string text = fmt::format("{}", other);
+            if (text.find_first_of(".e") == std::string::npos) text += ".0";
+            add("constant", here.begin, here.end, text + ending);
+        };
+        if (value == 0) return constant(1);
+        constant(value * 1.1);
+        constant(value * 2);
+        constant(0);
+    }
+
+    void swizzle(const Token& here, std::string_view word) {
+        for (const std::string_view set : {"xyzw", "rgba", "stpq"}) {
+            if (word.size() > 4 || word.find_first_not_of(set) != std::string_view::npos) continue;
+            if (word.size() == 1) {
+                const size_t place = set.find(word[0]);
+                for (const size_t step : {1, 2})
+                    add("channel", here.begin, here.end, std::string(1, set[(place + step) % (place < 3 ? 3 : 4)]));
+            } else {
+                std::string other(word);
+                std::swap(other[0], other[1]);
+                add("channel", here.begin, here.end, other);
+                other = word;
+                std::swap(other[0], other.back());
+                add("channel", here.begin, here.end, other);
+            }
+            return;
+        }
+    }
+
+    void call(const Tokens& tokens, size_t i) {
+        const size_t close = tokens.closing(i + 1);
+        if (close >= tokens.size()) return;
+        const std::string_view name = tokens.text(i);
+        const auto piece = [&](size_t begin, size_t end) { return text_.substr(begin, end - begin); };
+        if (name == "if") {
+            for (const char* value : {"true", "false"}) add("branch", tokens[i + 1].end, tokens[close].begin, value);
+            return;
+        }
+        if (has(no_calls, name)) return;
+        std::vector<std::pair<size_t, size_t>> arguments;
+        size_t begin = tokens[i + 1].end;
+        for (size_t j = i + 2, inside = 0; j <= close; ++j) {
+            inside += tokens.is(j, "(") || tokens.is(j, "[") || tokens.is(j, "{");
+            if ((tokens.is(j, ",") && inside == 0) || j == close) {
+                arguments.emplace_back(begin, tokens[j].begin);
+                begin = tokens[j].end;
+            } else {
+                inside -= tokens.is(j, ")") || tokens.is(j, "]") || tokens.is(j, "}");
+            }
+        }
+        size_t first = i;  // std::max is dropped with its std::
+        while (first >= 2 && tokens.is(first - 1, "::")) first -= 2;
+        const size_t whole_begin = tokens[first].begin, whole_end = tokens[close].end;
+        if (has(droppable, name)) {
+            add("dropped call", whole_begin, whole_end, "(" + piece(arguments[0].first, arguments[0].second) + ")");
+            if ((name == "max" || name == "min") && arguments.size() == 2)
+                add("dropped call", whole_begin, whole_end, "(" + piece(arguments[1].first, arguments[1].second) + ")");
+        }
+        for (const auto& [was, now] : twins)
+            if (name == was) add("other function", tokens[i].begin, tokens[i].end, now);
+        if (arguments.size() >= 2 && !has(commutative, name)) {
+            const auto& [a, a_end] = arguments[0];
+            const auto& [b, b_end] = arguments[1];
+            add("swapped arguments", a, b_end,
+                std::string(trimmed(piece(b, b_end))) + ", " + std::string(trimmed(piece(a, a_end))));
+        }
+    }
+
+    static std::string_view trimmed(std::string_view text) {
+        const size_t begin = text.find_first_not_of(" \n"), end = text.find_last_not_of(" \n");
+        return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end + 1 - begin);
+    }
+
+    /// A statement that changes something: `x = 1;`, `x[i] += 2;`, not `float x = 1;` and not `return`.
+    void statement(const Tokens& tokens, size_t i) {
+        if (tokens[i].kind != Token::name || has(no_calls, tokens.text(i)) || tokens.is(i, "const")) return;
+        size_t end = i, assigns = 0;
+        for (; end < tokens.size() && !tokens.is(end, ";"); ++end) {
+            if (tokens.is(end, "{") || tokens.is(end, "}")) return;
+            if (assigns == 0 && end > i && tokens[end].kind == Token::name && tokens[end - 1].kind == Token::name)
+                return;  // a declaration
+            const std::string_view word = tokens.text(end);
+            assigns += word == "=" || word == "+=" || word == "-=" || word == "*=" || word == "/=";
+        }
+        if (end < tokens.size() && assigns > 0) add("dropped statement", tokens[i].begin, tokens[end].end, ";");
+    }
+
+    const std::string& text_;
+    std::set<std::string> seen_;
+    std::vector<Made> made_;
+};
+
+}  // namespace
+
+std::vector<Mutant> mutants_of(const std::string& text, const std::filesystem::path& file) {
+    return Maker(text, file).take();
+}
+
+}  // namespace relief
