@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
@@ -21,6 +22,9 @@ namespace fs = std::filesystem;
 constexpr double small_difference = 2.0 / 255 + 1e-6, large_difference = 32.0 / 255 + 1e-6;
 constexpr double share_over_small = 0.0005;
 constexpr size_t pixels_over_large = 4;
+
+/// Of a vector that should have unit length. Rounding to 8 bits takes 0.007, and a mean of neighbours some more.
+constexpr double unit_tolerance = 0.05;
 
 constexpr const char* outcome_names[] = {"passed",  "wrong",       "unfinished",    "broken",
                                          "crashed", "out_of_time", "out_of_memory", "machine"};
@@ -50,6 +54,19 @@ private:
 
 bool is_surface(const Image& image, size_t pixel) { return image.values[pixel * image.channels] != no_surface; }
 
+/// Share of the pixels in which `expected` is of unit length and `drawn` is not: a direction's angle does not show it.
+double share_not_unit(const Image& drawn, const Image& expected) {
+    const auto length = [](const Image& image, size_t pixel) {
+        const float* const v = &image.values[pixel * size_t(image.channels)];
+        return std::sqrt(double(v[0]) * double(v[0]) + double(v[1]) * double(v[1]) + double(v[2]) * double(v[2]));
+    };
+    size_t count = 0;
+    for (size_t i = 0; i < drawn.pixel_count(); ++i)
+        if (is_surface(drawn, i) && is_surface(expected, i) && std::abs(length(expected, i) - 1) < unit_tolerance)
+            count += !(std::abs(length(drawn, i) - 1) < unit_tolerance);
+    return double(count) / double(drawn.pixel_count());
+}
+
 Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const Image& drawn, const Image& expected) {
     size_t only_one = 0, off = 0;
     for (size_t i = 0; i < drawn.pixel_count(); ++i) only_one += is_surface(drawn, i) != is_surface(expected, i);
@@ -68,6 +85,9 @@ Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const I
     if (double(only_one) > limits.outline * double(drawn.pixel_count()))
         findings.add("share of pixels where only one has a surface", double(only_one) / double(drawn.pixel_count()),
                      limits.outline, "");
+    if (probe.error == ErrorMetric::angle && !probe.any_length && check.against == "truth")
+        if (const double share = share_not_unit(drawn, expected); share > limits.outline)
+            findings.add("share of pixels whose vector is not of unit length", share, limits.outline, "");
     if (summary.not_finite > 0)
         return {Outcome::wrong, fmt::format("{} pixels are not a number or have no direction", summary.not_finite)};
     return findings.judgement();

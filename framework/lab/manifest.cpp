@@ -105,6 +105,7 @@ ProbeInfo read_probe(Table& table) {
     table.read("unit", probe.unit);
     probe.error = read_metric(table);
     table.read("limit", probe.limit, 0, any);
+    table.read("any_length", probe.any_length);
     table.finish();
     if (!is_identifier(probe.name))
         table.fail("name", fmt::format("'{}' becomes PROBE_<name> in the shader: use a-z, 0-9 and _", probe.name));

@@ -18,7 +18,8 @@ namespace relief {
 struct ProbeInfo {
     std::string name, unit;
     ErrorMetric error = ErrorMetric::distance;
-    double limit = 1e-3;  ///< in the unit
+    double limit = 1e-3;      ///< in the unit
+    bool any_length = false;  ///< of a direction: where the exact one has unit length, others may do without
 };
 
 /// A task for students.

@@ -16,6 +16,7 @@
 #include "framework/base/paths.h"
 #include "framework/check/starter.h"
 #include "framework/staff/grade/sandbox.h"
+#include "tests/app/course_copy.h"
 #include "tests/process.h"
 #include "tests/support.h"
 
@@ -671,10 +672,13 @@ TEST(Grade, WrongUseIsOneClearLine) {
                  {{"--resume", "-o", output + "/nowhere"}, "there is nothing to resume"},
                  {{"--merge", output + "/nowhere"}, "there is no class.json"},
                  {{a, "--merge", output}, "--merge takes no submissions: '"},
+                 {{"--mutate", "2", a}, "--mutate takes no submissions: '"},
+                 {{"--mutate", "99"}, "unknown lab"},
+                 {{a, "-o", output, "--json"}, "--json goes with --mutate"},
                  {{"--self-test", a}, "--self-test takes no submissions: '"},
                  {{"--gradescope", a, "-o", output}, "--gradescope takes no submissions: '"},
                  {{a, "-o", output, "--context", "window"}, "grade draws without a window"},
-                 {{a, "-o", output, "--sample", "2"}, "--sample needs --self-test"},
+                 {{a, "-o", output, "--sample", "2"}, "--sample goes with --self-test or --mutate"},
                  {{"--self-test", "--sample", "0"}, "--sample takes a whole number from 1 to 1000, not '0'"}};
     for (const auto& [words, said] : cases) {
         const Result result = run(grade(words));
@@ -694,6 +698,25 @@ TEST(Grade, TestsItselfOnAWholeLab) {
     EXPECT_TRUE(contains(tested.out, "kill rate 100 %, 8 of 8 correct variants get all points, 0 wrong verdicts"))
         << tested.out;
     EXPECT_FALSE(contains(tested.out, "a sample")) << tested.out;
+}
+
+TEST(Grade, NoticesMutantsOfASolutionAndSaysWhichItDoesNot) {
+    const Result tested = run(grade({"--mutate", "2", "--sample", "24", "--jobs", "2", "--json"}));
+    EXPECT_EQ(tested.code, 0) << tested.err;
+    const json all = json::parse(tested.out);
+    EXPECT_EQ(all["mutants"].size(), 24u);
+    EXPECT_GE(all["kill_rate"].get<double>(), 0.97);
+    // With checks that allow everything nobody loses a point, and the difference is found by looking.
+    const CourseCopy blind;
+    const std::string manifest = "labs/02_normal_map_storage/lab.toml";
+    blind.edit(manifest, "limit = { mean = 0.01, largest = 1.8 }", "limit = { mean = 255 }");
+    blind.edit(manifest, "limit = { mean = 0.177, at_least = 0.15, largest = 0.40 }", "limit = { mean = 180 }");
+    std::vector<std::string> words = {"grade", "--mutate", "2", "--sample", "24", "--jobs", "2"};
+    if (!has_namespaces()) words.push_back("--trust");
+    const Result blindly = blind.relief(words);
+    EXPECT_EQ(blindly.code, 1) << blindly.err;
+    EXPECT_TRUE(contains(blindly.out, "% of the pixels differ, by ")) << blindly.out;
+    EXPECT_TRUE(contains(blindly.out, "\n2.2 line ")) << blindly.out;
 }
 
 TEST(Grade, TestsItselfOnASampleOfEveryLab) {
