@@ -1,6 +1,6 @@
 // Pictures in the course's assets folder, from what the build made of them: build/bin/textures/NAME.texels, beside the
 // framework's library. Such a file knows the bytes that it was made of: where it is missing, broken or of another
-// picture, the picture itself is read, which takes OpenImageIO and time but is never wrong.
+// picture, the picture itself is read, which takes time but is never wrong.
 #pragma once
 
 #include <filesystem>

@@ -12,6 +12,7 @@
 #include "framework/base/text.h"
 #include "framework/image/netpbm.h"
 #include "framework/image/openimageio.h"
+#include "framework/image/png.h"
 
 namespace relief {
 
@@ -136,7 +137,8 @@ Image decode_image(const std::string& bytes, Notes* notes) {
     if (format == "openexr"sv) check_openexr_header(bytes);
     if (format == "png"sv) check_png_chunks(bytes);
     Notes found;
-    Image image = openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
+    Image image = format == "png"sv ? decode_png(bytes, found)
+                                    : openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
     if (notes) *notes = std::move(found);
     return image;
 }
@@ -167,11 +169,11 @@ std::string encode_image(const Image& image, ImageFormat format, const Notes& no
         case ImageFormat::pfm:
             return encode_pfm(image);
         case ImageFormat::png:
+            return encode_png(image, notes, space);
         case ImageFormat::exr:
             break;
     }
-    const char* const name = format == ImageFormat::png ? "png" : "openexr";
-    return openimageio().function<EncodeImage>("relief_encode_image")(image, name, notes, space);
+    return openimageio().function<EncodeImage>("relief_encode_image")(image, "openexr", notes);
 }
 
 void write_image(const std::filesystem::path& path, const Image& image, const Notes& notes, ColorSpace space) {

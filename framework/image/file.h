@@ -1,5 +1,5 @@
-// Images in files: PNG, OpenEXR and JPEG through OpenImageIO, which is opened at first use (it brings 260
-// libraries and costs a sixth of a second); PPM and PFM by ourselves, without it.
+// Images in files: PNG by libpng; OpenEXR and JPEG through OpenImageIO, which is opened at first use (it brings 260
+// libraries and costs a sixth of a second); PPM and PFM by ourselves.
 #pragma once
 
 #include <filesystem>

@@ -30,7 +30,7 @@ int bits_of(OIIO::TypeDesc type) {
     return 32;
 }
 
-/// libpng and libjpeg print on standard error by themselves; what they say reaches the user through the Error.
+/// libjpeg prints on standard error by itself; what it says reaches the user through the Error.
 class QuietStandardError {
 public:
     QuietStandardError() : kept_(dup(STDERR_FILENO)) {
@@ -61,7 +61,6 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
     const QuietStandardError quiet;
     OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
     OIIO::ImageSpec as_stored;
-    as_stored.attribute("oiio:UnassociatedAlpha", 1);  // else PNG's colour comes back multiplied by its alpha
     OIIO::Filesystem::IOProxy* const from_memory = &reader;
     as_stored.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &from_memory);
     const auto input = OIIO::ImageInput::open(name_for(format), &as_stored, from_memory);
@@ -101,17 +100,9 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
     return image;
 }
 
-std::string relief_encode_image(const Image& image, const char* format, const Notes& notes, ColorSpace space) {
-    OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
-    if (std::string_view(format) == "png") type = image.bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
-
-    OIIO::ImageSpec spec(image.width, image.height, image.channels, type);
-    spec.attribute("DateTime",
-                   "1970:01:01 00:00:00");  // else EXR stores the present, and no two files are alike
-    if (type != OIIO::TypeDesc::FLOAT) {
-        spec.attribute("oiio:ColorSpace", space == ColorSpace::srgb ? "sRGB" : "Linear");
-        spec.attribute("oiio:UnassociatedAlpha", 1);
-    }
+std::string relief_encode_image(const Image& image, const char* format, const Notes& notes) {
+    OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
+    spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the present, and no two files are alike
     for (const auto& [name, value] : notes) spec.attribute(std::string(note_prefix) + name, value);
 
     std::vector<unsigned char> bytes;

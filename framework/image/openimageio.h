@@ -7,9 +7,9 @@
 
 namespace relief {
 
-/// Throws Error without a place, for the caller to complete. `format` is OpenImageIO's: "png", "openexr", "jpeg".
+/// Throws Error without a place, for the caller to complete. `format` is OpenImageIO's: "openexr", "jpeg".
 using DecodeImage = Image(const std::string& bytes, const char* format, Notes& notes);
-using EncodeImage = std::string(const Image& image, const char* format, const Notes& notes, ColorSpace space);
+using EncodeImage = std::string(const Image& image, const char* format, const Notes& notes);
 
 }  // namespace relief
 

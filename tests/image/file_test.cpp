@@ -40,6 +40,18 @@ std::string png_chunk(const std::string& name, const std::string& bytes) {
     return big_endian(uint32_t(bytes.size())) + name + bytes + big_endian(~crc);
 }
 
+/// A PNG of rows, each with its filter before it; zlib's format (RFC 1950) lets them stand as they are.
+std::string png_of(uint32_t width, uint32_t height, char bits, char kind, const std::string& chunks,
+                   const std::string& rows) {
+    uint32_t a = 1, b = 0;  // Adler-32
+    for (const unsigned char byte : rows) a = (a + byte) % 65521, b = (b + a) % 65521;
+    const auto low = char(rows.size()), high = char(rows.size() >> 8);
+    const std::string stored = "\x78\x01\x01"s + low + high + char(~low) + char(~high) + rows + big_endian(b << 16 | a);
+    return "\x89PNG\r\n\x1a\n" +
+           png_chunk("IHDR", big_endian(width) + big_endian(height) + bits + kind + std::string(3, '\0')) + chunks +
+           png_chunk("IDAT", stored) + png_chunk("IEND", "");
+}
+
 /// The error of reading a file with these bytes, which must name the file.
 std::string refusal(const std::string& name, std::string_view bytes) {
     const TemporaryFolder folder;
@@ -88,6 +100,17 @@ TEST_F(ImageFiles, PngKeepsColourWhereAlphaIsNothing) {
     Image image(2, 1, 4, 8);
     image.values = {1, 0.2f, 0.4f, 0, 0.6f, 0.8f, 1, 0.2f};  // alpha may hold a height
     EXPECT_EQ(back(image, "a.png").values, image.values);
+}
+
+TEST_F(ImageFiles, PngsOfPalettesAndOfFewBitsAreColoursOfEightBits) {
+    const std::string palette = png_chunk("PLTE", "\xff\0\0\0\x33\xff"s), see_through = png_chunk("tRNS", "\x33");
+    const Image two = decode_image(png_of(2, 1, 1, 3, palette, "\0\x40"s));
+    EXPECT_EQ(two.values, (std::vector<float>{1, 0, 0, 0, 0.2f, 1}));
+    EXPECT_EQ(decode_image(png_of(2, 1, 1, 3, palette + see_through, "\0\x40"s)).values,
+              (std::vector<float>{1, 0, 0, 0.2f, 0, 0.2f, 1, 1}));
+    const Image grey = decode_image(png_of(4, 1, 2, 0, "", "\0\x1b"s));
+    EXPECT_EQ(grey.values, (std::vector<float>{0, 85 / 255.0f, 170 / 255.0f, 1}));
+    EXPECT_EQ(grey.bits, 8);
 }
 
 TEST_F(ImageFiles, PngRoundsToTheNearestAndClamps) {
@@ -183,7 +206,7 @@ TEST_F(ImageFiles, AreReadByWhatTheyAreNotByTheirName) {
     const fs::path liar = folder_.write("a.png", encode_image(image, ImageFormat::exr));
     EXPECT_EQ(read_image(liar).values, image.values);
     const auto encode = open_own_module("relief-openimageio.so", "").function<EncodeImage>("relief_encode_image");
-    const fs::path photo = folder_.write("photo.txt", encode(all_values(16, 8, 3, 8), "jpeg", {}, ColorSpace::srgb));
+    const fs::path photo = folder_.write("photo.txt", encode(all_values(16, 8, 3, 8), "jpeg", {}));
     EXPECT_TRUE(read_image(photo).same_shape(Image(16, 8, 3)));
 }
 

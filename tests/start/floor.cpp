@@ -1,6 +1,6 @@
 // The least that a picture costs: a context, one textured and lit quad at 512 x 512, a file. As somebody would write it
 // by hand with the same libraries, and with nothing of the framework; `relief bench start` holds `relief shot` to it.
-// Built twice: floor-png TEXTURE.png OUT.png reads and writes with OpenImageIO, floor-ppm TEXTURE.ppm OUT.ppm by
+// Built twice: floor-png TEXTURE.png OUT.png reads and writes with libpng, floor-ppm TEXTURE.ppm OUT.ppm by
 // itself.
 #include <glad/gl.h>  // before osmesa.h, which would bring the system's gl.h
 
@@ -21,7 +21,7 @@
 #include <vector>
 
 #ifdef FLOOR_PNG
-    #include <OpenImageIO/imageio.h>
+    #include <png.h>
 #endif
 
 namespace {
@@ -40,18 +40,21 @@ struct Picture {  // RGB, 8 bits
 
 #ifdef FLOOR_PNG
 Picture read(const char* file) {
-    const auto input = OIIO::ImageInput::open(file);
-    if (!input || input->spec().nchannels != 3) fail(std::string("cannot read ") + file);
-    Picture picture{input->spec().width, input->spec().height, {}};
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    if (!png_image_begin_read_from_file(&image, file)) fail(std::string("cannot read ") + file);
+    image.format = PNG_FORMAT_RGB;
+    Picture picture{int(image.width), int(image.height), {}};
     picture.rows.resize(size_t(picture.width) * size_t(picture.height) * 3);
-    input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, picture.rows.data());
+    if (!png_image_finish_read(&image, nullptr, picture.rows.data(), 0, nullptr))
+        fail(std::string("cannot read ") + file);
     return picture;
 }
 void write(const char* file, const Picture& picture) {
-    const auto output = OIIO::ImageOutput::create(file);
-    const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
-    if (!output || !output->open(file, spec) || !output->write_image(OIIO::TypeDesc::UINT8, picture.rows.data()) ||
-        !output->close())
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION, image.format = PNG_FORMAT_RGB;
+    image.width = png_uint_32(picture.width), image.height = png_uint_32(picture.height);
+    if (!png_image_write_to_file(&image, file, 0, picture.rows.data(), 0, nullptr))
         fail(std::string("cannot write ") + file);
 }
 #else
