@@ -118,6 +118,7 @@ TaskInfo read_task(Table& table) {
     task.title = table.text("title");
     task.file = table.text("file");
     table.read("points", task.points, 0, 1000);
+    table.read("alone", task.alone);
     table.finish();
     if (!is_course_path(task.file))
         table.fail("file", "'file' is a path inside the course, like shaders/20_x/task.glsl");

@@ -26,6 +26,8 @@ struct ProbeInfo {
 struct TaskInfo {
     std::string id, title, file;  ///< "11.2"; the file is relative to the course's top folder
     int points = 0;
+    /// It is marked with the solution of the other tasks where it loses points with the student's own.
+    bool alone = true;
 };
 
 /// What a check allows between two shots; nothing where a limit is not given. In the unit of the probe, over the pixels

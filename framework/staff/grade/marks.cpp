@@ -12,6 +12,7 @@
 #include "framework/base/paths.h"
 #include "framework/check/starter.h"
 #include "framework/gl/shader_source.h"
+#include "framework/staff/grade/transplant.h"
 #include "framework/staff/grade/variation.h"
 
 namespace relief {
@@ -116,6 +117,7 @@ bool LabMark::graded() const {
 struct LabGrader::Verdict {
     Judgement said;
     bool in_hidden_view = false;
+    bool is_own = false;  ///< it fails without the mistakes of other tasks, too
 };
 
 LabGrader::LabGrader(const LabEntry& lab, const Stage& stage, GradeSetup setup)
@@ -127,6 +129,46 @@ LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn
     const Judgement hidden = views_.judge(views_.hidden(check, drawn));
     if (hidden.outcome == Outcome::passed) return {own};
     return {{hidden.outcome, "correct in the check's own view, but not in a hidden one: " + hidden.found}, true};
+}
+
+/// One mistake costs its own task. So a task that loses points beside others is drawn again, with the solution of all
+/// other tasks; what passes then has passed. Where that draws nothing, the first verdict stands.
+void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdict>& verdicts,
+                                 DrawnChecks& drawn) const {
+    const std::vector<CheckInfo>& checks = manifest().checks;
+    const auto has_failed = [&](size_t i) {
+        return verdicts[i].said.outcome != Outcome::passed && verdicts[i].said.outcome != Outcome::machine;
+    };
+    std::vector<bool> failed;
+    std::set<std::string> losers;
+    for (size_t i = 0; i < checks.size(); ++i) {
+        failed.push_back(has_failed(i));
+        if (failed[i]) losers.insert(checks[i].task);
+    }
+    for (const TaskInfo& task : manifest().tasks) {
+        if (!task.alone || !losers.contains(task.id) || losers.size() < 2 || judge_file(task, submission)) continue;
+        CourseFiles files = solution_files(manifest());
+        const auto transplanted = with_one_task(files[task.file], submission.files.at(task.file), task.id);
+        if (!transplanted) continue;
+        files[task.file] = *transplanted;
+        std::vector<bool> wanted(checks.size());
+        for (size_t i = 0; i < checks.size(); ++i) wanted[i] = failed[i] && checks[i].task == task.id;
+        DrawnChecks alone = views_.draw(files, wanted, WhichViews::both);
+        drawn.compile += alone.compile;
+        drawn.draw += alone.draw;
+        for (size_t i = 0; i < checks.size(); ++i) {
+            if (!wanted[i]) continue;
+            Verdict verdict = judge_check(i, alone);
+            if (verdict.said.outcome == Outcome::passed)
+                verdict.said.found = "passed with the solution of the other tasks";
+            else if (verdict.said.outcome != Outcome::wrong)
+                continue;
+            else
+                verdict.is_own = true;
+            verdicts[i] = std::move(verdict);
+            drawn.checks[i] = std::move(alone.checks[i]);
+        }
+    }
 }
 
 void LabGrader::keep_pictures(const Comparison& shown, bool is_hidden, std::vector<CheckPictures>& kept) const {
@@ -155,13 +197,13 @@ std::vector<TaskMark> LabGrader::task_marks(const std::vector<CheckMark>& marks)
     return tasks;
 }
 
-void LabGrader::name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Judgement>& said,
-                              const std::vector<bool>& is_drawn) const {
+void LabGrader::name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Verdict>& verdicts,
+                              const std::vector<Judgement>& said, const std::vector<bool>& is_drawn) const {
     const std::vector<const CheckInfo*> first = put_right_first(manifest(), said);
     std::vector<bool> compared;
     std::set<std::string> suspects;  // tasks with a failure that may be their own
     for (size_t i = 0; i < said.size(); ++i) {
-        compared.push_back(is_drawn[i] && !first[i] && !is_anothers(manifest(), said, i));
+        compared.push_back(verdicts[i].is_own || (is_drawn[i] && !first[i] && !is_anothers(manifest(), said, i)));
         if (compared[i] && said[i].outcome != Outcome::passed) suspects.insert(manifest().checks[i].task);
     }
     for (TaskMark& task : lab.tasks) {
@@ -181,14 +223,21 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
     CourseFiles files;
     for (const auto& [name, text] : submission.files)
         if (task_files(manifest()).contains(name)) files[name] = text;
-    const DrawnChecks drawn = views_.draw(files, is_drawn, WhichViews::both);
+    DrawnChecks drawn = views_.draw(files, is_drawn, WhichViews::both);
 
     const auto begin = Clock::now();
-    LabMark lab{.lab = this->lab().folder, .log = drawn.log, .times = {.compile = drawn.compile, .draw = drawn.draw}};
+    std::vector<Verdict> verdicts;
+    for (size_t i = 0; i < checks.size(); ++i)
+        verdicts.push_back(undrawable[i] ? Verdict{*undrawable[i]} : judge_check(i, drawn));
+    const double compared = seconds_since(begin);
+    mark_tasks_alone(submission, verdicts, drawn);
+    LabMark lab{.lab = this->lab().folder,
+                .log = drawn.log,
+                .times = {.compile = drawn.compile, .draw = drawn.draw, .compare = compared}};
     std::vector<Judgement> said;
     std::vector<CheckMark> marks;
     for (size_t i = 0; i < checks.size(); ++i) {
-        const Verdict verdict = undrawable[i] ? Verdict{*undrawable[i]} : judge_check(i, drawn);
+        const Verdict& verdict = verdicts[i];
         const Comparison shown = verdict.in_hidden_view ? views_.hidden(i, drawn) : views_.own(i, drawn);
         said.push_back(verdict.said);
         marks.push_back({.name = checks[i].name,
@@ -199,10 +248,9 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
         if (kept && verdict.said.outcome != Outcome::passed) keep_pictures(shown, verdict.in_hidden_view, *kept);
     }
     const std::vector<std::string> all_hints = hints(manifest(), said);
-    for (size_t i = 0; i < marks.size(); ++i) marks[i].look_at = all_hints[i];
+    for (size_t i = 0; i < marks.size(); ++i) marks[i].look_at = verdicts[i].is_own ? checks[i].look_at : all_hints[i];
     lab.tasks = task_marks(marks);
-    lab.times.compare = seconds_since(begin);
-    if (with_names && lab.graded()) name_mistakes(lab, drawn, said, is_drawn);
+    if (with_names && lab.graded()) name_mistakes(lab, drawn, verdicts, said, is_drawn);
     return lab;
 }
 

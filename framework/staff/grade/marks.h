@@ -79,10 +79,11 @@ public:
 private:
     struct Verdict;
     Verdict judge_check(size_t check, const DrawnChecks& drawn) const;
+    void mark_tasks_alone(const Submission& submission, std::vector<Verdict>& verdicts, DrawnChecks& drawn) const;
     void keep_pictures(const Comparison& shown, bool is_hidden, std::vector<CheckPictures>& kept) const;
     std::vector<TaskMark> task_marks(const std::vector<CheckMark>& marks) const;
-    void name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Judgement>& said,
-                       const std::vector<bool>& is_drawn) const;
+    void name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Verdict>& verdicts,
+                       const std::vector<Judgement>& said, const std::vector<bool>& is_drawn) const;
 
     LabViews views_;
     MistakeNames mistakes_;
