@@ -156,6 +156,8 @@ void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdi
         DrawnChecks alone = views_.draw(files, wanted, WhichViews::both);
         drawn.compile += alone.compile;
         drawn.draw += alone.draw;
+        // Checks compare with each other: all are judged before any picture is taken away.
+        std::vector<size_t> decided;
         for (size_t i = 0; i < checks.size(); ++i) {
             if (!wanted[i]) continue;
             Verdict verdict = judge_check(i, alone);
@@ -166,8 +168,9 @@ void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdi
             else
                 verdict.is_own = true;
             verdicts[i] = std::move(verdict);
-            drawn.checks[i] = std::move(alone.checks[i]);
+            decided.push_back(i);
         }
+        for (const size_t i : decided) drawn.checks[i] = std::move(alone.checks[i]);
     }
 }
 
