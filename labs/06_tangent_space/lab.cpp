@@ -40,6 +40,8 @@ public:
         knobs.toggle("gram_schmidt", gram_schmidt_, "for view = one: make each pixel's frame orthonormal");
         knobs.toggle("inverse_transpose", inverse_transpose_,
                      "for view = one: transform normals by the inverse transpose");
+        knobs.choice("order", order_, orders,
+                     "the model's matrices multiplied first, or the normal transformed by one after the other");
         knobs.toggle("turn_tangent", turn_tangent_, "for view = one: rotate the tangent with the texture");
         knobs.slider("turn", turn_, -180, 180, "rotation of the texture, degrees");
         knobs.slider("scale_x", scale_.x, -2, 2, "scale of the model along x");
@@ -81,6 +83,7 @@ private:
     static constexpr std::array sources = {"map", "vertices"};
     static constexpr std::array maps = {"bricks", "one-texel"};
     static constexpr std::array spaces = {"world", "tangent"};
+    static constexpr std::array orders = {"product", "one-by-one"};
     static constexpr std::array troubles = {"none", "leaning", "along-normal", "missing"};
 
     static constexpr std::array trouble_defines = {"", "TANGENT_LEANING", "TANGENT_ALONG_NORMAL", "NO_TANGENT"};
@@ -93,9 +96,12 @@ private:
         return tiles_of(size, view_ == one ? 1 : int(comparisons.size()));
     }
 
+    glm::dvec3 scaling() const { return glm::dvec3(scale_) * std::pow(10.0, size_); }
+    glm::dmat4 rotation() const {
+        return glm::rotate(glm::dmat4(1), glm::radians(double(rotate_)), glm::dvec3(0, 1, 0));
+    }
     glm::dmat4 world_from_model() const {
-        const glm::dmat4 turned = glm::rotate(glm::dmat4(1), glm::radians(double(rotate_)), glm::dvec3(0, 1, 0));
-        const glm::dmat4 scaled = glm::scale(turned, glm::dvec3(scale_) * std::pow(10.0, size_));
+        const glm::dmat4 scaled = glm::scale(rotation(), scaling());
         return frames::Shape(shape_) == frames::Shape::column
                    ? glm::translate(scaled, glm::dvec3(0, -frames::column.height / 2, 0))
                    : scaled;
@@ -107,11 +113,13 @@ private:
         const Program& surface =
             map ? surface_.with({frame.probe, "NORMAL_MAP", way.frame, way.normals, way.turn,
                                  turn_ != 0 ? "TURNED" : "", light_in_ == tangent_space ? "IN_TANGENT_SPACE" : "",
-                                 trouble_defines[size_t(trouble_)]})
-                : surface_.with({frame.probe, way.normals});
+                                 trouble_defines[size_t(trouble_)], order_ == 1 ? "ONE_BY_ONE" : ""})
+                : surface_.with({frame.probe, way.normals, order_ == 1 ? "ONE_BY_ONE" : ""});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_world_from_model", world_from_model());
+        surface.set("u_scaling", scaling());
+        surface.set("u_rotation", glm::mat3(rotation()));
         surface.set("u_eye", frame.camera.eye());
         surface.set("u_light", lamp_at(light_yaw_, light_distance_, light_height_));
         surface.set("u_strength", strength_);
@@ -153,7 +161,7 @@ private:
     Labels labels_;
 
     int view_ = compare, shape_ = 0, normals_from_ = from_map, map_ = bricks, light_in_ = world_space, size_ = 0,
-        trouble_ = none;
+        trouble_ = none, order_ = 0;
     bool gram_schmidt_ = true, inverse_transpose_ = true, turn_tangent_ = true;
     glm::vec3 scale_{1.35f, 0.75f, 0.9f};
     float strength_ = 1, turn_ = 60, rotate_ = 0, light_yaw_ = -40, light_height_ = 2.2f, light_distance_ = 3;

@@ -16,6 +16,8 @@ uniform float u_turn;  // of the texture, radians
 #endif
 
 uniform mat4 u_world_from_model;
+uniform vec3 u_scaling;  // the two that it is made of, the scaling first
+uniform mat3 u_rotation;
 uniform vec3 u_eye;
 uniform vec3 u_light;
 
@@ -30,6 +32,9 @@ vec3 surface_normal() {
     vec3 normal = normalize(v_normal);
 #ifdef MODEL_MATRIX
     vec3 world = mat3(u_world_from_model) * normal;
+#elif defined ONE_BY_ONE
+    mat3 scaling = mat3(u_scaling.x, 0.0, 0.0, 0.0, u_scaling.y, 0.0, 0.0, 0.0, u_scaling.z);
+    vec3 world = world_normal(world_normal(normal, scaling), u_rotation);
 #else
     vec3 world = world_normal(normal, mat3(u_world_from_model));
 #endif

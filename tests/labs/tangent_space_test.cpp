@@ -23,6 +23,20 @@ TEST(TangentSpace, LightInTheWorldAndInTangentSpaceIsTheSame) {
         expect_same_picture(picture({{"shape", shape}}), picture({{"shape", shape}, {"light_in", "tangent"}}), 1, 8);
 }
 
+// The inverse transpose of a product is the product of the inverse transposes: but for the last bits.
+TEST(TangentSpace, NormalsByAProductOrByOneMatrixAfterTheOtherAreTheSame) {
+    for (const char* scale : {"0.5", "-1.5"}) {
+        std::vector<Knob> knobs = {{"rotate", "50"}, {"scale_y", scale}, {"strength", "0"}};
+        const Shot product = shot_of("06", one(knobs), "normal");
+        knobs.emplace_back("order", "one-by-one");
+        const Shot in_turn = shot_of("06", one(knobs), "normal");
+        const double off =
+            summarize(error_image(drawn("06", product), drawn("06", in_turn), ErrorMetric::angle)).largest;
+        EXPECT_LT(off, 1e-4) << scale;
+        EXPECT_GT(off, 0) << "two ways of rounding";
+    }
+}
+
 TEST(TangentSpace, AFlatMapIsNoMap) {
     for (const char* shape : {"sphere", "column", "wall"}) {
         const Image none = picture({{"shape", shape}, {"normals", "vertices"}});
