@@ -31,9 +31,11 @@ public:
     void draw(const Frame& frame) override {
         const auto tiles = tiles_of_view(frame.size);
         Maps& maps = maps_.get({makers(tiles.size()), inputs()}, [this] { return make_maps(); });
-        for (size_t i = 0; i < tiles.size(); ++i)
+        for (size_t i = 0; i < tiles.size(); ++i) {
             if (!maps.normals.contains(filter_of(i)))
                 maps.normals.emplace(filter_of(i), make_normals(filter_of(i), maps.heights));
+            if (is_derived() && !frame.probe) derived(maps, filter_of(i));  // reads maps back, which binds others
+        }
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (size_t i = 0; i < tiles.size(); ++i) {
@@ -47,7 +49,10 @@ public:
     void knobs(Knobs& knobs) override {
         knobs.choice("view", view_, views, "every filter, or one of them");
         knobs.choice("filter", filter_, filters, "for view = one: the filter of the wall");
-        knobs.choice("show", show_, shows, "the lit relief, the error compared with the exact slope, or half of each");
+        knobs.choice("show", show_, shows,
+                     "the lit relief, the error compared with the exact slope, or half of each; or what else heights "
+                     "give: how open "
+                     "a place is to the sky, how glossy by its normals' spread");
         knobs.choice_or_picture("source", source_, own_, sources,
                                 "a known function, the bricks' height map, or the bricks' colours");
         knobs.choice("size", size_, sizes, "texels along each side of the map (source waves)");
@@ -76,13 +81,13 @@ public:
 
 private:
     enum View { every, one };
-    enum Show { half_and_half, light, error_map };
+    enum Show { half_and_half, light, error_map, occlusion, gloss };
     enum Source { waves, bricks, colors, own };
     enum Place { gpu, cpu };
     static constexpr int picture_size = 256;
     static constexpr std::array views = {"every", "one"};
     static constexpr std::array filters = {"forward", "central", "sobel", "scharr", "fourth-order", "spline"};
-    static constexpr std::array shows = {"half-and-half", "light", "error"};
+    static constexpr std::array shows = {"half-and-half", "light", "error", "occlusion", "gloss"};
     static constexpr std::array sources = {"waves", "bricks", "colors"};
     static constexpr std::array sizes = {"32", "64", "128", "256"};
     static constexpr std::array bit_counts = {"float", "16", "8"};
@@ -92,7 +97,9 @@ private:
     glm::dvec2 texels() const { return {depth_ / stretch_, depth_}; }
     glm::dvec2 wall() const { return glm::dvec2(std::min(1.0f, stretch_), std::min(1.0f, 1 / stretch_)); }
     bool has_known_slope() const { return source_ == waves && fine_ == 1 && middle_ == 1 && coarse_ == 1; }
-    bool has_scale() const { return show_ != light && has_known_slope(); }
+    bool shows_error() const { return show_ == half_and_half || show_ == error_map; }
+    bool is_derived() const { return show_ == occlusion || show_ == gloss; }
+    bool has_scale() const { return shows_error() && has_known_slope(); }
     std::vector<Tile> tiles_of_view(glm::ivec2 frame) const {
         return tiles_of(frame, view_ == one ? 1 : int(filters.size()), has_scale() ? Labels::scale_height(frame) : 0);
     }
@@ -142,8 +149,9 @@ private:
     /// Of one setting of the knobs that maps depend on.
     struct Maps {
         heights::Map heights;
-        Texture truth;                        ///< exact normals
-        std::map<int, heights::Map> normals;  ///< by filter, those that were shown
+        Texture truth;                                        ///< exact normals
+        std::map<int, heights::Map> normals;                  ///< by filter, those that were shown
+        std::map<std::pair<int, int>, Texture> derived = {};  ///< by what is shown and filter
     };
     std::vector<float> inputs() const {
         return {float(source_), float(size_), float(bits_), float(wrap_), float(where_),        depth_,
@@ -194,11 +202,42 @@ private:
         return map;
     }
 
-    void draw_wall(const Frame& frame, const Tile& tile, const Maps& maps, int filter) const {
+    /// How glossy what is left of a texel and its neighbours is, by the length of their mean normal (Toksvig 2005): 1
+    /// where they agree.
+    Image gloss_of(const Image& normals) const {
+        constexpr double exponent = 64;
+        Image made(normals.width, normals.height, 1);
+        for (int y = 0; y < normals.height; ++y)
+            for (int x = 0; x < normals.width; ++x) {
+                glm::dvec3 sum(0);
+                for (int i = 0; i < 9; ++i) {
+                    const int u = x + i % 3 - 1 + normals.width, v = y + i / 3 - 1 + normals.height;
+                    const float* const n = normals.pixel(u % normals.width, v % normals.height);
+                    sum += glm::normalize(glm::dvec3(n[0], n[1], n[2])) / 9.0;
+                }
+                const double length = std::min(1.0, glm::length(sum));
+                *made.pixel(x, y) = float(length / (length + exponent * (1 - length)));
+            }
+        return made;
+    }
+
+    /// Another map of the same heights or normals.
+    const Texture& derived(Maps& maps, int filter) const {
+        const std::pair key(show_, show_ == gloss ? filter : 0);
+        if (const auto found = maps.derived.find(key); found != maps.derived.end()) return found->second;
+        if (show_ == occlusion && !heights::open_to_the_sky)
+            throw Error("how open a place is to the sky is not in this course: it is what task 16.5 asks for");
+        Image made = show_ == gloss ? gloss_of(maps.normals.at(filter).read(3))
+                                    : heights::open_to_the_sky(maps.heights.read(1), texels().y);
+        return maps.derived.emplace(key, table([made = std::move(made)] { return made; })).first->second;
+    }
+
+    void draw_wall(const Frame& frame, const Tile& tile, Maps& maps, int filter) const {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         const heights::Map& map = maps.normals.at(filter);
-        const bool show_error = show_ != light && map.error.count > 0 && !frame.probe;
-        const Program& surface = wall_program_.with({frame.probe, show_error ? "ERROR" : ""});
+        const bool show_error = shows_error() && map.error.count > 0 && !frame.probe;
+        const Program& surface =
+            wall_program_.with({frame.probe, show_error ? "ERROR" : "", is_derived() && !frame.probe ? "DERIVED" : ""});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_eye", frame.camera.eye());
@@ -210,6 +249,7 @@ private:
             surface.set("u_split", show_ == half_and_half ? 0.5f : 0.0f);
             surface.set("s_truth", 2, maps.truth);
         }
+        if (is_derived() && !frame.probe) surface.set("s_derived", 3, derived(maps, filter));
         glUniform1i(glGetUniformLocation(surface, "s_normals"), 0);
         glUniform1i(glGetUniformLocation(surface, "s_heights"), 1);
         glActiveTexture(GL_TEXTURE1);
@@ -222,7 +262,7 @@ private:
 
     void describe(glm::ivec2 size, const Tile& tile, int filter, const ErrorSummary& error) {
         labels_.caption(size, tile, 0, filters[size_t(filter)]);
-        if (error.count > 0)
+        if (error.count > 0 && !is_derived())
             labels_.caption(size, tile, -1,
                             fmt::format("mean {}~ max {}~", rounded(error.mean, 2), rounded(error.largest, 2)));
     }

@@ -17,6 +17,9 @@ inline FromStaff<Image(const Image& heights, const NormalOptions& options)> norm
 /// What the framework makes of a colour picture.
 inline FromStaff<Image(const Image& picture)> heights_by_cpu;
 
+/// How open each texel is to the sky, 1 being wide open, by the horizons around it. `texels`: of a height of 1.
+inline FromStaff<Image(const Image& heights, double texels)> open_to_the_sky;
+
 /// `map` (row 0 at the top) as a wall of half the size `wall` shows it that many times along each side: the texel at
 /// the centre of each pixel, +infinity beside the wall.
 Image on_wall(const Frame& frame, const Image& map, glm::dvec2 wall, double repeat);

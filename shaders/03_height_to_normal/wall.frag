@@ -19,6 +19,10 @@ uniform float u_split;  // in shares of the wall's width
 uniform float u_repeat;
 #endif
 
+#ifdef DERIVED
+uniform sampler2D s_derived;  // one number a texel
+#endif
+
 layout(location = 0) out vec4 o_color;
 
 ivec2 texel() {
@@ -35,6 +39,9 @@ void main() {
     vec4 stored = texture(s_normals, v_uv);
     is_unfinished = stored.a < 0.5;
     vec3 color;
+#ifdef DERIVED
+    color = texture(s_derived, v_uv).rrr;
+#else
 #ifdef ERROR
     if (v_uv.x > u_split * u_repeat) {
         vec3 a = texelFetch(s_normals, texel(), 0).xyz, b = texelFetch(s_truth, texel(), 0).xyz;
@@ -48,6 +55,7 @@ void main() {
         light += vec3(1.25, 1.12, 0.95) * blinn_phong(albedo, 0.05, 60.0, normal, normalize(u_light - v_position), to_eye);
         color = srgb_from_linear(light);
     }
+#endif
     o_color = finished(vec4(color, 1.0), gl_FragCoord.xy);
 #endif
 }

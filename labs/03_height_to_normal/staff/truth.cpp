@@ -2,6 +2,7 @@
 #include "truth.h"
 
 #include "framework/staff/reference/normals.h"
+#include "framework/staff/reference/occlusion.h"
 
 namespace relief::heights {
 namespace {
@@ -19,6 +20,10 @@ Image framework_heights(const Image& picture) {
     return heights;
 }
 
+// Task 16.5 has the students write this integral.
+Image open_by_horizons(const Image& heights, double texels) { return occlusion_from_heights(heights, texels, 8, 32); }
+
+const decltype(open_to_the_sky)::Provided provided_open_to_the_sky(open_to_the_sky, open_by_horizons);
 const decltype(normals_by_cpu)::Provided provided_normals_by_cpu(normals_by_cpu, framework_normals);
 const decltype(heights_by_cpu)::Provided provided_heights_by_cpu(heights_by_cpu, framework_heights);
 
