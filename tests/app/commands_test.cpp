@@ -219,7 +219,8 @@ TEST_F(CourseTest, AHeadlessRunOpensNeitherWindowNorPictureLibrariesThatItDoesNo
     const TemporaryFolder libraries;
     const auto where = without_libraries(libraries, {"libglfw.so.3", openimageio, "libGL.so.1"});
     EXPECT_EQ(course().relief({"list"}, where).code, 0);
-    const Result result = course().relief({"shot", "1", "--size", "64x48", "-o", "shot.png"}, where);
+    EXPECT_EQ(course().relief({"shot", "1", "--size", "64x48", "-o", "drawn.png"}, where).code, 0);
+    const Result result = course().relief({"shot", "1", "--size", "64x48", "-o", "shot.exr"}, where);
     expect_failure(result, "install the Debian package libopenimageio-dev");
 }
 
