@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "framework/base/error.h"
+#include "framework/image/stored.h"
 
 namespace {
 
@@ -19,15 +19,6 @@ using namespace relief;
 // OpenImageIO's registry of formats goes by the ending of a name.
 std::string name_for(const char* format) {
     return std::string("image.") + (std::string_view(format) == "openexr" ? "exr" : format);
-}
-
-// Our notes, and no others, come back from a file.
-constexpr std::string_view note_prefix = "relief:";
-
-int bits_of(OIIO::TypeDesc type) {
-    if (type == OIIO::TypeDesc::UINT8) return 8;
-    if (type == OIIO::TypeDesc::UINT16) return 16;
-    return 32;
 }
 
 /// libjpeg prints on standard error by itself; what it says reaches the user through the Error.
@@ -67,36 +58,25 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
     if (!input) throw damaged(OIIO::geterror());
 
     const OIIO::ImageSpec& spec = input->spec();
-    const bool fits = spec.width >= 1 && spec.height >= 1 && spec.width <= max_image_side &&
-                      spec.height <= max_image_side && spec.nchannels >= 1 && spec.nchannels <= 4 &&
-                      spec.image_pixels() * spec.nchannels * sizeof(float) <= max_image_bytes;
-    if (!fits)
-        throw Error(fmt::format("{}x{} with {} channels: at most {}x{}, 4 channels and {} MiB are supported",
-                                spec.width, spec.height, spec.nchannels, max_image_side, max_image_side,
-                                max_image_bytes >> 20));
-
+    check_image_size(spec.width, spec.height, spec.nchannels);
     for (const OIIO::ParamValue& note : spec.extra_attribs) {
         const std::string name = note.name().string();
         if (name.starts_with(note_prefix)) notes.emplace_back(name.substr(note_prefix.size()), note.get_string());
     }
-    Image image(spec.width, spec.height, spec.nchannels, bits_of(spec.format));
+    Image image(spec.width, spec.height, spec.nchannels, spec.format == OIIO::TypeDesc::UINT8 ? 8 : 32);
     const auto read = [&](OIIO::TypeDesc type, void* into) {
         if (input->read_image(0, 0, 0, spec.nchannels, type, into)) return;
         const std::string reason = input->geterror();
         throw damaged(reason);
     };
-    // Divided here: OpenImageIO multiplies by 1 / 255, which is a last bit off.
-    const auto read_integers = [&](auto zero, OIIO::TypeDesc type, float largest) {
-        std::vector<decltype(zero)> stored(image.values.size());
-        read(type, stored.data());
-        std::transform(stored.begin(), stored.end(), image.values.begin(), [=](auto v) { return float(v) / largest; });
-    };
-    if (image.bits == 8)
-        read_integers(uint8_t(), OIIO::TypeDesc::UINT8, 255);
-    else if (image.bits == 16)
-        read_integers(uint16_t(), OIIO::TypeDesc::UINT16, 65535);
-    else
+    if (image.bits == 8) {
+        // Divided here: OpenImageIO multiplies by 1 / 255, which is a last bit off.
+        std::vector<uint8_t> stored(image.values.size());
+        read(OIIO::TypeDesc::UINT8, stored.data());
+        std::transform(stored.begin(), stored.end(), image.values.begin(), [](auto v) { return float(v) / 255; });
+    } else {
         read(OIIO::TypeDesc::FLOAT, image.values.data());
+    }
     return image;
 }
 

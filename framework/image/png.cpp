@@ -8,13 +8,10 @@
 #include <cstring>
 #include <tuple>
 
-#include "framework/base/error.h"
+#include "framework/image/stored.h"
 
 namespace relief {
 namespace {
-
-// Our notes, and no others, come back from a file.
-constexpr std::string_view note_prefix = "relief:";
 
 /// What libpng reads from or writes to. libpng leaves by longjmp() where it fails, over what is on the stack: so all
 /// that has a destructor lives in here, outside of the functions that call setjmp().
@@ -161,10 +158,7 @@ Image decode_png(const std::string& bytes, Notes& notes) {
     const auto damaged = [&] { return Error("damaged: " + reader.stream.problem); };
     if (!read_header(reader)) throw damaged();
     const auto [width, height, channels] = std::tuple(reader.width, reader.height, reader.channels);
-    if (width > max_image_side || height > max_image_side ||
-        size_t(width) * size_t(height) * size_t(channels) * sizeof(float) > max_image_bytes)
-        throw Error(fmt::format("{}x{} with {} channels: at most {}x{}, 4 channels and {} MiB are supported", width,
-                                height, channels, max_image_side, max_image_side, max_image_bytes >> 20));
+    check_image_size(width, height, channels);
     Image image(width, height, channels, reader.bits);
     reader.bytes.resize(image.values.size() * size_t(reader.bits / 8));
     reader.rows = rows_of(reader.bytes, height);

@@ -25,8 +25,7 @@ namespace {
 
 struct GradeArguments {
     std::vector<std::string> paths, labs;
-    std::string output, jobs, seconds, sample, seed, shard, merge, context = "auto", threads = "0";
-    std::string mutate;
+    std::string output, jobs, seconds, sample, seed, shard, merge, mutate, context = "auto", threads = "0";
     bool trust = false, fresh = false, self_test = false, json = false, resume = false, unpinned = false,
          gradescope = false;
 };

@@ -136,18 +136,18 @@ LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn
 void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdict>& verdicts,
                                  DrawnChecks& drawn) const {
     const std::vector<CheckInfo>& checks = manifest().checks;
-    const auto has_failed = [&](size_t i) {
-        return verdicts[i].said.outcome != Outcome::passed && verdicts[i].said.outcome != Outcome::machine;
-    };
     std::vector<bool> failed;
     std::set<std::string> losers;
     for (size_t i = 0; i < checks.size(); ++i) {
-        failed.push_back(has_failed(i));
+        const Outcome outcome = verdicts[i].said.outcome;
+        failed.push_back(outcome != Outcome::passed && outcome != Outcome::machine);
         if (failed[i]) losers.insert(checks[i].task);
     }
+    if (losers.size() < 2) return;
+    const CourseFiles solution = solution_files(manifest());
     for (const TaskInfo& task : manifest().tasks) {
-        if (!task.alone || !losers.contains(task.id) || losers.size() < 2 || judge_file(task, submission)) continue;
-        CourseFiles files = solution_files(manifest());
+        if (!task.alone || !losers.contains(task.id) || judge_file(task, submission)) continue;
+        CourseFiles files = solution;
         const auto transplanted = with_one_task(files[task.file], submission.files.at(task.file), task.id);
         if (!transplanted) continue;
         files[task.file] = *transplanted;
