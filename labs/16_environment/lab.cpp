@@ -84,7 +84,7 @@ private:
     static constexpr std::array biases = {"none", "constant", "plane"};
     static constexpr std::array levels = {"mip", "0"};
     static constexpr std::array shown = {"light of the sky", "lamps",    "mirrored sky",
-                                         "x seen of it",     "x shadow", "x gloss and Fresnel"};
+                                         "x occlusion",      "x shadow", "x gloss and Fresnel"};
     static constexpr int sky_texels = 128;
     static constexpr std::array<glm::dvec3, 2> ambient = {{{0.085, 0.060, 0.065}, {0.210, 0.225, 0.360}}};
     static constexpr std::array<glm::dvec3, 3> lamp_colors = {{{4.2, 2.2, 0.9}, {2.4, 1.15, 0.40}, {0.55, 0.85, 1.5}}};
@@ -358,7 +358,7 @@ private:
         };
         const Terms& right = exact ? *exact : drawn;
         add("light of the sky", grey(drawn.ambient), grey(right.ambient));
-        add("  x seen of it", drawn.occlusion, right.occlusion);
+        add("  x occlusion", drawn.occlusion, right.occlusion);
         add("+ lamps", grey(drawn.lamps), grey(right.lamps));
         add("  (shadow", drawn.shadow, right.shadow);
         lines.back() += ")";
