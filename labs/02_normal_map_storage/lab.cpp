@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <memory>
 
 #include "formats.h"
 #include "framework/base/text.h"
+#include "framework/gl/texel_target.h"
 #include "framework/image/compare.h"
 #include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
@@ -25,10 +27,19 @@ public:
         std::vector<ErrorSummary> errors(tiles.size());
         if (!frame.probe)
             for (size_t i = 0; i < tiles.size(); ++i) errors[i] = measure(format_of(i));
+        // The codes alone go from the encoder to the decoder.
+        const bool decodes = frame.probe.name != "stored";
+        if (decodes) {
+            const TexelTarget& codes = codes_of(frame.size);
+            codes.begin();
+            for (size_t i = 0; i < tiles.size(); ++i)
+                draw_sphere(frame_in(frame, tiles[i]), tiles[i], program(format_of(i), "", "STORE"));
+            codes.bind(0);
+        }
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (size_t i = 0; i < tiles.size(); ++i) {
-            draw_sphere(frame_in(frame, tiles[i]), tiles[i], format_of(i));
+            draw_sphere(frame_in(frame, tiles[i]), tiles[i], program(format_of(i), frame.probe));
             describe(frame.size, tiles[i], format_of(i), errors[i]);
         }
         if (show_ != light) labels_.log_scale(frame.size, "0.001~", "10~", 4);
@@ -64,11 +75,17 @@ private:
     }
     int format_of(size_t tile) const { return view_ == one ? format_ : int(tile); }
 
-    const Program& program(int format, const char* purpose) const {
-        return sphere_.with({fmt::format("FORMAT {}", format), mismatch_ ? "MISMATCH" : "", purpose});
+    const Program& program(int format, const Define& purpose, const char* store = "") const {
+        return sphere_.with({fmt::format("FORMAT {}", format), mismatch_ ? "MISMATCH" : "", purpose, store});
     }
 
-    void draw_sphere(const Frame& frame, const Tile& tile, int format) const {
+    const TexelTarget& codes_of(glm::ivec2 size) {
+        return *codes_.get({size}, [&] {
+            return std::make_unique<TexelTarget>(size, std::initializer_list<GLenum>{GL_RGBA32F});
+        });
+    }
+
+    void draw_sphere(const Frame& frame, const Tile& tile, const Program& sphere) const {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         const Ray middle = frame.camera.ray({0, 0});
         const glm::dvec3 forward = middle.direction;
@@ -76,9 +93,8 @@ private:
             const glm::dvec3 direction = frame.camera.ray(clip).direction;
             return direction / glm::dot(direction, forward) - forward;
         };
-        const Define probe = frame.probe;
-        const Program& sphere = program(format, probe.text.c_str());
         glUseProgram(sphere);
+        sphere.set("s_codes", 0);
         sphere.set("u_eye", frame.camera.eye());
         sphere.set("u_forward", forward);
         sphere.set("u_right", side({1, 0}));
@@ -91,14 +107,20 @@ private:
     /// The error over directions that are spread evenly, by the shader's own functions; anew when the program is
     /// another, as it is when a shader was saved.
     const ErrorSummary& measure(int format) {
-        const Program& sphere = program(format, "MEASURE");
-        return measured_[format].get({sphere}, [&] {
-            const Image drawn = draw_numbers(measured, [&] {
+        const Program &encoder = program(format, "MEASURE", "STORE"), &decoder = program(format, "MEASURE");
+        return measured_[format].get({encoder, decoder}, [&] {
+            const auto draw_with = [&](const Program& sphere) {
                 glUseProgram(sphere);
                 sphere.set("u_measured", measured);
+                sphere.set("s_codes", 0);
                 glBindVertexArray(nothing_.layout());
                 glDrawArrays(GL_TRIANGLES, 0, 3);
-            });
+            };
+            const TexelTarget codes(measured, {GL_RGBA32F});
+            codes.begin();
+            draw_with(encoder);
+            codes.bind(0);
+            const Image drawn = draw_numbers(measured, [&] { draw_with(decoder); });
             Image error(measured.x, measured.y, 1);
             for (size_t i = 0; i < error.values.size(); ++i) error.values[i] = drawn.values[i * 4];
             return summarize(error);
@@ -117,8 +139,9 @@ private:
 
     Programs sphere_{"02_normal_map_storage/window.vert", "02_normal_map_storage/sphere.frag"};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
+    Kept<std::unique_ptr<TexelTarget>, glm::ivec2> codes_;
     Labels labels_;
-    std::map<int, Kept<ErrorSummary, GLuint>> measured_;  ///< by format
+    std::map<int, Kept<ErrorSummary, GLuint, GLuint>> measured_;  ///< by format
 
     int view_ = every, format_ = 0, show_ = half_and_half;
     bool mismatch_ = false;

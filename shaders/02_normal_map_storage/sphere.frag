@@ -1,5 +1,6 @@
 #version 410 core
-// A sphere of directions: each is stored in FORMAT, read back, and lit or compared with the original.
+// A sphere of directions: each is stored in FORMAT, read back, and lit or compared with the original. Codes are written to
+// a texture by one pass (STORE) and read by the next, as those of a normal map are: nothing else reaches the decoder.
 
 #include "02_normal_map_storage/task.glsl"
 #include "common/heat.glsl"
@@ -23,6 +24,7 @@ uniform vec3 u_right;
 uniform vec3 u_up;
 uniform float u_split;  // in clip coordinates: lit on the left of it, the error on its right
 uniform ivec2 u_measured;
+uniform sampler2D s_codes;  // what STORE wrote
 
 layout(location = 0) out vec4 o_color;
 
@@ -52,6 +54,31 @@ vec3 stored(vec3 normal) {
 #else
     return vec3(half_of(normal.x), half_of(normal.y), half_of(normal.z));
 #endif
+}
+
+// What a texture of as many bits keeps of a code: whole numbers.
+vec3 whole(vec3 code) {
+#if FORMAT == HALF
+    return code;
+#elif FORMAT == RG16
+    return clamp(floor(code + 0.5), 0.0, 65535.0);
+#elif FORMAT == SNORM8 || FORMAT == OCTAHEDRAL
+    return clamp(floor(code + 0.5), -128.0, 127.0);
+#else
+    return clamp(floor(code + 0.5), 0.0, 255.0);
+#endif
+}
+
+// A texel's alpha: is there a direction (1), and is the encoder missing (2)?
+vec4 texel_of(vec3 code, bool is_there) {
+    return vec4(whole(code), float(is_there) + (is_unfinished ? 2.0 : 0.0));
+}
+
+vec3 code_here(out bool is_there) {
+    vec4 texel = texelFetch(s_codes, ivec2(gl_FragCoord.xy), 0);
+    if (texel.a >= 2.0) is_unfinished = true;
+    is_there = mod(texel.a, 2.0) == 1.0;
+    return texel.xyz;
 }
 
 vec3 read_back(vec3 code) {
@@ -97,8 +124,19 @@ vec3 spread_direction() {
 //)
 
 void main() {
-    vec3 normal = spread_direction();
-    o_color = vec4(angle_degrees(read_back(stored(normal)), normal), 0.0, 0.0, 1.0);
+#ifdef STORE
+    o_color = texel_of(stored(spread_direction()), true);
+#else
+    bool is_there;
+    o_color = vec4(angle_degrees(read_back(code_here(is_there)), spread_direction()), 0.0, 0.0, 1.0);
+#endif
+}
+#elif defined PROBE_normal && !defined STORE
+void main() {
+    bool is_there;
+    vec3 code = code_here(is_there);
+    if (!is_there) discard;
+    o_color = vec4(read_back(code), 0.0);
 }
 #else
 
@@ -111,20 +149,19 @@ void main() {
     float inside = 1.0 - dot(nearest, nearest);
     vec3 normal = normalize(nearest - sqrt(max(inside, 0.0)) * direction);
     bool missing = !keeps_lower_half() && normal.z < 0.0;
-#if defined PROBE_normal || defined PROBE_stored
+#ifdef PROBE_stored
     if (inside < 0.0 || missing) discard;
-#ifdef PROBE_normal
-    o_color = vec4(read_back(stored(normal)), 0.0);
-#else
     o_color = vec4(stored(normal), 0.0);
-#endif
+#elif defined STORE
+    o_color = texel_of(stored(normal), inside >= 0.0 && !missing);
 #else
     // The outline, one pixel soft.
     float distance_ = sqrt(dot(nearest, nearest));
     float cover = clamp((1.0 - distance_) / max(fwidth(distance_), 1e-6) + 0.5, 0.0, 1.0);
     vec3 back = background(v_clip.y), color = back;
     if (cover > 0.0) {
-        vec3 result = normalize(read_back(stored(normal)));
+        bool is_there;
+        vec3 result = normalize(read_back(code_here(is_there)));
         if (missing) {
             bool odd = mod(floor((gl_FragCoord.x + gl_FragCoord.y) / 6.0), 2.0) == 1.0;
             color = odd ? vec3(0.20, 0.21, 0.23) : vec3(0.16, 0.17, 0.19);
