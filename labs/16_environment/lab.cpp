@@ -133,10 +133,10 @@ private:
                (Material(material) == Material::marble && !scene.columns.empty());
     }
 
-    /// Each material's triangles, by `program_of(is the floor displaced)`.
+    /// Each material's triangles, by `program_of(material)`. What hides much of the others comes first, the floor last.
     template <class ProgramOf>
     void draw_meshes(const glm::dmat4& clip_from_world, ProgramOf program_of) {
-        for (int i = 0; i < materials; ++i) {
+        for (int i = materials - 1; i >= 0; --i) {
             if (!is_there(i)) continue;
             const Program& program = program_of(i);
             program.set("u_clip_from_world", clip_from_world);
@@ -268,8 +268,8 @@ private:
         const TexelTarget* open = need.open ? &openness(frame) : nullptr;
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-        if (!frame.probe && purpose.text != "TERMS") draw_sky(frame);
         draw_surfaces(frame, sun, shadows, open, purpose);
+        if (!frame.probe) draw_sky(frame);
     }
 
     static glm::dvec3 row(const Frame& frame, int i) {
@@ -291,10 +291,10 @@ private:
         program.set("u_right", row(frame, 0) * right);
         program.set("u_up", row(frame, 1) * up);
         set_sky(program);
-        glDisable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LEQUAL);  // it is as far as can be: only where nothing stands
         glBindVertexArray(nothing_.layout());
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
     }
 
     void draw_surfaces(const Frame& frame, const SunView& sun, const DepthTarget* shadows, const TexelTarget* open,

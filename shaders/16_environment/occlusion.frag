@@ -36,25 +36,28 @@ void main() {
         vec3 along = vec3(way, 0.0) - dot(vec3(way, 0.0), to_eye) * to_eye;
         vec3 axis = normalize(cross(along, to_eye));
         vec3 within = normal - dot(normal, axis) * axis;
-        float weight = length(within);
-        float g = sign(dot(within, along)) * acos(clamp(dot(within, to_eye) / max(weight, 1e-6), -1.0, 1.0));
+        // A normal that faces away is seen edge-on.
+        float weight = length(within), cosine = clamp(dot(within, to_eye) / max(weight, 1e-6), 0.0, 1.0);
+        float turned = dot(within, along) < 0.0 ? -1.0 : 1.0;
+        float g = turned * acos(cosine), sine = turned * sqrt(1.0 - cosine * cosine);
         float horizons[2];
         for (int side = 0; side < 2; ++side) {
-            // Nothing hides what lies in front of the surface itself.
-            float limit = side == 0 ? max(g - 0.5 * pi, -pi) : min(g + 0.5 * pi, pi), lowest = cos(limit), best = lowest;
+            // Nothing hides what lies in front of the surface itself: from g - pi / 2 to g + pi / 2.
+            float lowest = side == 0 ? sine : -sine, best = lowest;
+            float start = 0.25 + 0.5 * fract(turn + 0.5 * float(side));
             for (int tap = 0; tap < u_taps; ++tap) {
-                float share = (float(tap) + 0.25 + 0.5 * fract(turn + 0.5 * float(side))) / float(u_taps);
+                float share = (float(tap) + start) / float(u_taps);
                 float off = max(share * share * radius, float(tap) + 1.0);
                 ivec2 at = ivec2(gl_FragCoord.xy + (side == 0 ? -way : way) * off);
                 if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(size)))) break;
                 float ahead = texelFetch(s_surface, at, 0).w;
                 vec3 to = place_of((vec2(at) + 0.5) / size, ahead) - place;
-                float away = length(to);
+                float square = max(dot(to, to), 1e-12), inverse = inversesqrt(square);
                 // Fades out over the last fifth of the reach, so that no edge is seen there. And a tap is in the middle of
                 // a texel, beside the plane: so what is hardly above the surface may be the surface.
-                float counts = ahead > 0.0 ? clamp(5.0 * (1.0 - away / u_reach), 0.0, 1.0) : 0.0;
-                counts *= clamp(40.0 * dot(to, normal) / max(away, 1e-6), 0.0, 1.0);
-                best = max(best, mix(lowest, dot(to, to_eye) / max(away, 1e-6), counts));
+                float counts = ahead > 0.0 ? clamp(5.0 * (1.0 - square * inverse / u_reach), 0.0, 1.0) : 0.0;
+                counts *= clamp(40.0 * dot(to, normal) * inverse, 0.0, 1.0);
+                best = max(best, mix(lowest, dot(to, to_eye) * inverse, counts));
             }
             horizons[side] = acos(clamp(best, -1.0, 1.0));
         }

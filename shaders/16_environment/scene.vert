@@ -24,7 +24,9 @@ void main() {
     v_tangent = a_tangent.xyz;
     v_uv = a_uv;
 #ifdef DISPLACED
-    v_position.y += floor_at(ground_at(a_position.xz)).x;
+    vec3 rise = floor_at(ground_at(a_position.xz));
+    v_position.y += rise.x;
+    v_normal = normalize(vec3(-rise.y, 1.0, -rise.z));
 #endif
     v_clip = u_clip_from_world * vec4(v_position, 1.0);
     gl_Position = v_clip;
