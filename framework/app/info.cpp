@@ -6,6 +6,7 @@
 #include "framework/app/command.h"
 #include "framework/app/versions.h"
 #include "framework/base/error.h"
+#include "framework/base/from_staff.h"
 #include "framework/base/paths.h"
 #include "framework/base/process.h"
 #include "framework/base/system.h"
@@ -44,6 +45,7 @@ int print_info() {
     fmt::print("system   {}, {} threads\n", os::name(), std::thread::hardware_concurrency());
     for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl, ContextKind::window})
         print_context_apart(kind);
+    fmt::print("{}", staff_info());
     fmt::print("built    by {}\n", versions::compiler);
     fmt::print("         with {}\n", versions::libraries);
     return 0;

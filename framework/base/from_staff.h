@@ -1,6 +1,7 @@
 // A slot for a function that only the staff's library has, such as a lab's exact values.
 #pragma once
 
+#include <string>
 #include <utility>
 
 namespace relief {
@@ -29,5 +30,7 @@ private:
 
 /// Whether the staff's library is in this course.
 inline FromStaff<bool()> staff_is_here;
+/// What the staff's library adds to `relief info`: whole lines.
+inline FromStaff<std::string()> staff_info;
 
 }  // namespace relief

@@ -19,8 +19,8 @@ struct ProcessLimits {
     size_t file = size_t{64} << 20;    ///< bytes of each file that it writes
 };
 
-/// Where a program reads its request, and where it writes its report.
-constexpr int request_descriptor = 97, report_descriptor = 3;
+/// Where a program reads its request, where it writes its report, and where it reads its note.
+constexpr int request_descriptor = 97, report_descriptor = 3, note_descriptor = 4;
 
 struct ProcessJob {
     std::vector<std::string> command = {};                ///< whole path first
@@ -29,9 +29,10 @@ struct ProcessJob {
     /// Comes on `request_descriptor` once the output begins with `asks`: nothing is there to be read before.
     std::string request = {}, asks = {};
     ProcessLimits limits = {};
-    bool makes_processes = true;  ///< false: it can start threads, and no other process
-    bool as_nobody = false;       ///< root gives its rights up
-    bool reports = false;         ///< it writes to `report_descriptor`
+    std::string calls = {};  ///< seccomp's filter of its system calls (struct sock_filter); empty: any call
+    std::string note = {};   ///< a file on `note_descriptor`, unless empty
+    bool as_nobody = false;  ///< root gives its rights up
+    bool reports = false;    ///< it writes to `report_descriptor`
 };
 
 /// `failed`: it never ran, and that is the machine's fault or ours.

@@ -3,9 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <linux/audit.h>
 #include <linux/filter.h>
-#include <linux/sched.h>
 #include <linux/seccomp.h>
 #include <poll.h>
 #include <sys/mman.h>
@@ -37,7 +35,7 @@ constexpr size_t output_block = size_t{64} << 10;
 constexpr size_t max_errors = size_t{16} << 20;
 constexpr unsigned nobody = 65534;
 /// On which a new process says why the program has not begun.
-constexpr int told_descriptor = report_descriptor + 1;
+constexpr int told_descriptor = note_descriptor + 1;
 
 /// What is sent through it needs no reader to be sent, and ends nobody where the reader has gone.
 struct Wire {
@@ -50,18 +48,18 @@ struct Wire {
     }
 };
 
-/// A file in memory that holds the input, so that nobody waits for a reader.
-Descriptor input_file(const std::string& input) {
-    Descriptor file(memfd_create("input", MFD_CLOEXEC));
-    if (file < 0 || !write_all(file, input) || lseek(file, 0, SEEK_SET) != 0)
-        throw Error(fmt::format("no memory for the input: {}", std::strerror(errno)));
+/// A file in memory that holds a text, so that nobody waits for a reader.
+Descriptor file_in_memory(const std::string& text) {
+    Descriptor file(memfd_create("text", MFD_CLOEXEC));
+    if (file < 0 || !write_all(file, text) || lseek(file, 0, SEEK_SET) != 0)
+        throw Error(fmt::format("no memory for what a program reads: {}", std::strerror(errno)));
     return file;
 }
 
 /// What the new process needs between fork and exec, where nothing may take memory: other threads may hold the lock.
 struct Start {
     std::vector<const char*> words, environment;
-    int in = -1, out = -1, err = -1, report = -1, request = -1, told = -1;
+    int in = -1, out = -1, err = -1, report = -1, note = -1, request = -1, told = -1;
     const ProcessJob* limited_by = nullptr;  ///< none: it outlives us, and takes what it likes
 };
 
@@ -70,49 +68,11 @@ void limit(int resource, rlim_t value, rlim_t more = 0) {
     setrlimit(__rlimit_resource_t(resource), &both);
 }
 
-/// From here on a new thread is all that can be made. A limit on processes would count those of the user that others
-/// have started, wherever they run on this machine: then an honest program fails for its neighbour's sake.
-bool refuse_processes() {
-#if defined __x86_64__ || defined __aarch64__
-    #if defined __x86_64__
-    constexpr unsigned own = AUDIT_ARCH_X86_64;
-    #else
-    constexpr unsigned own = AUDIT_ARCH_AARCH64;
-    #endif
-    constexpr unsigned other_numbers = 0x40000000;  // the same machine's calls of another kind
-    constexpr unsigned not_here = SECCOMP_RET_ERRNO | ENOSYS, refused = SECCOMP_RET_ERRNO | EPERM;
-    const auto read = [](size_t offset) { return sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, unsigned(offset)); };
-    const auto give = [](unsigned what) { return sock_filter BPF_STMT(BPF_RET | BPF_K, what); };
-    const auto skip_unless = [](unsigned value) {
-        return sock_filter BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1);
-    };
-    sock_filter steps[] = {
-        read(offsetof(seccomp_data, arch)),
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, own, 1, 0),
-        give(not_here),
-        read(offsetof(seccomp_data, nr)),
-        BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, other_numbers, 0, 1),
-        give(not_here),
-        // Its flags are out of sight: the library then takes clone.
-        skip_unless(SYS_clone3),
-        give(not_here),
-    #if defined __x86_64__
-        skip_unless(SYS_fork),
-        give(refused),
-        skip_unless(SYS_vfork),
-        give(refused),
-    #endif
-        BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone, 0, 3),
-        read(offsetof(seccomp_data, args)),
-        BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0),
-        give(refused),
-        give(SECCOMP_RET_ALLOW),
-    };
-    sock_fprog program{std::size(steps), steps};
-    return prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
-#else
-    return true;
-#endif
+/// From here on the kernel asks this filter about each call.
+bool take_filter(const std::string& calls) {
+    const sock_fprog program{static_cast<unsigned short>(calls.size() / sizeof(sock_filter)),
+                             reinterpret_cast<sock_filter*>(const_cast<char*>(calls.data()))};
+    return calls.empty() || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
 /// In the new process. False where it cannot; errno says why.
@@ -136,7 +96,7 @@ bool take_limits(const ProcessJob& job) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);  // a change of user takes it away
     }
     prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-    return job.makes_processes || refuse_processes();
+    return take_filter(job.calls);
 }
 
 /// The new process, to its end.
@@ -148,6 +108,10 @@ bool take_limits(const ProcessJob& job) {
         dup2(s.report, report_descriptor);
     else
         close(report_descriptor);
+    if (s.note >= 0)
+        dup2(s.note, note_descriptor);
+    else
+        close(note_descriptor);
     if (s.request >= 0) dup2(s.request, request_descriptor);
     // Whatever else is open here is none of its business.
     syscall(SYS_close_range, told_descriptor + 1, request_descriptor - 1, 0);
@@ -173,7 +137,7 @@ pid_t spawn(Start s) {
     s.told = told.write;
     // dup2 must not hit an end that is still wanted.
     std::vector<Descriptor> copies;
-    for (int* end : {&s.in, &s.out, &s.err, &s.report, &s.request, &s.told}) {
+    for (int* end : {&s.in, &s.out, &s.err, &s.report, &s.note, &s.request, &s.told}) {
         if (*end < 0) continue;
         *end = copies.emplace_back(fcntl(*end, F_DUPFD_CLOEXEC, request_descriptor + 1));
         if (*end < 0) throw Error(fmt::format("no descriptor: {}", std::strerror(errno)));
@@ -233,7 +197,9 @@ public:
 
 private:
     void launch() {
-        const Descriptor in = input_file(job_.input);
+        const Descriptor in = file_in_memory(job_.input);
+        Descriptor note(-1);
+        if (!job_.note.empty()) note = file_in_memory(job_.note);
         std::vector<std::string> environment = {"PATH=/usr/bin:/bin"};
         for (const auto& [name, value] : job_.environment) environment.push_back(name + "=" + value);
         Start s;
@@ -242,6 +208,7 @@ private:
         s.words.push_back(nullptr), s.environment.push_back(nullptr);
         s.in = in, s.out = out_.pipe.write, s.err = err_.pipe.write;
         if (job_.reports) s.report = report_.pipe.write;
+        s.note = note;
         if (!job_.request.empty()) s.request = wire_.theirs;
         s.limited_by = &job_;
         process_ = spawn(s);

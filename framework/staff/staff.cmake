@@ -9,10 +9,11 @@ target_link_libraries(relief_reference PUBLIC relief_cpu PRIVATE relief_warnings
 file(GLOB staff_sources CONFIGURE_DEPENDS framework/staff/measure/*.cpp framework/staff/grade/*.cpp
   framework/staff/handout/*.cpp framework/staff/slides/*.cpp framework/staff/pages/*.cpp framework/staff/synctest/*.cpp framework/staff/app/*.cpp)
 list(FILTER staff_sources EXCLUDE REGEX "(grade/libarchive|measure/peers_module)\\.cpp$")
+pkg_check_modules(libseccomp REQUIRED IMPORTED_TARGET libseccomp)
 add_library(relief_staff SHARED ${staff_sources} $<TARGET_OBJECTS:relief_reference>)
 set_target_properties(relief_staff PROPERTIES OUTPUT_NAME relief-staff)
 target_link_libraries(relief_staff PUBLIC relief_framework
-  PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json relief_warnings)
+  PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json PkgConfig::libseccomp relief_warnings)
 relief_takes_precompiled_headers(relief_reference relief_staff)
 relief_is_cold(${staff_sources})
 # C++ tasks are compiled when they are graded, as the build compiles.

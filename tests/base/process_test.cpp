@@ -59,19 +59,10 @@ TEST(Processes, AreNotCounted) {
     EXPECT_EQ(run_shell("grep '^Max processes' /proc/self/limits").output, line + "\n");
 }
 
-TEST(Processes, ThatAreToMakeNoOtherCanStartThreads) {
-    const std::string fork =
-        "import os\ntry:\n  os.fork(); print('forked')\nexcept PermissionError: print('refused')\n";
-    const std::string thread =
-        "import threading\nt = threading.Thread(target=lambda: print('thread')); t.start(); t.join()";
-    const auto python = [](const std::string& script, bool makes_processes) {
-        return run_process({.command = {"/usr/bin/python3", "-c", script},
-                            .limits = {.wall = 10},
-                            .makes_processes = makes_processes})
-            .output;
-    };
-    EXPECT_EQ(python(fork + thread, false), "refused\nthread\n");
-    EXPECT_TRUE(contains(python(fork, true), "forked"));
+TEST(Processes, ReadTheirNote) {
+    const std::string descriptor = std::to_string(note_descriptor);
+    EXPECT_EQ(run_process({.command = {"/bin/sh", "-c", "cat <&" + descriptor}, .note = "a note"}).output, "a note");
+    EXPECT_NE(run_process({.command = {"/bin/sh", "-c", "cat <&" + descriptor}}).code, 0) << "there is none";
 }
 
 TEST(Processes, AChildsCrashIsNotOurs) {

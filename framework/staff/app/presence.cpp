@@ -1,8 +1,19 @@
-// Tells the students' library that the staff's library is present.
+// Tells the students' library that the staff's library is present, and what `relief info` prints of it.
+#include <fmt/format.h>
+
 #include "framework/base/from_staff.h"
+#include "framework/staff/grade/sandbox.h"
 
 namespace relief {
+namespace {
 
-static const decltype(staff_is_here)::Provided said(staff_is_here, [] { return true; });
+const decltype(staff_is_here)::Provided said(staff_is_here, [] { return true; });
 
+const decltype(staff_info)::Provided told(staff_info, [] {
+    const IsolationReport isolation = probe_isolation();
+    return fmt::format("grading  submissions run with {} and a filter of system calls{}\n", name_of(isolation.level),
+                       isolation.reason.empty() ? "" : ": " + isolation.reason);
+});
+
+}  // namespace
 }  // namespace relief

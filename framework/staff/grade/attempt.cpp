@@ -73,7 +73,10 @@ public:
                 return fail(from, end, {Outcome::out_of_time, "the checks before it used up the time"});
             const std::vector<Shot> rest(shots_.begin() + std::ptrdiff_t(from), shots_.begin() + std::ptrdiff_t(end));
             const ProcessResult result = run_sandboxed(
-                job(rest), {.isolation = stage_.isolation(), .readable = course_.readable, .processes = 32});
+                job(rest), {.isolation = stage_.isolation(),
+                            .readable = course_.readable,
+                            .processes = 32,
+                            .makes_processes = false});
             seconds_left_ -= result.wall;
             attempt_.draw += result.wall;
             DrawnShots drawn = read_drawings(result.output, rest);
@@ -108,7 +111,6 @@ private:
         job.limits.cpu = std::ceil(job.limits.wall);
         job.limits.memory = limits_.memory;
         job.limits.output = drawings_size(shots);
-        job.makes_processes = false;
         return job;
     }
 

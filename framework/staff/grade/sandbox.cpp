@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <utility>
 
 #include "framework/check/drawing.h"
+#include "framework/staff/grade/system_calls.h"
 
 namespace relief {
 namespace {
@@ -24,6 +26,8 @@ Words bubblewrap(const ProcessJob& job, const Confinement& confinement) {
                    "relief",
                    "--json-status-fd",
                    std::to_string(report_descriptor),
+                   "--seccomp",
+                   std::to_string(note_descriptor),
                    "--ro-bind",
                    "/usr",
                    "/usr"};
@@ -76,10 +80,13 @@ IsolationReport probe_isolation() {
 ProcessResult run_sandboxed(ProcessJob job, const Confinement& confinement) {
     const bool wrapped = confinement.isolation == Isolation::namespaces;
     job.as_nobody = true;
+    static const std::string with_processes = call_filter(true), with_threads = call_filter(false);
+    job.calls = confinement.makes_processes ? with_processes : with_threads;
     if (wrapped) {
         job.command = bubblewrap(job, confinement);
         job.environment.clear();  // the command's own is among bubblewrap's words
-        job.makes_processes = job.reports = true;
+        job.note = std::exchange(job.calls, {});  // bubblewrap itself needs what they forbid
+        job.reports = true;
     }
     ProcessResult result = run_process(job);
     if (wrapped && !result.stopped && result.ending != Ending::failed) {

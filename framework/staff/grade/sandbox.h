@@ -28,12 +28,14 @@ struct Confinement {
     Isolation isolation = Isolation::namespaces;
     std::vector<std::filesystem::path> readable = {};  ///< visible under the same paths, besides /usr
     /// The largest number of processes; only with namespaces. With limits alone there is no such bound: the system
-    /// would count all processes of the user on the machine. See ProcessJob::makes_processes.
+    /// would count all processes of the user on the machine.
     int processes = 64;
+    bool makes_processes = true;  ///< false: it can start threads, and no other process, at either level
 };
 
-/// Runs an untrusted command as run_process() does; root runs it as nobody. With namespaces, all its processes end with
-/// it, `makes_processes` is ignored, and it can write only to its own /tmp, whose size is at most `limits.file`.
+/// Runs an untrusted command as run_process() does; root runs it as nobody, and call_filter() refuses what it never
+/// needs (system_calls.h). With namespaces, all its processes end with it, and it can write only to its own /tmp, whose
+/// size is at most `limits.file`.
 ProcessResult run_sandboxed(ProcessJob job, const Confinement& confinement);
 
 }  // namespace relief
