@@ -17,7 +17,7 @@ vec4 tangent_of_derivatives(vec3 normal, vec3 position_dx, vec3 position_dy, vec
     vec3 along_v = side * (position_dy * uv_dx.x - position_dx * uv_dy.x);
     vec3 tangent = along_u - dot(along_u, normal) * normal;
     float squared = dot(tangent, tangent);
-    if (squared == 0.0) return vec4(any_perpendicular(normal), 1.0);
+    if (determinant == 0.0 || squared == 0.0) return vec4(any_perpendicular(normal), 1.0);
     return vec4(tangent * inversesqrt(squared), dot(cross(normal, tangent), along_v) < 0.0 ? -1.0 : 1.0);
     //]starter
     //| return unfinished(vec4(1.0, 0.0, 0.0, 1.0));
