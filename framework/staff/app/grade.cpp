@@ -223,18 +223,15 @@ void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
 
 /// The class file of the command line, of the last run into the folder, or of a part in it; and the adjustments there.
 ClassFile policy_of(const GradeArguments& arguments, const fs::path& folder) {
+    const std::vector<fs::path> parts = arguments.merge.empty() ? std::vector<fs::path>() : class_parts(folder);
     fs::path file = class_file_of(arguments.class_file, folder);
-    if (!arguments.merge.empty() && arguments.class_file.empty())
-        for (const fs::path& part : class_parts(folder))
-            if (file.empty()) file = class_file_of("", part);
+    for (const fs::path& part : parts)
+        if (file.empty() && arguments.class_file.empty()) file = class_file_of("", part);
     return read_class_file(file, folder);
 }
 
 /// The labs that a folder's class was graded for; empty: all.
-std::vector<std::string> labs_of(const fs::path& folder) {
-    const fs::path part = class_parts(folder).front();
-    return read_roster(part)->labs;
-}
+std::vector<std::string> labs_of(const fs::path& folder) { return read_roster(class_parts(folder).front())->labs; }
 
 void refuse_labs_that_do_not_count(const ClassFile& policy, const std::vector<const LabEntry*>& labs) {
     for (const LabEntry* lab : labs)
@@ -252,6 +249,8 @@ int grade_submissions(const GradeArguments& arguments) {
         if (given && !arguments.paths.empty())
             throw UsageError(
                 fmt::format("{} takes no submissions: '{}' is one argument too many", option, arguments.paths.front()));
+    if (!arguments.class_file.empty() && (arguments.self_test || !arguments.mutate.empty() || arguments.gradescope))
+        throw UsageError("--class goes with submissions, --resume or --merge");
     if (!arguments.merge.empty()) {
         std::vector<Descriptor> at_work;
         if (fs::is_directory(arguments.merge)) at_work.push_back(hold_output(arguments.merge, {}));

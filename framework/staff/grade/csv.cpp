@@ -46,7 +46,7 @@ public:
 
     CsvRow row() {
         CsvRow row{.line = line_, .cells = {}};
-        do row.cells.push_back(without_blanks(cell()));
+        do row.cells.push_back(cell());
         while (take(separator_));
         take('\r');
         if (!take('\n') && !at_end() && text_[at_ - 1] != '\r')
@@ -64,7 +64,7 @@ private:
         }
         std::string text;
         while (!at_end() && text_[at_] != separator_ && text_[at_] != '\n' && text_[at_] != '\r') text += text_[at_++];
-        return text;
+        return without_blanks(text);
     }
 
     std::string quoted() {

@@ -11,7 +11,7 @@ namespace relief {
 
 struct CsvRow {
     int line = 0;                    ///< where it begins, from 1
-    std::vector<std::string> cells;  ///< one for each column; without blanks around
+    std::vector<std::string> cells;  ///< one for each column; without blanks around, unless in quotes
 };
 
 struct CsvTable {
