@@ -119,9 +119,9 @@ void CsvTable::refuse_columns(std::span<const std::string> known, std::span<cons
         if (column(name) < 0) throw Error({file, 1}, fmt::format("needs a column '{}'", name));
 }
 
-CsvTable read_csv(const fs::path& file) {
-    const std::string bytes = read_file(file, max_bytes);
-    std::string_view text = bytes;
+CsvTable read_csv(const fs::path& file) { return parse_csv(read_file(file, max_bytes), file); }
+
+CsvTable parse_csv(std::string_view text, const fs::path& file) {
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     if (utf8_of_bytes(text) != text || text.find('\0') != std::string_view::npos)
         throw Error({file}, "is not UTF-8: in a spreadsheet, save it as 'CSV UTF-8'");

@@ -31,6 +31,8 @@ struct CsvTable {
 /// line has most often: a spreadsheet's choice follows its language. Takes UTF-8, with or without a byte order mark.
 /// Throws Error with the line for anything else, for a doubled column, and for a row longer than the first.
 CsvTable read_csv(const std::filesystem::path& file);
+/// The same of a text; `file` names it in errors.
+CsvTable parse_csv(std::string_view text, const std::filesystem::path& file);
 
 /// The text so that no spreadsheet takes a part of it for a formula: an apostrophe stands before each = + - @, tab and
 /// carriage return (and wide = + - @) that may begin a cell, at the start or after a comma, semicolon, tab or line

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "framework/base/file.h"
+#include "framework/base/parallel.h"
 #include "framework/staff/grade/exports.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/standing_part.h"
@@ -41,13 +42,14 @@ ClassStanding write_summaries(const ClassReport& report, const fs::path& folder,
                               const std::vector<std::string>& only) {
     ClassStanding standing = class_standing(report.marks, std::move(policy), only);
     for (const char* name : {"gradescope", "prairielearn", "surefire"}) make_folder(folder / name);
-    for (const Standing& one : standing.students) {
+    parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
+        const Standing& one = standing.students[i];
         const std::string name = file_name_of(one.name);
         write_file(folder / "gradescope" / (name + ".json"), to_gradescope(one));
         write_file(folder / "prairielearn" / (name + ".json"), to_prairielearn(one));
         write_file(folder / "surefire" / ("TEST-" + name + ".xml"), to_surefire(one));
         for (const PageFor reader : page_readers) write_standing(one, standing.policy.utc_offset, folder, reader);
-    }
+    });
     write_file(folder / "results.csv", to_csv(standing));
     write_file(folder / "junit.xml",
                to_junit(standing, std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now())));

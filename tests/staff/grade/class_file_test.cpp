@@ -20,9 +20,8 @@ constexpr int points_of_13 = 13, points_of_14 = 22;  // labs/*/lab.toml
 // ---- tables ----
 
 std::vector<Cells> rows_of(const std::string& text) {
-    const TemporaryFolder folder;
     std::vector<Cells> rows;
-    const CsvTable table = read_csv(folder.write("table.csv", text));
+    const CsvTable table = parse_csv(text, "table.csv");
     for (const CsvRow& row : table.rows) rows.push_back(row.cells);
     return rows;
 }
@@ -85,7 +84,7 @@ TEST(Csv, HasNoFormulaWhereverASpreadsheetSplits) {
     for (const auto& [text, safe] : cases) EXPECT_EQ(defused(text), safe);
     // Whatever is written comes back, but for the apostrophes.
     unsigned state = 7;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         std::string text = "x";
         for (int k = 0; k < 12; ++k) {
             state = state * 1664525u + 1013904223u;
