@@ -221,22 +221,22 @@ void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
                         write_page(folder / page, read_file(part / page));
 }
 
-/// The class file of the command line, of the last run into the folder, or of a part in it; and the adjustments there.
-ClassFile policy_of(const GradeArguments& arguments, const fs::path& folder) {
-    const std::vector<fs::path> parts = arguments.merge.empty() ? std::vector<fs::path>() : class_parts(folder);
-    fs::path file = class_file_of(arguments.class_file, folder);
+/// Keeps the class file of the command line, or of a part, for write_summaries(). Reads it first: so a mistake in it
+/// shows before hours of grading.
+void prepare_class_file(const GradeArguments& arguments, const fs::path& folder, const std::vector<fs::path>& parts,
+                        const std::vector<const LabEntry*>& labs) {
+    const bool is_given = !arguments.class_file.empty();
+    fs::path file = arguments.class_file == "none" ? "" : arguments.class_file;
+    if (!file.empty() && !fs::is_regular_file(file))
+        throw UsageError(fmt::format("there is no class file '{}'", printable(file.string())));
+    if (!is_given) file = class_file_of(folder);
     for (const fs::path& part : parts)
-        if (file.empty() && arguments.class_file.empty()) file = class_file_of("", part);
-    return read_class_file(file, folder);
-}
-
-/// The labs that a folder's class was graded for; empty: all.
-std::vector<std::string> labs_of(const fs::path& folder) { return read_roster(class_parts(folder).front())->labs; }
-
-void refuse_labs_that_do_not_count(const ClassFile& policy, const std::vector<const LabEntry*>& labs) {
+        if (!is_given && file.empty()) file = class_file_of(part);
+    const ClassFile policy = read_class_file(file, folder);
     for (const LabEntry* lab : labs)
         if (!policy.labs.empty() && !policy.lab(lab->folder))
             throw UsageError(fmt::format("lab {} is not assigned in {}", lab->two_digits(), policy.file.string()));
+    keep_class_file(file, folder);
 }
 
 /// Returns 1 if the machine failed on a submission, a part of the class is missing, or the self-test finds a wrong
@@ -256,11 +256,10 @@ int grade_submissions(const GradeArguments& arguments) {
         if (fs::is_directory(arguments.merge)) at_work.push_back(hold_output(arguments.merge, {}));
         for (const fs::path& part : class_parts(arguments.merge))
             if (part != arguments.merge) at_work.push_back(hold_output(part, {}));
-        ClassFile policy = policy_of(arguments, arguments.merge);
+        prepare_class_file(arguments, arguments.merge, class_parts(arguments.merge), {});
         const ClassReport report = merge_class(arguments.merge);
         bring_pages_of_parts(report, arguments.merge);
-        return print(report, write_summaries(report, arguments.merge, std::move(policy), labs_of(arguments.merge)),
-                     arguments.merge, {});
+        return print(report, write_summaries(report, arguments.merge), arguments.merge, {});
     }
     ClassOptions options = options_of(arguments);
     const int sample = arguments.sample.empty() ? 0 : whole_number(arguments.sample, "--sample", 1, 1000);
@@ -275,8 +274,7 @@ int grade_submissions(const GradeArguments& arguments) {
     options.shard = shard_of(arguments.shard);
     make_folder(options.output);
     const Descriptor at_work = hold_output(options.output, options.shard);
-    ClassFile policy = policy_of(arguments, options.output);
-    refuse_labs_that_do_not_count(policy, options.labs);
+    prepare_class_file(arguments, options.output, {}, options.labs);
     // Before its result: a run that is killed leaves none without its pages.
     const ClassReport report =
         grade_class(options, [&](const SubmissionMark& mark, const std::vector<CheckPictures>& pictures) {
@@ -285,8 +283,7 @@ int grade_submissions(const GradeArguments& arguments) {
         });
     if (!options.shard.whole())
         return print(report, class_standing(report.marks, {}, {}), arguments.output, options.shard);
-    return print(report, write_summaries(report, options.output, std::move(policy), labs_of(options.output)),
-                 arguments.output, options.shard);
+    return print(report, write_summaries(report, options.output), arguments.output, options.shard);
 }
 
 class GradeCommand final : public Command {

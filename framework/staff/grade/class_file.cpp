@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 
 using Words = std::vector<std::string>;
 
+constexpr const char* kept_name = "class_file.txt";
+
 /// "lab 7" where the course has none: at the place where it stands.
 const LabEntry& lab_at(const Place& place, const std::string& text) {
     try {
@@ -255,20 +257,22 @@ ClassFile read_class_file(const fs::path& file, const fs::path& results) {
     return policy;
 }
 
-fs::path class_file_of(const std::string& given, const fs::path& results) {
-    const fs::path kept = results / "class_file.txt";
+fs::path class_file_of(const fs::path& results) {
     std::error_code unknown;
-    if (given == "none") {
-        fs::remove(kept, unknown);
-        return {};
-    }
-    fs::path file = given;
-    if (given.empty() && fs::exists(kept, unknown)) file = read_file(kept, 10'000);
-    if (!file.empty() && !fs::is_regular_file(file, unknown))
-        throw UsageError(fmt::format("there is no class file '{}': name it with --class FILE, or --class none",
+    if (!fs::exists(results / kept_name, unknown)) return {};
+    const fs::path file = read_file(results / kept_name, 10'000);
+    if (!fs::is_regular_file(file, unknown))
+        throw UsageError(fmt::format("there is no class file '{}' any more: name it with --class FILE, or --class none",
                                      printable(file.string(), 1000)));
-    if (!given.empty()) write_file(kept, fs::absolute(file).lexically_normal().string());
     return file;
+}
+
+void keep_class_file(const fs::path& file, const fs::path& results) {
+    std::error_code unknown;
+    if (file.empty())
+        fs::remove(results / kept_name, unknown);
+    else
+        write_file(results / kept_name, fs::absolute(file).lexically_normal().string());
 }
 
 void refuse_unknown_adjustments(const ClassFile& policy, const std::set<std::string>& students,

@@ -72,9 +72,10 @@ struct ClassFile {
 /// whom the roster does not have.
 ClassFile read_class_file(const std::filesystem::path& file, const std::filesystem::path& results);
 
-/// The class file of a folder of results: `given`, which is kept in the folder for later runs, else the one that was
-/// kept. Empty if there is none; "none" forgets it. Throws UsageError if it does not exist.
-std::filesystem::path class_file_of(const std::string& given, const std::filesystem::path& results);
+/// The class file that was kept for a folder of results, or nothing. Throws UsageError if it does not exist any more.
+std::filesystem::path class_file_of(const std::filesystem::path& results);
+/// Keeps it for later runs into the folder; an empty path: none.
+void keep_class_file(const std::filesystem::path& file, const std::filesystem::path& results);
 
 /// Throws Error at the first adjustment whose student or task is none of these. Without a roster only the submissions
 /// tell who is in the class.

@@ -59,7 +59,7 @@ Suite suite_of(const Standing& standing) {
             kind ? fmt::format("><{} type=\"{}\" message=\"{}\"/></testcase>\n", kind, type, xml(message)) : "/>\n";
     };
     if (!standing.mark)
-        add("submission", "is there", "failure", "missing", standing.state());
+        add("submission", "is there", standing.is_waiting ? "error" : "failure", "missing", standing.state());
     else {
         const SubmissionMark& mark = *standing.mark;
         suite.seconds = mark.seconds;
@@ -253,7 +253,7 @@ std::string to_gradescope(const Standing& standing) {
     ordered_json json = {{"output_format", "text"}, {"test_output_format", "text"}, {"test_name_format", "text"}};
     if (!standing.mark || !standing.is_marked()) {  // no score at all: Gradescope then says that grading failed
         json["output"] = standing.mark ? "The grader's machine failed. This is not your fault and costs you no points."
-                                       : "Nothing was handed in.";
+                                       : standing.state();
         return dump(json);
     }
     const SubmissionMark& mark = *standing.mark;

@@ -181,7 +181,7 @@ double Standing::points() const {
     return sum_of(labs, [](const LabStanding& lab) { return lab.points(); });
 }
 bool Standing::is_marked() const {
-    return (!mark || mark->graded()) &&
+    return !is_waiting && (!mark || mark->graded()) &&
            std::all_of(labs.begin(), labs.end(), [](const LabStanding& lab) { return lab.marked; });
 }
 bool Standing::is_changed() const {
@@ -195,7 +195,7 @@ const LabStanding* Standing::lab(const std::string& folder) const {
 }
 
 std::string Standing::state() const {
-    if (!mark) return "nothing handed in";
+    if (!mark) return is_waiting ? "not graded yet" : "nothing handed in";
     if (!is_marked()) return "not graded: the machine failed";
     return mark->problem.empty() ? "graded" : mark->problem;
 }
@@ -217,7 +217,7 @@ std::vector<std::string> Standing::remarks(const std::string& lab) const {
 }
 
 ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile policy,
-                             const std::vector<std::string>& only) {
+                             const std::vector<std::string>& only, const std::set<std::string>& handed_in) {
     ClassStanding result{.policy = std::move(policy), .students = {}, .notes = {}};
     std::vector<CountedLab> labs = counted_labs(marks, result.policy, only);
     std::set<std::string> names, tasks;
@@ -239,8 +239,10 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
     }
     for (const Student& student : result.policy.students)
         if (!names.contains(student.student)) {
-            result.students.push_back(all.of(student.student, nullptr));
-            absent.push_back(student.student);
+            Standing& standing = result.students.emplace_back(all.of(student.student, nullptr));
+            standing.is_waiting = handed_in.contains(student.student);
+            for (LabStanding& lab : standing.labs) lab.marked = !standing.is_waiting;
+            if (!standing.is_waiting) absent.push_back(student.student);
         }
     note(result.notes, absent, "student of the roster handed nothing in", "students of the roster handed nothing in");
     note(result.notes, strangers, "submission is not on the roster", "submissions are not on the roster");

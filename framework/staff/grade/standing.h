@@ -2,6 +2,7 @@
 // in. Results stay as they are; this follows from them and the class file.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,8 @@ struct Standing {
     std::string name;                      ///< of the submission, or the roster's for who handed nothing in
     Student student;                       ///< of the roster; empty but for `student` if it does not have the name
     bool on_roster = true;                 ///< also if there is none
-    const SubmissionMark* mark = nullptr;  ///< null: nothing was handed in
+    const SubmissionMark* mark = nullptr;  ///< null: nothing was handed in, or it is not graded yet
+    bool is_waiting = false;               ///< the second of these
     std::vector<LabStanding> labs;         ///< those that count, the same for all
     std::vector<Adjustment> adjustments;
 
@@ -47,7 +49,7 @@ struct Standing {
     /// Adjustments or lateness have changed the points.
     bool is_changed() const;
     const LabStanding* lab(const std::string& folder) const;
-    /// "graded", "nothing handed in", "not graded: the machine failed", or the submission's problem
+    /// "graded", "nothing handed in", "not graded yet", "not graded: the machine failed", or the submission's problem
     std::string state() const;
     /// What people and rules did, a sentence each: "2.1: +1 point: a typing error", "lab 02: 2 days late, 20 % less".
     /// Of one lab, or of all.
@@ -61,11 +63,12 @@ struct ClassStanding {
     std::vector<std::string> notes;  ///< what an instructor should know, a line each
 };
 
-/// `only` are the labs that the grader was asked for; empty: all. Without assigned labs those count that any submission
-/// has. The marks must outlive the result. Throws Error for an adjustment of an unknown student or task, and if none of
-/// `only` is assigned.
+/// `only` are the labs that the grader was asked for; empty: all. `handed_in` has the names of submissions as
+/// printable() shows them; those without a mark are not graded yet. Without assigned labs those count that any
+/// submission has. The marks must outlive the result. Throws Error for an adjustment of an unknown student or task, and
+/// if none of `only` is assigned.
 ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile policy,
-                             const std::vector<std::string>& only);
+                             const std::vector<std::string>& only, const std::set<std::string>& handed_in = {});
 
 /// Of a submission alone, before the class is known.
 Standing standing_of(const SubmissionMark& mark);

@@ -51,7 +51,8 @@ public:
 
     explicit ClassCounts(const ClassStanding& standing) {
         for (const Standing& one : standing.students) {
-            absent += !one.mark;
+            absent += !one.mark && !one.is_waiting;
+            not_graded += one.is_waiting;
             strangers += !one.on_roster;
             if (!one.mark) continue;
             if (one.is_marked())

@@ -17,7 +17,7 @@ constexpr std::string_view begin_mark = "<!--standing-->", end_mark = "<!--/stan
 List reasons(const LabStanding& lab, UtcOffset offset, PageFor reader) {
     List list;
     if (!lab.marked) list.push_back("not graded yet");
-    if (!lab.handed_in) list.push_back("nothing handed in");
+    if (lab.marked && !lab.handed_in) list.push_back("nothing handed in");
     if (lab.marked && lab.handed_in && (lab.adjusted() != lab.graded() || lab.days_late > 0))
         list.push_back(points_text(lab.graded()) + " by the checks");
     if (lab.adjusted() != lab.graded()) list.push_back(points_text(lab.adjusted()) + " with adjustments");

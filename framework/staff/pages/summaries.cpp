@@ -1,6 +1,7 @@
 #include "framework/staff/pages/summaries.h"
 
 #include <chrono>
+#include <set>
 
 #include "framework/base/file.h"
 #include "framework/base/parallel.h"
@@ -19,12 +20,29 @@ void write_standing(const Standing& standing, UtcOffset offset, const fs::path& 
     const fs::path file = folder / page_file(standing.name, reader);
     SubmissionMark nothing;
     nothing.name = standing.name;
-    nothing.problem = "Nothing was handed in.";
+    nothing.problem = standing.is_waiting ? "This is not graded yet." : "Nothing was handed in.";
     const bool is_kept = standing.mark && fs::exists(file);
     const std::string page =
         is_kept ? read_file(file) : student_page(standing.mark ? *standing.mark : nothing, {}, reader);
     const std::string now = with_standing(page, standing, offset, reader);
     if (!is_kept || now != page) write_page(file, now);
+}
+
+/// The labs that a folder's class, or a part of it in there, was graded for; empty: all.
+std::vector<std::string> labs_of(const fs::path& folder) {
+    if (const auto roster = read_roster(folder)) return roster->labs;
+    for (const auto& part : fs::directory_iterator(folder))
+        if (part.is_directory())
+            if (const auto roster = read_roster(part.path())) return roster->labs;
+    return {};
+}
+
+/// The names of all submissions of the class, graded or not.
+std::set<std::string> handed_in(const fs::path& folder) {
+    std::set<std::string> names;
+    if (const auto roster = read_roster(folder))
+        for (const Roster::One& one : roster->submissions) names.insert(printable(one.name));
+    return names;
 }
 
 }  // namespace
@@ -38,9 +56,9 @@ void write_page(const fs::path& file, const std::string& text) {
     write_file(file, text);
 }
 
-ClassStanding write_summaries(const ClassReport& report, const fs::path& folder, ClassFile policy,
-                              const std::vector<std::string>& only) {
-    ClassStanding standing = class_standing(report.marks, std::move(policy), only);
+ClassStanding write_summaries(const ClassReport& report, const fs::path& folder) {
+    ClassStanding standing = class_standing(report.marks, read_class_file(class_file_of(folder), folder),
+                                            labs_of(folder), handed_in(folder));
     for (const char* name : {"gradescope", "prairielearn", "surefire"}) make_folder(folder / name);
     parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
         const Standing& one = standing.students[i];

@@ -18,11 +18,10 @@ std::filesystem::path page_file(const std::string& name, PageFor reader);
 /// With the folder that it lies in.
 void write_page(const std::filesystem::path& file, const std::string& text);
 
-/// All other files, from the results and the class file alone: report.html, results.csv, junit.xml, and a file for each
-/// submission in surefire, gradescope and prairielearn; with a roster canvas.csv, and moodle/LAB.csv for each
-/// worksheet. Pages get their standing; a submission that has no pages yet gets them without pictures. `only`: see
-/// class_standing(). The report must outlive the result.
-ClassStanding write_summaries(const ClassReport& report, const std::filesystem::path& folder, ClassFile policy = {},
-                              const std::vector<std::string>& only = {});
+/// All other files, from the results, the folder's class file and its adjustments alone: report.html, results.csv,
+/// junit.xml, and a file for each submission in surefire, gradescope and prairielearn; with a roster canvas.csv, and
+/// moodle/LAB.csv for each worksheet. Pages get their standing; a submission that has no pages yet gets them without
+/// pictures. The report must outlive the result.
+ClassStanding write_summaries(const ClassReport& report, const std::filesystem::path& folder);
 
 }  // namespace relief

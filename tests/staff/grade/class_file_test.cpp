@@ -242,13 +242,13 @@ TEST_F(ClassFiles, AdjustmentsAreReadFromTheResultsUnlessTheFileNamesOthers) {
 TEST_F(ClassFiles, AreKeptForLaterRunsIntoTheFolder) {
     const fs::path file = folder.write("class.toml", some_labs), marks = folder.path() / "marks";
     fs::create_directories(marks);
-    EXPECT_EQ(class_file_of("", marks), "");
-    EXPECT_EQ(class_file_of(file.string(), marks), file);
-    EXPECT_EQ(class_file_of("", marks), file);
+    EXPECT_EQ(class_file_of(marks), "");
+    keep_class_file(file, marks);
+    EXPECT_EQ(class_file_of(marks), file);
     fs::rename(file, folder.path() / "moved.toml");
-    EXPECT_TRUE(contains(message_of<UsageError>([&] { class_file_of("", marks); }), "there is no class file"));
-    EXPECT_EQ(class_file_of("none", marks), "");
-    EXPECT_EQ(class_file_of("", marks), "") << "forgotten";
+    EXPECT_TRUE(contains(message_of<UsageError>([&] { class_file_of(marks); }), "there is no class file"));
+    keep_class_file("", marks);
+    EXPECT_EQ(class_file_of(marks), "");
 }
 
 // ---- where students stand ----
@@ -349,6 +349,14 @@ TEST_F(ClassFiles, AdjustmentsOfNobodyAndOfNoTaskAreRefused) {
     // A name of any bytes is written as results.csv shows it.
     folder.write("marks/adjustments.csv", "student,task,points,note\nm\\xfcller,13.1,1,x\n");
     EXPECT_EQ(class_standing(marks, read_class_file({}, folder.path() / "marks"), {}).students[1].points(), 2);
+}
+
+TEST_F(ClassFiles, WhoWaitsForAGradeHasNotForgottenToHandIn) {
+    const ClassStanding standing =
+        class_standing({submission("jane", {{"13.1", 1}})}, read(some_students), {}, {"jane", "joe"});
+    EXPECT_EQ(standing.students.at(1).state(), "not graded yet");
+    EXPECT_FALSE(standing.students[1].is_marked());
+    EXPECT_EQ(standing.notes, Cells{});
 }
 
 TEST_F(ClassFiles, WhatTheMachineCouldNotGradeHasNoPoints) {
