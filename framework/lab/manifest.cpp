@@ -300,14 +300,6 @@ const MistakeInfo& Manifest::mistake(const std::string& wanted) const {
 
 namespace {
 
-toml::table parse(const std::string& text, const fs::path& file) {
-    try {
-        return toml::parse(text, file.string());
-    } catch (const toml::parse_error& error) {
-        throw Error({file, int(error.source().begin.line)}, std::string(error.description()));
-    }
-}
-
 void read_checks(Table& root, bool hidden, Manifest& manifest) {
     std::vector<Table> tables = root.tables("check");
     const size_t first = manifest.checks.size();
@@ -337,7 +329,7 @@ Manifest load_manifest(const fs::path& file) {
 }
 
 Manifest parse_manifest(const std::string& text, const fs::path& file) {
-    const toml::table parsed = parse(text, file);
+    const toml::table parsed = parse_toml(text, file);
     Table root(file, parsed, "a manifest");
     Manifest manifest;
     manifest.title = root.text("title");
@@ -372,7 +364,7 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
 }
 
 void add_grading(Manifest& manifest, const std::string& text, const fs::path& file) {
-    const toml::table parsed = parse(text, file);
+    const toml::table parsed = parse_toml(text, file);
     Table root(file, parsed, "a lab's grading");
     read_checks(root, true, manifest);
     std::vector<Table> mistakes = root.tables("mistake");

@@ -1,4 +1,4 @@
-// A table of a TOML file, read key by key. Errors have a line, and so do unknown keys.
+// TOML files, read table by table and key by key. Errors have a line, and so do unknown keys.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,15 @@
 #include "framework/base/text.h"
 
 namespace relief {
+
+/// Throws Error with the line of what is no TOML.
+inline toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
+    try {
+        return toml::parse(text, file.string());
+    } catch (const toml::parse_error& error) {
+        throw Error({file, int(error.source().begin.line)}, std::string(error.description()));
+    }
+}
 
 class Table {
 public:
@@ -47,6 +57,20 @@ public:
         const toml::array* array = node->as_array();
         if (!array) fail(*node, fmt::format("'{}' must be a list of texts", key));
         for (const toml::node& element : *array) result.push_back(value<std::string>(element, key, "a list of texts"));
+    }
+    /// A date, with or without a time and an offset, as the file has it: "2027-03-01T23:59:00+01:00". Empty when the key
+    /// is not there.
+    std::string date(const char* key) {
+        const toml::node* node = find(key);
+        if (!node) return {};
+        std::ostringstream text;
+        if (node->is_date())
+            text << *node->as_date();
+        else if (node->is_date_time())
+            text << *node->as_date_time();
+        else
+            fail(*node, fmt::format("'{}' must be a date without quotes, such as 2027-03-01T23:59:00", key));
+        return text.str();
     }
     /// A list of `count` numbers; false when the key is not there.
     template <int count>
@@ -115,6 +139,7 @@ public:
         for (const auto& [key, node] : table_) result.emplace_back(key.str());
         return result;
     }
+    bool is_whole(const char* key) const { return table_[key].is_integer(); }
     /// Whether there is a list of texts, of one at least.
     bool is_texts(const char* key) const {
         const toml::array* const array = table_[key].as_array();
@@ -128,6 +153,11 @@ public:
                 throw Error({file_, int(key.source().begin.line)}, unknown("key of " + what_ + ",", key.str(), read_));
     }
 
+    /// Of the value of a key, or of the table when it is not there.
+    int line(const char* key) const {
+        const toml::node* const node = table_.get(key);
+        return int((node ? *node : table_).source().begin.line);
+    }
     [[noreturn]] void fail(const std::string& message) const { fail(table_, message); }
     /// At the value of a key, or at the table when it is not there.
     [[noreturn]] void fail(const char* key, const std::string& message) const {

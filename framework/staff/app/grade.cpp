@@ -13,6 +13,7 @@
 #include "framework/base/parallel.h"
 #include "framework/base/text.h"
 #include "framework/staff/grade/class.h"
+#include "framework/staff/grade/exports.h"
 #include "framework/staff/grade/gradescope.h"
 #include "framework/staff/grade/merge.h"
 #include "framework/staff/grade/mutation_test.h"
@@ -25,7 +26,7 @@ namespace {
 
 struct GradeArguments {
     std::vector<std::string> paths, labs;
-    std::string output, jobs, seconds, sample, seed, shard, merge, mutate, context = "auto", threads = "0";
+    std::string output, class_file, jobs, seconds, sample, seed, shard, merge, mutate, context = "auto", threads = "0";
     bool trust = false, fresh = false, self_test = false, json = false, resume = false, unpinned = false,
          gradescope = false;
 };
@@ -190,9 +191,10 @@ void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
             throw UsageError(fmt::format("there is no '{}'", printable(path.string())));
 }
 
-int print(const ClassReport& report, const std::string& folder, const Shard& shard) {
+int print(const ClassReport& report, const ClassStanding& standing, const std::string& folder, const Shard& shard) {
     print_isolation(report.isolation);
-    fmt::print("{}", to_table(report.marks));
+    fmt::print("{}", to_table(standing));
+    for (const std::string& note : standing.notes) print_note(note);
     size_t failed = 0;
     for (const SubmissionMark& mark : report.marks) failed += !mark.graded();
     fmt::print("{}: {} graded, {} unchanged, {} not graded; {:.1f} s, of them {:.1f} for the solutions; seed {}\n",
@@ -219,6 +221,24 @@ void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
                         write_page(folder / page, read_file(part / page));
 }
 
+/// Keeps the class file of the command line, or of a part, for write_summaries(). Reads it first: so a mistake in it
+/// shows before hours of grading.
+void prepare_class_file(const GradeArguments& arguments, const fs::path& folder, const std::vector<fs::path>& parts,
+                        const std::vector<const LabEntry*>& labs) {
+    const bool is_given = !arguments.class_file.empty();
+    fs::path file = arguments.class_file == "none" ? "" : arguments.class_file;
+    if (!file.empty() && !fs::is_regular_file(file))
+        throw UsageError(fmt::format("there is no class file '{}'", printable(file.string())));
+    if (!is_given) file = class_file_of(folder);
+    for (const fs::path& part : parts)
+        if (!is_given && file.empty()) file = class_file_of(part);
+    const ClassFile policy = read_class_file(file, folder);
+    for (const LabEntry* lab : labs)
+        if (!policy.labs.empty() && !policy.lab(lab->folder))
+            throw UsageError(fmt::format("lab {} is not assigned in {}", lab->two_digits(), policy.file.string()));
+    keep_class_file(file, folder);
+}
+
 /// Returns 1 if the machine failed on a submission, a part of the class is missing, or the self-test finds a wrong
 /// mark.
 int grade_submissions(const GradeArguments& arguments) {
@@ -229,15 +249,17 @@ int grade_submissions(const GradeArguments& arguments) {
         if (given && !arguments.paths.empty())
             throw UsageError(
                 fmt::format("{} takes no submissions: '{}' is one argument too many", option, arguments.paths.front()));
+    if (!arguments.class_file.empty() && (arguments.self_test || !arguments.mutate.empty() || arguments.gradescope))
+        throw UsageError("--class goes with submissions, --resume or --merge");
     if (!arguments.merge.empty()) {
         std::vector<Descriptor> at_work;
         if (fs::is_directory(arguments.merge)) at_work.push_back(hold_output(arguments.merge, {}));
         for (const fs::path& part : class_parts(arguments.merge))
             if (part != arguments.merge) at_work.push_back(hold_output(part, {}));
+        prepare_class_file(arguments, arguments.merge, class_parts(arguments.merge), {});
         const ClassReport report = merge_class(arguments.merge);
         bring_pages_of_parts(report, arguments.merge);
-        write_summaries(report, arguments.merge);
-        return print(report, arguments.merge, {});
+        return print(report, write_summaries(report, arguments.merge), arguments.merge, {});
     }
     ClassOptions options = options_of(arguments);
     const int sample = arguments.sample.empty() ? 0 : whole_number(arguments.sample, "--sample", 1, 1000);
@@ -252,14 +274,16 @@ int grade_submissions(const GradeArguments& arguments) {
     options.shard = shard_of(arguments.shard);
     make_folder(options.output);
     const Descriptor at_work = hold_output(options.output, options.shard);
+    prepare_class_file(arguments, options.output, {}, options.labs);
     // Before its result: a run that is killed leaves none without its pages.
     const ClassReport report =
         grade_class(options, [&](const SubmissionMark& mark, const std::vector<CheckPictures>& pictures) {
             for (const PageFor reader : page_readers)
                 write_page(options.output / page_file(mark.name, reader), student_page(mark, pictures, reader));
         });
-    if (options.shard.whole()) write_summaries(report, options.output);
-    return print(report, arguments.output, options.shard);
+    if (!options.shard.whole())
+        return print(report, class_standing(report.marks, {}, {}), arguments.output, options.shard);
+    return print(report, write_summaries(report, options.output), arguments.output, options.shard);
 }
 
 class GradeCommand final : public Command {
@@ -268,6 +292,10 @@ public:
         options.words("PATH", grade_.paths, "submissions");
         options.value("-o", "FOLDER", grade_.output,
                       "folder for the results; unchanged submissions in it are not graded again");
+        options.value(
+            "--class", "FILE", grade_.class_file,
+            "class file: roster, labs that count, due dates (see labs/staff/README.md) [the last run's]; none: "
+            "without one");
         options.values("--lab", "LAB", grade_.labs,
                        "grade only this lab; may be repeated [the labs whose files a submission has]");
         options.value("--jobs", "N", grade_.jobs, "submissions graded at a time [one per processor]");

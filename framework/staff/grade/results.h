@@ -1,4 +1,4 @@
-// The results of grading: a JSON file for each submission, and the formats that other programs read.
+// The results of grading: a JSON file for each submission, which is the grader's verdict.
 #pragma once
 
 #include <filesystem>
@@ -39,14 +39,5 @@ std::string found_for_students(const CheckMark& check);
 /// checks.
 std::string to_json(const SubmissionMark& mark);
 SubmissionMark from_json(const std::string& text);
-
-/// Gradescope's results.json: hidden checks stay hidden from the student.
-std::string to_gradescope(const SubmissionMark& mark);
-/// A line for each submission: name, state, points, and a column for each task that any submission has.
-std::string to_csv(const std::vector<SubmissionMark>& marks);
-/// JUnit XML: a suite for each submission, a case for each check.
-std::string to_junit(const std::vector<SubmissionMark>& marks);
-/// A table for a terminal.
-std::string to_table(const std::vector<SubmissionMark>& marks);
 
 }  // namespace relief

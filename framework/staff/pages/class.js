@@ -13,7 +13,7 @@ for (const head of sorters) head.querySelector("button").addEventListener("click
 });
 const filter = document.querySelector("#filter"), told = document.querySelector("#shown");
 const words_of = row =>
-  [row.cells[0], ...[...row.cells].slice(-2)].map(cell => cell.textContent).join(" ").toLowerCase();
+  [...row.cells].filter(cell => !cell.classList.contains("number")).map(cell => cell.textContent).join(" ").toLowerCase();
 const texts = new Map(rows.map(row => [row, words_of(row)]));
 const sift = () => {
   const words = filter.value.toLowerCase().split(/[ \t]+/).filter(word => word);

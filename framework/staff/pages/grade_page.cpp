@@ -46,10 +46,21 @@ public:
     MarkTimes times;
     double waiting = 0;
     size_t not_graded = 0;
-    std::vector<double> points;
+    size_t absent = 0, strangers = 0;  ///< of the roster, but without a submission; and the other way round
+    std::vector<double> points;        ///< of those who handed something in
 
-    explicit ClassCounts(const std::vector<SubmissionMark>& marks) {
-        for (const SubmissionMark& mark : marks) add(mark);
+    explicit ClassCounts(const ClassStanding& standing) {
+        for (const Standing& one : standing.students) {
+            absent += !one.mark && !one.is_waiting;
+            not_graded += one.is_waiting;
+            strangers += !one.on_roster;
+            if (!one.mark) continue;
+            if (one.is_marked())
+                points.push_back(one.points());
+            else
+                ++not_graded;
+            add(*one.mark);
+        }
         std::sort(points.begin(), points.end());
     }
 
@@ -59,10 +70,6 @@ public:
 
 private:
     void add(const SubmissionMark& mark) {
-        if (mark.graded())
-            points.push_back(mark.points());
-        else
-            ++not_graded;
         if (!mark.isolation.empty()) isolations.insert(mark.isolation);
         double busy = 0;
         for (const LabMark& lab : mark.labs) {
@@ -97,6 +104,8 @@ List number_cards(const ClassReport& report, const ClassCounts& counts) {
     add("submissions", std::to_string(report.marks.size()));
     add("median", amount_of(counts.median(), "point"));
     if (counts.not_graded > 0) add("not graded: grade again", std::to_string(counts.not_graded), "bad");
+    if (counts.absent > 0) add("nothing handed in", std::to_string(counts.absent));
+    if (counts.strangers > 0) add("not on the roster", std::to_string(counts.strangers), "bad");
     add("unchanged, not graded again", std::to_string(report.taken_over));
     const std::vector<std::string> isolations(counts.isolations.begin(), counts.isolations.end());
     add("isolation", isolations.empty() ? "none needed" : join(isolations, ", "));
@@ -116,36 +125,44 @@ List outcome_counts(const Counts& of, Outcome first) {
     return list;
 }
 
-Fields points_cell(double points, int of, bool graded) {
-    const bool counts = of > 0 && graded;
-    return {{"share", counts ? fmt::format("{:.0f}", 100 * points / of) : ""},
+Fields points_cell(double points, int of, const char* instead = "") {
+    return {{"share", *instead || of == 0 ? "" : fmt::format("{:.0f}", 100 * points / of)},
             {"points", points_text(points)},
             {"of", of},
-            {"instead", of == 0 ? "–" : "not graded"}};
+            {"instead", *instead ? instead : "–"}};
 }
 
-/// A line of the class: points by lab, what became of the checks, and the mistakes that were recognised.
-Fields line_of(const SubmissionMark& mark, const ClassCounts& counts) {
-    List cells{points_cell(mark.points(), mark.max_points(), mark.graded())};
-    for (const auto& [lab, checks] : counts.checks) {
-        const LabMark* const one = mark.lab(lab);
-        cells.push_back(one ? points_cell(one->points(), one->max_points(), one->graded()) : points_cell(0, 0, false));
-    }
+Fields cell_of(const LabStanding& lab) {
+    const bool is_missing = !lab.handed_in && lab.points() == 0;
+    return points_cell(lab.points(), lab.of(), is_missing ? "–" : lab.marked ? "" : "not graded");
+}
+
+/// A line of the class: points by lab, what became of the checks, the mistakes that were recognised, and what people
+/// and rules did to the points.
+Fields line_of(const Standing& standing) {
+    List cells{points_cell(standing.points(), standing.of(), standing.is_marked() ? "" : "not graded")};
+    for (const LabStanding& lab : standing.labs) cells.push_back(cell_of(lab));
     Counts of{};
     std::set<std::string> mistakes;
     size_t all = 0;
-    for (const LabMark& lab : mark.labs)
-        for (const TaskMark& task : lab.tasks) {
-            for (const CheckMark& check : task.checks) ++of[size_t(check.outcome)], ++all;
-            if (!task.mistake.empty()) mistakes.insert(named(task));
-        }
-    return {{"page", page_file(mark.name, PageFor::instructor).string()},
-            {"name", printable(mark.name)},
+    if (standing.mark)
+        for (const LabMark& lab : standing.mark->labs)
+            for (const TaskMark& task : lab.tasks) {
+                for (const CheckMark& check : task.checks) ++of[size_t(check.outcome)], ++all;
+                if (!task.mistake.empty()) mistakes.insert(named(task));
+            }
+    List remarks;
+    for (const std::string& remark : standing.remarks()) remarks.push_back(remark);
+    return {{"page", page_file(standing.name, PageFor::instructor).string()},
+            {"name", standing.student.student},
+            {"full_name", printable(standing.student.name)},
+            {"stranger", !standing.on_roster},
             {"cells", std::move(cells)},
-            {"problem", mark.problem},
+            {"problem", standing.mark ? standing.mark->problem : standing.state()},
             {"all_passed", all > 0 && of[size_t(Outcome::passed)] == all},
             {"outcomes", outcome_counts(of, Outcome(1))},
-            {"mistakes", List(mistakes.begin(), mistakes.end())}};
+            {"mistakes", List(mistakes.begin(), mistakes.end())},
+            {"remarks", rows(std::move(remarks))}};
 }
 
 List labs_with_checks(const ClassCounts& counts) {
@@ -213,10 +230,19 @@ Value times(const ClassCounts& counts) {
 
 }  // namespace
 
-std::string class_page(const ClassReport& report) {
-    const ClassCounts counts(report.marks);
-    List submissions;
-    for (const SubmissionMark& mark : report.marks) submissions.push_back(line_of(mark, counts));
+std::string class_page(const ClassReport& report) { return class_page(report, class_standing(report.marks, {}, {})); }
+
+std::string class_page(const ClassReport& report, const ClassStanding& standing) {
+    const ClassCounts counts(standing);
+    List submissions, columns;
+    bool has_remarks = false;
+    for (const Standing& one : standing.students) {
+        submissions.push_back(line_of(one));
+        has_remarks |= one.is_changed();
+    }
+    if (!standing.students.empty())
+        for (const LabStanding& lab : standing.students.front().labs)
+            columns.push_back(Fields{{"number", number_of(lab.lab)}, {"title", words_of(lab.lab)}});
     const Fields run{{"seconds", fmt::format("{:.1f}", report.seconds)},
                      {"prepared", fmt::format("{:.1f}", report.prepared)}};
     return render({.title = "Marks: " + count_of(report.marks.size(), "submission"),
@@ -225,7 +251,9 @@ std::string class_page(const ClassReport& report) {
                    .scripts = {"framework/staff/pages/class"}},
                   {{"numbers", number_cards(report, counts)},
                    {"isolation", report.isolation.reason},
-                   {"is_long", report.marks.size() > 50},
+                   {"is_long", standing.students.size() > 50},
+                   {"columns", std::move(columns)},
+                   {"has_remarks", has_remarks},
                    {"labs", labs_with_checks(counts)},
                    {"submissions", std::move(submissions)},
                    {"hardest", hardest_checks(counts)},

@@ -6,6 +6,7 @@
 
 #include "framework/pages/check_figures.h"
 #include "framework/pages/page.h"
+#include "framework/staff/pages/standing_part.h"
 
 namespace relief {
 namespace {
@@ -22,9 +23,6 @@ public:
         return {{"name", printable(mark_.name)},
                 {"for_student", for_student_},
                 {"graded", mark_.graded()},
-                {"has_points", mark_.graded() && mark_.problem.empty()},
-                {"points", points_text(mark_.points())},
-                {"of", mark_.max_points()},
                 {"problem", mark_.problem},
                 {"has_tasks", has_tasks},
                 {"labs", std::move(labs)},
@@ -144,15 +142,12 @@ std::string count_of(size_t count, const std::string& what) {
 }
 
 std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures, PageFor reader) {
-    const std::string title =
-        printable(mark.name) + (mark.graded() && mark.problem.empty()
-                                    ? fmt::format(": {} of {} points", points_text(mark.points()), mark.max_points())
-                                    : "");
-    return render({.title = title,
-                   .body = "framework/staff/pages/student",
-                   .styles = {"badge", "checks", "figures", "framework/staff/pages/student"},
-                   .scripts = {"wipe", "checks"}},
-                  StudentPage(mark, pictures, reader).fields());
+    const std::string page = render({.title = printable(mark.name),
+                                     .body = "framework/staff/pages/student",
+                                     .styles = {"badge", "checks", "figures", "framework/staff/pages/student"},
+                                     .scripts = {"wipe", "checks"}},
+                                    StudentPage(mark, pictures, reader).fields());
+    return with_standing(page, standing_of(mark), UtcOffset(0), reader);
 }
 
 }  // namespace relief

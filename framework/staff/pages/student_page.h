@@ -12,8 +12,8 @@ namespace relief {
 /// went and what to look at, and it leads nowhere.
 enum class PageFor { instructor, student };
 
-/// Needs nothing else. A check has its figures where `pictures` has it. What strangers wrote is text in it, never
-/// markup.
+/// Needs nothing else. A check has its figures where `pictures` has it. It stands as the submission alone:
+/// with_standing() puts in what the class adds. What strangers wrote is text in it, never markup.
 std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures, PageFor reader);
 
 /// The number of a lab and its name in words: "02", "normal map storage".

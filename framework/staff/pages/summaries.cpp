@@ -1,11 +1,51 @@
 #include "framework/staff/pages/summaries.h"
 
+#include <chrono>
+#include <set>
+
 #include "framework/base/file.h"
+#include "framework/base/parallel.h"
+#include "framework/staff/grade/exports.h"
 #include "framework/staff/pages/grade_page.h"
+#include "framework/staff/pages/standing_part.h"
 
 namespace relief {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Puts the standing into a student's page; makes the page if it is not there. Who handed nothing in has only that.
+void write_standing(const Standing& standing, UtcOffset offset, const fs::path& folder, PageFor reader) {
+    const fs::path file = folder / page_file(standing.name, reader);
+    SubmissionMark nothing;
+    nothing.name = standing.name;
+    nothing.problem = standing.is_waiting ? "This is not graded yet." : "Nothing was handed in.";
+    const bool is_kept = standing.mark && fs::exists(file);
+    const std::string page =
+        is_kept ? read_file(file) : student_page(standing.mark ? *standing.mark : nothing, {}, reader);
+    const std::string now = with_standing(page, standing, offset, reader);
+    if (!is_kept || now != page) write_page(file, now);
+}
+
+/// The labs that a folder's class, or a part of it in there, was graded for; empty: all.
+std::vector<std::string> labs_of(const fs::path& folder) {
+    if (const auto roster = read_roster(folder)) return roster->labs;
+    for (const auto& part : fs::directory_iterator(folder))
+        if (part.is_directory())
+            if (const auto roster = read_roster(part.path())) return roster->labs;
+    return {};
+}
+
+/// The names of all submissions of the class, graded or not.
+std::set<std::string> handed_in(const fs::path& folder) {
+    std::set<std::string> names;
+    if (const auto roster = read_roster(folder))
+        for (const Roster::One& one : roster->submissions) names.insert(printable(one.name));
+    return names;
+}
+
+}  // namespace
 
 fs::path page_file(const std::string& name, PageFor reader) {
     return fs::path(reader == PageFor::student ? "students" : "submissions") / (file_name_of(name) + ".html");
@@ -16,17 +56,29 @@ void write_page(const fs::path& file, const std::string& text) {
     write_file(file, text);
 }
 
-void write_summaries(const ClassReport& report, const fs::path& folder) {
-    make_folder(folder / "gradescope");
-    for (const SubmissionMark& mark : report.marks) {
-        write_file(folder / "gradescope" / (file_name_of(mark.name) + ".json"), to_gradescope(mark));
-        for (const PageFor reader : page_readers)
-            if (const fs::path page = folder / page_file(mark.name, reader); !fs::exists(page))
-                write_page(page, student_page(mark, {}, reader));
-    }
-    write_file(folder / "results.csv", to_csv(report.marks));
-    write_file(folder / "junit.xml", to_junit(report.marks));
-    write_file(folder / "report.html", class_page(report));
+ClassStanding write_summaries(const ClassReport& report, const fs::path& folder) {
+    ClassStanding standing = class_standing(report.marks, read_class_file(class_file_of(folder), folder),
+                                            labs_of(folder), handed_in(folder));
+    for (const char* name : {"gradescope", "prairielearn", "surefire"}) make_folder(folder / name);
+    parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
+        const Standing& one = standing.students[i];
+        const std::string name = file_name_of(one.name);
+        write_file(folder / "gradescope" / (name + ".json"), to_gradescope(one));
+        write_file(folder / "prairielearn" / (name + ".json"), to_prairielearn(one));
+        write_file(folder / "surefire" / ("TEST-" + name + ".xml"), to_surefire(one));
+        for (const PageFor reader : page_readers) write_standing(one, standing.policy.utc_offset, folder, reader);
+    });
+    write_file(folder / "results.csv", to_csv(standing));
+    write_file(folder / "junit.xml",
+               to_junit(standing, std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now())));
+    if (!standing.policy.students.empty()) write_file(folder / "canvas.csv", to_canvas(standing));
+    for (const AssignedLab& lab : standing.policy.labs)
+        if (!lab.moodle.empty() && !standing.students.empty() && standing.students.front().lab(lab.folder)) {
+            make_folder(folder / "moodle");
+            write_file(folder / "moodle" / (lab.folder + ".csv"), to_moodle(standing, lab, standing.notes));
+        }
+    write_file(folder / "report.html", class_page(report, standing));
+    return standing;
 }
 
 }  // namespace relief

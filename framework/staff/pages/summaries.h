@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "framework/staff/grade/class.h"
+#include "framework/staff/grade/standing.h"
 #include "framework/staff/pages/student_page.h"
 
 namespace relief {
@@ -17,8 +18,10 @@ std::filesystem::path page_file(const std::string& name, PageFor reader);
 /// With the folder that it lies in.
 void write_page(const std::filesystem::path& file, const std::string& text);
 
-/// results.csv, junit.xml, report.html and gradescope/NAME.json, from what the results hold alone. A submission that
-/// has no pages yet gets them without pictures.
-void write_summaries(const ClassReport& report, const std::filesystem::path& folder);
+/// All other files, from the results, the folder's class file and its adjustments alone: report.html, results.csv,
+/// junit.xml, and a file for each submission in surefire, gradescope and prairielearn; with a roster canvas.csv, and
+/// moodle/LAB.csv for each worksheet. Pages get their standing; a submission that has no pages yet gets them without
+/// pictures. The report must outlive the result.
+ClassStanding write_summaries(const ClassReport& report, const std::filesystem::path& folder);
 
 }  // namespace relief

@@ -653,6 +653,74 @@ TEST(Grade, ACompilerThatCannotForkIsTheMachinesFault) {
     EXPECT_TRUE(contains(graded.err, "(machine: the machine failed: ")) << graded.err;
 }
 
+TEST(Grade, AClassFileAndAdjustmentsChangePointsAndNoVerdict) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    folder.write(std::string("jane/") + shader, course_file(shader));
+    folder.write(std::string("bo/") + shader, starter_of(course_file(shader), shader));
+    folder.write(
+        "class.toml",
+        "hand_ins = \"times.csv\"\n[late]\npercent_per_day = 10\n[[assigned]]\nlab = 1\n[[assigned]]\nlab = 2\ndue = "
+        "2027-03-01T12:00:00Z\n[[student]]\nstudent = \"jane\"\nlogin = \"jd\"\n[[student]]\nstudent = \"kim\"\n");
+    folder.write("times.csv", "student,handed_in\njane,2027-03-01T13:00Z\n");
+    const std::vector<std::string> words = {(folder.path() / "jane").string(), (folder.path() / "bo").string(), "-o",
+                                            output.string()};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), words.begin(), words.end());
+        return run(grade(more));
+    };
+    const Result plain = with({});
+    EXPECT_EQ(plain.code, 0) << plain.err;
+    EXPECT_TRUE(contains(plain.out, "11/11")) << plain.out;
+    const std::string verdict = read_file(output / "results/jane.json");
+
+    // Labs 01 and 02 are of 5 and 11 points.
+    const Result first = with({"--class", (folder.path() / "class.toml").string()});
+    EXPECT_EQ(first.code, 0) << first.err;
+    EXPECT_TRUE(contains(first.out, "2 unchanged")) << first.out;
+    EXPECT_TRUE(contains(first.out, "9.9/16  late: 1.1 less")) << first.out;
+    EXPECT_TRUE(contains(first.err, "1 student of the roster handed nothing in: kim")) << first.err;
+    EXPECT_TRUE(contains(first.err, "1 submission is not on the roster: bo")) << first.err;
+    EXPECT_TRUE(contains(read_file(output / "canvas.csv"), "jane,,,jd,,0.00,9.90\n"))
+        << read_file(output / "canvas.csv");
+
+    // The next runs know the file, and take what people add.
+    folder.write("out/adjustments.csv", "student,task,points,note\njane,2.1,-1,\"see, me\"\nkim,1.1,2,on paper\n");
+    const Result second = run(grade({"--resume", "-o", output.string()}));
+    EXPECT_EQ(second.code, 0) << second.err;
+    EXPECT_TRUE(contains(second.out, "9/16  adjusted by -1  late: 1 less")) << second.out;
+    EXPECT_TRUE(contains(second.out, "2/16  nothing handed in  adjusted by 2")) << second.out;
+    for (const char* kind : {"students", "submissions"}) {
+        const std::string page = read_file(output / kind / "jane.html");
+        for (const char* part : {"9 of 16 points", "see, me", "11 by the checks", "10 with adjustments",
+                                 "1 day late: 10 % less, 9 of 10", "nothing handed in"})
+            EXPECT_TRUE(contains(page, part)) << kind << part;
+        EXPECT_TRUE(contains(read_file(output / kind / "kim.html"), "on paper"));
+    }
+    EXPECT_TRUE(contains(read_file(output / "report.html"), "see, me"));
+    const Result again = run(grade({"--resume", "-o", output.string(), "--fresh"}));
+    EXPECT_TRUE(contains(again.out, "9/16  adjusted by -1")) << again.out << "\nadjustments survive";
+    EXPECT_TRUE(contains(read_file(output / "students/jane.html"), "see, me"));
+    EXPECT_EQ(json::parse(read_file(output / "results/jane.json"))["labs"][0]["tasks"],
+              json::parse(verdict)["labs"][0]["tasks"])
+        << "results stay the grader's verdict";
+    const Result merged = run({relief_program(), "grade", "--merge", output.string()});
+    EXPECT_TRUE(contains(merged.out, "9/16  adjusted by -1")) << merged.out << merged.err;
+
+    // A mistake in them is found before anything is graded, and costs nothing.
+    folder.write("out/adjustments.csv", "student,task,points,note\njane,2.1,lots,x\n");
+    const Result refused = run(grade({"--resume", "-o", output.string()}));
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_TRUE(contains(refused.err, "adjustments.csv:2: 'lots' is no number of points")) << refused.err;
+    fs::remove(output / "adjustments.csv");
+    const Result none = run(grade({"--resume", "-o", output.string(), "--class", "none"}));
+    EXPECT_TRUE(contains(none.out, "11/11")) << none.out;
+    const Result other =
+        run(grade({words[0], "-o", output.string(), "--lab", "5", "--class", (folder.path() / "class.toml").string()}));
+    EXPECT_EQ(other.code, 2);
+    EXPECT_TRUE(contains(other.err, "lab 05 is not assigned in ")) << other.err;
+}
+
 TEST(Grade, WrongUseIsOneClearLine) {
     const TemporaryFolder folder;
     folder.write(std::string("a/jane/") + shader, "");
@@ -676,6 +744,8 @@ TEST(Grade, WrongUseIsOneClearLine) {
                  {{"--mutate", "2", a}, "--mutate takes no submissions: '"},
                  {{"--mutate", "99"}, "unknown lab"},
                  {{a, "-o", output, "--json"}, "--json goes with --mutate"},
+                 {{a, "-o", output, "--class", "nowhere.toml"}, "there is no class file 'nowhere.toml'"},
+                 {{"--self-test", "--class", a}, "--class goes with submissions, --resume or --merge"},
                  {{"--self-test", a}, "--self-test takes no submissions: '"},
                  {{"--gradescope", a, "-o", output}, "--gradescope takes no submissions: '"},
                  {{a, "-o", output, "--context", "window"}, "grade draws without a window"},

@@ -3,6 +3,7 @@
 #include "framework/pages/page.h"
 #include "framework/staff/pages/bench_page.h"
 #include "framework/staff/pages/grade_page.h"
+#include "framework/staff/pages/standing_part.h"
 #include "framework/staff/pages/student_page.h"
 #include "tests/support.h"
 
@@ -67,6 +68,37 @@ TEST(StudentPage, ShowsASubmissionAsText) {
         {mark.labs[0].lab, &manifest, check, false, Image(2, 2, 3, 0.5f), Image(2, 2, 3, 0.25f)}};
     EXPECT_GT(times_escaped(student_page(mark, pictures, PageFor::instructor)), 30);
     EXPECT_GT(times_escaped(student_page(mark, pictures, PageFor::student)), 15);
+}
+
+TEST(StudentPage, TakesANewStandingAndKeepsTheRest) {
+    SubmissionMark mark = some_submission();
+    mark.name = "jane", mark.labs[0].lab = "02_lab", mark.labs[0].tasks[0].id = "2.1";
+    ClassFile policy;
+    policy.labs.push_back({.folder = "02_lab",
+                           .tasks = {{.id = "2.1", .title = "A task", .file = "task.glsl", .points = 3}},
+                           .due = parse_moment("2027-03-01T12:00Z", {}, {}),
+                           .canvas = {},
+                           .moodle = {}});
+    policy.late.percent_per_day = 50;
+    policy.adjustments = {{"jane", "2.1", 0.5, hostile, {}}};
+    policy.extensions = {{"jane", "", 1, "ill"}};
+    policy.hand_ins = {{"jane", "", parse_moment("2027-03-03T11:00Z", {}, {})}};
+    const ClassStanding standing = class_standing({mark}, policy, {});
+    for (const PageFor reader : {PageFor::instructor, PageFor::student}) {
+        const std::string before = student_page(mark, {}, reader);
+        const std::string page = with_standing(before, standing.students[0], UtcOffset(60), reader);
+        EXPECT_TRUE(contains(page, "1 day late: 50 % less")) << page.substr(page.find("<!--standing"), 900);
+        EXPECT_TRUE(contains(page, "due 2027-03-02 13:00 +01:00, with 1 day of extension"));
+        EXPECT_TRUE(contains(page, "handed in 2027-03-03 12:00 +01:00"));
+        EXPECT_EQ(contains(page, "extension: ill"), reader == PageFor::instructor)
+            << "the student's page tells no reason";
+        EXPECT_EQ(times_escaped(page), times_escaped(before) + 1) << "a note is text";
+        EXPECT_EQ(with_standing(page, standing.students[0], UtcOffset(60), reader), page);
+        EXPECT_EQ(with_standing(page, standing_of(mark), UtcOffset(0), reader), before) << "and everything else stays";
+    }
+    ClassReport report;
+    report.marks = {mark};
+    EXPECT_GT(times_escaped(class_page(report, standing)), times_escaped(class_page(report)));
 }
 
 TEST(ClassPage, ShowsSubmissionsAsText) {

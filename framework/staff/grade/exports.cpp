@@ -1,0 +1,353 @@
+#include "framework/staff/grade/exports.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "framework/base/text.h"
+#include "framework/staff/grade/csv.h"
+#include "framework/staff/grade/strangers_text.h"
+
+namespace relief {
+namespace {
+
+using nlohmann::ordered_json;
+using Cells = std::vector<std::string>;
+
+/// Untrusted bytes may not be UTF-8.
+std::string dump(const ordered_json& json) {
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string number_of_lab(const std::string& folder) { return folder.substr(0, folder.find('_')); }
+
+/// What a student is called where a person reads it.
+std::string shown_name(const Student& student) { return student.name.empty() ? student.student : student.name; }
+
+std::string cell(const std::string& text) { return defused(printable(text, 2000)); }
+
+/// Points for other systems: two decimals, which is what Canvas and Moodle keep.
+std::string decimal(double points) { return fmt::format("{:.2f}", points); }
+
+// ---- XML ----
+
+/// Untrusted text as XML 1.0 may have it: UTF-8, no control characters, and neither U+FFFE nor U+FFFF.
+std::string xml(const std::string& text) {
+    std::string result = printable(text, 4000);
+    for (const std::string bad : {"\xef\xbf\xbe", "\xef\xbf\xbf"})
+        for (size_t at; (at = result.find(bad)) != std::string::npos;) result.replace(at, bad.size(), "?");
+    return escaped_markup(result);
+}
+
+/// The checks of a submission as elements of one suite.
+struct Suite {
+    int tests = 0, failures = 0, errors = 0;
+    double seconds = 0;
+    std::string cases, properties;
+};
+
+Suite suite_of(const Standing& standing) {
+    Suite suite;
+    const auto add = [&](const std::string& group, const std::string& name, const char* kind, const char* type,
+                         const std::string& message) {
+        ++suite.tests;
+        suite.failures += kind && std::string_view(kind) == "failure";
+        suite.errors += kind && std::string_view(kind) == "error";
+        suite.cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"", xml(group), xml(name));
+        suite.cases +=
+            kind ? fmt::format("><{} type=\"{}\" message=\"{}\"/></testcase>\n", kind, type, xml(message)) : "/>\n";
+    };
+    if (!standing.mark)
+        add("submission", "is there", standing.is_waiting ? "error" : "failure", "missing", standing.state());
+    else {
+        const SubmissionMark& mark = *standing.mark;
+        suite.seconds = mark.seconds;
+        if (!mark.problem.empty()) add("submission", "can be read", "failure", "unreadable", mark.problem);
+        for (const LabMark& lab : mark.labs)
+            for (const TaskMark& task : lab.tasks)
+                for (const CheckMark& check : task.checks) {
+                    const bool passed = check.outcome == Outcome::passed, machine = check.outcome == Outcome::machine;
+                    add(lab.lab + "." + task.id, check.name,
+                        passed    ? nullptr
+                        : machine ? "error"
+                                  : "failure",
+                        name_of(check.outcome), check.found);
+                }
+    }
+    const auto property = [&](const char* name, const std::string& value) {
+        suite.properties += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", name, xml(value));
+    };
+    if (standing.is_marked()) property("points", points_text(standing.points()));
+    property("max_points", std::to_string(standing.of()));
+    for (const std::string& remark : standing.remarks()) property("remark", remark);
+    suite.properties = "    <properties>\n" + suite.properties + "    </properties>\n";
+    return suite;
+}
+
+// ---- JSON ----
+
+/// The text for a check on Gradescope, which shows hidden checks to instructors only.
+std::string sentence(const CheckMark& check) {
+    std::string text = check.hidden ? check.found : found_for_students(check);
+    if (!check.look_at.empty()) text += "\nlook at: " + check.look_at;
+    return text;
+}
+
+/// What people and rules did to the points, a line each.
+std::string remarks_text(const Standing& standing) {
+    std::string text;
+    for (const std::string& remark : standing.remarks()) text += remark + "\n";
+    if (standing.is_changed())
+        text += fmt::format("The checks alone gave {} of {} points.\n", points_text(standing.graded()), standing.of());
+    return text;
+}
+
+// ---- Moodle ----
+
+/// The student of a row: by any identifier that both sides have.
+const Standing* student_of(const CsvTable& sheet, const CsvRow& row, const std::map<std::string, const Standing*>& by) {
+    for (const char* column : {"Email address", "Username", "ID number"}) {
+        const std::string& value = sheet.cell(row, column);
+        if (value.empty()) continue;
+        if (const auto found = by.find(std::string(column) + ' ' + value); found != by.end()) return found->second;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::string to_csv(const ClassStanding& standing) {
+    const bool has_roster = !standing.policy.students.empty();
+    const std::vector<LabStanding> labs =
+        standing.students.empty() ? std::vector<LabStanding>() : standing.students.front().labs;
+    Cells head{"submission", "state", "points", "of"};
+    if (has_roster) head.insert(head.end(), {"name", "email", "login", "canvas_id", "sis_id", "section"});
+    head.insert(head.end(), {"by the checks", "adjusted by", "late by", "remarks"});
+    for (const LabStanding& lab : labs) head.push_back(fmt::format("lab {} (of {})", number_of_lab(lab.lab), lab.of()));
+    for (const LabStanding& lab : labs)
+        for (const TaskStanding& task : lab.tasks) head.push_back(fmt::format("{} (of {})", task.id, task.of));
+    std::string text = csv_line(head);
+    for (const Standing& one : standing.students) {
+        const bool marked = one.is_marked();
+        const auto points = [&](double value) { return marked ? points_text(value) : std::string(); };
+        Cells cells{cell(one.student.student), cell(one.state()), points(one.points()), std::to_string(one.of())};
+        if (has_roster)
+            for (const std::string& word : {one.student.name, one.student.email, one.student.login,
+                                            one.student.canvas_id, one.student.sis_id, one.student.section})
+                cells.push_back(cell(word));
+        cells.insert(cells.end(), {points(one.graded()), points(one.adjusted() - one.graded()),
+                                   points(one.points() - one.adjusted()), cell(join(one.remarks(), "; "))});
+        for (const LabStanding& lab : one.labs) cells.push_back(lab.marked ? points_text(lab.points()) : "");
+        for (const LabStanding& lab : one.labs)
+            for (const TaskStanding& task : lab.tasks)
+                cells.push_back(!lab.marked || (!lab.handed_in && task.adjusted == 0) ? ""
+                                                                                      : points_text(task.adjusted));
+        text += csv_line(cells);
+    }
+    return text;
+}
+
+std::string to_canvas(const ClassStanding& standing) {
+    Cells head{"Student", "ID", "SIS User ID", "SIS Login ID", "Section"},
+        points{"    Points Possible", "", "", "", ""};
+    for (const AssignedLab& lab : standing.policy.labs) {
+        if (standing.students.empty() || !standing.students.front().lab(lab.folder)) continue;
+        head.push_back(cell(lab.canvas));
+        points.push_back(decimal(standing.students.front().lab(lab.folder)->of()));
+    }
+    std::string text = csv_line(head) + csv_line(points);
+    for (const Standing& one : standing.students) {
+        if (!one.on_roster) continue;
+        Cells cells{cell(shown_name(one.student)), cell(one.student.canvas_id), cell(one.student.sis_id),
+                    cell(one.student.login), cell(one.student.section)};
+        for (const LabStanding& lab : one.labs) cells.push_back(lab.marked ? decimal(lab.points()) : "");
+        text += csv_line(cells);
+    }
+    return text;
+}
+
+std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std::vector<std::string>& notes) {
+    const CsvTable sheet = read_csv(lab.moodle);
+    const int grade = sheet.column("Grade"), feedback = sheet.column("Feedback comments");
+    // Moodle itself refuses a worksheet without these.
+    for (const char* column : {"Identifier", "Grade", "Last modified (grade)"})
+        if (sheet.column(column) < 0)
+            throw Error({lab.moodle, 1},
+                        fmt::format("has no column '{}': download Moodle's grading worksheet again, with "
+                                    "Moodle set to English",
+                                    column));
+    std::map<std::string, const Standing*> by;
+    for (const Standing& one : standing.students)
+        for (const auto& [column, value] : {std::pair("Email address ", &one.student.email),
+                                            {"Username ", &one.student.login},
+                                            {"ID number ", &one.student.sis_id}})
+            if (!value->empty()) by.emplace(column + *value, &one);
+    std::string text = csv_line(sheet.columns);
+    size_t unknown = 0;
+    for (const CsvRow& row : sheet.rows) {
+        Cells cells = row.cells;
+        const Standing* const one = student_of(sheet, row, by);
+        const auto max = parse_number(sheet.cell(row, "Maximum Grade"));
+        if (!max || *max <= 0)
+            throw Error({lab.moodle, row.line},
+                        "'Maximum Grade' must be a number of points, as in 6.00: in Moodle, let the "
+                        "assignment have points, and download the worksheet in English");
+        unknown += !one;
+        const LabStanding* const points = one ? one->lab(lab.folder) : nullptr;
+        if (points && points->marked && sheet.cell(row, "Grade can be changed") != "No") {
+            cells[size_t(grade)] = decimal(points->of() > 0 ? *max * points->points() / points->of() : 0);
+            if (feedback >= 0) {
+                std::string words = fmt::format("{} of {} points", points_text(points->points()), points->of());
+                if (!points->handed_in) words += "; nothing handed in";
+                for (const std::string& remark : one->remarks(lab.folder)) words += "; " + remark;
+                cells[size_t(feedback)] = defused(words);
+            }
+        }
+        text += csv_line(cells);
+    }
+    if (unknown > 0)
+        notes.push_back(fmt::format("{}: {} of {} rows have no email address, username or ID number of the roster",
+                                    lab.moodle.filename().string(), unknown, sheet.rows.size()));
+    return text;
+}
+
+std::string to_prairielearn(const Standing& standing) {
+    constexpr size_t max_bytes = 1'000'000;
+    if (!standing.is_marked())  // costs no attempt
+        return dump({{"gradable", false},
+                     {"message", "The grader's machine failed. This is not your fault and costs you no points."}});
+    if (standing.mark && !standing.mark->problem.empty())
+        return dump({{"gradable", false}, {"format_errors", {printable(standing.mark->problem, 1000)}}});
+    const double share = standing.of() > 0 ? standing.points() / standing.of() : 0;
+    ordered_json json = {{"gradable", true},
+                         {"score", std::clamp(share, 0.0, 1.0)},
+                         {"message", fmt::format("{} of {} points", points_text(standing.points()), standing.of())},
+                         {"output", remarks_text(standing)},
+                         {"tests", ordered_json::array()}};
+    if (standing.mark)
+        for (const LabMark& lab : standing.mark->labs)
+            for (const TaskMark& task : lab.tasks)
+                for (const CheckMark& check : task.checks) {
+                    const double points = double(task.of) / double(task.checks.size());
+                    json["tests"].push_back(
+                        {{"name",
+                          fmt::format("{} {}: {}", task.id, task.title, check.hidden ? "a hidden check" : check.name)},
+                         {"points", check.outcome == Outcome::passed ? points : 0.0},
+                         {"max_points", points},
+                         {"message", std::string(name_of(check.outcome))},
+                         {"output", printable_lines(check.look_at.empty()
+                                                        ? found_for_students(check)
+                                                        : found_for_students(check) + "\nlook at: " + check.look_at,
+                                                    4000)}});
+                }
+    std::string text = dump(json);
+    if (text.size() <= max_bytes) return text;
+    for (ordered_json& test : json["tests"]) test.erase("output");
+    json["output"] = "There is more on the page that your instructor has.";
+    return dump(json);
+}
+
+std::string to_gradescope(const Standing& standing) {
+    // Plain text: Gradescope would read markup in what a submission prints.
+    ordered_json json = {{"output_format", "text"}, {"test_output_format", "text"}, {"test_name_format", "text"}};
+    if (!standing.mark || !standing.is_marked()) {  // no score at all: Gradescope then says that grading failed
+        json["output"] = standing.mark ? "The grader's machine failed. This is not your fault and costs you no points."
+                                       : standing.state();
+        return dump(json);
+    }
+    const SubmissionMark& mark = *standing.mark;
+    bool any_hidden = false;
+    ordered_json tests = ordered_json::array();
+    const auto add = [&](const std::string& name, const LabMark& lab, ordered_json more) {
+        ordered_json test = {{"name", name}, {"name_format", "text"}};
+        test.update(more);
+        test.update({{"output_format", "text"}, {"tags", {lab.lab}}});
+        tests.push_back(std::move(test));
+    };
+    for (const LabMark& lab : mark.labs)
+        for (const TaskMark& task : lab.tasks) {
+            for (const CheckMark& check : task.checks) {
+                const double share = double(task.of) / double(task.checks.size());
+                const bool passed = check.outcome == Outcome::passed;
+                any_hidden |= check.hidden;
+                add(fmt::format("{} {}: {}", task.id, task.title, check.name), lab,
+                    {{"score", passed ? share : 0.0},
+                     {"max_score", share},
+                     {"status", passed ? "passed" : "failed"},
+                     {"output", fmt::format("{}: {}", name_of(check.outcome), sentence(check))},
+                     {"visibility", check.hidden ? "hidden" : "visible"}});
+            }
+            if (!task.hint.empty())
+                add(fmt::format("{} {}: a hint", task.id, task.title), lab,
+                    {{"output", task.hint}, {"visibility", "visible"}});
+        }
+    std::string output = mark.problem.empty() ? "" : mark.problem + "\n";
+    if (any_hidden)
+        output +=
+            "Some checks are hidden. Gradescope shows no total while a check is hidden; your points count all "
+            "checks.\n";
+    json.update({{"score", standing.points()},
+                 {"execution_time", mark.seconds},
+                 {"output", output + remarks_text(standing)},
+                 {"visibility", "visible"},
+                 {"tests", std::move(tests)}});
+    return dump(json);
+}
+
+std::string to_junit(const ClassStanding& standing, Moment written) {
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+    const std::string time = moment_text(written, UtcOffset(0)),
+                      stamp = time.substr(0, 10) + "T" + time.substr(11, 5) + ":00";
+    int id = 0;
+    for (const Standing& one : standing.students) {
+        const Suite suite = suite_of(one);
+        // Ant's schema wants all of these, a list of properties, and both kinds of output.
+        text += fmt::format(
+            "  <testsuite name=\"{0}\" package=\"relief\" id=\"{1}\" timestamp=\"{2}\" "
+            "hostname=\"localhost\" tests=\"{3}\" failures=\"{4}\" errors=\"{5}\" skipped=\"0\" "
+            "time=\"{6:.3f}\">\n{7}{8}    <system-out></system-out>\n    <system-err></system-err>\n"
+            "  </testsuite>\n",
+            xml(one.student.student), id++, stamp, suite.tests, suite.failures, suite.errors, suite.seconds,
+            suite.properties, suite.cases);
+    }
+    return text + "</testsuites>\n";
+}
+
+std::string to_surefire(const Standing& standing) {
+    const Suite suite = suite_of(standing);
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" time=\"{:.3f}\" tests=\"{}\" "
+        "errors=\"{}\" skipped=\"0\" failures=\"{}\">\n{}{}</testsuite>\n",
+        xml(standing.student.student), suite.seconds, suite.tests, suite.errors, suite.failures, suite.properties,
+        suite.cases);
+}
+
+std::string to_table(const ClassStanding& standing) {
+    size_t width = 10;
+    for (const Standing& one : standing.students)
+        width = std::max(width, std::min<size_t>(40, one.student.student.size()));
+    std::string text = fmt::format("{:<{}}", "submission", width);
+    if (!standing.students.empty())
+        for (const LabStanding& lab : standing.students.front().labs)
+            text += fmt::format("  {:>7}", "lab " + number_of_lab(lab.lab));
+    text += "       all\n";
+    for (const Standing& one : standing.students) {
+        text += fmt::format("{:<{}}", one.student.student, width);
+        for (const LabStanding& lab : one.labs)
+            text += fmt::format("  {:>7}", !lab.handed_in && lab.points() == 0 ? "-"
+                                           : !lab.marked                       ? "?"
+                                                         : fmt::format("{}/{}", points_text(lab.points()), lab.of()));
+        text +=
+            fmt::format("  {:>8}", one.is_marked() ? fmt::format("{}/{}", points_text(one.points()), one.of()) : "?");
+        if (one.state() != "graded") text += "  " + one.state();
+        if (one.is_marked() && one.adjusted() != one.graded())
+            text += fmt::format("  adjusted by {}", points_text(one.adjusted() - one.graded()));
+        if (one.is_marked() && one.points() != one.adjusted())
+            text += fmt::format("  late: {} less", points_text(one.adjusted() - one.points()));
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace relief

@@ -1,0 +1,271 @@
+#include "framework/staff/grade/standing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "framework/base/text.h"
+#include "framework/staff/grade/strangers_text.h"
+
+namespace relief {
+namespace {
+
+/// A lab that counts, and its tasks.
+struct CountedLab {
+    std::string folder;
+    std::vector<TaskInfo> tasks;
+};
+
+std::vector<CountedLab> counted_labs(const std::vector<SubmissionMark>& marks, const ClassFile& policy,
+                                     const std::vector<std::string>& only) {
+    const auto wanted = [&](const std::string& folder) {
+        return only.empty() || std::find(only.begin(), only.end(), folder) != only.end();
+    };
+    std::vector<CountedLab> labs;
+    for (const AssignedLab& lab : policy.labs)
+        if (wanted(lab.folder)) labs.push_back({lab.folder, lab.tasks});
+    if (!policy.labs.empty()) {
+        if (labs.empty()) throw Error({policy.file}, "assigns none of the labs that were graded");
+        return labs;
+    }
+    std::map<std::string, std::vector<TaskInfo>> graded;
+    for (const SubmissionMark& mark : marks)
+        for (const LabMark& lab : mark.labs)
+            if (const auto [entry, is_new] = graded.try_emplace(lab.lab); is_new)
+                for (const TaskMark& task : lab.tasks)
+                    entry->second.push_back({.id = task.id, .title = task.title, .file = task.file, .points = task.of});
+    for (auto& [folder, tasks] : graded) labs.push_back({folder, std::move(tasks)});
+    return labs;
+}
+
+class ClassOf {
+public:
+    ClassOf(const ClassFile& policy, std::vector<CountedLab> labs) : policy_(policy), labs_(std::move(labs)) {
+        for (const CountedLab& lab : labs_)
+            for (const TaskInfo& task : lab.tasks) tasks_.insert(task.id);
+        for (const Student& student : policy.students) students_.emplace(student.student, &student);
+        for (const Adjustment& one : policy.adjustments) adjustments_[one.student].push_back(one);
+        for (const Extension& one : policy.extensions) extensions_[{one.student, one.lab}] = &one;
+        for (const HandIn& one : policy.hand_ins) hand_ins_.emplace(std::pair(one.student, one.lab), one.time);
+    }
+
+    Standing of(const std::string& name, const SubmissionMark* mark) const {
+        const std::string key = printable(name);
+        const auto student = students_.find(key);
+        Standing standing{
+            .name = name,
+            .student =
+                {.student = key, .name = {}, .email = {}, .login = {}, .canvas_id = {}, .sis_id = {}, .section = {}},
+            .on_roster = students_.empty() || student != students_.end(),
+            .mark = mark,
+            .labs = {},
+            .adjustments = {}};
+        if (student != students_.end()) standing.student = *student->second;
+        if (const auto adjusted = adjustments_.find(key); adjusted != adjustments_.end())
+            for (const Adjustment& one : adjusted->second)
+                if (tasks_.contains(one.task)) standing.adjustments.push_back(one);
+        for (const CountedLab& lab : labs_) standing.labs.push_back(of(lab, key, mark, standing.adjustments));
+        return standing;
+    }
+
+    /// No hand-in time is known of a lab that has a due date.
+    static bool lacks_time(const Standing& standing) {
+        return std::any_of(standing.labs.begin(), standing.labs.end(),
+                           [](const LabStanding& lab) { return lab.handed_in && lab.due && !lab.handed_in_at; });
+    }
+
+private:
+    LabStanding of(const CountedLab& counted, const std::string& student, const SubmissionMark* mark,
+                   const std::vector<Adjustment>& adjustments) const {
+        const LabMark* const graded = mark ? mark->lab(counted.folder) : nullptr;
+        LabStanding lab{.lab = counted.folder,
+                        .handed_in = graded != nullptr,
+                        .tasks = {},
+                        .due = {},
+                        .handed_in_at = {},
+                        .extension_note = {}};
+        lab.marked = !graded || graded->graded();
+        for (const TaskInfo& info : counted.tasks) {
+            TaskStanding task{.id = info.id, .title = info.title, .of = info.points};
+            if (graded && lab.marked)
+                for (const TaskMark& one : graded->tasks)
+                    if (one.id == info.id) task.graded = one.points, task.of = one.of;
+            task.adjusted = task.graded;
+            for (const Adjustment& one : adjustments)
+                if (one.task == info.id) task.adjusted += one.points;
+            task.adjusted = std::clamp(task.adjusted, 0.0, double(task.of));
+            lab.tasks.push_back(std::move(task));
+        }
+        add_lateness(lab, student);
+        return lab;
+    }
+
+    void add_lateness(LabStanding& lab, const std::string& student) const {
+        const AssignedLab* const assigned = policy_.lab(lab.lab);
+        if (!assigned || !assigned->due) return;
+        // The longer of a student's extensions for the lab and for all labs.
+        for (const std::string& scope : {lab.lab, std::string()})
+            if (const auto found = extensions_.find({student, scope});
+                found != extensions_.end() && found->second->days > lab.extension_days) {
+                lab.extension_days = found->second->days;
+                lab.extension_note = found->second->note;
+            }
+        lab.due = *assigned->due + std::chrono::days(lab.extension_days);
+        if (!lab.handed_in) return;
+        auto time = hand_ins_.find({student, lab.lab});
+        if (time == hand_ins_.end()) time = hand_ins_.find({student, ""});
+        if (time == hand_ins_.end()) return;
+        lab.handed_in_at = time->second;
+        lab.days_late = days_late(*lab.due, time->second, policy_.late.grace_hours);
+        lab.late_share = late_share(lab.days_late, policy_.late);
+    }
+
+    using OfLab = std::pair<std::string, std::string>;  // a student, and a lab or nothing
+    const ClassFile& policy_;
+    std::vector<CountedLab> labs_;
+    std::set<std::string> tasks_;
+    std::map<std::string, const Student*> students_;
+    std::map<std::string, std::vector<Adjustment>> adjustments_;
+    std::map<OfLab, const Extension*> extensions_;
+    std::map<OfLab, Moment> hand_ins_;
+};
+
+/// "3 submissions are not on the roster: jane, joe, jim"; nothing of none.
+void note(std::vector<std::string>& notes, const std::vector<std::string>& names, const char* one, const char* many) {
+    constexpr size_t shown = 5;
+    if (names.empty()) return;
+    const std::vector<std::string> first(names.begin(), names.begin() + std::ptrdiff_t(std::min(names.size(), shown)));
+    notes.push_back(fmt::format("{} {}: {}{}", names.size(), names.size() == 1 ? one : many, join(first, ", "),
+                                names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : ""));
+}
+
+template <class Part>
+double sum_of(const std::vector<LabStanding>& labs, Part part) {
+    double sum = 0;
+    for (const LabStanding& lab : labs) sum += part(lab);
+    return sum;
+}
+
+std::string lab_number(const std::string& folder) { return folder.substr(0, folder.find('_')); }
+
+}  // namespace
+
+int LabStanding::of() const {
+    int sum = 0;
+    for (const TaskStanding& task : tasks) sum += task.of;
+    return sum;
+}
+double LabStanding::graded() const {
+    double sum = 0;
+    for (const TaskStanding& task : tasks) sum += task.graded;
+    return sum;
+}
+double LabStanding::adjusted() const {
+    double sum = 0;
+    for (const TaskStanding& task : tasks) sum += task.adjusted;
+    return sum;
+}
+
+int Standing::of() const {
+    return int(sum_of(labs, [](const LabStanding& lab) { return lab.of(); }));
+}
+double Standing::graded() const {
+    return sum_of(labs, [](const LabStanding& lab) { return lab.graded(); });
+}
+double Standing::adjusted() const {
+    return sum_of(labs, [](const LabStanding& lab) { return lab.adjusted(); });
+}
+double Standing::points() const {
+    return sum_of(labs, [](const LabStanding& lab) { return lab.points(); });
+}
+bool Standing::is_marked() const {
+    return !is_waiting && (!mark || mark->graded()) &&
+           std::all_of(labs.begin(), labs.end(), [](const LabStanding& lab) { return lab.marked; });
+}
+bool Standing::is_changed() const {
+    return !adjustments.empty() ||
+           std::any_of(labs.begin(), labs.end(), [](const LabStanding& lab) { return lab.days_late > 0; });
+}
+const LabStanding* Standing::lab(const std::string& folder) const {
+    for (const LabStanding& one : labs)
+        if (one.lab == folder) return &one;
+    return nullptr;
+}
+
+std::string Standing::state() const {
+    if (!mark) return is_waiting ? "not graded yet" : "nothing handed in";
+    if (!is_marked()) return "not graded: the machine failed";
+    return mark->problem.empty() ? "graded" : mark->problem;
+}
+
+std::vector<std::string> Standing::remarks(const std::string& lab) const {
+    std::vector<std::string> remarks;
+    for (const LabStanding& one : labs) {
+        if (!lab.empty() && one.lab != lab) continue;
+        for (const Adjustment& adjustment : adjustments)
+            if (std::any_of(one.tasks.begin(), one.tasks.end(),
+                            [&](const TaskStanding& task) { return task.id == adjustment.task; }))
+                remarks.push_back(fmt::format("{}: {}{}: {}", adjustment.task, adjustment.points > 0 ? "+" : "",
+                                              amount_of(adjustment.points, "point"), printable(adjustment.note, 1000)));
+        if (one.days_late > 0)
+            remarks.push_back(fmt::format("lab {}: {} late, {} % less", lab_number(one.lab),
+                                          amount_of(one.days_late, "day"), rounded(100 * (1 - one.late_share))));
+    }
+    return remarks;
+}
+
+ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile policy,
+                             const std::vector<std::string>& only, const std::set<std::string>& handed_in) {
+    ClassStanding result{.policy = std::move(policy), .students = {}, .notes = {}};
+    std::vector<CountedLab> labs = counted_labs(marks, result.policy, only);
+    std::set<std::string> names, tasks;
+    for (const CountedLab& lab : labs)
+        for (const TaskInfo& task : lab.tasks) tasks.insert(task.id);
+    // Another run into the folder may have graded those.
+    for (const AssignedLab& lab : result.policy.labs)
+        for (const TaskInfo& task : lab.tasks) tasks.insert(task.id);
+    for (const SubmissionMark& mark : marks) names.insert(printable(mark.name));
+    std::set<std::string> known = names;
+    for (const Student& student : result.policy.students) known.insert(student.student);
+    refuse_unknown_adjustments(result.policy, known, tasks);
+    const ClassOf all(result.policy, std::move(labs));
+    std::vector<std::string> strangers, without_time, absent;
+    for (const SubmissionMark& mark : marks) {
+        const Standing& standing = result.students.emplace_back(all.of(mark.name, &mark));
+        if (!standing.on_roster) strangers.push_back(standing.student.student);
+        if (ClassOf::lacks_time(standing)) without_time.push_back(standing.student.student);
+    }
+    for (const Student& student : result.policy.students)
+        if (!names.contains(student.student)) {
+            Standing& standing = result.students.emplace_back(all.of(student.student, nullptr));
+            standing.is_waiting = handed_in.contains(student.student);
+            for (LabStanding& lab : standing.labs) lab.marked = !standing.is_waiting;
+            if (!standing.is_waiting) absent.push_back(student.student);
+        }
+    note(result.notes, absent, "student of the roster handed nothing in", "students of the roster handed nothing in");
+    note(result.notes, strangers, "submission is not on the roster", "submissions are not on the roster");
+    if (!result.policy.hand_ins.empty())
+        note(result.notes, without_time, "submission has no time in hand_ins and counts as in time",
+             "submissions have no time in hand_ins and count as in time");
+    return result;
+}
+
+Standing standing_of(const SubmissionMark& mark) {
+    const ClassFile none;
+    return ClassOf(none, counted_labs({mark}, none, {})).of(mark.name, &mark);
+}
+
+int days_late(Moment due, Moment handed_in, double grace_hours) {
+    const double late = std::chrono::duration<double>(handed_in - due).count();
+    if (late <= 0 || late <= 3600 * grace_hours) return 0;
+    return int(std::ceil(late / 86400));
+}
+
+double late_share(int days, const LateRule& rule) {
+    if (days <= 0) return 1;
+    return std::max(1 - 0.01 * rule.percent_per_day * days, 0.01 * rule.floor_percent);
+}
+
+}  // namespace relief
