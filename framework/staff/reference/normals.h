@@ -9,8 +9,8 @@ namespace relief {
 /// A normal map, 0.5 n + 0.5 in 3 channels, of a one-channel height map. n is (-dh/du, -dh/dv, 1), normalised; v grows
 /// up, so green is up. The image says 8 bits, but its values are not yet rounded. At slopes up to 3 they are within
 /// 6e-7 of double precision. The result does not depend on the number of threads or the x86-64 processor. A slope that
-/// is NaN counts as 0; a slope beyond 1e18 counts as 1e18. Moves 16 bytes per texel (4 read, 12 written), 4 more with
-/// `spline`, 16 more with `level_strengths`.
+/// is NaN counts as 0; slopes beyond 1e18 are shortened to it together. Moves 16 bytes per texel (4 read, 12 written),
+/// 4 more with `spline`, 16 more with `level_strengths`.
 Image normals_from_heights(const Image& heights, const NormalOptions& options);
 
 /// The same into an existing image; its memory is reused if the size fits. `threads` 0: one per processor.

@@ -154,8 +154,12 @@ bool normals_of_row(SlopeFilter filter, const HeightRows& rows, int begin, int e
 }
 
 void normal_of_slope(float du, float dv, float* result) {
-    const auto usable = [](float slope) { return std::isnan(slope) ? 0 : std::clamp(slope, -1e18f, 1e18f); };
+    constexpr float limit = 1e18f;  // its square is a float
+    const auto usable = [](float slope) { return std::isnan(slope) ? 0 : std::clamp(slope, -1e38f, 1e38f); };
     du = usable(du), dv = usable(dv);
+    // Both by one factor: each by itself would turn the normal around the vertical.
+    if (const float larger = std::max(std::abs(du), std::abs(dv)); larger > limit)
+        du = du / larger * limit, dv = dv / larger * limit;
     const float half = 0.5f / std::sqrt(du * du + dv * dv + 1);
     result[0] = 0.5f - du * half, result[1] = 0.5f - dv * half, result[2] = 0.5f + half;
 }

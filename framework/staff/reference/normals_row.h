@@ -20,7 +20,8 @@ struct HeightRows {
 bool normals_of_row(SlopeFilter filter, const HeightRows& rows, int begin, int end, float* result, bool uncached);
 constexpr int normals_row_lanes = 8;
 
-/// 0.5 n + 0.5 for one texel, with any slopes: NaN counts as 0, a slope beyond 1e18 as 1e18.
+/// 0.5 n + 0.5 for one texel, with any slopes: NaN counts as 0; slopes beyond 1e18 are shortened to it together, so
+/// that the normal keeps its direction.
 void normal_of_slope(float du, float dv, float* result);
 
 }  // namespace relief

@@ -17,8 +17,9 @@
 namespace relief {
 namespace {
 
-/// A tangent that leans against the normal by less than this is lost in the projection onto its plane.
-constexpr double smallest_sine = 1e-4;
+/// A tangent that leans against the normal by less than this is lost in the projection onto its plane: its floats are
+/// good to 6e-8, so what is left there is off by tens of degrees.
+constexpr double smallest_sine = 2e-7;
 
 /// Unit, of what is so within 1e-6: by one of Newton's steps, without a root.
 glm::dvec3 made_unit(const glm::dvec3& v) { return v * (1.5 - 0.5 * glm::dot(v, v)); }
@@ -214,7 +215,7 @@ private:
         const glm::dvec3 along(face.along);
         if (solver_.method != TangentMethod::mikktspace) return along;
         const glm::dvec3 on_plane = projected(along);
-        // Its square is 0 or from 1e-8 to 1, and its length need be no better than a float.
+        // Its square is 0 or from 4e-14 to 1, and its length need be no better than a float.
         const float squared = float(glm::dot(on_plane, on_plane));
         return squared > 0 ? on_plane * double(1 / std::sqrt(squared)) : on_plane;
     }

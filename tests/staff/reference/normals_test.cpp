@@ -72,6 +72,21 @@ TEST(Normals, OfAPlaneAreExactWithBothFiltersAndAnyTexelShape) {
     }
 }
 
+TEST(Normals, OfASlopeBeyondAllMeasureLieDownInItsDirection) {
+    Image plane(24, 24, 1);
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x) *plane.pixel(x, y) = float(3 * x + 4 * y) / 128;
+    for (const double texels : {1e3, 1e18, 1e21, 1e30})
+        for (const SlopeFilter filter : {SlopeFilter::central, SlopeFilter::sobel, SlopeFilter::spline}) {
+            const Image normals = normals_from_heights(
+                plane, {.texels_u = texels, .texels_v = texels, .filter = filter, .wrap = false});
+            const float* const texel = normals.pixel(12, 12);
+            // Rows run down, v up: (-3, 4) / 5, lying down. At 1e3 it still stands up by 1 / 39.
+            EXPECT_NEAR(2 * texel[0] - 1, -0.6, 1e-3) << texels;
+            EXPECT_NEAR(2 * texel[1] - 1, 0.8, 1e-3) << texels;
+        }
+}
+
 TEST(Normals, AtTheBorderSeeTheOtherSideOrLookBackWithoutLosingAnOrder) {
     const Image row = heights(4, 1, [](int x, int) { return x * x; });  // 0 1 4 9, of slopes 0 2 4 6
     const Image tile = normals_from_heights(row, {.wrap = true}), cut = normals_from_heights(row, {.wrap = false});

@@ -176,6 +176,19 @@ TEST(Tangents, AlongTheNormalFallBackAndSaySo) {
     }
 }
 
+TEST(Tangents, NearlyAlongTheNormalAreStillDpDu) {
+    Mesh mesh = triangle();
+    for (const float lean : {1e-3f, 1e-4f, 1e-5f, 1e-6f})
+        for (const M method : {M::per_face, M::uniform, M::area, M::angle, M::mikktspace}) {
+            for (Vertex& vertex : mesh.vertices) vertex.normal = glm::normalize(glm::vec3(1, lean, 2 * lean));
+            const glm::dvec3 n = glm::normalize(glm::dvec3(mesh.vertices[0].normal)), along(1, 0, 0);
+            const glm::dvec3 exact = glm::normalize(along - n * glm::dot(n, along));
+            // Here dP/du has no rounding, and the normal is what it is: what is left is the result's own floats.
+            for (const glm::vec4& tangent : corner_tangents(mesh, method))
+                EXPECT_GT(glm::dot(glm::dvec3(tangent), exact), 1 - 1e-6) << lean;
+        }
+}
+
 TEST(Tangents, OfBadNormalsAreThoseOfTheFacesOwn) {
     for (const glm::vec3 bad : {glm::vec3(0), glm::vec3(NAN, 0, 1), glm::vec3(0, INFINITY, 0)}) {
         Mesh mesh = triangle();
