@@ -196,7 +196,9 @@ int run_bench(const BenchArguments& arguments) {
     bool is_plotted = true;
     for (size_t i = 0; i < topics.size(); ++i) {
         const BenchTopic& topic = *topics[i];
-        TopicRun run(topic, std::move(scenes[i]), {.settings = settings, .context = context_kind(arguments.context)});
+        BenchSettings own = settings;
+        if (topic.sweeps) own.repeats = 0;
+        TopicRun run(topic, std::move(scenes[i]), {.settings = own, .context = context_kind(arguments.context)});
         const fs::path file = folder / (topic.name + ".csv");
         GrowingTable table(file, run.machine);
         TopicResult& result = results.emplace_back();

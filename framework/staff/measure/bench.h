@@ -23,7 +23,20 @@ struct BenchError {
 using BenchWork = std::vector<std::pair<std::string, double>>;
 using BenchKnobs = std::vector<std::pair<std::string, std::string>>;
 
-/// A method that is ready to run. `run` owns its data.
+/// A method's error against how hard its input is made: a curve, where other topics have a time.
+struct BenchSweep {
+    struct Place {
+        double hardness = 1;    ///< what grows: a scale, an angle's tangent; above 0
+        double error = 0;       ///< of the results that are finite
+        double not_finite = 0;  ///< the share of results that are not, or that have no meaning
+        double endless = 0;     ///< the share that used up all iterations
+    };
+    double stated = 0;               ///< the error that the method promises, in the error's unit
+    std::string why = {};            ///< a sentence: where it breaks, and why
+    std::vector<Place> places = {};  ///< by growing hardness
+};
+
+/// A method that is ready to run. `run` owns its data; it is empty in a topic without times.
 struct BenchSubject {
     size_t items = 1;           ///< processed by one run
     double bytes_per_item = 0;  ///< read and written, or stored; 0: unknown
@@ -32,6 +45,7 @@ struct BenchSubject {
     std::function<void()> run;
     Image picture = {}, error_map = {};  ///< for the page, 8 bits; empty if there is nothing to show
     double error_map_max = 0;            ///< the error at the map's brightest colour, in the error's unit
+    std::optional<BenchSweep> sweep = {};
 };
 
 /// A method. Listing it costs nothing; `prepare` makes it ready. If the topic draws, `prepare` needs a context.
@@ -45,7 +59,7 @@ struct BenchMethod {
 /// Methods that are compared with each other, in one panel of the topic's plot.
 struct BenchScene {
     BenchKnobs knobs = {};  ///< the parameters that they share: {"map", "bricks"}
-    std::string item;       ///< "texel", "triangle": times are in nanoseconds per item
+    std::string item;       ///< "texel", "triangle": times are in nanoseconds per item. With sweeps: what grows
     std::vector<BenchMethod> methods = {};
 };
 
@@ -60,6 +74,7 @@ struct BenchTopic {
     std::function<std::vector<BenchScene>(const BenchSettings&)> scenes;
     bool draws = false;      ///< its methods need a context, from `prepare` to their destructors
     bool only_time = false;  ///< has no work and no errors
+    bool sweeps = false;     ///< has no times: each subject has a `sweep`
 };
 std::span<const BenchTopic> bench_topics();
 

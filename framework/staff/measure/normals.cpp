@@ -6,6 +6,7 @@
 #include "framework/base/parallel.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/topics.h"
+#include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/normals.h"
 
 #include <glm/glm.hpp>
@@ -48,36 +49,6 @@ BenchError error_of(const Image& normals) {
                 glm::degrees(std::atan2(glm::length(glm::cross(measured, exact)), glm::dot(measured, exact))));
         }
     return error_figures(std::move(errors), "degree");
-}
-
-/// The code that is commonly copied: Sobel's weights in a loop over the texels; a function wraps the coordinates of
-/// each neighbour.
-void usual_normals(const Image& heights, double texels, Image& normals) {
-    const auto height = [&](int x, int y) {
-        return *heights.pixel((x + heights.width) % heights.width, (y + heights.height) % heights.height);
-    };
-    for (int y = 0; y < heights.height; ++y)
-        for (int x = 0; x < heights.width; ++x) {
-            const float left = height(x - 1, y - 1) + 2 * height(x - 1, y) + height(x - 1, y + 1);
-            const float right = height(x + 1, y - 1) + 2 * height(x + 1, y) + height(x + 1, y + 1);
-            const float above = height(x - 1, y - 1) + 2 * height(x, y - 1) + height(x + 1, y - 1);
-            const float below = height(x - 1, y + 1) + 2 * height(x, y + 1) + height(x + 1, y + 1);
-            const glm::vec3 normal =
-                glm::normalize(glm::vec3((left - right) * float(texels) / 8, (below - above) * float(texels) / 8, 1));
-            for (int i = 0; i < 3; ++i) normals.pixel(x, y)[i] = 0.5f * normal[i] + 0.5f;
-        }
-}
-
-/// Normals of slopes, as OpenImageIO gives them: dh/du and dh/dv a texel, v downwards.
-Image normals_of_slopes(const Image& slopes, double texels) {
-    Image normals(slopes.width, slopes.height, 3);
-    for (int y = 0; y < slopes.height; ++y)
-        for (int x = 0; x < slopes.width; ++x) {
-            const float* const slope = slopes.pixel(x, y);
-            const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope[0] * texels, slope[1] * texels, 1));
-            for (int i = 0; i < 3; ++i) normals.pixel(x, y)[i] = float(0.5 * normal[i] + 0.5);
-        }
-    return normals;
 }
 
 struct Maps {

@@ -43,6 +43,16 @@ public:
             importer_.GetScene()->mNumMeshes != 1 ||
             importer_.GetScene()->mMeshes[0]->mNumFaces != mesh.indices.size() / 3)
             throw Error(std::string("Assimp cannot read the mesh: ") + importer_.GetErrorString());
+        // Its reader of numbers rounds, and knows no exponents of a float's size: so the numbers are put back.
+        aiMesh& read = this->mesh();
+        for (unsigned face = 0; face < read.mNumFaces; ++face)
+            for (unsigned corner = 0; corner < 3; ++corner) {
+                const unsigned i = read.mFaces[face].mIndices[corner];
+                const Vertex& vertex = mesh.vertices[mesh.indices[3 * face + corner]];
+                read.mVertices[i] = {vertex.position.x, vertex.position.y, vertex.position.z};
+                read.mNormals[i] = {vertex.normal.x, vertex.normal.y, vertex.normal.z};
+                read.mTextureCoords[0][i] = {vertex.uv.x, vertex.uv.y, 0};
+            }
     }
 
     void run() override {

@@ -4,31 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <glm/glm.hpp>
 #include <limits>
 #include <map>
 
 #include "framework/base/error.h"
-#include "framework/base/process.h"
 #include "framework/base/text.h"
+#include "framework/staff/measure/gnuplot.h"
+#include "framework/staff/measure/sweep.h"
 
 namespace relief {
 namespace {
 
-// Colours of the course's pages.
 constexpr const char *front_color = "#a34a16", *pale_color = "#c2bbae", *peer_color = "#23629b",
-                     *text_color = "#23211d";
-constexpr int panel_width = 440, panel_height = 340, title_height = 44;
+                     *text_color = gnuplot_text_color;
+constexpr glm::ivec2 panel_size(440, 340);
 
 bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
-
-/// In a string of gnuplot's in double quotes.
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' || c == '\\' ? '\'' : c == '\n' ? ' ' : c;
-    return result + '"';
-}
 
 /// "linear 32": the values of what is swept are enough beside a point.
 std::string short_name(const BenchRow& row) {
@@ -62,7 +54,7 @@ public:
             "set xtics autofreq\nset ytics autofreq font ',11'\nset title {} noenhanced font ',12'\nset border 3 lc "
             "rgb '#8a857b'\n"
             "set tics nomirror textcolor rgb '{}'\nset key off\n",
-            quoted(title), text_color);
+            gnuplot_text(title), text_color);
         text += fmt::format("set xlabel '{} per {}' noenhanced\n", unit_, first.item);
         return text + (has_errors(rows_, timed_) ? points() : bars());
     }
@@ -127,7 +119,7 @@ private:
                     "set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' dt 3\n"
                     "set label {2} at {0},graph 0.97 rotate by 90 right font ',9' textcolor rgb '{1}' "
                     "noenhanced offset -0.5,0\n",
-                    time(place), peer_color, quoted(short_name(rows_[place])));
+                    time(place), peer_color, gnuplot_text(short_name(rows_[place])));
         return text;
     }
 
@@ -156,8 +148,8 @@ private:
                    : is_front(place) ? "front"
                                      : "pale"] +=
                 fmt::format("{} {} {} {} {} {}\n", time(place), y, row.times.p10 * scale_, row.times.p90 * scale_,
-                            quoted(fmt::format("#{} {}", place, row_name(row))),
-                            quoted(is_named ? short_name(row) : ""));
+                            gnuplot_text(fmt::format("#{} {}", place, row_name(row))),
+                            gnuplot_text(is_named ? short_name(row) : ""));
         }
         for (const auto& [method, points] : by_method) blocks["sweeps"] += points + "\n";
         std::vector<size_t> line = front_;
@@ -206,8 +198,8 @@ private:
         for (size_t i = 0; i < timed_.size(); ++i) {
             const BenchRow& row = rows_[timed_[i]];
             data += fmt::format("{} {} {} {} {} {} {}\n", timed_.size() - i, time(timed_[i]), row.times.p10 * scale_,
-                                row.times.p90 * scale_, quoted(fmt::format("#{} {}", timed_[i], row_name(row))),
-                                row.peer ? 1 : 0, quoted(short_name(row)));
+                                row.times.p90 * scale_, gnuplot_text(fmt::format("#{} {}", timed_[i], row_name(row))),
+                                row.peer ? 1 : 0, gnuplot_text(short_name(row)));
         }
         return fmt::format(
             "$bars{0} << END\n{1}END\nset style fill solid\nunset ytics\n"
@@ -233,68 +225,8 @@ std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, c
         if (std::string panel = Panel(rows, scene, panels.size()).script(); !panel.empty())
             panels.push_back(std::move(panel));
     if (panels.empty()) return {};
-    const int count = int(panels.size());
-    const int columns = std::min(count, count <= 4 ? 2 : count <= 9 ? 3 : 4);
-    const int lines = (count + columns - 1) / columns;
-    const int width = std::max(columns, 2) * panel_width, height = lines * panel_height + title_height;
     const std::string by = machine.renderer == "none" ? machine.cpu : machine.renderer + ", " + machine.cpu;
-    std::string script = fmt::format(
-        "set terminal svg size {0},{1} dynamic font 'DejaVu Sans,11' background '#ffffff'\n"
-        "set multiplot layout {2},{3} margins screen {4},{5},{6},{7} spacing screen {8},{9} title {10} noenhanced font "
-        "',14'\n",
-        width, height, lines, columns, 90.0 / width, 1 - 20.0 / width, 60.0 / height,
-        1 - (title_height + 34.0) / height, 90.0 / width, 100.0 / height,
-        quoted(fmt::format("{}: {} clock, {}", topic.name, machine.clock, by)));
-    for (const std::string& panel : panels) script += panel;
-    return script + "unset multiplot\n";
-}
-
-/// Nothing when there is no gnuplot.
-std::optional<std::string> run_gnuplot(const std::string& script) {
-    const char* const path = std::getenv("PATH");
-    const ProcessResult done =
-        run_process({.command = {"/usr/bin/env", "gnuplot", "-"},
-                     .environment = {{"PATH", path ? path : "/usr/bin:/bin"}, {"LC_ALL", "C.UTF-8"}},
-                     .input = script,
-                     .limits = {.wall = 120, .cpu = 120}});
-    if (done.ending == Ending::exited && done.code == 127) return {};
-    if (!done.succeeded())
-        throw Error(fmt::format("gnuplot fails ({}): {}", name_of(done.ending), done.errors.substr(0, 300)));
-    return done.output;
-}
-
-/// Without what gnuplot's own script would want, with titles that browsers show, and with names that no other plot on
-/// the same page has.
-std::string finished(const std::string& svg, const std::string& topic) {
-    const std::pair<std::string, std::string> names[] = {{"id='gp", "id='" + topic + "-gp"},
-                                                         {"href='#gp", "href='#" + topic + "-gp"},
-                                                         {"id='textbox", "id='" + topic + "-textbox"},
-                                                         {"id='greybox", "id='" + topic + "-greybox"},
-                                                         {"id=\"gnuplot", "id=\"" + topic}};
-    constexpr std::string_view begin = "<g onmousemove=\"gnuplot_svg.showHypertext(evt,'", middle = "')\"",
-                               end = "<title> </title>";
-    std::string result;
-    for (size_t at = 0; at < svg.size();) {
-        const std::string_view rest = std::string_view(svg).substr(at);
-        if (rest.starts_with(begin)) {
-            const size_t close = rest.find(middle, begin.size()), stop = rest.find(end, close);
-            const std::string_view text = rest.substr(begin.size(), close - begin.size());  // "#17 its name"
-            const size_t space = text.find(' ');
-            result += fmt::format("<g class=\"point\" data-row=\"{}\"><title>{}</title>", text.substr(1, space - 1),
-                                  text.substr(space + 1));
-            at += stop + end.size();
-        } else if (rest.starts_with("<title>$")) {  // what was plotted, in gnuplot's words
-            at += rest.find("</title>") + 8;
-        } else {
-            const auto name = std::find_if(std::begin(names), std::end(names),
-                                           [&](const auto& one) { return rest.starts_with(one.first); });
-            if (name == std::end(names))
-                result += svg[at++];
-            else
-                result += name->second, at += name->first.size();
-        }
-    }
-    return result;
+    return gnuplot_panels(fmt::format("{}: {} clock, {}", topic.name, machine.clock, by), panels, {panel_size});
 }
 
 }  // namespace
@@ -337,11 +269,8 @@ std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<s
 
 std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const BenchMachine& machine) {
-    const std::string script = script_of(topic, rows, machine);
-    if (script.empty()) return "";
-    const auto svg = run_gnuplot(script);
-    if (!svg) return {};
-    return finished(*svg, topic.name);
+    const std::string script = topic.sweeps ? sweep_script(topic, rows, machine) : script_of(topic, rows, machine);
+    return script.empty() ? "" : run_gnuplot(script, topic.name);
 }
 
 }  // namespace relief

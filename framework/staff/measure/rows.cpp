@@ -11,6 +11,7 @@
 
 #include "framework/base/error.h"
 #include "framework/base/text.h"
+#include "framework/staff/measure/sweep.h"
 
 namespace relief {
 namespace {
@@ -69,12 +70,24 @@ BenchKnobs knobs_from(const std::string& text) {
 
 constexpr const char* header =
     "topic,scene,method,knobs,state,items,item,repeats,clock,ns_per_item_median,ns_per_item_p10,ns_per_item_p90,"
-    "bytes_per_item,error_mean,error_p99,error_largest,error_unit,error_wrong,work,renderer,cpu,compiler,commit";
+    "bytes_per_item,error_mean,error_p99,error_largest,error_unit,error_wrong,work,stated,places,renderer,cpu,compiler,"
+    "commit";
 
 std::string work_text(const BenchWork& work) {
     std::string text;
     for (const auto& [name, amount] : work)
         text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, plain(amount));
+    return text;
+}
+
+/// "hardness:error" of each place, or what is wrong there; to three digits, which is less than compilers differ by.
+std::string places_text(const BenchSweep& sweep) {
+    std::string text;
+    for (const BenchSweep::Place& place : sweep.places)
+        text += fmt::format("{}{}:{}", text.empty() ? "" : " ", plain(with_digits(place.hardness, 3)),
+                            place.not_finite > 0 ? "not-finite"
+                            : place.endless > 0  ? "endless"
+                                                 : plain(with_digits(place.error, 3)));
     return text;
 }
 
@@ -135,6 +148,7 @@ std::string table_line(const TableColumns& columns, const BenchRow& row, bool na
     if (columns.wrong) text += cell(row.error.wrong.has_value(), row.error.wrong.value_or(0) * 100, 8);
     text += "  " + work_text(row.work);
     text.erase(text.find_last_not_of(' ') + 1);
+    if (row.sweep) text += "\n    " + verdict_of(*row.sweep, row.error.unit);
     return text + '\n';
 }
 
@@ -206,6 +220,8 @@ std::string bench_csv(std::span<const BenchRow> rows, const BenchMachine& machin
                                       error.unit,
                                       error.wrong ? number(*error.wrong) : "",
                                       work_text(row.work),
+                                      row.sweep ? plain(row.sweep->stated) : "",
+                                      row.sweep ? places_text(*row.sweep) : "",
                                       machine.renderer,
                                       machine.cpu,
                                       machine.compiler,

@@ -25,6 +25,7 @@ struct BenchRow {
     BenchTimes times;  ///< nanoseconds per item
     Image picture, error_map;
     double error_map_max = 0;
+    std::optional<BenchSweep> sweep;
 
     bool is_measured() const { return state == "measured"; }
 };

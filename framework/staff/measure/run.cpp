@@ -35,6 +35,19 @@ Image image_from(const json& message) {
     return image;
 }
 
+json as_json(const BenchSweep& sweep) {
+    json places = json::array();
+    for (const BenchSweep::Place& place : sweep.places)
+        places.push_back({place.hardness, place.error, place.not_finite, place.endless});
+    return {{"stated", sweep.stated}, {"why", sweep.why}, {"places", places}};
+}
+
+BenchSweep sweep_from(const json& message) {
+    BenchSweep sweep{message.at("stated"), message.at("why"), {}};
+    for (const json& place : message.at("places")) sweep.places.push_back({place[0], place[1], place[2], place[3]});
+    return sweep;
+}
+
 json as_json(const BenchSubject& subject) {
     const BenchError& error = subject.error;
     return {{"items", subject.items},
@@ -45,7 +58,8 @@ json as_json(const BenchSubject& subject) {
             {"wrong", error.wrong ? json(*error.wrong) : json()},
             {"picture", as_json(subject.picture)},
             {"error_map", as_json(subject.error_map)},
-            {"max", subject.error_map_max}};
+            {"max", subject.error_map_max},
+            {"sweep", subject.sweep ? as_json(*subject.sweep) : json()}};
 }
 
 void read_subject(const json& message, BenchRow& row) {
@@ -58,6 +72,7 @@ void read_subject(const json& message, BenchRow& row) {
     row.picture = image_from(message.at("picture"));
     row.error_map = image_from(message.at("error_map"));
     row.error_map_max = message.at("max");
+    if (!message.at("sweep").is_null()) row.sweep = sweep_from(message.at("sweep"));
 }
 
 /// Messages from the measuring process: a length, then CBOR, which keeps an infinity.

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "framework/staff/measure/topics.h"
+#include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/normal_codec.h"
 
 namespace relief {
@@ -50,16 +51,6 @@ BenchSubject subject_of(const std::shared_ptr<Vectors>& data, double bits, std::
             .run = std::move(run)};
 }
 
-/// The code that is commonly copied, 255 (0.5 x + 0.5) truncated, and its inverse.
-NormalCode cut_off(const glm::dvec3& normal) {
-    NormalCode code{};
-    for (int i = 0; i < 3; ++i) code.channel[size_t(i)] = uint16_t((0.5 * normal[i] + 0.5) * 255);
-    return code;
-}
-glm::dvec3 put_back(const NormalCode& code) {
-    return glm::normalize(glm::dvec3(code.channel[0], code.channel[1], code.channel[2]) / 255.0 * 2.0 - 1.0);
-}
-
 std::vector<BenchScene> scenes(const BenchSettings& settings) {
     const size_t count = settings.quick ? 20'000 : 200'000;
     BenchScene encoding{{{"do", "encode"}}, "vector"}, decoding{{{"do", "decode"}}, "vector"};
@@ -84,16 +75,16 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
             const auto data = std::make_shared<Vectors>();
             data->normals = hemisphere(count);
             for (const glm::dvec3& normal : data->normals)
-                data->codes.push_back(cut_off(normal)), data->decoded.push_back(put_back(data->codes.back()));
+                data->codes.push_back(usual_code(normal)), data->decoded.push_back(usual_normal(data->codes.back()));
             return subject_of(data, 24, [=] { run(*data); });
         };
         scene.methods.push_back({"usual", {{"bits", "24"}}, prepare, true});
     };
     add_usual(encoding, [](Vectors& data) {
-        for (size_t i = 0; i < data.normals.size(); ++i) data.codes[i] = cut_off(data.normals[i]);
+        for (size_t i = 0; i < data.normals.size(); ++i) data.codes[i] = usual_code(data.normals[i]);
     });
     add_usual(decoding, [](Vectors& data) {
-        for (size_t i = 0; i < data.codes.size(); ++i) data.decoded[i] = put_back(data.codes[i]);
+        for (size_t i = 0; i < data.codes.size(); ++i) data.decoded[i] = usual_normal(data.codes[i]);
     });
     return {encoding, decoding};
 }

@@ -5,6 +5,7 @@
 #include "framework/base/parallel.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/topics.h"
+#include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/jittered_torus.h"
 #include "framework/staff/reference/tangents.h"
 
@@ -26,28 +27,6 @@ BenchError error_of(const std::vector<glm::vec4>& tangents) {
         errors.push_back(glm::degrees(std::atan2(glm::length(glm::cross(measured, exact)), glm::dot(measured, exact))));
     }
     return error_figures(std::move(errors), "degree");
-}
-
-/// The code that is commonly copied (Lengyel 2001): sums at the vertices, then Gram-Schmidt.
-void usual_tangents(const Mesh& mesh, std::vector<glm::vec3>& sums, std::vector<glm::vec4>& tangents) {
-    const size_t count = mesh.vertices.size();
-    sums.assign(2 * count, glm::vec3(0));
-    tangents.resize(count);
-    for (size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const Vertex &a = mesh.vertices[mesh.indices[i]], &b = mesh.vertices[mesh.indices[i + 1]],
-                     &c = mesh.vertices[mesh.indices[i + 2]];
-        const glm::vec3 edge1 = b.position - a.position, edge2 = c.position - a.position;
-        const glm::vec2 uv1 = b.uv - a.uv, uv2 = c.uv - a.uv;
-        const float r = 1 / (uv1.x * uv2.y - uv2.x * uv1.y);
-        const glm::vec3 along_u = (edge1 * uv2.y - edge2 * uv1.y) * r, along_v = (edge2 * uv1.x - edge1 * uv2.x) * r;
-        for (size_t k = 0; k < 3; ++k)
-            sums[mesh.indices[i + k]] += along_u, sums[count + mesh.indices[i + k]] += along_v;
-    }
-    for (size_t i = 0; i < count; ++i) {
-        const glm::vec3 normal = mesh.vertices[i].normal, sum = sums[i];
-        tangents[i] = glm::vec4(glm::normalize(sum - normal * glm::dot(normal, sum)),
-                                glm::dot(glm::cross(normal, sum), sums[count + i]) < 0 ? -1 : 1);
-    }
 }
 
 struct Work {

@@ -7,7 +7,7 @@ std::span<const BenchTopic> bench_topics() {
         storage_topic(),      normals_topic(),     tangents_topic(),      intersection_topic(), parallax_topic(),
         displacement_topic(), lighting_topic(),    baking_topic(),        materials_topic(),    planet_topic(),
         ocean_topic(),        environment_topic(), moving_frames_topic(), budget_topic(),       frames_topic(),
-        grade_topic(),        start_topic()};
+        stability_topic(),    grade_topic(),       start_topic()};
     return topics;
 }
 

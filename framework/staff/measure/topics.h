@@ -21,6 +21,7 @@ BenchTopic environment_topic();
 BenchTopic moving_frames_topic();
 BenchTopic budget_topic();
 BenchTopic frames_topic();
+BenchTopic stability_topic();
 BenchTopic grade_topic();
 BenchTopic start_topic();
 

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 
 #include "framework/base/text.h"
 #include "framework/pages/page.h"
 #include "framework/staff/measure/plot.h"
+#include "framework/staff/measure/sweep.h"
 
 namespace relief {
 namespace {
@@ -69,10 +71,14 @@ public:
         const size_t svg = result_.plot.find("<svg");
         List scenes;
         for (const std::vector<size_t>& scene : scenes_of(result_.rows)) scenes.push_back(table(scene));
-        return {{"name", topic.name},           {"help", topic.help},
-                {"renderer", machine.renderer}, {"cpu", machine.cpu},
-                {"clock", machine.clock},       {"compiler", machine.compiler},
-                {"commit", machine.commit},     {"plot", svg == std::string::npos ? "" : result_.plot.substr(svg)},
+        return {{"name", topic.name},
+                {"help", topic.help},
+                {"renderer", machine.renderer},
+                {"cpu", machine.cpu},
+                {"clock", topic.sweeps ? "" : machine.clock},
+                {"compiler", machine.compiler},
+                {"commit", machine.commit},
+                {"plot", svg == std::string::npos ? "" : result_.plot.substr(svg)},
                 {"scenes", std::move(scenes)}};
     }
 
@@ -85,7 +91,8 @@ private:
             const BenchRow& row = result_.rows[place];
             return row.picture.width > 0 || row.error_map.width > 0;
         });
-        List headings, methods;
+        List headings, methods, says = verdicts(scene);
+        const bool has_verdicts = !says.empty();
         for (const Column& column : columns) headings.push_back(column.heading);
         const std::vector<size_t> front = front_of(result_.rows, scene);
         for (const size_t place : scene) methods.push_back(line(place, columns, front));
@@ -94,7 +101,27 @@ private:
                 {"headings", std::move(headings)},
                 {"has_pictures", has_pictures},
                 {"columns", std::max<size_t>(1, columns.size() + has_pictures)},
-                {"methods", std::move(methods)}};
+                {"methods", std::move(methods)},
+                {"has_verdicts", has_verdicts},
+                {"verdicts", std::move(says)}};
+    }
+
+    /// What a scene's sweeps say; methods of which the same is true share a line.
+    List verdicts(const std::vector<size_t>& scene) const {
+        std::vector<std::pair<std::string, const BenchRow*>> lines;  // a verdict, and the first row that has it
+        std::map<std::string, std::string> names;
+        for (const size_t place : scene) {
+            const BenchRow& row = result_.rows[place];
+            if (!row.sweep) continue;
+            const std::string text = verdict_of(*row.sweep, row.error.unit);
+            std::string& known = names[text];
+            if (known.empty()) lines.emplace_back(text, &row);
+            known += (known.empty() ? "" : ", ") + row.method;
+        }
+        List result;
+        for (const auto& [text, row] : lines)
+            result.push_back(Fields{{"kind", row->peer ? "peer" : "other"}, {"names", names[text]}, {"text", text}});
+        return result;
     }
 
     std::vector<Column> columns_of(const std::vector<size_t>& scene, const std::vector<std::string>& works) const {

@@ -1,0 +1,28 @@
+// The code that is commonly copied, written here from its published description: peers of the course's methods.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "framework/image/image.h"
+#include "framework/mesh/mesh.h"
+#include "framework/staff/reference/normal_codec.h"
+
+namespace relief {
+
+/// Tangents at the vertices (Lengyel 2001): sums over the triangles, then Gram-Schmidt, in single precision. `sums` is
+/// memory to be reused.
+void usual_tangents(const Mesh& mesh, std::vector<glm::vec3>& sums, std::vector<glm::vec4>& tangents);
+
+/// Normals from heights: Sobel's weights in a loop over the texels; a function wraps the coordinates of each neighbour.
+/// A height of 1 is `texels` high. `normals` has the size of the heights, and 3 channels: 0.5 n + 0.5.
+void usual_normals(const Image& heights, double texels, Image& normals);
+
+/// Normals of slopes, as OpenImageIO gives them: dh/du and dh/dv a texel, v downwards.
+Image normals_of_slopes(const Image& slopes, double texels);
+
+/// A normal in three bytes: 255 (0.5 x + 0.5), truncated, and its inverse.
+NormalCode usual_code(const glm::dvec3& normal);
+glm::dvec3 usual_normal(const NormalCode& code);
+
+}  // namespace relief
