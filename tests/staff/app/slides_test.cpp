@@ -168,6 +168,7 @@ TEST(Deck, MistakesAreShownBeforeTheyAreExplained) {
 TEST(Slides, EveryLabHasADeckWithPicturesCodeMistakesAndAnExercise) {
     const Names names = decks();
     EXPECT_TRUE(std::find(names.begin(), names.end(), "00_relief") != names.end()) << "the opening deck";
+    EXPECT_TRUE(std::find(names.begin(), names.end(), "90_where_it_breaks") != names.end()) << "of all labs";
     for (const LabEntry& lab : registry()) {
         if (lab.number >= 20) continue;  // somebody's own
         if (std::find(names.begin(), names.end(), lab.folder) == names.end()) {
