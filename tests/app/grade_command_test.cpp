@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/base/file.h"
+#include "framework/staff/grade/merge.h"
 #include "framework/staff/grade/progress.h"
 #include "tests/process.h"
 #include "tests/support.h"
@@ -166,6 +167,38 @@ TEST_F(GradeCommand, WrongUseOfAClusterIsOneClearLine) {
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     }
     EXPECT_EQ(calls(), "");
+}
+
+/// Bytes that this process has read; nothing where the system does not say.
+std::optional<double> bytes_read() {
+    std::ifstream counters("/proc/self/io");
+    std::string name;
+    double bytes = 0;
+    if (counters >> name >> bytes) return bytes;
+    return {};
+}
+
+// The work of a merge grows as the class does.
+TEST(Merge, ReadsEachResultOnce) {
+    if (!bytes_read()) GTEST_SKIP() << "the system does not count what is read";
+    const auto read_for = [](int count) {
+        const TemporaryFolder folder;
+        fs::create_directories(folder.path() / "results");
+        Roster roster{.course = "c", .seed = "", .labs = {}, .submissions = {}};
+        for (int i = 0; i < count; ++i) {
+            SubmissionMark mark;
+            mark.name = "s" + std::to_string(i), mark.hash = "h", mark.course = "c", mark.isolation = "namespaces";
+            mark.problem = std::string(10000, 'x');
+            write_file(result_file(folder.path(), mark.name), to_json(mark));
+            roster.submissions.push_back({mark.name, "h", "/"});
+        }
+        write_roster(folder.path(), roster);
+        const double before = *bytes_read();
+        EXPECT_EQ(merge_class(folder.path()).marks.size(), size_t(count));
+        return *bytes_read() - before;
+    };
+    // A result is 10,000 bytes and a little; its line of the roster is read twice.
+    EXPECT_NEAR((read_for(600) - read_for(200)) / 400, 10500, 500);
 }
 
 }  // namespace
