@@ -8,7 +8,8 @@
 #   KEEP=1                       the folder with Slurm's logs and the classes stays
 #
 # Needs root, for nodes that can be killed whole, and the Debian packages slurmctld, slurmd, slurm-client and munge. Uses
-# neither this machine's own Slurm nor its configuration. Takes two minutes.
+# neither this machine's own Slurm nor its configuration. Takes three minutes: Slurm waits for two before it begins a job
+# of a dead node again.
 set -euo pipefail
 
 course=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)

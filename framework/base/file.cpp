@@ -29,6 +29,8 @@ void remove_unfinished_file(int signal) {
     _exit(128 + signal);
 }
 
+constexpr const char* unfinished_suffix = ".unfinished-";
+
 /// A word that no other process has, not even one of the same number on another machine or in a namespace of its own.
 std::string random_word() {
     std::random_device random;
@@ -38,7 +40,7 @@ std::string random_word() {
 /// The file beside the target that takes its name once it is whole, and goes away otherwise.
 class UnfinishedFile {
 public:
-    explicit UnfinishedFile(const fs::path& target) : name_(target.string() + ".unfinished-" + random_word()) {
+    explicit UnfinishedFile(const fs::path& target) : name_(target.string() + unfinished_suffix + random_word()) {
         if (name_.size() < sizeof unfinished_file) {
             std::memcpy(unfinished_file, name_.c_str(), name_.size() + 1);
             has_unfinished_file = true;
@@ -121,6 +123,13 @@ void write_file(const fs::path& path, std::string_view bytes) { write_whole(path
 void write_file_to_disk(const fs::path& path, std::string_view bytes) { write_whole(path, bytes, Kept::on_disk); }
 void write_private_file(const fs::path& path, std::string_view bytes) {
     write_whole(path, bytes, Kept::on_disk_private);
+}
+
+void remove_unfinished_files(const fs::path& folder) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none))
+        if (entry.path().filename().string().find(unfinished_suffix) != std::string::npos && entry.is_regular_file(none))
+            fs::remove(entry.path(), none);
 }
 
 void write_standard_output(std::string_view bytes) {

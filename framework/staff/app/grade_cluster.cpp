@@ -89,6 +89,7 @@ int end_class(const ClassOptions& options, const LastJob& now) {
     }
     const ClassProgress progress = read_progress(folder);
     const std::vector<std::string> lacking = progress.without_result();
+    for (const char* name : {"results", "students", "submissions"}) remove_unfinished_files(folder / name);
     if (!lacking.empty() && now.sent <= times_sent_again) try {
             send_again(folder, progress, now);
             print_note(fmt::format("{} of {} submissions have no result: their parts are sent again ({} of {} times)",
