@@ -128,7 +128,8 @@ void write_private_file(const fs::path& path, std::string_view bytes) {
 void remove_unfinished_files(const fs::path& folder) {
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder, none))
-        if (entry.path().filename().string().find(unfinished_suffix) != std::string::npos && entry.is_regular_file(none))
+        if (entry.path().filename().string().find(unfinished_suffix) != std::string::npos &&
+            entry.is_regular_file(none))
             fs::remove(entry.path(), none);
 }
 

@@ -1,4 +1,5 @@
-// `relief grade --slurm` and `--status` as an instructor runs them, with stand-ins for Slurm's commands: nothing is drawn.
+// `relief grade --slurm` and `--status` as an instructor runs them, with stand-ins for Slurm's commands: nothing is
+// drawn.
 #include <nlohmann/json.hpp>
 
 #include "framework/base/file.h"
@@ -32,8 +33,9 @@ protected:
         folder_.write("queue", "");
     }
     void tool(const std::string& name, const std::string& body) const {
-        fs::permissions(folder_.write("tools/" + name, "#!/bin/bash\ncd '" + folder_.path().string() + "'\n" + body + "\n"),
-                        fs::perms::owner_all);
+        fs::permissions(
+            folder_.write("tools/" + name, "#!/bin/bash\ncd '" + folder_.path().string() + "'\n" + body + "\n"),
+            fs::perms::owner_all);
     }
     Result grade(std::vector<std::string> words, std::map<std::string, std::string> variables = {}) const {
         words.insert(words.begin(), {relief_program(), "grade"});
@@ -82,8 +84,9 @@ TEST_F(GradeCommand, WithoutSlurmSaysHowToGradeThePartsByHand) {
 TEST_F(GradeCommand, SendsAClassWithItsRosterAndWithoutASeedThatOthersCanRead) {
     const Result result = start({"--jobs", "3", "--trust"});
     ASSERT_EQ(result.code, 0) << result.err;
-    EXPECT_TRUE(contains(result.out, "marks: 3 submissions in 2 parts are job 11, the report is job 12; how far they are: "
-                                     "relief grade --status 'marks'\n"))
+    EXPECT_TRUE(contains(result.out,
+                         "marks: 3 submissions in 2 parts are job 11, the report is job 12; how far they are: "
+                         "relief grade --status 'marks'\n"))
         << result.out;
     EXPECT_TRUE(contains(calls(), " --cpus-per-task=3 --array=1,2 ")) << calls();
     EXPECT_TRUE(contains(read_file(marks_ / "slurm/part.sh"), "'--trust'"));
@@ -151,8 +154,13 @@ TEST_F(GradeCommand, TheLastJobSendsWhatLacksResultsAgain) {
     EXPECT_EQ(all["results"], 2);
     EXPECT_EQ(all["report"], false);
     EXPECT_EQ(all["without_result"], json({"ben"}));
-    EXPECT_EQ(all["parts"][1], json({{"part", 2}, {"submissions", 1}, {"results", 0}, {"state", "failed"},
-                                     {"node", "g1"}, {"job", ""}, {"reason", ""}}));
+    EXPECT_EQ(all["parts"][1], json({{"part", 2},
+                                     {"submissions", 1},
+                                     {"results", 0},
+                                     {"state", "failed"},
+                                     {"node", "g1"},
+                                     {"job", ""},
+                                     {"reason", ""}}));
     EXPECT_EQ(all["last_job"]["state"], "failed");
 }
 

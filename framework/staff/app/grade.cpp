@@ -342,7 +342,9 @@ public:
             "without one");
         options.values("--lab", "LAB", grade_.labs,
                        "grade only this lab; may be repeated [the labs whose files a submission has]");
-        options.value("--jobs", "N", grade_.jobs, "submissions graded at a time [one per processor; in a job of Slurm, of those that it was given]");
+        options.value(
+            "--jobs", "N", grade_.jobs,
+            "submissions graded at a time [one per processor; in a job of Slurm, of those that it was given]");
         options.value("--seconds", "S", grade_.seconds,
                       "time limit for drawing a lab once, seconds [ten times the solution's, at least 20]");
         options.value("--seed", "WORD", grade_.seed,
@@ -350,9 +352,10 @@ public:
         options.value("--shard", "I/N", grade_.shard,
                       "grade the i-th of n parts [from SLURM_ARRAY_TASK_ID, TEST_SHARD_INDEX or GTEST_SHARD_INDEX]");
         options.value("--merge", "FOLDER", grade_.merge, "merge the parts in this folder; takes no submissions");
-        options.value("--slurm", "N", grade_.slurm,
-                      "send the class to Slurm in n parts, and end: jobs grade it and write the report. --jobs asks for "
-                      "processors per part; sbatch reads SBATCH_PARTITION, SBATCH_TIMELIMIT and so on");
+        options.value(
+            "--slurm", "N", grade_.slurm,
+            "send the class to Slurm in n parts, and end: jobs grade it and write the report. --jobs asks for "
+            "processors per part; sbatch reads SBATCH_PARTITION, SBATCH_TIMELIMIT and so on");
         options.value("--status", "FOLDER", grade_.status,
                       "say how far the class in this folder is, part by part; takes no submissions");
         options.flag("--gradescope", grade_.gradescope,

@@ -46,8 +46,7 @@ void print_part(const PartState& part) {
 
 nlohmann::ordered_json as_json(const PartState& part) {
     nlohmann::ordered_json json;
-    if (part.part > 0)
-        json = {{"part", part.part}, {"submissions", part.submissions}, {"results", part.results}};
+    if (part.part > 0) json = {{"part", part.part}, {"submissions", part.submissions}, {"results", part.results}};
     json.update({{"state", part.state}, {"node", part.node}, {"job", part.job}, {"reason", part.reason}});
     return json;
 }
@@ -56,10 +55,11 @@ nlohmann::ordered_json as_json(const PartState& part) {
 
 void require_slurm(int parts) {
     if (!has_slurm())
-        throw Error(fmt::format("there is no Slurm here (no sbatch on PATH). Grade each part by hand, on any machines: "
-                                "RELIEF_SEED=WORD relief grade ... --shard 1/{0} to --shard {0}/{0}, then relief grade "
-                                "--merge FOLDER",
-                                parts));
+        throw Error(
+            fmt::format("there is no Slurm here (no sbatch on PATH). Grade each part by hand, on any machines: "
+                        "RELIEF_SEED=WORD relief grade ... --shard 1/{0} to --shard {0}/{0}, then relief grade "
+                        "--merge FOLDER",
+                        parts));
 }
 
 int start_class(const ClassOptions& options, int parts, int processors, const std::vector<std::string>& words) {
@@ -72,10 +72,11 @@ int start_class(const ClassOptions& options, int parts, int processors, const st
     enlist_class(options);
     const int count = std::min(parts, int(options.submissions.size()));
     const Cluster cluster = send_class(options.output, count, processors, words);
-    fmt::print("{0}: {1} submissions in {2} parts are job {3}, the report is job {4}; how far they are: relief grade "
-               "--status {5}\n",
-               options.output.string(), options.submissions.size(), count, cluster.sent.front().job,
-               cluster.sent.back().job, quoted_for_shell(options.output.string()));
+    fmt::print(
+        "{0}: {1} submissions in {2} parts are job {3}, the report is job {4}; how far they are: relief grade "
+        "--status {5}\n",
+        options.output.string(), options.submissions.size(), count, cluster.sent.front().job, cluster.sent.back().job,
+        quoted_for_shell(options.output.string()));
     return 0;
 }
 

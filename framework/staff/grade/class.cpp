@@ -134,7 +134,8 @@ private:
             throw Error({options_.output / "class.json"},
                         "was written by another build of the course, or with other options: grade the class anew");
         const std::set<std::string> files = wanted();
-        for (size_t i = size_t(options_.shard.index); i < roster.submissions.size(); i += size_t(options_.shard.count)) {
+        for (size_t i = size_t(options_.shard.index); i < roster.submissions.size();
+             i += size_t(options_.shard.count)) {
             const Roster::One& one = roster.submissions[i];
             Entry entry{.path = one.path, .name = one.name, .hash = one.hash, .labs = {}, .mark = {}};
             if (auto mark = result_of(options_.output, one.name, course_)) {

@@ -152,7 +152,8 @@ std::string reason_of(const fs::path& log, const QueuedJob* job) {
     std::string said;
     if (std::error_code unknown; fs::exists(log, unknown))
         for (const std::string& line : split(read_file(log), '\n'))
-            if (line.starts_with("relief: ") || line.starts_with("slurmstepd: ")) said = line.substr(line.find(' ') + 1);
+            if (line.starts_with("relief: ") || line.starts_with("slurmstepd: "))
+                said = line.substr(line.find(' ') + 1);
     if (!job || job->state == "COMPLETED" || (job->state == "FAILED" && !said.empty())) return printable(said);
     std::string state = job->state;
     for (char& c : state) c = c == '_' ? ' ' : char(std::tolower(static_cast<unsigned char>(c)));
@@ -184,8 +185,8 @@ std::optional<Cluster> read_cluster(const fs::path& folder) {
     if (!fs::exists(file)) return {};
     try {
         const ordered_json json = ordered_json::parse(read_file(file, size_t{1} << 24));
-        Cluster cluster{.parts = json.at("parts"), .options = json.at("options"), .sent = {},
-                        .has_ended = json.at("has_ended")};
+        Cluster cluster{
+            .parts = json.at("parts"), .options = json.at("options"), .sent = {}, .has_ended = json.at("has_ended")};
         for (const ordered_json& one : json.at("sent")) cluster.sent.push_back({one.at("job"), one.at("last")});
         return cluster;
     } catch (const ordered_json::exception&) {

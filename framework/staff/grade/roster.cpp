@@ -42,10 +42,10 @@ Shard shard_of_array() {
               step = std::max(1, number("SLURM_ARRAY_TASK_STEP", 1)), count = number("SLURM_ARRAY_TASK_COUNT", 1),
               last = number("SLURM_ARRAY_TASK_MAX", first + (count - 1) * step);
     if (count < 2 || (last - first) / step + 1 != count || task < first || (task - first) % step != 0)
-        throw UsageError(
-            fmt::format("task {} of a Slurm array of {}, from {} to {}, does not say which part of the class it is: give "
-                        "--shard \"$SLURM_ARRAY_TASK_ID/N\", of N parts in all",
-                        task, count, first, last));
+        throw UsageError(fmt::format(
+            "task {} of a Slurm array of {}, from {} to {}, does not say which part of the class it is: give "
+            "--shard \"$SLURM_ARRAY_TASK_ID/N\", of N parts in all",
+            task, count, first, last));
     return checked((task - first) / step, count, "SLURM_ARRAY_TASK_ID");
 }
 

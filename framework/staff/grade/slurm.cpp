@@ -62,8 +62,7 @@ std::optional<int> processors_from_slurm() {
         const char* const text = std::getenv(name);
         if (!text || !*text) continue;
         const auto number = parse_int(text);
-        if (!number || *number < 1)
-            throw UsageError(fmt::format("{} is '{}', not a number of processors", name, text));
+        if (!number || *number < 1) throw UsageError(fmt::format("{} is '{}', not a number of processors", name, text));
         return number;
     }
     return {};
@@ -92,8 +91,8 @@ bool QueuedJob::runs() const {
 }
 
 std::optional<std::vector<QueuedJob>> queued_jobs() {
-    const auto rows = table_from({"squeue", "--noheader", "--array", "--states=all", "--user=" + std::to_string(getuid()),
-                                  "--format=%F|%K|%T|%N|%r"});
+    const auto rows = table_from({"squeue", "--noheader", "--array", "--states=all",
+                                  "--user=" + std::to_string(getuid()), "--format=%F|%K|%T|%N|%r"});
     if (!rows) return {};
     std::vector<QueuedJob> jobs;
     for (const Words& row : *rows)

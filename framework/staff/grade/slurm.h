@@ -22,11 +22,11 @@ std::string submit_job(const std::vector<std::string>& options, const std::vecto
 
 /// A job, or a task of an array, as squeue knows it. Slurm forgets an ended job after some minutes.
 struct QueuedJob {
-    std::string job;         ///< of an array: the array's
+    std::string job;          ///< of an array: the array's
     std::optional<int> task;  ///< of an array
-    std::string state;       ///< "PENDING", "RUNNING", "COMPLETED", "FAILED", "NODE_FAIL" ...
-    std::string node;        ///< where it runs or ran; empty while it waits
-    std::string reason;      ///< why it waits
+    std::string state;        ///< "PENDING", "RUNNING", "COMPLETED", "FAILED", "NODE_FAIL" ...
+    std::string node;         ///< where it runs or ran; empty while it waits
+    std::string reason;       ///< why it waits
 
     bool waits() const;
     bool runs() const;

@@ -124,7 +124,8 @@ protected:
         folder_.write("nodes", "g1|idle\ng2|mixed\ng3|allocated\ng4|down\ng5|idle*\n");
         fs::create_directories(marks_ / "results");
         Roster roster{.course = "c", .seed = "secret", .labs = {}, .submissions = {}};
-        for (const char* name : {"ann", "ben", "cem", "dan", "eva", "fay"}) roster.submissions.push_back({name, "h", "/"});
+        for (const char* name : {"ann", "ben", "cem", "dan", "eva", "fay"})
+            roster.submissions.push_back({name, "h", "/"});
         write_roster(marks_, roster);
     }
     void tool(const std::string& name, const std::string& body) const {
@@ -142,8 +143,9 @@ protected:
     }
     /// What sbatch was called with, without the words that are the same in all calls.
     static std::string short_form(std::string call, const std::string& marks) {
-        for (const std::string& same : {std::string("--parsable --propagate=NONE --job-name="),
-                                        " --requeue --open-mode=append --output=" + marks + "/slurm", marks + "/slurm/"})
+        for (const std::string& same :
+             {std::string("--parsable --propagate=NONE --job-name="),
+              " --requeue --open-mode=append --output=" + marks + "/slurm", marks + "/slurm/"})
             if (const size_t at = call.find(same); at != std::string::npos) call.erase(at, same.size());
         return call;
     }
@@ -155,8 +157,8 @@ protected:
     std::vector<std::string> states() const {
         std::vector<std::string> all;
         for (const PartState& one : part_states(marks_, *read_cluster(marks_), read_progress(marks_)))
-            all.push_back(fmt::format("{} {}/{} {} {} {} {}", one.part, one.results, one.submissions, one.state, one.node,
-                                      one.job, one.reason));
+            all.push_back(fmt::format("{} {}/{} {} {} {} {}", one.part, one.results, one.submissions, one.state,
+                                      one.node, one.job, one.reason));
         return all;
     }
 };
@@ -209,11 +211,11 @@ TEST_F(ClusterTest, PartsThatLackResultsAreSentAgainAwayFromTheirNodes) {
 TEST_F(ClusterTest, ANodeIsAvoidedAsLongAsAnotherOneCanTakeThePart) {
     send_class(marks_, 1, 0, {});
     folder_.write("a class's marks/slurm/part-1.nodes", "g2\ng1\n");
-    for (const auto& [nodes, avoided] : std::map<std::string, std::string>{
-             {"g1|idle\ng2|idle\n", " --exclude=g1"},             // the one of the last attempt
-             {"g1|idle\ng2|down\n", ""},                          // no other is up
-             {"g1|idle\ng2|idle*\ng3|drained\n", ""},             // nor answers
-             {"g1|idle\ng2|idle\ng3|idle\n", " --exclude=g1,g2"}}) {
+    for (const auto& [nodes, avoided] :
+         std::map<std::string, std::string>{{"g1|idle\ng2|idle\n", " --exclude=g1"},  // the one of the last attempt
+                                            {"g1|idle\ng2|down\n", ""},               // no other is up
+                                            {"g1|idle\ng2|idle*\ng3|drained\n", ""},  // nor answers
+                                            {"g1|idle\ng2|idle\ng3|idle\n", " --exclude=g1,g2"}}) {
         folder_.write("nodes", nodes);
         fs::remove(folder_.path() / "calls");
         send_again(marks_, read_progress(marks_), {});
@@ -222,7 +224,8 @@ TEST_F(ClusterTest, ANodeIsAvoidedAsLongAsAnotherOneCanTakeThePart) {
     tool("sinfo", "exit 1");
     fs::remove(folder_.path() / "calls");
     send_again(marks_, read_progress(marks_), {});
-    EXPECT_EQ(short_calls().at(0), "relief-part/part-%a.log --array=1 --exclude=g1 part.sh") << "nobody knows of others";
+    EXPECT_EQ(short_calls().at(0), "relief-part/part-%a.log --array=1 --exclude=g1 part.sh")
+        << "nobody knows of others";
 }
 
 TEST_F(ClusterTest, ALastJobThatFailsHasASubstituteElsewhereTwice) {
@@ -241,13 +244,15 @@ TEST_F(ClusterTest, ALastJobThatFailsHasASubstituteElsewhereTwice) {
 TEST_F(ClusterTest, StatesComeFromResultsAndFromSlurm) {
     send_class(marks_, 3, 0, {});
     give_result("ann"), give_result("dan");
-    folder_.write("queue", "11|1|COMPLETED|g1|None\n11|2|RUNNING|g2|None\n11|3|PENDING||Resources\n"
-                           "12|N/A|PENDING||Dependency\n99|1|RUNNING|g7|None\n");
+    folder_.write("queue",
+                  "11|1|COMPLETED|g1|None\n11|2|RUNNING|g2|None\n11|3|PENDING||Resources\n"
+                  "12|N/A|PENDING||Dependency\n99|1|RUNNING|g7|None\n");
     EXPECT_EQ(states(), (Calls{"1 2/2 done g1 11_1 ", "2 0/2 runs g2 11_2 ", "3 0/2 waits  11_3 Resources",
                                "0 0/0 waits  12 Dependency"}));
     EXPECT_EQ(jobs_at_work(*read_cluster(marks_)), (Calls{"11", "12"}));
 
-    folder_.write("a class's marks/slurm/part-2.log", "relief: first\nrelief: /tmp/x: cannot write: No space left\n11/11\n");
+    folder_.write("a class's marks/slurm/part-2.log",
+                  "relief: first\nrelief: /tmp/x: cannot write: No space left\n11/11\n");
     folder_.write("queue", "11|2|FAILED|g2|NonZeroExitCode\n11|3|OUT_OF_MEMORY|g3|None\n12|N/A|RUNNING|g1|None\n");
     EXPECT_EQ(states()[1], "2 0/2 failed g2 11_2 /tmp/x: cannot write: No space left");
     EXPECT_EQ(states()[2], "3 0/2 failed g3 11_3 out of memory");
