@@ -196,8 +196,7 @@ void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
 
 }  // namespace
 
-int print_report(const ClassReport& report, const ClassStanding& standing, const fs::path& folder,
-                 const Shard& shard) {
+int print_report(const ClassReport& report, const ClassStanding& standing, const fs::path& folder, const Shard& shard) {
     print_isolation(report.isolation);
     fmt::print("{}", to_table(standing));
     for (const std::string& note : standing.notes) print_note(note);

@@ -101,8 +101,12 @@ int end_class(const ClassOptions& options, const LastJob& now) {
         }
     if (!lacking.empty()) {
         // First, since what has ended other jobs may end this one, too.
-        const ClassReport so_far = report_so_far(folder);
-        write_summaries(so_far, folder);
+        try {
+            const ClassReport so_far = report_so_far(folder);
+            write_summaries(so_far, folder);
+        } catch (const Error& error) {  // such as an adjustment for one who has no result yet
+            print_note(error.what());
+        }
         grade_class(options, pages_into(folder));
     }
     const ClassReport report = report_so_far(folder);
