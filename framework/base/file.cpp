@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <random>
 
 #include "framework/base/descriptor.h"
 #include "framework/base/error.h"
@@ -28,11 +29,18 @@ void remove_unfinished_file(int signal) {
     _exit(128 + signal);
 }
 
+constexpr const char* unfinished_suffix = ".unfinished-";
+
+/// A word that no other process has, not even one of the same number on another machine or in a namespace of its own.
+std::string random_word() {
+    std::random_device random;
+    return fmt::format("{:08x}{:08x}", random(), random());
+}
+
 /// The file beside the target that takes its name once it is whole, and goes away otherwise.
 class UnfinishedFile {
 public:
-    explicit UnfinishedFile(const fs::path& target)
-        : name_(target.string() + ".unfinished-" + std::to_string(getpid())) {
+    explicit UnfinishedFile(const fs::path& target) : name_(target.string() + unfinished_suffix + random_word()) {
         if (name_.size() < sizeof unfinished_file) {
             std::memcpy(unfinished_file, name_.c_str(), name_.size() + 1);
             has_unfinished_file = true;
@@ -84,7 +92,9 @@ std::string read_file(const fs::path& path, size_t limit) {
 
 namespace {
 
-void write_whole(const fs::path& named, std::string_view bytes, bool to_disk) {
+enum class Kept { soon, on_disk, on_disk_private };
+
+void write_whole(const fs::path& named, std::string_view bytes, Kept kept) {
     // A link stays a link: what it points to is written.
     std::error_code ignored;
     const fs::path path = fs::is_symlink(named, ignored) ? fs::weakly_canonical(named, ignored) : named;
@@ -97,19 +107,31 @@ void write_whole(const fs::path& named, std::string_view bytes, bool to_disk) {
         return;
     }
     UnfinishedFile unfinished(path);
-    Descriptor file(open(unfinished.name(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (file < 0 || !write_all(file, bytes) || (to_disk && fsync(file) != 0) || !file.close() ||
+    const mode_t mode = kept == Kept::on_disk_private ? 0600 : 0666;
+    Descriptor file(open(unfinished.name(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+    if (file < 0 || !write_all(file, bytes) || (kept != Kept::soon && fsync(file) != 0) || !file.close() ||
         !unfinished.rename_to(path))
         fail(named, "write");
-    if (!to_disk) return;
+    if (kept == Kept::soon) return;
     const Descriptor folder(open((path.parent_path() / ".").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (folder < 0 || fsync(folder) != 0) fail(named, "write");
 }
 
 }  // namespace
 
-void write_file(const fs::path& path, std::string_view bytes) { write_whole(path, bytes, false); }
-void write_file_to_disk(const fs::path& path, std::string_view bytes) { write_whole(path, bytes, true); }
+void write_file(const fs::path& path, std::string_view bytes) { write_whole(path, bytes, Kept::soon); }
+void write_file_to_disk(const fs::path& path, std::string_view bytes) { write_whole(path, bytes, Kept::on_disk); }
+void write_private_file(const fs::path& path, std::string_view bytes) {
+    write_whole(path, bytes, Kept::on_disk_private);
+}
+
+void remove_unfinished_files(const fs::path& folder) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none))
+        if (entry.path().filename().string().find(unfinished_suffix) != std::string::npos &&
+            entry.is_regular_file(none))
+            fs::remove(entry.path(), none);
+}
 
 void write_standard_output(std::string_view bytes) {
     if (!write_all(STDOUT_FILENO, bytes))

@@ -17,6 +17,12 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// The same, and returns only when the file is on the disk: it survives a power cut.
 void write_file_to_disk(const std::filesystem::path& path, std::string_view bytes);
 
+/// The same, for its owner alone to read and write (mode 0600), whoever could read the file before.
+void write_private_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Removes what writers that were killed have left in a folder. Nobody may be writing there.
+void remove_unfinished_files(const std::filesystem::path& folder);
+
 /// Writes everything to standard output. Throws Error if the reader has closed it or the disk is full.
 void write_standard_output(std::string_view bytes);
 

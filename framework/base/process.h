@@ -24,7 +24,7 @@ constexpr int request_descriptor = 97, report_descriptor = 3, note_descriptor = 
 
 struct ProcessJob {
     std::vector<std::string> command = {};                ///< whole path first
-    std::map<std::string, std::string> environment = {};  ///< all of it, but for PATH
+    std::map<std::string, std::string> environment = {};  ///< all of it; PATH is the system's if not here
     std::string input = {};                               ///< on its standard input
     /// Comes on `request_descriptor` once the output begins with `asks`: nothing is there to be read before.
     std::string request = {}, asks = {};

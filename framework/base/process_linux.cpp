@@ -200,7 +200,8 @@ private:
         const Descriptor in = file_in_memory(job_.input);
         Descriptor note(-1);
         if (!job_.note.empty()) note = file_in_memory(job_.note);
-        std::vector<std::string> environment = {"PATH=/usr/bin:/bin"};
+        std::vector<std::string> environment;
+        if (!job_.environment.contains("PATH")) environment.push_back("PATH=/usr/bin:/bin");
         for (const auto& [name, value] : job_.environment) environment.push_back(name + "=" + value);
         Start s;
         for (const std::string& word : job_.command) s.words.push_back(word.c_str());

@@ -38,6 +38,12 @@ std::string join(std::span<const std::string> words, std::string_view separator)
     return fmt::format("{}", fmt::join(words, separator));
 }
 
+std::string quoted_for_shell(std::string_view word) {
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
 std::string escaped_markup(std::string_view text) {
     std::string result;
     for (const char c : text) {

@@ -22,6 +22,9 @@ std::string join(std::span<const std::string> words, std::string_view separator)
 /// A text as it may stand in XML or HTML, between tags or in an attribute with double quotes.
 std::string escaped_markup(std::string_view text);
 
+/// A word of a shell's command line, in single quotes.
+std::string quoted_for_shell(std::string_view word);
+
 /// A number for people, to so many digits: "0.00012", "1235". What stands before the point is never rounded away, and
 /// there is no exponent from a millionth to a million millions.
 std::string rounded(double number, int digits = 3);

@@ -1,4 +1,5 @@
 // The script `relief`, with stand-ins for the tools that it calls: each writes down how it was called.
+#include <memory>
 #include <sstream>
 
 #include "tests/app/course_copy.h"
@@ -148,15 +149,44 @@ TEST_F(Script, WhatTheFirstBuildInstallsHasTheCompilersCacheThatItThenUses) {
     EXPECT_LT(called.find("install -y --no-install-recommends ccache\n"), called.find("cmake -S")) << called;
 }
 
-TEST_F(Script, AMovedCourseIsBuiltAnew) {
+TEST_F(Script, ABuildFolderOfAnotherPathIsLeftAlone) {
     script();
     calls();
-    folder_.write("build/CMakeCache.txt", "CMAKE_HOME_DIRECTORY:INTERNAL=/somewhere/else\n");
-    const Result result = script();
-    EXPECT_EQ(result.code, 0);
-    EXPECT_TRUE(result.err.starts_with("relief: this folder was moved or copied: building anew\nrelief: configuring\n"))
-        << result.err;
-    EXPECT_TRUE(contains(calls(), "cmake -S"));
+    const std::string cache = "CMAKE_HOME_DIRECTORY:INTERNAL=/somewhere/else\n";
+    folder_.write("build/CMakeCache.txt", cache);
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"list"}, {"build"}, {"test"}}) {
+        const Result result = script(words);
+        EXPECT_EQ(result.code, 1);
+        const std::string build = (folder_.path() / "build").string();
+        EXPECT_EQ(result.err, "relief: " + build +
+                                  " is the build folder of the course in /somewhere/else, and is left alone: if you "
+                                  "moved or copied the course from there, remove it (rm -r " +
+                                  build + "); if that course is in use, clone it to work here\n");
+    }
+    EXPECT_EQ(read_all(folder_.path() / "build/CMakeCache.txt"), cache);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
+}
+
+TEST_F(Script, SimultaneousStartsBuildOneAfterTheOther) {
+    // A build that finds another one in the folder fails.
+    stand_in("ninja",
+             "mkdir building || exit 1; sleep 0.2; rmdir building\n"
+             "mkdir -p build/bin && printf '#!/bin/bash\nflock --nonblock build/lock echo free\n' >build/bin/relief."
+             "$$ && chmod +x build/bin/relief.$$ && mv build/bin/relief.$$ build/bin/relief");
+    const std::vector<std::string> words = {"bash", folder_.path() / "relief", "list"};
+    const Circumstances where{folder_.path(), {{"PATH", (folder_.path() / "tools").string() + ":/usr/bin:/bin"}}};
+    std::vector<std::unique_ptr<Process>> starts;
+    for (int i = 0; i < 6; ++i) starts.push_back(std::make_unique<Process>(words, where));
+    int waited = 0, free = 0;
+    for (const auto& start : starts) {
+        const Result result = start->wait();
+        EXPECT_TRUE(result.code == 0 || result.out.empty()) << result.err;
+        EXPECT_FALSE(contains(result.err, "failed")) << result.err;
+        waited += contains(result.err, "another ./relief is building here: waiting for its end\n");
+        free += result.out == "free\n";
+    }
+    EXPECT_GE(waited, 1);
+    EXPECT_GE(free, 1) << "the lock is held while the program runs";
 }
 
 TEST_F(Script, RootInstallsWhatIsMissingAndNoMore) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <csignal>
 
+#include "framework/base/parallel.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -104,6 +105,41 @@ TEST(Files, ATerminatedWriteLeavesTheOldFileAndNothingBesideIt) {
     EXPECT_EXIT(terminated(), testing::ExitedWithCode(128 + SIGTERM), "");
     EXPECT_EQ(read_file(file), "old");
     EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"a.txt"});
+}
+
+// As processes of one number in namespaces of their own do, or on several machines.
+TEST(Files, WritersOfOneNumberAndOneFileDoNotMeet) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "a.txt";
+    const auto text = [](size_t writer) { return std::string(20000, char('a' + writer)); };
+    parallel_each(400, 4, [&](size_t i) { EXPECT_NO_THROW(write_file(file, text(i % 4))); });
+    const std::string left = read_file(file);
+    EXPECT_EQ(left, text(size_t(left.at(0) - 'a'))) << "half of one and half of another";
+    EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"a.txt"});
+}
+
+TEST(Files, WhatAKilledWriterLeavesCanBeRemoved) {
+    const TemporaryFolder folder;
+    const auto killed = [&] {
+        const FullDisk disk(1000);
+        std::signal(SIGXFSZ, [](int) { std::raise(SIGKILL); });  // comes in the middle of the write
+        write_file(folder.path() / "a.txt", std::string(5000, 'n'));
+    };
+    EXPECT_EXIT(killed(), testing::KilledBySignal(SIGKILL), "");
+    folder.write("b.txt", "");
+    EXPECT_EQ(names_in(folder.path()).size(), 2u);
+    remove_unfinished_files(folder.path());
+    EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"b.txt"});
+    remove_unfinished_files(folder.path() / "none");
+}
+
+TEST(Files, APrivateOneIsReadByItsOwnerAlone) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("a.txt", "for all");
+    fs::permissions(file, fs::perms(0644));
+    write_private_file(file, "for me");
+    EXPECT_EQ(read_file(file), "for me");
+    EXPECT_EQ(fs::status(file).permissions(), fs::perms(0600));
 }
 
 TEST(Files, APipeOrADeviceIsWrittenIntoNotReplaced) {

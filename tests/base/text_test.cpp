@@ -133,5 +133,11 @@ TEST(Unknown, NamesTheGuessAndAllThatThereIs) {
     EXPECT_EQ(unknown("knob", "gloss", Words{}), "unknown knob 'gloss'; there is no knob here");
 }
 
+TEST(ShellWords, ComeBackFromAShellAsTheyWere) {
+    EXPECT_EQ(quoted_for_shell("a b"), "'a b'");
+    EXPECT_EQ(quoted_for_shell("o'd $x"), "'o'\\''d $x'");
+    EXPECT_EQ(quoted_for_shell(""), "''");
+}
+
 }  // namespace
 }  // namespace relief

@@ -1,5 +1,5 @@
-// relief grade: grades a class on one machine.
-#include "framework/staff/pages/summaries.h"
+// relief grade: grades a class, and tests the grader.
+#include "framework/staff/app/grade.h"
 
 #include <fmt/format.h>
 
@@ -18,15 +18,16 @@
 #include "framework/staff/grade/merge.h"
 #include "framework/staff/grade/mutation_test.h"
 #include "framework/staff/grade/self_test.h"
-#include "framework/staff/pages/grade_page.h"
-#include "framework/staff/pages/student_page.h"
+#include "framework/staff/grade/slurm.h"
+#include "framework/staff/pages/summaries.h"
 
 namespace relief {
 namespace {
 
 struct GradeArguments {
     std::vector<std::string> paths, labs;
-    std::string output, class_file, jobs, seconds, sample, seed, shard, merge, mutate, context = "auto", threads = "0";
+    std::string output, class_file, jobs, seconds, sample, seed, shard, merge, mutate, slurm, status;
+    std::string context = "auto", threads = "0";
     bool trust = false, fresh = false, self_test = false, json = false, resume = false, unpinned = false,
          gradescope = false;
 };
@@ -42,7 +43,8 @@ int whole_number(const std::string& text, const char* option, int low, int high)
 
 ClassOptions options_of(const GradeArguments& arguments) {
     ClassOptions options;
-    options.jobs = arguments.jobs.empty() ? int(hardware_threads()) : whole_number(arguments.jobs, "--jobs", 1, 256);
+    options.jobs = arguments.jobs.empty() ? processors_from_slurm().value_or(int(hardware_threads()))
+                                          : whole_number(arguments.jobs, "--jobs", 1, 256);
     GradeSetup& setup = options.setup;
     if (!arguments.seconds.empty()) setup.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
     const char* const seed = std::getenv("RELIEF_SEED");  // every user of the machine can read a command line
@@ -164,8 +166,8 @@ int mutate(const GradeArguments& arguments, ClassOptions& options, int sample) {
 int make_gradescope(const ClassOptions& options) {
     const std::string seed = options.setup.seed.empty() ? new_seed() : options.setup.seed;
     write_gradescope(options.output, options.labs, seed);
-    fmt::print("{}: setup.sh, run_autograder and the course with its solutions; seed {}\n", options.output.string(),
-               seed);
+    fmt::print("{}: setup.sh, run_autograder with the seed, and the course with its solutions\n",
+               options.output.string());
     fmt::print(
         "zip the contents and upload the archive to Gradescope, for an image with Debian 12: cd '{}' && zip -r "
         "../autograder.zip .\n",
@@ -186,28 +188,52 @@ void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
         if (arguments.paths.empty()) throw UsageError("grade needs submissions: folders or archives of task files");
         options.submissions.assign(arguments.paths.begin(), arguments.paths.end());
     }
+    if (options.keep_roster) return;
     for (const fs::path& path : options.submissions)
         if (std::error_code unknown; !fs::exists(path, unknown))
             throw UsageError(fmt::format("there is no '{}'", printable(path.string())));
 }
 
-int print(const ClassReport& report, const ClassStanding& standing, const std::string& folder, const Shard& shard) {
+}  // namespace
+
+int print_report(const ClassReport& report, const ClassStanding& standing, const fs::path& folder, const Shard& shard) {
     print_isolation(report.isolation);
     fmt::print("{}", to_table(standing));
     for (const std::string& note : standing.notes) print_note(note);
     size_t failed = 0;
     for (const SubmissionMark& mark : report.marks) failed += !mark.graded();
-    fmt::print("{}: {} graded, {} unchanged, {} not graded; {:.1f} s, of them {:.1f} for the solutions; seed {}\n",
-               folder, report.marks.size() - report.taken_over - failed, report.taken_over, failed, report.seconds,
-               report.prepared, report.seed);
+    fmt::print("{}: {} graded, {} unchanged, {} not graded; {:.1f} s, of them {:.1f} for the solutions\n",
+               folder.string(), report.marks.size() - report.taken_over - failed, report.taken_over,
+               failed + report.lost.size(), report.seconds, report.prepared);
     fmt::print("all jobs together: {:.1f} s compiling, {:.1f} s drawing, {:.1f} s comparing\n", report.times.compile,
                report.times.draw, report.times.compare);
     if (!shard.whole())
         print_note(fmt::format("part {} of {} ({}); when all parts are done: relief grade --merge {}", shard.index + 1,
-                               shard.count, shard.from, folder));
+                               shard.count, shard.from, folder.string()));
+    if (!report.lost.empty()) print_error("cannot be read any more, so without a mark: " + some_of(report.lost));
     if (failed > 0)
         print_error("the machine failed on some submissions: run the same command again, it repeats only those");
-    return failed == 0 ? 0 : 1;
+    return failed == 0 && report.lost.empty() ? 0 : 1;
+}
+
+SubmissionDone pages_into(const fs::path& folder) {
+    return [folder](const SubmissionMark& mark, const std::vector<CheckPictures>& pictures) {
+        for (const PageFor reader : page_readers)
+            write_page(folder / page_file(mark.name, reader), student_page(mark, pictures, reader));
+    };
+}
+
+namespace {
+
+/// The options that each job of a class needs, too.
+std::vector<std::string> words_for_jobs(const GradeArguments& arguments) {
+    std::vector<std::string> words;
+    if (arguments.context != "auto") words = {"--context", arguments.context};
+    if (arguments.threads != "0") words.insert(words.end(), {"--threads", arguments.threads});
+    if (!arguments.seconds.empty()) words.insert(words.end(), {"--seconds", arguments.seconds});
+    if (arguments.trust) words.emplace_back("--trust");
+    if (arguments.unpinned) words.emplace_back("--unpinned");
+    return words;
 }
 
 /// Copies the pages of parts that were graded into folders of their own inside `folder`.
@@ -239,51 +265,68 @@ void prepare_class_file(const GradeArguments& arguments, const fs::path& folder,
     keep_class_file(file, folder);
 }
 
+int grade_on_slurm(const GradeArguments& arguments, ClassOptions& options) {
+    const int parts = whole_number(arguments.slurm, "--slurm", 1, 1000);
+    if (!arguments.shard.empty()) throw UsageError("--slurm sends all parts: it takes no --shard");
+    if (!arguments.seed.empty())
+        throw UsageError(
+            "--slurm takes no --seed, which everybody on this machine can read in the list of processes: set "
+            "RELIEF_SEED, or leave the seed to chance");
+    const std::optional<LastJob> now = this_last_job();
+    options.keep_roster = now.has_value();
+    if (!now) require_slurm(parts);
+    name_submissions(arguments, options);
+    if (now) return end_class(options, *now);
+    make_folder(options.output);
+    prepare_class_file(arguments, options.output, {}, options.labs);
+    return start_class(options, parts, arguments.jobs.empty() ? 0 : options.jobs, words_for_jobs(arguments));
+}
+
 /// Returns 1 if the machine failed on a submission, a part of the class is missing, or the self-test finds a wrong
 /// mark.
 int grade_submissions(const GradeArguments& arguments) {
     for (const auto& [given, option] : {std::pair(!arguments.merge.empty(), "--merge"),
+                                        {!arguments.status.empty(), "--status"},
                                         {arguments.self_test, "--self-test"},
                                         {!arguments.mutate.empty(), "--mutate"},
                                         {arguments.gradescope, "--gradescope"}})
         if (given && !arguments.paths.empty())
             throw UsageError(
                 fmt::format("{} takes no submissions: '{}' is one argument too many", option, arguments.paths.front()));
-    if (!arguments.class_file.empty() && (arguments.self_test || !arguments.mutate.empty() || arguments.gradescope))
+    if (!arguments.class_file.empty() &&
+        (arguments.self_test || !arguments.mutate.empty() || arguments.gradescope || !arguments.status.empty()))
         throw UsageError("--class goes with submissions, --resume or --merge");
+    if (!arguments.status.empty()) return print_status(arguments.status, arguments.json);
     if (!arguments.merge.empty()) {
         std::vector<Descriptor> at_work;
-        if (fs::is_directory(arguments.merge)) at_work.push_back(hold_output(arguments.merge, {}));
+        if (fs::is_directory(arguments.merge)) at_work.push_back(hold_output(arguments.merge, Hold::alone));
         for (const fs::path& part : class_parts(arguments.merge))
-            if (part != arguments.merge) at_work.push_back(hold_output(part, {}));
+            if (part != arguments.merge) at_work.push_back(hold_output(part, Hold::alone));
         prepare_class_file(arguments, arguments.merge, class_parts(arguments.merge), {});
         const ClassReport report = merge_class(arguments.merge);
         bring_pages_of_parts(report, arguments.merge);
-        return print(report, write_summaries(report, arguments.merge), arguments.merge, {});
+        return print_report(report, write_summaries(report, arguments.merge), arguments.merge, {});
     }
     ClassOptions options = options_of(arguments);
     const int sample = arguments.sample.empty() ? 0 : whole_number(arguments.sample, "--sample", 1, 1000);
     if (arguments.self_test) return test_the_grader(options, sample);
     if (!arguments.mutate.empty()) return mutate(arguments, options, sample);
     if (sample > 0) throw UsageError("--sample goes with --self-test or --mutate");
-    if (arguments.json) throw UsageError("--json goes with --mutate");
+    if (arguments.json) throw UsageError("--json goes with --mutate or --status");
     if (arguments.output.empty()) throw UsageError("grade needs a folder for its results: -o FOLDER");
     options.output = arguments.output;
     if (arguments.gradescope) return make_gradescope(options);
-    name_submissions(arguments, options);
+    if (!arguments.slurm.empty()) return grade_on_slurm(arguments, options);
     options.shard = shard_of(arguments.shard);
+    options.keep_roster = arguments.resume && !options.shard.whole();
+    name_submissions(arguments, options);
     make_folder(options.output);
-    const Descriptor at_work = hold_output(options.output, options.shard);
-    prepare_class_file(arguments, options.output, {}, options.labs);
-    // Before its result: a run that is killed leaves none without its pages.
-    const ClassReport report =
-        grade_class(options, [&](const SubmissionMark& mark, const std::vector<CheckPictures>& pictures) {
-            for (const PageFor reader : page_readers)
-                write_page(options.output / page_file(mark.name, reader), student_page(mark, pictures, reader));
-        });
+    const Descriptor at_work = hold_output(options.output, options.shard.whole() ? Hold::alone : Hold::as_part);
+    if (!options.keep_roster) prepare_class_file(arguments, options.output, {}, options.labs);
+    const ClassReport report = grade_class(options, pages_into(options.output));
     if (!options.shard.whole())
-        return print(report, class_standing(report.marks, {}, {}), arguments.output, options.shard);
-    return print(report, write_summaries(report, options.output), arguments.output, options.shard);
+        return print_report(report, class_standing(report.marks, {}, {}), arguments.output, options.shard);
+    return print_report(report, write_summaries(report, options.output), arguments.output, options.shard);
 }
 
 class GradeCommand final : public Command {
@@ -298,7 +341,9 @@ public:
             "without one");
         options.values("--lab", "LAB", grade_.labs,
                        "grade only this lab; may be repeated [the labs whose files a submission has]");
-        options.value("--jobs", "N", grade_.jobs, "submissions graded at a time [one per processor]");
+        options.value(
+            "--jobs", "N", grade_.jobs,
+            "submissions graded at a time [one per processor; in a job of Slurm, of those that it was given]");
         options.value("--seconds", "S", grade_.seconds,
                       "time limit for drawing a lab once, seconds [ten times the solution's, at least 20]");
         options.value("--seed", "WORD", grade_.seed,
@@ -306,6 +351,12 @@ public:
         options.value("--shard", "I/N", grade_.shard,
                       "grade the i-th of n parts [from SLURM_ARRAY_TASK_ID, TEST_SHARD_INDEX or GTEST_SHARD_INDEX]");
         options.value("--merge", "FOLDER", grade_.merge, "merge the parts in this folder; takes no submissions");
+        options.value(
+            "--slurm", "N", grade_.slurm,
+            "send the class to Slurm in n parts, and end: jobs grade it and write the report. --jobs asks for "
+            "processors per part; sbatch reads SBATCH_PARTITION, SBATCH_TIMELIMIT and so on");
+        options.value("--status", "FOLDER", grade_.status,
+                      "say how far the class in this folder is, part by part; takes no submissions");
         options.flag("--gradescope", grade_.gradescope,
                      "write an autograder for Gradescope to -o FOLDER; takes no submissions");
         options.flag("--resume", grade_.resume, "continue the last run into this folder where it stopped");
@@ -322,7 +373,7 @@ public:
                       "test a lab's checks with small changes of its solution; takes no submissions");
         options.value("--sample", "N", grade_.sample,
                       "with --self-test: only N mistakes and variants per lab; with --mutate: only N mutants");
-        options.flag("--json", grade_.json, "with --mutate: print JSON, for scripts");
+        options.flag("--json", grade_.json, "with --mutate or --status: print JSON, for scripts");
         options.flag("--fresh", grade_.fresh, "grade everything again, unchanged submissions too");
     }
     int run() override { return grade_submissions(grade_); }

@@ -17,6 +17,7 @@
 #include "framework/base/parallel.h"
 #include "framework/base/sha256.h"
 #include "framework/base/text.h"
+#include "framework/staff/grade/progress.h"
 
 namespace relief {
 namespace {
@@ -43,14 +44,11 @@ public:
     ClassReport run() {
         const auto begin = Clock::now();
         report_.isolation = isolation_for(options_.trust);
-        setup_ = options_.setup;
-        setup_.isolation = report_.isolation.level;
-        find_seed();
-        stage_.emplace(setup_.isolation);
-        course_ = sha256(stage_->hash() + setup_.seed + (setup_.renderer.pinned ? "" : " unpinned"));
-        for (const LabEntry& lab : registry()) manifests_.emplace(lab.folder, load_manifest(lab));
-        make_folder(options_.output / "results");
-        look_through();
+        open_course(report_.isolation.level);
+        if (options_.keep_roster)
+            look_through_roster();
+        else
+            look_through();
         prepare();
         report_.prepared = seconds_since(begin);
         grade_all();
@@ -59,10 +57,28 @@ public:
         return std::move(report_);
     }
 
+    /// No submission runs here, so this machine's isolation is no matter.
+    void enlist() {
+        open_course(Isolation::limits);
+        look_through();
+        for (const Entry& entry : entries_)
+            if (!entry.done) fs::remove(result_file(entry));
+    }
+
 private:
+    void open_course(Isolation isolation) {
+        setup_ = options_.setup;
+        setup_.isolation = isolation;
+        find_seed();
+        stage_.emplace(setup_.isolation);
+        course_ = sha256(stage_->hash() + setup_.seed + (setup_.renderer.pinned ? "" : " unpinned"));
+        for (const LabEntry& lab : registry()) manifests_.emplace(lab.folder, load_manifest(lab));
+        make_folder(options_.output / "results");
+    }
+
     void find_seed() {
         const std::optional<Roster> before = read_roster(options_.output);
-        if (setup_.seed.empty() && before) setup_.seed = before->seed;
+        if (before && (setup_.seed.empty() || options_.keep_roster)) setup_.seed = before->seed;
         if (setup_.seed.empty() && !options_.shard.whole())
             throw UsageError("all parts of a class need the same hidden views: give each part the same --seed WORD");
         if (setup_.seed.empty()) setup_.seed = new_seed();
@@ -104,12 +120,45 @@ private:
             entry.path = path;
             entry.name = submission.name;
             entry.hash = submission.hash;
-            for (const LabEntry* lab : candidates())
-                if (!options_.labs.empty() || has_file_of(submission, *lab)) entry.labs.push_back(lab);
+            entry.labs = labs_of(submission);
             entry.done = take_over(entry);
             report_.taken_over += entry.done;
         }
         write_roster(options_.output, roster);
+    }
+
+    /// A result that holds stands, whatever has become of its submission since the roster was written.
+    void look_through_roster() {
+        const Roster roster = read_roster(options_.output).value();
+        if (roster.course != course_)
+            throw Error({options_.output / "class.json"},
+                        "was written by another build of the course, or with other options: grade the class anew");
+        const std::set<std::string> files = wanted();
+        for (size_t i = size_t(options_.shard.index); i < roster.submissions.size();
+             i += size_t(options_.shard.count)) {
+            const Roster::One& one = roster.submissions[i];
+            Entry entry{.path = one.path, .name = one.name, .hash = one.hash, .labs = {}, .mark = {}};
+            if (auto mark = result_of(options_.output, one.name, course_)) {
+                entry.mark = std::move(*mark);
+                entry.done = true;
+                ++report_.taken_over;
+            } else {
+                const Submission submission = read_submission(one.path, files);
+                if (!submission.problem.empty() && submission.hash != one.hash) {  // it could be read
+                    report_.lost.push_back(one.name);
+                    continue;
+                }
+                entry.labs = labs_of(submission);
+            }
+            entries_.push_back(std::move(entry));
+        }
+    }
+
+    std::vector<const LabEntry*> labs_of(const Submission& submission) const {
+        std::vector<const LabEntry*> labs;
+        for (const LabEntry* lab : candidates())
+            if (!options_.labs.empty() || has_file_of(submission, *lab)) labs.push_back(lab);
+        return labs;
     }
 
     bool has_file_of(const Submission& submission, const LabEntry& lab) const {
@@ -118,27 +167,20 @@ private:
         return false;
     }
 
-    fs::path result_file(const Entry& entry) const {
-        return options_.output / "results" / (file_name_of(entry.name) + ".json");
-    }
+    fs::path result_file(const Entry& entry) const { return relief::result_file(options_.output, entry.name); }
 
-    /// Takes over the result of an earlier run if nothing has changed since.
+    /// Takes over the result of an earlier run if nothing has changed since. One without a sandbox counts only where
+    /// that is asked for.
     bool take_over(Entry& entry) const {
-        const fs::path file = result_file(entry);
-        if (options_.fresh || entry.hash.empty() || !fs::exists(file)) return false;
-        try {
-            SubmissionMark mark = from_json(read_file(file, size_t{1} << 26));
-            const bool same_labs =
-                std::equal(mark.labs.begin(), mark.labs.end(), entry.labs.begin(), entry.labs.end(),
-                           [](const LabMark& one, const LabEntry* lab) { return one.lab == lab->folder; });
-            if (mark.name != entry.name || mark.hash != entry.hash || mark.course != course_ || !mark.graded() ||
-                mark.isolation != name_of(report_.isolation.level) || !same_labs)
-                return false;
-            entry.mark = std::move(mark);
-            return true;
-        } catch (const Error&) {  // half a file, or one of another time: grade anew
+        if (options_.fresh || entry.hash.empty()) return false;
+        auto mark = result_of(options_.output, entry.name, course_);
+        const auto is_same = [](const LabMark& one, const LabEntry* lab) { return one.lab == lab->folder; };
+        if (!mark || mark->hash != entry.hash ||
+            (!options_.trust && mark->isolation != name_of(Isolation::namespaces)) ||
+            !std::equal(mark->labs.begin(), mark->labs.end(), entry.labs.begin(), entry.labs.end(), is_same))
             return false;
-        }
+        entry.mark = std::move(*mark);
+        return true;
     }
 
     void prepare() {
@@ -232,7 +274,12 @@ private:
 
 }  // namespace
 
-std::string new_seed() { return fmt::format("{:08x}", std::random_device()()); }
+std::string new_seed() {
+    std::random_device random;
+    std::string seed;
+    for (int i = 0; i < 4; ++i) seed += fmt::format("{:08x}", random());
+    return seed;
+}
 
 IsolationReport isolation_for(bool trust) {
     const IsolationReport isolation = probe_isolation();
@@ -244,13 +291,18 @@ IsolationReport isolation_for(bool trust) {
     return isolation;
 }
 
-Descriptor hold_output(const fs::path& folder, const Shard& shard) {
+Descriptor hold_output(const fs::path& folder, Hold hold) {
     Descriptor held(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     // A file system without locks reports another error: then there is no lock.
-    if (held >= 0 && flock(held, (shard.whole() ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    if (held >= 0 && flock(held, (hold == Hold::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         throw Error(fmt::format("another grader is at work in '{}': wait until it has ended, or name another folder",
                                 printable(folder.string())));
     return held;
+}
+
+void enlist_class(const ClassOptions& options) {
+    if (options.submissions.empty()) throw UsageError("grade needs submissions: folders or archives");
+    Grading(options, {}).enlist();
 }
 
 ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done) {

@@ -19,6 +19,8 @@ struct ClassOptions {
     int jobs = 1;                       ///< submissions at a time
     bool trust = false;                 ///< grade even if submissions cannot be isolated
     bool fresh = false;                 ///< grade everything again
+    /// class.json in `output` stands and is not written: its submissions that have no result yet are graded.
+    bool keep_roster = false;
     /// `isolation` is ignored: it is probed. An empty seed: the seed of an earlier run into `output`, else a random
     /// one.
     GradeSetup setup;
@@ -27,6 +29,8 @@ struct ClassOptions {
 
 struct ClassReport {
     std::vector<SubmissionMark> marks;  ///< in the order of the submissions
+    /// Submissions that class.json names and that cannot be read here. They have no mark.
+    std::vector<std::string> lost;
     IsolationReport isolation;
     std::string seed;
     size_t taken_over = 0;             ///< unchanged since an earlier run, so not graded again
@@ -34,12 +38,14 @@ struct ClassReport {
     MarkTimes times;                   ///< all jobs together
 };
 
+enum class Hold { alone, as_part };
+
 /// Locks a folder against other graders until the descriptor is closed or this process ends. Several parts of a class
 /// may be graded into one folder at a time; merge_class() finds parts of different classes. Throws Error if another
 /// grader has locked the folder. Leaves no file behind.
-Descriptor hold_output(const std::filesystem::path& folder, const Shard& shard);
+Descriptor hold_output(const std::filesystem::path& folder, Hold hold);
 
-/// A random seed.
+/// A random seed of 128 bits: results hold a hash of course and seed, and nobody may find the seed by trying.
 std::string new_seed();
 
 /// The isolation that this machine offers. Throws Error if there are no namespaces and `trust` is false.
@@ -49,9 +55,14 @@ IsolationReport isolation_for(bool trust);
 /// freed after the call.
 using SubmissionDone = std::function<void(const SubmissionMark&, const std::vector<CheckPictures>&)>;
 
+/// Reads all submissions and writes class.json into `output`, but grades none. Removes the results that do not hold:
+/// those that are left do. Throws UsageError as grade_class() does.
+void enlist_class(const ClassOptions& options);
+
 /// Writes class.json into `output`, and results/NAME.json of each submission after `done` has returned for it. Throws
 /// UsageError if there are no submissions, if two have one name, or for a shard without a seed. Throws Error if a lab's
-/// own solution does not pass on this machine. Passes on what `done` throws.
+/// own solution does not pass on this machine, or if class.json is to be kept and is not of this course. Passes on what
+/// `done` throws.
 ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done = {});
 
 }  // namespace relief

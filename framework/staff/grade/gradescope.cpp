@@ -5,6 +5,7 @@
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
+#include "framework/base/text.h"
 #include "framework/lab/registry.h"
 
 namespace relief {
@@ -16,16 +17,10 @@ namespace fs = std::filesystem;
 constexpr const char* course_parts[] = {"CMakeLists.txt", "LICENSE", "relief", "assets",
                                         "framework",      "labs",    "shaders"};
 
+/// For its owner alone, and to be executed: one of them has the seed.
 void write_script(const fs::path& file, const std::string& text) {
-    write_file(file, text);
-    fs::permissions(file, fs::perms(0755));
-}
-
-/// A word of a shell's command line.
-std::string quoted(const std::string& word) {
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
+    write_private_file(file, text);
+    fs::permissions(file, fs::perms::owner_all);
 }
 
 }  // namespace
@@ -48,7 +43,7 @@ void write_gradescope(const fs::path& folder, const std::vector<const LabEntry*>
     for (const LabEntry* lab : labs) lab_words += " --lab " + lab->two_digits();
     std::string text = read_file(templates / "run_autograder.in");
     for (const auto& [mark, words] :
-         {std::pair<std::string, std::string>{"@SEED@", quoted(seed)}, {"@LABS@", lab_words}})
+         {std::pair<std::string, std::string>{"@SEED@", quoted_for_shell(seed)}, {"@LABS@", lab_words}})
         text.replace(text.find(mark), mark.size(), words);
     write_script(folder / "setup.sh", read_file(templates / "setup.sh"));
     write_script(run, text);

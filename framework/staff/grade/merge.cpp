@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/text.h"
+#include "framework/staff/grade/progress.h"
 #include "framework/staff/grade/strangers_text.h"
 
 namespace relief {
@@ -40,16 +42,6 @@ void refuse_other_points(const SubmissionMark& mark, const std::map<std::string,
     }
 }
 
-/// "3 without a result: jane, joe, jim"
-std::string some_of(const std::string& what, const std::vector<std::string>& names) {
-    constexpr size_t shown = 5;
-    std::vector<std::string> first;
-    for (const std::string& name : names)
-        if (first.size() < shown) first.push_back(printable(name));
-    return fmt::format("{}: {}{}", what, join(first, ", "),
-                       names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "");
-}
-
 void refuse_another_class(const Roster& roster, const fs::path& part, const Roster& first, const fs::path& first_part) {
     const std::string first_file = (first_part / "class.json").string();
     if (roster.course != first.course || roster.seed != first.seed || roster.labs != first.labs)
@@ -71,9 +63,11 @@ void read_results(const fs::path& part, const std::map<std::string, Manifest>& m
 }
 
 /// Throws Error unless each submission has exactly one result, of its files and this course.
-void refuse_incomplete(const Roster& roster, Results results) {
+void refuse_incomplete(const Roster& roster, const Results& results) {
     std::vector<std::string> missing, twice, stale, strangers;
+    std::set<std::string> known;
     for (const Roster::One& one : roster.submissions) {
+        known.insert(one.name);
         const auto found = results.find(one.name);
         if (found == results.end()) {
             missing.push_back(one.name);
@@ -84,12 +78,12 @@ void refuse_incomplete(const Roster& roster, Results results) {
             twice.push_back(one.name);
         else if (mark.hash != one.hash || mark.course != roster.course)
             stale.push_back(one.name);
-        results.erase(found);
     }
-    for (const auto& [name, marks] : results) strangers.push_back(name);
+    for (const auto& [name, marks] : results)
+        if (!known.contains(name)) strangers.push_back(name);
     std::vector<std::string> problems;
     const auto add = [&](const std::vector<std::string>& names, const char* what) {
-        if (!names.empty()) problems.push_back(some_of(fmt::format("{} {}", names.size(), what), names));
+        if (!names.empty()) problems.push_back(fmt::format("{} {}: {}", names.size(), what, some_of(names)));
     };
     add(missing, "without a result");
     add(twice, "with several results");
@@ -128,11 +122,16 @@ ClassReport merge_class(const fs::path& folder) {
         read_results(part, manifests, results);
     }
     refuse_incomplete(roster, results);
+    std::vector<SubmissionMark> marks;
+    for (const Roster::One& one : roster.submissions) marks.push_back(std::move(results.at(one.name).front()));
+    return report_of(roster.seed, std::move(marks));
+}
+
+ClassReport report_of(const std::string& seed, std::vector<SubmissionMark> marks) {
     ClassReport report;
-    report.seed = roster.seed;
+    report.seed = seed;
     report.isolation.level = Isolation::namespaces;
-    for (const Roster::One& one : roster.submissions) {
-        SubmissionMark& mark = results.at(one.name).front();
+    for (SubmissionMark& mark : marks) {
         for (const LabMark& lab : mark.labs) report.times.add(lab.times);
         if (mark.isolation != name_of(report.isolation.level))
             report.isolation = {Isolation::limits, "in a part of it"};

@@ -15,4 +15,7 @@ std::vector<std::filesystem::path> class_parts(const std::filesystem::path& fold
 /// result, and all results are of the same files, course and seed.
 ClassReport merge_class(const std::filesystem::path& folder);
 
+/// A class from its results alone.
+ClassReport report_of(const std::string& seed, std::vector<SubmissionMark> marks);
+
 }  // namespace relief

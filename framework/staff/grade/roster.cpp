@@ -35,6 +35,20 @@ Shard checked(int index, int count, const std::string& from) {
     return {index, count, from};
 }
 
+/// The place of this task in --array=FIRST-LAST:STEP. Slurm does not tell a task what the others of a list are, as in
+/// --array=2,5, nor that a single one is a part of anything.
+Shard shard_of_array() {
+    const int task = number("SLURM_ARRAY_TASK_ID", 0), first = number("SLURM_ARRAY_TASK_MIN", 0),
+              step = std::max(1, number("SLURM_ARRAY_TASK_STEP", 1)), count = number("SLURM_ARRAY_TASK_COUNT", 1),
+              last = number("SLURM_ARRAY_TASK_MAX", first + (count - 1) * step);
+    if (count < 2 || (last - first) / step + 1 != count || task < first || (task - first) % step != 0)
+        throw UsageError(fmt::format(
+            "task {} of a Slurm array of {}, from {} to {}, does not say which part of the class it is: give "
+            "--shard \"$SLURM_ARRAY_TASK_ID/N\", of N parts in all",
+            task, count, first, last));
+    return checked((task - first) / step, count, "SLURM_ARRAY_TASK_ID");
+}
+
 }  // namespace
 
 std::string to_json(const Roster& roster) {
@@ -68,7 +82,7 @@ std::optional<Roster> read_roster(const fs::path& folder) {
 }
 
 void write_roster(const fs::path& folder, const Roster& roster) {
-    write_file_to_disk(folder / file_name, to_json(roster));
+    write_private_file(folder / file_name, to_json(roster));
 }
 
 Shard shard_of(const std::string& text) {
@@ -79,11 +93,7 @@ Shard shard_of(const std::string& text) {
         if (!index || !count) throw UsageError(fmt::format("--shard takes i/n, like 2/8, not '{}'", text));
         return checked(*index - 1, *count, "--shard");
     }
-    if (std::getenv("SLURM_ARRAY_TASK_ID")) {
-        const int first = number("SLURM_ARRAY_TASK_MIN", 0), step = std::max(1, number("SLURM_ARRAY_TASK_STEP", 1));
-        return checked((number("SLURM_ARRAY_TASK_ID", 0) - first) / step, number("SLURM_ARRAY_TASK_COUNT", 1),
-                       "SLURM_ARRAY_TASK_ID");
-    }
+    if (std::getenv("SLURM_ARRAY_TASK_ID")) return shard_of_array();
     for (const std::string prefix : {"TEST", "GTEST"})
         if (const std::string index = prefix + "_SHARD_INDEX"; std::getenv(index.c_str()))
             return checked(number(index.c_str(), 0), number((prefix + "_TOTAL_SHARDS").c_str(), 1), index);

@@ -24,6 +24,7 @@ struct Roster {
 std::string to_json(const Roster& roster);
 /// Reads class.json in `folder`; nothing if there is none. Throws Error if the file is not a roster.
 std::optional<Roster> read_roster(const std::filesystem::path& folder);
+/// For its owner alone to read: it has the seed.
 void write_roster(const std::filesystem::path& folder, const Roster& roster);
 
 /// One of `count` parts of a class: every count-th submission, from `index` on. `index` counts from 0.
@@ -34,8 +35,9 @@ struct Shard {
 };
 
 /// "2/8" is the second of eight parts. If `text` is empty, the environment decides: a task of a Slurm array
-/// (SLURM_ARRAY_TASK_ID with _MIN, _STEP and _COUNT), TEST_SHARD_INDEX with TEST_TOTAL_SHARDS, or GTEST_SHARD_INDEX
-/// with GTEST_TOTAL_SHARDS; without those it is the whole class. Throws UsageError for any other text or value.
+/// (SLURM_ARRAY_TASK_ID with _MIN, _MAX, _STEP and _COUNT; all of a row of numbers), TEST_SHARD_INDEX with
+/// TEST_TOTAL_SHARDS, or GTEST_SHARD_INDEX with GTEST_TOTAL_SHARDS; without those it is the whole class. Throws
+/// UsageError for any other text or value.
 Shard shard_of(const std::string& text);
 
 }  // namespace relief

@@ -257,13 +257,13 @@ StagedCourse Stage::course(const LabEntry& lab, const CourseFiles& files) const 
 
 namespace {
 
-/// Whether a compiler could not start its parts. What it says of a source begins with the place in it; but a source
-/// can call its place what it likes.
+/// Whether a compiler could not start its parts, or write its files. What it says of a source begins with the place in
+/// it; but a source can call its place what it likes.
 bool may_be_the_machines(const ProcessResult& done) {
     static const std::regex own(
         "(^|\n)[^ :\n]*(sh: [0-9]+: Cannot fork|(\\+\\+|cc|gcc|clang|collect2|ld|as)(-[0-9]+)?: "
         "(fatal error|error|fatal): [^\n]*(cannot execute|cannot fork|vfork|posix_spawn|"
-        "Resource temporarily unavailable|Cannot allocate memory))");
+        "Resource temporarily unavailable|Cannot allocate memory))|No space left on device");
     return done.ending == Ending::failed ||
            (done.ending == Ending::exited && done.code != 0 && std::regex_search(done.errors, own));
 }

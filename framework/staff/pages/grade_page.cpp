@@ -109,7 +109,6 @@ List number_cards(const ClassReport& report, const ClassCounts& counts) {
     add("unchanged, not graded again", std::to_string(report.taken_over));
     const std::vector<std::string> isolations(counts.isolations.begin(), counts.isolations.end());
     add("isolation", isolations.empty() ? "none needed" : join(isolations, ", "));
-    if (!report.seed.empty()) add("seed of hidden views", printable(report.seed));
     return cards;
 }
 

@@ -424,7 +424,10 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
 
     // The seed stays the folder's, and another one asks for other marks.
     const Result again = run(grade(words));
-    EXPECT_TRUE(contains(again.out, "0 graded, 3 unchanged") && contains(again.out, "seed midterm")) << again.out;
+    EXPECT_TRUE(contains(again.out, "0 graded, 3 unchanged")) << again.out;
+    EXPECT_EQ(json::parse(read_file(output / "class.json"))["seed"], "midterm");
+    for (const std::string& text : {graded.out, graded.err, again.out, read_file(output / "report.html")})
+        EXPECT_FALSE(contains(text, "midterm")) << "a log or a page that others can read names the seed";
     std::vector<std::string> other = words;
     other.insert(other.end(), {"--seed", "final"});
     EXPECT_TRUE(contains(run(grade(other)).out, "3 graded, 0 unchanged"));
@@ -743,9 +746,11 @@ TEST(Grade, WrongUseIsOneClearLine) {
                  {{a, "--merge", output}, "--merge takes no submissions: '"},
                  {{"--mutate", "2", a}, "--mutate takes no submissions: '"},
                  {{"--mutate", "99"}, "unknown lab"},
-                 {{a, "-o", output, "--json"}, "--json goes with --mutate"},
                  {{a, "-o", output, "--class", "nowhere.toml"}, "there is no class file 'nowhere.toml'"},
                  {{"--self-test", "--class", a}, "--class goes with submissions, --resume or --merge"},
+                 {{a, "-o", output, "--json"}, "--json goes with --mutate or --status"},
+                 {{"--status", output + "/nowhere"}, "there is no class.json"},
+                 {{"--status", output, a}, "--status takes no submissions: '"},
                  {{"--self-test", a}, "--self-test takes no submissions: '"},
                  {{"--gradescope", a, "-o", output}, "--gradescope takes no submissions: '"},
                  {{a, "-o", output, "--context", "window"}, "grade draws without a window"},

@@ -1,0 +1,198 @@
+#!/usr/bin/env bash
+# `relief grade --slurm` on a real Slurm: two nodes on this machine, each with its own processes and its own /tmp. A node
+# dies, a grader is killed, a /tmp is full; each time the class ends by itself, with every mark.
+#
+#   tests/slurm.sh
+#
+#   PROGRAM=build/bin/relief     the program
+#   KEEP=1                       the folder with Slurm's logs and the classes stays
+#
+# Needs root, for nodes that can be killed whole, and the Debian packages slurmctld, slurmd, slurm-client and munge. Uses
+# neither this machine's own Slurm nor its configuration. Takes three minutes: Slurm waits for two before it begins a job
+# of a dead node again.
+set -euo pipefail
+
+course=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
+program=$(readlink -f -- "${PROGRAM:-$course/build/bin/relief}")
+export PATH=$PATH:/usr/sbin:/sbin
+
+say() { printf 'slurm: %s\n' "$*" >&2; }
+
+missing=()
+[[ $(id -u) == 0 ]] || missing+=("root")
+for tool in slurmctld:slurmctld slurmd:slurmd sbatch:slurm-client munged:munge; do
+  command -v "${tool%:*}" >/dev/null || missing+=("the Debian package ${tool#*:}")
+done
+[[ $(id -u) != 0 ]] || unshare --pid --mount --fork --kill-child mount -t tmpfs tmpfs /mnt 2>/dev/null ||
+  missing+=("namespaces of processes and mounts")
+[[ -x $program ]] || missing+=("the program: ./relief build")
+if ((${#missing[@]})); then
+  printf -v list ', %s' "${missing[@]}"
+  say "cannot be run here, it needs: ${list:2}"
+  exit 77  # what is skipped, by the custom of automake
+fi
+
+# Not in /tmp, of which each node has its own.
+mkdir -p "$course/build"
+here=$(mktemp -d "$course/build/slurm-XXXXXX")
+chmod 755 "$here"
+mkdir "$here"/{state,g1,g2,run,log}
+export SLURM_CONF=$here/slurm.conf
+unset "${!SBATCH_@}"  # what this machine's users set for its own Slurm
+declare -A nodes=()
+
+stop_node() { # name
+  # The first process of its namespace takes all others with it, as a power cut does.
+  kill -KILL "${nodes[$1]}" 2>/dev/null || true
+  wait "${nodes[$1]}" 2>/dev/null || true
+  unset "nodes[$1]"
+}
+end() {
+  local name
+  for name in "${!nodes[@]}"; do stop_node "$name"; done
+  for name in slurmctld munged; do [[ ! -s $here/run/$name.pid ]] || kill "$(<"$here/run/$name.pid")" 2>/dev/null || true; done
+  if [[ -n ${KEEP:-} ]]; then say "kept: $here"; else rm -rf --one-file-system "$here"; fi
+}
+trap end EXIT
+trap 'exit 130' INT TERM
+fail() {
+  say "failed: $*"
+  for log in "$here"/*/slurm/*.log "$here"/log/*; do printf '== %s\n' "$log" && tail -5 "$log"; done >&2 || true
+  exit 1
+}
+
+port=$((20000 + RANDOM % 10000))
+cat >"$SLURM_CONF" <<END
+ClusterName=relief
+SlurmctldHost=$(hostname -s)(127.0.0.1)
+SlurmctldPort=$port
+SlurmUser=root
+SlurmdUser=root
+AuthType=auth/munge
+AuthInfo=socket=$here/run/munge.socket
+StateSaveLocation=$here/state
+SlurmdSpoolDir=$here/%n
+SlurmctldPidFile=$here/run/slurmctld.pid
+SlurmdPidFile=$here/run/slurmd-%n.pid
+SlurmctldLogFile=$here/log/slurmctld
+SlurmdLogFile=$here/log/%n
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+SchedulerParameters=batch_sched_delay=0,sched_min_interval=0,bf_interval=1
+SlurmdTimeout=6
+KillWait=2
+ReturnToService=2
+MpiDefault=none
+NodeName=g1 NodeHostname=$(hostname -s) NodeAddr=127.0.0.1 Port=$((port + 1)) CPUs=1 RealMemory=1000
+NodeName=g2 NodeHostname=$(hostname -s) NodeAddr=127.0.0.1 Port=$((port + 2)) CPUs=1 RealMemory=1000
+PartitionName=all Nodes=g1,g2 Default=YES State=UP
+END
+
+# Since 23.02 slurmd asks for control groups, which a container seldom has, even where nothing uses them.
+[[ $(slurmd -V) =~ \ ([0-9]+)\. ]] && ((BASH_REMATCH[1] < 23)) || echo CgroupPlugin=disabled >"$here/cgroup.conf"
+
+start_node() { # name, size of its /tmp
+  # Its numbers of processes begin at 1, so graders on two nodes often have the same.
+  # shellcheck disable=SC2016  # expanded in there
+  unshare --pid --mount --fork --kill-child --mount-proc bash -c \
+    'mount -t tmpfs -o mode=1777,size="$2" tmpfs /tmp && exec slurmd -D -N "$1"' node "$1" "$2" >"$here/log/$1.out" 2>&1 &
+  nodes[$1]=$!
+}
+state_of_node() { sinfo --noheader --Node --nodes "$1" --format %T; }
+
+wait_until() { # what, seconds, command...
+  local what=$1 end=$((SECONDS + $2))
+  shift 2
+  until "$@"; do
+    ((SECONDS < end)) || fail "waited in vain until $what"
+    sleep 0.2
+  done
+}
+is_idle() { [[ $(state_of_node "$1") == idle ]]; }
+has_results() { # folder, number
+  local found
+  found=$(find "$1/results" -name '*.json' | wc -l)
+  ((found >= $2))
+}
+has_ended() { [[ $(squeue --noheader --states=all --format=%T | grep -cvE 'COMPLETED|FAILED|CANCELLED|NODE_FAIL') == 0 ]]; }
+part_on() { squeue --noheader --array --states=RUNNING --nodelist "$1" --name=relief-part --format=%K; }
+part_runs_on() { [[ -n $(part_on "$1") ]]; }
+other_part_on() { part_runs_on "$1" && [[ $(part_on "$1") != "$2" ]]; } # node, part
+kill_grader_on() { # node
+  local space
+  space=$(readlink "/proc/${nodes[$1]}/ns/pid_for_children")
+  wait_until "a grader runs on $1" 20 grader_in "$space"
+  kill -KILL "$grader"
+}
+grader_in() { # namespace of processes
+  local process words
+  for process in /proc/[0-9]*; do
+    [[ $(readlink "$process/ns/pid") == "$1" ]] || continue
+    words=$(tr '\0' ' ' <"$process/cmdline" 2>/dev/null) || continue
+    [[ $words == *"grade --resume"*"--shard"* && $words != */bin/bash* ]] || continue
+    grader=${process#/proc/}
+    return 0
+  done 2>/dev/null
+  return 1
+}
+
+make_class() { # folder, number of submissions
+  local i file=shaders/02_normal_map_storage/task.glsl
+  for ((i = 1; i <= $2; ++i)); do
+    mkdir -p "$1/s$i/${file%/*}"
+    { cat "$course/$file"; echo "// $i"; } >"$1/s$i/$file"
+  done
+}
+check_marks() { # folder, number of submissions
+  local file
+  [[ -s $1/report.html ]] || fail "$1 has no report"
+  [[ $(grep -c ',graded,11,' "$1/results.csv") == "$2" ]] || fail "not every submission of $1 has its mark"
+  [[ $(wc -l <"$1/results.csv") == $(($2 + 1)) ]] || fail "$1 has a submission twice"
+  [[ $(stat -c %a "$1/class.json") == 600 ]] || fail "others can read class.json"
+  for file in $(grep -rlF -- "$RELIEF_SEED" "$1" "$here/state" "$here/g1" "$here/g2" "$here/log" || true); do
+    [[ ${file##*/} == class.json ]] || fail "the seed is in $file"
+  done
+}
+
+dd if=/dev/urandom of="$here/key" bs=1024 count=1 status=none
+chmod 400 "$here/key"
+munged --force --key-file="$here/key" --socket="$here/run/munge.socket" --log-file="$here/log/munged" \
+  --pid-file="$here/run/munged.pid" --seed-file="$here/run/munged.seed" 2>"$here/log/munged.out" ||
+  fail "munged does not start"
+slurmctld -c || fail "slurmctld does not start"
+start_node g1 1G
+start_node g2 1G
+wait_until "g1 is there" 60 is_idle g1
+wait_until "g2 is there" 60 is_idle g2
+export RELIEF_SEED=a-word-that-nobody-may-read
+
+say "a node dies, and a grader on the other one is killed"
+make_class "$here/first" 18
+"$program" grade "$here"/first/* -o "$here/marks" --slurm 6 >&2
+wait_until "there are results" 120 has_results "$here/marks" 2
+wait_until "a part runs on g1" 60 part_runs_on g1
+stop_node g1
+begun=$(part_on g2)
+wait_until "the next part runs on g2" 60 other_part_on g2 "$begun"
+kill_grader_on g2
+wait_until "the class has ended" 300 has_ended
+check_marks "$here/marks" 18
+grep -q 'sent again (1 of 3 times)' "$here/marks/slurm/last.log" || fail "the part whose grader was killed was not sent again"
+grep -qx g1 "$here"/marks/slurm/part-*.nodes || fail "no part was on the node that died"
+
+say "a node's /tmp is full"
+start_node g1 64k
+wait_until "g1 is back" 60 is_idle g1
+make_class "$here/second" 8
+"$program" grade "$here"/second/* -o "$here/more" --slurm 4 >&2
+wait_until "the class has ended" 300 has_ended
+check_marks "$here/more" 8
+grep -qx g1 "$here"/more/slurm/part-*.nodes || fail "no part was on the node with the full /tmp"
+grep -q 'sent again' "$here/more/slurm/last.log" || fail "the parts that had a full /tmp were not sent again"
+[[ $("$program" grade --status "$here/more") == *"8 of 8 submissions have a result"*"the report: $here/more/report.html" ]] ||
+  fail "--status does not say that all is done"
+
+say "passed: all marks are there, none twice"
