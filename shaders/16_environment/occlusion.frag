@@ -13,7 +13,7 @@ uniform int u_taps;           // on each side
 uniform float u_reach;        // metres
 uniform float u_most;         // texels: no tap is farther away
 
-layout(location = 0) out vec4 o_open;  // share, distance ahead; a missing task
+layout(location = 0) out vec4 o_open;  // share, below 0 where the task is missing; distance ahead
 
 const float pi = 3.14159265;
 
@@ -63,5 +63,5 @@ void main() {
         }
         open += weight * open_share(-horizons[0], horizons[1], g);
     }
-    o_open = vec4(clamp(open / float(u_slices), 0.0, 1.0), surface.w, is_unfinished ? 1.0 : 0.0, 0.0);
+    o_open.x = is_unfinished ? -1.0 : clamp(open / float(u_slices), 0.0, 1.0);
 }

@@ -17,5 +17,5 @@ void main() {
             sum += weight * there.x;
             weights += weight;
         }
-    o_open = vec4(weights > 0.0 ? sum / weights : here.x, here.yzw);
+    o_open = vec4(weights > 0.0 ? sum / weights : here.x, here.y, 0.0, 0.0);
 }
