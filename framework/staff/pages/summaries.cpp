@@ -57,9 +57,9 @@ void write_page(const fs::path& file, const std::string& text) {
 }
 
 ClassStanding write_summaries(const ClassReport& report, const fs::path& folder) {
+    for (const char* name : {"gradescope", "prairielearn", "surefire"}) make_folder(folder / name);
     ClassStanding standing = class_standing(report.marks, read_class_file(class_file_of(folder), folder),
                                             labs_of(folder), handed_in(folder));
-    for (const char* name : {"gradescope", "prairielearn", "surefire"}) make_folder(folder / name);
     parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
         const Standing& one = standing.students[i];
         const std::string name = file_name_of(one.name);
