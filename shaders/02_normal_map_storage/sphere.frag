@@ -74,11 +74,10 @@ vec4 texel_of(vec3 code, bool is_there) {
     return vec4(whole(code), float(is_there) + (is_unfinished ? 2.0 : 0.0));
 }
 
-vec3 code_here(out bool is_there) {
+vec4 texel_here() {
     vec4 texel = texelFetch(s_codes, ivec2(gl_FragCoord.xy), 0);
     if (texel.a >= 2.0) is_unfinished = true;
-    is_there = mod(texel.a, 2.0) == 1.0;
-    return texel.xyz;
+    return texel;
 }
 
 vec3 read_back(vec3 code) {
@@ -127,16 +126,14 @@ void main() {
 #ifdef STORE
     o_color = texel_of(stored(spread_direction()), true);
 #else
-    bool is_there;
-    o_color = vec4(angle_degrees(read_back(code_here(is_there)), spread_direction()), 0.0, 0.0, 1.0);
+    o_color = vec4(angle_degrees(read_back(texel_here().xyz), spread_direction()), 0.0, 0.0, 1.0);
 #endif
 }
 #elif defined PROBE_normal && !defined STORE
 void main() {
-    bool is_there;
-    vec3 code = code_here(is_there);
-    if (!is_there) discard;
-    o_color = vec4(read_back(code), 0.0);
+    vec4 texel = texel_here();
+    if (mod(texel.a, 2.0) == 0.0) discard;
+    o_color = vec4(read_back(texel.xyz), 0.0);
 }
 #else
 
@@ -160,8 +157,7 @@ void main() {
     float cover = clamp((1.0 - distance_) / max(fwidth(distance_), 1e-6) + 0.5, 0.0, 1.0);
     vec3 back = background(v_clip.y), color = back;
     if (cover > 0.0) {
-        bool is_there;
-        vec3 result = normalize(read_back(code_here(is_there)));
+        vec3 result = normalize(read_back(texel_here().xyz));
         if (missing) {
             bool odd = mod(floor((gl_FragCoord.x + gl_FragCoord.y) / 6.0), 2.0) == 1.0;
             color = odd ? vec3(0.20, 0.21, 0.23) : vec3(0.16, 0.17, 0.19);
