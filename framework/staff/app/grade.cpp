@@ -300,9 +300,10 @@ int grade_submissions(const GradeArguments& arguments) {
     if (!arguments.merge.empty()) {
         std::vector<Descriptor> at_work;
         if (fs::is_directory(arguments.merge)) at_work.push_back(hold_output(arguments.merge, Hold::alone));
-        for (const fs::path& part : class_parts(arguments.merge))
+        const std::vector<fs::path> parts = class_parts(arguments.merge);
+        for (const fs::path& part : parts)
             if (part != arguments.merge) at_work.push_back(hold_output(part, Hold::alone));
-        prepare_class_file(arguments, arguments.merge, class_parts(arguments.merge), {});
+        prepare_class_file(arguments, arguments.merge, parts, {});
         const ClassReport report = merge_class(arguments.merge);
         bring_pages_of_parts(report, arguments.merge);
         return print_report(report, write_summaries(report, arguments.merge), arguments.merge, {});

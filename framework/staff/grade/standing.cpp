@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "framework/base/text.h"
@@ -141,10 +142,10 @@ void note(std::vector<std::string>& notes, const std::vector<std::string>& names
                                 names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : ""));
 }
 
-template <class Part>
-double sum_of(const std::vector<LabStanding>& labs, Part part) {
+template <class One, class Part>
+double sum_of(const std::vector<One>& all, Part part) {
     double sum = 0;
-    for (const LabStanding& lab : labs) sum += part(lab);
+    for (const One& one : all) sum += double(std::invoke(part, one));
     return sum;
 }
 
@@ -153,32 +154,26 @@ std::string lab_number(const std::string& folder) { return folder.substr(0, fold
 }  // namespace
 
 int LabStanding::of() const {
-    int sum = 0;
-    for (const TaskStanding& task : tasks) sum += task.of;
-    return sum;
+    return int(sum_of(tasks, &TaskStanding::of));
 }
 double LabStanding::graded() const {
-    double sum = 0;
-    for (const TaskStanding& task : tasks) sum += task.graded;
-    return sum;
+    return sum_of(tasks, &TaskStanding::graded);
 }
 double LabStanding::adjusted() const {
-    double sum = 0;
-    for (const TaskStanding& task : tasks) sum += task.adjusted;
-    return sum;
+    return sum_of(tasks, &TaskStanding::adjusted);
 }
 
 int Standing::of() const {
-    return int(sum_of(labs, [](const LabStanding& lab) { return lab.of(); }));
+    return int(sum_of(labs, &LabStanding::of));
 }
 double Standing::graded() const {
-    return sum_of(labs, [](const LabStanding& lab) { return lab.graded(); });
+    return sum_of(labs, &LabStanding::graded);
 }
 double Standing::adjusted() const {
-    return sum_of(labs, [](const LabStanding& lab) { return lab.adjusted(); });
+    return sum_of(labs, &LabStanding::adjusted);
 }
 double Standing::points() const {
-    return sum_of(labs, [](const LabStanding& lab) { return lab.points(); });
+    return sum_of(labs, &LabStanding::points);
 }
 bool Standing::is_marked() const {
     return !is_waiting && (!mark || mark->graded()) &&

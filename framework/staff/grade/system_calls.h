@@ -9,7 +9,7 @@ namespace relief {
 /// what no student's program needs and what escapes other limits: memory that counts as nobody's (memfd_create, System
 /// V), other processes (ptrace and the like), sockets, new namespaces, mounts, keys, io_uring, bpf, clocks, modules.
 /// A refused call fails with EPERM, or with ENOSYS where libraries then take another way. Without `makes_processes` it
-/// can start threads, and no other process. Empty where libseccomp does not know the machine.
+/// can start threads, and no other process. Throws Error where libseccomp does not know the machine.
 std::string call_filter(bool makes_processes);
 
 }  // namespace relief
