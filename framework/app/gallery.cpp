@@ -13,8 +13,8 @@
 #include "framework/base/text.h"
 #include "framework/image/file.h"
 #include "framework/pages/comparison.h"
+#include "framework/pages/handout_page.h"
 #include "framework/pages/lab_page.h"
-#include "framework/pages/markdown_page.h"
 #include "framework/pages/page.h"
 
 namespace relief {
@@ -149,45 +149,13 @@ private:
     }
 
     std::string add_handout(const LabEntry& entry, const Manifest& manifest) const {
-        const fs::path home = fs::path("labs") / entry.folder;
-        if (!fs::exists(course_root() / home / "README.md")) return {};
-        // The course's file that a handout means, as a path inside the course.
-        const auto inside = [&](const std::string& target) {
-            return (home / target.substr(0, target.find('#'))).lexically_normal();
+        if (!fs::exists(course_root() / "labs" / entry.folder / "README.md")) return {};
+        const auto put = [&](const std::string& name, const std::string& bytes) {
+            write_beside_page(folder_ / name, bytes);
         };
-        const PagePlaces places{
-            .link = [&](const std::string& target) -> std::optional<std::string> {
-                if (target.starts_with("https://") || target.starts_with("http://") || target.starts_with("#"))
-                    return target;
-                const size_t hash = target.find('#');
-                for (const LabEntry* other : labs_)
-                    if (inside(target) == fs::path("labs") / other->folder / "README.md")
-                        return handout_file(*other) + (hash == std::string::npos ? "" : target.substr(hash));
-                return {};
-            },
-            .picture = [&](const std::string& target) -> std::optional<PagePicture> {
-                const fs::path file = inside(target);
-                if (file.is_absolute() || file.begin()->string() == "..") return {};
-                const Image image = read_image(course_root() / file);
-                return PagePicture{put(entry.folder + "/handout-" + file.filename().string(), image), image.width,
-                                   image.height};
-            }};
-        List text =
-            markdown_blocks(parse_markdown(read_file(course_root() / home / "README.md", size_t{1} << 24)), places);
-        const std::string page = render({.title = "Handout " + entry.two_digits() + ": " + manifest.title,
-                                         .body = "handout",
-                                         .styles = {"site", "markdown"},
-                                         .scripts = {},
-                                         .pictures = PagePictures::beside},
-                                        {{"lab", lab_page_file(entry)},
-                                         {"number", entry.two_digits()},
-                                         {"title", manifest.title},
-                                         {"blocks", std::move(text)}});
-        write_beside_page(folder_ / handout_file(entry), page);
+        put(handout_file(entry), handout_page(entry, manifest, labs_, put));
         return handout_file(entry);
     }
-
-    static std::string handout_file(const LabEntry& lab) { return lab.folder + "-handout.html"; }
 
     void link_neighbours() {
         for (auto page = pages_.begin(); page != pages_.end(); ++page) {

@@ -43,6 +43,7 @@ public:
                 break;
             case MD_BLOCK_CODE:
                 begin({.kind = BlockKind::code, .level = depth()});
+                blocks_.back().language = text_of(static_cast<const MD_BLOCK_CODE_DETAIL*>(detail)->lang);
                 open_ = nullptr, code_ = true;
                 break;
             case MD_BLOCK_HR:

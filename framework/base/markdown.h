@@ -25,6 +25,7 @@ struct Block {
     std::string marker = {};                    ///< of an item: "*", or its number as written, "2."
     Spans spans = {};                           ///< of a paragraph, a heading, an item, a quote
     std::string text = {};                      ///< of code: its lines
+    std::string language = {};                  ///< of code: the first word after its fence
     std::vector<std::vector<Spans>> rows = {};  ///< of a table, the heading first; all have as many cells
     bool operator==(const Block&) const = default;
 };

@@ -75,6 +75,15 @@ std::string camera_text(const Orbit& camera) {
     return text;
 }
 
+std::string shot_text(const Shot& shot, const Orbit& usual) {
+    std::string text;
+    for (const auto& [knob, value] : shot.set) text += fmt::format("--set {}={} ", knob, value);
+    if (shot.probe) text += fmt::format("--probe {} ", shot.probe.name);
+    if (shot.camera != usual) text += fmt::format("--camera {} ", camera_text(shot.camera));
+    if (shot.time != 0) text += fmt::format("--time {} ", plain(shot.time));
+    return text + fmt::format("--size {}x{}", shot.size.x, shot.size.y);
+}
+
 Frame frame_of(const Shot& shot, const Target& target) {
     return {target.framebuffer(), target.size(), shot.time, Camera(shot.camera, aspect(target.size())), shot.probe};
 }

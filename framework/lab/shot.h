@@ -21,6 +21,10 @@ struct Shot {
 /// The camera as `--camera` takes it, with as many digits as a picture shows.
 std::string camera_text(const Orbit& camera);
 
+/// The shot as options of `relief shot`: "--set view=one --camera 30,20,3 --size 640x360". `usual`: the camera that needs
+/// no option.
+std::string shot_text(const Shot& shot, const Orbit& usual);
+
 /// The frame of a shot in a target of its size.
 Frame frame_of(const Shot& shot, const Target& target);
 

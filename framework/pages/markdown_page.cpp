@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/base/text.h"
+#include "framework/pages/formula.h"
 
 namespace relief {
 namespace {
@@ -25,13 +26,16 @@ public:
         fields["closed"] = close_lists(block.kind == BlockKind::heading ? 0 : size_t(block.level));
         switch (block.kind) {
             case BlockKind::heading:
-                fields["heading"] = block.level, fields["id"] = id_of(block);
+                fields["heading"] = block.level, fields["id"] = id_of(block), fields["title"] = plain_text(block.spans);
                 break;
             case BlockKind::quote:
                 fields["quote"] = true;
                 break;
             case BlockKind::code:
-                fields["code"] = block.text;
+                if (block.language == "formula")
+                    fields["formulas"] = rows(formulas(block.text));
+                else
+                    fields["code"] = block.text;
                 break;
             case BlockKind::table:
                 fields["table"] = table(block);
@@ -40,7 +44,8 @@ public:
                 fields["rule"] = true;
                 break;
             default:
-                fields["paragraph"] = true;
+                fields["figure"] = figure(block);
+                if (fields["figure"].kind == Value::Kind::nothing) fields["paragraph"] = true;
         }
         return fields;
     }
@@ -55,8 +60,8 @@ public:
 private:
     /// Each name of block.mustache for which a block may have no value.
     static Fields nothing() {
-        return {{"closed", ""}, {"heading", ""}, {"paragraph", ""}, {"item", ""},
-                {"quote", ""},  {"code", ""},    {"table", ""},     {"rule", ""}};
+        return {{"closed", ""}, {"heading", ""}, {"paragraph", ""}, {"figure", ""}, {"item", ""},
+                {"quote", ""},  {"code", ""},    {"formulas", ""},  {"table", ""},  {"rule", ""}};
     }
 
     List close_lists(size_t depth) {
@@ -79,6 +84,42 @@ private:
             lists_.push_back(list);
         }
         fields["opened"] = std::move(opened);
+    }
+
+    static std::string plain_text(const Spans& spans) {
+        std::string text;
+        for (const Span& span : spans) text += span.text;
+        return text;
+    }
+
+    /// A paragraph that is one picture.
+    Value figure(const Block& block) const {
+        if (block.spans.size() != 1 || !block.spans.front().image) return {};
+        const Span& span = block.spans.front();
+        const auto picture = places_.picture(span.target);
+        if (!picture) return {};
+        return Fields{{"file", picture->file},     {"width", picture->width},
+                      {"height", picture->height}, {"kind", picture->is_drawing ? "drawing" : "picture"},
+                      {"text", span.text},         {"command", picture->command}};
+    }
+
+    /// Lines of a label, formulas and notes. Words before a line's first formula are its label.
+    static List formulas(const std::string& text) {
+        List lines;
+        for (const std::vector<FormulaCell>& line : formula_lines(text)) {
+            Fields fields{{"label", ""}};
+            List cells;
+            for (const FormulaCell& cell : line) {
+                if (cell.is_words && &cell == &line.front())
+                    fields["label"] = cell.text;
+                else
+                    cells.push_back(
+                        Fields{{"words", cell.is_words ? cell.text : ""}, {"math", cell.is_words ? "" : cell.text}});
+            }
+            fields["cells"] = std::move(cells);
+            lines.push_back(std::move(fields));
+        }
+        return lines;
     }
 
     Fields table(const Block& block) const {
@@ -117,13 +158,12 @@ private:
     /// "What you see, and what to look at" is what-you-see-and-what-to-look-at; a second one has a number.
     std::string id_of(const Block& heading) {
         std::string id;
-        for (const Span& span : heading.spans)
-            for (const char c : span.text) {
-                if (std::isalnum(static_cast<unsigned char>(c)))
-                    id += char(std::tolower(static_cast<unsigned char>(c)));
-                else if (!id.empty() && id.back() != '-')
-                    id += '-';
-            }
+        for (const char c : plain_text(heading.spans)) {
+            if (std::isalnum(static_cast<unsigned char>(c)))
+                id += char(std::tolower(static_cast<unsigned char>(c)));
+            else if (!id.empty() && id.back() != '-')
+                id += '-';
+        }
         while (!id.empty() && id.back() == '-') id.pop_back();
         if (id.empty()) id = "part";
         const int count = ++ids_[id];

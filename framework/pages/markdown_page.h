@@ -13,8 +13,10 @@ namespace relief {
 
 /// A picture that a page may name, in pixels.
 struct PagePicture {
-    std::string file;
+    std::string file = {};
     int width = 0, height = 0;
+    bool is_drawing = false;   ///< dark lines, for a white ground
+    std::string command = {};  ///< what draws it, or empty
 };
 
 /// Where in the page's world the targets of links and pictures are; for whatever is not there the words stay.
@@ -23,7 +25,8 @@ struct PagePlaces {
     std::function<std::optional<PagePicture>(const std::string& target)> picture;
 };
 
-/// For {{#name}}{{> block}}{{/name}}: headings have ids, wide tables and code scroll in themselves.
+/// For {{#name}}{{> block}}{{/name}}: headings have ids; a picture that is a whole paragraph is a figure with its text as
+/// caption; wide tables and code scroll in themselves. Throws Error for a formula that cannot be read.
 List markdown_blocks(std::span<const Block> blocks, const PagePlaces& places);
 
 }  // namespace relief

@@ -65,6 +65,7 @@ std::vector<std::string> tags_of(const std::string& text) {
 
 /// What is not escaped, because the course's own code and files say it.
 const std::set<std::pair<std::string, std::string>> not_escaped = {
+    {"framework/pages/block", "math"},  // formula.cpp's
     {"framework/pages/page", "page.style"},
     {"framework/pages/page", "page.script"},
     {"framework/staff/pages/bench", "section"},  // topic.mustache, perhaps of an earlier run
@@ -110,11 +111,10 @@ TEST(Templates, WhateverIsSaidInThemIsText) {
         for (const std::set<std::string>& none : {std::set<std::string>{}, optional}) {
             Fields values = for_all(hostile, none);
             for (const auto& [file, ours] : not_escaped) {
-                if (file != name) continue;
-                if (ours.starts_with("page."))
+                if (!ours.starts_with("page."))
+                    values[ours] = "ours";  // also where another template includes that file
+                else if (file == name)
                     values["page"].fields[ours.substr(5)] = "ours";
-                else
-                    values[ours] = "ours";
             }
             const std::string page = render(name, values);
             EXPECT_EQ(page.find(hostile), std::string::npos) << name << "\n" << page;

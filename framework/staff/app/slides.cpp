@@ -30,6 +30,8 @@ struct SlidesArguments {
 using Words = std::vector<std::string>;
 
 fs::path source_folder() { return course_root() / "slides"; }
+/// Handouts use them, too.
+fs::path drawings_folder() { return course_root() / "assets" / "diagrams"; }
 
 /// Names of the requested decks, or of all, without .md.
 Words decks_asked_for(const Words& asked) {
@@ -144,8 +146,8 @@ fs::path folder_for(const SlidesArguments& arguments) {
     make_folder(folder);
     if (fs::equivalent(folder, source_folder()))
         throw UsageError("that folder holds the sources of the decks: name another folder");
-    if (fs::exists(source_folder() / "diagrams"))
-        fs::copy(source_folder() / "diagrams", folder / "diagrams",
+    if (fs::exists(drawings_folder()))
+        fs::copy(drawings_folder(), folder / "diagrams",
                  fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     return folder;
 }
