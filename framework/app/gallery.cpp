@@ -31,12 +31,23 @@ Fields card(const LabPage& page) {
         {"number", page.lab->two_digits()},
         {"title", manifest.title},
         {"file", file},
-        {"picture", page.picture},
+        {"picture", page.card},
         {"learns", List(manifest.learns.begin(), manifest.learns.end())},
         {"tasks",
          tasks == 0 ? "" : fmt::format("{} {}, {} points", tasks, tasks == 1 ? "task" : "tasks", manifest.points())},
         {"links", link_row({{"Lab", file}, {"Handout", page.handout}, {"Slides", page.slides}})}};
 }
+
+/// What the course page says of the labs from a number on.
+struct Group {
+    int first;
+    const char *name, *title, *about;
+};
+constexpr Group groups[] = {
+    {1, "light", "Light: normals", "What a normal map stores, where it comes from, and in which frame it is right."},
+    {10, "eye", "Eye: rays in a relief", "What a view ray meets in a height map: guessed, searched, and exact."},
+    {13, "shape", "Shape: triangles, and all of it together",
+     "Displaced triangles, moving surfaces, whole scenes, and the cheapest method for each place."}};
 
 /// A knob's value as a part of a file's name.
 std::string as_file_name(const std::string& value) {
@@ -100,6 +111,7 @@ public:
             }
         }
         link_neighbours();
+        draw_hero();
         for (const LabPage& page : pages_) write_file(folder_ / lab_page_file(*page.lab), lab_page(page));
         slides_.copy(), bench_.copy();
         write_file(folder_ / "index.html", index(std::move(cards)));
@@ -120,12 +132,39 @@ private:
         Shot shot;
         shot.camera = manifest.camera, shot.size = {800, 450};
         page.picture = put(entry.folder + ".png", render_shot(*make_lab(entry, shot), shot));
-        if (const auto comparison = compare_methods(entry, manifest)) add(*comparison, page);
+        const auto comparison = compare_methods(entry, manifest);
+        page.card = put(entry.folder + "-card.png", card_picture(entry, manifest, comparison ? &*comparison : nullptr));
+        if (comparison) add(*comparison, page);
         page.handout = add_handout(entry, manifest);
         page.slides = slides_.place(entry.folder + ".html"),
         page.slides_to_print = slides_.place(entry.folder + ".pdf");
         page.bench = bench_.place("index.html");
         pages_.push_back(std::move(page));
+    }
+
+    /// One scene by the last of the compared methods: many labs open with all methods at once.
+    static Image card_picture(const LabEntry& entry, const Manifest& manifest, const Comparison* comparison) {
+        Shot shot;
+        shot.camera = manifest.camera;
+        if (manifest.compare) shot = manifest.compare->shot;
+        shot.probe = {};
+        if (comparison) shot.set.emplace_back(comparison->knob, comparison->methods.back().name);
+        shot.size = {640, 360};
+        return render_shot(*make_lab(entry, shot), shot);
+    }
+
+    /// The picture of the first page: the course's richest scene, or else the last lab's.
+    void draw_hero() {
+        constexpr int richest = 16;
+        if (pages_.empty()) return;
+        auto page = std::find_if(pages_.begin(), pages_.end(), [](const LabPage& one) { return one.lab->number == richest; });
+        if (page == pages_.end()) page = std::prev(pages_.end());
+        Shot shot;
+        shot.camera = page->manifest->camera, shot.size = {1280, 480};
+        hero_ = Fields{{"file", lab_page_file(*page->lab)},
+                       {"picture", put("hero.png", render_shot(*make_lab(*page->lab, shot), shot))},
+                       {"number", page->lab->two_digits()},
+                       {"title", page->manifest->title}};
     }
 
     void add(const Comparison& comparison, LabPage& page) const {
@@ -173,12 +212,29 @@ private:
                        .styles = {"site", "index"},
                        .scripts = {},
                        .pictures = PagePictures::beside},
-                      {{"labs", labs_.size()},
+                      {{"hero", hero_},
+                       {"labs", labs_.size()},
                        {"tasks", tasks},
                        {"points", points},
                        {"links", link_row({{"Run time against error", bench_.place("index.html")}})},
-                       {"cards", std::move(cards)},
+                       {"groups", in_groups(std::move(cards))},
                        {"driver", describe_context().driver()}});
+    }
+
+    /// `cards` are in the order of the labs.
+    List in_groups(List cards) const {
+        List all;
+        for (const Group& group : groups) {
+            const Group* const next = &group + 1 == std::end(groups) ? nullptr : &group + 1;
+            List own;
+            for (size_t i = 0; i < cards.size(); ++i)
+                if (labs_[i]->number >= group.first && (!next || labs_[i]->number < next->first))
+                    own.push_back(std::move(cards[i]));
+            if (!own.empty())
+                all.push_back(Fields{
+                    {"name", group.name}, {"title", group.title}, {"about", group.about}, {"cards", std::move(own)}});
+        }
+        return all;
     }
 
     void say_what_is_missing() const {
@@ -196,6 +252,7 @@ private:
     fs::path folder_;
     std::vector<const LabEntry*> labs_;
     Others slides_, bench_;
+    Value hero_;
     std::list<Manifest> manifests_;  ///< pages point at them, and at each other
     std::list<LabPage> pages_;
 };

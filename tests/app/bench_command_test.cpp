@@ -4,7 +4,8 @@
 #include <thread>
 
 #include "framework/base/file.h"
-#include "framework/staff/measure/plot.h"
+#include "framework/image/file.h"
+#include "framework/pages/page.h"
 #include "framework/staff/pages/bench_page.h"
 #include "tests/app/course_copy.h"
 #include "tests/browser.h"
@@ -183,7 +184,7 @@ TEST_F(BenchCommand, ThePageKeepsTheTopicsOfEarlierRunsAndRenewsThoseOfThisOne) 
 struct Page {
     TemporaryFolder folder;
     std::filesystem::path file = folder.path() / "index.html";
-    const BenchTopic topic{"parallax", "searches & more", {}};
+    const BenchTopic topic{"parallax", "searches & more", "question?", {}};
 
     Page() {
         TopicResult result;
@@ -202,8 +203,11 @@ struct Page {
             row.picture = row.error_map = {}, row.repeats = row.is_measured() ? 10 : 0;
             result.rows.push_back(row);
         }
-        result.plot = bench_plot(topic, result.rows, result.machine).value();
-        write_file(file, bench_page(std::vector{std::move(result)}));
+        EXPECT_TRUE(draw_plots(result));
+        const auto put = [&](const std::string& name, const Image& picture) {
+            write_beside_page(file.parent_path() / name, encode_image(picture, ImageFormat::png));
+        };
+        write_file(file, bench_page(std::vector{std::move(result)}, put));
     }
 };
 
@@ -217,7 +221,7 @@ const char* const is_shown = "!document.getElementById('look').hidden";
 TEST(BenchPage, ShowsThePicturesBehindAPointAndBehindItsLine) {
     const Page page;
     browser().open(page.file);
-    EXPECT_EQ(browser().eval("document.querySelectorAll('figure .point').length"), 5) << "what has crashed has none";
+    EXPECT_EQ(browser().eval("document.querySelectorAll('figure.small .point').length"), 5) << "what has crashed has none";
     EXPECT_EQ(browser().eval(is_shown), false);
     browser().eval("document.querySelector('.point[data-row=\"1\"]').dispatchEvent(new MouseEvent('mouseenter')), 0");
     EXPECT_EQ(browser().eval(is_shown), true);
@@ -225,6 +229,7 @@ TEST(BenchPage, ShowsThePicturesBehindAPointAndBehindItsLine) {
     EXPECT_TRUE(contains(words(), "good"));
     EXPECT_EQ(browser().eval("document.querySelectorAll('tr.chosen').length"), 1);
     // By keyboard, from the table.
+    browser().eval("document.querySelector('details').open = true");
     ASSERT_TRUE(browser().tab_to("tr[data-row=\"3\"]"));
     browser().press("Enter");
     EXPECT_TRUE(contains(words(), "<exact>"));

@@ -138,7 +138,9 @@ TEST_F(Site, TheFirstPageHasEveryLabInOrderWithItsPointsAndOnlyTheSlidesThatTher
         titles.push_back(lab.substr(0, 2) + " " + manifest(lab).title), points += manifest(lab).points();
         for (const std::string& line : manifest(lab).learns) learns.push_back(line);
     }
-    EXPECT_EQ(Names(browser().eval("[...document.querySelectorAll('h2')].map(one => one.textContent)")), titles);
+    EXPECT_EQ(Names(browser().eval("[...document.querySelectorAll('h3')].map(one => one.textContent)")), titles);
+    EXPECT_EQ(browser().eval("document.querySelectorAll('section > h2').length"), 3);
+    EXPECT_EQ(browser().eval("document.querySelectorAll('.hero img').length"), 1);
     EXPECT_EQ(
         Names(browser().eval("[...document.querySelectorAll('article li:not(.links *)')].map(one => one.textContent)")),
         learns);

@@ -10,8 +10,9 @@
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
+#include "framework/image/file.h"
+#include "framework/pages/page.h"
 #include "framework/staff/measure/baseline.h"
-#include "framework/staff/measure/plot.h"
 #include "framework/staff/measure/run.h"
 #include "framework/staff/pages/bench_page.h"
 
@@ -208,16 +209,17 @@ int run_bench(const BenchArguments& arguments) {
         table.write(result.rows, true);
         failed += size_t(std::count_if(result.rows.begin(), result.rows.end(),
                                        [](const BenchRow& row) { return !row.is_measured(); }));
-        const auto plot = bench_plot(topic, result.rows, result.machine);
-        is_plotted = is_plotted && plot;
-        result.plot = plot.value_or("");
+        is_plotted = draw_plots(result) && is_plotted;
         if (!result.plot.empty()) write_file(folder / (topic.name + ".svg"), result.plot);
         fmt::print("{}{}\n\n", bench_table(topic, result.rows), file.string());
         std::fflush(stdout);
     }
     if (!is_plotted) print_note("no plots: gnuplot is missing (Debian package gnuplot-nox)");
     const fs::path page = folder / "index.html";
-    write_file(page, bench_page(results, fs::exists(page) ? read_file(page) : ""));
+    const auto put = [&](const std::string& name, const Image& picture) {
+        write_beside_page(folder / name, encode_image(picture, ImageFormat::png));
+    };
+    write_file(page, bench_page(results, put, fs::exists(page) ? read_file(page) : ""));
     fmt::print("{}\n", page.string());
     if (failed == 0) return 0;
     print_error(fmt::format("{} methods have no result: their rows give the reason", failed));

@@ -17,6 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The longer side of a picture, in pixels: two of them fill a line of the page.
+constexpr int large = 480;
+
 class MistakesPage {
 public:
     explicit MistakesPage(fs::path folder) : folder_(std::move(folder)) {}
@@ -25,16 +28,22 @@ public:
     void add(const LabEntry& lab, MistakePictures& pictures, Progress& progress) {
         const Manifest& manifest = pictures.manifest();
         List tasks;
+        size_t total = 0;
         for (const TaskInfo& task : manifest.tasks) {
             List mistakes;
             for (const MistakeInfo& mistake : manifest.mistakes) {
                 if (mistake.task != task.id) continue;
                 progress.next(lab.two_digits() + " " + mistake.id);
                 mistakes.push_back(shown(lab, pictures, mistake));
+                mistakes.back().fields["place"] = lab.two_digits() + "-" + mistake.id;
+                total += 1;
             }
             tasks.push_back(Fields{{"id", task.id}, {"title", task.title}, {"mistakes", std::move(mistakes)}});
         }
-        labs_.push_back(Fields{{"number", lab.two_digits()}, {"title", manifest.title}, {"tasks", std::move(tasks)}});
+        labs_.push_back(Fields{{"number", lab.two_digits()},
+                               {"title", manifest.title},
+                               {"total", total},
+                               {"tasks", std::move(tasks)}});
     }
 
     std::string finish() const {
@@ -56,7 +65,13 @@ private:
             fields["check"] = picture.check->name;
             fields["badge"] = badge(picture.said.outcome);
             fields["found"] = picture.said.found;
-            fields["figures"] = figures(lab, pictures.manifest(), mistake, picture);
+            List shown = figures(lab, pictures.manifest(), mistake, picture);
+            List difference;
+            if (!shown.empty() && shown.back().fields.at("kind").text == "difference") {
+                difference.push_back(std::move(shown.back()));
+                shown.pop_back();
+            }
+            fields["figures"] = std::move(shown), fields["difference"] = std::move(difference);
         } catch (const CannotWrite&) {
             throw;
         } catch (const Error& error) {
@@ -134,7 +149,7 @@ int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice)
     {
         Progress progress(count);
         for (const LabEntry* entry : labs) {
-            MistakePictures pictures(*entry, {.context = choice, .threads = 0, .pinned = is_pinned()});
+            MistakePictures pictures(*entry, {.context = choice, .threads = 0, .pinned = is_pinned()}, large);
             page.add(*entry, pictures, progress);
         }
     }

@@ -90,7 +90,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic baking_topic() {
-    return {"baking", "bakes of lab 07's shell and frames of it: time against degrees", scenes, true};
+    return {"baking", "bakes of lab 07's shell and frames of it: time against degrees",
+            "How fine must a baked map be, and how long does it take?", scenes, true};
 }
 
 }  // namespace relief

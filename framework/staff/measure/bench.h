@@ -71,6 +71,7 @@ struct BenchSettings {
 
 struct BenchTopic {
     std::string name, help;
+    std::string question;  ///< that its measurements answer, for its page
     std::function<std::vector<BenchScene>(const BenchSettings&)> scenes;
     bool draws = false;      ///< its methods need a context, from `prepare` to their destructors
     bool only_time = false;  ///< has no work and no errors

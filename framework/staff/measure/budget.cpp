@@ -100,7 +100,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic budget_topic() {
     return {"budget", "lab 17's wall within a budget of pixels, 512 x 512 pixels; taps are heights read per pixel",
-            scenes, true};
+            "Which method keeps a budget of pixels in the least time?", scenes, true};
 }
 
 }  // namespace relief

@@ -312,7 +312,7 @@ BenchTopic displacement_topic() {
     return {"displacement",
             "levels of tessellation, 512 x 512 pixels; a tenth of a ground culled; spacings, wrong: apart from the "
             "true outline",
-            scenes, true};
+            "How fine must triangles be to show a relief?", scenes, true};
 }
 
 }  // namespace relief

@@ -87,7 +87,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic environment_topic() {
-    return {"environment", "terms of the light in lab 16, and what hides them: time against error", scenes, true};
+    return {"environment", "terms of the light in lab 16, and what hides them: time against error",
+            "What do light and shadow of a bumped surface cost, and how right are they?", scenes, true};
 }
 
 }  // namespace relief

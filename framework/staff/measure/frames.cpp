@@ -46,7 +46,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic frames_topic() {
-    return {"frames", "a frame of each lab at 512 x 512, and the error of its probe", scenes, true};
+    return {"frames", "a frame of each lab at 512 x 512, and the error of its probe",
+            "How long does a frame of each lab take?", scenes, true};
 }
 
 }  // namespace relief

@@ -70,6 +70,11 @@ std::string gnuplot_panels(const std::string& title, std::span<const std::string
     return script + "unset multiplot\n";
 }
 
+std::string gnuplot_panel(const std::string& panel, const PanelStyle& style) {
+    return fmt::format("set terminal svg size {},{} dynamic font 'DejaVu Sans,{}' background '#ffffff'\n{}",
+                       style.size.x, style.size.y, style.axes, panel);
+}
+
 std::optional<std::string> run_gnuplot(const std::string& script, const std::string& name) {
     const char* const path = std::getenv("PATH");
     const ProcessResult done =

@@ -24,6 +24,16 @@ struct GnuplotPanel {
 /// A script of panels under a title, each panel the commands of one plot.
 std::string gnuplot_panels(const std::string& title, std::span<const std::string> panels, const GnuplotPanel& panel);
 
+/// How large a panel is, and the letters of its title, its axes and its names.
+struct PanelStyle {
+    glm::ivec2 size{440, 340};
+    int title = 12, axes = 11, names = 9;
+    bool all_names = false;  ///< also of the pale points
+};
+
+/// A script of one panel.
+std::string gnuplot_panel(const std::string& panel, const PanelStyle& style);
+
 /// Runs a script. Labels with a hypertext "#17 its name" become elements `class="point" data-row="17"` with the name as
 /// their title; names of elements begin with `name`, so that a page can hold several plots. Nothing if gnuplot is not
 /// installed; throws Error if it fails.

@@ -161,7 +161,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic materials_topic() {
-    return {"materials", "programs, orders, masks and filters of lab 08, and a model of a million faces", scenes, true};
+    return {"materials", "programs, orders, masks and filters of lab 08, and a model of a million faces",
+            "What do programs, orders and filters of materials cost?", scenes, true};
 }
 
 }  // namespace relief

@@ -92,7 +92,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic moving_frames_topic() {
     return {"moving-frames", "normals of lab 18's skin, in degrees against time; its flock by bodies and triangles",
-            scenes, true};
+            "Which normals does a bent skin need?", scenes, true};
 }
 
 }  // namespace relief

@@ -162,7 +162,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic normals_topic() {
-    return {"normals", "height map to normal map; errors on waves of 16 texels with slopes up to 1", scenes};
+    return {"normals", "height map to normal map; errors on waves of 16 texels with slopes up to 1",
+            "Which filter turns heights into the best normals for its time?", scenes};
 }
 
 }  // namespace relief

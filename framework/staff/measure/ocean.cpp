@@ -92,7 +92,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic ocean_topic() {
-    return {"ocean", "normals of two maps, and the light of a far sea, in lab 15: time against error", scenes, true};
+    return {"ocean", "normals of two maps, and the light of a far sea, in lab 15: time against error",
+            "How right can a far sea glitter, and at what price?", scenes, true};
 }
 
 }  // namespace relief

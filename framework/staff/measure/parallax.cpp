@@ -95,7 +95,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic parallax_topic() {
     return {"parallax",
-            "searches of a relief, 512 x 512 pixels; taps are heights read, visits cells or blocks looked at", scenes,
+            "searches of a relief, 512 x 512 pixels; taps are heights read, visits cells or blocks looked at",
+            "Which search finds the relief soonest, and how far off is it?", scenes,
             true};
 }
 

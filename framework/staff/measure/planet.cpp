@@ -90,7 +90,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic planet_topic() {
-    return {"planet", "maps of lab 09's planet by formula and size, in degrees against time; frames by levels", scenes,
+    return {"planet", "maps of lab 09's planet by formula and size, in degrees against time; frames by levels",
+            "Which normals does a planet need?", scenes,
             true};
 }
 

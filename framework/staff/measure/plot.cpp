@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "framework/base/error.h"
 #include "framework/base/text.h"
@@ -16,9 +17,8 @@
 namespace relief {
 namespace {
 
-constexpr const char *front_color = "#a34a16", *pale_color = "#c2bbae", *peer_color = "#23629b",
+constexpr const char *quiet_color = "#857f73", *front_color = "#a34a16", *pale_color = "#c2bbae", *peer_color = "#23629b",
                      *text_color = gnuplot_text_color;
-constexpr glm::ivec2 panel_size(440, 340);
 
 bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
 
@@ -32,8 +32,8 @@ std::string short_name(const BenchRow& row) {
 /// The scene's panel, in milliseconds or nanoseconds.
 class Panel {
 public:
-    Panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, size_t number)
-        : rows_(rows), number_(number) {
+    Panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, size_t number, const PanelStyle& style)
+        : rows_(rows), number_(number), style_(style) {
         for (const size_t place : scene)
             if (is_timed(rows[place])) timed_.push_back(place);
         double longest = 0;
@@ -51,10 +51,10 @@ public:
         const std::string title = first.scene.empty() ? first.topic : knob_text(first.scene);
         std::string text = fmt::format(
             "unset arrow\nunset label\nunset logscale\nunset grid\nunset ylabel\nset autoscale\nset format\n"
-            "set xtics autofreq\nset ytics autofreq font ',11'\nset title {} noenhanced font ',12'\nset border 3 lc "
+            "set xtics autofreq font ',{0}'\nset ytics autofreq font ',{0}'\nset title {1} noenhanced font ',{2}'\nset border 3 lc "
             "rgb '#8a857b'\n"
-            "set tics nomirror textcolor rgb '{}'\nset key off\n",
-            gnuplot_text(title), text_color);
+            "set tics nomirror textcolor rgb '{3}'\nset key off\n",
+            style_.axes, gnuplot_text(title), style_.title, text_color);
         text += fmt::format("set xlabel '{} per {}' noenhanced\n", unit_, first.item);
         return text + (has_errors(rows_, timed_) ? points() : bars());
     }
@@ -117,39 +117,60 @@ private:
             if (rows_[place].error.unit.empty())
                 text += fmt::format(
                     "set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' dt 3\n"
-                    "set label {2} at {0},graph 0.97 rotate by 90 right font ',9' textcolor rgb '{1}' "
+                    "set label {2} at {0},graph 0.97 rotate by 90 right font ',{3}' textcolor rgb '{1}' "
                     "noenhanced offset -0.5,0\n",
-                    time(place), peer_color, gnuplot_text(short_name(rows_[place])));
+                    time(place), peer_color, gnuplot_text(short_name(rows_[place])), style_.names);
         return text;
+    }
+
+    /// Where it lies in the panel, from 0 to 1.
+    static glm::dvec2 place_of(double time, double error, const Span& all) {
+        return {std::log(time / all.left) / std::log(2.4 * all.right / all.left),
+                std::log(error / all.floor) / std::log(all.ceiling / all.floor)};
+    }
+
+    /// A name that would lie on another one is left out: the point still has its own. The front's come first.
+    std::set<size_t> named_points(const Span& all) const {
+        // A name is some 14 letters wide.
+        const glm::dvec2 room(11.7 * style_.names / style_.size.x, 2.1 * style_.names / style_.size.y);
+        std::vector<glm::dvec2> taken;
+        std::set<size_t> named;
+        const auto name = [&](size_t place) {
+            const double y = std::max(rows_[place].error.mean, all.floor);
+            const glm::dvec2 here = place_of(time(place), y, all);
+            for (const glm::dvec2& other : taken)
+                if (std::abs(here.x - other.x) < room.x && std::abs(here.y - other.y) < room.y) return;
+            taken.push_back(here);
+            named.insert(place);
+        };
+        for (const auto wanted : {0, 1, 2})
+            for (const size_t place : timed_) {
+                if (rows_[place].error.unit.empty()) continue;
+                const int kind = is_front(place) ? 0 : rows_[place].peer ? 1 : 2;
+                if (kind == wanted && (kind < 2 || style_.all_names)) name(place);
+            }
+        return named;
     }
 
     /// Lines of data by the names of their blocks: pale, front, peers, sweeps, steps. None is empty.
     using Blocks = std::map<std::string, std::string>;
     Blocks blocks(const Span& all) const {
-        // A name that would lie on another one is left out: the point still has its own.
-        std::vector<glm::dvec2> named;
-        const auto has_room = [&](double x, double y) {
-            const glm::dvec2 here(std::log(x / all.left) / std::log(2.4 * all.right / all.left),
-                                  std::log(y / all.floor) / std::log(all.ceiling / all.floor));
-            for (const glm::dvec2& other : named)
-                if (std::abs(here.x - other.x) < 0.24 && std::abs(here.y - other.y) < 0.055) return false;
-            named.push_back(here);
-            return true;
-        };
+        const std::set<size_t> named = named_points(all);
         Blocks blocks;
         std::map<std::string, std::string> by_method;
         for (const size_t place : timed_) {
             const BenchRow& row = rows_[place];
             if (row.error.unit.empty()) continue;
             const double y = std::max(row.error.mean, all.floor);
+            const bool is_named = named.contains(place), is_far = place_of(time(place), y, all).x > 0.7;
             by_method[row.method] += fmt::format("{} {}\n", time(place), y);
-            const bool is_named = (row.peer || is_front(place)) && has_room(time(place), y);
             blocks[row.peer          ? "peers"
                    : is_front(place) ? "front"
                                      : "pale"] +=
-                fmt::format("{} {} {} {} {} {}\n", time(place), y, row.times.p10 * scale_, row.times.p90 * scale_,
+                fmt::format("{} {} {} {} {} {} {}\n", time(place), y, row.times.p10 * scale_, row.times.p90 * scale_,
                             gnuplot_text(fmt::format("#{} {}", place, row_name(row))),
-                            gnuplot_text(is_named ? short_name(row) : ""));
+                            gnuplot_text(is_named && !is_far ? short_name(row) : ""),
+                            gnuplot_text(is_named && is_far ? short_name(row) : ""));
         }
         for (const auto& [method, points] : by_method) blocks["sweeps"] += points + "\n";
         std::vector<size_t> line = front_;
@@ -170,15 +191,16 @@ private:
             add(name, fmt::format("using 1:2:5 with labels hypertext point pt 7 ps {} lc rgb '{}'", size, color));
         };
         const auto names = [&](const char* name, const char* color) {
-            add(name,
-                fmt::format("using 1:2:6 with labels left offset 0.7,0.45 font ',9' textcolor rgb '{}' noenhanced",
-                            color));
+            const std::string look = fmt::format("font ',{}' textcolor rgb '{}' noenhanced", style_.names, color);
+            add(name, "using 1:2:6 with labels left offset 0.7,0.45 " + look);
+            add(name, "using 1:2:7 with labels right offset -0.7,0.45 " + look);  // near the right border
         };
         add("sweeps", "using 1:2 with lines lw 0.7 lc rgb '#ddd7cb'");
         add("steps", fmt::format("using 1:2 with steps lw 2 lc rgb '{}'", front_color));
         dots("pale", pale_color, 0.45);
         dots("front", front_color, 0.6);
         dots("peers", peer_color, 0.6);
+        if (style_.all_names) names("pale", quiet_color);
         names("front", front_color);
         names("peers", peer_color);
         return "plot " + join(plots, ", \\\n  ") + "\n";
@@ -209,24 +231,27 @@ private:
             "  $bars{0} using 2:1:3:4 with xerrorbars pt 0 lw 1 lc rgb '{3}', \\\n"
             "  $bars{0} using 2:1:5 with labels hypertext point pt 7 ps 0.4 lc rgb '{3}', \\\n"
             "  $bars{0} using (0):1:7 with labels left offset 0.6,0 font ',{4}' textcolor rgb '{3}' noenhanced\n",
-            number_, data, double(timed_.size()) + 0.7, text_color, timed_.size() > 14 ? 7 : 9);
+            number_, data, double(timed_.size()) + 0.7, text_color,
+            timed_.size() > 14 ? style_.names - 2 : style_.names);
     }
 
     std::span<const BenchRow> rows_;
     size_t number_;
+    PanelStyle style_;
     std::vector<size_t> timed_, front_;
     double scale_ = 1;
     const char* unit_ = "ns";
 };
 
 std::string script_of(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
+    constexpr PanelStyle style;
     std::vector<std::string> panels;
     for (const std::vector<size_t>& scene : scenes_of(rows))
-        if (std::string panel = Panel(rows, scene, panels.size()).script(); !panel.empty())
+        if (std::string panel = Panel(rows, scene, panels.size(), style).script(); !panel.empty())
             panels.push_back(std::move(panel));
     if (panels.empty()) return {};
     const std::string by = machine.renderer == "none" ? machine.cpu : machine.renderer + ", " + machine.cpu;
-    return gnuplot_panels(fmt::format("{}: {} clock, {}", topic.name, machine.clock, by), panels, {panel_size});
+    return gnuplot_panels(fmt::format("{}: {} clock, {}", topic.name, machine.clock, by), panels, {style.size});
 }
 
 }  // namespace
@@ -271,6 +296,13 @@ std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const B
                                       const BenchMachine& machine) {
     const std::string script = topic.sweeps ? sweep_script(topic, rows, machine) : script_of(topic, rows, machine);
     return script.empty() ? "" : run_gnuplot(script, topic.name);
+}
+
+std::optional<std::string> scene_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
+                                      const std::vector<size_t>& scene, const PanelStyle& style,
+                                      const std::string& name) {
+    const std::string panel = topic.sweeps ? sweep_panel(rows, scene, style) : Panel(rows, scene, 0, style).script();
+    return panel.empty() ? "" : run_gnuplot(gnuplot_panel(panel, style), name);
 }
 
 }  // namespace relief

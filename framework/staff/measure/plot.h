@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/staff/measure/gnuplot.h"
 #include "framework/staff/measure/rows.h"
 
 namespace relief {
@@ -25,5 +26,10 @@ std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<s
 /// of one run: what `machine` says stands over them. Nothing when gnuplot is not installed; throws Error when it fails.
 std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const BenchMachine& machine);
+
+/// One scene of them, large, with as many names as there is room for. `name` begins its elements' names.
+std::optional<std::string> scene_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
+                                      const std::vector<size_t>& scene, const PanelStyle& style,
+                                      const std::string& name);
 
 }  // namespace relief

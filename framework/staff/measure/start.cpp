@@ -131,7 +131,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic start_topic() {
     return {"start", "one picture at 512 x 512 from the start of the process, compared with one hand-written quad",
-            scenes, false, true};
+            "How long does the first picture take?", scenes, false, true};
 }
 
 }  // namespace relief

@@ -92,7 +92,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic storage_topic() {
-    return {"storage", "normal-map formats on the CPU, in double precision, over the upper hemisphere", scenes};
+    return {"storage", "normal-map formats on the CPU, in double precision, over the upper hemisphere",
+            "What does a normal-map format cost in degrees, and what in time?", scenes};
 }
 
 }  // namespace relief

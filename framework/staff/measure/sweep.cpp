@@ -45,8 +45,8 @@ constexpr std::array peer_points = {6, 4, 8, 10};
 /// One scene's curves.
 class Panel {
 public:
-    Panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, size_t number)
-        : rows_(rows), number_(number) {
+    Panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, size_t number, const PanelStyle& style)
+        : rows_(rows), number_(number), style_(style) {
         for (const size_t place : scene)
             if (rows[place].sweep && !rows[place].sweep->places.empty()) places_.push_back(place);
         double low = 1e300, high = 0;
@@ -68,13 +68,13 @@ public:
         const BenchRow& first = rows_[places_.front()];
         std::string text = fmt::format(
             "unset arrow\nunset label\nset grid xtics ytics lc rgb '#ece8e0'\nset format x '%g'\nset format y '%g'\n"
-            "set logscale xy\nset xtics autofreq rotate by -30 font ',9'\nset ytics autofreq font ',10'\n"
-            "set title {} noenhanced font ',12'\nset border 3 lc rgb '#8a857b'\nset tics nomirror textcolor rgb '{}'\n"
+            "set logscale xy\nset xtics autofreq rotate by -30 font ',{}'\nset ytics autofreq font ',{}'\n"
+            "set title {} noenhanced font ',{}'\nset border 3 lc rgb '#8a857b'\nset tics nomirror textcolor rgb '{}'\n"
             "set xlabel {} noenhanced offset 0,-0.4\nset ylabel {} noenhanced\n"
-            "set key at graph 0.5,-0.38 center top horizontal maxcols 3 samplen 1.5 spacing 0.85 font ',8' "
+            "set key at graph 0.5,-0.38 center top horizontal maxcols 3 samplen 1.5 spacing 0.85 font ',{}' "
             "noenhanced\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
-            gnuplot_text(title(first)), gnuplot_text_color, gnuplot_text(first.item),
-            gnuplot_text("error, " + plural(first.error.unit)), left_ / 1.3, right_ * 1.3, floor_, ceiling_);
+            style_.names, style_.axes, gnuplot_text(title(first)), style_.title, gnuplot_text_color,
+            gnuplot_text(first.item), gnuplot_text("error, " + plural(first.error.unit)), style_.names - 1, left_ / 1.3, right_ * 1.3, floor_, ceiling_);
         if (any_zero_) text += fmt::format("set ytics add ('0' {})\n", floor_);
         if (any_lost_) text += fmt::format("set ytics add ('none' {})\n", ceiling_);
         text += stated();
@@ -140,6 +140,7 @@ private:
 
     std::span<const BenchRow> rows_;
     size_t number_;
+    PanelStyle style_;
     std::vector<size_t> places_;
     double left_ = 1e300, right_ = 0, floor_ = 1, ceiling_ = 1;
     bool any_zero_ = false, any_lost_ = false;
@@ -184,10 +185,14 @@ std::string verdict_of(const BenchSweep& sweep, const std::string& unit) {
     return join(parts, ", ") + (sweep.why.empty() ? "." : ". " + sweep.why);
 }
 
+std::string sweep_panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PanelStyle& style) {
+    return Panel(rows, scene, 0, style).script();
+}
+
 std::string sweep_script(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
     std::vector<std::string> panels;
     for (const std::vector<size_t>& scene : scenes_of(rows))
-        if (std::string panel = Panel(rows, scene, panels.size()).script(); !panel.empty())
+        if (std::string panel = Panel(rows, scene, panels.size(), {.axes = 10}).script(); !panel.empty())
             panels.push_back(std::move(panel));
     if (panels.empty()) return {};
     return gnuplot_panels(topic.name + ", " + (machine.renderer == "none" ? machine.cpu : machine.renderer), panels,

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "framework/staff/measure/gnuplot.h"
 #include "framework/staff/measure/rows.h"
 
 namespace relief {
@@ -22,8 +23,9 @@ BenchSubject swept(BenchSweep sweep, const std::string& unit);
 /// on", then the sweep's own sentence. `unit`: of the error.
 std::string verdict_of(const BenchSweep& sweep, const std::string& unit);
 
-/// A script for gnuplot, a panel for each scene: error over hardness on log axes, methods from elsewhere blue. What is
+/// A script for gnuplot, one panel or a panel for each scene: error over hardness on log axes, methods from elsewhere blue. What is
 /// not finite or does not end lies on a line above all others, 0 on one below. Empty if no row has a sweep.
+std::string sweep_panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PanelStyle& style);
 std::string sweep_script(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine);
 
 }  // namespace relief

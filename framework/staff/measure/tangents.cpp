@@ -90,7 +90,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic tangents_topic() {
-    return {"tangents", "tangents of a million triangles; errors on a jittered torus of 4096", scenes};
+    return {"tangents", "tangents of a million triangles; errors on a jittered torus of 4096",
+            "Which tangents are right, and how long do they take?", scenes};
 }
 
 }  // namespace relief

@@ -7,9 +7,11 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "framework/base/text.h"
 #include "framework/pages/page.h"
+#include "framework/staff/measure/answer.h"
 #include "framework/staff/measure/plot.h"
 #include "framework/staff/measure/sweep.h"
 
@@ -56,9 +58,17 @@ std::string take_same(std::span<const BenchRow> rows, const std::vector<size_t>&
     return same;
 }
 
+using PutPicture = std::function<void(const std::string& name, const Image& picture)>;
+
+/// SVG as it may stand in a page: without the first line that a file has.
+std::string drawing(const std::string& svg) {
+    const size_t begin = svg.find("<svg");
+    return begin == std::string::npos ? "" : svg.substr(begin);
+}
+
 class TopicPart {
 public:
-    explicit TopicPart(const TopicResult& result) : result_(result) {
+    TopicPart(const TopicResult& result, const PutPicture& put) : result_(result), put_(put) {
         double longest = 0;
         for (const BenchRow& row : result.rows) longest = std::max(longest, row.times.median);
         if (longest >= 1e6) scale_ = 1e-6, unit_ = "ms";
@@ -67,18 +77,24 @@ public:
     Fields fields() const {
         const BenchTopic& topic = *result_.topic;
         const BenchMachine& machine = result_.machine;
-        // An SVG of its own has a first line that a page does not want.
-        const size_t svg = result_.plot.find("<svg");
         List scenes;
         for (const std::vector<size_t>& scene : scenes_of(result_.rows)) scenes.push_back(table(scene));
+        const std::vector<size_t> chief = chief_scene(result_.rows);
+        const size_t count = scenes.size();
         return {{"name", topic.name},
                 {"help", topic.help},
+                {"question", topic.question},
+                {"answer", answer_of(result_.rows, chief)},
+                {"chief_scene", chief.empty() ? "" : knob_text(result_.rows[chief.front()].scene)},
+                {"chief", drawing(result_.chief)},
+                {"chief_narrow", drawing(result_.chief_narrow)},
+                {"all", count == 1 ? "All figures" : fmt::format("All {} scenes", count)},
                 {"renderer", machine.renderer},
                 {"cpu", machine.cpu},
                 {"clock", topic.sweeps ? "" : machine.clock},
                 {"compiler", machine.compiler},
                 {"commit", machine.commit},
-                {"plot", svg == std::string::npos ? "" : result_.plot.substr(svg)},
+                {"plot", count > 1 || result_.chief.empty() ? drawing(result_.plot) : ""},
                 {"scenes", std::move(scenes)}};
     }
 
@@ -181,7 +197,7 @@ private:
                 {"knobs", knob_text(row.knobs)},
                 {"problem", row.is_measured() ? "" : row.state},
                 {"cells", std::move(cells)},
-                {"pictures", pictures(row)}};
+                {"pictures", pictures(row, place)}};
     }
 
     /// What stands over the pictures of a point.
@@ -193,16 +209,22 @@ private:
         return text;
     }
 
-    static List pictures(const BenchRow& row) {
+    List pictures(const BenchRow& row, size_t place) const {
         List pictures;
         const std::string error = "error: black 0, pale " + amount_of(row.error_map_max, row.error.unit) + " and more";
-        const std::pair<const Image*, std::string> all[] = {{&row.picture, "picture"}, {&row.error_map, error}};
-        for (const auto& [image, name] : all)
-            if (image->width > 0) pictures.push_back(Fields{{"alt", name}, {"src", picture_uri(*image)}});
+        const std::tuple<const Image*, const char*, std::string> all[] = {{&row.picture, "", "picture"},
+                                                                          {&row.error_map, "-error", error}};
+        for (const auto& [image, kind, name] : all) {
+            if (image->width == 0) continue;
+            const std::string file = fmt::format("{}/{}{}.png", row.topic, place, kind);
+            put_(file, *image);
+            pictures.push_back(Fields{{"alt", name}, {"src", file}});
+        }
         return pictures;
     }
 
     const TopicResult& result_;
+    const PutPicture& put_;
     double scale_ = 1;
     const char* unit_ = "ns";
 };
@@ -227,21 +249,36 @@ std::vector<Section> sections_of(const std::string& page) {
 
 }  // namespace
 
-std::string bench_page(std::span<const TopicResult> results, const std::string& before) {
+bool draw_plots(TopicResult& result) {
+    const auto all = bench_plot(*result.topic, result.rows, result.machine);
+    if (!all) return false;
+    result.plot = *all;
+    const std::vector<size_t> chief = chief_scene(result.rows);
+    if (result.plot.empty() || chief.empty()) return true;
+    const auto draw = [&](const PanelStyle& style, const char* name) {
+        return scene_plot(*result.topic, result.rows, chief, style, result.topic->name + name).value_or("");
+    };
+    result.chief = draw({.size = {1100, 600}, .title = 17, .axes = 15, .names = 14, .all_names = true}, "-chief");
+    result.chief_narrow = draw({.size = {420, 480}, .title = 14, .axes = 13, .names = 12}, "-narrow");
+    return true;
+}
+
+std::string bench_page(std::span<const TopicResult> results, const PutPicture& put, const std::string& before) {
     std::vector<Section> sections = sections_of(before);
     for (const TopicResult& result : results) {
         const std::string& name = result.topic->name;
         const auto found =
             std::find_if(sections.begin(), sections.end(), [&](const Section& one) { return one.name == name; });
         Section& section = found == sections.end() ? sections.emplace_back() : *found;
-        section = {name, render("framework/staff/pages/topic", TopicPart(result).fields())};
+        section = {name, render("framework/staff/pages/topic", TopicPart(result, put).fields())};
     }
     List topics;
     for (const Section& section : sections) topics.push_back(Fields{{"name", section.name}, {"section", section.text}});
     return render({.title = "Relief: run time against error",
                    .body = "framework/staff/pages/bench",
                    .styles = {"framework/staff/pages/bench"},
-                   .scripts = {"framework/staff/pages/bench"}},
+                   .scripts = {"framework/staff/pages/bench"},
+                   .pictures = PagePictures::beside},
                   {{"topics", std::move(topics)}});
 }
 

@@ -147,7 +147,7 @@ TEST(BenchTable, ShowsEveryMethodWithItsFigures) {
     std::vector<BenchRow> rows = {measured("one"), measured("two")};
     rows[0].knobs = {{"threads", "2"}}, rows[0].error = {0.125, 2, 3, "degree"};
     rows[1].state = "failed: no such map";
-    const std::string table = bench_table({"topic", "what it is about", {}}, rows);
+    const std::string table = bench_table({"topic", "what it is about", "question?", {}}, rows);
     for (const char* part :
          {"what it is about", "one", "threads=2", "ns/texel", "4.5", "mean degree", "0.125", "failed: no such map"})
         EXPECT_TRUE(contains(table, part)) << part;

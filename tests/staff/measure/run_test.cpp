@@ -24,7 +24,7 @@ BenchMethod good(const std::string& name, double error = 1) {
 
 /// Seen by the parent alone: what a method does to memory stays in its own process.
 std::vector<BenchRow> run(const std::vector<BenchMethod>& methods, int repeats = 2) {
-    const BenchTopic topic{"topic", "help", {}};
+    const BenchTopic topic{"topic", "help", "question?", {}};
     BenchMachine machine;
     return run_scene(topic, {{{"map", "bricks"}}, "frame", methods}, {.settings = {.repeats = repeats}}, machine);
 }
@@ -78,7 +78,7 @@ TEST(RunScene, WhatIsNotANumberIsARowThatSaysSo) {
 }
 
 TEST(RunScene, ReportsAfterEveryStepSoThatNothingKnownIsLost) {
-    const BenchTopic topic{"topic", "help", {}};
+    const BenchTopic topic{"topic", "help", "question?", {}};
     const BenchScene scene{{}, "frame", {good("one"), good("two")}};
     const BenchSettings settings{.repeats = 2};
     BenchMachine machine;
@@ -184,7 +184,7 @@ TEST(ParetoFront, HoldsWhatNoOtherIsBetterThan) {
 }
 
 TEST(BenchPlot, HasEachPointWithItsName) {
-    const BenchTopic topic{"parallax", "help", {}};
+    const BenchTopic topic{"parallax", "help", "question?", {}};
     const auto plot = bench_plot(topic, timed_rows(), {.cpu = "A <CPU>", .renderer = "llvmpipe"});
     ASSERT_TRUE(plot) << "gnuplot (Debian package gnuplot-nox) is missing";
     EXPECT_TRUE(contains(*plot, "<svg"));
@@ -198,17 +198,17 @@ TEST(BenchPlot, HasEachPointWithItsName) {
 TEST(BenchPlot, OfTimesAloneAreBars) {
     auto rows = timed_rows();
     for (BenchRow& row : rows) row.error = {};
-    const auto plot = bench_plot({"grade", "help", {}}, rows, {});
+    const auto plot = bench_plot({"grade", "help", "question?", {}}, rows, {});
     ASSERT_TRUE(plot);
     EXPECT_TRUE(contains(*plot, "data-row=\"2\""));
     EXPECT_FALSE(contains(*plot, "mean error"));
     for (BenchRow& row : rows) row.repeats = 0;
-    EXPECT_EQ(bench_plot({"grade", "help", {}}, rows, {}), "") << "nothing was timed";
+    EXPECT_EQ(bench_plot({"grade", "help", "question?", {}}, rows, {}), "") << "nothing was timed";
 }
 
 BenchTopic sweep() {
     return {
-        "parallax", "help", [](const BenchSettings&) {
+        "parallax", "help", "question?", [](const BenchSettings&) {
             std::vector<BenchScene> scenes;
             for (const char* map : {"bricks", "posts"})
                 scenes.push_back(

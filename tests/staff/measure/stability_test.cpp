@@ -60,7 +60,7 @@ BenchScene two_methods() {
 }
 
 TEST(SweepScene, IsMeasuredInAProcessWithoutTimesAndWrittenWithItsPlaces) {
-    const BenchTopic topic{"topic", "help", {}, false, false, true};
+    const BenchTopic topic{"topic", "help", "question?", {}, false, false, true};
     BenchMachine machine;
     const auto rows = run_scene(topic, two_methods(), {.settings = {.repeats = 0}}, machine);
     ASSERT_EQ(rows.size(), 2u);

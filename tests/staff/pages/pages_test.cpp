@@ -108,7 +108,7 @@ TEST(ClassPage, ShowsSubmissionsAsText) {
 }
 
 TEST(BenchPage, ShowsRowsAndMachinesAsText) {
-    const BenchTopic topic{"parallax", hostile, {}};
+    const BenchTopic topic{"parallax", hostile, hostile, {}};
     TopicResult result;
     result.topic = &topic;
     BenchMachine& machine = result.machine;
@@ -120,7 +120,7 @@ TEST(BenchPage, ShowsRowsAndMachinesAsText) {
         row.times = {1, 1, 1}, row.repeats = 10, row.error = {1, 1, 1, hostile, {}};
         row.picture = row.error_map = Image(2, 2, 3, 8);
     }
-    EXPECT_GT(times_escaped(bench_page(std::vector{std::move(result)})), 20);
+    EXPECT_GT(times_escaped(bench_page(std::vector{std::move(result)}, [](const auto&, const auto&) {})), 20);
 }
 
 }  // namespace
