@@ -139,7 +139,7 @@ Fields cell_of(const LabStanding& lab) {
 /// A line of the class: points by lab, what became of the checks, the mistakes that were recognised, and what people
 /// and rules did to the points.
 Fields line_of(const Standing& standing) {
-    List cells{points_cell(standing.points(), standing.of(), standing.is_marked() ? "" : "not graded")};
+    List cells;
     for (const LabStanding& lab : standing.labs) cells.push_back(cell_of(lab));
     Counts of{};
     std::set<std::string> mistakes;
@@ -156,6 +156,7 @@ Fields line_of(const Standing& standing) {
             {"name", standing.student.student},
             {"full_name", printable(standing.student.name)},
             {"stranger", !standing.on_roster},
+            {"total", points_cell(standing.points(), standing.of(), standing.is_marked() ? "" : "not graded")},
             {"cells", std::move(cells)},
             {"problem", standing.mark ? standing.mark->problem : standing.state()},
             {"all_passed", all > 0 && of[size_t(Outcome::passed)] == all},
@@ -173,7 +174,7 @@ List labs_with_checks(const ClassCounts& counts) {
                                     {"name", check.name},
                                     {"hidden", check.hidden},
                                     {"outcomes", outcome_counts(check.of, Outcome::passed)}});
-        labs.push_back(Fields{{"number", number_of(lab)}, {"title", words_of(lab)}, {"checks", std::move(checks)}});
+        labs.push_back(Fields{{"number", number_of(lab)}, {"title", lab_title(lab)}, {"checks", std::move(checks)}});
     }
     return labs;
 }
@@ -241,7 +242,7 @@ std::string class_page(const ClassReport& report, const ClassStanding& standing)
     }
     if (!standing.students.empty())
         for (const LabStanding& lab : standing.students.front().labs)
-            columns.push_back(Fields{{"number", number_of(lab.lab)}, {"title", words_of(lab.lab)}});
+            columns.push_back(Fields{{"number", number_of(lab.lab)}, {"title", lab_title(lab.lab)}});
     const Fields run{{"seconds", fmt::format("{:.1f}", report.seconds)},
                      {"prepared", fmt::format("{:.1f}", report.prepared)}};
     return render({.title = "Marks: " + count_of(report.marks.size(), "submission"),

@@ -44,7 +44,7 @@ std::string rendered(const Standing& standing, UtcOffset offset, PageFor reader)
         List why = reasons(lab, offset, reader);
         has_more |= !why.empty();
         labs.push_back(Fields{{"number", number_of(lab.lab)},
-                              {"title", words_of(lab.lab)},
+                              {"title", lab_title(lab.lab)},
                               {"points", lab.marked ? points_text(lab.points()) : "?"},
                               {"of", lab.of()},
                               {"missing", !lab.handed_in},

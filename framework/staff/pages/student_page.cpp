@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
+#include "framework/base/error.h"
+#include "framework/lab/registry.h"
 #include "framework/pages/check_figures.h"
 #include "framework/pages/page.h"
 #include "framework/staff/pages/standing_part.h"
@@ -21,6 +24,7 @@ public:
         bool has_tasks = false;
         for (const LabMark& lab : mark_.labs) labs.push_back(of(lab)), has_tasks |= !lab.tasks.empty();
         return {{"name", printable(mark_.name)},
+                {"lost", lost()},
                 {"for_student", for_student_},
                 {"graded", mark_.graded()},
                 {"problem", mark_.problem},
@@ -36,7 +40,7 @@ private:
         List tasks;
         for (const TaskMark& task : lab.tasks) tasks.push_back(of(lab, task));
         return {{"number", number_of(lab.lab)},
-                {"title", words_of(lab.lab)},
+                {"title", lab_title(lab.lab)},
                 {"graded", lab.graded()},
                 {"points", points_text(lab.points())},
                 {"no_points", lab.points() == 0},
@@ -113,6 +117,22 @@ private:
         return nullptr;
     }
 
+    /// The tasks that lost points, with what is known of them.
+    Value lost() const {
+        List tasks;
+        for (const LabMark& lab : mark_.labs) {
+            if (!lab.graded()) continue;
+            for (const TaskMark& task : lab.tasks)
+                if (task.points < task.of)
+                    tasks.push_back(Fields{{"id", task.id},
+                                           {"title", task.title},
+                                           {"points", points_text(task.points)},
+                                           {"of", task.of},
+                                           {"hint", with_code(task.hint)}});
+        }
+        return rows(std::move(tasks));
+    }
+
     Value ignored() const {
         if (mark_.ignored_count == 0) return {};
         const size_t more = mark_.ignored_count - std::min(mark_.ignored.size(), mark_.ignored_count);
@@ -130,7 +150,16 @@ private:
 }  // namespace
 
 std::string number_of(const std::string& folder) { return folder.substr(0, folder.find('_')); }
-std::string words_of(const std::string& folder) {
+std::string lab_title(const std::string& folder) {
+    static const std::map<std::string, std::string> titles = [] {
+        std::map<std::string, std::string> all;
+        for (const LabEntry& lab : registry()) try {
+                all[lab.folder] = load_manifest(lab).title;
+            } catch (const Error&) {  // marks that are there can be shown without that lab
+            }
+        return all;
+    }();
+    if (const auto title = titles.find(folder); title != titles.end()) return title->second;
     const size_t at = folder.find('_');
     std::string words = at == std::string::npos ? folder : folder.substr(at + 1);
     std::replace(words.begin(), words.end(), '_', ' ');

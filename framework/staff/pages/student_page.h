@@ -16,9 +16,9 @@ enum class PageFor { instructor, student };
 /// with_standing() puts in what the class adds. What strangers wrote is text in it, never markup.
 std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures, PageFor reader);
 
-/// The number of a lab and its name in words: "02", "normal map storage".
+/// The number of a lab, "02", and its title; for a lab that this course does not have, its name in words.
 std::string number_of(const std::string& folder);
-std::string words_of(const std::string& folder);
+std::string lab_title(const std::string& folder);
 /// "1 file", "2 files"
 std::string count_of(size_t count, const std::string& what);
 
