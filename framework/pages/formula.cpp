@@ -208,9 +208,8 @@ private:
         } else {
             // Names of code: to_light, p.xy. A subscript has one letter on at least one side of its line.
             while (rest_.size() > 1 && is_letter(rest_[1]) && (rest_[0] == '.' || rest_[0] == '_')) {
-                const Parser ahead = after(1);
-                const std::string_view next = Parser(ahead).letters();
-                if (rest_[0] == '_' && (name.size() == 1 || next.size() == 1)) break;
+                const bool next_is_single = rest_.size() == 2 || !is_letter(rest_[2]);
+                if (rest_[0] == '_' && (name.size() == 1 || next_is_single)) break;
                 name += rest_[0];
                 rest_.remove_prefix(1);
                 name += letters();
@@ -221,12 +220,6 @@ private:
         // A function: its argument's brackets stay in a fraction.
         if (rest_.starts_with("(")) markup = "<mrow>" + markup + group(")").markup + "</mrow>";
         return {markup};
-    }
-
-    Parser after(size_t count) const {
-        Parser other(*this);
-        other.rest_.remove_prefix(count);
-        return other;
     }
 
     std::string_view rest_, all_;

@@ -18,15 +18,8 @@ std::string time_text(double nanoseconds) {
     return rounded(nanoseconds) + " ns";
 }
 
-/// "linear 32"
-std::string name_of(const BenchRow& row) {
-    std::string text = row.method;
-    for (const auto& [knob, value] : row.knobs) text += " " + value;
-    return text;
-}
-
 std::string with_figures(const BenchRow& row) {
-    return fmt::format("{} ({}, mean error {})", name_of(row), time_text(row.times.median),
+    return fmt::format("{} ({}, mean error {})", short_name(row), time_text(row.times.median),
                        amount_of(row.error.mean, row.error.unit));
 }
 
@@ -35,9 +28,9 @@ std::string of_times(std::span<const BenchRow> rows, std::vector<size_t> timed) 
               [&](size_t a, size_t b) { return rows[a].times.median < rows[b].times.median; });
     const BenchRow &first = rows[timed.front()], &last = rows[timed.back()];
     if (timed.size() == 1)
-        return fmt::format("{} takes {} a {}.", name_of(first), time_text(first.times.median), first.item);
-    return fmt::format("Fastest: {} ({} a {}). Slowest: {} ({}), {} times that.", name_of(first),
-                       time_text(first.times.median), first.item, name_of(last), time_text(last.times.median),
+        return fmt::format("{} takes {} a {}.", short_name(first), time_text(first.times.median), first.item);
+    return fmt::format("Fastest: {} ({} a {}). Slowest: {} ({}), {} times that.", short_name(first),
+                       time_text(first.times.median), first.item, short_name(last), time_text(last.times.median),
                        rounded(last.times.median / first.times.median, 2));
 }
 
@@ -50,7 +43,7 @@ std::string of_sweeps(std::span<const BenchRow> rows, const std::vector<size_t>&
         ++count;
         const auto& places = row.sweep->places;
         if (std::all_of(places.begin(), places.end(), [&](const auto& one) { return holds(*row.sweep, one); }))
-            (row.peer ? peers : ours).push_back(name_of(row));
+            (row.peer ? peers : ours).push_back(short_name(row));
     }
     ours.insert(ours.end(), peers.begin(), peers.end());
     return ours.empty() ? fmt::format("None of the {} methods keeps its stated error everywhere.", count)

@@ -22,13 +22,6 @@ constexpr const char *quiet_color = "#857f73", *front_color = "#a34a16", *pale_c
 
 bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
 
-/// "linear 32": the values of what is swept are enough beside a point.
-std::string short_name(const BenchRow& row) {
-    std::string text = row.method;
-    for (const auto& [knob, value] : row.knobs) text += " " + value;
-    return text;
-}
-
 /// The scene's panel, in milliseconds or nanoseconds.
 class Panel {
 public:

@@ -267,6 +267,12 @@ std::vector<BenchRow> read_bench_csv(const std::string& text) {
     return rows;
 }
 
+std::string short_name(const BenchRow& row) {
+    std::string text = row.method;
+    for (const auto& [knob, value] : row.knobs) text += " " + value;
+    return text;
+}
+
 std::string row_name(const BenchRow& row) {
     std::string text = row.topic;
     for (const std::string& part : {knob_text(row.scene), row.method, knob_text(row.knobs)})

@@ -49,6 +49,8 @@ std::string bench_csv(std::span<const BenchRow> rows, const BenchMachine& machin
 /// Reads work and errors from the text of bench_csv(). Throws Error with the line for any other text.
 std::vector<BenchRow> read_bench_csv(const std::string& text);
 
+/// "linear 32": the method and the values of its knobs.
+std::string short_name(const BenchRow& row);
 /// "topic, scene, method, knobs": a name that no other row has.
 std::string row_name(const BenchRow& row);
 

@@ -115,8 +115,7 @@ private:
 
     void curve(size_t row, size_t count, std::string& text, std::vector<std::string>& plots) const {
         const BenchRow& of = rows_[row];
-        std::string name = of.method;
-        for (const auto& [knob, value] : of.knobs) name += " " + value;
+        const std::string name = short_name(of);
         const std::string block = fmt::format("$curve{}_{}", number_, row);
         text += block + " << END\n";
         for (const Place& place : of.sweep->places) {
