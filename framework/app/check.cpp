@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "framework/app/command.h"
 #include "framework/base/error.h"
@@ -11,6 +12,7 @@
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
 #include "framework/base/process.h"
+#include "framework/base/text.h"
 #include "framework/check/check.h"
 #include "framework/pages/check_page.h"
 #include "framework/pages/page.h"
@@ -31,16 +33,39 @@ std::string colored(Outcome outcome, const std::string& word) {
                        word);
 }
 
-void print(const CheckResult& result, const LabEntry& lab) {
-    fmt::print("  {}  {}: {}\n", colored(result.outcome, fmt::format("{:<10}", name_of(result.outcome))),
-               result.check->name, result.found);
-    if (result.outcome == Outcome::passed || result.outcome == Outcome::unfinished) return;
-    if (result.outcome == Outcome::wrong && !result.check->reason.empty())
-        fmt::print("              allowed: {}\n", result.check->reason);
-    fmt::print("              look at: {}\n", look_at(result));
-    if (result.outcome == Outcome::wrong)
-        fmt::print("              in the window: ./relief run {} --check '{}'\n", lab.two_digits(), result.check->name);
-}
+/// Prints results, each hint once in a task, and each message of a compiler once in all.
+class Printer {
+public:
+    explicit Printer(const LabEntry& lab) : lab_(lab) {}
+
+    void print(const TaskResult& task) {
+        fmt::print("{}  {}: {} of {} points ({})\n", task.task->id, task.task->title, points_text(task.points()),
+                   task.task->points, task.task->file);
+        hints_.clear();
+        for (const CheckResult& result : task.checks) print(result);
+    }
+
+private:
+    void print(const CheckResult& result) {
+        const bool is_broken = result.outcome == Outcome::broken;
+        const bool is_repeated = is_broken && !messages_.insert(result.found + result.details).second;
+        fmt::print("  {}  {}: {}\n", colored(result.outcome, fmt::format("{:<10}", name_of(result.outcome))),
+                   result.check->name, is_repeated ? "the same message as above" : result.found);
+        if (result.outcome == Outcome::passed || result.outcome == Outcome::unfinished || is_repeated) return;
+        for (const std::string& line : split(result.details, '\n'))
+            if (!line.empty()) fmt::print("              {}\n", line);
+        if (result.outcome == Outcome::wrong && !result.check->reason.empty())
+            fmt::print("              why this limit: {}\n", result.check->reason);
+        if (const std::string hint = look_at(result); hints_.insert(hint).second)
+            fmt::print("              look at: {}\n", hint);
+        if (result.outcome == Outcome::wrong)
+            fmt::print("              in the window: ./relief run {} --check '{}'\n", lab_.two_digits(),
+                       result.check->name);
+    }
+
+    const LabEntry& lab_;
+    std::set<std::string> hints_, messages_;
+};
 
 nlohmann::ordered_json as_json(const TaskResult& task) {
     nlohmann::ordered_json checks = nlohmann::ordered_json::array();
@@ -48,9 +73,11 @@ nlohmann::ordered_json as_json(const TaskResult& task) {
         checks.push_back({{"name", result.check->name},
                           {"outcome", name_of(result.outcome)},
                           {"found", result.found},
+                          {"details", result.details},
                           {"look_at", look_at(result)}});
     return {{"id", task.task->id},     {"title", task.task->title}, {"file", task.task->file},
-            {"points", task.points()}, {"of", task.task->points},   {"checks", checks}};
+            {"points", task.points()}, {"of", task.task->points},   {"mistake", task.mistake},
+            {"checks", checks}};
 }
 
 /// Runs a lab's checks on the course's files. Returns 1 if one did not pass. With `open` or a page name also writes a
@@ -67,6 +94,7 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
 
     double points = 0;
     bool all = true;
+    Printer printer(lab);
     nlohmann::ordered_json report = {{"lab", lab.folder}, {"tasks", nlohmann::ordered_json::array()}};
     for (const TaskResult& task : tasks) {
         points += task.points();
@@ -75,9 +103,7 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
             report["tasks"].push_back(as_json(task));
             continue;
         }
-        fmt::print("{}  {}: {} of {} points ({})\n", task.task->id, task.task->title, points_text(task.points()),
-                   task.task->points, task.task->file);
-        for (const CheckResult& result : task.checks) print(result, lab);
+        printer.print(task);
     }
     if (json) {
         report["points"] = points, report["of"] = manifest.points();

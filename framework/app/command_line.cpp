@@ -104,7 +104,7 @@ class RunCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
         options.lab(lab_, true);
-        options.value("--check", "NAME", check_, "begin with the knobs, camera and probe of this check");
+        options.value("--check", "NAME", check_, "show this check, with its knobs, camera and probe");
         shot_.options(options);
         options.value("--probe", "NAME", probe_, "show a quantity as the shader computes it, instead of the picture");
         options.flag("--error-map", error_map_, "show beside it how far it is from the exact values (E)");
@@ -118,7 +118,7 @@ public:
         shot_.apply(shot);
         if (!probe_.empty()) shot.probe.name = manifest.probe(probe_).name;
         make_lab(lab, shot);  // refuses a knob or a value before a window opens
-        return run_menu({lab.folder, shot, error_map_ || (!check_.empty() && shot.probe)});
+        return run_menu({lab.folder, shot, error_map_, check_});
     }
 
 private:
@@ -193,7 +193,7 @@ int run_command_line(int argc, char** argv) {
         return 2;
     } catch (const Error& error) {
         print_error(error.what());
-        if (!error.details().empty()) print_event(error.details());
+        fmt::print(stderr, "{}", error.more_details());
     } catch (const std::bad_alloc&) {
         print_error("there is not enough memory");
     } catch (const std::exception& error) {

@@ -157,7 +157,8 @@ private:
     void draw_hero() {
         constexpr int richest = 16;
         if (pages_.empty()) return;
-        auto page = std::find_if(pages_.begin(), pages_.end(), [](const LabPage& one) { return one.lab->number == richest; });
+        auto page =
+            std::find_if(pages_.begin(), pages_.end(), [](const LabPage& one) { return one.lab->number == richest; });
         if (page == pages_.end()) page = std::prev(pages_.end());
         Shot shot;
         shot.camera = page->manifest->camera, shot.size = {1280, 480};
@@ -173,6 +174,10 @@ private:
         page.size = {first.width, first.height};
         if (comparison.probe) {
             page.probe = comparison.probe->name;
+            Shot shot = comparison.measured;
+            shot.probe = {};
+            page.command = fmt::format("./relief shot {} --error {} {}", page.lab->two_digits(), page.probe,
+                                       shot_text(shot, page.manifest->camera));
             for (const double part : {1000, 100, 10}) page.marks.push_back(rounded(comparison.max / part));
             page.marks.push_back(amount_of(comparison.max, comparison.probe->unit));
         }

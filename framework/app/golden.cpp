@@ -82,7 +82,7 @@ public:
         try {
             Image picture = render_shot(*make_lab(entry, golden.shot), golden.shot);
             if (golden.shot.probe)
-                picture = stored(visualize_probe(picture, manifest.probe(golden.shot.probe.name).error));
+                picture = stored(visualize_probe(picture, manifest.probe(golden.shot.probe.name).colors()));
             const std::string result = update_ ? renew(file, picture) : compare(file, picture);
             fmt::print("{}/{}: {}\n", entry.folder, golden.name, result);
         } catch (const Error& error) {
@@ -197,7 +197,7 @@ private:
     std::string lab_, output_, context_ = "auto";
     bool update_ = false;
 };
-RELIEF_COMMAND(GoldenCommand, 7, "golden", "compares pictures with the reference screenshots");
+RELIEF_COMMAND(GoldenCommand, 8, "golden", "compares pictures with the reference screenshots");
 
 }  // namespace
 

@@ -104,7 +104,7 @@ private:
     bool json_ = false;
     std::string picture_;
 };
-RELIEF_COMMAND(InspectCommand, 8, "inspect",
+RELIEF_COMMAND(InspectCommand, 9, "inspect",
                "says what a normal or height map from elsewhere is, and what is wrong with it");
 
 }  // namespace

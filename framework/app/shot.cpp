@@ -21,16 +21,6 @@ struct ShotArguments {
     ShotOptions options;
 };
 
-glm::ivec2 parse_size(const std::string& text) {
-    const auto parts = split(text, 'x');
-    const auto side = [](const std::string& part) {
-        const auto value = parse_int(part);
-        return value && *value >= 1 && *value <= max_picture_side ? *value : 0;
-    };
-    if (parts.size() == 2 && side(parts[0]) && side(parts[1])) return {side(parts[0]), side(parts[1])};
-    throw UsageError(fmt::format("--size takes WIDTHxHEIGHT from 1x1 to {0}x{0}, not '{1}'", max_picture_side, text));
-}
-
 double parse_time(const std::string& text) {
     const auto time = parse_number(text);
     if (!time || std::abs(*time) > 2e9)
@@ -99,7 +89,8 @@ int take_shot(const ShotArguments& arguments) {
         context = open_context(choice);
         image = draw(floats);
     }
-    if (!floats && (show == Show::probe || show == Show::truth)) image = visualize_probe(image, metric);
+    if (!floats && (show == Show::probe || show == Show::truth))
+        image = visualize_probe(image, manifest.probe(shot.probe.name).colors());
 
     if (to_standard_output) {
         write_standard_output(encode_image(image, format));

@@ -38,6 +38,16 @@ std::pair<std::string, std::string> parse_setting(const std::string& text) {
 
 }  // namespace
 
+glm::ivec2 parse_size(const std::string& text) {
+    const auto parts = split(text, 'x');
+    const auto side = [](const std::string& part) {
+        const auto value = parse_int(part);
+        return value && *value >= 1 && *value <= max_picture_side ? *value : 0;
+    };
+    if (parts.size() == 2 && side(parts[0]) && side(parts[1])) return {side(parts[0]), side(parts[1])};
+    throw UsageError(fmt::format("--size takes WIDTHxHEIGHT from 1x1 to {0}x{0}, not '{1}'", max_picture_side, text));
+}
+
 void ShotOptions::options(CommandOptions& options) {
     options.values("--set", "KNOB=VALUE", set_, "set a knob; may be repeated");
     options.value("--camera", "YAW,PITCH,DISTANCE[,X,Y,Z[,V]]", camera_,

@@ -9,6 +9,9 @@
 
 namespace relief {
 
+/// What --size takes, "640x360", in pixels. Throws UsageError.
+glm::ivec2 parse_size(const std::string& text);
+
 class ShotOptions {
 public:
     void options(CommandOptions& options);

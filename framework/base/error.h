@@ -23,6 +23,8 @@ public:
     const Place& place() const { return place_; }
     /// More than fits on one line (a compiler's whole log), or empty.
     const std::string& details() const { return details_; }
+    /// The details without their first line, if that is what() again.
+    std::string more_details() const;
 
 private:
     Place place_;

@@ -86,5 +86,7 @@ private:
 /// Shows a file in the browser, or the program set for its type, and does not wait. False if there is no display, or
 /// no xdg-open.
 bool open_on_desktop(const std::filesystem::path& file);
+/// The same with a program and its arguments, such as an editor. False if there is no display, or no such program.
+bool start_on_desktop(const std::vector<std::string>& command);
 
 }  // namespace relief

@@ -323,13 +323,16 @@ ChildEnd ChildProcess::wait() {
     return {.code = WEXITSTATUS(status), .crash = WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : ""};
 }
 
-bool open_on_desktop(const fs::path& wanted) {
+bool open_on_desktop(const fs::path& wanted) { return start_on_desktop({"xdg-open", fs::absolute(wanted).string()}); }
+
+bool start_on_desktop(const std::vector<std::string>& command) {
     const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
-    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) return false;
+    if (command.empty() || (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))) return false;
     // Silent, and without limits: it may run for as long as the browser does.
     const Descriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
-    const std::string file = fs::absolute(wanted).string();
-    Start s{.words = {"xdg-open", file.c_str(), nullptr}, .environment = {}, .in = null, .out = null, .err = null};
+    Start s{.words = {}, .environment = {}, .in = null, .out = null, .err = null};
+    for (const std::string& word : command) s.words.push_back(word.c_str());
+    s.words.push_back(nullptr);
     for (char** variable = environ; *variable; ++variable) s.environment.push_back(*variable);
     s.environment.push_back(nullptr);
     try {

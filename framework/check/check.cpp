@@ -10,6 +10,8 @@
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
+#include "framework/check/fingerprints.h"
+#include "framework/check/reach.h"
 #include "framework/check/starter.h"
 #include "framework/image/file.h"
 
@@ -78,13 +80,13 @@ Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const I
     const Limits& limits = check.limits;
     findings.add("mean", summary.mean, limits.mean, probe.unit);
     findings.must_reach(summary.mean, limits.at_least);
-    findings.add("99 %", summary.p99, limits.p99, probe.unit);
+    findings.add("99 % within", summary.p99, limits.p99, probe.unit);
     findings.add("largest", summary.largest, limits.largest, probe.unit);
     findings.add(("share of pixels off by more than " + amount_of(1, probe.unit)).c_str(),
                  double(off) / double(summary.count), limits.wrong, "");
     if (double(only_one) > limits.outline * double(drawn.pixel_count()))
-        findings.add("share of pixels where only one has a surface", double(only_one) / double(drawn.pixel_count()),
-                     limits.outline, "");
+        findings.add("share of pixels with a surface in only one of the two pictures",
+                     double(only_one) / double(drawn.pixel_count()), limits.outline, "");
     if (probe.error == ErrorMetric::angle && !probe.any_length && check.against == "truth")
         if (const double share = share_not_unit(drawn, expected); share > limits.outline)
             findings.add("share of pixels whose vector is not of unit length", share, limits.outline, "");
@@ -117,6 +119,32 @@ bool is_below(const CheckInfo& other, const CheckInfo& check) {
     const auto is_needed = [&](const std::string& task) { return check.depends_on(task); };
     return is_needed(other.task) && std::all_of(other.needs.begin(), other.needs.end(), is_needed) &&
            std::all_of(other.leans_on.begin(), other.leans_on.end(), is_needed);
+}
+
+/// Whether another task has passed none of its checks, on which a failed check depends, while the check's own task has
+/// passed one that does without it.
+bool is_anothers(const Manifest& manifest, const std::vector<Judgement>& said, size_t failed) {
+    const CheckInfo& check = manifest.checks[failed];
+    const auto is_attested = [&](const std::string& other) {
+        for (size_t i = 0; i < said.size(); ++i)
+            if (manifest.checks[i].task == check.task && said[i].outcome == Outcome::passed &&
+                !manifest.checks[i].depends_on(other))
+                return true;
+        return false;
+    };
+    const auto has_only_failed = [&](const std::string& other) {
+        size_t failures = 0;
+        for (size_t i = 0; i < said.size(); ++i) {
+            if (manifest.checks[i].task != other || said[i].outcome == Outcome::unfinished) continue;
+            if (said[i].outcome == Outcome::passed) return false;
+            ++failures;
+        }
+        return failures > 0;
+    };
+    return said[failed].outcome != Outcome::passed &&
+           std::any_of(manifest.tasks.begin(), manifest.tasks.end(), [&](const TaskInfo& other) {
+               return check.depends_on(other.id) && has_only_failed(other.id) && is_attested(other.id);
+           });
 }
 
 }  // namespace
@@ -162,6 +190,13 @@ std::vector<const CheckInfo*> put_right_first(const Manifest& manifest, const st
     return before;
 }
 
+std::vector<bool> blames_another(const Manifest& manifest, const std::vector<Judgement>& said) {
+    const std::vector<const CheckInfo*> first = put_right_first(manifest, said);
+    std::vector<bool> blames;
+    for (size_t i = 0; i < said.size(); ++i) blames.push_back(first[i] || is_anothers(manifest, said, i));
+    return blames;
+}
+
 std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said) {
     const std::vector<const CheckInfo*> before = put_right_first(manifest, said);
     std::vector<std::string> hints(said.size());
@@ -200,9 +235,19 @@ Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& d
     return compare_probes(check, manifest.probe(check.shot.probe.name), drawn, expected);
 }
 
-CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
-                      const std::optional<Image>& expected) {
-    CheckResult result{&check};
+namespace {
+
+/// run_check(), and what was drawn, usable or not.
+struct CheckRun {
+    CheckResult result;
+    Image drawn = {};  ///< empty if nothing was drawn
+    bool was_tried = false;
+};
+
+CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
+                   const std::optional<Image>& expected) {
+    CheckRun run{{&check}};
+    CheckResult& result = run.result;
     if (expected) result.expected = *expected;
     Judgement said;
     try {
@@ -214,21 +259,90 @@ CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const Check
         } else if (const std::string waits = waits_for(check, is_written); !waits.empty()) {
             said = {Outcome::unfinished, waits};
         } else {
-            result.drawn = draw(lab, check.shot);
+            run.was_tried = true;
+            run.drawn = draw_shot(*make_lab(lab, check.shot), check.shot);
+            refuse_unusable(run.drawn, check.shot);
+            result.drawn = run.drawn;
             if (!expected) result.expected = draw(lab, manifest.check(check.against).shot);
             said = judge(manifest, check, result.drawn, result.expected);
         }
     } catch (const Error& error) {
         said = {Outcome::broken, error.what()};
+        result.details = error.more_details();
     }
     result.outcome = said.outcome;
     result.found = said.found;
-    return result;
+    return run;
 }
 
-std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest) {
+/// In the grader's words; or empty.
+std::string what_reaches_beyond(const std::string& file, const OtherShaders& others) {
+    if (!file.ends_with(".glsl") || !fs::exists(course_root() / file)) return {};
+    const std::string beyond = reaches_beyond(read_file(course_root() / file), others);
+    return beyond.empty() ? "" : fmt::format("{} {}", file, beyond);
+}
+
+/// None where their file is damaged, or of another manifest: work can be checked all the same.
+Fingerprints known_mistakes(const LabEntry& lab, const Manifest& manifest) {
+    try {
+        return load_fingerprints(lab, manifest);
+    } catch (const Error& error) {
+        print_note(fmt::format("no mistake is named: {}", error.what()));
+        return {};
+    }
+}
+
+}  // namespace
+
+CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
+                      const std::optional<Image>& expected) {
+    return try_check(lab, manifest, check, expected).result;
+}
+
+struct LabChecker::Memory {
+    const LabEntry& lab;
+    const Manifest& manifest;
+    OtherShaders others;
+    Fingerprints fingerprints;
+    std::vector<Judgement> said;
+    Samples drawn;
+};
+
+LabChecker::LabChecker(const LabEntry& lab, const Manifest& manifest)
+    : memory_(new Memory{lab, manifest, OtherShaders(lab, manifest), known_mistakes(lab, manifest), {}, {}}) {
+    memory_->said.resize(manifest.checks.size());
+}
+LabChecker::~LabChecker() = default;
+
+CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) {
+    auto& [lab, manifest, others, fingerprints, said, drawn] = *memory_;
+    const std::string& file = manifest.task(manifest.checks[check].task).file;
+    const std::string beyond = what_reaches_beyond(file, others);
+    CheckRun run = beyond.empty() ? try_check(lab, manifest, manifest.checks[check], expected)
+                                  : CheckRun{{&manifest.checks[check], Outcome::broken, beyond}};
+    said[check] = {run.result.outcome, run.result.found};
+    drawn.erase(check);
+    if (const auto places = fingerprints.checks.find(check); run.was_tried && places != fingerprints.checks.end())
+        drawn[check] = sample_at(run.drawn, run.result.found, places->second.values);
+    return std::move(run.result);
+}
+
+Advice LabChecker::advice() const {
+    const auto& [lab, manifest, others, fingerprints, said, drawn] = *memory_;
+    Advice advice{hints(manifest, said), {}};
+    for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, drawn))
+        advice.mistakes[task] = mistake->hint;
+    const std::vector<bool> blames = blames_another(manifest, said);
+    for (size_t i = 0; i < said.size(); ++i)
+        if (const auto mistake = advice.mistakes.find(manifest.checks[i].task);
+            mistake != advice.mistakes.end() && has_failed(said[i].outcome) && !blames[i])
+            advice.look_at[i] = mistake->second;
+    return advice;
+}
+
+std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest, const Expected& expected) {
+    LabChecker checker(lab, manifest);
     std::vector<TaskResult> results;
-    std::vector<Judgement> said(manifest.checks.size());
     Progress progress(int(manifest.checks.size()));
     for (const TaskInfo& task : manifest.tasks) {
         TaskResult& result = results.emplace_back(TaskResult{&task, {}});
@@ -236,17 +350,17 @@ std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest)
             const CheckInfo& check = manifest.checks[i];
             if (check.task != task.id) continue;
             progress.next(check.name);
-            const CheckResult& one =
-                result.checks.emplace_back(run_check(lab, manifest, check, expectation(lab, check)));
-            said[i] = {one.outcome, one.found};
+            result.checks.push_back(checker.run(i, expected ? expected(check) : expectation(lab, check)));
         }
         if (result.checks.empty())
             throw Error(fmt::format("labs/{}/lab.toml: task {} has no check", lab.folder, task.id));
     }
-    const std::vector<std::string> all_hints = hints(manifest, said);
-    for (TaskResult& task : results)
+    Advice advice = checker.advice();
+    for (TaskResult& task : results) {
+        task.mistake = advice.mistakes[task.task->id];
         for (CheckResult& result : task.checks)
-            result.look_at = all_hints[size_t(result.check - manifest.checks.data())];
+            result.look_at = advice.look_at[size_t(result.check - manifest.checks.data())];
+    }
     return results;
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,13 +30,15 @@ struct CheckResult {
     const CheckInfo* check;
     Outcome outcome = Outcome::broken;
     std::string found = {};
+    std::string details = {};         ///< what a compiler says more than `found`, with its source lines, or empty
     Image drawn = {}, expected = {};  ///< the compared pictures; empty if nothing was compared
-    std::string look_at = {};         ///< see hints(); only check_lab() fills it in
+    std::string look_at = {};         ///< see Advice; only check_lab() fills it in
 };
 
 struct TaskResult {
     const TaskInfo* task;
     std::vector<CheckResult> checks;
+    std::string mistake = {};  ///< see Advice; empty if none is known
     /// Each passed check earns an equal share of the task's points.
     double points() const;
 };
@@ -51,6 +55,11 @@ std::string waits_for(const CheckInfo& check, const std::function<bool(const std
 /// tasks, and hints never form a circle. If there are several, it is the one that depends on the fewest tasks. `said`
 /// is in the manifest's order of checks.
 std::vector<const CheckInfo*> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said);
+
+/// For each check, whether it failed and another task may be to blame: one that should be put right first, or one that
+/// this check depends on and that has failed all its own checks, while this check's task passes a check that does
+/// without it. What such a check drew tells nothing about a mistake in its own task.
+std::vector<bool> blames_another(const Manifest& manifest, const std::vector<Judgement>& said);
 
 /// The hint of each check for the student: the task to put right first (see put_right_first()), else the check's own
 /// hint. Empty if the check passed, or if `found` says enough.
@@ -71,7 +80,34 @@ Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& d
 CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                       const std::optional<Image>& expected);
 
-/// Runs all checks of a lab, task by task. Throws Error if a task has none.
-std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest);
+/// What all results together say.
+struct Advice {
+    std::vector<std::string> look_at;             ///< by check: the hint of the known mistake, or see hints()
+    std::map<std::string, std::string> mistakes;  ///< by task: the hint of the known mistake that its pictures show
+};
+
+/// Runs a lab's checks one at a time, in any order and each as often as wanted. Task files are read at each run; the
+/// lab's other shaders and its fingerprints once (no known mistakes if their file is damaged). The manifest must live
+/// as long.
+class LabChecker {
+public:
+    LabChecker(const LabEntry& lab, const Manifest& manifest);
+    ~LabChecker();
+
+    /// As run_check(), but a shader that reaches_beyond() its task is broken.
+    CheckResult run(size_t check, const std::optional<Image>& expected);
+    /// Of the last run of each check. One that never ran counts as broken.
+    Advice advice() const;
+
+private:
+    struct Memory;
+    std::unique_ptr<Memory> memory_;
+};
+
+/// What a check compares with; see expectation(), which is used where this is empty.
+using Expected = std::function<std::optional<Image>(const CheckInfo& check)>;
+
+/// Runs all checks of a lab, task by task, and names known mistakes. Throws Error if a task has no check.
+std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest, const Expected& expected = {});
 
 }  // namespace relief

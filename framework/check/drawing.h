@@ -29,7 +29,8 @@ std::string drawing_asks();
 
 /// The drawing process. It writes "ask" to standard output and reads its request from `request_descriptor`. So there is
 /// no request to read while a task's static objects are constructed. Then it writes "ready" once it has a context, the
-/// pixels or the error of each shot, and "done". `course` is the folder of the course to draw. Does not return.
+/// pixels or the error of each shot, and "done" with its processor time. `course` is the folder of the course to draw.
+/// Does not return.
 [[noreturn]] void draw_request(const char* course);
 
 /// The result of one shot.
@@ -44,6 +45,7 @@ enum class DrawingPhase { started, asked, ready, done };
 struct DrawnShots {
     std::vector<Drawn> shots;  ///< the complete ones, from the first on
     DrawingPhase phase = DrawingPhase::started;
+    double cpu = 0;       ///< seconds of processor time, as a process says that is done; a student's can say anything
     std::string problem;  ///< why the rest cannot be read, or empty
 };
 /// Reads the stream of a process that was asked to draw `shots`.

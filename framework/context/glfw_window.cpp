@@ -43,11 +43,13 @@ GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) 
     window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
     if (!window_) fail_to_open();
     glfwSetWindowUserPointer(window_, this);
-    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int) {
+    glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int place, int action, int held) {
         GlfwWindow& self = noted(window);
-        if (action == GLFW_PRESS) self.keys_.push_back(key);
+        const char* const name = glfwGetKeyName(key, place);
+        if (action == GLFW_PRESS) self.keys_.push_back({key, name ? name : "", (held & GLFW_MOD_CONTROL) != 0});
     });
-    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned) { noted(window); });
+    glfwSetCharCallback(window_,
+                        [](GLFWwindow* window, unsigned character) { noted(window).characters_.push_back(character); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int, int) { noted(window); });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double, double) { noted(window); });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* window, int) { noted(window); });

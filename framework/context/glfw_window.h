@@ -14,6 +14,13 @@
 
 namespace relief {
 
+/// A key that was pressed: its place on the keyboard, what it types there, and what was held.
+struct Key {
+    int code;          ///< GLFW_KEY_...
+    std::string name;  ///< "z", "+"; empty for keys that type nothing
+    bool control;
+};
+
 class GlfwWindow final : public Context {
 public:
     /// Throws NoWindow with GLFW's reason when there is no display or no driver.
@@ -26,7 +33,9 @@ public:
     GLFWwindow* handle() const { return window_; }
     /// The keys pressed since the last call, in order: also those that were up again before anyone looked, as happens
     /// when a frame takes longer than a tap.
-    std::vector<int> take_keys() { return std::exchange(keys_, {}); }
+    std::vector<Key> take_keys() { return std::exchange(keys_, {}); }
+    /// The characters typed since the last call: where a keyboard has its question mark is its own affair.
+    std::vector<unsigned> take_characters() { return std::exchange(characters_, {}); }
     /// The files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_files() { return std::exchange(files_, {}); }
     /// Whether anything has come from the user or the screen since the last call. What waits with a timeout cannot tell
@@ -38,7 +47,8 @@ private:
 
     GLFWwindow* window_ = nullptr;
     bool event_ = false;
-    std::vector<int> keys_;
+    std::vector<Key> keys_;
+    std::vector<unsigned> characters_;
     std::vector<std::filesystem::path> files_;
 };
 

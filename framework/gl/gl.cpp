@@ -9,9 +9,15 @@
 
 #include "framework/base/error.h"
 #include "framework/gl/counters.h"
+#include "framework/gl/draw_watch.h"
 
 namespace relief {
 namespace {
+
+DrawWatch::Watch& draw_watch() {
+    static DrawWatch::Watch watch;
+    return watch;
+}
 
 // Each template below replaces one of glad's function pointers by a function that counts, then calls what was there.
 
@@ -43,7 +49,10 @@ struct CountDrawImpl<pointer, void(GLAD_API_PTR*)(Arguments...)> {
     static inline PointerOf<pointer> real;
     static void GLAD_API_PTR call(Arguments... arguments) {
         ++counters().draw_calls;
-        real(arguments...);
+        if (draw_watch())
+            draw_watch()([&] { real(arguments...); });
+        else
+            real(arguments...);
     }
 };
 template <auto& pointer>
@@ -159,6 +168,9 @@ const char* name_of(GLenum error) {
 }
 
 }  // namespace
+
+DrawWatch::DrawWatch(Watch watch) { draw_watch() = std::move(watch); }
+DrawWatch::~DrawWatch() { draw_watch() = {}; }
 
 Counters& counters() {
     static Counters all;

@@ -47,7 +47,7 @@ ShaderName compile(const ShaderSource& source) {
     GLint done = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &done);
     if (!done) {
-        const ShaderLog log = explain_log(log_of(shader, glGetShaderiv, glGetShaderInfoLog), source.lines);
+        const ShaderLog log = explain_log(log_of(shader, glGetShaderiv, glGetShaderInfoLog), source.lines, source.text);
         const Place place = log.first.file.empty() ? Place{source.stage} : log.first;
         throw Error(place, log.first_message.empty() ? "does not compile" : log.first_message, log.text);
     }
@@ -60,13 +60,22 @@ std::vector<ShaderSource> load_shaders(const std::vector<fs::path>& stages, cons
     return sources;
 }
 
+ShaderRewriting::Rewrite& shader_rewriting() {
+    static ShaderRewriting::Rewrite rewrite;
+    return rewrite;
+}
+
 }  // namespace
+
+ShaderRewriting::ShaderRewriting(Rewrite rewrite) { shader_rewriting() = std::move(rewrite); }
+ShaderRewriting::~ShaderRewriting() { shader_rewriting() = {}; }
 
 Program::Program(const std::vector<fs::path>& stages, const std::vector<std::string>& defines)
     : Program(load_shaders(stages, defines)) {}
 
-Program::Program(const std::vector<ShaderSource>& stages) {
+Program::Program(std::vector<ShaderSource> stages) {
     const Stopwatch watch;
+    if (shader_rewriting()) shader_rewriting()(stages, name_);
     std::vector<ShaderName> shaders;
     for (const ShaderSource& source : stages) {
         known_.insert(source.names.begin(), source.names.end());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <glm/glm.hpp>
 #include <initializer_list>
 #include <map>
@@ -28,7 +29,7 @@ public:
     /// Throws Error with the file and line of the first mistake, and the whole log as details.
     Program(const std::vector<std::filesystem::path>& stages, const std::vector<std::string>& defines);
     /// The same from text that is read already.
-    explicit Program(const std::vector<ShaderSource>& stages);
+    explicit Program(std::vector<ShaderSource> stages);
 
     operator GLuint() const { return name_; }
 
@@ -57,6 +58,17 @@ private:
     std::string title_;
     std::set<std::string> known_;
     std::map<std::string, GLint, std::less<>> locations_;
+};
+
+/// While this lives, programs are made of what `rewrite` makes of the text of their stages; it is told the program's
+/// name. One at a time.
+class ShaderRewriting {
+public:
+    using Rewrite = std::function<void(std::vector<ShaderSource>& stages, GLuint program)>;
+    explicit ShaderRewriting(Rewrite rewrite);
+    ~ShaderRewriting();
+    ShaderRewriting(const ShaderRewriting&) = delete;
+    ShaderRewriting& operator=(const ShaderRewriting&) = delete;
 };
 
 /// One preprocessor definition, "NAME" or "NAME VALUE"; an empty one stands for none.

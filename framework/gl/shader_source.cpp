@@ -83,6 +83,7 @@ std::optional<std::string> included_name(const std::string& line) {
 /// A message of a compiler: Mesa's "0:12(5): error: x", Nvidia's "0(12) : error C1: x", Apple's "ERROR: 0:12: x".
 struct LogLine {
     std::optional<int> line;  ///< of the text that was compiled
+    int column = 0;           ///< from 1; 0 where the compiler does not say
     std::string message;
     bool is_warning = false;
 };
@@ -101,13 +102,17 @@ LogLine parse_log_line(const std::string& whole) {
         rest.remove_prefix(end);
         return digits ? value.value_or(0) : std::optional<int>();
     };
-    LogLine result{{}, whole, whole.starts_with("WARNING")};
+    LogLine result{.line = {}, .message = whole, .is_warning = whole.starts_with("WARNING")};
     skip("ERROR: ") || skip("WARNING: ");
     if (!number()) return result;
     std::optional<int> line;
     if (skip(":")) {
         line = number();
-        if (line && skip("(") && !(number() && skip(")"))) return result;
+        if (line && skip("(")) {
+            const auto column = number();
+            if (!column || !skip(")")) return result;
+            result.column = *column;
+        }
     } else if (skip("(")) {
         line = number();
         if (!skip(")")) return result;
@@ -210,8 +215,35 @@ std::set<std::string> included_by(const std::string& text) {
     return names;
 }
 
-ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines) {
+namespace {
+
+/// Where a compiler's column is in the line, from 0; past its end where it is nowhere. Only Mesa says columns, and it
+/// counts blanks that follow each other as one.
+size_t place_of(const std::string& line, int column) {
+    const auto is_blank = [&](size_t i) { return line[i] == ' ' || line[i] == '\t'; };
+    for (size_t i = 0; i < line.size(); ++i)
+        if ((i == 0 || !is_blank(i) || !is_blank(i - 1)) && --column == 0) return i;
+    return line.size();
+}
+
+/// A line of what was compiled, with a mark below the column; empty for a line that is not there.
+std::string quoted(const std::vector<std::string>& source, const LogLine& at) {
+    if (!at.line || *at.line < 1 || size_t(*at.line) >= source.size()) return {};
+    const std::string& line = source[size_t(*at.line) - 1];
+    std::string text = "    " + line + '\n';
+    const size_t place = place_of(line, at.column);
+    if (place >= line.size()) return text;
+    std::string before = line.substr(0, place);
+    for (char& c : before) c = c == '\t' ? '\t' : ' ';
+    return text + "    " + before + "^\n";
+}
+
+}  // namespace
+
+ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines, const std::string& source) {
     ShaderLog result;
+    const std::vector<std::string> source_lines = split(source, '\n');
+    std::string last_quoted;
     std::istringstream stream(log);
     for (std::string line; std::getline(stream, line);) {
         const auto end = line.find_last_not_of(" \r\0", std::string::npos, 3);
@@ -224,6 +256,9 @@ ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines) {
             result.text += parsed.message + "\n";
         else
             result.text += fmt::format("{}:{}: {}\n", shown(place.file), place.line, parsed.message);
+        const std::string quote = place.file.empty() ? "" : quoted(source_lines, parsed);
+        if (quote != last_quoted) result.text += quote;
+        last_quoted = quote;
         // A line with a place says more than a heading without one.
         const bool better = result.first_message.empty() || (result.first.file.empty() && !place.file.empty());
         if (better && !parsed.is_warning) {

@@ -28,12 +28,13 @@ std::set<std::string> included_by(const std::string& text);
 
 /// A compiler's log with each "0:12(5): " or "0(12) : " replaced by the file and the line that line 12 of the text
 /// comes from, and the first error in it. (#line with a number for each file would be the language's own way, but
-/// Mesa 22.3 forgets the file's number in some messages: "undeclared" is one.)
+/// Mesa 22.3 forgets the file's number in some messages: "undeclared" is one.) With `source`, what was compiled, the
+/// line that is meant follows each message, once, and where the compiler says a column, a mark below it.
 struct ShaderLog {
     Place first;
     std::string first_message;
     std::string text;
 };
-ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines);
+ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines, const std::string& source = {});
 
 }  // namespace relief

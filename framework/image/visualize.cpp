@@ -22,14 +22,22 @@ const Color* special_color(const float* value, int channels) {
     return nullptr;
 }
 
-Color heat(double share) {
-    // Lightness rises steadily along the scale, so that it can be read without colour too.
-    constexpr std::array<Color, 6> scale = {{{0.00f, 0.00f, 0.02f},
-                                             {0.26f, 0.04f, 0.41f},
-                                             {0.58f, 0.15f, 0.40f},
-                                             {0.87f, 0.32f, 0.23f},
-                                             {0.99f, 0.65f, 0.04f},
-                                             {0.99f, 1.00f, 0.65f}}};
+using Scale = std::array<Color, 6>;
+// Lightness rises steadily along both scales, so that they can be read without colour too.
+constexpr Scale warm = {{{0.00f, 0.00f, 0.02f},
+                         {0.26f, 0.04f, 0.41f},
+                         {0.58f, 0.15f, 0.40f},
+                         {0.87f, 0.32f, 0.23f},
+                         {0.99f, 0.65f, 0.04f},
+                         {0.99f, 1.00f, 0.65f}}};
+constexpr Scale cold = {{{0.00f, 0.00f, 0.02f},
+                         {0.02f, 0.13f, 0.38f},
+                         {0.03f, 0.32f, 0.58f},
+                         {0.05f, 0.54f, 0.75f},
+                         {0.29f, 0.77f, 0.87f},
+                         {0.75f, 0.98f, 0.98f}}};
+
+Color color_on(const Scale& scale, double share) {
     const double place = std::clamp(share, 0.0, 1.0) * (scale.size() - 1);
     const size_t below = std::min(size_t(place), scale.size() - 2);
     Color color;
@@ -38,6 +46,8 @@ Color heat(double share) {
     return color;
 }
 
+Color heat(double share) { return color_on(warm, share); }
+
 }  // namespace
 
 glm::dvec3 heat_color(double share) {
@@ -45,7 +55,8 @@ glm::dvec3 heat_color(double share) {
     return {color[0], color[1], color[2]};
 }
 
-Image visualize_probe(const Image& probe, ErrorMetric metric) {
+Image visualize_probe(const Image& probe, ProbeColors colors) {
+    const ErrorMetric metric = colors.error;
     const int channels = std::min(probe.channels, 3);
     std::vector<double> sizes;
     for (const float value : probe.values)
@@ -55,14 +66,16 @@ Image visualize_probe(const Image& probe, ErrorMetric metric) {
     // Some sixteen bands between 0 and a usual value: one for each texture tile is typical of texels.
     const double band = sizes.empty() ? 1 : std::exp2(std::ceil(std::log2(sizes[sizes.size() / 2] / 16)));
 
+    const auto channel_of = [&](float value) {
+        if (metric == ErrorMetric::angle) return std::clamp(0.5f * value + 0.5f, 0.0f, 1.0f);
+        const double bands = (colors.is_signed ? std::abs(value) : value) / band, place = bands - std::floor(bands);
+        return float(!colors.is_signed ? place : value < 0 ? 0.5 - 0.5 * place : 0.5 + 0.5 * place);
+    };
     const auto color_of = [&](const float* value) {
-        if (metric == ErrorMetric::absolute) return heat(std::abs(value[0]) / largest);
+        if (metric == ErrorMetric::absolute)
+            return color_on(colors.is_signed && value[0] < 0 ? cold : warm, std::abs(value[0]) / largest);
         Color color{};
-        for (int c = 0; c < channels; ++c) {
-            const double bands = value[c] / band;
-            color[size_t(c)] = metric == ErrorMetric::angle ? std::clamp(0.5f * value[c] + 0.5f, 0.0f, 1.0f)
-                                                            : float(bands - std::floor(bands));
-        }
+        for (int c = 0; c < channels; ++c) color[size_t(c)] = channel_of(value[c]);
         return color;
     };
     Image picture(probe.width, probe.height, 3, 8);
@@ -74,11 +87,11 @@ Image visualize_probe(const Image& probe, ErrorMetric metric) {
     return picture;
 }
 
-std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ErrorMetric metric) {
+std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ProbeColors colors) {
     Image both(one.width, 2 * one.height, one.channels);
     const auto middle = std::copy(one.values.begin(), one.values.end(), both.values.begin());
     std::copy(other.values.begin(), other.values.end(), middle);
-    const Image picture = visualize_probe(both, metric);
+    const Image picture = visualize_probe(both, colors);
     Image first(one.width, one.height, picture.channels, 8), second = first;
     const auto half = picture.values.begin() + std::ptrdiff_t(first.values.size());
     std::copy(picture.values.begin(), half, first.values.begin());

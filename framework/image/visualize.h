@@ -12,13 +12,21 @@ namespace relief {
 /// Black at 0 over purple and orange to pale yellow at 1, as sRGB stores it. The twin of shaders/common/heat.glsl.
 glm::dvec3 heat_color(double share);
 
+/// What of a probe chooses its colours.
+struct ProbeColors {
+    ProbeColors(ErrorMetric metric, bool with_sign = false) : error(metric), is_signed(with_sign) {}
+    ErrorMetric error;
+    bool is_signed;  ///< whether it matters that a value is above or below 0
+};
+
 /// A probe as an 8-bit picture: directions (compared by angle) as 0.5 v + 0.5; vectors (by distance) in bands, each
 /// channel rising from 0 to 1 again and again, a power of two wide; single numbers as a heat map, the largest being the
-/// last colour. Dark grey where there is no surface (a value is infinite), magenta where it is not a number. Values can
-/// be anything.
-Image visualize_probe(const Image& probe, ErrorMetric metric);
+/// last colour. Of what is signed, the bands of a vector rise from a half to 1 above 0 and fall from a half to 0 below
+/// it; single numbers below 0 go from black over blue to pale cyan, as far as those above 0 go to yellow. Dark grey
+/// where there is no surface (a value is infinite), magenta where it is not a number. Values can be anything.
+Image visualize_probe(const Image& probe, ProbeColors colors);
 /// Two of one shape in the same colours: bands and heat are chosen by what is in either.
-std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ErrorMetric metric);
+std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ProbeColors colors);
 
 /// A picture whose values can be anything, as an 8-bit one: what is below 0 or above 1 is cut, and colours are those of
 /// visualize_probe() where a value is infinite or not a number.

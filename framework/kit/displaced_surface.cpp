@@ -31,6 +31,7 @@ constexpr std::array<Lay, 8> lays = {{{DisplacedSurface::wall_metres, {2, 2}},
 }  // namespace
 
 void DisplacedSurface::knobs(Knobs& knobs) {
+    knobs.group("Surface");
     knobs.choice("surface", shape, shapes, "shape with the relief");
     knobs.choice("corners", corners_choice, corner_counts, "corners of a patch");
     knobs.steps("patches", density, 1, most_density, "patches along a side, before tessellation; the urn has its own");

@@ -13,6 +13,7 @@ struct DistantLight {
     float yaw = -50, pitch = 40;
 
     void knobs(Knobs& knobs, float min_pitch = -90, float max_pitch = 90) {
+        knobs.group("Light");
         knobs.slider("light_yaw", yaw, -180, 180, "direction of the light, degrees");
         knobs.slider("light_pitch", pitch, min_pitch, max_pitch, "elevation of the light, degrees");
     }

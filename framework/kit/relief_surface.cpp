@@ -31,6 +31,7 @@ Mesh read_urn() {
 }
 
 void ReliefSurface::knobs(Knobs& knobs) {
+    knobs.group("Surface");
     knobs.choice("surface", shape, shapes, "shape with the relief");
     material.knobs(knobs);
     knobs.slider("depth", depth, 0, 1, "depth of the relief, in widths of a tile");

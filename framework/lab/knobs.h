@@ -10,10 +10,13 @@ namespace relief {
 
 class OwnPicture;
 
-/// The visitor to which a lab shows its values, with their ranges (inclusive) and one line of help each.
+/// The visitor to which a lab shows its values, with their ranges (inclusive) and one line of help each. A help may end
+/// in a unit, and begin with the other knob's values for which the knob counts: see knob_help.h.
 class Knobs {
 public:
     virtual ~Knobs() = default;
+    /// A heading over the knobs that follow, up to the next one; where they belong to no group, none.
+    virtual void group(const char*) {}
     virtual void slider(const char* name, float& value, float low, float high, const char* help) = 0;
     virtual void steps(const char* name, int& value, int low, int high, const char* help) = 0;
     virtual void toggle(const char* name, bool& value, const char* help) = 0;

@@ -106,6 +106,7 @@ ProbeInfo read_probe(Table& table) {
     probe.error = read_metric(table);
     table.read("limit", probe.limit, 0, any);
     table.read("any_length", probe.any_length);
+    table.read("signed", probe.is_signed);
     table.finish();
     if (!is_identifier(probe.name))
         table.fail("name", fmt::format("'{}' becomes PROBE_<name> in the shader: use a-z, 0-9 and _", probe.name));

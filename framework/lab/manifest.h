@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/image/compare.h"
+#include "framework/image/visualize.h"
 #include "framework/lab/registry.h"
 #include "framework/lab/shot.h"
 
@@ -20,6 +20,8 @@ struct ProbeInfo {
     ErrorMetric error = ErrorMetric::distance;
     double limit = 1e-3;      ///< in the unit
     bool any_length = false;  ///< of a direction: where the exact one has unit length, others may do without
+    bool is_signed = false;   ///< it matters that a value is above or below 0, and colours show it
+    ProbeColors colors() const { return {error, is_signed}; }
 };
 
 /// A task for students.

@@ -55,6 +55,10 @@ const LabEntry& find_lab(std::string_view text) {
         for (const std::string& part : parts)
             if (folder_of.emplace(part, lab.folder).second) words.push_back(part);
     }
+    const std::vector<std::string> parts = split(std::string(text), '.');
+    for (const LabEntry& lab : registry())
+        if (parts.size() == 2 && parse_int(parts[0]) == lab.number && parse_int(parts[1]))
+            throw UsageError(fmt::format("'{}' is a task of lab {}: say {}", text, lab.number, lab.number));
     std::string line = fmt::format("unknown lab '{}'", text);
     const auto guess = nearest(text, words);
     line += guess ? fmt::format(": did you mean '{}'? There are: ", folder_of.at(*guess)) : "; there are: ";

@@ -15,8 +15,9 @@
 namespace relief {
 namespace {
 
-/// The smallest difference between pictures that gets the last colour of the map: eight times what a pixel may be off.
-constexpr double picture_scale = 16.0 / 255;
+/// The smallest difference between pictures that gets the last colour of the map: eight times what a pixel may be off,
+/// which is picture_step.
+constexpr double picture_scale = 16.0 / 255, picture_step = 2.0 / 255;
 
 const char* sign_of(Outcome outcome) {
     switch (outcome) {
@@ -33,14 +34,19 @@ const char* sign_of(Outcome outcome) {
     }
 }
 
-std::string how_to_read(ErrorMetric metric) {
-    switch (metric) {
+std::string how_to_read(const ProbeInfo& probe) {
+    switch (probe.error) {
         case ErrorMetric::angle:
             return "x, y and z of a direction are red, green and blue; half of each means 0.";
         case ErrorMetric::distance:
-            return "Each channel goes from dark to bright again and again: compare the bands.";
+            return probe.is_signed ? "Each channel goes from half to bright again and again above 0, and from half to "
+                                     "dark below it: compare the bands."
+                                   : "Each channel goes from dark to bright again and again: compare the bands.";
         case ErrorMetric::absolute:
-            return "Dark is 0, bright is the largest value in either picture.";
+            return probe.is_signed
+                       ? "Black is 0, yellow the largest value in either picture; below 0, pale cyan stands "
+                         "for as much."
+                       : "Dark is 0, bright is the largest value in either picture.";
     }
     return {};
 }
@@ -71,13 +77,13 @@ ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const 
     if (!drawn.same_shape(expected) || drawn.pixel_count() == 0) {
         const auto show = [&](const Image& image) {
             return image.pixel_count() == 0 ? Image()
-                   : probe                  ? visualize_probe(image, probe->error)
+                   : probe                  ? visualize_probe(image, probe->colors())
                                             : visualize_picture(image);
         };
-        return {show(drawn), show(expected), {}, {}, {}};
+        return {show(drawn), show(expected), {}, {}, {}, {}};
     }
     ComparedImages shown;
-    std::tie(shown.drawn, shown.expected) = probe ? visualize_probes(drawn, expected, probe->error)
+    std::tie(shown.drawn, shown.expected) = probe ? visualize_probes(drawn, expected, probe->colors())
                                                   : std::pair(visualize_picture(drawn), visualize_picture(expected));
     const Image error = error_image(drawn, expected, probe ? probe->error : ErrorMetric::distance);
     const ErrorSummary summary = summarize(error);
@@ -85,25 +91,28 @@ ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const 
     if (largest <= 0) largest = summary.largest;  // where less than 1 % of the pixels differ
     if (!(largest > 0) || !std::isfinite(largest)) largest = 1;
     shown.difference = visualize_error(error, largest);
-    shown.differs = fmt::format("{} of {} pixels differ; the mean is {}, the largest {}",
+    const double visible = probe ? allowed : picture_step;
+    shown.differs = fmt::format("{} of {} pixels are off by more than {}; the mean is {}, the largest {}",
                                 std::count_if(error.values.begin(), error.values.end(),
-                                              [](float value) { return value != 0 && value != no_surface; }),
-                                error.pixel_count(),
+                                              [&](float value) { return !(value <= visible) && value != no_surface; }),
+                                error.pixel_count(), probe ? amount_of(visible, probe->unit) : "2/255",
                                 probe ? amount_of(summary.mean, probe->unit) : rounded(summary.mean * 255) + " 255ths",
                                 rounded(probe ? summary.largest : summary.largest * 255));
-    shown.scale =
-        error_scale({"0", probe ? amount_of(largest, probe->unit) : fmt::format("{:.0f}/255", largest * 255)});
+    shown.largest = probe ? amount_of(largest, probe->unit) : fmt::format("{:.0f}/255", largest * 255);
+    shown.scale = error_scale({"0", shown.largest});
     return shown;
+}
+
+double largest_limit(const Limits& limits) {
+    return std::max(
+        {limits.mean.value_or(0), limits.p99.value_or(0), limits.largest.value_or(0), limits.wrong ? 1.0 : 0.0});
 }
 
 Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
                      DrawnBy who) {
     const ProbeInfo* const probe = check.shot.probe ? &manifest.probe(check.shot.probe.name) : nullptr;
     // The limit is on the scale: what passes stays dark, however small its own differences are.
-    const Limits& limits = check.limits;
-    const double allowed = std::max(
-        {limits.mean.value_or(0), limits.p99.value_or(0), limits.largest.value_or(0), limits.wrong ? 1.0 : 0.0});
-    const ComparedImages shown = compare_images(probe, drawn, expected, allowed);
+    const ComparedImages shown = compare_images(probe, drawn, expected, largest_limit(check.limits));
     const std::string whose = who == DrawnBy::reader ? "your" : "the submission's",
                       what = probe ? probe->name + " is" : "lab draws";
     List figures;
@@ -121,7 +130,7 @@ Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Ima
     return {{"check", check.name},
             {"figures", std::move(figures)},
             {"probe", is_explained ? probe->name : ""},
-            {"how_to_read", is_explained ? how_to_read(probe->error) : ""}};
+            {"how_to_read", is_explained ? how_to_read(*probe) : ""}};
 }
 
 }  // namespace relief

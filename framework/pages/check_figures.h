@@ -20,11 +20,15 @@ enum class DrawnBy { reader, submission };
 struct ComparedImages {
     Image drawn, expected, difference;  ///< 8-bit RGB, or empty
     std::string differs;                ///< how much they do, in words
+    std::string largest;                ///< what the map's last colour stands for
     Value scale;                        ///< of the map
 };
 /// `probe`: what the images hold; nullptr where they are a lab's pictures. Their values can be anything. The map's last
 /// colour stands for what 99 % of the pixels keep, and for no less than `allowed`, in the probe's unit.
 ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const Image& expected, double allowed = 0);
+
+/// The largest of a check's limits: differences up to it need not be seen.
+double largest_limit(const Limits& limits);
 
 /// For {{> check_figures}}: where both pictures are, they are shown alike and with a map of the difference; an empty
 /// picture is left out. What was drawn need not be trusted: values may be anything. Without scripts the pictures lie

@@ -34,6 +34,7 @@ Fields fields_of(const LabEntry& lab, const Manifest& manifest, const CheckResul
             {"open", !passed},
             {"found_is", result.outcome == Outcome::broken ? "message" : "found"},
             {"found", result.found},
+            {"details", result.details},
             {"allowed", check.reason},
             {"look_at", passed || result.outcome == Outcome::unfinished ? "" : look_at(result)},
             {"command", command_for(lab, manifest, check.shot)},
@@ -52,7 +53,7 @@ std::string look_at(const CheckResult& result) {
     if (result.look_at.empty() && result.outcome == Outcome::broken)
         return result.found.find("not finite") != std::string::npos
                    ? "a root of a negative number, or 0 / 0: nothing can be measured before the values are finite"
-                   : "fix what the message names: nothing can be measured before it compiles and draws";
+                   : "fix what the message names; a missing ; stands at the end of the line before";
     return result.look_at;
 }
 

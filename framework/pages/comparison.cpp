@@ -105,6 +105,7 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
             continue;
         }
         method.summary = summarize(*method.error);
+        result.measured = shot;
         kept.push_back(method.summary.p99);
     }
     if (kept.empty()) return result;

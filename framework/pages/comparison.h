@@ -21,6 +21,7 @@ struct Comparison {
     std::string knob;
     const ProbeInfo* probe = nullptr;  ///< nothing where there is no truth; of the manifest
     std::vector<ComparedMethod> methods;
+    Shot measured;  ///< the last method's; its probe is the one of the errors
     /// The ends of the error maps' scale, the same for all methods. It is logarithmic: methods differ by powers of ten.
     /// `most`: what all but 1 % of each one's pixels keep to, rounded up to 1, 2 or 5 times a power of ten.
     double min = 0, max = 0;

@@ -19,6 +19,7 @@ Value compared(const LabPage& page) {
     const bool has_maps = !page.methods.front().error_map.empty();
     return Fields{{"knob", page.knob},
                   {"probe", has_maps ? page.probe : ""},
+                  {"command", page.command},
                   {"scale", has_maps ? error_scale(page.marks) : Value()},
                   {"width", page.size.x},
                   {"height", page.size.y},

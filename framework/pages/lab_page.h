@@ -23,6 +23,7 @@ struct LabPage {
     std::string picture;              ///< what the lab draws when it opens
     std::string card;                 ///< its picture on the course's first page
     std::string knob, probe;          ///< what is compared, and whose error is shown
+    std::string command;              ///< that measures the last method's error, or empty
     std::vector<std::string> marks;   ///< of the error maps' scale
     glm::ivec2 size{0}, map_size{0};  ///< of the methods' pictures and error maps, pixels
     std::vector<Method> methods;      ///< two or more, or none

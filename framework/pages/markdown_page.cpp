@@ -34,6 +34,8 @@ public:
             case BlockKind::code:
                 if (block.language == "formula")
                     fields["formulas"] = rows(formulas(block.text));
+                else if (block.language == "measured")
+                    fields["measured"] = block.text;
                 else
                     fields["code"] = block.text;
                 break;
@@ -60,8 +62,8 @@ public:
 private:
     /// Each name of block.mustache for which a block may have no value.
     static Fields nothing() {
-        return {{"closed", ""}, {"heading", ""}, {"paragraph", ""}, {"figure", ""}, {"item", ""},
-                {"quote", ""},  {"code", ""},    {"formulas", ""},  {"table", ""},  {"rule", ""}};
+        return {{"closed", ""}, {"heading", ""},  {"paragraph", ""}, {"figure", ""}, {"item", ""}, {"quote", ""},
+                {"code", ""},   {"formulas", ""}, {"measured", ""},  {"table", ""},  {"rule", ""}};
     }
 
     List close_lists(size_t depth) {

@@ -25,8 +25,9 @@ struct PagePlaces {
     std::function<std::optional<PagePicture>(const std::string& target)> picture;
 };
 
-/// For {{#name}}{{> block}}{{/name}}: headings have ids; a picture that is a whole paragraph is a figure with its text as
-/// caption; wide tables and code scroll in themselves. Throws Error for a formula that cannot be read.
+/// For {{#name}}{{> block}}{{/name}}: headings have ids; a picture that is a whole paragraph is a figure with its text
+/// as caption; wide tables and code scroll in themselves; a block of the language `measured` is folded. Throws Error
+/// for a formula that cannot be read.
 List markdown_blocks(std::span<const Block> blocks, const PagePlaces& places);
 
 }  // namespace relief

@@ -13,6 +13,7 @@ struct MenuStart {
     std::string lab_folder;         ///< its name; the first lab where there is none of that name
     std::optional<Shot> shot = {};  ///< knobs, camera and probe; else the lab's own
     bool error_map = false;
+    std::string check = {};  ///< show this check in place of the picture
 };
 
 /// Opens the window and returns the exit code when it is closed.

@@ -12,10 +12,8 @@
 #include "framework/window/menu_style.h"
 
 namespace relief {
-namespace {
 
-/// From 0 to `largest`, in the map's own colours, as wide as there is room.
-void draw_scale(const std::string& largest) {
+void draw_heat_scale(const std::string& first, const std::string& last, float width) {
     constexpr int steps = 5;  // between the colours of visualize_error(), which are linear in between
     Image values(steps + 1, 1, 1);
     for (int i = 0; i <= steps; ++i) values.values[size_t(i)] = float(i) / steps;
@@ -25,19 +23,18 @@ void draw_scale(const std::string& largest) {
         return ImGui::ColorConvertFloat4ToU32({c[0], c[1], c[2], 1});
     };
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight() * 0.6f;
+    const float height = ImGui::GetTextLineHeight() * 0.6f;
     for (int i = 0; i < steps; ++i)
         ImGui::GetWindowDrawList()->AddRectFilledMultiColor(
             {corner.x + width * float(i) / steps, corner.y},
             {corner.x + width * float(i + 1) / steps, corner.y + height}, color(i), color(i + 1), color(i + 1),
             color(i));
     ImGui::Dummy({width, height});
-    quiet_text("0");
-    ImGui::SameLine(ImGui::GetCursorPosX() + width - ImGui::CalcTextSize(largest.c_str()).x);
-    quiet_text(largest);
+    const float left = ImGui::GetCursorPosX();
+    ImGui::TextColored(quiet, "%s", first.c_str());
+    ImGui::SameLine(left + width - ImGui::CalcTextSize(last.c_str()).x);
+    ImGui::TextColored(quiet, "%s", last.c_str());
 }
-
-}  // namespace
 
 void ErrorMap::forget() {
     done_ = false;
@@ -93,12 +90,12 @@ void ErrorMap::compare(Stage& stage) {
     throw Error(reason + ".");
 }
 
-void ErrorMap::draw(int x, glm::ivec2 size, bool moves) const {
+void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size, bool moves) const {
     if (!on_) return;
-    const float left = float(x), right = float(x + size.x), bottom = float(size.y);
+    const auto left = float(at.x), right = float(at.x + size.x), bottom = float(at.y + size.y);
     if (picture_)  // row 0 of a texture is the bottom
         ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(GLuint(*picture_))),
-                                                 {left, 0}, {right, bottom}, {0, 1}, {1, 0});
+                                                 {left, float(at.y)}, {right, bottom}, {0, 1}, {1, 0});
     ImGui::SetNextWindowPos({left + 12, bottom - 12}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSize({std::max(60.0f, float(size.x) - 24), 0});
     ImGui::SetNextWindowBgAlpha(0.8f);
@@ -120,7 +117,7 @@ void ErrorMap::draw(int x, glm::ivec2 size, bool moves) const {
             wrapped(fmt::format("{} pixels, in magenta, are NaN or infinite.", error_.not_finite));
             ImGui::PopStyleColor();
         }
-        draw_scale(amount_of(error_.p99, probe.unit) + " and more");
+        draw_heat_scale("0", amount_of(error_.p99, probe.unit) + " and more", ImGui::GetContentRegionAvail().x);
     }
     ImGui::End();
 }

@@ -12,6 +12,9 @@ namespace relief {
 
 class Stage;
 
+/// The colours of errors from `first` to `last`, as wide as is said.
+void draw_heat_scale(const std::string& first, const std::string& last, float width);
+
 class ErrorMap {
 public:
     bool on() const { return on_; }
@@ -35,8 +38,8 @@ public:
     };
     const Compared* compared() const { return compared_ ? &*compared_ : nullptr; }
 
-    /// Draws it right of the picture, at pixel `x`. `moves`: the picture is animated, so there is no map.
-    void draw(int x, glm::ivec2 size, bool moves) const;
+    /// Draws it with its corner at `at`. `moves`: the picture is animated, so there is no map.
+    void draw(glm::ivec2 at, glm::ivec2 size, bool moves) const;
 
 private:
     void compare(Stage& stage);

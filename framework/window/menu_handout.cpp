@@ -10,6 +10,7 @@
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
+#include "framework/base/text.h"
 #include "framework/image/file.h"
 #include "framework/window/menu_style.h"
 
@@ -20,11 +21,15 @@ const ImVec4 plain_color{0.88f, 0.88f, 0.86f, 1}, bold_color{1, 1, 0.98f, 1}, co
     link_color{0.56f, 0.74f, 0.95f, 1};
 constexpr ImU32 code_back = IM_COL32(46, 48, 56, 255), line_color = IM_COL32(84, 86, 94, 255);
 
+/// What the target of a knob's name begins with.
+constexpr std::string_view knob_link = "knob:";
+
 /// How a span looks. Debian's DejaVu has no slanted faces in its small package: italics are quiet.
 struct Look {
     ImFont* face;
     ImU32 color;
     bool boxed = false;
+    std::string knob = {};  ///< what a click sets or shows: "method", "method=steep"
 };
 Look look_of(const Span& span, FontRole base) {
     const ImVec4 color = span.code              ? code_color
@@ -33,7 +38,9 @@ Look look_of(const Span& span, FontRole base) {
                          : span.bold            ? bold_color
                                                 : plain_color;
     const FontRole role = span.code ? FontRole::code : span.bold && base == FontRole::text ? FontRole::bold : base;
-    return {font(role), ImGui::ColorConvertFloat4ToU32(color), span.code};
+    const bool is_knob = span.code && span.target.starts_with(knob_link);
+    return {font(role), ImGui::ColorConvertFloat4ToU32(is_knob ? link_color : color), span.code,
+            is_knob ? span.target.substr(knob_link.size()) : ""};
 }
 
 /// Sets words from left to right in lines of a width; what is wider than a line is cut.
@@ -63,6 +70,8 @@ public:
     }
     float height() const { return y_ + line_; }
     float widest() const { return widest_; }
+    /// The knob that was clicked, or empty.
+    const std::string& clicked() const { return clicked_; }
 
 private:
     struct Piece {
@@ -112,6 +121,12 @@ private:
             }
             list.AddText(piece.look.face, size, at, piece.look.color, piece.text.c_str(),
                          piece.text.c_str() + piece.text.size());
+            if (!piece.look.knob.empty() && ImGui::IsWindowHovered() &&
+                ImGui::IsMouseHoveringRect({at.x - 2, at.y - 1}, {at.x + width + 2, at.y + size + 1})) {
+                list.AddLine({at.x, at.y + size}, {at.x + width, at.y + size}, piece.look.color);
+                ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+                if (ImGui::IsMouseReleased(0)) clicked_ = piece.look.knob;
+            }
         }
         x_ += width;
         widest_ = std::max(widest_, x_);
@@ -123,14 +138,25 @@ private:
     bool visible_;
     float line_, x_ = 0, y_ = 0, widest_ = 0;
     std::vector<Piece> word_;
+    std::string clicked_;
 };
 
-/// Sets spans at the cursor and moves it below them.
-void set_spans(const Spans& spans, float width, FontRole base = FontRole::text, float indent = 0) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    TextLayout layout({at.x + indent, at.y}, width - indent, base, true);
-    layout.set(spans);
-    ImGui::Dummy({width, layout.height()});
+/// The first word of a text, without what ends a clause.
+std::string first_word(const std::string& text) {
+    const size_t begin = text.find_first_not_of(' ');
+    if (begin == std::string::npos) return {};
+    const size_t end = text.find_first_of(" ,;:|)\n", begin);
+    std::string word = text.substr(begin, end == std::string::npos ? end : end - begin);
+    while (!word.empty() && word.back() == '.') word.pop_back();
+    return word;
+}
+
+/// Whether a knob's text can be this value: one of its choices, or a number where it takes numbers.
+bool takes(const KnobText& knob, const std::string& value) {
+    if (value.empty()) return false;
+    for (const std::string& choice : split(knob.range, ','))
+        if (first_word(choice) == value && choice.find(" to ") == std::string::npos) return true;
+    return knob.range.find(" to ") != std::string::npos && parse_number(value).has_value();
 }
 
 void draw_code(const std::string& text, float width) {
@@ -186,19 +212,39 @@ bool Handout::look() {
     return true;
 }
 
-void Handout::draw(int left, float scale) {
+Spans Handout::with_links(Spans spans) const {
+    for (size_t i = 0; i < spans.size(); ++i) {
+        Span& span = spans[i];
+        if (!span.code) continue;
+        const size_t equals = span.text.find('=');
+        const std::string name = first_word(span.text.substr(0, equals));
+        const auto knob =
+            std::find_if(knobs_.begin(), knobs_.end(), [&](const KnobText& one) { return one.name == name; });
+        if (knob == knobs_.end() || (equals == std::string::npos && name != span.text)) continue;
+        // `method=steep`, or as tables have it: `method` steep
+        const std::string value = equals != std::string::npos ? first_word(span.text.substr(equals + 1))
+                                  : i + 1 < spans.size() && !spans[i + 1].code ? first_word(spans[i + 1].text)
+                                                                               : "";
+        span.target = std::string(knob_link) + (takes(*knob, value) ? name + "=" + value : name);
+    }
+    return spans;
+}
+
+void Handout::set_spans(const Spans& spans, float width, FontRole base, float indent) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    TextLayout layout({at.x + indent, at.y}, width - indent, base, true);
+    layout.set(with_links(spans));
+    if (!layout.clicked().empty()) clicked_ = layout.clicked();
+    ImGui::Dummy({width, layout.height()});
+}
+
+void Handout::draw(const Box& box, float scale, const std::vector<KnobText>& knobs, MenuWish& wish) {
     // Not in the frame of the press, which still has the pictures in its lists.
     if (std::exchange(closing_, false)) close();
     if (!open_) return;
-    const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const float room = all.x - float(left), margin = std::min(20 * scale, room / 20);
-    ImGui::SetNextWindowPos({float(left) + margin, margin});
-    ImGui::SetNextWindowSize({std::max(80.0f, std::min(room - 2 * margin, 860 * scale)), all.y - 2 * margin});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {28 * scale, 20 * scale});
-    ImGui::Begin("handout", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PopStyleVar();
+    knobs_ = knobs;
+    clicked_.clear();
+    begin_in(box, "handout", {18 * scale, 12 * scale}, true);
     if (std::exchange(to_top_, false)) ImGui::SetScrollY(0);
     if (const float lines = std::exchange(scroll_, 0.0f); lines != 0)
         ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + lines * 20 * scale, 0.0f, ImGui::GetScrollMaxY()));
@@ -209,6 +255,10 @@ void Handout::draw(int left, float scale) {
     ImGui::Dummy({0, 6});
     closing_ = ImGui::Button("Close (F1)");
     ImGui::End();
+    if (clicked_.empty()) return;
+    const size_t equals = clicked_.find('=');
+    wish.knob = clicked_.substr(0, equals);
+    if (equals != std::string::npos) wish.value = clicked_.substr(equals + 1);
 }
 
 void Handout::draw_block(const Block& block, float width) {
@@ -247,7 +297,12 @@ void Handout::draw_block(const Block& block, float width) {
             break;
         }
         case BlockKind::code:
-            draw_code(block.text, width);
+            if (block.language != "measured") {
+                draw_code(block.text, width);
+            } else if (ImGui::TreeNode(&block, "How it was measured")) {
+                draw_code(block.text, width);
+                ImGui::TreePop();
+            }
             space(em * 0.2f);
             break;
         case BlockKind::table:
@@ -260,11 +315,11 @@ void Handout::draw_block(const Block& block, float width) {
     }
 }
 
-void Handout::draw_table(const Block& block, float width) const {
+void Handout::draw_table(const Block& block, float width) {
     const float em = font(FontRole::text)->FontSize, padding = em * 0.6f;
     const size_t columns = block.rows.front().size();
     const auto cell = [&](size_t row, size_t column) {
-        return row == 0 ? in_bold(block.rows[row][column]) : block.rows[row][column];
+        return with_links(row == 0 ? in_bold(block.rows[row][column]) : block.rows[row][column]);
     };
     // Each column as wide as it would like; when that is too much, those that want more than their share divide what
     // the modest ones leave.
@@ -296,6 +351,7 @@ void Handout::draw_table(const Block& block, float width) const {
         for (size_t column = 0; column < columns; ++column) {
             TextLayout layout({x + padding, y + padding / 2}, widths[column], FontRole::text, true);
             layout.set(cell(row, column));
+            if (!layout.clicked().empty()) clicked_ = layout.clicked();
             height = std::max(height, layout.height());
             x += widths[column] + 2 * padding;
         }

@@ -1,26 +1,31 @@
-// The panel beside the picture in the menu window. In the window module only.
+// The panel beside the picture: the knobs and what to look at, or the checks. In the window module only.
 #pragma once
 
 #include <string>
 
-#include "framework/lab/registry.h"
+#include "framework/window/menu_layout.h"
+#include "framework/window/menu_wish.h"
 
 namespace relief {
 
+class Checks;
 class Stage;
 
-/// The user's requests in the panel.
-struct PanelWish {
-    const LabEntry* lab = nullptr;
-    int step = 0;  ///< 1: the next lab, -1: the one before
-    bool restart = false, save = false;
-    bool handout = false, error_map = false;  ///< show it, or hide it if it is shown
+class Panel {
+public:
+    /// Knobs and probe change the stage at once. `check`: the one that is shown, or empty.
+    void draw(const Box& box, Stage& stage, const Checks& checks, const std::string& check, bool error_map,
+              MenuWish& wish);
+
+    void show_knobs() { wanted_ = "Knobs"; }
+    void show_checks() { wanted_ = "Checks"; }
+    /// Scrolls to a knob and marks it for a moment.
+    void seek(const std::string& knob) { seek_ = knob, show_knobs(); }
+
+private:
+    bool begin_tab(const char* name);
+
+    std::string wanted_, seek_;
 };
-
-/// Draws labs, knobs, probes, counters and keys; `width` in pixels. Knobs and probe change the stage at once.
-PanelWish draw_panel(Stage& stage, int width, bool error_map, const std::string& message);
-
-/// Draws the stage's error, if any, over the upper part of the picture.
-void draw_error(const Stage& stage, int panel_width);
 
 }  // namespace relief

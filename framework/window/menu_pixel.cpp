@@ -40,14 +40,39 @@ void draw_cross(float x, float y) {
     }
 }
 
+Image pixel_of(const Image& image, glm::ivec2 pixel) {
+    Image one(1, 1, image.channels);
+    std::copy_n(image.pixel(pixel.x, pixel.y), image.channels, one.values.begin());
+    return one;
+}
+
 }  // namespace
 
-void PixelValues::draw(const Stage& stage, const ErrorMap& map, int x, glm::ivec2 size) {
+std::vector<PixelRow> pixel_rows(const ProbeInfo& probe, glm::ivec2 pixel, const Image& values, const Image* exact) {
+    int channels = used_channels(values, pixel, probe.error);
+    if (exact) channels = std::max(channels, used_channels(*exact, pixel, probe.error));
+    std::vector<PixelRow> rows = {{"value", numbers_at(values, pixel, channels)}};
+    if (!exact) return rows;
+    rows.push_back({"exact", numbers_at(*exact, pixel, channels)});
+    const float error = error_image(pixel_of(values, pixel), pixel_of(*exact, pixel), probe.error).values.front();
+    if (std::isfinite(error)) rows.push_back({"error", amount_of(double(error), probe.unit)});
+    return rows;
+}
+
+void draw_rows(const std::vector<PixelRow>& rows) {
+    for (const PixelRow& row : rows) {
+        quiet_text(row.name);
+        ImGui::SameLine(ImGui::CalcTextSize("exact   ").x + ImGui::GetStyle().WindowPadding.x);
+        text(row.numbers);
+    }
+}
+
+void PixelValues::draw(const Stage& stage, const ErrorMap& map, glm::ivec2 corner, glm::ivec2 size) {
     const ErrorMap::Compared* const compared = map.compared();
     const Image* const values = compared ? &compared->values : stage.values() ? &*stage.values() : nullptr;
     if (!values || values->width != size.x || values->height != size.y) return;
     const ImGuiIO& io = ImGui::GetIO();
-    glm::ivec2 mouse(int(io.MousePos.x) - x, int(io.MousePos.y));
+    glm::ivec2 mouse = glm::ivec2(int(io.MousePos.x), int(io.MousePos.y)) - corner;
     if (map.on() && mouse.x >= size.x) mouse.x -= size.x;
     const bool is_over = !io.WantCaptureMouse && mouse.x >= 0 && mouse.y >= 0 && mouse.x < size.x && mouse.y < size.y;
     const float dragged = std::sqrt(io.MouseDragMaxDistanceSqr[0]);
@@ -60,10 +85,10 @@ void PixelValues::draw(const Stage& stage, const ErrorMap& map, int x, glm::ivec
     const glm::ivec2 pixel = glm::clamp(held_.value_or(mouse), glm::ivec2(0), size - 1);
     if (held_)
         for (int copy = 0; copy <= int(map.on()); ++copy)
-            draw_cross(float(x + copy * size.x + pixel.x), float(pixel.y));
+            draw_cross(float(corner.x + copy * size.x + pixel.x), float(corner.y + pixel.y));
 
     const ProbeInfo& probe = compared ? compared->probe : stage.manifest().probe(stage.probe().name);
-    const ImVec2 at(float(x + pixel.x) + 16, float(pixel.y) + 16);
+    const ImVec2 at(float(corner.x + pixel.x) + 16, float(corner.y + pixel.y) + 16);
     ImGui::SetNextWindowPos(at, ImGuiCond_Always,
                             {at.x > io.DisplaySize.x * 0.7f ? 1.1f : 0, at.y > io.DisplaySize.y * 0.8f ? 1.3f : 0});
     ImGui::SetNextWindowBgAlpha(0.9f);
@@ -71,23 +96,13 @@ void PixelValues::draw(const Stage& stage, const ErrorMap& map, int x, glm::ivec
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
     quiet_text(fmt::format("{} at {}, {}{}", probe.name, pixel.x, pixel.y, held_ ? ", held" : ""));
-    int channels = used_channels(*values, pixel, probe.error);
-    if (compared) channels = std::max(channels, used_channels(compared->exact, pixel, probe.error));
-    std::vector<std::pair<const char*, std::string>> rows = {{"value", numbers_at(*values, pixel, channels)}};
-    if (compared) {
-        rows.emplace_back("exact", numbers_at(compared->exact, pixel, channels));
-        const float error = *compared->errors.pixel(pixel.x, pixel.y);
-        if (std::isfinite(error)) rows.emplace_back("error", amount_of(double(error), probe.unit));
-    }
-    std::string line = fmt::format("pixel {}, {}: {}", pixel.x, pixel.y, probe.name);
-    for (const auto& [name, value] : rows) {
-        quiet_text(name);
-        ImGui::SameLine(ImGui::CalcTextSize("exact   ").x + ImGui::GetStyle().WindowPadding.x);
-        text(value);
-        line += fmt::format(", {} {}", name, value);
-    }
-    if (is_new) print_event(line);
+    const std::vector<PixelRow> rows = pixel_rows(probe, pixel, *values, compared ? &compared->exact : nullptr);
+    draw_rows(rows);
     ImGui::End();
+    if (!is_new) return;
+    std::string line = fmt::format("pixel {}, {}: {}", pixel.x, pixel.y, probe.name);
+    for (const PixelRow& row : rows) line += fmt::format(", {} {}", row.name, row.numbers);
+    print_event(line);
 }
 
 }  // namespace relief

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "framework/base/error.h"
+#include "framework/lab/knobs.h"
 #include "framework/lab/manifest.h"
 
 namespace relief {
@@ -38,7 +39,21 @@ public:
     ShaderState shaders() const;
 
     /// Call it when a knob or the camera moved.
-    void changed() { stale_ = true; }
+    void changed() { stale_ = true, ++edits_; }
+    /// How often the user has changed what is shown.
+    int64_t edits() const { return edits_; }
+    /// The knobs of this lab as a new one has them.
+    const std::vector<KnobText>& defaults() const { return defaults_; }
+    /// What is shown, as a shot: all knobs, camera and probe.
+    Shot settings() const;
+    /// Shows knobs, camera and probe of a shot; knobs that it does not set are at their defaults. What cannot be set (a
+    /// picture whose file is gone) is said and left out.
+    void apply(const Shot& shot);
+    void reset_knob(const std::string& name);
+    /// Whether draw() would draw.
+    bool is_due(glm::ivec2 size, double time) const;
+    /// Whether that may take so long that somebody waits: the first frame of a lab, and where the last one did.
+    bool is_slow() const { return shown_ == 0 || milliseconds_ > 400; }
     /// Draws when something changed since the last call; returns whether it did.
     bool draw(glm::ivec2 size, double time);
 
@@ -60,9 +75,12 @@ public:
     int64_t draw_calls() const { return draw_calls_; }     ///< in the last frame
     double milliseconds() const { return milliseconds_; }  ///< of the last frame, to its end on the GPU
 
+    /// Where both stages show the same probe, gives both pictures the same colours.
+    friend void show_alike(Stage& one, Stage& other);
+
 private:
     void fail(const Error& error);
-    GLuint draw_probe();
+    GLuint draw_probe(Image picture);
 
     const LabEntry* entry_ = nullptr;
     Manifest manifest_;
@@ -77,7 +95,9 @@ private:
     std::optional<ProbePicture> probe_picture_;
     std::optional<Image> values_;
     GLuint shown_ = 0;
+    std::vector<KnobText> defaults_;
     bool stale_ = true, renewed_ = false;
+    int64_t edits_ = 0;
     std::optional<Error> failure_;         ///< of the last frame, or of opening the lab
     std::optional<Error> shader_failure_;  ///< of shaders that were saved since
     int64_t frames_ = 0, draw_calls_ = 0;

@@ -47,12 +47,14 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views, "every filter, or one of them");
         knobs.choice("filter", filter_, filters, "for view = one: the filter of the wall");
         knobs.choice("show", show_, shows,
                      "the lit relief, the error compared with the exact slope, or half of each; or what else heights "
                      "give: how open "
                      "a place is to the sky, how glossy by its normals' spread");
+        knobs.group("Map");
         knobs.choice_or_picture("source", source_, own_, sources,
                                 "a known function, the bricks' height map, or the bricks' colours");
         knobs.choice("size", size_, sizes, "texels along each side of the map (source waves)");
@@ -62,9 +64,11 @@ public:
         knobs.toggle("wrap", wrap_, "continue the map at its other side; off: it ends at its border");
         knobs.choice("where", where_, places,
                      "the map is computed by a fragment shader, or by the framework on the CPU");
+        knobs.group("Strength of detail");
         knobs.slider("fine", fine_, 0, 3, "strength of detail of one texel");
         knobs.slider("middle", middle_, 0, 3, "strength of detail of two texels");
         knobs.slider("coarse", coarse_, 0, 3, "strength of detail of four texels");
+        knobs.group("Wall and light");
         knobs.steps("repeat", repeat_, 1, 4, "repeats of the map along each side of the wall: look for seams");
         knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light around the wall, degrees");
         knobs.slider("light_height", light_height_, -2, 2, "height of the light, metres");

@@ -33,17 +33,20 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views, "the methods side by side, or one of them");
         knobs.choice("method", method_, methods, "for view = one: source of the tangent");
         knobs.choice("shape", shape_, shapes, "shape with the bricks");
         knobs.choice("show", show_, shows, "the light, the angle to the exact dP/du, or half of each");
         knobs.toggle("lines", lines_, "draw the frames: tangent red, bitangent green, normal blue");
         knobs.slider("line_length", line_length_, 2, 60, "length of the drawn axes, pixels");
+        knobs.group("Mesh");
         knobs.steps("columns", columns_, 3, 64, "cells of the mesh around the shape");
         knobs.steps("rows", rows_, 2, 64, "cells of the mesh from bottom to top");
         knobs.slider("jitter", jitter_, 0, 1, "random shift of the vertices");
         knobs.slider("shear", shear_, -1, 1, "shear of the quad's texture: how much v grows along x");
         knobs.toggle("collapsed", collapsed_, "set all u to 0: no triangle has an area in uv");
+        knobs.group("Light");
         knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light around the shape, degrees");
     }
 

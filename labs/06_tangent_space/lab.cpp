@@ -31,8 +31,10 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views, "the right way and three mistakes, or one picture by the knobs");
         knobs.choice("shape", shape_, shapes, "shape of the model; the wall's left half is mirrored");
+        knobs.group("Normals");
         knobs.choice("normals", normals_from_, sources, "normals from the map, or from the vertices only");
         knobs.choice_or_picture("map", map_, own_, maps, "the normal map: bricks, or one flat texel");
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
@@ -44,14 +46,17 @@ public:
                      "the model's matrices multiplied first, or the normal transformed by one after the other");
         knobs.toggle("turn_tangent", turn_tangent_, "for view = one: rotate the tangent with the texture");
         knobs.slider("turn", turn_, -180, 180, "rotation of the texture, degrees");
+        knobs.group("Model");
         knobs.slider("scale_x", scale_.x, -2, 2, "scale of the model along x");
         knobs.slider("scale_y", scale_.y, -2, 2, "scale of the model along y");
         knobs.slider("scale_z", scale_.z, -2, 2, "scale of the model along z");
         knobs.steps("size", size_, -6, 6, "size of the model, a power of ten");
         knobs.slider("rotate", rotate_, -180, 180, "rotation of the model about the vertical, degrees");
+        knobs.group("Light");
         knobs.slider("light_yaw", light_yaw_, -180, 180, "direction of the light, degrees");
         knobs.slider("light_height", light_height_, -3, 3, "height of the light, metres");
         knobs.slider("light_distance", light_distance_, 0, 5, "distance of the light from the axis, metres");
+        knobs.group("Faults");
         knobs.choice("trouble", trouble_, troubles, "faults in the tangents of the vertices");
     }
 

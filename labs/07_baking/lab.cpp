@@ -47,10 +47,13 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views_,
                      "all models, the cube by every frame, a cut with its rays, the map, or one model");
-        knobs.choice("shape", shape_, shapes, "for view = map, rays and one: an ammonite, one in a mirror, or a cube");
+        knobs.choice("shape", shape_, shapes, "the model: an ammonite, one in a mirror, or a cube");
         knobs.choice("wears", wears_, wears, "for view = one: the coarse model with its map, without, or the fine one");
+        knobs.slider("cut", cut_, 0, 1, "for view = rays: where the cut is, in turns");
+        knobs.group("Bake");
         knobs.choice("map", space_, spaces, "space of the map's normals");
         knobs.choice("bake_frame", bake_frame_, bake_frames, "frame in which the bake stores a normal");
         knobs.choice("frame", frame_, frames, "frame in which the renderer reads it");
@@ -58,16 +61,18 @@ public:
         knobs.choice("rays", ray_normals_, ray_normals, "direction of a ray: the interpolated normal, or the face's");
         knobs.choice("take", take_, takes, "which hit counts: the nearest to the coarse model, the first, or the last");
         knobs.slider("reach", reach_, 0, 0.6f, "distance of the cage, in radii of the tube");
+        knobs.group("Shell");
         knobs.slider("gap", gap_, 0, 0.4f, "free space between the whorls, in radii of the tube");
         knobs.toggle("cord", cord_, "a cord that winds above the last whorl without touching it");
+        knobs.group("Map");
         knobs.choice("islands", islands_, islands, "strips of the map side by side, or two of them in one place");
         knobs.choice("map_size", size_, sizes, "side of the map, texels");
-        knobs.choice("bits", bits_, bit_counts, "of each channel of the map");
+        knobs.choice("bits", bits_, bit_counts, "bits of each channel of the map");
         knobs.steps("padding", padding_, 0, 16, "texels by which the map goes on around its islands");
         knobs.choice("level", level_, levels, "mip level of the map that is read");
+        knobs.group("Models");
         knobs.choice("low", low_, lows, "triangles of the coarse model");
         knobs.choice("high", high_, highs, "triangles of the fine model");
-        knobs.slider("cut", cut_, 0, 1, "for view = rays: where the cut is, in turns");
         light_.knobs(knobs);
     }
 

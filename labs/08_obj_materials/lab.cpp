@@ -45,22 +45,26 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, view_names,
                      "the garden and its programs; or one picture, filters, mip levels, the lamp");
         knobs.choice("file", file_, files, "the OBJ file");
         knobs.choice("maps", maps_, map_choices, "read the maps that materials name; or both, side by side");
         knobs.choice("programs", programs_, program_kinds, "a program for each set of features, or one with branches");
-        knobs.choice("order", order_, orders, "of the surfaces; weighted: glass in any order, blended by weights");
+        knobs.steps("highlight", highlight_, 0, 12, "show this material alone in its light; 0: all");
+        knobs.choice("filter", filter_, filters, "how the colours of maps are read");
+        knobs.group("Glass and masks");
+        knobs.choice("order", order_, orders,
+                     "order of the surfaces; weighted: glass in any order, blended by weights");
         knobs.choice("blend_in", blend_in_, blend_spaces, "blend light, or the values that sRGB stores");
         knobs.choice("alpha", alpha_, alphas, "what a mask does with a pixel");
         knobs.slider("threshold", threshold_, 0.05f, 0.95f, "for alpha = test: what is above it stays");
         knobs.slider("fence", fence_, 0.5f, 8, "tiles of wire to one of the file's");
-        knobs.choice("filter", filter_, filters, "how the colours of maps are read");
+        knobs.group("Lantern");
         knobs.choice("lamp", lamp_, lamps, "the lantern with its cone, without it, or daylight");
         knobs.slider("range", range_, 0, 20, "how far the lantern reaches, metres");
         knobs.slider("cone", cone_, 0, 64, "exponent of the lantern's cone; 0 shines all around");
-        knobs.slider("lamp_height", lamp_height_, 0, 3, "of the lantern's light above the ground, metres");
-        knobs.steps("highlight", highlight_, 0, 12, "show this material alone in its light; 0: all");
+        knobs.slider("lamp_height", lamp_height_, 0, 3, "height of the lantern's light above the ground, metres");
         light_.knobs(knobs, -5, 90);
     }
 

@@ -36,10 +36,12 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice(
             "view", view_, view_names,
             "the planet, its pole and its patches; one of them; mountains by the map and by their vertices; the "
             "grid's frames where patches meet; or the faces spread out");
+        knobs.group("Grid and normals");
         knobs.choice("mapping", mapping_, mappings,
                      "where the grid lies: equal angles, the cube, latitude and longitude");
         knobs.choice("normals", normals_, normal_rules, "normals by the metric, or by what is commonly written");
@@ -48,6 +50,7 @@ public:
         knobs.choice("lit_by", lit_by_, lit_bys, "normals of the map, or those at the vertices, interpolated");
         knobs.toggle("gutter", gutter_, "maps go on beyond the border of their patch, or repeat its last texel");
         knobs.choice("strength", strength_, strengths, "by what a level multiplies its slopes");
+        knobs.group("Patches");
         knobs.choice("levels", levels_, level_rules, "all patches alike, by distance, or by their error on the screen");
         knobs.steps("level", level_, 0, 5, "for levels = uniform, and of the faces: level of every patch");
         knobs.slider("budget", budget_, 0.25f, 16, "tolerated error, pixels");
@@ -55,16 +58,18 @@ public:
         knobs.choice("texels", texels_, texel_counts, "texels along a patch's side");
         knobs.toggle("skirts", skirts_, "borders reach down, so that no gap opens between two levels");
         knobs.choice("cull", cull_, culls, "leave out no patches, those outside of the picture, or also hidden ones");
+        knobs.group("Eye");
         knobs.choice("eye", eye_, eyes, "the camera, or above a place on the ground");
-        knobs.slider("altitude", altitude_, -6, 1, "for eye = ground: above it, as a power of 10 of the radius");
-        knobs.slider("longitude", longitude_, -180, 180, "for eye = ground: degrees");
-        knobs.slider("latitude", latitude_, -90, 90, "for eye = ground: degrees");
-        knobs.slider("heading", heading_, -180, 180, "for eye = ground: degrees from north to the right");
-        knobs.slider("tilt", tilt_, -90, 90, "for eye = ground: degrees above the horizontal");
-        knobs.slider("radius", radius_, 0, 7, "of the planet, as a power of 10 in metres; 6.804 is the Earth");
+        knobs.slider("altitude", altitude_, -6, 1, "for eye = ground: height above it, as a power of 10 of the radius");
+        knobs.slider("longitude", longitude_, -180, 180, "for eye = ground: longitude of the place, degrees");
+        knobs.slider("latitude", latitude_, -90, 90, "for eye = ground: latitude of the place, degrees");
+        knobs.slider("heading", heading_, -180, 180, "for eye = ground: direction from north to the right, degrees");
+        knobs.slider("tilt", tilt_, -90, 90, "for eye = ground: elevation of the view, degrees");
+        knobs.group("Planet");
+        knobs.slider("radius", radius_, 0, 7, "radius of the planet, as a power of 10 in metres; 6.804 is the Earth");
         knobs.choice("precise", precise_, precisions, "subtract the eye before rounding to float, or after");
         knobs.choice("depth", depth_, depths, "depth by a logarithm, or as usual");
-        knobs.slider("height", height_, 0, 2, "of mountains and craters");
+        knobs.slider("height", height_, 0, 2, "height of mountains and craters");
         knobs.steps("detail", detail_, 0, 5, "octaves of the mountains' ridges");
         knobs.steps("seed", seed_, 0, 99, "another planet");
         sun_.knobs(knobs);

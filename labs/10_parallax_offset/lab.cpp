@@ -32,6 +32,7 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views, "every method at five angles on the wall, or one from the camera");
         knobs.choice("method", method_, methods, "for view = one: the method");
         knobs.steps("steps", steps_, 1, 256, "layers of the steep method");

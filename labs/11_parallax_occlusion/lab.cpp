@@ -45,8 +45,10 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views, "methods side by side, or one picture by the knobs");
         knobs.choice("show", show_, shows, "for view = compare: the picture, the error, or both");
+        knobs.group("March");
         knobs.choice("count", chosen_.count, counts, "rule for the number of steps");
         knobs.steps("steps", steps_, 1, 512, "steps of the march; with count = angle: of a level ray");
         knobs.steps("least_steps", least_steps_, 1, 512, "for count = angle: steps of a ray straight down");
@@ -171,7 +173,7 @@ private:
         labels_.caption(
             size, tile, -2,
             fmt::format("off {} texels, {} % wrong", rounded(figures.mean), rounded(100 * figures.wrong, 2)));
-        labels_.caption(size, tile, -1, rounded(figures.heights_read) + " heights read", {0.62f, 0.63f, 0.65f});
+        labels_.caption(size, tile, -1, rounded(figures.heights_read) + " taps", {0.62f, 0.63f, 0.65f});
     }
 
     Programs program_{"common/relief.vert", "11_parallax_occlusion/surface.frag"};

@@ -55,14 +55,15 @@ public:
             if (view_ == scene) draw_ball(part);
             if (!mean_turns.empty()) describe(frame.size, tiles[i], method_of(i), mean_turns[i]);
         }
-        if (view_ != scene && show_ != show_light) labels_.log_scale(frame.size, "1", "256 turns", 8);
+        if (view_ != scene && show_ != show_light) labels_.log_scale(frame.size, "1", "256 iterations", 8);
         labels_.draw(frame);
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views, "reliefs and a ball, every method, or one of them");
         knobs.choice("method", method_, method_names, "how the search skips; the hit is the same");
-        knobs.choice("show", show_, shows, "the light, the iterations of each pixel (turns), or half of each");
+        knobs.choice("show", show_, shows, "the light, the iterations of each pixel, or half of each");
         knobs.choice("shadow", shadow_, shadows, "shadow of the relief on itself");
         knobs.toggle("write_depth", write_depth_, "write the depth of the hit; off: of the base");
         knobs.toggle("outline", outline_, "end where the relief ends, and curve with a column");
@@ -83,7 +84,7 @@ private:
     enum Show { show_light, show_half, show_turns };
     enum Shadow { no_shadow, hard, soft };
     static constexpr std::array views = {"scene", "compare", "one"};
-    static constexpr std::array shows = {"light", "half-and-half", "turns"};
+    static constexpr std::array shows = {"light", "half-and-half", "iterations"};
     static constexpr std::array shadows = {"none", "hard", "soft"};
     static constexpr std::array shadow_defines = {"", "HARD_SHADOW", "SOFT_SHADOW"};
 
@@ -157,9 +158,9 @@ private:
         return count > 0 ? sum / count : 0;
     }
 
-    void describe(glm::ivec2 size, const Tile& tile, Method method, double turns) {
+    void describe(glm::ivec2 size, const Tile& tile, Method method, double iterations) {
         labels_.caption(size, tile, 0, method_names[method]);
-        labels_.caption(size, tile, -1, fmt::format("{:.1f} turns", turns));
+        labels_.caption(size, tile, -1, fmt::format("{:.1f} iterations", iterations));
         if (!costs_) return;
         const Skips::Costs costs = skips_of(surface_).costs(method);
         labels_.caption(size, tile, -2, fmt::format("{:.1f} MB, {:.0f} ms", costs.megabytes, costs.milliseconds));

@@ -48,9 +48,11 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views,
                      "levels side by side, a normal map beside the knobs' surface, its spacings, or only that surface");
         knobs.choice("show", show_, shows, "the light, the triangles, or half of each");
+        knobs.group("Tessellation");
         knobs.slider("level", chosen_.level, 1, 64, "segments of each edge");
         knobs.slider("inside", inside_, 0, 64, "segments of the inside; 0: as along the edges");
         knobs.choice("spacing", chosen_.spacing, DisplacedSurface::spacings,

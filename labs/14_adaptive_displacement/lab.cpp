@@ -57,7 +57,10 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views, "the eye's picture, its patches from above, or both");
+        knobs.toggle("wire", wire_, "draw the triangles' edges");
+        knobs.group("Levels");
         knobs.choice("method", method_, methods, "rule for the levels");
         knobs.choice("levels_of", levels_of_, levels_ofs, "a level per edge, or per patch, which opens cracks");
         knobs.slider("level", level_, 1, 64, "for method = uniform: level of every edge");
@@ -70,12 +73,12 @@ public:
         knobs.slider("budget", budget_, 0.125f, 8, "for method = error: tolerated error, pixels");
         knobs.choice("spacing", spacing_, DisplacedSurface::spacings,
                      "positions of the vertices at a fractional level");
+        knobs.group("Culling and fading");
         knobs.choice("cull", cull_, culls,
                      "cull no patches, those outside of the picture, or also those that face away");
         knobs.toggle("fade", fade_, "let the displacement fade into the normal map");
         knobs.slider("fade_begin", fade_begin_, 0, 64, "where the fade begins, metres from the eye");
         knobs.slider("fade_end", fade_end_, 0, 64, "where the fade ends, metres from the eye");
-        knobs.toggle("wire", wire_, "draw the triangles' edges");
         light_.knobs(knobs);
         surface_.knobs(knobs);
     }

@@ -37,13 +37,16 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, kinds, "two rules for the normal and their errors; four far seas; or one picture");
+        knobs.group("Normals");
         knobs.choice("combine", combine_, combines, "for view = one: how the normals of two maps become one");
         knobs.choice("waves", waves_, waves, "both maps, or one of them");
         knobs.choice("normals", source_, sources, "slopes out of normal maps, out of height maps, or by the formula");
         knobs.choice("far", far_, fars, "what the highlight knows of the waves within a pixel");
         knobs.choice("samples", samples_, sample_counts, "for far = samples: places within a pixel");
         knobs.choice("fresnel", fresnel_, fresnels, "share of the mirrored light: Schlick's approximation, or exact");
+        knobs.group("Waves");
         knobs.slider("tiles_1", tiles_[0], 0.02f, 8, "how often the first map lies on 16 metres");
         knobs.slider("tiles_2", tiles_[1], 0.02f, 8, "how often the second map lies on 16 metres");
         knobs.slider("amplitude_1", amplitude_[0], 0, 4, "significant wave height of the first map, metres");
@@ -52,6 +55,7 @@ public:
         knobs.slider("shininess", shininess_, 1, 4096, "exponent of the highlight of a single slope");
         knobs.toggle("lock", lock_, "normal maps lie as the height maps do; else they are tiled three times as often");
         knobs.choice("level", level_, levels, "mip level of the maps that a pixel reads");
+        knobs.group("Raised waves");
         knobs.toggle("displace", displace_, "raise the waves near the eye by tessellation");
         knobs.slider("budget", budget_, 0.25f, 16, "error of the raised waves, pixels");
         knobs.toggle("wire", wire_, "draw the triangles' edges");

@@ -42,29 +42,35 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views, "the court; each light and what hides it; or the sum at one pixel");
         knobs.choice("scene", scene_, scenes, "the court; two walls that meet; a plane, alone or under a board");
+        knobs.group("Mirror");
         knobs.toggle("reflection", reflection_, "the mirrored sky");
         knobs.choice("fresnel", fresnel_, fresnels, "the share that is mirrored: all, Schlick's approximation, exact");
         knobs.choice("gloss", gloss_, glosses, "exponents by the packed map, all the largest, or a sky without blur");
-        knobs.slider("exponent", exponent_, 0, 512, "of the glossiest place");
+        knobs.slider("exponent", exponent_, 0, 512, "exponent of the glossiest place");
         knobs.slider("roughness", roughness_, 0, 1, "1 makes everything rough");
         knobs.choice("normal_for", normal_for_, normal_fors, "what the bumped normal serves: all, or only the lamps");
         knobs.toggle("seamless", seamless_, "filter across the edges of the cube map");
+        knobs.group("Shadow of the sun");
         knobs.toggle("shadow", shadow_, "the sun's shadow");
         knobs.choice("shadow_texels", shadow_texels_, texel_counts, "texels along an edge of the shadow map");
         knobs.steps("pcf", pcf_, 0, 2, "texels around a place that are compared, in each direction");
         knobs.choice("bias", bias_, biases, "how much nearer a place counts: not at all, by a texel, by its plane");
+        knobs.group("Occlusion");
         knobs.toggle("ao", ao_, "occlusion by what is near in the picture");
         knobs.steps("slices", slices_, 1, 16, "planes in which horizons are looked for");
         knobs.steps("taps", taps_, 1, 48, "places looked at on each side of a plane");
         knobs.toggle("occlusion", occlusion_, "the packed map's occlusion");
+        knobs.group("Scene");
         knobs.steps("lamps", lamps_, 1, 3, "the sun, and up to two lanterns");
         knobs.toggle("displace", displace_, "the court's floor rises above its puddles");
         knobs.slider("tilt", tilt_, -89, 89, "how steep the groove or the plane is, degrees");
         knobs.choice("level", level_, levels, "mip level of the surfaces' maps");
-        knobs.slider("pixel_x", pixel_.x, 0, 1, "for view = one-pixel: from the left");
-        knobs.slider("pixel_y", pixel_.y, 0, 1, "for view = one-pixel: from the top");
+        knobs.group("One pixel");
+        knobs.slider("pixel_x", pixel_.x, 0, 1, "for view = one-pixel: place from the left, in widths");
+        knobs.slider("pixel_y", pixel_.y, 0, 1, "for view = one-pixel: place from the top, in heights");
         light_.knobs(knobs, -90, 90);
     }
 

@@ -45,13 +45,16 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.slider("budget", budget_, 0.25f, 16, "tolerated error of the relief, pixels");
         knobs.choice("view", view_, views, "the picture, the methods as colours, or both");
         knobs.choice("method", method_, methods, "the cheapest that keeps the budget, or one everywhere");
         knobs.toggle("spend", spend_, "for one method: thin the relief by the budget; off: as in labs 11 to 13");
+        knobs.group("Costs");
         knobs.slider("exact_taps", exact_taps_, 0, 1000, "taps of a march that take as long as an exact search");
         knobs.slider("triangle_taps", triangle_taps_, 0, 10000,
                      "taps that take as long as a triangle: on a graphics card a few");
+        knobs.group("Surface");
         surface_.material.knobs(knobs);
         knobs.slider("depth", surface_.depth, 0, 0.25f, "depth of the relief, metres");
         light_.knobs(knobs);

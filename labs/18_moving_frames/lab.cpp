@@ -36,25 +36,30 @@ public:
     }
 
     void knobs(Knobs& knobs) override {
+        knobs.group("Picture");
         knobs.choice("view", view_, views,
                      "a serpent and its flock; four normals of a bent tube; one skin unrolled, and its "
                      "errors; or one body");
         knobs.choice("shape", shape_, shapes, "a tube with one joint, or a serpent with thirteen");
+        knobs.group("Skin");
         knobs.choice("normal_by", way_, ways, "how the skin moves its normals");
         knobs.choice("blend", blend_, blends,
                      "bones blended as matrices, or as dual quaternions (which do not stretch)");
         knobs.slider("bend", bend_, 0, 150,
                      "bend of the tube's joint, degrees; a serpent's joints take a third at most");
         knobs.slider("twist", twist_, -180, 180, "twist of the tube's joint, degrees; a sixth for each of a serpent's");
-        knobs.slider("stretch", stretch_, 0, 2, "of a bone along itself: the tube's second, the serpent's middle one");
+        knobs.slider("stretch", stretch_, 0, 2,
+                     "stretch of a bone along itself: the tube's second, the serpent's middle one");
         knobs.slider("weights_over", over_, 0, 6, "length of a joint, over which weights change, radii");
         knobs.choice("weights", uneven_, sums, "weights that sum to 1, or do not");
         knobs.choice("signs", opposite_, signs, "dual quaternions of neighbours alike, or opposite (the same motions)");
         knobs.toggle("folds", folds_, "paint blue where the skin folds over itself");
+        knobs.group("Bodies");
         knobs.steps("instances", instances_, 1, most_instances, "bodies, the first one included");
-        knobs.choice("triangles", fine_, finenesses, "of the first body");
-        knobs.choice("flock_triangles", coarse_, finenesses, "of each other body");
+        knobs.choice("triangles", fine_, finenesses, "triangles of the first body");
+        knobs.choice("flock_triangles", coarse_, finenesses, "triangles of each other body");
         knobs.slider("scale_y", scale_y_, -2, 2, "scale of the first body along y; below 0 it is mirrored");
+        knobs.group("Texture");
         knobs.toggle("textured", textured_,
                      "place the texture by instance and material; else by the body's own u and v");
         knobs.slider("instance_turn", instance_turn_, -180, 180, "turn of the first instance's texture, degrees");

@@ -1,6 +1,7 @@
 #version 410 core
 // A skin's pixel: its frame at rest, moved by the skin and by its instance; then its scales and its light.
 
+#include "18_moving_frames/passed.glsl"
 #include "18_moving_frames/skin.glsl"
 #include "18_moving_frames/sky.glsl"
 #include "18_moving_frames/task.glsl"

@@ -2,6 +2,7 @@
 // A skin in its pose, as often as there are instances.
 
 #define VERTEX_STAGE
+#include "18_moving_frames/passed.glsl"
 #include "18_moving_frames/skin.glsl"
 #include "18_moving_frames/task.glsl"
 

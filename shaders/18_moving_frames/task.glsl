@@ -98,12 +98,10 @@ mat2x3 texture_directions(mat2x3 surface, mat3 instance, mat3 material) {
 
 // TASK 18.5 (2 points): hand the index of an instance's material on from the vertex stage to the fragment stage. All
 // three corners of a triangle have the same index, but what is interpolated is a sum of three rounded products, times a
-// rounded depth: 2.9999998 becomes 2, and the material flickers. A variable that is `flat` is not interpolated. One of
-// each kind is declared: write and read the right one.
+// rounded depth: 2.9999998 becomes 2, and the material flickers. A variable that is `flat` is not interpolated.
+// passed.glsl declares one of each kind: write and read the right one.
 //(passed
 #ifdef VERTEX_STAGE
-flat out int v_index;
-out float v_number;
 void pass_material(int index) {
     //[solution
     v_index = index;
@@ -112,8 +110,6 @@ void pass_material(int index) {
     //]
 }
 #else
-flat in int v_index;
-in float v_number;
 int passed_material() {
     //[solution
     return v_index;

@@ -19,6 +19,12 @@ int lines(const std::string& text) { return int(std::count(text.begin(), text.en
 
 const Circumstances no_display{{}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}};
 
+int count(const std::string& text, const std::string& part) {
+    int number = 0;
+    for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++number;
+    return number;
+}
+
 /// One copy for all tests of a program; each undoes what it does, or works on files of its own.
 class CourseTest : public testing::Test {
 protected:
@@ -80,7 +86,12 @@ TEST_F(CourseTest, AShaderThatDoesNotCompileNamesItsFileAndLine) {
     course().edit(file, "float facing = max", "float facing = mox");
     const std::string text = read_all(course().path() / file);
     const auto line = std::count(text.begin(), text.begin() + std::ptrdiff_t(text.find("mox")), '\n') + 1;
-    expect_failure(small_shot(), std::string(file) + ":" + std::to_string(line) + ": error:");
+    const std::string place = std::string(file) + ":" + std::to_string(line) + ": error:";
+    const Result result = small_shot();
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(result.err.starts_with("relief: " + place)) << result.err;
+    EXPECT_TRUE(contains(result.err, "float facing = mox")) << "the whole line: " << result.err;
+    EXPECT_TRUE(contains(result.err, "^\n")) << "the place in the line: " << result.err;
 }
 
 TEST_F(CourseTest, AMissingIncludeSuggestsTheNearest) {
@@ -320,14 +331,21 @@ TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
     EXPECT_EQ(wrong.code, 1);
     for (const char* part :
          {"2.1  Store a normal in three bytes: 1 of 3 points (shaders/02_normal_map_storage/task.glsl)",
-          "wrong       three bytes and back: mean ", "(at most 0.176)", "allowed: rounding to 8 bits costs",
-          "look at: decode_unorm8 undoes f"})
+          "wrong       three bytes and back: mean ", "(at most 0.176)", "why this limit: rounding to 8 bits costs",
+          "look at: The code 0 means -1, not 0: every normal leans towards (1, 1, 1).\n"})
         EXPECT_TRUE(contains(wrong.out, part)) << part << "\n" << wrong.out;
+    EXPECT_EQ(count(wrong.out, "The code 0 means -1"), 1) << "a hint is said once: " << wrong.out;
+    course().edit(file, "code / 255.0", "code / 254.0 * 2.0 - 1.0");
+    const Result unknown = course().relief({"check", "storage"});
+    EXPECT_TRUE(contains(unknown.out, "look at: decode_unorm8 undoes f"))
+        << "no mistake that is known: " << unknown.out;
+    course().edit(file, "code / 254.0 * 2.0 - 1.0", "code / 255.0");
     course().edit(file, "code / 255.0", "cde / 255.0");
     const Result broken = course().relief({"check", "2"});
     EXPECT_EQ(broken.code, 1);
     EXPECT_TRUE(contains(broken.out, "broken ") && contains(broken.out, "task.glsl:") && contains(broken.out, "cde") &&
-                contains(broken.out, "nothing can be measured before"))
+                count(broken.out, "a missing ; stands at the end of the line before") == 1 &&
+                contains(broken.out, "cde / 255.0") && contains(broken.out, "^\n"))
         << broken.out;
     course().overwrite(file, "");
     EXPECT_EQ(course().relief({"check", "2"}).code, 1) << "an emptied file is a failed check, and no crash";
@@ -441,7 +459,7 @@ TEST_F(CourseTest, ThePageShowsWhatIsExpectedOfAnUnfinishedTaskAndTheMessageOfAB
     course().edit(file, "unfinished(code)", "<cde>");
     EXPECT_EQ(course().relief({"check", "2", "-o", "broken.html"}).code, 1);
     const std::string broken = read_all(course().path() / "broken.html");
-    EXPECT_TRUE(contains(broken, "nothing can be measured before"));
+    EXPECT_TRUE(contains(broken, "a missing ; stands at the end of the line before"));
     EXPECT_TRUE(contains(broken, "<dt>message</dt><dd>" + file)) << "with its place";
 }
 
@@ -521,7 +539,7 @@ TEST_F(CourseTest, CheckSuggestsTheLabThatWasMeant) {
 
 TEST_F(CourseTest, NoHelpShowsHowItsOptionsAreWritten) {
     for (const char* command : {"list", "info", "run", "shot", "gallery", "check", "golden", "new-lab", "bench",
-                                "handout", "grade", "slides", "mistakes", "inspect", "synctest"}) {
+                                "handout", "grade", "slides", "mistakes", "inspect", "synctest", "explain"}) {
         const Result result = course().relief({command, "--help"});
         EXPECT_EQ(result.code, 0) << result.err;
         EXPECT_FALSE(contains(result.out, "{") || contains(result.out, "!-")) << result.out;

@@ -9,12 +9,14 @@ namespace fs = std::filesystem;
 
 CourseCopy::CourseCopy() {
     fs::create_directories(path() / "bin");
-    for (const char* name : {"relief", "lab-01", "librelief.so", "librelief-staff.so", "relief-openimageio.so", "relief-window.so"})
+    for (const char* name :
+         {"relief", "lab-01", "librelief.so", "librelief-staff.so", "relief-openimageio.so", "relief-window.so"})
         fs::copy(fs::path(RELIEF_BUILD_FOLDER) / "bin" / name, path() / "bin");
     fs::copy(fs::path(RELIEF_BUILD_FOLDER) / "bin/textures", path() / "bin/textures");
     const fs::path source = RELIEF_SOURCE_FOLDER;
-    for (const char* name : {"labs", "shaders", "assets", "framework/app/new_lab", "framework/pages", "framework/staff/pages", "framework/staff/slides",
-                             "slides"})
+    for (const char* name :
+         {"labs", "shaders", "assets", "framework/app/new_lab", "framework/pages", "framework/staff/pages",
+          "framework/staff/slides", "framework/staff/grade/twin.glsl", "slides"})
         if (fs::exists(source / name)) {
             fs::create_directories((path() / name).parent_path());
             fs::copy(source / name, path() / name, fs::copy_options::recursive);

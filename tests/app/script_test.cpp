@@ -241,6 +241,23 @@ TEST_F(Script, AFailedStepShowsItsLogAndStops) {
     EXPECT_EQ(result.out, "");
 }
 
+TEST_F(Script, OfABuildThatFailsTheCompilersMessagesAreShownWithoutCommandLines) {
+    const std::string task = (folder_.path() / "labs/05_x/task.cpp").string();
+    stand_in("ninja",
+             "echo '[1/3] Building CXX object task.o'; echo 'FAILED: task.o'; echo '/usr/bin/c++ -c " + task +
+                 "'; echo '" + task +
+                 ":3:5: error: no'; echo '    3 | x'; echo '../labs/a.h:1:1: error: b'; echo 'ninja: build stopped: "
+                 "subcommand failed.'; exit 1");
+    const Result result = script({"check", "5"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err,
+                         "\nlabs/05_x/task.cpp:3:5: error: no\n    3 | x\nlabs/a.h:1:1: error: b\n"
+                         "relief: begin with the first error: others may follow from it\n"
+                         "relief: failed: building\n"))
+        << result.err;
+    for (const char* no : {"c++ -c", "FAILED", "stopped"}) EXPECT_FALSE(contains(result.err, no)) << result.err;
+}
+
 TEST_F(Script, FailedTestsAreAFailure) {
     stand_in("ctest", "exit 8");
     EXPECT_EQ(script({"test", "-R", "cpu"}).code, 8);

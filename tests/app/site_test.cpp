@@ -210,6 +210,27 @@ TEST_F(Site, WithoutScriptsEveryMethodIsThereAndNothingThatWouldNotWork) {
     EXPECT_TRUE(browser().load_images());
 }
 
+TEST_F(Site, TheCommandOfALabsPageMeasuresItsLastNumber) {
+    int measured = 0;
+    for (const std::string& lab : labs()) {
+        open(lab + ".html");
+        const std::string command = browser().eval("document.querySelector('.all code')?.textContent ?? ''");
+        const std::string number = browser().eval(
+            "[...document.querySelectorAll('.methods figcaption')].at(-1).lastChild.textContent.trim().split(' ')[0]");
+        EXPECT_EQ(command.empty(), number.empty()) << lab;
+        if (command.empty()) continue;
+        Names words = split(command, ' ');
+        words.erase(words.begin());
+        words.insert(words.end(), {"-o", "error.pfm"});
+        const Result result = course_->relief(words);
+        const size_t mean = result.out.find("mean ");
+        ASSERT_NE(mean, std::string::npos) << command << ": " << result.out << result.err;
+        EXPECT_EQ(rounded(std::stod(result.out.substr(mean + 5))), number) << command;
+        ++measured;
+    }
+    EXPECT_GE(measured, 10);
+}
+
 TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {
     for (const std::string& lab : labs()) {
         open(lab + ".html");

@@ -51,9 +51,15 @@ struct FrameLine {
     long long bytes = 0;
 };
 
+/// Where the picture stands, of --verbose.
+struct Place {
+    int width = 0, height = 0, x = 0, y = 0, panel = 0;
+    double scale = 0;
+};
+
 class Window : public testing::Test {
 protected:
-    static constexpr int window_width = 1280, panel_width = 340;
+    static constexpr int window_width = 1280;
     const CourseWithNewLab& course_ = CourseWithNewLab::get();
     /// The fragment shader of the new lab, as it was when the test is over.
     struct Shader {
@@ -92,6 +98,16 @@ protected:
                               std::stoll((*found)[5])});
         return result;
     }
+    Place place() const {
+        static const std::regex form("picture: (\\d+)x(\\d+) at (\\d+),(\\d+); panel (\\d+); scale ([0-9.]+)");
+        Place last;
+        const std::string text = window_->err();
+        for (auto found = std::sregex_iterator(text.begin(), text.end(), form); found != std::sregex_iterator();
+             ++found)
+            last = {std::stoi((*found)[1]), std::stoi((*found)[2]), std::stoi((*found)[3]),
+                    std::stoi((*found)[4]), std::stoi((*found)[5]), std::stod((*found)[6])};
+        return last;
+    }
     /// What the screen shows, through xwd, as 3 channels. The window stands in its upper left corner.
     Image screen() const {
         const std::filesystem::path file = folder_.path() / "screen.xwd";
@@ -111,31 +127,39 @@ protected:
                         float(uint8_t(bytes.at(pixels + size_t(y) * line + size_t(x) * step + 2 - c))) / 255;
         return image;
     }
-    /// Whether the screen shows a picture at the window's right edge, from row `first` to before row `end`.
+    /// Whether the screen shows a picture at the right edge of the pictures' place, from row `first` to before row
+    /// `end`.
     bool shown(const Image& picture, int first = 0, int end = 1 << 20) const {
+        return shown_columns(picture, 0, picture.width, first, end);
+    }
+    bool shown_columns(const Image& picture, int left, int right, int first = 0, int end = 1 << 20) const {
         const Image all = screen();
-        for (int y = first; y < std::min(end, picture.height); ++y)
-            for (int x = 0; x < picture.width; ++x)
+        const Place at = place();
+        for (int y = first; y < std::min({end, picture.height, at.height}); ++y)
+            for (int x = left; x < right; ++x)
                 if (!std::equal(picture.pixel(x, y), picture.pixel(x, y) + 3,
-                                all.pixel(window_width - picture.width + x, y)))
+                                all.pixel(at.x + at.width - picture.width + x, at.y + y)))
                     return false;
         return true;
     }
     /// The message in the alarm's colour at the top of the picture's place.
     bool alarmed() const {
-        return has_color(360, window_width, 100, [](const float* c) { return is_red(c); });
+        return has_color(place().x + 20, window_width, place().y, place().y + 100,
+                         [](const float* c) { return is_red(c); });
     }
-    /// The letter beside the lab's name, by its colour.
+    /// The word in the header for the shaders on screen, by its colour; the new lab has no tasks, whose signs have such
+    /// colours, too.
     char letter() const {
-        const int left = panel_width - 40;
-        if (has_color(left, panel_width, 45, [](const float* c) { return c[1] > 0.6f && c[0] < 0.6f; })) return 'N';
-        return has_color(left, panel_width, 45, [](const float* c) { return is_red(c); }) ? 'F' : 'U';
+        const int left = window_width * 6 / 10, bottom = place().y;
+        const auto is_green = [](const float* c) { return c[1] > 0.6f && c[0] < 0.6f && c[2] < 0.55f; };
+        if (has_color(left, window_width, 0, bottom, is_green)) return 'N';
+        return has_color(left, window_width, 0, bottom, is_red) ? 'F' : 'U';
     }
     static bool is_red(const float* c) { return c[0] > 0.7f && c[1] < 0.6f && c[2] < 0.5f; }
     template <class Test>
-    bool has_color(int left, int right, int bottom, Test test) const {
+    bool has_color(int left, int right, int top, int bottom, Test test) const {
         const Image all = screen();
-        for (int y = 0; y < bottom; ++y)
+        for (int y = top; y < bottom; ++y)
             for (int x = left; x < right; ++x)
                 if (test(all.pixel(x, y))) return true;
         return false;
@@ -147,14 +171,56 @@ protected:
         for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++times;
         return times;
     }
-    void drag() const {
-        for (const std::vector<std::string>& step : std::vector<std::vector<std::string>>{
-                 {"mousemove", "800", "300"}, {"mousedown", "1"}, {"mousemove", "900", "340"}, {"mouseup", "1"}}) {
+    void drag(int x = 800, int y = 300, int to_x = 900, int to_y = 340) const {
+        const auto text = [](int number) { return std::to_string(number); };
+        for (const std::vector<std::string>& step :
+             std::vector<std::vector<std::string>>{{"mousemove", text(x), text(y)},
+                                                   {"mousedown", "1"},
+                                                   {"mousemove", text(to_x), text(to_y)},
+                                                   {"mouseup", "1"}}) {
             std::vector<std::string> command = {"xdotool"};
             command.insert(command.end(), step.begin(), step.end());
             EXPECT_EQ(run(command, where_).code, 0);
             std::this_thread::sleep_for(300ms);
         }
+    }
+    /// Clicks on sliders until one turns; they stand one below the other, and where exactly is the panel's affair.
+    void turn_a_knob() {
+        const size_t frames_before = frames().size();
+        for (int y = 90; y < 300 && frames().size() == frames_before; y += 8) {
+            run({"xdotool", "mousemove", "270", std::to_string(y)}, where_);
+            std::this_thread::sleep_for(100ms);
+            run({"xdotool", "mousedown", "1"}, where_);
+            std::this_thread::sleep_for(100ms);
+            run({"xdotool", "mouseup", "1"}, where_);
+            std::this_thread::sleep_for(100ms);
+        }
+        EXPECT_GT(frames().size(), frames_before);
+        rest_the_mouse();
+    }
+    /// Where it shows no tooltip.
+    void rest_the_mouse() const {
+        run({"xdotool", "mousemove", "20", "700"}, where_);
+        std::this_thread::sleep_for(300ms);
+    }
+    /// Waits until the screen stays as it is: on a busy machine that takes a while after the last event.
+    void settle() const {
+        Image before = screen();
+        int times = 0;
+        EXPECT_TRUE(eventually([&] {
+            std::this_thread::sleep_for(100ms);
+            Image now = screen();
+            times = now.values == before.values ? times + 1 : 0;
+            before = std::move(now);
+            return times == 3;
+        }));
+    }
+    /// The rows of the screen in a box, to be compared.
+    std::vector<float> part(int left, int right, int top, int bottom) const {
+        const Image all = screen();
+        std::vector<float> values;
+        for (int y = top; y < bottom; ++y) values.insert(values.end(), all.pixel(left, y), all.pixel(right, y));
+        return values;
     }
     /// Saves under the next free name.
     Image saved_anew() {
@@ -190,17 +256,7 @@ TEST_F(Window, ShowsThePictureThatItSaves) {
 TEST_F(Window, AKnobThatIsTurnedChangesThePicture) {
     open("20");
     const Image before = saved("20_test_wall-1.png");
-    const size_t frames_before = frames().size();
-    // The sliders stand one below the other; where exactly is the panel's affair.
-    for (int y = 80; y < 240 && frames().size() == frames_before; y += 8) {
-        run({"xdotool", "mousemove", "280", std::to_string(y)}, where_);
-        std::this_thread::sleep_for(100ms);
-        run({"xdotool", "mousedown", "1"}, where_);
-        std::this_thread::sleep_for(100ms);
-        run({"xdotool", "mouseup", "1"}, where_);
-        std::this_thread::sleep_for(100ms);
-    }
-    EXPECT_GT(frames().size(), frames_before);
+    turn_a_knob();
     EXPECT_NE(saved("20_test_wall-2.png").values, before.values);
 }
 
@@ -324,9 +380,9 @@ TEST_F(Window, AManifestIsReadAgainByR) {
 
 TEST_F(Window, TheErrorMapSaysWhatShotErrorSays) {
     open("20");
-    run({"xdotool", "mousemove", "100", "780"}, where_);  // over the picture it shows the values of a pixel
+    run({"xdotool", "mousemove", "100", "700"}, where_);  // over the picture it shows the values of a pixel
     press("e");
-    const std::string size = std::to_string((window_width - panel_width) / 2) + "x800";
+    const std::string size = std::to_string(place().width / 2) + "x" + std::to_string(place().height);
     const Result shot =
         run({course_.program("relief"), "shot", "20", "--error", "position", "--size", size, "-o", "e.png"},
             {folder_.path(), {}});
@@ -347,22 +403,22 @@ TEST_F(Window, TheErrorMapSaysWhatShotErrorSays) {
 
 TEST_F(Window, OpensWithAProbeAndACameraAndAClickHoldsTheValuesOfAPixel) {
     const std::vector<std::string> options = {"--probe", "position", "--camera", "10,15,2.5"};
+    std::vector<std::string> with_map = options;
+    with_map.emplace_back("--error-map");
+    open("20", with_map);
     std::vector<std::string> shot = {course_.program("relief"),
                                      "shot",
                                      "20",
                                      "--size",
-                                     std::to_string((window_width - panel_width) / 2) + "x800",
+                                     std::to_string(place().width / 2) + "x" + std::to_string(place().height),
                                      "-o",
                                      "p.pfm"};
     shot.insert(shot.end(), options.begin(), options.end());
     ASSERT_EQ(run(shot, {folder_.path(), {}}).code, 0);
     const Image values = read_image(folder_.path() / "p.pfm");
-    std::vector<std::string> with_map = options;
-    with_map.emplace_back("--error-map");
-    open("20", with_map);
     ASSERT_TRUE(eventually([&] { return count("error map: position") == 1; })) << window_->err();
     const int x = 230, y = 400;
-    run({"xdotool", "mousemove", std::to_string(panel_width + x), std::to_string(y)}, where_);
+    run({"xdotool", "mousemove", std::to_string(place().x + x), std::to_string(place().y + y)}, where_);
     std::this_thread::sleep_for(300ms);
     run({"xdotool", "click", "1"}, where_);
     const float* const pixel = values.pixel(x, y);
@@ -370,6 +426,20 @@ TEST_F(Window, OpensWithAProbeAndACameraAndAClickHoldsTheValuesOfAPixel) {
     const std::string numbers = rounded(double(pixel[0]), 5) + "  " + rounded(double(pixel[1]), 5);
     EXPECT_TRUE(eventually([&] { return count("pixel 230, 400: position, value " + numbers + ", exact ") == 1; }))
         << numbers << window_->err();
+}
+
+TEST_F(Window, PFollowsThePixelUnderTheMouseThroughTheTasksFunctions) {
+    open("01");
+    const Image picture = saved("01_specular_highlights-1.png");
+    run({"xdotool", "mousemove", std::to_string(place().x + 520), std::to_string(place().y + 250)}, where_);
+    settle();
+    press("p");
+    EXPECT_TRUE(eventually([&] { return count("pixel 520, 250: direction_of_texel, ") == 1; })) << window_->err();
+    EXPECT_TRUE(eventually([&] { return !shown(picture); }));
+    press("Escape");
+    rest_the_mouse();
+    EXPECT_TRUE(eventually([&] { return shown(picture); })) << "Escape closes it";
+    EXPECT_TRUE(window_->running());
 }
 
 TEST_F(Window, TheErrorOfAPictureIsOfWhatItsLabCompares) {
@@ -397,7 +467,7 @@ TEST_F(Window, TheErrorIsComputedWhenADragIsOver) {
     EXPECT_TRUE(eventually([&] { return count("error map: ") == 2; })) << window_->err();
 }
 
-TEST_F(Window, TheHandoutOpensOverThePictureAndEscapeClosesIt) {
+TEST_F(Window, TheHandoutOpensBesideThePictureAndEscapeClosesIt) {
     open("01");
     const Image picture = saved("01_specular_highlights-1.png");
     ASSERT_TRUE(eventually([&] { return shown(picture); }));
@@ -420,6 +490,206 @@ TEST_F(Window, TheHandoutOpensOverThePictureAndEscapeClosesIt) {
     EXPECT_TRUE(eventually([&] { return !window_->running(); }));
 }
 
+TEST_F(Window, AKnobThatIsTurnedIsUndoneAndDoneAgain) {
+    open("20");
+    const Image before = saved("20_test_wall-1.png");
+    turn_a_knob();
+    const Image after = saved("20_test_wall-2.png");
+    ASSERT_NE(after.values, before.values);
+    drag();
+    const Image turned = saved("20_test_wall-3.png");
+    press_for("ctrl+z", "20_test_wall");
+    EXPECT_EQ(saved("20_test_wall-4.png").values, after.values) << "the camera is undone";
+    press_for("ctrl+z", "20_test_wall");
+    EXPECT_EQ(saved("20_test_wall-5.png").values, before.values) << "the knob is undone";
+    press_for("ctrl+y", "20_test_wall");
+    press_for("ctrl+y", "20_test_wall");
+    EXPECT_EQ(saved("20_test_wall-6.png").values, turned.values);
+}
+
+TEST_F(Window, AIsHeldLeftOfABorderThatCanBeDragged) {
+    open("20");
+    const Image a = saved("20_test_wall-1.png");
+    press("a");
+    turn_a_knob();
+    const Image b = saved("20_test_wall-2.png");
+    ASSERT_NE(a.values, b.values);
+    const int names = 60, reach = 16;  // rows of what tells the two apart; columns of the border and its handle
+    const auto wiped = [&](int at) {
+        return shown_columns(a, 0, at - reach, names) && shown_columns(b, at + reach, b.width, names);
+    };
+    EXPECT_TRUE(eventually([&] { return wiped(b.width / 2); }));
+    const Place at = place();
+    drag(at.x + at.width / 2, at.y + at.height / 2, at.x + at.width / 4, at.y + at.height / 2);
+    rest_the_mouse();
+    EXPECT_TRUE(eventually([&] { return wiped(b.width / 4); }));
+    press_for("x", "20_test_wall");
+    EXPECT_EQ(saved("20_test_wall-3.png").values, a.values) << "A is the present setting now";
+    press("a");
+    EXPECT_TRUE(eventually([&] { return shown(a); })) << "the whole picture again";
+}
+
+TEST_F(Window, ThePanelIsAsWideAsItsBorderIsDragged) {
+    open("20");
+    const Place before = place();
+    drag(before.panel, 500, before.panel + 100, 500);
+    EXPECT_TRUE(eventually([&] { return std::abs(place().panel - before.panel - 100) <= 5; })) << place().panel;
+    EXPECT_EQ(place().x, place().panel);
+    EXPECT_EQ(place().x + place().width, window_width);
+}
+
+TEST_F(Window, IsLargerAndSmallerByControlPlusAndMinus) {
+    open("20");
+    const Place before = place();
+    press("ctrl+plus");
+    EXPECT_TRUE(eventually([&] { return place().scale > before.scale; }));
+    EXPECT_GT(place().panel, before.panel);
+    EXPECT_GT(place().y, before.y) << "the header, too";
+    press("ctrl+minus");
+    press("ctrl+minus");
+    EXPECT_TRUE(eventually([&] { return place().scale < before.scale; }));
+    press("ctrl+0");
+    EXPECT_TRUE(eventually([&] { return place().scale == before.scale && place().panel == before.panel; }));
+}
+
+TEST_F(Window, HeaderAndStatusStayWhileThePanelScrolls) {
+    open("01");
+    ASSERT_TRUE(eventually([&] { return count("checks: ") == 1; })) << window_->err();
+    for (int i = 0; i < 9; ++i) press("ctrl+plus");
+    settle();
+    const Place at = place();
+    // Over the picture the mouse shows no tooltip.
+    const auto mouse_to = [&](int x) {
+        run({"xdotool", "mousemove", std::to_string(x), "500"}, where_);
+        settle();
+    };
+    mouse_to(at.x + 100);
+    const auto header = [&] { return part(0, window_width, 0, at.y); };
+    const auto status = [&] { return part(0, window_width, at.y + at.height, 800); };
+    const auto panel = [&] { return part(0, at.panel, at.y + 120, at.y + at.height); };
+    const auto header_before = header(), status_before = status(), panel_before = panel();
+    mouse_to(at.x / 2);
+    for (int i = 0; i < 5; ++i) run({"xdotool", "click", "5"}, where_);
+    mouse_to(at.x + 100);
+    EXPECT_TRUE(eventually([&] { return panel() != panel_before; }));
+    EXPECT_EQ(header() == header_before, true);
+    EXPECT_EQ(status() == status_before, true);
+}
+
+TEST_F(Window, TheListOfKeysOpensOnAQuestionMark) {
+    open("20");
+    const Image picture = saved("20_test_wall-1.png");
+    press("question");
+    EXPECT_TRUE(eventually([&] { return !shown(picture); }));
+    press("Escape");
+    EXPECT_TRUE(eventually([&] { return shown(picture); }));
+    EXPECT_TRUE(window_->running());
+}
+
+TEST_F(Window, SearchFindsALabByAPartOfItsName) {
+    open("20");
+    press("slash");
+    std::this_thread::sleep_for(500ms);
+    run({"xdotool", "type", "--delay", "80", "specu"}, where_);
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(frames().back().lab, "20_test_wall") << "letters are no keys while one types";
+    press_for("Return", "01_specular_highlights");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "20_test_wall-1.png"));
+}
+
+TEST_F(Window, TheChecksRunAndSayWhatReliefCheckSays) {
+    const Result check = run({course_.program("relief"), "check", "01"}, {folder_.path(), {}});
+    ASSERT_TRUE(contains(check.out, "5 of 5 points")) << check.out << check.err;
+    open("01");
+    EXPECT_TRUE(eventually([&] { return count("checks: 5 of 5 points") == 1; })) << window_->err();
+    const size_t frames_before = frames().size();
+    const std::string task = "shaders/01_specular_highlights/task.glsl";
+    const std::string good = read_all(course_.course.path() / task);
+    const std::string hint = "look at: A stored 0.5 means 0: without the shift every normal leans towards (1, 1, 1).";
+    EXPECT_EQ(count(hint), 0u);
+    course_.course.edit(task, "stored * 2.0 - 1.0", "stored");
+    const Result wrong = run({course_.program("relief"), "check", "01"}, {folder_.path(), {}});
+    const std::string points = wrong.out.substr(wrong.out.rfind("\n", wrong.out.size() - 2) + 1);
+    EXPECT_TRUE(eventually([&] { return count("checks: " + points) == 1; })) << points << window_->err();
+    EXPECT_TRUE(contains(wrong.out, hint)) << wrong.out;
+    EXPECT_EQ(count(hint), 1u) << window_->err();
+    course_.course.overwrite(task, good);
+    EXPECT_TRUE(eventually([&] { return count("checks: 5 of 5 points") == 2; })) << window_->err();
+    EXPECT_LE(frames().size(), frames_before + 4) << "checks draw into targets of their own";
+}
+
+TEST_F(Window, ACheckShowsYoursAndTheExpectedPictureAndThenThePictureWithItsKnobs) {
+    const std::string name = "bricks on a column";
+    const std::string task = "shaders/01_specular_highlights/task.glsl";
+    const std::string good = read_all(course_.course.path() / task);
+    course_.course.edit(task, "stored * 2.0 - 1.0", "1.0 - stored * 2.0");
+    // The probe of a direction has the same colours alone as beside another.
+    const std::vector<std::string> view = {"--camera", "0,8,0.5,1.4,1.3,1.65,20", "--set", "method=normal-map"};
+    const auto shot = [&](const char* size, const char* file, const char* what) {
+        std::vector<std::string> command = {
+            course_.program("relief"), "shot", "01", what, "normal", "--size", size, "-o", file};
+        command.insert(command.end(), view.begin(), view.end());
+        const Result result = run(command, {folder_.path(), {}});
+        EXPECT_EQ(result.code, 0) << result.err;
+        return read_image(folder_.path() / file);
+    };
+    const Image yours = shot("128x128", "yours.png", "--probe"), expected = shot("128x128", "truth.png", "--truth");
+    ASSERT_NE(yours.values, expected.values);
+    window_ = std::make_unique<Process>(
+        std::vector<std::string>{course_.program("relief"), "run", "01", "--verbose", "--check", name}, where_);
+    EXPECT_TRUE(eventually([&] { return count("checks: ") == 1; })) << window_->err();
+    run({"xdotool", "search", "--sync", "--onlyvisible", "--name", "^Relief: ", "windowfocus"}, where_);
+    rest_the_mouse();  // over a pane it shows the values of a pixel
+    // Magnified by a whole number: 3 where there is room for two of 384 pixels side by side.
+    const auto place_of = [&](const Image& picture, int left, int right) {
+        const Image all = screen();
+        for (const int factor : {2, 3, 4})
+            for (int top = place().y; top < 300; ++top)
+                for (int x0 = place().x; x0 < place().x + 40; ++x0) {
+                    bool same = true;
+                    for (int y = 30; same && y < 120; y += 7)
+                        for (int x = left; same && x < right; x += 5)
+                            same = std::equal(picture.pixel(x, y), picture.pixel(x, y) + 3,
+                                              all.pixel(x0 + x * factor, top + y * factor));
+                    if (same) return factor;
+                }
+        return 0;
+    };
+    EXPECT_TRUE(eventually([&] { return place_of(yours, 2, 60) > 0; })) << "left of the border";
+    EXPECT_GT(place_of(expected, 68, 126), 0) << "right of it";
+    EXPECT_EQ(frames().size(), 0u) << "the picture itself is not drawn where nobody sees it";
+    press("Escape");
+    EXPECT_TRUE(eventually([&] { return frames().size() > 0; })) << window_->err();
+    const Image live = saved("01_specular_highlights-1.png");
+    const std::string size = std::to_string(place().width) + "x" + std::to_string(place().height);
+    EXPECT_EQ(shot(size.c_str(), "live.png", "--probe").values, live.values) << "its knobs, camera and probe";
+    course_.course.overwrite(task, good);
+}
+
+TEST_F(Window, AKnobsNameInTheHandoutSetsTheValueAfterIt) {
+    const char* file = "labs/20_test_wall/README.md";
+    const std::string good = read_all(course_.course.path() / file);
+    course_.course.overwrite(file, "`tiles` 3, or `tiles=5`\n");
+    open("20");
+    press("F1");
+    EXPECT_TRUE(eventually([&] { return frames().size() >= 2; }));
+    settle();
+    const Place at = place();
+    ASSERT_LT(at.x + at.width, window_width) << "the handout stands right of the picture";
+    run({"xdotool", "mousemove", std::to_string(at.x + at.width + 18 + 15), std::to_string(at.y + 12 + 10)}, where_);
+    std::this_thread::sleep_for(300ms);
+    const size_t before = frames().size();
+    run({"xdotool", "click", "1"}, where_);
+    EXPECT_TRUE(eventually([&] { return frames().size() > before; })) << window_->err();
+    const Image after = saved("20_test_wall-1.png");
+    const Result shot = run({course_.program("relief"), "shot", "20", "--set", "tiles=3", "--size",
+                             std::to_string(at.width) + "x" + std::to_string(at.height), "-o", "three.png"},
+                            {folder_.path(), {}});
+    EXPECT_EQ(shot.code, 0) << shot.err;
+    EXPECT_EQ(after.values, read_image(folder_.path() / "three.png").values);
+    course_.course.overwrite(file, good);
+}
+
 TEST_F(Window, EscapeClosesAListBeforeItEndsTheWindow) {
     open("20");
     // Where the list of labs opens, below its closed line.
@@ -428,7 +698,7 @@ TEST_F(Window, EscapeClosesAListBeforeItEndsTheWindow) {
         return std::vector<float>(all.pixel(0, 45), all.pixel(0, 90));
     };
     run({"xdotool", "mousemove", "150", "20"}, where_);
-    std::this_thread::sleep_for(500ms);
+    settle();
     const std::vector<float> closed = below();
     run({"xdotool", "click", "1"}, where_);
     ASSERT_TRUE(eventually([&] { return below() != closed; })) << window_->err();

@@ -196,6 +196,21 @@ TEST(ShaderLogs, OfMesaNvidiaAppleAndAmdAreUnderstood) {
     }
 }
 
+TEST(ShaderLogs, HaveTheLineThatIsMeantOnceWithAMarkBelowTheColumn) {
+    const std::string source = "1\n2\n3\n4\n\tx = y;\n6\n7\n8\n9\n10\n";
+    EXPECT_EQ(
+        explain_log("0:5(6): error: 'y' undeclared\n0:5(6): error: type mismatch\n0(6) : error: x\n", ten_lines, source)
+            .text,
+        "light.glsl:2: error: 'y' undeclared\n    \tx = y;\n    \t    ^\nlight.glsl:2: error: type mismatch\n"
+        "light.glsl:3: error: x\n    6\n");
+    for (const char* nowhere : {"0:5(99): error: x", "0:5(0): error: x"})
+        EXPECT_EQ(explain_log(nowhere, ten_lines, source).text, "light.glsl:2: error: x\n    \tx = y;\n") << nowhere;
+    EXPECT_EQ(explain_log("0:5(6): error: x", ten_lines, "1\n2\n3\n4\n    x  = y;\n").text,
+              "light.glsl:2: error: x\n        x  = y;\n             ^\n")
+        << "Mesa counts blanks that follow each other as one";
+    EXPECT_EQ(explain_log("0:11(1): error: x", ten_lines, source).text, "error: x\n");
+}
+
 TEST(ShaderLogs, TheFirstErrorIsNotAWarning) {
     for (const char* warning :
          {"0:3(1): warning: 'a' unused", "0(3) : warning C7050: 'a' unused", "WARNING: 0:3: 'a' unused"}) {

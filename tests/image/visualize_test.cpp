@@ -16,7 +16,7 @@ namespace {
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 using Color = std::array<float, 3>;
 
-Color probe_color(const std::vector<float>& value, ErrorMetric metric) {
+Color probe_color(const std::vector<float>& value, ProbeColors metric) {
     Image probe(2, 1, int(value.size()));  // the second pixel is 0
     std::copy(value.begin(), value.end(), probe.values.begin());
     const Image picture = visualize_probe(probe, metric);
@@ -67,7 +67,9 @@ TEST(Visualize, APicturesValuesMayBeAnything) {
                                  ? grey
                                  : (Color{std::clamp(a, 0.0f, 1.0f), std::clamp(b, 0.0f, 1.0f), 0.5f}));
             for (const ErrorMetric metric : {ErrorMetric::distance, ErrorMetric::angle, ErrorMetric::absolute})
-                for (const float channel : probe_color({a, b, 0.5f}, metric)) EXPECT_TRUE(channel >= 0 && channel <= 1);
+                for (const bool is_signed : {false, true})
+                    for (const float channel : probe_color({a, b, 0.5f}, {metric, is_signed}))
+                        EXPECT_TRUE(channel >= 0 && channel <= 1);
         }
 }
 
@@ -85,6 +87,30 @@ TEST(Visualize, VectorsShowBandsAPowerOfTwoWide) {
     // Sizes 5, 3, 6 and 16: the usual one (of rank 2 from 0) is 6, a sixteenth of it 0.375, so a band is 0.5 wide.
     EXPECT_EQ(probe_color({5.125f, -3.125f, 6, 16}, ErrorMetric::distance), (Color{0.25f, 0.75f, 0}));
     EXPECT_EQ(probe_color({0, 0, 0}, ErrorMetric::distance), (Color{0, 0, 0})) << "no size to take a band from";
+}
+
+TEST(Visualize, ASignedVectorIsBrighterThanHalfAbove0AndDarkerBelow) {
+    const ProbeColors with_sign(ErrorMetric::distance, true);
+    // The same bands as without a sign, half as high.
+    EXPECT_EQ(probe_color({5.125f, -3.125f, 6, 16}, with_sign), (Color{0.625f, 0.375f, 0.5f}));
+    EXPECT_EQ(probe_color({-5.125f, 3.125f, 6, 16}, with_sign), (Color{0.375f, 0.625f, 0.5f})) << "the sign flipped";
+    EXPECT_EQ(probe_color({0, 0, 0}, with_sign), (Color{0.5f, 0.5f, 0.5f}));
+}
+
+TEST(Visualize, ASignedNumberIsBlueBelow0AndAsBrightAsItsOpposite) {
+    const ProbeColors with_sign(ErrorMetric::absolute, true);
+    EXPECT_EQ(probe_color({8}, with_sign), error_color(1, 1)) << "above 0 as without a sign";
+    const Color below = probe_color({-8}, with_sign);
+    EXPECT_GT(below[2], below[0]);
+    EXPECT_GT(luminance(below), 0.7);
+    EXPECT_EQ(probe_color({-0.0f}, with_sign), error_color(0, 1));
+    const Image half = [] {
+        Image image(2, 1, 1);
+        image.values = {-4, 8};
+        return visualize_probe(image, ProbeColors(ErrorMetric::absolute, true));
+    }();
+    EXPECT_GT(half.values[2], 1.5f * half.values[0]);
+    EXPECT_LT(luminance({half.values[0], half.values[1], half.values[2]}), luminance(below)) << "one scale for both";
 }
 
 TEST(Visualize, ThePictureHasEightBitsAndThreeChannels) {

@@ -24,6 +24,12 @@ TEST(FindLabs, TakesNumbersNamesAndRangesOnceEachInOrder) {
     EXPECT_EQ(numbers("3,bricks,2-3,03_bricks"), Numbers{3});
 }
 
+TEST(FindLab, TellsATaskFromALab) {
+    EXPECT_EQ(message_of<UsageError>([] { find_lab("10.2"); }), "'10.2' is a task of lab 10: say 10");
+    for (const char* text : {"11.1", "10.", ".1", "10.x", "1.2.3"})
+        EXPECT_TRUE(contains(message_of<UsageError>([&] { find_lab(text); }), "unknown lab")) << text;
+}
+
 TEST(FindLabs, NamesThePartThatIsNoLab) {
     const auto message = [](const std::string& text) { return message_of<UsageError>([&] { find_labs(text); }); };
     EXPECT_TRUE(contains(message("1,4-9"), "'4-9' contains no lab"));

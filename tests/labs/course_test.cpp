@@ -10,14 +10,19 @@
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
-#include "framework/check/check.h"
+#include "framework/check/fingerprints.h"
 #include "framework/check/starter.h"
 #include "framework/gl/gl.h"
+#include "framework/staff/grade/fingerprint_maker.h"
+#include "framework/staff/grade/mistake_names.h"
 #include "framework/staff/grade/overlay.h"
+#include "framework/staff/grade/variation.h"
 #include "tests/labs/task_variant.h"
 #include "tests/support.h"
 
 namespace relief {
+
+namespace fs = std::filesystem;
 
 static void PrintTo(const LabEntry& lab, std::ostream* stream) { *stream << lab.folder; }
 
@@ -82,10 +87,66 @@ TEST_P(Course, HasCorrectVariantsOfEachTaskThatAreOtherPrograms) {
     }
 }
 
-TEST_P(Course, TheSolutionPassesEveryCheck) {
-    for (const CheckInfo& check : manifest_.checks) {
-        const CheckResult result = run_check(GetParam(), manifest_, check, expectation(GetParam(), check));
+/// Whether a picture of the solution has the values that the lab's fingerprints were made with. Another Mesa may draw
+/// single pixels at an edge otherwise.
+bool has_values(const Image& drawn, const Fingerprints::Places& places) {
+    const Sample now = sample_at(drawn, "", places.values);
+    size_t near = 0;
+    for (size_t i = 0; i < now.values.size(); ++i) {
+        const float before = places.solution.values[i];
+        near += is_near(now.values[i], before, drawn.channels == 3 ? 2.0 / 255 : 1e-4 + 1e-3 * std::abs(before));
+    }
+    return double(near) >= 0.9 * double(now.values.size());
+}
+
+TEST_P(Course, TheSolutionPassesEveryCheckAndFingerprintsAreUpToDate) {
+    const Fingerprints fingerprints = load_fingerprints(GetParam(), manifest_);
+    const std::string renew = "out of date: ./relief mistakes " + GetParam().two_digits() + " --update renews it";
+    if (is_of_the_course() || !fingerprints.mistakes.empty()) {
+        EXPECT_EQ(fingerprints.made_of, fingerprints_made_of(GetParam(), manifest_))
+            << shown(fingerprints_file(GetParam())) << " is " << renew;
+    }
+    LabChecker checker(GetParam(), manifest_);
+    for (size_t i = 0; i < manifest_.checks.size(); ++i) {
+        const CheckInfo& check = manifest_.checks[i];
+        const CheckResult result = checker.run(i, expectation(GetParam(), check));
         EXPECT_EQ(result.outcome, Outcome::passed) << check.name << ": " << result.found;
+        const auto places = fingerprints.checks.find(i);
+        EXPECT_TRUE(places == fingerprints.checks.end() || has_values(result.drawn, places->second))
+            << shown(fingerprints_file(GetParam())) << ", '" << check.name << "', is " << renew;
+    }
+}
+
+// Else a student would learn from the mark.
+TEST_P(Course, AShaderThatReachesBeyondItsTaskIsRefusedByTheStudentsChecks) {
+    for (const std::string& file : task_files()) {
+        if (!is_shader(file)) continue;
+        const CourseOverlay overlay(CourseFiles{{file, read_file(course_root() / file) + "#define main mine\n"}});
+        LabChecker checker(GetParam(), manifest_);
+        for (size_t i = 0; i < manifest_.checks.size(); ++i) {
+            if (manifest_.task(manifest_.checks[i].task).file != file) continue;
+            const CheckResult result = checker.run(i, {});
+            EXPECT_EQ(result.outcome, Outcome::broken);
+            EXPECT_EQ(result.found, file + " defines 'main', which the lab's shaders use");
+        }
+    }
+}
+
+// Or whoever stores the picture of a check that students have would pass. What is one value everywhere is no picture:
+// the question whether edges agree, the kind of a map.
+TEST_P(Course, AHiddenViewIsAnotherPictureThanTheCheckThatStudentsKnow) {
+    const Variation variation(manifest_, GetParam().folder, "words", 0);
+    for (const CheckInfo& check : manifest_.checks) {
+        if (check.hidden) continue;
+        const Image known = draw_shot(*make_lab(GetParam(), check.shot), check.shot);
+        const size_t channels = size_t(known.channels);
+        bool is_even = true;
+        for (size_t i = channels; i < known.values.size(); ++i)
+            is_even = is_even && known.values[i] == known.values[i - channels];
+        if (is_even) continue;
+        const Shot varied = variation.vary(check.shot);
+        EXPECT_NE(known.values, draw_shot(*make_lab(GetParam(), varied), varied).values)
+            << check.task << " '" << check.name << "': " << view_text(varied);
     }
 }
 
@@ -135,12 +196,77 @@ TEST_P(Course, EveryKnownMistakeFailsACheckOfItsTask) {
                         << mistake.id << " does not compile: " << result.found;
                 }
         } else {
-            for (const auto& [task, name, outcome, found] : check_variant(GetParam(), files, expected))
+            for (const auto& [task, name, outcome, found, named] : check_variant(GetParam(), files, expected))
                 if (task == mistake.task) judge(name, outcome == "passed", found);
         }
         EXPECT_FALSE(kept.empty()) << mistake.id << ": nothing was checked";
         EXPECT_TRUE(caught) << mistake.id << " passes every check of task " << mistake.task << kept;
     }
+}
+
+/// All of them with RELIEF_ALL_MISTAKES, as `relief test --all` has it; else so many in shaders, always the same.
+template <class Thing>
+std::vector<const Thing*> sample_of(const std::vector<Thing>& things, size_t count) {
+    std::vector<const Thing*> wanted;
+    for (const Thing& thing : things)
+        if (is_shader(thing.edits.front().file) || std::getenv("RELIEF_ALL_MISTAKES")) wanted.push_back(&thing);
+    if (std::getenv("RELIEF_ALL_MISTAKES") || wanted.size() <= count) return wanted;
+    std::vector<const Thing*> sample;
+    for (size_t i = 0; i < count; ++i) sample.push_back(wanted[(2 * i + 1) * wanted.size() / (2 * count)]);
+    return sample;
+}
+
+// As students have it: with the pictures of the handout, and without hidden checks.
+TEST_P(Course, KnownMistakesAreNamedAndNothingElseIs) {
+    if (!fs::exists(fingerprints_file(GetParam()))) GTEST_SKIP() << "a lab of someone's own";
+    const std::string grading = "labs/" + GetParam().folder + "/staff/grading.toml";
+    Manifest students = manifest_;
+    std::erase_if(students.checks, [](const CheckInfo& check) { return check.hidden; });
+    Expectations expected;
+    for (const CheckInfo& check : students.checks) expected[check.name] = expectation(GetParam(), check);
+    struct TaskSaid {
+        bool failed = false;
+        std::string named = {};
+    };
+    const auto check = [&](const std::vector<Edit>& edits) {
+        std::map<std::string, TaskSaid> said;
+        CourseFiles files = edited(edits);
+        if (std::all_of(files.begin(), files.end(), [](const auto& file) { return is_shader(file.first); })) {
+            const CourseOverlay overlay(files);
+            for (const TaskResult& task :
+                 check_lab(GetParam(), students, [&](const CheckInfo& one) { return expected.at(one.name); }))
+                said[task.task->id] = {task.points() < task.task->points, task.mistake};
+        } else {
+            files[grading] = "";
+            for (const VariantCheck& one : check_variant(GetParam(), files, expected)) {
+                said[one.task].failed |= one.outcome != "passed";
+                said[one.task].named = one.mistake;
+            }
+        }
+        return said;
+    };
+    size_t seen = 0, named = 0, unseen = 0;
+    std::string others;
+    for (const MistakeInfo* mistake : sample_of(manifest_.mistakes, 1)) {
+        const MistakeInfo& first = mistake->same_as.empty() ? *mistake : manifest_.mistake(mistake->same_as);
+        for (const auto& [task, said] : check(mistake->edits)) {
+            if (task != mistake->task) {
+                EXPECT_EQ(said.named, "") << "at task " << task << ", which is right: " << mistake->id;
+                continue;
+            }
+            ++(said.failed ? seen : unseen);
+            // Hints of mistakes that no public check tells apart are joined.
+            const bool is_right = contains(said.named, hint_with_same(manifest_, first));
+            named += is_right;
+            if (said.failed && !is_right) others += "\n  " + mistake->id + " is named '" + said.named + "'";
+        }
+    }
+    for (const EquivalentInfo* equivalent : sample_of(manifest_.equivalents, 0))
+        for (const auto& [task, said] : check(equivalent->edits))
+            EXPECT_EQ(said.named, "") << "at task " << task << ": " << equivalent->id << " is correct";
+    fmt::print("lab {}: {} known mistakes fail a public check, {} of them named; {} fail none{}\n",
+               GetParam().two_digits(), seen, named, unseen, others);
+    EXPECT_GE(double(named), 0.9 * double(seen)) << others;
 }
 
 /// The lines of a task file without the marks of regions, each with the task that it belongs to ("" before the first).

@@ -6,6 +6,7 @@
 #include "framework/base/paths.h"
 #include "framework/gl/counters.h"
 #include "framework/image/compare.h"
+#include "framework/lab/knob_help.h"
 #include "framework/lab/manifest.h"
 #include "tests/support.h"
 
@@ -22,6 +23,27 @@ protected:
         return {.size = {160, 120}, .time = 0.5, .camera = manifest_.camera, .probe = std::move(probe), .set = {}};
     }
     Image picture(const Shot& wanted) const { return render_shot(*make_lab(GetParam(), wanted), wanted); }
+};
+
+/// One lab in a small picture, as in the menu: programs are compiled once.
+class SmallLab {
+public:
+    SmallLab(const LabEntry& entry, Shot shot) : shot_(small(std::move(shot))), lab_(make_lab(entry, shot_)) {}
+    Lab& lab() const { return *lab_; }
+    const Shot& shot() const { return shot_; }
+    Image draw() const {
+        draw_lab(*lab_, frame_of(shot_, target_));
+        return read_picture(target_);
+    }
+
+private:
+    static Shot small(Shot shot) {
+        shot.size = {96, 72};
+        return shot;
+    }
+    Shot shot_;
+    std::unique_ptr<Lab> lab_;
+    Target target_{TargetKind::picture, shot_.size};
 };
 
 /// All values of a knob at which something may break: its ends, or each of its choices.
@@ -61,21 +83,16 @@ TEST_P(EveryLab, IsMadeAndDescribedWithoutAnyGlObject) {
 TEST_P(EveryLab, DrawsTheSamePictureEachTime) { EXPECT_EQ(picture(shot()).values, picture(shot()).values); }
 
 TEST_P(EveryLab, DrawsWithEachKnobAtItsEndsAndCompilesNothingWhereNothingChanges) {
-    // One lab, as in the menu, where programs are compiled once.
-    Shot small = shot();
-    small.size = {96, 72};
-    const auto lab = make_lab(GetParam(), small);
-    const Target target(TargetKind::picture, small.size);
+    const SmallLab small(GetParam(), shot());
     const auto draw = [&] {
-        draw_lab(*lab, frame_of(small, target));
-        Image image = read_picture(target);
-        refuse_unusable(image, small);
+        Image image = small.draw();
+        refuse_unusable(image, small.shot());
         return image;
     };
     const Image usual = draw();
-    for (const KnobText& knob : describe_knobs(*lab))
+    for (const KnobText& knob : describe_knobs(small.lab()))
         for (const std::string& value : extremes(knob)) {
-            set_knob(*lab, knob.name, value);
+            set_knob(small.lab(), knob.name, value);
             const int64_t before = counters().links;
             try {
                 const bool is_same = draw().values == usual.values;
@@ -85,7 +102,32 @@ TEST_P(EveryLab, DrawsWithEachKnobAtItsEndsAndCompilesNothingWhereNothingChanges
             } catch (const Error& error) {
                 ADD_FAILURE() << knob.name << " = " << value << ": " << error.what();
             }
-            set_knob(*lab, knob.name, knob.value);
+            set_knob(small.lab(), knob.name, knob.value);
+        }
+}
+
+// The window shows such a knob in grey.
+TEST_P(EveryLab, DrawsTheSameWhateverAKnobIsWhereItsHelpExcludesIt) {
+    const SmallLab small(GetParam(), shot());
+    Lab& lab = small.lab();
+    const auto draw = [&] { return small.draw().values; };
+    const std::vector<KnobText> knobs = describe_knobs(lab);
+    for (const KnobText& knob : knobs)
+        for (const KnobText& other : knobs) {
+            if (read_help(knob.help).knob != other.name) continue;
+            for (const std::string& value : extremes(other)) {
+                set_knob(lab, other.name, value);
+                if (is_ignored(knob.name, describe_knobs(lab))) {
+                    const auto usual = draw();
+                    for (const std::string& end : extremes(knob)) {
+                        set_knob(lab, knob.name, end);
+                        EXPECT_EQ(draw() == usual, true)
+                            << other.name << " = " << value << ", " << knob.name << " = " << end;
+                    }
+                    set_knob(lab, knob.name, knob.value);
+                }
+            }
+            set_knob(lab, other.name, other.value);
         }
 }
 

@@ -26,7 +26,7 @@ void expect_shown(const LabEntry& lab, MistakePictures& pictures, const MistakeI
         return;
     }
     const auto [right, wrong] =
-        visualize_probes(shown.right, shown.wrong, pictures.manifest().probe(shown.check->shot.probe.name).error);
+        visualize_probes(shown.right, shown.wrong, pictures.manifest().probe(shown.check->shot.probe.name).colors());
     EXPECT_GE(share_that_differs(right, wrong), 0.0005) << name;
     EXPECT_EQ(right.channels, 3);
 }

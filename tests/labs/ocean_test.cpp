@@ -103,10 +103,11 @@ RuleError error_of_rule(double rms, Rule rule) {
 
 TEST(Ocean, TheMeanOfNormalsHasHalfOfTheSlope) {
     const auto mean = [](const glm::dvec3& a, const glm::dvec3& b) { return a + b; };
-    // Measured with a program of its own, over random waves: 3.4, 7.3, 10.5 degrees.
-    EXPECT_NEAR(error_of_rule(0.1, mean).degrees, 3.5, 0.25);
-    EXPECT_NEAR(error_of_rule(0.2, mean).degrees, 7.0, 0.5);
-    EXPECT_NEAR(error_of_rule(0.35, mean).degrees, 10.5, 1.0);
+    // Measured with a program of its own, over random waves: 3.4, 7.3, 10.5 degrees. Of the lab's waves as its handout
+    // says.
+    EXPECT_NEAR(error_of_rule(0.1, mean).degrees, 3.5, 0.05);
+    EXPECT_NEAR(error_of_rule(0.2, mean).degrees, 6.8, 0.05);
+    EXPECT_NEAR(error_of_rule(0.35, mean).degrees, 10.9, 0.05);
     EXPECT_NEAR(error_of_rule(0.2, mean).steepness, 0.49, 0.01);
     const auto slopes = [](const glm::dvec3& a, const glm::dvec3& b) {
         return glm::dvec3(glm::dvec2(a) / a.z + glm::dvec2(b) / b.z, 1);

@@ -51,7 +51,7 @@ std::vector<VariantCheck> check_variant(const LabEntry& lab, const CourseFiles& 
         const nlohmann::json report = nlohmann::json::parse(checked.out);
         for (const auto& one : report.at("tasks"))
             for (const auto& check : one["checks"])
-                results.push_back({one["id"], check["name"], check["outcome"], check["found"]});
+                results.push_back({one["id"], check["name"], check["outcome"], check["found"], one["mistake"]});
     } catch (const nlohmann::json::exception& error) {
         ADD_FAILURE() << error.what() << "\n" << checked.out << checked.err;
     }

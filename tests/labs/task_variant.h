@@ -14,6 +14,7 @@ namespace relief {
 
 struct VariantCheck {
     std::string task, name, outcome, found;
+    std::string mistake;  ///< that is named at the task: its hint
 };
 
 /// What the checks of a lab compare with, by their names.

@@ -39,6 +39,13 @@ TEST(MarkdownPage, TextIsEscapedAndStyled) {
         "<pre tabindex=\"0\" role=\"region\" aria-label=\"code\">&lt;x&gt;</pre><blockquote><p>q</p></blockquote><hr>");
 }
 
+TEST(MarkdownPage, WhatMeasuredANumberIsFolded) {
+    const std::string page = shown("0.17\n\n```measured\n0.17  mean  shot 02\n```");
+    EXPECT_TRUE(page.starts_with("<p>0.17</p><details class=\"measured\"><summary>How it was measured</summary>"))
+        << page;
+    EXPECT_TRUE(page.ends_with(">0.17  mean  shot 02</pre></details>")) << page;
+}
+
 TEST(MarkdownPage, LinksAndPicturesThatAreNotThereAreWords) {
     EXPECT_EQ(shown("[a](there.md) [b](nowhere.md)"), "<p><a href=\"there.html\">a</a>b</p>");
     EXPECT_EQ(

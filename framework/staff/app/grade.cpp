@@ -126,13 +126,15 @@ void print_mutants(const LabEntry& lab, const MutationTest& test) {
             fmt::print("    only other tasks lose points\n");
     }
     fmt::print(
-        "lab {}: {} mutants; {} % of those that can be seen are killed; survivors were looked at in {} views; "
-        "{:.0f} s\n",
-        lab.two_digits(), test.results.size(), rounded(100 * test.kill_rate()), test.views, test.seconds);
+        "lab {}: {} mutants; {} % of those that can be seen are killed; {} % of those that lose points lose them in "
+        "their own task only; survivors were looked at in {} views; {:.0f} s\n",
+        lab.two_digits(), test.results.size(), rounded(100 * test.kill_rate()), rounded(100 * test.own_rate()),
+        test.views, test.seconds);
 }
 
 void print_mutants_json(const LabEntry& lab, const MutationTest& test) {
-    nlohmann::ordered_json all = {{"lab", lab.folder}, {"views", test.views}, {"kill_rate", test.kill_rate()}};
+    nlohmann::ordered_json all = {
+        {"lab", lab.folder}, {"views", test.views}, {"kill_rate", test.kill_rate()}, {"own_rate", test.own_rate()}};
     for (const auto& [mutant, fate, accused, largest, share, where] : test.results)
         all["mutants"].push_back({{"task", mutant.task},
                                   {"line", mutant.line},
@@ -346,7 +348,7 @@ public:
             "--jobs", "N", grade_.jobs,
             "submissions graded at a time [one per processor; in a job of Slurm, of those that it was given]");
         options.value("--seconds", "S", grade_.seconds,
-                      "time limit for drawing a lab once, seconds [ten times the solution's, at least 20]");
+                      "processor time for drawing a lab once, seconds [ten times the solution's, at least 10]");
         options.value("--seed", "WORD", grade_.seed,
                       "seed of the hidden views [RELIEF_SEED, else the folder's, else random]");
         options.value("--shard", "I/N", grade_.shard,

@@ -1,4 +1,5 @@
-// relief mistakes: makes a page of all known mistakes, each with the picture that shows it best and the correct one.
+// relief mistakes: makes a page of all known mistakes, each with the picture that shows it best and the correct one; or
+// the fingerprints by which `relief check` names them.
 #include <fmt/format.h>
 
 #include "framework/app/shot.h"
@@ -10,7 +11,7 @@
 #include "framework/pages/check_figures.h"
 #include "framework/pages/figures.h"
 #include "framework/pages/page.h"
-#include "framework/staff/grade/mistake_pictures.h"
+#include "framework/staff/grade/fingerprint_maker.h"
 
 namespace relief {
 namespace {
@@ -40,10 +41,8 @@ public:
             }
             tasks.push_back(Fields{{"id", task.id}, {"title", task.title}, {"mistakes", std::move(mistakes)}});
         }
-        labs_.push_back(Fields{{"number", lab.two_digits()},
-                               {"title", manifest.title},
-                               {"total", total},
-                               {"tasks", std::move(tasks)}});
+        labs_.push_back(Fields{
+            {"number", lab.two_digits()}, {"title", manifest.title}, {"total", total}, {"tasks", std::move(tasks)}});
     }
 
     std::string finish() const {
@@ -130,10 +129,8 @@ private:
     int count_ = 0, failures_ = 0;
 };
 
-/// Writes a page of the known mistakes of one lab, or of all if `lab` is empty, to `folder`, or to the course's build
-/// folder if that is empty. Returns 1 if one of them has no picture.
-int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice) {
-    if (folder.empty()) folder = course_root() / "build" / "mistakes";
+/// That lab, or all if `lab` is empty, where there are known mistakes; and how many there are.
+std::pair<std::vector<const LabEntry*>, int> with_mistakes(const std::string& lab) {
     std::vector<const LabEntry*> labs;
     int count = 0;
     for (const LabEntry& entry : registry()) {
@@ -143,6 +140,14 @@ int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice)
         count += mistakes;
     }
     if (labs.empty()) throw UsageError("there are no known mistakes to show");
+    return {labs, count};
+}
+
+/// Writes a page of the known mistakes of one lab, or of all if `lab` is empty, to `folder`, or to the course's build
+/// folder if that is empty. Returns 1 if one of them has no picture.
+int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice) {
+    if (folder.empty()) folder = course_root() / "build" / "mistakes";
+    const auto [labs, count] = with_mistakes(lab);
     make_folder(folder);
     const auto context = open_context(choice);
     MistakesPage page(folder);
@@ -158,17 +163,46 @@ int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice)
     return page.failures() == 0 ? 0 : 1;
 }
 
+/// Writes the file by which `relief check` names mistakes, of one lab, or of all if `lab` is empty.
+int renew_fingerprints(const std::string& lab, ContextChoice choice) {
+    const auto [labs, count] = with_mistakes(lab);
+    pin_software_renderer();
+    const auto context = open_context(choice);
+    if (!is_software_renderer())
+        throw Error("fingerprints are made on Mesa's software renderer, as checks are drawn; this is " +
+                    describe_context().renderer);
+    Progress progress(count);
+    for (const LabEntry* entry : labs) {
+        MistakePictures pictures(*entry, {.context = choice, .threads = 0, .pinned = true});
+        const Fingerprints made = make_fingerprints(
+            *entry, pictures, [&](const std::string& id) { progress.next(entry->two_digits() + " " + id); });
+        const fs::path file = fingerprints_file(*entry);
+        const std::string text = text_of(made, *entry, pictures.manifest());
+        const bool is_same = fs::exists(file) && read_file(file) == text;
+        if (!is_same) write_file(file, text);
+        fmt::print("{}: {}\n", shown(file), is_same ? "the same" : "renewed");
+    }
+    return 0;
+}
+
 class MistakesCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
         options.lab(lab_, false);
         options.value("-o", "FOLDER", output_, "folder for the page [the course's build/mistakes]");
+        options.flag("--update", update_,
+                     "no page: renew the files by which everybody's `relief check` names mistakes");
         options.value("--context", "NAME", context_, context_help);
     }
-    int run() override { return show_mistakes(lab_, output_, context_kind(context_)); }
+    int run() override {
+        if (update_ && !output_.empty()) throw UsageError("--update writes into the labs' folders: leave out -o");
+        const ContextChoice choice = context_kind(context_);
+        return update_ ? renew_fingerprints(lab_, choice) : show_mistakes(lab_, output_, choice);
+    }
 
 private:
     std::string lab_, output_, context_ = "auto";
+    bool update_ = false;
 };
 RELIEF_COMMAND(MistakesCommand, 14, "mistakes", "makes a page of all known mistakes, each beside the correct picture");
 

@@ -27,7 +27,9 @@ std::string first_error(const std::string& output) {
 Judgement blame(const ProcessResult& result, const std::string& problem) {
     switch (result.ending) {
         case Ending::out_of_time:
-            return {Outcome::out_of_time, fmt::format("not finished after {:.0f} seconds", result.wall)};
+            if (result.stopped)
+                return {Outcome::out_of_time, fmt::format("not finished after {:.0f} seconds", result.wall)};
+            return {Outcome::out_of_time, "it needs more processor time than is allowed"};
         case Ending::out_of_memory:
             return {Outcome::out_of_memory, "it needs more memory than is allowed"};
         case Ending::crashed:
@@ -60,7 +62,8 @@ public:
           renderer_(renderer),
           limits_(limits),
           attempt_(attempt),
-          seconds_left_(2 * limits.seconds) {}
+          wall_left_(2 * limits.wall()),
+          cpu_left_(2 * limits.cpu) {}
 
     /// Whether the program holds code of a student.
     bool has_own_program() const { return course_.program.parent_path() == course_.folder->path(); }
@@ -69,17 +72,19 @@ public:
     void draw(size_t from, size_t end) {
         bool tried_again = false;
         while (from < end) {
-            if (seconds_left_ <= 0)
+            if (wall_left_ <= 0 || cpu_left_ <= 0)
                 return fail(from, end, {Outcome::out_of_time, "the checks before it used up the time"});
             const std::vector<Shot> rest(shots_.begin() + std::ptrdiff_t(from), shots_.begin() + std::ptrdiff_t(end));
-            const ProcessResult result = run_sandboxed(
-                job(rest), {.isolation = stage_.isolation(),
-                            .readable = course_.readable,
-                            .processes = 32,
-                            .makes_processes = false});
-            seconds_left_ -= result.wall;
+            const ProcessResult result = run_sandboxed(job(rest), {.isolation = stage_.isolation(),
+                                                                   .readable = course_.readable,
+                                                                   .processes = 32,
+                                                                   .makes_processes = false});
+            wall_left_ -= result.wall;
             attempt_.draw += result.wall;
             DrawnShots drawn = read_drawings(result.output, rest);
+            attempt_.cpu += drawn.cpu;
+            // A process that dies cannot be asked what it has used: no more than either of these.
+            cpu_left_ -= std::min(result.wall, limits_.cpu);
             for (Drawn& shot : drawn.shots) keep(std::move(shot), attempt_.shots[from++]);
             if (drawn.phase == DrawingPhase::done || from == end) return;
             const Judgement why = blame(result, drawn.problem);
@@ -107,8 +112,8 @@ private:
         if (stage_.isolation() == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
         job.request = drawing_request(lab_, shots, renderer_);
         job.asks = drawing_asks();
-        job.limits.wall = std::min(seconds_left_, limits_.seconds);
-        job.limits.cpu = std::ceil(job.limits.wall);
+        job.limits.wall = std::min(wall_left_, limits_.wall());
+        job.limits.cpu = std::ceil(std::min(cpu_left_, limits_.cpu));
         job.limits.memory = limits_.memory;
         job.limits.output = drawings_size(shots);
         return job;
@@ -135,7 +140,7 @@ private:
     const Renderer& renderer_;
     const AttemptLimits& limits_;
     Attempt& attempt_;
-    double seconds_left_;
+    double wall_left_, cpu_left_;  ///< seconds
 };
 
 /// The verdict about a C++ task that was not compiled.
@@ -144,7 +149,7 @@ Judgement blame(const Compiled& compiled) {
         return {Outcome::machine, "the machine failed: " + message(compiled.message)};
     Judgement why{Outcome::broken, message(first_error(compiled.message))};
     if (compiled.ending != Ending::exited)
-        why = blame({.ending = compiled.ending, .code = 1, .wall = compiled.seconds}, {});
+        why = blame({.ending = compiled.ending, .code = 1, .wall = compiled.seconds, .stopped = compiled.stopped}, {});
     if (why.found.empty()) why.found = message(compiled.message);
     return {why.outcome, "it does not compile: " + why.found};
 }
@@ -156,7 +161,7 @@ Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& file
     Attempt result;
     result.shots.resize(shots.size());
     StagedCourse course = stage.course(lab, files);
-    const Compiled compiled = stage.compile(lab, course, 3 * limits.seconds);
+    const Compiled compiled = stage.compile(lab, course, 3 * limits.cpu, 3 * limits.wall());
     result.compile = compiled.seconds;
     if (!compiled.message.empty()) {
         const Judgement why = blame(compiled);

@@ -22,12 +22,16 @@ struct DrawnAttempt {
 struct Attempt {
     std::vector<DrawnAttempt> shots;  ///< one for each requested shot
     double compile = 0, draw = 0;     ///< seconds
+    double cpu = 0;                   ///< seconds of processor time for drawing, as the processes say: see DrawnShots
     std::string log;                  ///< the compiler's messages, or empty
 };
 
 struct AttemptLimits {
-    double seconds = 120;             ///< for one process that draws; all together have twice that, the compiler thrice
+    /// Seconds of processor time for one process that draws; all together have twice that, the compiler thrice.
+    double cpu = 120;
     size_t memory = size_t{2} << 30;  ///< bytes of address space
+    /// Only for who waits instead of computing: processor time is the bound that holds on a busy machine, too.
+    double wall() const { return 5 * cpu; }
 };
 
 /// Draws `shots` of a lab that was added to the stage. If a process dies, the shot that it was drawing fails, and

@@ -25,11 +25,14 @@ size_t count_hidden(const std::vector<CheckViews>& views) {
 }  // namespace
 
 LabViews::LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup)
-    : lab_(lab), stage_(stage), setup_(std::move(setup)), manifest_(load_manifest(lab)) {
+    : lab_(lab),
+      stage_(stage),
+      setup_(std::move(setup)),
+      manifest_(load_manifest(lab)),
+      derives_limit_(setup_.seconds == 0) {
     const size_t count = manifest_.checks.size();
     if (count == 0) throw Error(fmt::format("labs/{}/lab.toml: there is no [[check]]", lab.folder));
-    const bool derives_limit = setup_.seconds == 0;
-    if (derives_limit) setup_.seconds = 120;
+    if (derives_limit_) setup_.seconds = AttemptLimits{}.cpu;
     for (const CheckInfo& check : manifest_.checks) views_.push_back({.own = {check.shot}});
     const CourseFiles files = solution_files(manifest_);
     solution_ = draw(files, std::vector<bool>(count, true), WhichViews::own);
@@ -40,25 +43,39 @@ LabViews::LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup)
             throw Error(fmt::format("lab {}: nothing can be graded here: its own solution does not pass '{}' ({}: {})",
                                     lab.two_digits(), check.name, name_of(said.outcome), said.found));
     }
-    if (!setup_.seed.empty()) find_hidden_views(files);
-    if (derives_limit) {
-        const double views_per_check = double(count + hidden_count()) / double(count);
-        setup_.seconds = std::max(20.0, 10 * views_per_check * solution_.draw);
-    }
+    solution_cpu_ = solution_.cpu;
+    if (!setup_.seed.empty()) solution_cpu_ += find_hidden_views(files);
+    bound_by(solution_cpu_);
+}
+
+void LabViews::bound_by(double solution_cpu) {
+    if (!derives_limit_) return;
+    setup_.seconds = std::max(10.0, 10 * solution_cpu);
+    if (solution_cpu_ > setup_.seconds)
+        throw Error(fmt::format(
+            "lab {}: its solution takes {:.1f} seconds of processor time here, and {:.1f} where the class was started: "
+            "grade it on a machine that is not so slow, or give --seconds",
+            lab_.two_digits(), solution_cpu_, solution_cpu));
 }
 
 size_t LabViews::hidden_count() const { return count_hidden(views_); }
 
-void LabViews::find_hidden_views(const CourseFiles& solution) {
+/// Returns the processor time of the solution in the views that it takes.
+double LabViews::find_hidden_views(const CourseFiles& solution) {
     constexpr int attempts = 4;
     std::vector<CheckViews> best = views_;
+    double cpu = 0;
     for (int attempt = 0; attempt < attempts && count_hidden(best) < best.size(); ++attempt) {
         const Variation variation(manifest_, lab_.folder, setup_.seed, attempt);
         for (CheckViews& views : views_) views.hidden = View{variation.vary(views.own.shot)};
-        keep_passing_views(draw(solution, std::vector<bool>(views_.size(), true), WhichViews::hidden));
-        if (count_hidden(views_) > count_hidden(best)) std::swap(views_, best);
+        const DrawnChecks drawn = draw(solution, std::vector<bool>(views_.size(), true), WhichViews::hidden);
+        keep_passing_views(drawn);
+        if (count_hidden(views_) <= count_hidden(best)) continue;
+        std::swap(views_, best);
+        cpu = drawn.cpu;
     }
     views_ = std::move(best);
+    return cpu;
 }
 
 void LabViews::keep_passing_views(const DrawnChecks& solution) {
@@ -129,6 +146,7 @@ DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& ch
     for (size_t i = 0; i < places.size(); ++i) *places[i] = std::move(drawn.shots[i]);
     result.compile = drawn.compile;
     result.draw = drawn.draw;
+    result.cpu = drawn.cpu;
     result.log = std::move(drawn.log);
     return result;
 }

@@ -12,8 +12,8 @@ namespace relief {
 /// How submissions are drawn.
 struct GradeSetup {
     Isolation isolation = Isolation::namespaces;
-    /// Limit for drawing a lab once. All its processes together have twice that, the compiler three times. 0: ten
-    /// times what the solution takes, but at least 20.
+    /// Limit of processor time for drawing a lab once. All its processes together have twice that, the compiler three
+    /// times. 0: ten times what the solution takes, but at least 10.
     double seconds = 0;
     size_t memory = size_t{2} << 30;  ///< bytes of address space
     std::string seed = {};            ///< of the hidden views; empty: there are none
@@ -38,6 +38,7 @@ struct DrawnViews {
 struct DrawnChecks {
     std::vector<DrawnViews> checks = {};  ///< in the manifest's order
     double compile = 0, draw = 0;         ///< seconds
+    double cpu = 0;                       ///< seconds of processor time for drawing, see Attempt
     std::string log = {};                 ///< the compiler's messages, or empty
 };
 
@@ -66,6 +67,11 @@ public:
     const Manifest& manifest() const { return manifest_; }
     bool has_hidden(size_t check) const { return views_[check].hidden.has_value(); }
     size_t hidden_count() const;
+    /// Seconds of processor time that the solution takes here, with all hidden views.
+    double solution_cpu() const { return solution_cpu_; }
+    /// Derives the limit from `solution_cpu` seconds instead, measured elsewhere; does nothing if the setup has a
+    /// limit. Throws Error if this machine is so much slower that its own solution exceeds that limit.
+    void bound_by(double solution_cpu);
     /// What the solution draws in the checks' own views. Can be taken once.
     DrawnChecks take_solution() { return std::move(solution_); }
 
@@ -81,7 +87,7 @@ public:
 private:
     size_t compared_with(size_t check) const;
     std::vector<bool> with_compared(std::vector<bool> checks) const;
-    void find_hidden_views(const CourseFiles& solution);
+    double find_hidden_views(const CourseFiles& solution);
     void keep_passing_views(const DrawnChecks& solution);
 
     const LabEntry& lab_;
@@ -90,6 +96,8 @@ private:
     Manifest manifest_;
     std::vector<CheckViews> views_;  ///< in the manifest's order
     DrawnChecks solution_;
+    double solution_cpu_ = 0;
+    bool derives_limit_;
 };
 
 }  // namespace relief

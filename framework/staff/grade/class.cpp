@@ -50,6 +50,7 @@ public:
         else
             look_through();
         prepare();
+        bound_by_figures();
         report_.prepared = seconds_since(begin);
         grade_all();
         report_.seconds = seconds_since(begin);
@@ -63,6 +64,13 @@ public:
         look_through();
         for (const Entry& entry : entries_)
             if (!entry.done) fs::remove(result_file(entry));
+        try {
+            prepare();
+            bound_by_figures();
+        } catch (const Error& error) {  // a machine that sends jobs need not be able to draw
+            print_note(
+                fmt::format("the parts measure what the solutions take, since this machine cannot: {}", error.what()));
+        }
     }
 
 private:
@@ -78,6 +86,7 @@ private:
 
     void find_seed() {
         const std::optional<Roster> before = read_roster(options_.output);
+        if (before) course_before_ = before->course, figures_before_ = before->solution_cpu;
         if (before && (setup_.seed.empty() || options_.keep_roster)) setup_.seed = before->seed;
         if (setup_.seed.empty() && !options_.shard.whole())
             throw UsageError("all parts of a class need the same hidden views: give each part the same --seed WORD");
@@ -103,6 +112,7 @@ private:
         std::set<std::string> names;
         Roster roster{.course = course_, .seed = setup_.seed, .labs = {}, .submissions = {}};
         for (const LabEntry* lab : options_.labs) roster.labs.push_back(lab->folder);
+        if (course_before_ == course_) roster.solution_cpu = figures_before_;
         const std::set<std::string> files = wanted();
         Progress progress(int(options_.submissions.size()));
         for (const fs::path& path : options_.submissions) {
@@ -196,6 +206,14 @@ private:
         }
     }
 
+    /// On a fast machine and a slow one, an idle and a busy one, a submission may take the same processor time.
+    void bound_by_figures() {
+        std::map<std::string, double> measured;
+        for (const auto& [folder, grader] : graders_) measured[folder] = grader->solution_cpu();
+        const auto figures = add_solution_cpu(options_.output, measured);
+        for (const auto& [folder, grader] : graders_) grader->bound_by(figures.at(folder));
+    }
+
     void grade_all() {
         std::vector<Entry*> waiting;
         for (Entry& entry : entries_)
@@ -265,7 +283,8 @@ private:
     const SubmissionDone& done_;
     ClassReport report_;
     std::optional<Stage> stage_;
-    std::string course_;
+    std::string course_, course_before_;            ///< of this run, and of class.json before it
+    std::map<std::string, double> figures_before_;  ///< in class.json
     std::map<std::string, Manifest> manifests_;
     std::vector<Entry> entries_;
     std::map<std::string, std::unique_ptr<LabGrader>> graders_;

@@ -19,7 +19,7 @@ struct ClassOptions {
     int jobs = 1;                       ///< submissions at a time
     bool trust = false;                 ///< grade even if submissions cannot be isolated
     bool fresh = false;                 ///< grade everything again
-    /// class.json in `output` stands and is not written: its submissions that have no result yet are graded.
+    /// class.json in `output` stands: its submissions that have no result yet are graded.
     bool keep_roster = false;
     /// `isolation` is ignored: it is probed. An empty seed: the seed of an earlier run into `output`, else a random
     /// one.
@@ -55,8 +55,9 @@ IsolationReport isolation_for(bool trust);
 /// freed after the call.
 using SubmissionDone = std::function<void(const SubmissionMark&, const std::vector<CheckPictures>&)>;
 
-/// Reads all submissions and writes class.json into `output`, but grades none. Removes the results that do not hold:
-/// those that are left do. Throws UsageError as grade_class() does.
+/// Reads all submissions and writes class.json into `output`, with what the solutions take on this machine if it can
+/// draw them, but grades none. Removes the results that do not hold: those that are left do. Throws UsageError as
+/// grade_class() does.
 void enlist_class(const ClassOptions& options);
 
 /// Writes class.json into `output`, and results/NAME.json of each submission after `done` has returned for it. Throws

@@ -32,7 +32,7 @@ std::string foreign_include(const std::string& file, const std::string& text) {
 }
 
 /// Why a task cannot be drawn, from its file alone; or nothing.
-std::optional<Judgement> judge_file(const TaskInfo& task, const Submission& submission) {
+std::optional<Judgement> judge_file(const TaskInfo& task, const Submission& submission, const OtherShaders& others) {
     if (const auto refused = submission.refused.find(task.file); refused != submission.refused.end())
         return Judgement{Outcome::broken, fmt::format("{} is {}", task.file, refused->second)};
     const auto file = submission.files.find(task.file);
@@ -40,15 +40,19 @@ std::optional<Judgement> judge_file(const TaskInfo& task, const Submission& subm
     if (const std::string foreign = foreign_include(task.file, file->second); !foreign.empty())
         return Judgement{Outcome::broken,
                          fmt::format("{} includes {}, which is not part of this task", task.file, printable(foreign))};
+    if (task.file.ends_with(".glsl"))
+        if (const std::string beyond = reaches_beyond(file->second, others); !beyond.empty())
+            return Judgement{Outcome::broken, fmt::format("{} {}", task.file, printable(beyond))};
     if (is_unfinished(file->second, task.id)) return Judgement{Outcome::unfinished, "not written yet"};
     return {};
 }
 
 /// By check: why it cannot be drawn, or nothing.
-std::vector<std::optional<Judgement>> judge_files(const Manifest& manifest, const Submission& submission) {
+std::vector<std::optional<Judgement>> judge_files(const Manifest& manifest, const Submission& submission,
+                                                  const OtherShaders& others) {
     std::map<std::string, Judgement> given_up;  // by task
     for (const TaskInfo& task : manifest.tasks)
-        if (const auto why = judge_file(task, submission)) given_up[task.id] = *why;
+        if (const auto why = judge_file(task, submission, others)) given_up[task.id] = *why;
     const auto is_written = [&](const std::string& task) {
         const auto why = given_up.find(task);
         return why == given_up.end() || why->second.outcome != Outcome::unfinished;
@@ -62,32 +66,6 @@ std::vector<std::optional<Judgement>> judge_files(const Manifest& manifest, cons
             verdict = Judgement{Outcome::unfinished, waits};
     }
     return by_check;
-}
-
-/// Whether another task is to blame for a failure. The check depends on that task; that task has passed none of its
-/// checks; and this task has passed a check that does without it.
-bool is_anothers(const Manifest& manifest, const std::vector<Judgement>& said, size_t failed) {
-    const CheckInfo& check = manifest.checks[failed];
-    const auto is_attested = [&](const std::string& other) {
-        for (size_t i = 0; i < said.size(); ++i)
-            if (manifest.checks[i].task == check.task && said[i].outcome == Outcome::passed &&
-                !manifest.checks[i].depends_on(other))
-                return true;
-        return false;
-    };
-    const auto has_only_failed = [&](const std::string& other) {
-        size_t failures = 0;
-        for (size_t i = 0; i < said.size(); ++i) {
-            if (manifest.checks[i].task != other || said[i].outcome == Outcome::unfinished) continue;
-            if (said[i].outcome == Outcome::passed) return false;
-            ++failures;
-        }
-        return failures > 0;
-    };
-    return said[failed].outcome != Outcome::passed &&
-           std::any_of(manifest.tasks.begin(), manifest.tasks.end(), [&](const TaskInfo& other) {
-               return check.depends_on(other.id) && has_only_failed(other.id) && is_attested(other.id);
-           });
 }
 
 }  // namespace
@@ -121,7 +99,9 @@ struct LabGrader::Verdict {
 };
 
 LabGrader::LabGrader(const LabEntry& lab, const Stage& stage, GradeSetup setup)
-    : views_(lab, stage, std::move(setup)), mistakes_(views_, views_.take_solution()) {}
+    : views_(lab, stage, std::move(setup)),
+      mistakes_(views_, views_.take_solution()),
+      others_(lab, views_.manifest()) {}
 
 LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn) const {
     const Judgement own = views_.judge(views_.own(check, drawn));
@@ -132,8 +112,8 @@ LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn
 }
 
 /// One mistake costs its own task. So a task that loses points beside others, or in a check that needs others, is drawn
-/// again, with the solution of all other tasks; what passes then has passed. Where that draws nothing, the first verdict
-/// stands.
+/// again, with the solution of all other tasks; what passes then has passed. Where that draws nothing, the first
+/// verdict stands.
 void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdict>& verdicts,
                                  DrawnChecks& drawn) const {
     const std::vector<CheckInfo>& checks = manifest().checks;
@@ -150,7 +130,7 @@ void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdi
     if (losers.size() < 2 && !needs_others) return;
     const CourseFiles solution = solution_files(manifest());
     for (const TaskInfo& task : manifest().tasks) {
-        if (!task.alone || !losers.contains(task.id) || judge_file(task, submission)) continue;
+        if (!task.alone || !losers.contains(task.id) || judge_file(task, submission, others_)) continue;
         CourseFiles files = solution;
         const auto transplanted = with_one_task(files[task.file], submission.files.at(task.file), task.id);
         if (!transplanted) continue;
@@ -206,11 +186,11 @@ std::vector<TaskMark> LabGrader::task_marks(const std::vector<CheckMark>& marks)
 
 void LabGrader::name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Verdict>& verdicts,
                               const std::vector<Judgement>& said, const std::vector<bool>& is_drawn) const {
-    const std::vector<const CheckInfo*> first = put_right_first(manifest(), said);
+    const std::vector<bool> blames = blames_another(manifest(), said);
     std::vector<bool> compared;
     std::set<std::string> suspects;  // tasks with a failure that may be their own
     for (size_t i = 0; i < said.size(); ++i) {
-        compared.push_back(verdicts[i].is_own || (is_drawn[i] && !first[i] && !is_anothers(manifest(), said, i)));
+        compared.push_back(verdicts[i].is_own || (is_drawn[i] && !blames[i]));
         if (compared[i] && said[i].outcome != Outcome::passed) suspects.insert(manifest().checks[i].task);
     }
     for (TaskMark& task : lab.tasks) {
@@ -224,7 +204,7 @@ void LabGrader::name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std:
 
 LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>* kept, bool with_names) const {
     const std::vector<CheckInfo>& checks = manifest().checks;
-    const std::vector<std::optional<Judgement>> undrawable = judge_files(manifest(), submission);
+    const std::vector<std::optional<Judgement>> undrawable = judge_files(manifest(), submission, others_);
     std::vector<bool> is_drawn;
     for (const auto& why : undrawable) is_drawn.push_back(!why);
     CourseFiles files;

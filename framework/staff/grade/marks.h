@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/check/reach.h"
 #include "framework/staff/grade/check_views.h"
 #include "framework/staff/grade/mistake_names.h"
 #include "framework/staff/grade/submission.h"
@@ -69,6 +70,9 @@ public:
 
     const LabEntry& lab() const { return views_.lab(); }
     const Manifest& manifest() const { return views_.manifest(); }
+    /// See LabViews.
+    double solution_cpu() const { return views_.solution_cpu(); }
+    void bound_by(double solution_cpu) { views_.bound_by(solution_cpu); }
     /// Number of checks that have a hidden view.
     size_t hidden_views() const { return views_.hidden_count(); }
 
@@ -87,6 +91,7 @@ private:
 
     LabViews views_;
     MistakeNames mistakes_;
+    OtherShaders others_;
 };
 
 }  // namespace relief

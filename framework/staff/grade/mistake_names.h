@@ -8,13 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "framework/check/likeness.h"
 #include "framework/staff/grade/check_views.h"
 
 namespace relief {
 
+/// The hint of a known mistake, with those of the mistakes that are `same_as` it.
+std::string hint_with_same(const Manifest& manifest, const MistakeInfo& mistake);
+
 struct NamedMistake {
     std::string id;
-    std::string hint;  ///< with the hints of the mistakes that are `same_as` this one
+    std::string hint;  ///< see hint_with_same()
 };
 
 /// The known mistakes of one lab. Each is drawn once, when a submission needs it. Threads may share it.
@@ -30,29 +34,19 @@ public:
                                      const std::vector<bool>& compared) const;
 
 private:
-    /// Pixels of a picture, evenly spread, or the error that came in its place.
-    struct Sample {
-        explicit Sample(const DrawnAttempt& drawn);
-        std::vector<float> values = {};
-        std::string error;
-        bool is_drawn;
-    };
     /// What a mistake draws in its task's checks.
     struct Signature {
         const MistakeInfo* mistake;
-        std::map<size_t, Sample> samples = {};  ///< by check
+        Samples samples = {};
     };
     struct Signatures {
         std::vector<Signature> list;
         size_t next = 0, done = 0;
         std::condition_variable one_more;
     };
-    struct Likeness;
 
     const std::vector<Signature>& signatures(const std::string& task) const;
-    std::map<size_t, Sample> samples_of(const MistakeInfo& mistake) const;
-    static double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe);
-    static Likeness compare(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe);
+    Samples samples_of(const MistakeInfo& mistake) const;
     double agreement(const Signature& signature, const std::vector<Sample>& drawn,
                      const std::vector<bool>& compared) const;
 

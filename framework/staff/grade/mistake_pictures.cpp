@@ -110,7 +110,7 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
             score += 1;  // before any probe
         } else if (check.shot.probe && probe.image) {
             const auto [one, other] =
-                visualize_probes(good.probe, *probe.image, manifest_.probe(check.shot.probe.name).error);
+                visualize_probes(good.probe, *probe.image, manifest_.probe(check.shot.probe.name).colors());
             score = share_that_differs(one, other);
             shown.is_probe = true;
             shown.right = good.probe;

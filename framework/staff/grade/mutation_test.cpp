@@ -22,6 +22,7 @@ namespace {
 constexpr double visible = 8.0 / 255 + 1e-6, visible_share = 0.002;
 constexpr int random_views = 24;
 constexpr glm::ivec2 view_size{96, 96};
+constexpr AttemptLimits looking{.cpu = 600};
 
 /// Sets some of a lab's knobs: numbers more often to an end of their range than to any other value.
 class RandomKnobs final : public Knobs {
@@ -95,7 +96,7 @@ public:
           grader_(lab, stage, setup),
           solution_(solution_files(grader_.manifest())),
           views_(views_of(lab, grader_.manifest(), setup.seed)),
-          right_(attempt(stage, lab, solution_, views_, setup.renderer, {}).shots) {}
+          right_(attempt(stage, lab, solution_, views_, setup.renderer, looking).shots) {}
 
     MutationTest run() {
         const auto begin = std::chrono::steady_clock::now();
@@ -156,7 +157,7 @@ private:
 
     /// Looks for a difference in every view.
     void look(MutantResult& result, const CourseFiles& files) const {
-        const std::vector<DrawnAttempt> drawn = attempt(stage_, lab_, files, views_, setup_.renderer, {}).shots;
+        const std::vector<DrawnAttempt> drawn = attempt(stage_, lab_, files, views_, setup_.renderer, looking).shots;
         for (size_t i = 0; i < views_.size(); ++i) {
             if (!right_[i].image && !drawn[i].image) continue;
             double largest = 1, share = 1;  // only one of them draws anything
@@ -179,7 +180,7 @@ private:
     /// As people see them.
     std::pair<Image, Image> shown(const Probe& probe, const Image& one, const Image& other) const {
         if (!probe) return {one, other};
-        return visualize_probes(one, other, grader_.manifest().probe(probe.name).error);
+        return visualize_probes(one, other, grader_.manifest().probe(probe.name).colors());
     }
 
     const LabEntry& lab_;
@@ -204,6 +205,16 @@ size_t MutationTest::count(MutantFate fate, const std::string& task) const {
 double MutationTest::kill_rate() const {
     const size_t seen = count(MutantFate::killed) + count(MutantFate::elsewhere) + count(MutantFate::survived);
     return seen == 0 ? 1 : double(count(MutantFate::killed)) / double(seen);
+}
+
+double MutationTest::own_rate() const {
+    size_t lost = 0, own = 0;
+    for (const MutantResult& one : results) {
+        if (one.fate != MutantFate::killed && one.fate != MutantFate::elsewhere) continue;
+        ++lost;
+        own += !one.accused;
+    }
+    return lost == 0 ? 1 : double(own) / double(lost);
 }
 
 MutationTest test_mutants(const LabEntry& lab, const GradeSetup& setup, MutationOptions options) {

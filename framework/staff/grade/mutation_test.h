@@ -37,6 +37,8 @@ struct MutationTest {
     size_t count(MutantFate fate, const std::string& task = {}) const;
     /// Of those that can be seen: killed, elsewhere and survived.
     double kill_rate() const;
+    /// Of those that lose points anywhere: the share in which no task but the edited one does.
+    double own_rate() const;
 };
 
 /// Grades all mutants of a lab's solution, and looks for a difference where no mark is lost: in each check's view, each

@@ -1,10 +1,13 @@
 #include "framework/staff/grade/roster.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "framework/base/descriptor.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/text.h"
@@ -56,6 +59,7 @@ std::string to_json(const Roster& roster) {
                          {"course", roster.course},
                          {"seed", roster.seed},
                          {"labs", roster.labs},
+                         {"solution_cpu_seconds", roster.solution_cpu},
                          {"submissions", ordered_json::array()}};
     for (const Roster::One& one : roster.submissions)
         json["submissions"].push_back(
@@ -70,6 +74,7 @@ std::optional<Roster> read_roster(const fs::path& folder) {
         const ordered_json json = ordered_json::parse(read_file(file, size_t{1} << 28));
         if (json.at("schema") != schema) throw Error({file}, "was written by another version: use a new folder");
         Roster roster{.course = json.at("course"), .seed = json.at("seed"), .labs = json.at("labs"), .submissions = {}};
+        if (json.contains("solution_cpu_seconds")) json.at("solution_cpu_seconds").get_to(roster.solution_cpu);
         if (!json.at("submissions").is_array())
             throw Error({file}, "has no list of submissions: remove it, or use a new folder");
         for (const ordered_json& one : json.at("submissions"))
@@ -83,6 +88,16 @@ std::optional<Roster> read_roster(const fs::path& folder) {
 
 void write_roster(const fs::path& folder, const Roster& roster) {
     write_private_file(folder / file_name, to_json(roster));
+}
+
+std::map<std::string, double> add_solution_cpu(const fs::path& folder, const std::map<std::string, double>& measured) {
+    const Descriptor held(open((folder / "results").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    flock(held, LOCK_EX);  // to the end of this function; a file system without locks has none
+    Roster roster = read_roster(folder).value();
+    const size_t before = roster.solution_cpu.size();
+    roster.solution_cpu.insert(measured.begin(), measured.end());
+    if (roster.solution_cpu.size() > before) write_roster(folder, roster);
+    return roster.solution_cpu;
 }
 
 Shard shard_of(const std::string& text) {

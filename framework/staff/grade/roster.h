@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct Roster {
     std::string seed;               ///< of the hidden views, or empty
     std::vector<std::string> labs;  ///< folders; empty: for each submission the labs whose files it has
     std::vector<One> submissions;   ///< in the order of the command line
+    /// Seconds of processor time that a lab's solution took, by folder: measured once, where the class was started.
+    std::map<std::string, double> solution_cpu = {};
 };
 
 std::string to_json(const Roster& roster);
@@ -26,6 +29,10 @@ std::string to_json(const Roster& roster);
 std::optional<Roster> read_roster(const std::filesystem::path& folder);
 /// For its owner alone to read: it has the seed.
 void write_roster(const std::filesystem::path& folder, const Roster& roster);
+/// Adds what was `measured` to the class.json in `folder`, where it has no figure of a lab yet; returns all its
+/// figures. Parts of a class may do so at a time: the first one's figure stands.
+std::map<std::string, double> add_solution_cpu(const std::filesystem::path& folder,
+                                               const std::map<std::string, double>& measured);
 
 /// One of `count` parts of a class: every count-th submission, from `index` on. `index` counts from 0.
 struct Shard {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <regex>
 
 #include "framework/base/descriptor.h"
@@ -270,14 +271,14 @@ bool may_be_the_machines(const ProcessResult& done) {
 
 }  // namespace
 
-Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double seconds) const {
+Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double cpu, double wall) const {
     if (labs_.at(lab.folder).sources.empty()) return {};
-    ProcessResult done = run_compiler(lab, course, seconds);
-    if (may_be_the_machines(done)) done = run_compiler(lab, course, seconds);  // others may be done by now
+    ProcessResult done = run_compiler(lab, course, cpu, wall);
+    if (may_be_the_machines(done)) done = run_compiler(lab, course, cpu, wall);  // others may be done by now
     // Our own code in its place tells whose fault it is.
-    if (may_be_the_machines(done) && may_be_the_machines(run_compiler(lab, this->course(lab, {}), seconds)))
+    if (may_be_the_machines(done) && may_be_the_machines(run_compiler(lab, this->course(lab, {}), cpu, wall)))
         done.ending = Ending::failed;
-    Compiled compiled{.ending = done.ending, .message = {}, .seconds = done.wall};
+    Compiled compiled{.ending = done.ending, .message = {}, .seconds = done.wall, .stopped = done.stopped};
     if (done.succeeded()) {
         course.program = course.folder->path() / "program";
         put(course.program, done.output, true);
@@ -290,7 +291,7 @@ Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double second
     return compiled;
 }
 
-ProcessResult Stage::run_compiler(const LabEntry& lab, const StagedCourse& course, double seconds) const {
+ProcessResult Stage::run_compiler(const LabEntry& lab, const StagedCourse& course, double cpu, double wall) const {
     const LabPart& part = labs_.at(lab.folder);
     const fs::path& root = course.folder->path();
     const fs::path library = folder_.path() / "students" / lab.folder;
@@ -307,8 +308,8 @@ ProcessResult Stage::run_compiler(const LabEntry& lab, const StagedCourse& cours
         command.push_back(word);
     return run_sandboxed({.command = command,
                           .environment = {{"LC_ALL", "C.UTF-8"}, {"TMPDIR", "/tmp"}},
-                          .limits = {.wall = seconds,
-                                     .cpu = seconds,
+                          .limits = {.wall = wall,
+                                     .cpu = std::ceil(cpu),
                                      .memory = compiler_memory,
                                      .output = size_t{32} << 20,
                                      .file = size_t{128} << 20}},

@@ -46,6 +46,7 @@ struct Compiled {
     Ending ending = Ending::exited;
     std::string message;  ///< the compiler's errors; empty if it succeeded
     double seconds = 0;
+    bool stopped = false;  ///< by us: it waited instead of computing
 };
 
 /// Made once for a run. Holds copies of the programs, so that a build during the run cannot change them; the textures,
@@ -63,8 +64,8 @@ public:
     StagedCourse course(const LabEntry& lab, const CourseFiles& files) const;
 
     /// Compiles the C++ tasks of a course into a program, which becomes the course's; does nothing if the lab has no
-    /// C++ tasks. `ending` is `failed` if the machine could not run the compiler.
-    Compiled compile(const LabEntry& lab, StagedCourse& course, double seconds) const;
+    /// C++ tasks. `ending` is `failed` if the machine could not run the compiler. `cpu`, `wall`: limits in seconds.
+    Compiled compile(const LabEntry& lab, StagedCourse& course, double cpu, double wall) const;
 
     /// SHA-256 of everything but the submission that decides a mark.
     std::string hash() const;
@@ -81,7 +82,7 @@ private:
     std::filesystem::path textures() const { return folder_.path() / "bin/textures"; }
     void build_lab(const LabEntry& lab, LabPart& part);
     std::vector<std::string> compiler(const LabEntry& lab) const;
-    ProcessResult run_compiler(const LabEntry& lab, const StagedCourse& course, double seconds) const;
+    ProcessResult run_compiler(const LabEntry& lab, const StagedCourse& course, double cpu, double wall) const;
     void must(const std::vector<std::string>& command, const char* what) const;
 
     Isolation isolation_;

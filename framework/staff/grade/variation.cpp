@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "framework/base/sha256.h"
 #include "framework/base/text.h"
@@ -21,6 +22,9 @@ double offset(const std::string& words, double largest) {
     return largest * (t < 0 ? -0.3 + 0.7 * t : 0.3 + 0.7 * t);
 }
 
+/// In [vary], no knob but a factor.
+constexpr const char* picture_size = "picture_size";
+
 }  // namespace
 
 Variation::Variation(const Manifest& manifest, const std::string& lab, const std::string& seed, int attempt) {
@@ -30,6 +34,10 @@ Variation::Variation(const Manifest& manifest, const std::string& lab, const std
     distance_ = 1 + offset(words("distance"), 0.15);
     for (const VaryInfo& vary : manifest.vary) {
         const double t = drawn_from(words(vary.knob));
+        if (vary.knob == picture_size) {
+            size_ = vary.low + t * (vary.high - vary.low);
+            continue;
+        }
         // Two decimals: what the report names can be typed.
         set_.emplace_back(vary.knob, vary.choices.empty() ? fmt::format("{:.2f}", vary.low + t * (vary.high - vary.low))
                                                           : vary.choices[size_t(t * double(vary.choices.size()))]);
@@ -40,6 +48,7 @@ Shot Variation::vary(Shot shot) const {
     shot.camera.yaw += yaw_;
     shot.camera.pitch = std::clamp(shot.camera.pitch + pitch_, -89.0, 89.0);
     shot.camera.distance *= distance_;
+    for (const int axis : {0, 1}) shot.size[axis] = std::max(1, int(std::lround(shot.size[axis] * size_)));
     for (const auto& varied : set_)
         if (std::none_of(shot.set.begin(), shot.set.end(), [&](const auto& own) { return own.first == varied.first; }))
             shot.set.push_back(varied);
@@ -47,8 +56,9 @@ Shot Variation::vary(Shot shot) const {
 }
 
 std::string view_text(const Shot& shot) {
-    std::string text = fmt::format("camera {},{},{}", rounded(shot.camera.yaw, 4), rounded(shot.camera.pitch, 4),
-                                   rounded(shot.camera.distance, 4));
+    std::string text =
+        fmt::format("camera {},{},{}; size {}x{}", rounded(shot.camera.yaw, 4), rounded(shot.camera.pitch, 4),
+                    rounded(shot.camera.distance, 4), shot.size.x, shot.size.y);
     for (const auto& [knob, value] : shot.set) text += fmt::format("; {} {}", knob, value);
     return text;
 }

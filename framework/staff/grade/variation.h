@@ -9,7 +9,8 @@
 namespace relief {
 
 /// Another camera, and other values of the knobs in the manifest's `[vary]`. They are the same for every check of the
-/// lab, so that two checks can still be compared with each other.
+/// lab, so that two checks can still be compared with each other. Where pictures do not depend on the camera (the map
+/// itself, six faces side by side), `picture_size` in `[vary]` is a factor of their size.
 class Variation {
 public:
     /// The same seed and attempt give the same view on every machine. Use another `attempt` if the solution itself
@@ -22,10 +23,11 @@ public:
 private:
     double yaw_, pitch_;  ///< degrees to add
     double distance_;     ///< a factor
+    double size_ = 1;     ///< a factor
     std::vector<std::pair<std::string, std::string>> set_;
 };
 
-/// "camera 32,18,2.7; light_yaw 33"
+/// "camera 32,18,2.7; size 110x104; light_yaw 33"
 std::string view_text(const Shot& shot);
 
 }  // namespace relief

@@ -1,6 +1,12 @@
 // Parallax: the searches of labs 11 and 12 on a wall, at medium and grazing angles. The probe `uv` is timed: it is the
 // search and little else.
+#include <optional>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
 #include "framework/lab/manifest.h"
+#include "framework/staff/grade/overlay.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 
@@ -9,14 +15,26 @@ namespace {
 
 struct Search {
     const char *name, *lab;
-    BenchKnobs knobs;     // as the plot has them
-    BenchKnobs set = {};  // besides, always the same
+    BenchKnobs knobs;                 // as the plot has them
+    BenchKnobs set = {};              // besides, always the same
+    const char* published = nullptr;  // macros of published_march.glsl, which then takes the place of lab 11's march
+
+    bool is_peer() const { return published || name == std::string("usual"); }
 };
 
 std::vector<Search> searches() {
     // As it is copied from page to page: 8 to 32 steps by angle, one line, texture() in the loop.
     std::vector<Search> all = {
         {"usual", "11", {}, {{"count", "angle"}, {"refine", "linear"}, {"lookup", "implicit"}, {"skip", "off"}}}};
+    const auto publish = [&](const char* name, const char* most, const char* least, const char* macros) {
+        const BenchKnobs set = {{"count", "angle"},   {"steps", most},        {"least_steps", least},
+                                {"refine", "linear"}, {"lookup", "implicit"}, {"skip", "off"}};
+        all.push_back({name, "11", {}, set, macros});
+    };
+    publish("LearnOpenGL", "32", "8", "#define MOST_STEPS 33\n#define HALVINGS 0\n");
+    // three.js leaves the counts to whoever uses it; these are those of its example.
+    publish("three.js-occlusion", "25", "20", "#define MOST_STEPS 30\n#define HALVINGS 0\n");
+    publish("three.js-relief", "25", "20", "#define MOST_STEPS 30\n#define HALVINGS 5\n");
     const auto march = [&](const char* refine, const char* rounds, std::initializer_list<const char*> counts) {
         for (const char* steps : counts) {
             Search& search = all.emplace_back(Search{refine, "11", {{"steps", steps}}});
@@ -39,6 +57,17 @@ std::vector<Search> searches() {
     return all;
 }
 
+/// Lab 11's task file with another march.
+CourseFiles with_march(const std::string& macros) {
+    const std::string file = "shaders/11_parallax_occlusion/task.glsl", begin = "//(march\n", end = "//)\n";
+    std::string text = read_file(course_root() / file);
+    const size_t from = text.find(begin), to = text.find(end, from);
+    if (from == std::string::npos || to == std::string::npos) throw Error(file + " does not mark its march()");
+    const auto published = course_root() / "framework" / "staff" / "measure" / "published_march.glsl";
+    text.replace(from + begin.size(), to - from - begin.size(), macros + read_file(published));
+    return {{file, text}};
+}
+
 /// Cameras whose pixels see the wall at these angles from its normal, in degrees.
 struct Angles {
     const char* name;
@@ -56,7 +85,10 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
         shot.set = together(together(search.set, search.knobs), {{"view", "one"}, {"extent", "10"}, {"depth", "0.08"}});
         shot.set = together(shot.set, map);
         shot.camera = {.yaw = seen.middle, .pitch = 0, .distance = seen.distance, .field_of_view = seen.field_of_view};
-        const auto prepare = [truth, shot, lab_number = search.lab, settings] {
+        const auto prepare = [truth, shot, lab_number = search.lab, published = search.published, settings] {
+            // Programs are compiled by the time that errors are known.
+            std::optional<CourseOverlay> overlay;
+            if (published) overlay.emplace(with_march(published));
             const std::shared_ptr<Lab> lab = make_lab(find_lab(lab_number), shot);
             if (!*truth) *truth = truth_of(*lab, shot);
             BenchSubject subject = drawn(lab, shot);
@@ -71,7 +103,7 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
             }
             return subject;
         };
-        scene.methods.push_back({search.name, search.knobs, prepare, search.name == std::string("usual")});
+        scene.methods.push_back({search.name, search.knobs, prepare, search.is_peer()});
     }
     return scene;
 }
@@ -96,8 +128,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 BenchTopic parallax_topic() {
     return {"parallax",
             "searches of a relief, 512 x 512 pixels; taps are heights read, visits cells or blocks looked at",
-            "Which search finds the relief soonest, and how far off is it?", scenes,
-            true};
+            "Which search finds the relief soonest, and how far off is it?", scenes, true};
 }
 
 }  // namespace relief

@@ -90,6 +90,8 @@ private:
         at_ = opened;  // for what fails
         if (!words.empty() && words[0] == "mistakes")
             mistakes({words.begin() + 1, words.end()}, inside);
+        else if (words == std::vector<std::string>{"measured"})
+            deck_.text += fmt::format("<!-- Measured by relief\n{}\n-->\n", join(inside, "\n"));
         else if (words.size() == 3)
             quote(words, inside, hidden);
         else if (words.size() == 2 || words.size() > 3)

@@ -17,8 +17,8 @@
 //     ```
 //
 // two slides with what lab 10 draws with each of these mistakes of its manifest, first without and then with their
-// hints. A slide with `<!-- _class: solution -->` is shown only when solutions are wanted, and none but it may quote
-// one.
+// hints. A block ```measured (labs/README.md) becomes speaker's notes. A slide with `<!-- _class: solution -->` is
+// shown only when solutions are wanted, and none but it may quote one.
 #pragma once
 
 #include <filesystem>

@@ -163,6 +163,11 @@ TEST(Deck, MistakesAreShownBeforeTheyAreExplained) {
     EXPECT_TRUE(contains(complaint("```mistakes 99\nx\n```"), "d.md:4: "));
 }
 
+TEST(Deck, WhatMeasuredANumberIsASpeakersNote) {
+    EXPECT_EQ(deck("0.17\n\n```measured\n0.17  mean  shot 02\n```\n").text,
+              "---\nmarp: true\n---\n0.17\n\n<!-- Measured by relief\n0.17  mean  shot 02\n-->\n\n");
+}
+
 // ---- the course's decks ----
 
 TEST(Slides, EveryLabHasADeckWithPicturesCodeMistakesAndAnExercise) {

@@ -102,6 +102,20 @@ TEST(Roster, IsForItsOwnerAlone) {
     EXPECT_EQ(read_roster(folder.path())->seed, "secret");
 }
 
+TEST(Roster, KeepsTheFirstFigureOfEachSolutionAndDoesWithoutAny) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.path() / "results");
+    folder.write(
+        "class.json",
+        R"({"schema": 1, "course": "c", "seed": "s", "labs": [], "submissions": []})");  // of an earlier version
+    EXPECT_TRUE(read_roster(folder.path())->solution_cpu.empty());
+    using Figures = std::map<std::string, double>;
+    EXPECT_EQ(add_solution_cpu(folder.path(), {{"01_a", 0.5}}), (Figures{{"01_a", 0.5}}));
+    EXPECT_EQ(add_solution_cpu(folder.path(), {{"01_a", 7}, {"02_b", 2}}), (Figures{{"01_a", 0.5}, {"02_b", 2}}));
+    EXPECT_EQ(read_roster(folder.path())->solution_cpu, (Figures{{"01_a", 0.5}, {"02_b", 2}}));
+    EXPECT_EQ(read_roster(folder.path())->seed, "s") << "the rest stays";
+}
+
 /// A class of six, and commands of Slurm that write down how they were called.
 class ClusterTest : public testing::Test {
 protected:

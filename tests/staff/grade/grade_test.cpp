@@ -322,6 +322,38 @@ static const int before = [] {
     EXPECT_EQ(outcomes(result_of(output, "good"), "5.4"), Outcomes{"unfinished"});
 }
 
+// Otherwise a busy machine would let a submission compute for longer than an idle one does.
+TEST(Grade, ProcessorTimeIsBoundedByWhatTheSolutionTookWhereTheClassWasStarted) {
+    const TemporaryFolder folder;
+    const fs::path output = folder.path() / "out";
+    folder.write(std::string("slow/") + cpp, course_file(cpp));
+    const std::vector<std::string> words = {(folder.path() / "slow").string(), "-o", output.string(), "--seed", "x"};
+    EXPECT_EQ(run(grade(words)).code, 0);
+    json roster = json::parse(read_file(output / "class.json"));
+    json& figure = roster["solution_cpu_seconds"]["05_tangent_basis"];
+    EXPECT_GT(figure.get<double>(), 0);
+    // By what this process has used: as much on any machine.
+    folder.write(std::string("slow/") + cpp,
+                 cpp_that("for (timespec used{}; used.tv_sec < 12;) clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);",
+                          "#include <time.h>\n"));
+    const auto with = [&](double seconds, const std::vector<std::string>& how) {
+        figure = seconds;
+        write_file(output / "class.json", roster.dump());
+        const Result graded = run(grade(how));
+        EXPECT_EQ(graded.code, 0) << graded.err;
+        EXPECT_EQ(json::parse(read_file(output / "class.json"))["solution_cpu_seconds"],
+                  roster["solution_cpu_seconds"]);
+        return result_of(output, "slow");
+    };
+    const json on_a_fast_machine = with(1, words);
+    EXPECT_EQ(outcomes(on_a_fast_machine, "5.2"), Outcomes{"out_of_time"});
+    EXPECT_TRUE(contains(on_a_fast_machine.dump(), "it needs more processor time than is allowed"))
+        << on_a_fast_machine.dump(1);
+    // What a machine has measured that is slower holds in every part.
+    fs::remove(output / "results/slow.json");
+    EXPECT_EQ(outcomes(with(4, {"--resume", "--shard", "1/2", "-o", output.string()}), "5.2"), Outcomes{"passed"});
+}
+
 TEST(Grade, KilledHalfWayItGoesOnWhereItWas) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
@@ -393,8 +425,11 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
                           "return normalize(vec3(-slope * (texels.x == texels.y ? vec2(14.0) : texels), 1.0));"));
     // Right, but by what another file may know.
     folder.write(std::string("borrows/") + file, "  # include \"common/height_cell.glsl\"\n" + course_file(file));
-    const std::vector<std::string> words = {(folder.path() / "honest").string(), (folder.path() / "tuned").string(),
-                                            (folder.path() / "borrows").string(), "-o", output.string()};
+    // Or as if it were the lab's shader: that one's main would not be called.
+    folder.write(std::string("takes-over/") + file, course_file(file) + "#define main labs_main\n");
+    std::vector<std::string> words = {"-o", output.string()};
+    for (const char* name : {"honest", "tuned", "borrows", "takes-over"})
+        words.push_back((folder.path() / name).string());
     std::vector<std::string> seeded = words;
     seeded.insert(seeded.end(), {"--seed", "midterm"});
     const Result graded = run(grade(seeded));
@@ -403,6 +438,9 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
     const json borrows = result_of(output, "borrows");
     EXPECT_EQ(outcomes(borrows), Outcomes{"broken"});
     EXPECT_TRUE(contains(found(borrows, "broken"), "includes common/height_cell.glsl, which is not part of this task"));
+    const json takes_over = result_of(output, "takes-over");
+    EXPECT_EQ(outcomes(takes_over), Outcomes{"broken"});
+    EXPECT_TRUE(contains(found(takes_over, "broken"), "defines 'main', which the lab's shaders use"));
     const json tuned = result_of(output, "tuned");
     EXPECT_EQ(outcomes(tuned, "3.2"), (Outcomes{"passed", "wrong"}));
     EXPECT_TRUE(contains(found(tuned, "wrong"), "correct in the check's own view, but not in a hidden one: "))
@@ -424,13 +462,13 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
 
     // The seed stays the folder's, and another one asks for other marks.
     const Result again = run(grade(words));
-    EXPECT_TRUE(contains(again.out, "0 graded, 3 unchanged")) << again.out;
+    EXPECT_TRUE(contains(again.out, "0 graded, 4 unchanged")) << again.out;
     EXPECT_EQ(json::parse(read_file(output / "class.json"))["seed"], "midterm");
     for (const std::string& text : {graded.out, graded.err, again.out, read_file(output / "report.html")})
         EXPECT_FALSE(contains(text, "midterm")) << "a log or a page that others can read names the seed";
     std::vector<std::string> other = words;
     other.insert(other.end(), {"--seed", "final"});
-    EXPECT_TRUE(contains(run(grade(other)).out, "3 graded, 0 unchanged"));
+    EXPECT_TRUE(contains(run(grade(other)).out, "4 graded, 0 unchanged"));
 }
 
 TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {

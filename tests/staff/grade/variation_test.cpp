@@ -12,7 +12,8 @@ namespace {
 
 Manifest varied() {
     Manifest manifest = parse_manifest("title = \"x\"\n", "lab.toml");
-    add_grading(manifest, "[vary]\nlight_yaw = [-60, 60]\nmap = [\"a\", \"b\", \"c\"]\n", "grading.toml");
+    add_grading(manifest, "[vary]\nlight_yaw = [-60, 60]\nmap = [\"a\", \"b\", \"c\"]\npicture_size = [0.75, 0.95]\n",
+                "grading.toml");
     return manifest;
 }
 
@@ -35,6 +36,10 @@ TEST(Variation, StaysInItsRangesAndIsNeverTheKnownView) {
         const double yaw = std::abs(shot.camera.yaw - known.camera.yaw);
         EXPECT_TRUE(yaw >= 5.9 && yaw <= 20.1) << yaw;
         EXPECT_TRUE(std::abs(shot.camera.distance / known.camera.distance - 1) <= 0.151);
+        for (const int axis : {0, 1}) {
+            EXPECT_LT(shot.size[axis], known.size[axis]);
+            EXPECT_GE(shot.size[axis], 0.74 * known.size[axis]);
+        }
         ASSERT_EQ(shot.set.size(), 2u);
         EXPECT_LE(std::abs(std::stod(shot.set[0].second)), 60);
         maps.insert(shot.set[1].second);

@@ -67,6 +67,22 @@ TEST(Parallax, LinearStepsMissWhatWasMeasuredOnAMapOfThisKind) {
     }
 }
 
+TEST(Parallax, LinearStepsAreWrongAsOftenAsHandout11Says) {
+    // Per cent; rounded as it stands there.
+    struct Row {
+        int steps;
+        double wrong, rounding;
+    };
+    for (const Row& row :
+         {Row{8, 26, .5}, {16, 15, .5}, {32, 7, .5}, {64, 1.4, .05}, {128, 0.2, .05}, {256, 0.07, .005}})
+        EXPECT_NEAR(
+            100 * figures(fbm(),
+                          [&](const ReliefRay& ray) { return march(fbm(), ray, row.steps, Refinement::linear, 0); })
+                      .wrong,
+            row.wrong, row.rounding)
+            << row.steps;
+}
+
 TEST(Parallax, OneTapMissesMostRays) {
     const Figures found = figures(fbm(), [&](const ReliefRay& ray) { return parallax_offset(fbm(), ray); });
     EXPECT_NEAR(found.wrong, 0.68, 0.15);

@@ -1,0 +1,182 @@
+// relief explain: one pixel of a lab, through the functions of its shader task files.
+#include "framework/app/explain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "framework/app/command.h"
+#include "framework/app/shot_options.h"
+#include "framework/base/error.h"
+#include "framework/base/log.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+#include "framework/check/check.h"
+#include "framework/check/explain_text.h"
+
+namespace relief {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Number>
+Json json_of(const ValueShape& shape, const Number*& at) {
+    if (shape.kind == ValueShape::texture) return nullptr;
+    if (shape.kind == ValueShape::truth) return *at++ > 0.5;
+    if (shape.kind == ValueShape::whole) return int64_t(*at++);
+    if (shape.kind == ValueShape::number) {
+        const double number = double(*at++);
+        return std::isfinite(number) ? Json(number) : Json(fmt::format("{}", number));  // JSON has no infinity
+    }
+    const bool is_struct = !shape.parts.empty() && !shape.parts[0].name.empty();
+    Json json = is_struct ? Json::object() : Json::array();
+    for (const ValueShape& part : shape.parts)
+        if (is_struct)
+            json[part.name] = json_of(part, at);
+        else
+            json.push_back(json_of(part, at));
+    return json;
+}
+
+Json json_of(const ExplainedFunction& one, const ExplainedCall& call) {
+    Json inputs = Json::object(), results = Json::object(), twin = Json::object();
+    each_value(one.function.inputs, call.inputs,
+               [&](const ValueShape& shape, const float*& at) { inputs[shape.name] = json_of(shape, at); });
+    each_value(one.function.results, call.results,
+               [&](const ValueShape& shape, const float*& at) { results[name_of_result(shape)] = json_of(shape, at); });
+    Json json = {{"call", call.number}, {"inputs", inputs}, {"results", results}};
+    if (call.twin.empty()) return json;
+    each_value(one.function.results, call.twin,
+               [&](const ValueShape& shape, const double*& at) { twin[name_of_result(shape)] = json_of(shape, at); });
+    json["twin"] = twin;
+    json["differs"] = call.excess > 1;
+    return json;
+}
+
+void print_json(const PixelReport& report) {
+    const Explanation& explanation = report.explanation;
+    Json functions = Json::array();
+    for (const ExplainedFunction& one : explanation.functions) {
+        Json calls = Json::array();
+        for (const ExplainedCall& call : one.shown) calls.push_back(json_of(one, call));
+        functions.push_back({{"name", one.function.name},
+                             {"file", shown(one.function.place.file)},
+                             {"line", one.function.place.line},
+                             {"stage", name_of(one.function.stage)},
+                             {"pass", one.pass},
+                             {"pixel", {one.pixel.x, one.pixel.y}},
+                             {"unfinished", one.is_unfinished},
+                             {"call_count", one.calls},
+                             {"calls", calls}});
+    }
+    Json json = {{"lab", report.lab.folder},
+                 {"pixel", {report.pixel.x, report.pixel.y}},
+                 {"size", {report.shot.size.x, report.shot.size.y}},
+                 {"probe", report.shot.probe.name},
+                 {"value", explanation.value}};
+    json["expected"] = report.expected.value.empty() ? Json() : Json(report.expected.value);
+    json["with_twins"] = explanation.with_twins;
+    json["first"] = explanation.first ? Json(explanation.functions[*explanation.first].function.name) : Json();
+    json["functions"] = functions;
+    // What a student's shader computes may be no number.
+    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+// ---- the command
+
+glm::ivec2 parse_pixel(const std::string& text) {
+    const auto parts = split(text, ',');
+    const auto column = parts.size() == 2 ? parse_int(parts[0]) : std::nullopt,
+               row = parts.size() == 2 ? parse_int(parts[1]) : std::nullopt;
+    if (!column || !row)
+        throw UsageError(fmt::format("--pixel takes COLUMN,ROW, from the picture's upper left corner, not '{}'", text));
+    return {*column, *row};
+}
+
+struct ExplainArguments {
+    std::string lab, pixel, check, probe, mistake, submission, size, context = "auto";
+    ShotOptions options;
+    bool json = false;
+};
+
+/// What should be at the pixel: of a check what it compares with, else the probe's exact value.
+ExpectedValue expected_at(const LabEntry& lab, const Manifest& manifest, const ExplainArguments& arguments,
+                          const Shot& shot, glm::ivec2 pixel) {
+    std::optional<Image> image;
+    std::string from;
+    if (!arguments.check.empty() &&
+        shot_text(shot, manifest.camera) == shot_text(manifest.check(arguments.check).shot, manifest.camera)) {
+        image = expectation(lab, manifest.check(arguments.check));
+        from = "expected by the check";
+    } else if (shot.probe) {
+        image = make_lab(lab, shot)->truth(
+            {0, shot.size, shot.time, Camera(shot.camera, double(shot.size.x) / shot.size.y), shot.probe}, shot.probe);
+        from = "the exact value";
+    }
+    if (!image || image->width != shot.size.x || image->height != shot.size.y) return {};
+    const float* const value = image->pixel(pixel.x, pixel.y);
+    return {{value, value + image->channels}, from};
+}
+
+int explain_pixel(const ExplainArguments& arguments) {
+    const LabEntry& lab = find_lab(arguments.lab);
+    const Manifest manifest = load_manifest(lab);
+    const auto is_shader = [](const TaskInfo& task) { return task.file.ends_with(".glsl"); };
+    if (std::none_of(manifest.tasks.begin(), manifest.tasks.end(), is_shader))
+        throw UsageError(fmt::format("no task of lab {} is in a shader: look at its probes with relief shot {} --help",
+                                     lab.two_digits(), lab.two_digits()));
+    if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // that there is one, before anything else
+    if (!arguments.mistake.empty() && !arguments.submission.empty())
+        throw UsageError("give only one of --mistake and --submission");
+    Shot shot;
+    shot.camera = manifest.camera;
+    if (!arguments.check.empty()) shot = manifest.check(arguments.check).shot;
+    if (!arguments.size.empty()) shot.size = parse_size(arguments.size);
+    arguments.options.apply(shot);
+    if (!arguments.probe.empty()) shot.probe.name = manifest.probe(arguments.probe).name;
+    const glm::ivec2 pixel = parse_pixel(arguments.pixel);
+    if (!arguments.check.empty())
+        if (const TaskInfo& task = manifest.task(manifest.check(arguments.check).task); !is_shader(task))
+            print_note(fmt::format("task {} is in C++: only functions of shaders are followed", task.id));
+
+    const auto context = open_context(context_kind(arguments.context));
+    const Twins twins = twins_of(manifest);
+    const ExpectedValue expected = expected_at(lab, manifest, arguments, shot, pixel);
+    std::shared_ptr<void> others;
+    if (!arguments.mistake.empty() || !arguments.submission.empty())
+        others = course_with(manifest, arguments.mistake, arguments.submission);
+    const Explanation explanation = explain(lab, manifest, shot, pixel, twins);
+    const PixelReport report{lab, shot, pixel, explanation, expected, !twins.empty()};
+    arguments.json ? print_json(report) : fmt::print("{}{}", text_of(report), conclusion_of(report));
+    return 0;
+}
+
+class ExplainCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.lab(explain_.lab, true);
+        options.value("--pixel", "COLUMN,ROW", explain_.pixel, "the pixel, counted from the upper left corner, 0,0");
+        options.value("--check", "NAME", explain_.check, "in this check's picture");
+        options.value("--size", "WxH", explain_.size, "size of the picture in pixels [1280x720, or the check's]");
+        explain_.options.options(options);
+        options.value("--probe", "NAME", explain_.probe,
+                      "of a quantity as the shader computes it, instead of the picture");
+        options.flag("--json", explain_.json, "print the result as JSON, for scripts");
+        options.value("--context", "NAME", explain_.context, context_help);
+        if (!course_with) return;
+        options.value("--mistake", "ID", explain_.mistake,
+                      "with a known mistake: an id from the lab's staff/grading.toml");
+        options.value("--submission", "PATH", explain_.submission, "with the task files of a folder or an archive");
+    }
+    int run() override { return explain_pixel(explain_); }
+
+private:
+    ExplainArguments explain_;
+};
+RELIEF_COMMAND(ExplainCommand, 7, "explain", "follows one pixel through the functions of the task file");
+
+}  // namespace
+
+}  // namespace relief

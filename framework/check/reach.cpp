@@ -1,0 +1,149 @@
+#include "framework/check/reach.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+
+namespace relief {
+namespace {
+
+bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// As the compiler reads it: lines that end in a backslash joined, comments a space.
+std::string without_comments(const std::string& text) {
+    std::string joined, plain;
+    for (size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\r') continue;
+        if (text[i] == '\\' && text.find_first_not_of('\r', i + 1) < text.size() &&
+            text[text.find_first_not_of('\r', i + 1)] == '\n')
+            i = text.find('\n', i);
+        else
+            joined += text[i];
+    }
+    for (size_t i = 0; i < joined.size(); ++i) {
+        if (joined.compare(i, 2, "//") == 0) {
+            i = std::min(joined.find('\n', i), joined.size());
+            plain += '\n';
+        } else if (joined.compare(i, 2, "/*") == 0) {
+            i = std::min(joined.find("*/", i + 2), joined.size() - 1) + 1;
+            plain += ' ';
+        } else {
+            plain += joined[i];
+        }
+    }
+    return plain;
+}
+
+/// Words, and all other characters but spaces each for itself.
+std::vector<std::string> tokens_of(std::string_view line) {
+    std::vector<std::string> tokens;
+    for (size_t i = 0; i < line.size(); ++i) {
+        if (std::isspace(static_cast<unsigned char>(line[i]))) continue;
+        size_t end = i + 1;
+        while (is_of_a_word(line[i]) && end < line.size() && is_of_a_word(line[end])) ++end;
+        tokens.emplace_back(line.substr(i, end - i));
+        i = end - 1;
+    }
+    return tokens;
+}
+
+constexpr std::array interface_words = {"uniform", "layout", "varying",    "attribute", "buffer",
+                                        "shared",  "in",     "subroutine", "out",       "inout"};
+
+/// Whether it is a function of GLSL 4.10, by chapter 8 of its specification, but for those of geometry shaders and
+/// noise.
+bool is_built_in(const std::string& name) {
+    static const std::vector<std::string> names = split(
+        "abs acos acosh all any asin asinh atan atanh bitCount bitfieldExtract bitfieldInsert bitfieldReverse ceil "
+        "clamp cos cosh cross dFdx dFdy degrees determinant distance dot equal exp exp2 faceforward findLSB findMSB "
+        "floatBitsToInt floatBitsToUint floor fma fract frexp fwidth greaterThan greaterThanEqual imulExtended "
+        "intBitsToFloat interpolateAtCentroid interpolateAtOffset interpolateAtSample inverse inversesqrt isinf isnan "
+        "ldexp length lessThan lessThanEqual log log2 matrixCompMult max min mix mod modf normalize not notEqual "
+        "outerProduct packDouble2x32 packSnorm4x8 packUnorm2x16 packUnorm4x8 pow radians reflect refract round "
+        "roundEven sign sin sinh smoothstep sqrt step tan tanh texelFetch texelFetchOffset texture textureGather "
+        "textureGatherOffset textureGatherOffsets textureGrad textureGradOffset textureLod textureLodOffset "
+        "textureOffset textureProj textureProjGrad textureProjGradOffset textureProjLod textureProjLodOffset "
+        "textureProjOffset textureQueryLod textureSize transpose trunc uaddCarry uintBitsToFloat umulExtended "
+        "unpackDouble2x32 unpackUnorm2x16 unpackUnorm4x8 unpackSnorm4x8 usubBorrow",
+        ' ');
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+struct Found {
+    std::set<std::string> words, called, defined;  ///< `called` includes what is defined
+    std::set<std::string> macros;                  ///< that it defines, or takes away
+    std::string interface_word;                    ///< the first that stands not before an argument, or empty
+};
+
+Found look(const std::string& text) {
+    Found found;
+    std::string before, before_that;  // tokens
+    for (const std::string& line : split(without_comments(text), '\n')) {
+        const std::vector<std::string> tokens = tokens_of(line);
+        if (tokens.size() > 2 && tokens[0] == "#" && (tokens[1] == "define" || tokens[1] == "undef"))
+            found.macros.insert(tokens[2]);
+        for (const std::string& token : tokens) {
+            const bool is_argument =
+                before == "(" || before == "," || (before == "const" && (before_that == "(" || before_that == ","));
+            if (found.interface_word.empty() &&
+                std::find(interface_words.begin(), interface_words.end(), token) != interface_words.end() &&
+                (!is_argument || (token != "in" && token != "out" && token != "inout")))
+                found.interface_word = token;
+            if (is_of_a_word(token[0])) found.words.insert(token);
+            if (token == "(" && !before.empty() && is_of_a_word(before[0])) {
+                found.called.insert(before);
+                // "float f(" and "float[2] f(", but not "return f(".
+                if ((is_of_a_word(before_that.empty() ? ' ' : before_that[0]) && before_that != "return" &&
+                     before_that != "else") ||
+                    before_that == "]")
+                    found.defined.insert(before);
+            }
+            before_that = std::move(before);
+            before = token;
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+OtherShaders::OtherShaders(const LabEntry& lab, const Manifest& manifest) {
+    std::set<std::filesystem::path> tasks;
+    for (const TaskInfo& task : manifest.tasks) tasks.insert(course_root() / task.file);
+    for (const std::string& folder : {lab.folder, std::string("common")}) {
+        std::error_code ignored;  // a lab may have no shaders of its own
+        for (const auto& entry : std::filesystem::directory_iterator(course_root() / "shaders" / folder, ignored))
+            if (entry.is_regular_file() && !tasks.contains(entry.path())) add(read_file(entry.path()));
+    }
+}
+
+void OtherShaders::add(const std::string& text) {
+    Found found = look(text);
+    words_.merge(found.words);
+    called_.merge(found.called);
+    defined_.merge(found.defined);
+}
+
+std::string reaches_beyond(const std::string& task_file, const OtherShaders& others) {
+    const Found found = look(task_file);
+    for (const std::string& macro : found.macros)
+        if (others.use(macro)) return fmt::format("defines '{}', which the lab's shaders use", macro);
+    for (const std::string& name : found.defined)
+        if (is_built_in(name) && others.call(name))
+            return fmt::format("defines '{}', a function of the language that the lab's shaders call", name);
+    if (!found.interface_word.empty())
+        return fmt::format("has '{}' outside of a function: what a shader reads and writes is the lab's",
+                           found.interface_word);
+    return {};
+}
+
+}  // namespace relief

@@ -1,0 +1,32 @@
+// What a task's shader reaches for beyond its functions. It is a part of the lab's shaders: a macro could change the
+// rest of them, and a uniform of its own could read what the lab binds.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "framework/lab/manifest.h"
+
+namespace relief {
+
+/// The lab's shaders besides its tasks.
+class OtherShaders {
+public:
+    OtherShaders() = default;
+    /// Those in the lab's folder, and what all labs share.
+    OtherShaders(const LabEntry& lab, const Manifest& manifest);
+    void add(const std::string& text);
+    bool use(const std::string& word) const { return words_.contains(word); }
+    /// Whether they call a function of this name that none of them defines.
+    bool call(const std::string& name) const { return called_.contains(name) && !defined_.contains(name); }
+
+private:
+    std::set<std::string> words_, called_, defined_;
+};
+
+/// Why a file is not a task's shader, such as "defines 'main', which the lab's shaders use"; or empty. It may define
+/// macros of its own, but none of a word in the `others`, nor a function of the language that they call; and may
+/// declare no uniforms, inputs or outputs.
+std::string reaches_beyond(const std::string& task_file, const OtherShaders& others);
+
+}  // namespace relief

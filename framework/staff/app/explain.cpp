@@ -1,0 +1,36 @@
+// The staff's part of relief explain: known mistakes and submissions in place of the course's own task files.
+#include "framework/app/explain.h"
+
+#include <fmt/format.h>
+
+#include "framework/base/error.h"
+#include "framework/staff/grade/overlay.h"
+#include "framework/staff/grade/stage.h"
+#include "framework/staff/grade/submission.h"
+
+namespace relief {
+namespace {
+
+CourseFiles submitted(const Manifest& manifest, const std::string& path) {
+    std::set<std::string> wanted = task_files(manifest);
+    std::erase_if(wanted, [](const std::string& file) { return !file.ends_with(".glsl"); });
+    const Submission submission = read_submission(path, wanted);
+    if (!submission.problem.empty()) throw Error({path}, submission.problem);
+    if (submission.files.empty()) throw Error({path}, fmt::format("has no {}", fmt::join(wanted, " and no ")));
+    return submission.files;
+}
+
+std::shared_ptr<void> with_files(const Manifest& manifest, const std::string& mistake, const std::string& submission) {
+    const CourseFiles files =
+        mistake.empty() ? submitted(manifest, submission) : edited(manifest.mistake(mistake).edits);
+    for (const auto& [name, text] : files)
+        if (!mistake.empty() && name.ends_with(".cpp"))
+            throw UsageError(fmt::format("'{}' is a mistake in C++: only shaders are explained", mistake));
+    return std::make_shared<CourseOverlay>(files);
+}
+
+const FromStaff<std::shared_ptr<void>(const Manifest&, const std::string&, const std::string&)>::Provided provided(
+    course_with, with_files);
+
+}  // namespace
+}  // namespace relief

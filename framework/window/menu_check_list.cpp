@@ -1,0 +1,99 @@
+#include "framework/window/menu_check_list.h"
+
+#include <fmt/format.h>
+
+#include "framework/base/error.h"
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+#include "framework/pages/check_figures.h"
+#include "framework/pages/check_page.h"
+#include "framework/window/menu_checks.h"
+#include "framework/window/menu_style.h"
+
+namespace relief {
+namespace {
+
+struct Sign {
+    const char* sign;
+    ImVec4 color;
+};
+
+Sign sign_of(const std::optional<CheckResult>& result) {
+    if (!result) return {"\u25cb", quiet};
+    switch (result->outcome) {
+        case Outcome::passed:
+            return {"\u2713", good};
+        case Outcome::unfinished:
+            return {"\u2026", waiting};
+        case Outcome::wrong:
+            return {"\u2717", alarm};
+        default:
+            return {"!", alarm};
+    }
+}
+
+/// Where the task's file says what is to be written; 0 if it does not.
+int line_of(const TaskInfo& task) {
+    try {
+        const std::vector<std::string> lines = split(read_file(course_root() / task.file, size_t{1} << 20), '\n');
+        for (size_t i = 0; i < lines.size(); ++i)
+            if (lines[i].find("TASK " + task.id) != std::string::npos) return int(i) + 1;
+    } catch (const Error&) {  // the editor will say that it is not there
+    }
+    return 0;
+}
+
+/// `mistake`: what stands above, and need not be said again.
+void draw_result(const CheckInfo& check, const CheckResult& result, const std::string& mistake) {
+    ImGui::Indent();
+    wrapped(outcome_words(result.outcome) + ": " + result.found);
+    if (result.outcome == Outcome::wrong && !check.reason.empty()) quiet_text("Why this limit: " + check.reason);
+    if (const std::string hint = look_at(result); !hint.empty() && hint != mistake && result.outcome != Outcome::passed)
+        colored_text(accent, "Look at: " + hint);
+    ImGui::Unindent();
+}
+
+}  // namespace
+
+void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& wish) {
+    const Manifest& manifest = checks.manifest();
+    if (manifest.checks.empty()) {
+        quiet_text("This lab has no checks.");
+        return;
+    }
+    quiet_text(checks.pending() ? "Checking ..." : "Choose a check to see yours, the expected picture and the error.");
+    if (!checks.to_build().empty())
+        colored_text(waiting, fmt::format("{} was saved. C++ needs a build: close the window and use ./relief run {}.",
+                                          checks.to_build(), checks.lab().two_digits()));
+    for (const TaskInfo& task : manifest.tasks) {
+        ImGui::Dummy({0, 4});
+        ImGui::PushFont(font(FontRole::bold));
+        wrapped(fmt::format("{}  {}", task.id, task.title));
+        ImGui::PopFont();
+        const bool is_whole = checks.state(task) == TaskState::passed;
+        colored_text(is_whole ? good : quiet,
+                     fmt::format("{} of {} points", points_text(checks.points(task)), task.points));
+        ImGui::SameLine();
+        ImGui::PushID(task.id.c_str());
+        if (ImGui::SmallButton("edit")) wish.edit = {task.file, line_of(task)};
+        ImGui::PopID();
+        tooltip("Opens " + task.file + " in your editor: VISUAL, EDITOR, or the desktop's.");
+        const std::string mistake = checks.mistake(task);
+        if (!mistake.empty()) colored_text(accent, "Look at: " + mistake);
+        for (size_t i = 0; i < manifest.checks.size(); ++i) {
+            const CheckInfo& check = manifest.checks[i];
+            if (check.task != task.id) continue;
+            const auto& result = checks.result(i);
+            const Sign sign = sign_of(result);
+            ImGui::TextColored(checks.waits(i) ? quiet : sign.color, "%s", sign.sign);
+            ImGui::SameLine(ImGui::CalcTextSize("\u2713").x + ImGui::GetStyle().WindowPadding.x +
+                            ImGui::GetStyle().ItemSpacing.x);
+            const bool is_chosen = check.name == chosen;
+            if (ImGui::Selectable(check.name.c_str(), is_chosen)) wish.check = is_chosen ? "" : check.name;
+            if (is_chosen && result) draw_result(check, *result, mistake);
+        }
+    }
+}
+
+}  // namespace relief

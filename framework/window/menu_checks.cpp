@@ -1,0 +1,127 @@
+#include "framework/window/menu_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/base/error.h"
+#include "framework/base/log.h"
+#include "framework/base/paths.h"
+#include "framework/base/text.h"
+
+namespace relief {
+namespace fs = std::filesystem;
+
+void Checks::open(const LabEntry& lab, const Manifest& manifest) {
+    lab_ = &lab;
+    manifest_ = manifest;
+    checker_.emplace(lab, manifest_);
+    mistakes_.clear();
+    results_.assign(manifest_.checks.size(), {});
+    expected_.assign(manifest_.checks.size(), {});
+    waiting_.assign(manifest_.checks.size(), true);
+    ++version_;
+    seen_ = last_look_ = files();
+    to_build_.clear();
+}
+
+Checks::Files Checks::files() const {
+    Files found;
+    std::error_code ignored;  // a file that is away for a moment is away for this look
+    for (const fs::path& folder : {fs::path("shaders") / lab_->folder, fs::path("shaders") / "common"})
+        for (const auto& entry : fs::directory_iterator(course_root() / folder, ignored))
+            found[entry.path()] = entry.last_write_time(ignored);
+    for (const TaskInfo& task : manifest_.tasks) {
+        const fs::path file = course_root() / task.file;
+        found[file] = fs::last_write_time(file, ignored);
+    }
+    return found;
+}
+
+bool Checks::look() {
+    if (manifest_.checks.empty()) return false;
+    Files now = files();
+    const bool is_stable = now == last_look_;
+    last_look_ = std::move(now);
+    if (!is_stable || last_look_ == seen_) return false;
+    for (const auto& [file, time] : last_look_)
+        if (file.extension() == ".cpp" && seen_[file] != time) to_build_ = shown(file);
+    seen_ = last_look_;
+    checker_.emplace(*lab_, manifest_);  // which has read the lab's other shaders
+    waiting_.assign(manifest_.checks.size(), true);
+    mistakes_.clear();
+    ++version_;
+    return true;
+}
+
+bool Checks::pending() const { return std::find(waiting_.begin(), waiting_.end(), true) != waiting_.end(); }
+
+void Checks::run_next(const std::string& first) {
+    if (!pending()) return;
+    auto i = size_t(std::find(waiting_.begin(), waiting_.end(), true) - waiting_.begin());
+    for (size_t k = 0; k < waiting_.size(); ++k)
+        if (waiting_[k] && manifest_.checks[k].name == first) i = k;
+    waiting_[i] = false;
+    const CheckInfo& check = manifest_.checks[i];
+    ++version_;
+    try {
+        std::optional<Image> expected = expected_[i];
+        if (!expected) {
+            expected = expectation(*lab_, check);
+            std::error_code ignored;
+            if (check.against == "truth" || fs::exists(expectation_file(*lab_, check), ignored))
+                expected_[i] = expected;
+        }
+        results_[i] = checker_->run(i, expected);
+    } catch (const std::exception& error) {  // of what is expected, which a student's file can spoil where it is drawn
+        results_[i] = CheckResult{.check = &check, .outcome = Outcome::broken, .found = error.what()};
+    }
+    if (pending()) return;
+    Advice advice = checker_->advice();
+    for (size_t k = 0; k < results_.size(); ++k) results_[k]->look_at = advice.look_at[k];
+    mistakes_ = std::move(advice.mistakes);
+    for (const auto& [task, hint] : mistakes_) print_event(fmt::format("task {}, look at: {}", task, hint));
+    print_event(fmt::format("checks: {} of {} points", points_text(points()), manifest_.points()));
+}
+
+size_t Checks::count() const {
+    return size_t(
+        std::count_if(results_.begin(), results_.end(), [](const auto& result) { return result.has_value(); }));
+}
+
+TaskState Checks::state(const TaskInfo& task) const {
+    bool all = true, waiting = false, unfinished = false;
+    for (size_t i = 0; i < results_.size(); ++i) {
+        if (manifest_.checks[i].task != task.id) continue;
+        waiting |= !results_[i];
+        if (!results_[i]) continue;
+        unfinished |= results_[i]->outcome == Outcome::unfinished;
+        all &= results_[i]->outcome == Outcome::passed;
+    }
+    return waiting      ? TaskState::waiting
+           : all        ? TaskState::passed
+           : unfinished ? TaskState::unfinished
+                        : TaskState::wrong;
+}
+
+double Checks::points(const TaskInfo& task) const {
+    TaskResult whole{&task, {}};
+    for (size_t i = 0; i < results_.size(); ++i)
+        if (manifest_.checks[i].task == task.id)
+            whole.checks.push_back(
+                {.check = &manifest_.checks[i], .outcome = results_[i] ? results_[i]->outcome : Outcome::unfinished});
+    return whole.checks.empty() ? 0 : whole.points();
+}
+
+double Checks::points() const {
+    double sum = 0;
+    for (const TaskInfo& task : manifest_.tasks) sum += points(task);
+    return sum;
+}
+
+std::string Checks::mistake(const TaskInfo& task) const {
+    const auto found = mistakes_.find(task.id);
+    return found == mistakes_.end() ? "" : found->second;
+}
+
+}  // namespace relief

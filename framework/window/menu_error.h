@@ -1,0 +1,29 @@
+// What is wrong, over the upper part of the picture. In the window module only.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "framework/base/error.h"
+#include "framework/window/menu_layout.h"
+#include "framework/window/menu_wish.h"
+
+namespace relief {
+
+class Stage;
+
+/// The stage's error, if any, with the source around its line.
+class ErrorBox {
+public:
+    void draw(const Box& picture, float scale, const Stage& stage, MenuWish& wish);
+
+private:
+    void read(const Place& place);
+
+    std::string shown_;  ///< the error whose source was read
+    std::vector<std::string> lines_;
+    int first_ = 0;  ///< line of the file
+};
+
+}  // namespace relief

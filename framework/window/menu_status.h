@@ -1,0 +1,24 @@
+// The line at the bottom of the window: what a frame takes, the counters, messages, the camera. In the window module
+// only.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "framework/window/menu_layout.h"
+
+namespace relief {
+
+class Stage;
+
+class Status {
+public:
+    /// What a frame took. Call it once for each frame of the lab.
+    void note(double milliseconds);
+    void draw(const Box& box, float scale, const Stage& stage, const std::string& message) const;
+
+private:
+    std::array<float, 60> milliseconds_{};  ///< the newest last
+};
+
+}  // namespace relief
