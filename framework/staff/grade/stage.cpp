@@ -269,6 +269,15 @@ bool may_be_the_machines(const ProcessResult& done) {
            (done.ending == Ending::exited && done.code != 0 && std::regex_search(done.errors, own));
 }
 
+/// How a compiler ended. Limits hold for each of its parts: the part that one ends is only told of in the text.
+Ending ending_of(const ProcessResult& compiler) {
+    static const std::regex time("CPU time limit exceeded"),
+        memory("virtual memory exhausted|out of memory allocating|Killed signal terminated program");
+    if (compiler.ending != Ending::exited) return compiler.ending;
+    if (std::regex_search(compiler.errors, time)) return Ending::out_of_time;
+    return std::regex_search(compiler.errors, memory) ? Ending::out_of_memory : Ending::exited;
+}
+
 }  // namespace
 
 Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double cpu, double wall) const {
@@ -278,15 +287,12 @@ Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double cpu, d
     // Our own code in its place tells whose fault it is.
     if (may_be_the_machines(done) && may_be_the_machines(run_compiler(lab, this->course(lab, {}), cpu, wall)))
         done.ending = Ending::failed;
-    Compiled compiled{.ending = done.ending, .message = {}, .seconds = done.wall, .stopped = done.stopped};
+    Compiled compiled{.ending = ending_of(done), .message = {}, .seconds = done.wall, .stopped = done.stopped};
     if (done.succeeded()) {
         course.program = course.folder->path() / "program";
         put(course.program, done.output, true);
         return compiled;
     }
-    if (done.errors.find("virtual memory exhausted") != std::string::npos ||
-        done.errors.find("out of memory allocating") != std::string::npos)
-        compiled.ending = Ending::out_of_memory;
     compiled.message = done.errors.empty() ? "the compiler says nothing" : done.errors;
     return compiled;
 }

@@ -275,8 +275,8 @@ static const int before = [] {
         folder.write(name + "/" + cpp, text);
         words.push_back((folder.path() / name).string());
     }
-    // Enough for honest code to be compiled, in three times as long, while other tests have the cores.
-    words.insert(words.end(), {"-o", output.string(), "--seconds", "10"});
+    // Three times as long is enough to compile honest code.
+    words.insert(words.end(), {"-o", output.string(), "--seconds", "4"});
     const Result graded = run(grade(words));
     EXPECT_EQ(graded.code, 0) << graded.err;
     const auto of = [&](const std::string& name) { return outcomes(result_of(output, name), "5.2"); };
