@@ -49,27 +49,36 @@ void check_indices(const Mesh& mesh) {
 Buffer<uint32_t> welded_vertices(const Mesh& mesh) {
     const size_t count = mesh.vertices.size();
     const size_t slots = std::bit_ceil(count + count / 2 + 1);
+    // Of each slot the vertex, and half of its hash: so a vertex that only shares the slot is not read.
+    struct Slot {
+        uint32_t vertex, hash;
+    };
     constexpr uint32_t empty = UINT32_MAX;
-    Buffer<uint32_t> table(slots), first(count);
-    std::fill(table.begin(), table.end(), empty);
+    Buffer<Slot> table(slots);
+    Buffer<uint32_t> first(count);
+    std::fill(table.begin(), table.end(), Slot{empty, empty});
     // The keys of a few vertices ahead, so that their slots are on the way while this one is looked at.
     constexpr size_t ahead = 8;
     std::array<Key, ahead> keys;
-    std::array<size_t, ahead> places;
+    std::array<uint64_t, ahead> hashes;
     const auto prepare = [&](size_t i) {
         if (i >= count) return;
         keys[i % ahead] = key_of(mesh.vertices[i]);
-        places[i % ahead] = hash_of(keys[i % ahead]) & (slots - 1);
-        __builtin_prefetch(&table[places[i % ahead]]);
+        hashes[i % ahead] = hash_of(keys[i % ahead]);
+        __builtin_prefetch(&table[hashes[i % ahead] & (slots - 1)]);
     };
     for (size_t i = 0; i < ahead; ++i) prepare(i);
     for (size_t i = 0; i < count; ++i) {
         const Key key = keys[i % ahead];
-        size_t slot = places[i % ahead];
+        size_t slot = hashes[i % ahead] & (slots - 1);
+        const uint32_t upper = uint32_t(hashes[i % ahead] >> 32);
         prepare(i + ahead);
-        while (table[slot] != empty && key_of(mesh.vertices[table[slot]]) != key) slot = (slot + 1) & (slots - 1);
-        if (table[slot] == empty) table[slot] = uint32_t(i);
-        first[i] = table[slot];
+        const auto is_another = [&](const Slot& there) {
+            return there.vertex != empty && (there.hash != upper || key_of(mesh.vertices[there.vertex]) != key);
+        };
+        while (is_another(table[slot])) slot = (slot + 1) & (slots - 1);
+        if (table[slot].vertex == empty) table[slot] = {uint32_t(i), upper};
+        first[i] = table[slot].vertex;
     }
     return first;
 }

@@ -8,9 +8,6 @@
     #include <emmintrin.h>
 #endif
 
-// Vectors are passed between functions that are all inlined: how they would be passed otherwise does not matter.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace relief {
 namespace {
 

@@ -47,6 +47,18 @@ void gather_corners(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, const B
     }
 }
 
+bool is_closed_fan(std::span<const CornerAtVertex> corners) {
+    const size_t count = corners.size();
+    if (count > 16) return false;
+    for (size_t at = 0, seen = 1; seen <= count; ++seen) {
+        const uint32_t edge = corners[at].next;
+        for (at = 0; at < count && corners[at].previous != edge;) ++at;
+        if (at == count) return false;
+        if (at == 0) return seen == count;
+    }
+    return false;
+}
+
 void group_corners(Corners corners, std::vector<uint64_t>& scratch) {
     for_each_shared_edge(corners, scratch, [&](size_t i, size_t j) {
         const int8_t handedness = corners[i].face->handedness;

@@ -22,6 +22,10 @@ struct CornerAtVertex {
 void gather_corners(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, const Buffer<TangentFace>& faces,
                     std::span<const uint32_t> list, std::vector<CornerAtVertex>& corners);
 
+/// Whether the triangles lie around the vertex in one ring, each with the next at an edge. False may also be said of a
+/// ring of more than 16.
+bool is_closed_fan(std::span<const CornerAtVertex> corners);
+
 /// Fills in `group` by MikkTSpace's rules, see corner_tangents(). The corner of a face without handedness stays alone.
 /// `scratch` is working memory, reused from vertex to vertex.
 void group_corners(std::span<CornerAtVertex> corners, std::vector<uint64_t>& scratch);

@@ -17,36 +17,13 @@
 namespace relief {
 namespace {
 
-/// A tangent that leans against the normal by less than this is lost in the projection onto its plane: its floats are
-/// good to 6e-8, so what is left there is off by tens of degrees.
-constexpr double smallest_sine = 2e-7;
-
 /// Unit, of what is so within 1e-6: by one of Newton's steps, without a root.
 glm::dvec3 made_unit(const glm::dvec3& v) { return v * (1.5 - 0.5 * glm::dot(v, v)); }
 
 /// Unit, or zero where it has no direction.
 glm::dvec3 direction(const glm::dvec3& v) {
     const double squared = glm::dot(v, v);
-    return squared > 0 && std::isfinite(squared) ? v / std::sqrt(squared) : glm::dvec3(0);
-}
-
-bool is_usable(const glm::vec3& normal) {
-    const double squared = glm::dot(glm::dvec3(normal), glm::dvec3(normal));
-    return squared > 0 && std::isfinite(squared);
-}
-
-/// The mean of the triangles at a vertex, by area; +z where they have none.
-glm::dvec3 normal_of_faces(const Mesh& mesh, std::span<const uint32_t> corners) {
-    glm::dvec3 sum(0);
-    for (const uint32_t corner : corners) {
-        const uint32_t* const face = &mesh.indices[corner - corner % 3];
-        const glm::dvec3 a(mesh.vertices[face[0]].position), b(mesh.vertices[face[1]].position),
-            c(mesh.vertices[face[2]].position);
-        const glm::dvec3 across = glm::cross(b - a, c - a);
-        if (std::isfinite(glm::dot(across, across))) sum += across;
-    }
-    const glm::dvec3 normal = direction(sum);
-    return normal == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : normal;
+    return squared > 0 && std::isfinite(squared) ? v * (1 / std::sqrt(squared)) : glm::dvec3(0);
 }
 
 /// Everything that is known before vertices are looked at one by one.
@@ -56,7 +33,7 @@ struct Solver {
     unsigned threads;
     Buffer<uint32_t> vertex_of;
     CornerLists lists;
-    std::unordered_map<uint32_t, glm::dvec3> repaired;  // normals by welded vertex
+    UnitNormals normals;
     Buffer<TangentFace> faces;
 
     Solver(const Mesh& all, TangentMethod how, unsigned thread_count)
@@ -65,50 +42,19 @@ struct Solver {
           threads(thread_count),
           vertex_of(welded_vertices(all)),
           lists(all, vertex_of, thread_count),
+          normals(all, vertex_of, lists),
           faces(all.indices.size() / 3) {
-        for (size_t i = 0; i < mesh.vertices.size(); ++i)
-            if (vertex_of[i] == i && !is_usable(mesh.vertices[i].normal))
-                repaired.emplace(uint32_t(i), normal_of_faces(mesh, lists.at(i)));
         const double area_unit = method == TangentMethod::area ? largest_area() : 1;
+        std::atomic<bool> some_undecided = false;  // of the handedness of some triangle
         parallel_pieces(faces.size(), 1 << 12, threads, [&](size_t begin, size_t end) {
-            for (size_t i = begin; i < end; i += batch) make_faces(i, std::min(end, i + batch), area_unit);
+            tangent_faces(mesh, normals, method, area_unit, begin, end, faces);
+            for (size_t i = begin; i < end; ++i)
+                if (faces[i].handedness == 0 && !faces[i].in_no_group) some_undecided = true;
         });
-        if (some_undecided_) take_on_handedness(mesh, vertex_of, lists, faces);
-    }
-
-    glm::dvec3 normal(uint32_t vertex) const {
-        if (!repaired.empty())
-            if (const auto found = repaired.find(vertex_of[vertex]); found != repaired.end()) return found->second;
-        const glm::dvec3 n(mesh.vertices[vertex].normal);
-        const double squared = glm::dot(n, n);
-        return std::abs(squared - 1) < 1e-6 ? made_unit(n) : n * (1 / std::sqrt(squared));
+        if (some_undecided) take_on_handedness(mesh, vertex_of, lists, faces);
     }
 
 private:
-    /// As many as stay in the nearest cache: first their edges, then all their angles.
-    static constexpr size_t batch = 64;
-    void make_faces(size_t begin, size_t end, double area_unit) {
-        double sines[3 * batch] = {}, cosines[3 * batch] = {};
-        bool undecided = false;
-        for (size_t i = begin; i < end; ++i) {
-            const uint32_t* const at = &mesh.indices[i * 3];
-            const Vertex* const corners[3] = {&mesh.vertices[at[0]], &mesh.vertices[at[1]], &mesh.vertices[at[2]]};
-            glm::dvec3 normals[3];
-            if (method == TangentMethod::mikktspace)
-                for (int k = 0; k < 3; ++k) normals[k] = normal(at[k]);
-            FaceAngles angles;
-            faces[i] = tangent_face(corners, normals, method, area_unit, angles);
-            undecided |= faces[i].handedness == 0 && !faces[i].in_no_group;
-            std::copy_n(angles.sine, 3, sines + 3 * (i - begin)),
-                std::copy_n(angles.cosine, 3, cosines + 3 * (i - begin));
-        }
-        if (undecided) some_undecided_ = true;
-        if (method != TangentMethod::angle && method != TangentMethod::mikktspace) return;
-        float weights[3 * batch];
-        angles_of(sines, cosines, weights, int(3 * (end - begin)));
-        for (size_t i = begin; i < end; ++i) std::copy_n(weights + 3 * (i - begin), 3, faces[i].weight);
-    }
-
     /// So that areas of any size are floats beside each other.
     double largest_area() const {
         double largest = 0;
@@ -121,8 +67,6 @@ private:
         }
         return largest > 0 ? std::sqrt(largest) : 1;
     }
-
-    std::atomic<bool> some_undecided_ = false;  // of the handedness of some triangle
 };
 
 /// The corners at one vertex, from their triangles to their tangents. One a thread, used again from vertex to vertex.
@@ -133,19 +77,15 @@ public:
     void write(uint32_t vertex) {
         const std::span<const uint32_t> list = solver_.lists.at(vertex);
         if (list.empty()) return;
-        normal_ = solver_.normal(vertex);
-        bad_normal_ = !solver_.repaired.empty() && solver_.repaired.contains(vertex);
+        normal_ = solver_.normals.at(vertex);
+        bad_normal_ = solver_.normals.is_repaired(vertex);
         report.corners += list.size();
-        const bool grouped = solver_.method == TangentMethod::mikktspace;
-        if (grouped) gather(list);
-        const bool one_group = grouped ? std::all_of(corners_.begin(), corners_.end(),
-                                                     [](const CornerAtVertex& corner) { return corner.group == 0; })
-                                       : solver_.method != TangentMethod::per_face;
-        if (one_group && !bad_normal_ && write_plain(list)) return;
+        if (!bad_normal_ && write_plain(list)) return;
 
-        if (!grouped) gather(list);
+        gather(list);
         sums_.assign(list.size(), glm::dvec3(0));
-        for (size_t i = 0; i < list.size(); ++i) add(i, list[i] % 3);
+        for (size_t i = 0; i < list.size(); ++i)
+            sums_[corners_[i].group] += glm::dvec3(corners_[i].face->pull[list[i] % 3]);
         for (size_t i = 0; i < list.size(); ++i)
             if (corners_[i].group == i) sums_[i] = tangent_of(sums_[i]);
         const size_t lender = first_with_tangent();
@@ -160,13 +100,15 @@ private:
     /// The usual vertex: all triangles have tangents, of one handedness, and so has their mean. False, and nothing
     /// done, for any other.
     bool write_plain(std::span<const uint32_t> list) {
+        if (solver_.method == TangentMethod::per_face) return false;
         const int8_t handedness = solver_.faces[list[0] / 3].handedness;
         glm::dvec3 sum(0);
         for (const uint32_t corner : list) {
             const TangentFace& face = solver_.faces[corner / 3];
             if (face.handedness != handedness || face.why != TangentFallback::none) return false;
-            sum += double(face.weight[corner % 3]) * contribution(face);
+            sum += glm::dvec3(face.pull[corner % 3]);
         }
+        if (solver_.method == TangentMethod::mikktspace && !are_connected(list)) return false;
         const glm::dvec3 tangent = tangent_of(sum);
         if (handedness == 0 || tangent == glm::dvec3(0)) return false;
         for (const uint32_t corner : list) result_[corner] = glm::vec4(tangent, side(handedness));
@@ -176,7 +118,8 @@ private:
     /// What corner i gets, and why, in the report; `lender` is the first corner that has a tangent.
     glm::vec4 tangent_of_corner(size_t i, size_t lender) {
         const CornerAtVertex& corner = corners_[i];
-        const bool has_group = sums_[corner.group] != glm::dvec3(0), has_own = corner.face->along != glm::vec3(0);
+        const bool has_group = sums_[corner.group] != glm::dvec3(0),
+                   has_own = corner.face->why == TangentFallback::none;
         const bool can_inherit = solver_.method != TangentMethod::per_face && lender < corners_.size();
         // One for all corners of a triangle; one that nobody sees may have what it inherits.
         const bool has_side = !corner.face->in_no_group || !can_inherit;
@@ -189,6 +132,15 @@ private:
         if (has_group) return glm::vec4(sums_[corner.group], own);
         if (can_inherit) return glm::vec4(sums_[corners_[lender].group], own);
         return glm::vec4(any_perpendicular(normal_), own);
+    }
+
+    /// Whether the triangles, all of one handedness, are one group.
+    bool are_connected(std::span<const uint32_t> list) {
+        gather_corners(solver_.mesh, solver_.vertex_of, solver_.faces, list, corners_);
+        if (is_closed_fan(corners_)) return true;
+        group_corners(corners_, scratch_);
+        return std::all_of(corners_.begin(), corners_.end(),
+                           [](const CornerAtVertex& corner) { return corner.group == 0; });
     }
 
     void gather(std::span<const uint32_t> list) {
@@ -206,24 +158,10 @@ private:
         }
     }
 
-    void add(size_t i, uint32_t corner_of_face) {
-        const TangentFace& face = *corners_[i].face;
-        sums_[corners_[i].group] += double(face.weight[corner_of_face]) * contribution(face);
-    }
-
-    glm::dvec3 contribution(const TangentFace& face) const {
-        const glm::dvec3 along(face.along);
-        if (solver_.method != TangentMethod::mikktspace) return along;
-        const glm::dvec3 on_plane = projected(along);
-        // Its square is 0 or from 4e-14 to 1, and its length need be no better than a float.
-        const float squared = float(glm::dot(on_plane, on_plane));
-        return squared > 0 ? on_plane * double(1 / std::sqrt(squared)) : on_plane;
-    }
-
     /// On the tangent plane; zero where too little is left of it.
     glm::dvec3 projected(const glm::dvec3& v) const {
         const glm::dvec3 along = v - normal_ * glm::dot(normal_, v);
-        const bool enough = glm::dot(along, along) > smallest_sine * smallest_sine * glm::dot(v, v);
+        const bool enough = glm::dot(along, along) > smallest_tangent_sine * smallest_tangent_sine * glm::dot(v, v);
         return enough ? along : glm::dvec3(0);
     }
 
@@ -328,7 +266,7 @@ Mesh with_tangents(const Mesh& mesh, TangentMethod method, TangentReport* report
         for (uint32_t i = 0; i < result.vertices.size(); ++i) {
             glm::vec3& normal = result.vertices[i].normal;
             const bool unit = std::abs(glm::dot(glm::dvec3(normal), glm::dvec3(normal)) - 1) < 1e-6;
-            if (!unit) normal = glm::vec3(solver.normal(i));
+            if (!unit) normal = glm::vec3(solver.normals.at(i));
             result.vertices[i].tangent =
                 glm::vec4(any_perpendicular(glm::dvec3(normal)), 1);  // of one that nobody uses
         }
