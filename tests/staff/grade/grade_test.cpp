@@ -815,10 +815,10 @@ TEST(Grade, TestsItselfOnAWholeLab) {
 }
 
 TEST(Grade, NoticesMutantsOfASolutionAndSaysWhichItDoesNot) {
-    const Result tested = run(grade({"--mutate", "2", "--sample", "24", "--jobs", "2", "--json"}));
+    const Result tested = run(grade({"--mutate", "2", "--sample", "12", "--jobs", "2", "--json"}));
     EXPECT_EQ(tested.code, 0) << tested.err;
     const json all = json::parse(tested.out);
-    EXPECT_EQ(all["mutants"].size(), 24u);
+    EXPECT_EQ(all["mutants"].size(), 12u);
     EXPECT_GE(all["kill_rate"].get<double>(), 0.97);
     // Checks that do not see a vector's length let some mutants pass, and the difference is found by looking.
     const CourseCopy blind;
@@ -831,18 +831,19 @@ TEST(Grade, NoticesMutantsOfASolutionAndSaysWhichItDoesNot) {
     EXPECT_TRUE(contains(blindly.out, "\n2.2 line ")) << blindly.out;
 }
 
-TEST(Grade, TestsItselfOnASampleOfEveryLab) {
-    const Result tested = run(grade({"--self-test", "--sample", "1", "--jobs", "2"}));
+// Every third lab, two of them with tasks in C++; `relief test --all` has all of them, whole.
+TEST(Grade, TestsItselfOnASampleOfSomeLabs) {
+    const std::vector<std::string> labs = {"03", "06", "09", "12", "15", "18"};
+    std::vector<std::string> words = {"--self-test", "--sample", "1", "--jobs", "2"};
+    for (const std::string& number : labs) words.insert(words.end(), {"--lab", number});
+    const Result tested = run(grade(words));
     EXPECT_EQ(tested.code, 0) << tested.err;
-    for (const auto& folder : fs::directory_iterator(course_root() / "labs")) {
-        const std::string number = folder.path().filename().string().substr(0, 2);
-        if (!fs::exists(folder.path() / "lab.toml") || number > "19") continue;
+    for (const std::string& number : labs)
         EXPECT_TRUE(contains(tested.out, "lab " + number +
                                              ": 1 of 1 known mistakes caught, names not tested; 1 of 1 "
                                              "correct variants get all points"))
             << number << '\n'
             << tested.out;
-    }
     EXPECT_TRUE(contains(tested.out, "0 wrong verdicts")) << tested.out;
     EXPECT_TRUE(contains(tested.out, "\nonly a sample: ")) << tested.out;
 }
