@@ -146,11 +146,26 @@ make_class() { # folder, number of submissions
     { cat "$course/$file"; echo "// $i"; } >"$1/s$i/$file"
   done
 }
-check_marks() { # folder, number of submissions
+make_class_file() { # folder: one was late by less than a day, and one of the roster handed in nothing
+  cat >"$1.toml" <<END
+utc_offset = "+00:00"
+hand_ins = "$1.csv"
+[[assigned]]
+lab = 2
+due = 2027-03-01T12:00:00
+[late]
+percent_per_day = 10
+END
+  printf '[[student]]\nstudent = "%s"\n' s1 s2 s3 s4 s5 s6 s7 s8 absent >>"$1.toml"
+  printf 'student,handed_in\n%s,2027-03-01 11:00\n' s1 >"$1.csv"
+  printf '%s,2027-03-01 11:00\n' s2 s3 s4 s5 s6 s7 >>"$1.csv"
+  echo 's8,2027-03-02 11:00' >>"$1.csv"
+}
+check_marks() { # folder, number of submissions with all points, of all others
   local file
   [[ -s $1/report.html ]] || fail "$1 has no report"
   [[ $(grep -c ',graded,11,' "$1/results.csv") == "$2" ]] || fail "not every submission of $1 has its mark"
-  [[ $(wc -l <"$1/results.csv") == $(($2 + 1)) ]] || fail "$1 has a submission twice"
+  [[ $(wc -l <"$1/results.csv") == $(($2 + ${3:-0} + 1)) ]] || fail "$1 has a submission twice"
   [[ $(stat -c %a "$1/class.json") == 600 ]] || fail "others can read class.json"
   for file in $(grep -rlF -- "$RELIEF_SEED" "$1" "$here/state" "$here/g1" "$here/g2" "$here/log" || true); do
     [[ ${file##*/} == class.json ]] || fail "the seed is in $file"
@@ -183,13 +198,16 @@ check_marks "$here/marks" 18
 grep -q 'sent again (1 of 3 times)' "$here/marks/slurm/last.log" || fail "the part whose grader was killed was not sent again"
 grep -qx g1 "$here"/marks/slurm/part-*.nodes || fail "no part was on the node that died"
 
-say "a node's /tmp is full"
+say "a node's /tmp is full; the class has a class file"
 start_node g1 64k
 wait_until "g1 is back" 60 is_idle g1
 make_class "$here/second" 8
-"$program" grade "$here"/second/* -o "$here/more" --slurm 4 >&2
+make_class_file "$here/second"
+"$program" grade "$here"/second/* -o "$here/more" --class "$here/second.toml" --slurm 4 >&2
 wait_until "the class has ended" 300 has_ended
-check_marks "$here/more" 8
+check_marks "$here/more" 7 2
+grep -q '^s8,.*,9\.9,' "$here/more/results.csv" || fail "the late one has not lost a tenth"
+grep -q '^absent,nothing handed in,0,' "$here/more/results.csv" || fail "who handed in nothing is not there with 0 points"
 grep -qx g1 "$here"/more/slurm/part-*.nodes || fail "no part was on the node with the full /tmp"
 grep -q 'sent again' "$here/more/slurm/last.log" || fail "the parts that had a full /tmp were not sent again"
 [[ $("$program" grade --status "$here/more") == *"8 of 8 submissions have a result"*"the report: $here/more/report.html" ]] ||

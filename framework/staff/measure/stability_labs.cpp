@@ -1,9 +1,11 @@
-// Labs drawn ever further from where they are easy: displacement by segments, the planet from near the ground, the sea
-// after years, shadows of a low sun, maps baked ever smaller, a skin bent ever more.
+// Labs drawn ever further from where they are easy: displacement by segments, by pixels and far from the world's
+// origin, the planet from near the ground, the sea after years, shadows of a low sun, maps baked ever smaller, a skin
+// bent ever more.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <memory>
 
 #include "framework/base/error.h"
@@ -88,6 +90,60 @@ BenchScene displacement(const BenchSettings& settings, bool by_patches) {
           0.01,
           "A chord leaves an arc by the square of its length; heights read from a smaller level are flatter."}},
         shot);
+}
+
+/// A displaced ground seen from 3 metres, that far from the world's origin: how many pixels of a picture of 1000 each
+/// vertex is off, computed in floats as a vertex shader does.
+BenchScene far_displacement(const BenchSettings& settings) {
+    using Project = std::function<glm::vec4(const Camera&, const glm::dvec3& origin, const glm::vec3& vertex)>;
+    const Project ours = [](const Camera& camera, const glm::dvec3& origin, const glm::vec3& vertex) {
+        return glm::mat4(camera.clip_from_world() * glm::translate(glm::dmat4(1), origin)) * glm::vec4(vertex, 1);
+    };
+    const Project usual = [](const Camera& camera, const glm::dvec3& origin, const glm::vec3& vertex) {
+        const glm::vec4 world = glm::translate(glm::mat4(1), glm::vec3(origin)) * glm::vec4(vertex, 1);
+        return glm::mat4(camera.clip_from_world()) * world;
+    };
+    std::vector<SweptMethod> methods;
+    for (const auto& [name, why, project, peer] :
+         {std::tuple{"clip-from-model",
+                     "The matrices are multiplied in double: what is rounded is as small as the model.", ours, false},
+          {"world-in-floats", "A float of 100 km has steps of 8 mm: vertices jump from one to the next.", usual, true}})
+        methods.push_back(
+            {name, 0.01, why,
+             [project = project](double hard) {
+                 const glm::dvec3 origin = hard * glm::normalize(glm::dvec3(3, 1, 2));
+                 const Camera camera({.yaw = 30, .pitch = 25, .distance = 3, .target = origin}, 1);
+                 Tally tally;
+                 constexpr int side = 33;
+                 for (int i = 0; i < side * side; ++i) {
+                     const double x = 2.0 * (i % side) / (side - 1) - 1, z = 2.0 * (i / side) / (side - 1) - 1;
+                     const glm::vec3 vertex(x, 0.1 * std::sin(9 * x) * std::cos(7 * z), z);
+                     const glm::dvec4 exact = camera.clip_from_world() * glm::dvec4(origin + glm::dvec3(vertex), 1);
+                     const glm::dvec4 drawn(project(camera, origin, vertex));
+                     tally.add(500 * glm::length(glm::dvec2(drawn) / drawn.w - glm::dvec2(exact) / exact.w));
+                 }
+                 return tally.largest(hard);
+             },
+             peer});
+    return sweep_scene("displacement-far", "metres from the world's origin", "pixel",
+                       some_of(decades(0, 8, 0.5), settings), methods);
+}
+
+/// Lab 14's levels by error: the ground's outline and places against the pixels that it may be off.
+BenchScene adaptive_displacement(const BenchSettings& settings) {
+    constexpr const char* why = "The level follows the error on the screen, until 64 segments are all there are.";
+    return lab_scene(
+        "14", "displacement-budget", "1 / tolerated error, 1 / pixels", "metre", ErrorMetric::absolute,
+        some_of({0.125, 0.25, 0.5, 1, 2, 4, 8}, settings),
+        {{"by-error", {{"method", "error"}}, 0.02, why},
+         {"by-size", {{"method", "size"}, {"segment", "8"}}, 0.02, "Eight pixels a segment, flat or steep.", true}},
+        [](double hard) {
+            Shot seen;
+            seen.size = {96, 96}, seen.probe = {"depth"};
+            seen.camera = {.yaw = 30, .pitch = 20, .distance = 2.2};
+            seen.set = {{"view", "eye"}, {"fade", "off"}, {"budget", fmt::format("{}", 1 / hard)}};
+            return seen;
+        });
 }
 
 /// Places that a pixel shows, relative to how far away they are: a thousandth is a pixel of a picture of 1000.
@@ -238,8 +294,16 @@ BenchScene skin(const BenchSettings& settings) {
 }  // namespace
 
 std::vector<BenchScene> lab_sweeps(const BenchSettings& settings) {
-    return {displacement(settings, false), displacement(settings, true), planet(settings), sea(settings),
-            shadow_map(settings),          relief_shadow(settings),      baking(settings), skin(settings)};
+    return {displacement(settings, false),
+            displacement(settings, true),
+            far_displacement(settings),
+            adaptive_displacement(settings),
+            planet(settings),
+            sea(settings),
+            shadow_map(settings),
+            relief_shadow(settings),
+            baking(settings),
+            skin(settings)};
 }
 
 }  // namespace relief
