@@ -10,6 +10,7 @@
 #include "framework/kit/displaced_surface.h"
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
+#include "framework/staff/measure/stability.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/reference/patches.h"
 
@@ -117,7 +118,19 @@ double share_apart(const Image& a, const Image& b) {
     return apart / std::max(1.0, covered);
 }
 
-/// A ground of hills that runs to the horizon.
+/// A ground of hills that runs to the horizon: lab 14's, with these knobs.
+const BenchKnobs ground_knobs = {{"view", "eye"},
+                                 {"surface", "ground"},
+                                 {"corners", "4"},
+                                 {"patches", "32"},
+                                 {"map", "fbm"},
+                                 {"size", "512"},
+                                 {"depth", "0.1"},
+                                 {"repeat", "1"},
+                                 {"fade", "off"},
+                                 {"cull", "all"},
+                                 {"spacing", "fractional-odd"}};
+
 struct Ground {
     DisplacedSurface surface;
     Orbit camera{.yaw = 30, .pitch = 7, .distance = 7.5, .target = {0, -0.5, 0}};
@@ -143,29 +156,18 @@ struct Ground {
 
 BenchScene levels(const BenchSettings& settings) {
     const auto ground = std::make_shared<Ground>();
-    const BenchKnobs set = {{"view", "eye"},
-                            {"surface", "ground"},
-                            {"corners", "4"},
-                            {"patches", "32"},
-                            {"map", "fbm"},
-                            {"size", "512"},
-                            {"depth", "0.1"},
-                            {"repeat", "1"},
-                            {"fade", "off"},
-                            {"cull", "all"},
-                            {"spacing", "fractional-odd"}};
     const ErrorsOf off = [ground](const Image& place, const auto&) { return ground->off(place); };
     const FiguresOf figures = [](const Image&, std::vector<double> errors) { return pixels_off(std::move(errors)); };
     BenchScene scene{{{"surface", "ground"}}, "frame"};
     const auto add = [&](const char* method, const char* knob, std::initializer_list<const char*> values) {
         for (const char* value : values)
-            scene.methods.push_back(of_lab("14", method, {{knob, value}}, together(set, {{"method", method}}),
+            scene.methods.push_back(of_lab("14", method, {{knob, value}}, together(ground_knobs, {{"method", method}}),
                                            ground->camera, off, figures, settings));
     };
     // As the tutorials have it: 64 near the eye, 4 far from it, by distance alone.
     BenchMethod& usual = scene.methods.emplace_back(of_lab(
         "14", "usual", {},
-        together(set,
+        together(ground_knobs,
                  {{"method", "distance"}, {"nearest", "0.8"}, {"farthest", "20"}, {"finest", "6"}, {"coarsest", "2"}}),
         ground->camera, off, figures, settings));
     usual.peer = true;
@@ -307,6 +309,13 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }
 
 }  // namespace
+
+std::vector<double> ground_pixels_off(const BenchKnobs& knobs) {
+    static Ground ground;
+    const Shot shot{
+        .size = size, .time = 0, .camera = ground.camera, .probe = {"place"}, .set = together(ground_knobs, knobs)};
+    return ground.off(render_shot(*make_lab(find_lab("14"), shot), shot));
+}
 
 BenchTopic displacement_topic() {
     return {"displacement",

@@ -14,6 +14,10 @@ std::vector<BenchScene> height_sweeps(const BenchSettings& settings);
 std::vector<BenchScene> hit_sweeps(const BenchSettings& settings);
 std::vector<BenchScene> lab_sweeps(const BenchSettings& settings);
 
+/// By how many pixels lab 14's ground of hills is off, at each pixel of 512 x 512 that shows it, with these of its
+/// knobs.
+std::vector<double> ground_pixels_off(const BenchKnobs& knobs);
+
 /// 10^from, 10^(from + step), ... to 10^to.
 std::vector<double> decades(double from, double to, double step = 1);
 

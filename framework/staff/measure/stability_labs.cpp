@@ -129,21 +129,25 @@ BenchScene far_displacement(const BenchSettings& settings) {
                        some_of(decades(0, 8, 0.5), settings), methods);
 }
 
-/// Lab 14's levels by error: the ground's outline and places against the pixels that it may be off.
+/// Lab 14's levels: how far 99 of 100 pixels of a ground are off, in units of the error that is tolerated.
 BenchScene adaptive_displacement(const BenchSettings& settings) {
-    constexpr const char* why = "The level follows the error on the screen, until 64 segments are all there are.";
-    return lab_scene(
-        "14", "displacement-budget", "1 / tolerated error, 1 / pixels", "metre", ErrorMetric::absolute,
-        some_of({0.125, 0.25, 0.5, 1, 2, 4, 8}, settings),
-        {{"by-error", {{"method", "error"}}, 0.02, why},
-         {"by-size", {{"method", "size"}, {"segment", "8"}}, 0.02, "Eight pixels a segment, flat or steep.", true}},
-        [](double hard) {
-            Shot seen;
-            seen.size = {96, 96}, seen.probe = {"depth"};
-            seen.camera = {.yaw = 30, .pitch = 20, .distance = 2.2};
-            seen.set = {{"view", "eye"}, {"fade", "off"}, {"budget", fmt::format("{}", 1 / hard)}};
-            return seen;
-        });
+    std::vector<SweptMethod> methods;
+    for (const auto& [name, knobs, why, peer] :
+         {std::tuple{"by-error", BenchKnobs{{"method", "error"}},
+                     "Levels follow the error on the screen.", false},
+          {"by-size", BenchKnobs{{"method", "size"}, {"segment", "8"}},
+           "Eight pixels a segment: too many where the ground is flat, too few where it is steep.", true}})
+        methods.push_back({name, 1, why,
+                           [knobs = knobs](double hard) {
+                               Tally tally;
+                               for (const double pixels :
+                                    ground_pixels_off(together(knobs, {{"budget", fmt::format("{}", 1 / hard)}})))
+                                   tally.add(pixels * hard);
+                               return tally.most(hard);
+                           },
+                           peer});
+    return sweep_scene("displacement-budget", "1 / tolerated error, 1 / pixels", "budget",
+                       some_of({0.125, 0.25, 0.5, 1, 2, 4, 8}, settings), methods);
 }
 
 /// Places that a pixel shows, relative to how far away they are: a thousandth is a pixel of a picture of 1000.
