@@ -39,10 +39,6 @@ struct TangentFace {
 void tangent_faces(const Mesh& mesh, const UnitNormals& normals, TangentMethod method, double area_unit, size_t begin,
                    size_t end, Buffer<TangentFace>& faces);
 
-/// A tangent that leans against the normal by less than this is lost in the projection onto its plane: its floats are
-/// good to 6e-8, so what is left there is off by tens of degrees.
-constexpr double smallest_tangent_sine = 2e-7;
-
 /// angles[i] = atan2(y[i], x[i]) in [0, pi], for y >= 0; 0 if both are 0. The error is at most 5e-7. Takes many at
 /// once: one call of the library's atan2 per angle would cost more than all the rest of a triangle.
 void angles_of(const double* y, const double* x, float* angles, int count);

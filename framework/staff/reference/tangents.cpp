@@ -17,6 +17,10 @@
 namespace relief {
 namespace {
 
+/// A tangent that leans against the normal by less than this is lost in the projection onto its plane: its floats are
+/// good to 6e-8, so what is left there is off by tens of degrees.
+constexpr double smallest_sine = 2e-7;
+
 /// Unit, of what is so within 1e-6: by one of Newton's steps, without a root.
 glm::dvec3 made_unit(const glm::dvec3& v) { return v * (1.5 - 0.5 * glm::dot(v, v)); }
 
@@ -161,7 +165,7 @@ private:
     /// On the tangent plane; zero where too little is left of it.
     glm::dvec3 projected(const glm::dvec3& v) const {
         const glm::dvec3 along = v - normal_ * glm::dot(normal_, v);
-        const bool enough = glm::dot(along, along) > smallest_tangent_sine * smallest_tangent_sine * glm::dot(v, v);
+        const bool enough = glm::dot(along, along) > smallest_sine * smallest_sine * glm::dot(v, v);
         return enough ? along : glm::dvec3(0);
     }
 
