@@ -166,7 +166,17 @@ public:
         };
         std::stable_sort(functions.begin(), functions.end(),
                          [&](const ExplainedFunction& a, const ExplainedFunction& b) { return rank(a) < rank(b); });
-        return functions;
+        std::vector<ExplainedFunction> once;
+        for (ExplainedFunction& one : functions) {
+            const auto is_same = [&](const ExplainedFunction& other) {
+                return other.function.signature == one.function.signature &&
+                       other.function.stage == one.function.stage && (other.pass == 0) == (one.pass == 0) &&
+                       other.pixel == one.pixel && other.size == one.size && other.calls == one.calls &&
+                       other.shown == one.shown;
+            };
+            if (std::none_of(once.begin(), once.end(), is_same)) once.push_back(std::move(one));
+        }
+        return once;
     }
 
     int place_of(const WatchedFunction& function) const {

@@ -25,6 +25,7 @@ struct ExplainedCall {
     std::vector<double> twin = {};    ///< empty if the function has none
     std::vector<float> allowed = {};  ///< how far rounding may put each result from the twin's
     double excess = 0;                ///< the largest distance from the twin, in what is allowed
+    bool operator==(const ExplainedCall&) const = default;
 };
 
 struct ExplainedFunction {
@@ -43,7 +44,7 @@ struct ExplainedFunction {
 };
 
 struct Explanation {
-    /// Callees before callers, earlier passes and stages before later ones.
+    /// Callees before callers, earlier passes and stages before later ones. Passes that draw the same are listed once.
     std::vector<ExplainedFunction> functions;
     /// The first function that differs and without whose difference the pixel is another.
     std::optional<size_t> first;

@@ -174,6 +174,20 @@ TEST(Explain, WithoutTwinsThereAreValuesAndNoNames) {
     }
 }
 
+// Lab 15 measures the sea's slopes in a small picture, once for each of its two views.
+TEST(Explain, PassesThatDrawTheSameAreListedOnce) {
+    const LabEntry& lab = find_lab("15");
+    const Manifest manifest = load_manifest(lab);
+    Shot shot;
+    shot.camera = manifest.camera;
+    const Explanation all = explain(lab, manifest, shot, {200, 200}, {});
+    size_t in_earlier_passes = 0, in_the_picture = 0;
+    for (const ExplainedFunction& one : all.functions)
+        if (one.function.name == "slope_of") ++(one.pass == 0 ? in_the_picture : in_earlier_passes);
+    EXPECT_EQ(in_earlier_passes, 1u);
+    EXPECT_EQ(in_the_picture, 1u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Labs, Explained, testing::ValuesIn(registry()),
                          [](const auto& entry) { return "_" + entry.param.folder; });
 
