@@ -84,6 +84,22 @@ TEST(ObjMaterials, AFenceKeepsItsCoverageAtEachLevelAndByAThresholdItDoesNot) {
     EXPECT_EQ(half[4], 0);
 }
 
+TEST(ObjMaterials, MasksCoverAtEachLevelWhatHandout08Says) {
+    struct Row {
+        const char *alpha, *threshold;
+        double percent[6];
+    };
+    for (const Row& row :
+         {Row{"test", "0.1", {16.7, 21.1, 29.9, 43.8, 59.8, 88.0}}, Row{"test", "0.5", {12.0, 12.1, 8.4, 0.4, 0, 0}},
+          Row{"keep", "0.5", {12.0, 12.1, 12.1, 11.8, 12.2, 11.6}},
+          Row{"to-coverage", "0.5", {12.0, 12.2, 11.8, 14.5, 13.3, 15.0}},
+          Row{"hashed", "0.5", {12.0, 12.0, 12.0, 12.0, 12.0, 12.0}}}) {
+        const std::vector<double> found = coverages(row.alpha, row.threshold);
+        for (size_t level = 0; level < 6; ++level)
+            EXPECT_NEAR(100 * found[level], row.percent[level], 0.051) << row.alpha << ", level " << level;
+    }
+}
+
 TEST(ObjMaterials, HashedAlphaLeavesAsMuchOfAFarFenceAsItCovers) {
     Shot shot =
         shot_of("08", {{"view", "one"}, {"file", "fence"}, {"alpha", "hashed"}, {"highlight", "5"}}, "", {160, 60});
