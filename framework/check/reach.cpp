@@ -12,6 +12,7 @@
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
+#include "framework/gl/shader_source.h"
 
 namespace relief {
 namespace {
@@ -119,6 +120,7 @@ Found look(const std::string& text) {
 OtherShaders::OtherShaders(const LabEntry& lab, const Manifest& manifest) {
     std::set<std::filesystem::path> tasks;
     for (const TaskInfo& task : manifest.tasks) tasks.insert(course_root() / task.file);
+    lent_.insert(manifest.task_includes.begin(), manifest.task_includes.end());
     for (const std::string& folder : {lab.folder, std::string("common")}) {
         std::error_code ignored;  // a lab may have no shaders of its own
         for (const auto& entry : std::filesystem::directory_iterator(course_root() / "shaders" / folder, ignored))
@@ -134,6 +136,8 @@ void OtherShaders::add(const std::string& text) {
 }
 
 std::string reaches_beyond(const std::string& task_file, const OtherShaders& others) {
+    for (const std::string& name : included_by(task_file))
+        if (!others.lend(name)) return fmt::format("includes {}, which is not part of this task", name);
     const Found found = look(task_file);
     for (const std::string& macro : found.macros)
         if (others.use(macro)) return fmt::format("defines '{}', which the lab's shaders use", macro);

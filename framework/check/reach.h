@@ -16,17 +16,19 @@ public:
     /// Those in the lab's folder, and what all labs share.
     OtherShaders(const LabEntry& lab, const Manifest& manifest);
     void add(const std::string& text);
+    /// Whether a task's shader may include this file, which is named as it is in its #include.
+    bool lend(const std::string& file) const { return lent_.contains(file); }
     bool use(const std::string& word) const { return words_.contains(word); }
     /// Whether they call a function of this name that none of them defines.
     bool call(const std::string& name) const { return called_.contains(name) && !defined_.contains(name); }
 
 private:
-    std::set<std::string> words_, called_, defined_;
+    std::set<std::string> words_, called_, defined_, lent_ = {"common/unfinished.glsl"};
 };
 
-/// Why a file is not a task's shader, such as "defines 'main', which the lab's shaders use"; or empty. It may define
-/// macros of its own, but none of a word in the `others`, nor a function of the language that they call; and may
-/// declare no uniforms, inputs or outputs.
+/// Why a file is not a task's shader, such as "defines 'main', which the lab's shaders use"; or empty. It may include
+/// what the `others` lend it alone: the rest may hold answers. It may define macros of its own, but none of a word in
+/// the others, nor a function of the language that they call; and may declare no uniforms, inputs or outputs.
 std::string reaches_beyond(const std::string& task_file, const OtherShaders& others);
 
 }  // namespace relief

@@ -187,13 +187,14 @@ public:
         if (!program_) return true;  // it failed when it was asked for, and whoever asks again gets it
         error_.reset();
         try {
-            if (text.whole != made_of_) compile(std::move(text));
+            if (text.whole != made_of_) compile(std::move(text)), ++renewals_;
         } catch (const Error& error) {
             error_ = error;
         }
         return true;
     }
     const std::optional<Error>& error() const { return error_; }
+    int renewals() const { return renewals_; }
 
 private:
     struct Text {
@@ -226,6 +227,7 @@ private:
     std::optional<Program> program_;
     std::string made_of_, tried_, seen_;
     std::optional<Error> error_;
+    int renewals_ = 0;
 };
 
 Programs::Programs(std::initializer_list<const char*> stages) : stages_(stages.begin(), stages.end()) {}
@@ -244,6 +246,12 @@ const Program& Programs::with(std::initializer_list<Define> defines) const {
         permutation = std::make_unique<Permutation>(paths, key);
     }
     return permutation->program();
+}
+
+int Programs::renewals() const {
+    int sum = 0;
+    for (const auto& [key, permutation] : permutations_) sum += permutation->renewals();
+    return sum;
 }
 
 ShaderNews renew_programs() {

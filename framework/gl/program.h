@@ -95,6 +95,8 @@ public:
     /// The program with these definitions. Throws what Program's constructor throws.
     const Program& with(std::initializer_list<Define> defines = {}) const;
     const Program& with(const Define& define) const { return with({define}); }
+    /// How often renew_programs() has compiled one of them anew: for values that are measured with them, and kept.
+    int renewals() const;
 
 private:
     std::vector<std::string> stages_;

@@ -339,6 +339,7 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
     root.read("learns", manifest.learns);
     if (auto camera = root.table("camera")) read_camera(*camera, manifest.camera);
     root.read("animated", manifest.animated);
+    root.read("task_includes", manifest.task_includes);
 
     for (Table& table : root.tables("probe")) {
         ProbeInfo probe = read_probe(table);

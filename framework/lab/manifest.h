@@ -103,6 +103,8 @@ struct Manifest {
     std::vector<std::string> learns;
     Orbit camera;
     bool animated = false;
+    /// Below `shaders`: what the shader of a task may include besides common/unfinished.glsl.
+    std::vector<std::string> task_includes;
     std::vector<ProbeInfo> probes;
     std::vector<TaskInfo> tasks;
     std::vector<CheckInfo> checks;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "framework/context/context.h"
 #include "framework/pages/check_figures.h"
@@ -36,7 +37,6 @@ Fields fields_of(const LabEntry& lab, const Manifest& manifest, const CheckResul
             {"found", result.found},
             {"details", result.details},
             {"allowed", check.reason},
-            {"look_at", passed || result.outcome == Outcome::unfinished ? "" : look_at(result)},
             {"command", command_for(lab, manifest, check.shot)},
             {"pictures", check_figures(manifest, check, result.drawn, result.expected, DrawnBy::reader)}};
 }
@@ -53,6 +53,8 @@ std::string look_at(const CheckResult& result) {
     if (result.look_at.empty() && result.outcome == Outcome::broken)
         return result.found.find("not finite") != std::string::npos
                    ? "a root of a negative number, or 0 / 0: nothing can be measured before the values are finite"
+               : result.details.empty()
+                   ? "fix what the message names"
                    : "fix what the message names; a missing ; stands at the end of the line before";
     return result.look_at;
 }
@@ -63,7 +65,13 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
     for (const TaskResult& task : tasks) {
         points += task.points();
         List checks;
-        for (const CheckResult& result : task.checks) checks.push_back(fields_of(lab, manifest, result));
+        std::set<std::string> hints;  // each once in a task
+        for (const CheckResult& result : task.checks) {
+            Fields fields = fields_of(lab, manifest, result);
+            const bool is_told = result.outcome != Outcome::passed && result.outcome != Outcome::unfinished;
+            fields["look_at"] = is_told && hints.insert(look_at(result)).second ? look_at(result) : "";
+            checks.push_back(std::move(fields));
+        }
         shown.push_back(Fields{{"id", task.task->id},
                                {"title", task.task->title},
                                {"file", task.task->file},

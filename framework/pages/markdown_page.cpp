@@ -113,10 +113,10 @@ private:
             List cells;
             for (const FormulaCell& cell : line) {
                 if (cell.is_words && &cell == &line.front())
-                    fields["label"] = cell.text;
+                    fields["label"] = cell.words;
                 else
                     cells.push_back(
-                        Fields{{"words", cell.is_words ? cell.text : ""}, {"math", cell.is_words ? "" : cell.text}});
+                        Fields{{"words", cell.words}, {"math", cell.is_words ? "" : formula_mathml(cell.formula)}});
             }
             fields["cells"] = std::move(cells);
             lines.push_back(std::move(fields));

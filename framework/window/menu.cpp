@@ -66,10 +66,19 @@ public:
     }
 };
 
+/// As the desktop is set. Where it is not, a display whose pixels are small is scaled up to what leaves 1080 rows.
 float scale_of(GLFWwindow* window) {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window, &x, &y);
-    return std::max(1.0f, x);
+    if (x > 1) return x;
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) return 1;
+    int width = 0, height = 0;  // millimetres, 0 if nobody knows
+    glfwGetMonitorPhysicalSize(monitor, &width, &height);
+    if (height <= 0) return 1;
+    const float density = float(mode->height) * 25.4f / float(height) / 96;
+    return std::max(1.0f, std::floor(4 * std::min(density, float(mode->height) / 1080)) / 4);
 }
 
 /// Larger on a display whose pixels are small, and never larger than the display.

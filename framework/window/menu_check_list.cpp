@@ -44,6 +44,19 @@ int line_of(const TaskInfo& task) {
     return 0;
 }
 
+/// In as many lines as it needs.
+bool wrapped_selectable(const std::string& line, bool is_chosen) {
+    const ImVec2 at = ImGui::GetCursorPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = ImGui::CalcTextSize(line.c_str(), nullptr, false, width).y;
+    const bool pressed = ImGui::Selectable(("##" + line).c_str(), is_chosen, 0, {0, height});
+    const ImVec2 below = ImGui::GetCursorPos();
+    ImGui::SetCursorPos(at);
+    wrapped(line);
+    ImGui::SetCursorPos(below);
+    return pressed;
+}
+
 /// `mistake`: what stands above, and need not be said again.
 void draw_result(const CheckInfo& check, const CheckResult& result, const std::string& mistake) {
     ImGui::Indent();
@@ -90,7 +103,7 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
             ImGui::SameLine(ImGui::CalcTextSize("\u2713").x + ImGui::GetStyle().WindowPadding.x +
                             ImGui::GetStyle().ItemSpacing.x);
             const bool is_chosen = check.name == chosen;
-            if (ImGui::Selectable(check.name.c_str(), is_chosen)) wish.check = is_chosen ? "" : check.name;
+            if (wrapped_selectable(check.name, is_chosen)) wish.check = is_chosen ? "" : check.name;
             if (is_chosen && result) draw_result(check, *result, mistake);
         }
     }

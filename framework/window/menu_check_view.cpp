@@ -88,8 +88,11 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
     if (ImGui::Button("half")) border_ = 0.5f;
     ImGui::SameLine();
     if (ImGui::Button("expected")) border_ = 0;
+    static constexpr const char* back = "To the picture with these knobs (Esc)";
+    const float back_width = ImGui::CalcTextSize(back).x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine();
-    if (ImGui::Button("To the picture with these knobs (Esc)")) wish.check = "";
+    if (ImGui::GetContentRegionAvail().x < back_width) ImGui::NewLine();
+    if (ImGui::Button(back)) wish.check = "";
     tooltip("The picture has the check's knobs, camera and probe. Ctrl+Z brings back what was before.");
 
     // Side by side or one below the other, whichever is larger; whole pixels where there is room.

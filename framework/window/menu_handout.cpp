@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "framework/base/error.h"
@@ -12,134 +13,12 @@
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
 #include "framework/image/file.h"
+#include "framework/window/menu_formula_block.h"
 #include "framework/window/menu_style.h"
+#include "framework/window/menu_text.h"
 
 namespace relief {
 namespace {
-
-const ImVec4 plain_color{0.88f, 0.88f, 0.86f, 1}, bold_color{1, 1, 0.98f, 1}, code_color{0.95f, 0.82f, 0.70f, 1},
-    link_color{0.56f, 0.74f, 0.95f, 1};
-constexpr ImU32 code_back = IM_COL32(46, 48, 56, 255), line_color = IM_COL32(84, 86, 94, 255);
-
-/// What the target of a knob's name begins with.
-constexpr std::string_view knob_link = "knob:";
-
-/// How a span looks. Debian's DejaVu has no slanted faces in its small package: italics are quiet.
-struct Look {
-    ImFont* face;
-    ImU32 color;
-    bool boxed = false;
-    std::string knob = {};  ///< what a click sets or shows: "method", "method=steep"
-};
-Look look_of(const Span& span, FontRole base) {
-    const ImVec4 color = span.code              ? code_color
-                         : !span.target.empty() ? (span.image ? quiet : link_color)
-                         : span.italic          ? quiet
-                         : span.bold            ? bold_color
-                                                : plain_color;
-    const FontRole role = span.code ? FontRole::code : span.bold && base == FontRole::text ? FontRole::bold : base;
-    const bool is_knob = span.code && span.target.starts_with(knob_link);
-    return {font(role), ImGui::ColorConvertFloat4ToU32(is_knob ? link_color : color), span.code,
-            is_knob ? span.target.substr(knob_link.size()) : ""};
-}
-
-/// Sets words from left to right in lines of a width; what is wider than a line is cut.
-class TextLayout {
-public:
-    TextLayout(ImVec2 corner, float width, FontRole base, bool visible)
-        : corner_(corner), width_(width), base_(base), visible_(visible), line_(font(base)->FontSize * 1.35f) {}
-
-    void set(const Spans& spans) {
-        for (const Span& span : spans) {
-            const Look look = look_of(span, base_);
-            const std::string& text = span.image ? "[" + span.text + "]" : span.text;
-            for (size_t begin = 0; begin <= text.size();) {
-                const size_t end = std::min(text.find_first_of(" \n", begin), text.size());
-                if (end > begin) word_.push_back({text.substr(begin, end - begin), look, begin > 0 && look.boxed});
-                if (end < text.size()) {
-                    flush();
-                    if (text[end] == '\n')
-                        x_ = 0, y_ += line_;
-                    else if (x_ > 0)
-                        x_ += gap(look);
-                }
-                begin = end + 1;
-            }
-        }
-        flush();
-    }
-    float height() const { return y_ + line_; }
-    float widest() const { return widest_; }
-    /// The knob that was clicked, or empty.
-    const std::string& clicked() const { return clicked_; }
-
-private:
-    struct Piece {
-        std::string text;
-        Look look;
-        bool goes_on;  ///< in the box of the word before
-    };
-    static float gap(const Look& look) { return look.face->FontSize * (look.boxed ? 0.6f : 0.36f); }
-    static float width_of(const Piece& piece) {
-        const char* const text = piece.text.c_str();
-        return piece.look.face->CalcTextSizeA(piece.look.face->FontSize, FLT_MAX, 0, text, text + piece.text.size()).x;
-    }
-
-    void flush() {
-        float whole = 0;
-        for (const Piece& piece : word_) whole += width_of(piece);
-        if (x_ > 0 && x_ + whole > width_) x_ = 0, y_ += line_;
-        for (Piece& piece : word_) {
-            while (x_ + width_of(piece) > width_) {
-                ImFont* const face = piece.look.face;
-                const char* const text = piece.text.c_str();
-                const char* rest = nullptr;
-                face->CalcTextSizeA(face->FontSize, std::max(1.0f, width_ - x_), 0, text, text + piece.text.size(),
-                                    &rest);
-                size_t count = size_t(rest - text);
-                while (count < piece.text.size() && (piece.text[count] & 0xc0) == 0x80) ++count;  // whole characters
-                if (count >= piece.text.size() || (count == 0 && x_ == 0)) break;
-                put({piece.text.substr(0, count), piece.look, piece.goes_on});
-                piece.text.erase(0, count);
-                x_ = 0, y_ += line_;
-            }
-            put(piece);
-        }
-        word_.clear();
-    }
-
-    void put(const Piece& piece) {
-        const float width = width_of(piece), size = piece.look.face->FontSize;
-        if (visible_) {
-            ImDrawList& list = *ImGui::GetWindowDrawList();
-            const ImVec2 at{std::floor(corner_.x + x_), std::floor(corner_.y + y_ + (line_ - size) / 2)};
-            if (piece.look.boxed && !piece.text.empty()) {
-                const bool goes_on = piece.goes_on && x_ > 0;
-                list.AddRectFilled({at.x - (goes_on ? gap(piece.look) : 2), at.y - 1},
-                                   {at.x + width + 2, at.y + size + 1}, code_back, 3,
-                                   goes_on ? ImDrawFlags_RoundCornersRight : ImDrawFlags_RoundCornersAll);
-            }
-            list.AddText(piece.look.face, size, at, piece.look.color, piece.text.c_str(),
-                         piece.text.c_str() + piece.text.size());
-            if (!piece.look.knob.empty() && ImGui::IsWindowHovered() &&
-                ImGui::IsMouseHoveringRect({at.x - 2, at.y - 1}, {at.x + width + 2, at.y + size + 1})) {
-                list.AddLine({at.x, at.y + size}, {at.x + width, at.y + size}, piece.look.color);
-                ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-                if (ImGui::IsMouseReleased(0)) clicked_ = piece.look.knob;
-            }
-        }
-        x_ += width;
-        widest_ = std::max(widest_, x_);
-    }
-
-    ImVec2 corner_;
-    float width_;
-    FontRole base_;
-    bool visible_;
-    float line_, x_ = 0, y_ = 0, widest_ = 0;
-    std::vector<Piece> word_;
-    std::string clicked_;
-};
 
 /// The first word of a text, without what ends a clause.
 std::string first_word(const std::string& text) {
@@ -173,6 +52,23 @@ void draw_code(const std::string& text, float width) {
     ImGui::Dummy({width, size.y + 2 * margin});
 }
 
+/// Each column as wide as it would like. When that is too much, those up to `whole` wide stay so where there is room,
+/// the others have their longest word, and all the same share of what they lack; when not even words fit they are cut.
+std::vector<float> column_widths(const std::vector<float>& wanted, const std::vector<float>& words, float whole,
+                                 float room) {
+    const auto sum = [](const std::vector<float>& all) { return std::accumulate(all.begin(), all.end(), 0.0f); };
+    if (sum(wanted) <= room) return wanted;
+    std::vector<float> widths = words;
+    for (size_t column = 0; column < widths.size(); ++column)
+        if (wanted[column] <= whole) widths[column] = wanted[column];
+    if (sum(widths) > room) widths = words;
+    if (sum(widths) > room) widths.assign(widths.size(), 0);
+    const float share = (room - sum(widths)) / (sum(wanted) - sum(widths));
+    for (size_t column = 0; column < widths.size(); ++column)
+        widths[column] += share * (wanted[column] - widths[column]);
+    return widths;
+}
+
 Spans in_bold(Spans spans) {
     for (Span& span : spans) span.bold = true;
     return spans;
@@ -189,7 +85,7 @@ void Handout::open(const LabEntry& lab) {
 
 void Handout::close() {
     open_ = false;
-    text_.clear(), problem_.clear(), blocks_.clear();
+    text_.clear(), problem_.clear(), blocks_.clear(), formulas_.clear();
     pictures_.clear();
 }
 
@@ -208,6 +104,12 @@ bool Handout::look() {
     }
     if (text_ == text_before && problem_ == problem_before) return false;
     blocks_ = parse_markdown(text_);
+    formulas_.clear();
+    for (const Block& block : blocks_) try {
+            if (block.language == "formula") formulas_[&block] = formula_lines(block.text);
+        } catch (const Error&) {
+            // It stays as it is written.
+        }
     pictures_.clear();
     return true;
 }
@@ -297,7 +199,12 @@ void Handout::draw_block(const Block& block, float width) {
             break;
         }
         case BlockKind::code:
-            if (block.language != "measured") {
+            if (const auto formulas = formulas_.find(&block); formulas != formulas_.end()) {
+                const FormulaBlock typeset(formulas->second, width - indent);
+                const ImVec2 at = ImGui::GetCursorScreenPos();
+                typeset.draw({at.x + indent, at.y});
+                ImGui::Dummy({width, typeset.height()});
+            } else if (block.language != "measured") {
                 draw_code(block.text, width);
             } else if (ImGui::TreeNode(&block, "How it was measured")) {
                 draw_code(block.text, width);
@@ -316,31 +223,23 @@ void Handout::draw_block(const Block& block, float width) {
 }
 
 void Handout::draw_table(const Block& block, float width) {
-    const float em = font(FontRole::text)->FontSize, padding = em * 0.6f;
+    const float em = font(FontRole::text)->FontSize;
     const size_t columns = block.rows.front().size();
     const auto cell = [&](size_t row, size_t column) {
         return with_links(row == 0 ? in_bold(block.rows[row][column]) : block.rows[row][column]);
     };
-    // Each column as wide as it would like; when that is too much, those that want more than their share divide what
-    // the modest ones leave.
-    std::vector<float> widths(columns, 0);
+    std::vector<float> wanted(columns, 0), least(columns, 0);
     for (size_t row = 0; row < block.rows.size(); ++row)
         for (size_t column = 0; column < columns; ++column) {
             TextLayout layout({}, std::numeric_limits<float>::max(), FontRole::text, false);
             layout.set(cell(row, column));
-            widths[column] = std::max(widths[column], layout.widest() + 1);
+            wanted[column] = std::max(wanted[column], layout.widest() + 1);
+            least[column] = std::max(least[column], layout.widest_word() + 1);
         }
-    float left = std::max(1.0f, width - padding * 2 * float(columns));
-    std::vector<float> sorted = widths;
-    std::sort(sorted.begin(), sorted.end());
-    float share = left;
-    for (size_t i = 0; i < columns; ++i) {
-        share = left / float(columns - i);
-        if (sorted[i] > share) break;
-        left -= sorted[i];
-        share = std::numeric_limits<float>::max();
-    }
-    for (float& each : widths) each = std::min(each, share);
+    const float words = std::accumulate(least.begin(), least.end(), 0.0f);
+    const float padding = em * (words + 1.2f * em * float(columns) > width ? 0.3f : 0.6f);
+    const std::vector<float> widths =
+        column_widths(wanted, least, 6 * em, std::max(1.0f, width - padding * 2 * float(columns)));
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 corner = ImGui::GetCursorScreenPos();

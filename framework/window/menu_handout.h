@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/base/formula.h"
 #include "framework/base/markdown.h"
 #include "framework/gl/texture.h"
 #include "framework/lab/knobs.h"
@@ -43,6 +44,7 @@ private:
     std::filesystem::path file_;
     std::string text_, problem_;
     std::vector<Block> blocks_;
+    std::map<const Block*, std::vector<std::vector<FormulaCell>>> formulas_;  ///< of blocks that are formulas
     std::vector<KnobText> knobs_;
     std::string clicked_;                      ///< "name" or "name=value", of the present frame
     std::map<std::string, Texture> pictures_;  ///< by target

@@ -26,7 +26,7 @@ constexpr Line looks[] = {{"click", "hold the values of a pixel of a probe"},
                           {"S, F12", "save the picture"},
                           {"H", "the picture alone, without header, panel and status"}};
 constexpr Line places[] = {{"left, right", "the lab before, the next lab"},
-                           {"Ctrl+F, /", "search labs, knobs and checks"},
+                           {"Ctrl+F, /", "search labs, knobs, probes and checks"},
                            {"F1", "handout; up, down, Page Up and Page Down scroll it"},
                            {"Ctrl +, Ctrl -", "larger, smaller; Ctrl+0: as at first"},
                            {"Ctrl+E", "the line of a shader's error in your editor"},
@@ -51,11 +51,10 @@ void draw_lines(const char* title, const Line (&lines)[count], float keys_width)
 void draw_help(const Box& picture, float scale, bool& open) {
     if (!open) return;
     const float width = std::min(520 * scale, ImGui::GetIO().DisplaySize.x - 32 * scale);
-    const ImVec2 middle{float(picture.at.x) + float(picture.size.x) / 2,
-                        float(picture.at.y) + float(picture.size.y) / 2};
-    // Beside a narrow picture it covers the panel, too.
-    const float x = std::clamp(middle.x - width / 2, 8.0f, std::max(8.0f, ImGui::GetIO().DisplaySize.x - width - 8));
-    ImGui::SetNextWindowPos({x, middle.y}, ImGuiCond_Always, {0, 0.5f});
+    const float middle = float(picture.at.x) + float(picture.size.x) / 2;
+    // Beside a narrow picture it covers the panel, too, and however low the window, no line stands outside of it.
+    const float x = std::clamp(middle - width / 2, 8.0f, std::max(8.0f, ImGui::GetIO().DisplaySize.x - width - 8));
+    ImGui::SetNextWindowPos({x, ImGui::GetIO().DisplaySize.y / 2}, ImGuiCond_Always, {0, 0.5f});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, ImGui::GetIO().DisplaySize.y - 16});
     ImGui::SetNextWindowBgAlpha(0.97f);
     ImGui::Begin("keys", &open,

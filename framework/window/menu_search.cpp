@@ -4,7 +4,9 @@
 #include <cctype>
 #include <utility>
 
+#include "framework/base/error.h"
 #include "framework/lab/knob_help.h"
+#include "framework/lab/lab.h"
 #include "framework/window/menu_checks.h"
 #include "framework/window/menu_header.h"
 #include "framework/window/menu_stage.h"
@@ -23,39 +25,56 @@ std::string plain_words(std::string text) {
 
 }  // namespace
 
+void Search::add(const LabEntry& lab, const Manifest& manifest, const std::vector<KnobText>& knobs,
+                 std::vector<Found>& all, const std::string& place) {
+    const auto add = [&](const char* kind, const std::string& name, const std::string& note) -> MenuWish& {
+        Found& found = all.emplace_back(Found{kind, name, note, place, {}});
+        if (!place.empty()) found.wish.lab = &lab;
+        return found.wish;
+    };
+    for (const KnobText& knob : knobs) add("knob", knob.name, read_help(knob.help).sentence).knob = knob.name;
+    for (const ProbeInfo& probe : manifest.probes) add("probe", probe.name, probe.unit).probe = probe.name;
+    for (const CheckInfo& check : manifest.checks) add("check", check.name, check.task).check = check.name;
+}
+
+void Search::learn_of_labs() {
+    if (!others_.empty()) return;
+    for (const LabEntry& lab : registry()) try {
+            add(lab, load_manifest(lab), describe_knobs(*lab.make()), others_, "lab " + lab.two_digits());
+        } catch (const Error&) {
+            // Whoever opens that lab sees what is wrong.
+        }
+}
+
 std::vector<Search::Found> Search::find(const Stage& stage, const Checks& checks) const {
     std::vector<Found> all;
-    if (stage.lab())
-        for (const KnobText& knob : describe_knobs(*stage.lab())) {
-            Found& found = all.emplace_back(Found{"knob", knob.name, read_help(knob.help).sentence, {}});
-            found.wish.knob = knob.name;
-        }
-    for (const ProbeInfo& probe : stage.manifest().probes) {
-        Found& found = all.emplace_back(Found{"probe", probe.name, probe.unit, {}});
-        found.wish.probe = probe.name;
-    }
-    for (const CheckInfo& check : checks.manifest().checks) {
-        Found& found = all.emplace_back(Found{"check", check.name, check.task, {}});
-        found.wish.check = check.name;
-    }
+    add(stage.entry(), checks.manifest(), stage.lab() ? describe_knobs(*stage.lab()) : std::vector<KnobText>(), all,
+        "");
     for (const LabEntry& lab : registry()) {
-        Found& found = all.emplace_back(Found{"lab", title_of(lab), lab.name, {}});
+        Found& found = all.emplace_back(Found{"lab", title_of(lab), lab.name, "", {}});
         found.wish.lab = &lab;
     }
     const std::string wanted = plain_words(text_);
     std::vector<Found> result;
-    // Names first, then what is said of them.
-    for (const bool by_name : {true, false})
-        for (Found& found : all) {
+    // Names first, then what is said of them; this lab's first, then the others'.
+    const auto take = [&](const std::vector<Found>& from, bool by_name) {
+        for (const Found& found : from) {
             const bool in_name = plain_words(found.name).find(wanted) != std::string::npos;
             const bool in_note = plain_words(found.note).find(wanted) != std::string::npos;
+            if (found.wish.lab == &stage.entry() && !found.place.empty()) continue;
             if (by_name ? in_name : in_note && !in_name) result.push_back(found);
         }
+    };
+    take(all, true);
+    if (!wanted.empty()) take(others_, true);
+    take(all, false);
+    if (!wanted.empty()) take(others_, false);
     return result;
 }
 
 void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWish& wish) {
     if (std::exchange(wanted_, false)) {
+        learn_of_labs();
         ImGui::OpenPopup("search");
         text_[0] = 0;
         marked_ = 0;
@@ -77,7 +96,7 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
     marked_ = std::clamp(marked_, 0, std::max(0, count - 1));
     const MenuWish* taken = nullptr;
     if (count > 0 && (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter))) taken = &found[size_t(marked_)].wish;
-    if (count == 0) quiet_text("No lab, and no knob, probe or check of this lab, has that in its name or its help.");
+    if (count == 0) quiet_text("No lab, knob, probe or check has that in its name or its help.");
     for (int i = 0; i < count; ++i) {
         const Found& one = found[size_t(i)];
         ImGui::PushID(i);
@@ -88,6 +107,10 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
         ImGui::SameLine(left + 56 * scale);
         ImGui::TextUnformatted(one.name.c_str());
         ImGui::SameLine();
+        if (!one.place.empty()) {
+            ImGui::TextColored(accent, "%s", one.place.c_str());
+            ImGui::SameLine();
+        }
         ImGui::TextColored(quiet, "%s", one.note.c_str());
         ImGui::PopID();
     }

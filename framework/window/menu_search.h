@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/lab/knobs.h"
 #include "framework/window/menu_layout.h"
 #include "framework/window/menu_wish.h"
 
@@ -11,6 +12,7 @@ namespace relief {
 
 class Checks;
 class Stage;
+struct Manifest;
 
 class Search {
 public:
@@ -23,10 +25,17 @@ public:
 private:
     struct Found {
         std::string kind, name, note;
+        std::string place;  ///< another lab, or empty
         MenuWish wish;
     };
+    /// What a lab has beside its title.
+    static void add(const LabEntry& lab, const Manifest& manifest, const std::vector<KnobText>& knobs,
+                    std::vector<Found>& all, const std::string& place);
+    /// Once: what all labs have.
+    void learn_of_labs();
     std::vector<Found> find(const Stage& stage, const Checks& checks) const;
 
+    std::vector<Found> others_;
     bool wanted_ = false, open_ = false, closing_ = false;
     char text_[80] = "";
     int marked_ = 0;

@@ -13,19 +13,30 @@ constexpr ImWchar characters[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2010, 0x205f
                                   0x209f, 0x2100, 0x214f, 0x2190, 0x21ff, 0x2200, 0x22ff,
                                   0x2500, 0x257f, 0x25a0, 0x25ff, 0x2713, 0x2717, 0};
 
+// What formulas are written with (framework/base/formula.h), and their words.
+constexpr ImWchar formula_characters[] = {0x20,   0x17f,  0x391,  0x3c9,  0x2032, 0x2032, 0x2192, 0x2192, 0x21d4,
+                                          0x21d4, 0x2200, 0x2211, 0x2212, 0x221a, 0x2260, 0x2265, 0};
+constexpr ImWchar sum_characters[] = {0x2211, 0x2211, 0};
+
 void load_fonts(float scale) {
     struct File {
         const char* name;
         float size;
+        const ImWchar* ranges = characters;
     };
     // By FontRole. Without the files Dear ImGui's own font stands in for all.
-    static constexpr File files[] = {
-        {"DejaVuSans.ttf", 15}, {"DejaVuSans-Bold.ttf", 15}, {"DejaVuSans-Bold.ttf", 21}, {"DejaVuSansMono.ttf", 14}};
+    static constexpr File files[] = {{"DejaVuSans.ttf", 15},
+                                     {"DejaVuSans-Bold.ttf", 15},
+                                     {"DejaVuSans-Bold.ttf", 21},
+                                     {"DejaVuSansMono.ttf", 14},
+                                     {"DejaVuSerif.ttf", 17, formula_characters},
+                                     {"DejaVuSerif.ttf", 12.5f, formula_characters},
+                                     {"DejaVuSerif.ttf", 25, sum_characters}};
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     for (const File& file : files)
         if (exists(fonts / file.name))
-            atlas.AddFontFromFileTTF((fonts / file.name).c_str(), file.size * scale, nullptr, characters);
+            atlas.AddFontFromFileTTF((fonts / file.name).c_str(), file.size * scale, nullptr, file.ranges);
         else
             atlas.AddFontDefault();
 }

@@ -14,7 +14,8 @@ inline const ImVec4 accent{0.90f, 0.54f, 0.36f, 1}, quiet{0.62f, 0.63f, 0.65f, 1
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-enum class FontRole { text, bold, title, code };
+/// Of formulas: on the line, in scripts, and sums.
+enum class FontRole { text, bold, title, code, formula, script, sum };
 
 /// Colours, sizes and fonts, between two frames. The texture of the fonts is then that of another scale.
 void style_menu(float scale);

@@ -80,9 +80,8 @@ private:
     }
 
     const TexelTarget& codes_of(glm::ivec2 size) {
-        return *codes_.get({size}, [&] {
-            return std::make_unique<TexelTarget>(size, std::initializer_list<GLenum>{GL_RGBA32F});
-        });
+        return *codes_.get(
+            {size}, [&] { return std::make_unique<TexelTarget>(size, std::initializer_list<GLenum>{GL_RGBA32F}); });
     }
 
     void draw_sphere(const Frame& frame, const Tile& tile, const Program& sphere) const {
@@ -130,7 +129,9 @@ private:
     void describe(glm::ivec2 size, const Tile& tile, int format, const ErrorSummary& error) {
         const storage::Format& about = storage::formats[size_t(format)];
         labels_.caption(size, tile, 0, about.title);
-        labels_.caption(size, tile, -2, fmt::format("mean {}~ max {}~", rounded(error.mean), rounded(error.largest)));
+        if (error.count > 0)
+            labels_.caption(size, tile, -2,
+                            fmt::format("mean {}~ max {}~", rounded(error.mean), rounded(error.largest)));
         if (!mismatch_)
             labels_.caption(size, tile, -1,
                             fmt::format("{} {}~ {}~", about.source, rounded(about.mean), rounded(about.largest)),

@@ -200,10 +200,18 @@ private:
             glBindTexture(GL_TEXTURE_2D, heights);
             map.fill(nothing_);
         }
-        if (has_known_slope())
+        if (has_known_slope() && (where_ == cpu || is_written(map)))
             map.error =
                 summarize(error_image(map.read(3), heights::exact_normals(size(), texels()), ErrorMetric::angle));
         return map;
+    }
+
+    /// Whether normals are the student's, not what stands in for them.
+    static bool is_written(const heights::Map& normals) {
+        const Image image = normals.read(4);
+        for (size_t i = 3; i < image.values.size(); i += 4)
+            if (image.values[i] < 0.5f) return false;
+        return true;
     }
 
     /// How glossy what is left of a texel and its neighbours is, by the length of their mean normal (Toksvig 2005): 1

@@ -163,6 +163,7 @@ Baked::Report Baker::report(const Baked& baked) {
     for (size_t i = 0; i < texels.values.size(); i += 4) {
         if (texels.values[i + 3] == 0) continue;
         ++covered, missed += hits.values[i + 1] == 0, wrong += hits.values[i + 1] > 1.5f;
+        report->unwritten = std::max(report->unwritten, int(hits.values[i + 2]));
     }
     report->missed = double(missed) / double(std::max<size_t>(1, covered));
     report->wrong = double(wrong) / double(std::max<size_t>(1, covered));

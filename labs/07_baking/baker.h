@@ -48,6 +48,7 @@ struct Baked {
     struct Report {
         double missed = 0, wrong = 0;
         int covered_twice = 0;
+        int unwritten = 0;  ///< without task 7.1 or 7.2 nothing is known of rays: 1 or 2, else 0
     };
 };
 

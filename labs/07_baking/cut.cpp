@@ -68,7 +68,10 @@ std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Ima
         for (int j = 0; j < texels; ++j) {
             const Place here = place_of(whorl, s, (j + 0.5) / texels);
             const float* const hit = hits.pixel(column, recipe.size - 1 - (begin + j));
-            const glm::vec3 color = hit[1] == 0 ? miss_color : hit[1] < 1.5f ? hit_color : wrong_color;
+            const glm::vec3 color = hit[2] > 0      ? unwritten_color
+                                    : hit[1] == 0   ? miss_color
+                                    : hit[1] < 1.5f ? hit_color
+                                                    : wrong_color;
             const double end = hit[1] == 0 ? -reach : double(hit[0]);
             add(here.position + reach * here.outwards, here.position + end * here.outwards, color,
                 color == hit_color ? 0.7f : 1.6f);

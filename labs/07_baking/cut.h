@@ -15,6 +15,7 @@ struct CutLine {
 /// `share` of a turn is where the cut is. `hits` is the second texture of a bake of this recipe.
 std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Image& hits, float share);
 
-constexpr glm::vec3 hit_color{0.36f, 0.78f, 0.42f}, miss_color{0.93f, 0.28f, 0.20f}, wrong_color{0.68f, 0.36f, 0.95f};
+constexpr glm::vec3 hit_color{0.36f, 0.78f, 0.42f}, miss_color{0.93f, 0.28f, 0.20f}, wrong_color{0.68f, 0.36f, 0.95f},
+    unwritten_color{0.85f, 0.0f, 0.85f};
 
 }  // namespace relief::baking

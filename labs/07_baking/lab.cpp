@@ -270,8 +270,10 @@ private:
     void describe(glm::ivec2 size, const Tile& tile, const Baked::Report& report) {
         const Recipe recipe = this->recipe(Shape(shape_));
         labels_.caption(size, tile, 0,
-                        fmt::format("{:.1f} % of the texels meet nothing, {:.1f} % another part", 100 * report.missed,
-                                    100 * report.wrong));
+                        report.unwritten > 0
+                            ? fmt::format("task 7.{} is not written yet: no ray has a hit", report.unwritten)
+                            : fmt::format("{:.1f} % of the texels meet nothing, {:.1f} % another part",
+                                          100 * report.missed, 100 * report.wrong));
         const double needed = reach_needed(recipe.model, low_finenesses[size_t(recipe.low)]);
         if (double(recipe.reach) < needed)
             labels_.caption(size, tile, -1,

@@ -395,7 +395,8 @@ private:
             static constexpr std::array titles = {"nearest texel", "mip levels", "4 taps", "16 taps"};
             for (size_t i = 0; i < views.size(); ++i) {
                 labels_.caption(frame.size, views[i].tile, 0, titles[i]);
-                labels_.caption(frame.size, views[i].tile, -1, fmt::format("{:.1f} % off", 100 * measure(i, views[i])));
+                if (const double error = measure(i, views[i]); std::isfinite(error))
+                    labels_.caption(frame.size, views[i].tile, -1, fmt::format("{:.1f} % off", 100 * error));
             }
         }
         if (view_ == garden) {
@@ -442,11 +443,11 @@ private:
         }
     }
 
-    /// How far the colours of a filter are from 1024 samples, as a share of their mean.
+    /// How far the colours of a filter are from 1024 samples, as a share of their mean; infinity before it is written.
     double measure(size_t place, const View& view) {
         std::vector<std::string> knobs;
         for (const KnobText& knob : describe_knobs(*this)) knobs.push_back(knob.value);
-        return errors_[place].get({knobs}, [&] {
+        return errors_[place].get({knobs, surface_.renewals()}, [&] {
             const glm::ivec2 size(48, 32);
             const Image drawn = draw_numbers(size, [&] {
                 const Orbit low{.yaw = -12, .pitch = 5, .distance = 7, .target = {-0.3, 0, -1}, .field_of_view = 40};
@@ -455,7 +456,7 @@ private:
             double off = 0, sum = 0;
             for (size_t i = 0; i < drawn.values.size(); i += 4)
                 if (std::isfinite(drawn.values[i])) off += double(drawn.values[i]), sum += double(drawn.values[i + 1]);
-            return sum > 0 ? off / sum : 0.0;
+            return sum > 0 ? off / sum : HUGE_VAL;
         });
     }
 
@@ -477,7 +478,8 @@ private:
                 const std::string name = row == 0 ? fmt::format("above {:.2f}", threshold_)
                                                   : std::array{"", "kept", "kept, smooth", "alpha"}[size_t(row)];
                 labels_.caption(frame.size, tile, 0, fmt::format("{}, level {}", name, level));
-                labels_.caption(frame.size, tile, -1, fmt::format("{:.1f} %", 100 * measure_level(level, method)));
+                if (const double share = measure_level(level, method); std::isfinite(share))
+                    labels_.caption(frame.size, tile, -1, fmt::format("{:.1f} %", 100 * share));
             }
     }
 
@@ -495,7 +497,7 @@ private:
     }
 
     double measure_level(int level, int method) {
-        return coverages_[size_t(method * levels_shown + level)].get({threshold_}, [&] {
+        return coverages_[size_t(method * levels_shown + level)].get({threshold_, levels_.renewals()}, [&] {
             return double(draw_numbers({1, 1}, [&] { draw_level(level, method, "MEASURE"); }).values[0]);
         });
     }
@@ -525,8 +527,8 @@ private:
     mutable std::array<Kept<std::unique_ptr<Loaded>, int>, 2> scenes_;  ///< without maps, and with them; by file
     std::optional<Texture> masks_;
     std::vector<float> level_scales_;
-    std::array<Kept<double, std::vector<std::string>>, 4> errors_;
-    std::array<Kept<double, float>, 4 * levels_shown> coverages_;
+    std::array<Kept<double, std::vector<std::string>, int>, 4> errors_;
+    std::array<Kept<double, float, int>, 4 * levels_shown> coverages_;
     Labels labels_;
 
     int view_ = garden, file_ = garden_file, maps_ = maps_on, programs_ = 0, order_ = sorted, blend_in_ = 0,

@@ -23,11 +23,11 @@ public:
     void draw(const Frame& frame) override {
         const auto sights = sights_of(frame);
         const bool words = !frame.probe && (view_ == strip || show_ != light);
-        const std::vector<double> means = words ? measure(sights) : std::vector<double>();
+        const std::vector<ErrorSummary> found = words ? measure(sights) : std::vector<ErrorSummary>();
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (const Sight& sight : sights) draw_tile(sight);
-        if (words) describe(frame.size, sights, means);
+        if (words) describe(frame.size, sights, found);
         labels_.draw(frame);
     }
 
@@ -138,8 +138,9 @@ private:
         surface_.draw();
     }
 
-    /// Each sight's mean error in texels, over 64 x 64 of its rays, by the shader's own functions.
-    const std::vector<double>& measure(const std::vector<Sight>& sights) {
+    /// Each sight's error in texels, over 64 x 64 of its rays, by the shader's own functions: of no pixels before they
+    /// are written.
+    const std::vector<ErrorSummary>& measure(const std::vector<Sight>& sights) {
         std::vector<GLuint> programs;
         std::vector<glm::dmat4> cameras;
         std::vector<std::string> knobs;
@@ -148,7 +149,7 @@ private:
             cameras.push_back(sight.frame.camera.clip_from_world());
         }
         for (const KnobText& knob : describe_knobs(*this)) knobs.push_back(knob.value);
-        return means_.get({programs, cameras, knobs}, [&] {
+        return errors_.get({programs, cameras, knobs}, [&] {
             constexpr int side = 64;
             const Image drawn = draw_numbers({side, side * int(sights.size())}, [&] {
                 for (size_t i = 0; i < sights.size(); ++i) {
@@ -156,24 +157,24 @@ private:
                     draw_relief(sights[i], "MEASURE");
                 }
             });
-            std::vector<double> means;
+            std::vector<ErrorSummary> found;
             for (int i = 0; i < int(sights.size()); ++i) {
                 Image errors(side, side, 1);
                 for (size_t pixel = 0; pixel < errors.values.size(); ++pixel)
                     errors.values[pixel] = drawn.pixel(0, side * (int(sights.size()) - 1 - i))[pixel * 4];
-                means.push_back(summarize(errors).mean);
+                found.push_back(summarize(errors));
             }
-            return means;
+            return found;
         });
     }
 
-    void describe(glm::ivec2 size, const std::vector<Sight>& sights, const std::vector<double>& means) {
+    void describe(glm::ivec2 size, const std::vector<Sight>& sights, const std::vector<ErrorSummary>& found) {
         for (size_t i = 0; i < sights.size(); ++i) {
             const auto& [tile, frame, method, degrees] = sights[i];
             const bool one_angle = view_ == strip && surface_.shape == ReliefSurface::wall;
             const std::string name = methods[size_t(method)];
             labels_.caption(size, tile, 0, one_angle ? fmt::format("{} {}~", name, degrees) : name);
-            labels_.caption(size, tile, -1, amount_of(means[i], "texel"));
+            if (found[i].count > 0) labels_.caption(size, tile, -1, amount_of(found[i].mean, "texel"));
         }
         if (show_ != light) labels_.log_scale(size, "0.01", "100 texels", 4);
     }
@@ -181,7 +182,7 @@ private:
     Programs program_{"common/relief.vert", "10_parallax_offset/surface.frag"};
     ReliefSurface surface_;
     Labels labels_;
-    Kept<std::vector<double>, std::vector<GLuint>, std::vector<glm::dmat4>, std::vector<std::string>> means_;
+    Kept<std::vector<ErrorSummary>, std::vector<GLuint>, std::vector<glm::dmat4>, std::vector<std::string>> errors_;
     DistantLight light_;
 
     int view_ = strip, method_ = 2, steps_ = 32, show_ = half_and_half;

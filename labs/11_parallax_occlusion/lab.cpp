@@ -102,6 +102,7 @@ private:
 
     struct Figures {
         double mean = 0, wrong = 0, heights_read = 0;
+        int pixels = 0;  ///< none before the tasks are written
     };
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         if (view_ == one) return tiles_of(size, 1);
@@ -155,21 +156,21 @@ private:
 
     static Figures figures_of(const Image& drawn) {
         Figures figures;
-        double pixels = 0;
         for (size_t i = 0; i < drawn.pixel_count(); ++i) {
             const float* const pixel = drawn.values.data() + i * 4;
-            if (pixel[3] >= 0) continue;  // background
-            ++pixels;
+            if (pixel[3] >= 0) continue;  // background, or a task is not written
+            ++figures.pixels;
             figures.mean += double(pixel[0]);
             figures.heights_read += double(pixel[1]);
             figures.wrong += pixel[0] > 1;
         }
-        for (double* sum : {&figures.mean, &figures.wrong, &figures.heights_read}) *sum /= std::max(1.0, pixels);
+        for (double* sum : {&figures.mean, &figures.wrong, &figures.heights_read}) *sum /= std::max(1, figures.pixels);
         return figures;
     }
 
     void describe(glm::ivec2 size, const Tile& tile, const Method& method, const Figures& figures) {
         labels_.caption(size, tile, 0, method.title);
+        if (figures.pixels == 0) return;
         labels_.caption(
             size, tile, -2,
             fmt::format("off {} texels, {} % wrong", rounded(figures.mean), rounded(100 * figures.wrong, 2)));

@@ -109,13 +109,14 @@ private:
         return *skips_[&surface].get({surface.version()}, [&] { return std::make_unique<Skips>(surface.heights()); });
     }
 
-    void draw_object(const Frame& frame, const Object& object, Method method, float turns_from) {
+    void draw_object(const Frame& frame, const Object& object, Method method, float turns_from,
+                     const Define& purpose = "") {
         const ReliefSurface& surface = *object.surface;
         Skips& skips = skips_of(surface);
         const double radius = object.radius(outline_);
         const Program& program = surface_program_.with(
             {frame.probe, method_defines[method], frame.probe ? "" : shadow_defines[size_t(shadow_)],
-             write_depth_ ? "WRITE_DEPTH" : "", outline_ ? "OUTLINE" : "", radius > 0 ? "CURVED" : ""});
+             write_depth_ ? "WRITE_DEPTH" : "", outline_ ? "OUTLINE" : "", radius > 0 ? "CURVED" : "", purpose});
         glUseProgram(program);
         surface.set(program, frame, object.world_from_model);
         skips.set(program, method);
@@ -142,12 +143,12 @@ private:
         glDrawElements(GL_TRIANGLES, ball_.count(), GL_UNSIGNED_INT, nullptr);
     }
 
-    /// Mean iterations over a small copy of the picture.
+    /// Mean iterations over a small copy of the picture; infinity before the tasks are written.
     double measure(Frame frame, Method method) {
         frame.probe = {"steps"};
         frame.size = {64, 64};
         const Image steps = draw_numbers(frame.size, [&] {
-            for (const Object& object : objects()) draw_object(frame, object, method, 0);
+            for (const Object& object : objects()) draw_object(frame, object, method, 0, "MEASURE");
         });
         double sum = 0, count = 0;
         for (size_t i = 0; i < steps.values.size(); i += 4)
@@ -155,12 +156,12 @@ private:
                 sum += double(steps.values[i]);
                 ++count;
             }
-        return count > 0 ? sum / count : 0;
+        return count > 0 ? sum / count : HUGE_VAL;
     }
 
     void describe(glm::ivec2 size, const Tile& tile, Method method, double iterations) {
         labels_.caption(size, tile, 0, method_names[method]);
-        labels_.caption(size, tile, -1, fmt::format("{:.1f} iterations", iterations));
+        if (std::isfinite(iterations)) labels_.caption(size, tile, -1, fmt::format("{:.1f} iterations", iterations));
         if (!costs_) return;
         const Skips::Costs costs = skips_of(surface_).costs(method);
         labels_.caption(size, tile, -2, fmt::format("{:.1f} MB, {:.0f} ms", costs.megabytes, costs.milliseconds));

@@ -326,15 +326,16 @@ private:
         const float line = Labels::line_height(size), top = float(picture.size.y);
         labels_.rectangle({float(half) - 0.5f, 0.5f * top}, {1, 0.5f * top}, {1, 1, 1, 0.35f});
         for (int i = 0; i < 2; ++i)
-            labels_.text(fmt::format("{:.1f}~ off", measure(views[size_t(i) + 1])),
-                         {float(half) * (float(i) + 0.5f), top + 0.3f * line}, line, Align::centre);
+            if (const double error = measure(views[size_t(i) + 1]); std::isfinite(error))
+                labels_.text(fmt::format("{:.1f}~ off", error), {float(half) * (float(i) + 0.5f), top + 0.3f * line},
+                             line, Align::centre);
     }
 
-    /// Mean error of a rule in degrees, over the water before the eye.
+    /// Mean error of a rule in degrees, over the water before the eye; infinity before its task is written.
     double measure(const View& view) {
         std::vector<std::string> knobs;
         for (const KnobText& knob : describe_knobs(*this)) knobs.push_back(knob.value);
-        return means_[view.rule == mean ? 0 : 1].get({knobs}, [&] {
+        return means_[view.rule == mean ? 0 : 1].get({knobs, sea_.renewals()}, [&] {
             View square = view;
             square.tile = {{0, 0}, {48, 48}};
             const Image drawn = draw_numbers({48, 48}, [&] {
@@ -361,7 +362,7 @@ private:
     std::array<Texture, 2> normal_maps_ = {map_texture("normals", 0, &MapImages::normals),
                                            map_texture("normals", 1, &MapImages::normals)};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
-    std::array<Kept<double, std::vector<std::string>>, 2> means_;
+    std::array<Kept<double, std::vector<std::string>, int>, 2> means_;
     mutable Kept<std::vector<double>, std::array<double, 4>> segment_errors_;  ///< by amplitudes and tiles
     Labels labels_;
 

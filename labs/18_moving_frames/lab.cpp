@@ -358,17 +358,21 @@ private:
             draw_in(frame, {tile.corner + glm::ivec2(half.x, 0), {tile.size.x - half.x, half.y}},
                     {.name = "ERROR", .way = way}, false);
             labels_.caption(frame.size, tile, 0, ways[size_t(way)]);
-            const auto [mean, most] = measure(way);
-            labels_.caption(frame.size, tile, -1, fmt::format("{:.1f}~ off, {:.0f}~ at most", mean, most));
+            describe_error(frame.size, tile, way);
         }
         shape_ = kept_shape;
     }
 
     void draw_errors(const Frame& frame) {
         draw_in(frame, {{0, 0}, frame.size}, {.name = "ERROR", .way = way_, .unrolled = true}, false);
-        const auto [mean, most] = measure(way_);
         labels_.caption(frame.size, {{0, 0}, frame.size}, 0, ways[size_t(way_)]);
-        labels_.caption(frame.size, {{0, 0}, frame.size}, -1, fmt::format("{:.1f}~ off, {:.0f}~ at most", mean, most));
+        describe_error(frame.size, {{0, 0}, frame.size}, way_);
+    }
+
+    void describe_error(glm::ivec2 size, const Tile& tile, int way) {
+        const auto [mean, most] = measure(way);
+        if (std::isfinite(mean))
+            labels_.caption(size, tile, -1, fmt::format("{:.1f}~ off, {:.0f}~ at most", mean, most));
     }
 
     void draw_in(const Frame& frame, const Tile& tile, const Purpose& purpose, bool with_sky) {
@@ -383,12 +387,12 @@ private:
         draw_bodies(part, purpose, fine_skin_, fine_, {&body, 1});
     }
 
-    /// Mean and largest error of a way over the skin, in degrees: beside the normal with the gradient.
+    /// Mean and largest error of a way over the skin, in degrees, beside the normal with the gradient; infinity before
+    /// the tasks are written.
     std::pair<double, double> measure(int way) {
-        if (way == gradient) return {0, 0};
         std::vector<std::string> knobs;
         for (const KnobText& knob : describe_knobs(*this)) knobs.push_back(knob.value);
-        return measured_[size_t(way)].get({knobs}, [&] {
+        return measured_[size_t(way)].get({knobs, skin_.renewals()}, [&] {
             const glm::ivec2 size(64, 128);
             const Image drawn = draw_numbers(size, [&] {
                 const Frame frame{0, size, 0, Camera({}, 1), {}};
@@ -409,7 +413,7 @@ private:
     Texture scales_{"scales", [] { return make_scales(256); }};
     KeptSkin fine_skin_, coarse_skin_;
     mutable Kept<Ball, bool, Pose> ball_;
-    std::array<Kept<std::pair<double, double>, std::vector<std::string>>, 4> measured_;
+    std::array<Kept<std::pair<double, double>, std::vector<std::string>, int>, 4> measured_;
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
 

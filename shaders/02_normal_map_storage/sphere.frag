@@ -126,7 +126,7 @@ void main() {
 #ifdef STORE
     o_color = texel_of(stored(spread_direction()), true);
 #else
-    o_color = vec4(angle_degrees(read_back(texel_here().xyz), spread_direction()), 0.0, 0.0, 1.0);
+    o_color = measured(vec4(angle_degrees(read_back(texel_here().xyz), spread_direction()), 0.0, 0.0, 1.0));
 #endif
 }
 #elif defined PROBE_normal && !defined STORE

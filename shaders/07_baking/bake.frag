@@ -14,7 +14,7 @@ uniform float u_reach;  // metres at turn 3
 uniform float u_growth;
 
 layout(location = 0) out vec4 o_texel;  // the normal, from -1 to 1; w: covered, 2 where a task is missing
-layout(location = 1) out vec4 o_hit;    // height, metres; 0 a miss, 1 a hit, 2 another part of the model
+layout(location = 1) out vec4 o_hit;    // height, metres; 0 a miss, 1 a hit, 2 another part of the model; 1 or 2 without task 7.1 or 7.2
 
 float turn_here() {
     float whorl = clamp(floor((v_uv.y - 0.5 * u_layout.x) / u_layout.y), 0.0, 2.0);
@@ -29,14 +29,17 @@ void main() {
     vec3 ray_normal = v_normal;
 #endif
     float reach = u_reach * pow(u_growth, turn_here() - 3.0);
-    Found found = walk(bake_ray(v_position, ray_normal, reach), reach, v_position, outwards);
+    BakeRay ray = bake_ray(v_position, ray_normal, reach);
+    float unwritten = is_unfinished ? 1.0 : 0.0;
+    Found found = walk(ray, reach, v_position, outwards);
+    if (is_unfinished && unwritten == 0.0) unwritten = 2.0;
     vec3 normal = outwards;  // where nothing is met, the coarse model's own
-    o_hit = vec4(0.0, 0.0, 0.0, 1.0);
+    o_hit = vec4(0.0, 0.0, unwritten, 1.0);
     if (found.height < 1e29) {
         vec4 a = vertex_of(found.triangle, 0), b = vertex_of(found.triangle, 1), c = vertex_of(found.triangle, 2);
         normal = object_texel(a.xyz, b.xyz, c.xyz, found.weights);
         bool is_other = abs(a.w - turn_here()) > 0.5;
-        o_hit = vec4(found.height, is_other ? 2.0 : 1.0, 0.0, 1.0);
+        o_hit = vec4(found.height, is_other ? 2.0 : 1.0, unwritten, 1.0);
     }
 #ifndef OBJECT_SPACE
     normal = stored_normal(normal, frame_tangent(v_normal, v_tangent), frame_normal(v_normal));

@@ -40,7 +40,11 @@ void main() {
     float sum = 0.0;
     for (int i = 0; i < 4096; ++i)
         sum += share_at(fract((float(i) + 0.5) * vec2(0.7548776662, 0.5698402910)));
-    o_color = vec4(sum / 4096.0, 0.0, 0.0, 0.0);
+    vec4 share = vec4(sum / 4096.0, 0.0, 0.0, 0.0);
+#ifdef MEASURE
+    share = measured(share);
+#endif
+    o_color = share;
 #else
     vec2 size = vec2(textureSize(s_mask, u_level)), uv = u_part * (0.5 + 0.5 * v_clip);
     float cover = share_at((floor(uv * size) + 0.5) / size);

@@ -116,7 +116,7 @@ void main() {
     // How far this filter is from 1024 samples, as a share of white.
     vec3 exact = by_samples(s_colors, v_uv, dFdx(v_uv), dFdy(v_uv)).rgb;
     vec3 off = abs(filtered(s_colors, v_uv).rgb - exact);
-    o_color = vec4((off.r + off.g + off.b) / 3.0, (exact.r + exact.g + exact.b) / 3.0, 0.0, 0.0);
+    o_color = measured(vec4((off.r + off.g + off.b) / 3.0, (exact.r + exact.g + exact.b) / 3.0, 0.0, 0.0));
 #else
     vec4 shine = u_shine;
     if (HAS(HIGHLIGHT_MAP)) shine = specular_of(texture(s_highlights, v_uv));

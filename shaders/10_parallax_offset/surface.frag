@@ -89,7 +89,7 @@ void main() {
     float exact = cosine > 0.0 ? exact_hit(s_heights, s_windows, u_window_extent, v_uv, along, vec2(0.0, 1.0)) : 0.0;
     float texels = abs(t - exact) * length(along * vec2(textureSize(s_heights, 0)));
 #ifdef MEASURE
-    o_color = vec4(texels, 0.0, 0.0, 0.0);
+    o_color = measured(vec4(texels, 0.0, 0.0, 0.0));
 #else
     o_color = finished(vec4(heat((log2(max(texels, 1e-6)) / log2(10.0) + 2.0) / 4.0), 1.0), gl_FragCoord.xy);
 #endif

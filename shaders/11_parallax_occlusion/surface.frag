@@ -150,7 +150,7 @@ void main() {
 #elif defined PROBE_count
     o_color = vec4(steps_of(ray, vec2(textureSize(s_heights, 0))), 0.0, 0.0, 0.0);
 #elif defined MEASURE
-    o_color = vec4(off, float(heights_read), 0.0, -1.0);
+    o_color = measured(vec4(off, float(heights_read), 0.0, -1.0));
 #elif defined ERROR
     o_color = finished(vec4(heat((log2(max(off, 1e-6)) / log2(10.0) + 2.0) / 4.0), 1.0), gl_FragCoord.xy);
 #else

@@ -108,6 +108,9 @@ void main() {
     o_color = vec4(distance(u_eye, position), 0.0, 0.0, 0.0);
 #elif defined PROBE_steps
     o_color = vec4(float(hit.iterations), hit.stopped ? 1.0 : 0.0, 0.0, 0.0);
+#ifdef MEASURE
+    o_color = measured(o_color);
+#endif
 #elif defined PROBE_shadow
     o_color = vec4(lit_at(uv, height, u_to_light * frame, hit.iterations), 0.0, 0.0, 0.0);
 #else

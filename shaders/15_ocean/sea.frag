@@ -300,7 +300,7 @@ void main() {
     vec3 exact = normalize(cross(vec3(0.0, slope.y, 1.0), vec3(1.0, slope.x, 0.0)));
     float degrees_ = degrees(atan(length(cross(exact, normal)), dot(exact, normal)));
 #ifdef MEASURE
-    o_color = vec4(degrees_, 0.0, 0.0, 0.0);
+    o_color = measured(vec4(degrees_, 0.0, 0.0, 0.0));
 #else
     o_color = finished(vec4(heat(degrees_ / u_error_scale), 1.0), gl_FragCoord.xy);
 #endif

@@ -227,7 +227,7 @@ void main() {
     vec3 wrong = skin_normal(rest.normal, moves, WAY), right = skin_normal(rest.normal, moves, GRADIENT);
     float off = degrees_between(wrong, right);
 #ifdef MEASURE
-    o_color = vec4(off, 0.0, 0.0, 0.0);
+    o_color = measured(vec4(off, 0.0, 0.0, 0.0));
 #else
     o_color = finished(vec4(with_folds(heat(off / u_error_scale), moves), 1.0), gl_FragCoord.xy);
 #endif

@@ -13,6 +13,9 @@ mat2x4 unfinished(mat2x4 placeholder) { is_unfinished = true; return placeholder
 int unfinished(int placeholder) { is_unfinished = true; return placeholder; }
 ivec2 unfinished(ivec2 placeholder) { is_unfinished = true; return placeholder; }
 
+// Numbers that a lab measures, or +infinity, which is no measurement.
+vec4 measured(vec4 numbers) { return is_unfinished ? vec4(uintBitsToFloat(0x7f800000u)) : numbers; }
+
 vec4 finished(vec4 color, vec2 pixel) {
     if (!is_unfinished) return color;
     bool odd = mod(floor(pixel.x / 16.0) + floor(pixel.y / 16.0), 2.0) == 1.0;

@@ -459,7 +459,8 @@ TEST_F(CourseTest, ThePageShowsWhatIsExpectedOfAnUnfinishedTaskAndTheMessageOfAB
     course().edit(file, "unfinished(code)", "<cde>");
     EXPECT_EQ(course().relief({"check", "2", "-o", "broken.html"}).code, 1);
     const std::string broken = read_all(course().path() / "broken.html");
-    EXPECT_TRUE(contains(broken, "a missing ; stands at the end of the line before"));
+    EXPECT_EQ(count(broken, "a missing ; stands at the end of the line before"), count(broken, "<section"))
+        << "once in a task";
     EXPECT_TRUE(contains(broken, "<dt>message</dt><dd>" + file)) << "with its place";
 }
 

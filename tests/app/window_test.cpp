@@ -26,9 +26,9 @@ bool eventually(Condition condition) {
 /// An X server on the first display that is free.
 class Screen {
 public:
-    Screen() {
+    explicit Screen(const std::string& size) {
         server_ = std::make_unique<Process>(
-            std::vector<std::string>{"bash", "-c", "exec Xvfb -displayfd 2 -screen 0 1300x800x24 -nolisten tcp 2>&2"});
+            std::vector<std::string>{"bash", "-c", "exec Xvfb -displayfd 2 -screen 0 " + size + " -nolisten tcp 2>&2"});
         eventually([&] { return !number().empty(); });
     }
     std::string display() const { return ":" + number(); }
@@ -59,6 +59,7 @@ struct Place {
 
 class Window : public testing::Test {
 protected:
+    explicit Window(const std::string& screen = "1300x800x24") : screen_(screen) {}
     static constexpr int window_width = 1280;
     const CourseWithNewLab& course_ = CourseWithNewLab::get();
     /// The fragment shader of the new lab, as it was when the test is over.
@@ -597,6 +598,15 @@ TEST_F(Window, SearchFindsALabByAPartOfItsName) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "20_test_wall-1.png"));
 }
 
+TEST_F(Window, SearchFindsAKnobOfAnotherLab) {
+    open("20");
+    press("slash");
+    std::this_thread::sleep_for(2s);
+    run({"xdotool", "type", "--delay", "80", "shininess"}, where_);
+    std::this_thread::sleep_for(500ms);
+    press_for("Return", "01_specular_highlights");
+}
+
 TEST_F(Window, TheChecksRunAndSayWhatReliefCheckSays) {
     const Result check = run({course_.program("relief"), "check", "01"}, {folder_.path(), {}});
     ASSERT_TRUE(contains(check.out, "5 of 5 points")) << check.out << check.err;
@@ -731,6 +741,18 @@ TEST_F(Window, GivesAContextToShotsToo) {
     const Result headless = run({course_.program("relief"), "shot", "20", "--size", "64x48", "-o", "o.png"}, where_);
     EXPECT_EQ(headless.code, 0) << headless.err;
     EXPECT_EQ(read_all(folder_.path() / "w.png"), read_all(folder_.path() / "o.png")) << "one Mesa, the same bits";
+}
+
+/// On a display of 4K with 192 pixels an inch, of which no desktop has said anything.
+class WindowOnSmallPixels : public Window {
+protected:
+    WindowOnSmallPixels() : Window("3840x2160x24 -dpi 192 -extension RANDR") {}
+};
+
+TEST_F(WindowOnSmallPixels, IsTwiceAsLarge) {
+    open("20");
+    EXPECT_EQ(place().scale, 2);
+    EXPECT_EQ(place().panel, 680);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // A task's shader is its functions: what would change the lab's other shaders is refused, and nothing else.
 #include "framework/check/reach.h"
 
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -32,6 +34,32 @@ TEST(Reach, IsRefusedWhereAShaderWouldChangeOrReadTheRest) {
         EXPECT_EQ(said("#define mine " + word + "\nmine vec3 u_other;"), refused);
         EXPECT_EQ(said("\n#if 0\n(\n#endif\n" + word + " vec3 u_other;"), refused) << "brackets hide nothing";
     }
+}
+
+TEST(Reach, IsRefusedWhereAShaderIncludesWhatItsTaskHasNot) {
+    const OtherShaders others(LabEntry{5, "tangent_basis", "05_tangent_basis"},
+                              load_manifest(course_root() / "labs/05_tangent_basis/lab.toml"));
+    EXPECT_EQ(reaches_beyond("#include \"common/unfinished.glsl\"\n#include \"common/perpendicular.glsl\"\n", others),
+              "");
+    EXPECT_EQ(reaches_beyond("#include \"common/perpendicular.glsl\"\n", OtherShaders()),
+              "includes common/perpendicular.glsl, which is not part of this task");
+}
+
+TEST(Reach, OfTheCoursesOwnTasksIsNoneRefused) {
+    size_t files = 0;
+    for (const auto& lab : std::filesystem::directory_iterator(course_root() / "labs")) {
+        if (!std::filesystem::exists(lab.path() / "lab.toml")) continue;
+        const Manifest manifest = load_manifest(lab.path() / "lab.toml");
+        const OtherShaders others(LabEntry{0, "", lab.path().filename()}, manifest);
+        std::set<std::string> shaders;
+        for (const TaskInfo& task : manifest.tasks)
+            if (task.file.ends_with(".glsl")) shaders.insert(task.file);
+        for (const std::string& file : shaders) {
+            EXPECT_EQ(reaches_beyond(read_file(course_root() / file), others), "") << file;
+            ++files;
+        }
+    }
+    EXPECT_GE(files, 18u);
 }
 
 }  // namespace

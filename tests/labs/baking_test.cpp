@@ -1,6 +1,9 @@
 // Lab 07: a bake is right only together with its renderer; what is baked, and when.
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
 #include "framework/gl/counters.h"
 #include "framework/gl/program.h"
+#include "framework/staff/grade/overlay.h"
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -144,6 +147,28 @@ TEST(Baking, WithoutReachEveryTexelIsFiniteAndTheCoarseModelsOwn) {
         bare.set.emplace_back("wears", "nothing");
         EXPECT_LT(summarize(error_image(normals, drawn("07", bare), ErrorMetric::angle)).mean, 1) << shape;
     }
+}
+
+TEST(Baking, RaysThatNoTaskJudgesAreNotSaidToMiss) {
+    const std::string file = "shaders/07_baking/task.glsl";
+    std::string task = read_file(course_root() / file);
+    const std::string solution = "return is_front && abs(height) < abs(best);";
+    const Shot shot = shot_of("07", {{"view", "rays"}}, "", {320, 240});
+    const auto count = [&](glm::vec3 color) {
+        const Image picture = drawn("07", shot);
+        size_t pixels = 0;
+        for (size_t i = 0; i < picture.values.size(); i += 3)
+            pixels += glm::distance(glm::vec3(picture.values[i], picture.values[i + 1], picture.values[i + 2]), color) <
+                      0.05f;
+        return pixels;
+    };
+    const glm::vec3 miss(0.93f, 0.28f, 0.20f), unwritten(0.85f, 0, 0.85f);
+    EXPECT_EQ(count(unwritten), 0u);
+    ASSERT_NE(task.find(solution), std::string::npos);
+    task.replace(task.find(solution), solution.size(), "return unfinished(0.0) > 0.5;");
+    const CourseOverlay overlay(CourseFiles{{file, task}});
+    EXPECT_EQ(count(miss), 0u);
+    EXPECT_GT(count(unwritten), 500u);
 }
 
 }  // namespace

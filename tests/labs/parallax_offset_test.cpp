@@ -4,7 +4,11 @@
 #include <glm/gtx/component_wise.hpp>
 #include <set>
 
+#include "framework/base/file.h"
+#include "framework/base/paths.h"
+#include "framework/check/starter.h"
 #include "framework/kit/relief_surface.h"
+#include "framework/staff/grade/overlay.h"
 #include "framework/staff/reference/relief_sight.h"
 #include "tests/labs/shots.h"
 
@@ -273,6 +277,28 @@ TEST(ParallaxOffset, ATapIsCountedForEachLayer) {
             const float expected = method == std::string("steep") && map == std::string("low") ? steps + 1 : 1;
             for (size_t i = 0; i < taps.values.size(); i += 4) ASSERT_EQ(taps.values[i], expected) << map << method;
         }
+}
+
+/// Whether each pixel at the lower end of each tile has a colour of the chequer.
+bool has_only_chequer_below_its_tiles(const Image& picture, int columns, int rows) {
+    const int width = picture.width / columns, height = (picture.height - picture.height / 20) / rows;
+    for (int tile = 0; tile < columns * rows; ++tile)
+        for (int y = height * 3 / 4; y < height * 19 / 20; ++y)
+            for (int x = width / 5; x < width * 4 / 5; ++x) {
+                const float* const c = picture.pixel(tile % columns * width + x, tile / columns * height + y);
+                const bool is_light = std::abs(c[0] - 0.85f) < 0.01f && c[1] < 0.01f && std::abs(c[2] - 0.85f) < 0.01f;
+                const bool is_dark = std::abs(c[0] - 0.12f) < 0.01f && c[1] < 0.01f && std::abs(c[2] - 0.12f) < 0.01f;
+                if (!is_light && !is_dark) return false;
+            }
+    return true;
+}
+
+TEST(ParallaxOffset, ATileWhoseTaskIsNotWrittenHasNoFigure) {
+    const std::string file = "shaders/10_parallax_offset/task.glsl";
+    const std::string solution = read_file(course_root() / file);
+    const Shot shot = shot_of("10", {}, "", {640, 480});
+    const CourseOverlay overlay(CourseFiles{{file, starter_of(solution, file)}});
+    EXPECT_TRUE(has_only_chequer_below_its_tiles(drawn("10", shot), 5, 3));
 }
 
 }  // namespace

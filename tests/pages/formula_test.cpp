@@ -14,7 +14,7 @@ namespace {
 /// Without the frame that all formulas have.
 std::string inside(const std::string& formula) {
     static const std::string opening = "<math displaystyle=\"true\"><mrow>", closing = "</mrow></math>";
-    const std::string all = formula_mathml(formula);
+    const std::string all = formula_mathml(parse_formula(formula));
     EXPECT_TRUE(all.starts_with(opening) && all.ends_with(closing)) << all;
     return all.substr(opening.size(), all.size() - opening.size() - closing.size());
 }
@@ -35,10 +35,26 @@ TEST(Formula, AFractionDropsTheBracketsOfAGroupButNotThoseOfAVectorOrAFunction) 
 
 TEST(Formula, ScriptsStandHighAndLow) {
     EXPECT_EQ(inside("w_i"), "<msub><mi>w</mi><mrow><mi>i</mi></mrow></msub>");
-    EXPECT_EQ(inside("f0"), "<msub><mi>f</mi><mn>0</mn></msub>");
+    EXPECT_EQ(inside("f0"), "<msub><mi>f</mi><mrow><mn>0</mn></mrow></msub>");
     EXPECT_EQ(inside("M^-T"), "<msup><mi>M</mi><mrow><mo>−</mo><mi>T</mi></mrow></msup>");
     EXPECT_EQ(inside("p'_u"), "<msubsup><mi>p</mi><mrow><mi>u</mi></mrow><mrow><mo>′</mo></mrow></msubsup>");
     EXPECT_EQ(inside("x²"), inside("x^2"));
+}
+
+TEST(Formula, TwoScriptsOfANameAreOnePair) {
+    EXPECT_EQ(inside("f0^2"), "<msubsup><mi>f</mi><mrow><mn>0</mn></mrow><mrow><mn>2</mn></mrow></msubsup>");
+}
+
+TEST(Formula, AnArgumentBehindAScriptIsThatOfTheWholeName) {
+    EXPECT_EQ(inside("h_i(x)"),
+              "<mrow><msub><mi>h</mi><mrow><mi>i</mi></mrow></msub><mrow><mo stretchy=\"false\">(</mo><mi>x</mi>"
+              "<mo stretchy=\"false\">)</mo></mrow></mrow>");
+}
+
+TEST(Formula, AGroupWithSemicolonsIsAMatrix) {
+    EXPECT_NE(inside("(a, b; c, d)")
+                  .find("<mtable><mtr><mtd><mi>a</mi></mtd><mtd><mi>b</mi></mtd></mtr><mtr><mtd><mi>c</mi></mtd>"),
+              std::string::npos);
 }
 
 TEST(Formula, NamesOfCodeStayWhole) {
@@ -58,16 +74,17 @@ TEST(Formula, LinesHaveCellsOfFormulasAndWords) {
     ASSERT_EQ(lines.size(), 2u);
     ASSERT_EQ(lines[0].size(), 4u);
     EXPECT_TRUE(lines[0][0].is_words);
-    EXPECT_EQ(lines[0][0].text, "here");
-    EXPECT_EQ(lines[0][2].text, formula_mathml("c = d"));
-    EXPECT_EQ(lines[0][3].text, "where a ≤ b");
-    EXPECT_EQ(lines[1][0].text, formula_mathml("x"));
+    EXPECT_EQ(lines[0][0].words, "here");
+    EXPECT_EQ(lines[0][2].formula, parse_formula("c = d"));
+    EXPECT_EQ(lines[0][3].words, "where a ≤ b");
+    EXPECT_EQ(lines[1][0].formula, parse_formula("x"));
 }
 
 TEST(Formula, WhatIsNoFormulaIsAnError) {
     for (const char* wrong : {"(a", "a)", "[a)", "|a", "a /", "a_", "{a}", "\"a", "$", "a^"})
-        EXPECT_THROW(formula_mathml(wrong), Error) << wrong;
+        EXPECT_THROW(parse_formula(wrong), Error) << wrong;
     EXPECT_THROW(formula_lines("\"a"), Error);
+    EXPECT_THROW(parse_formula(std::string(100000, '(')), Error);
 }
 
 TEST(Formula, EveryFormulaOfTheHandoutsCanBeRead) {

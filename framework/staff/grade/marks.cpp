@@ -11,7 +11,6 @@
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/check/starter.h"
-#include "framework/gl/shader_source.h"
 #include "framework/staff/grade/transplant.h"
 #include "framework/staff/grade/variation.h"
 
@@ -22,24 +21,12 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// A file that a submission's shader includes and the course's own does not; else empty. Other files may hold answers.
-std::string foreign_include(const std::string& file, const std::string& text) {
-    if (!file.ends_with(".glsl")) return {};
-    const std::set<std::string> own = included_by(read_file(course_root() / file));
-    for (const std::string& name : included_by(text))
-        if (!own.contains(name)) return name;
-    return {};
-}
-
 /// Why a task cannot be drawn, from its file alone; or nothing.
 std::optional<Judgement> judge_file(const TaskInfo& task, const Submission& submission, const OtherShaders& others) {
     if (const auto refused = submission.refused.find(task.file); refused != submission.refused.end())
         return Judgement{Outcome::broken, fmt::format("{} is {}", task.file, refused->second)};
     const auto file = submission.files.find(task.file);
     if (file == submission.files.end()) return Judgement{Outcome::unfinished, fmt::format("there is no {}", task.file)};
-    if (const std::string foreign = foreign_include(task.file, file->second); !foreign.empty())
-        return Judgement{Outcome::broken,
-                         fmt::format("{} includes {}, which is not part of this task", task.file, printable(foreign))};
     if (task.file.ends_with(".glsl"))
         if (const std::string beyond = reaches_beyond(file->second, others); !beyond.empty())
             return Judgement{Outcome::broken, fmt::format("{} {}", task.file, printable(beyond))};

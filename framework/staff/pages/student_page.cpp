@@ -23,16 +23,11 @@ public:
         List labs;
         bool has_tasks = false;
         for (const LabMark& lab : mark_.labs) labs.push_back(of(lab)), has_tasks |= !lab.tasks.empty();
-        return {{"name", printable(mark_.name)},
-                {"lost", lost()},
-                {"for_student", for_student_},
-                {"graded", mark_.graded()},
-                {"problem", mark_.problem},
-                {"has_tasks", has_tasks},
-                {"labs", std::move(labs)},
-                {"ignored", ignored()},
-                {"any_hidden", any_hidden_},
-                {"lost_pictures", lost_pictures_ && !for_student_}};
+        return {{"name", printable(mark_.name)}, {"lost", lost()},
+                {"for_student", for_student_},   {"graded", mark_.graded()},
+                {"problem", mark_.problem},      {"has_tasks", has_tasks},
+                {"labs", std::move(labs)},       {"ignored", ignored()},
+                {"any_hidden", any_hidden_},     {"lost_pictures", lost_pictures_ && !for_student_}};
     }
 
 private:
@@ -56,7 +51,7 @@ private:
             worst = std::max(worst, check.outcome);
             any_hidden_ |= check.hidden;
             const bool is_secret = for_student_ && (check.hidden || !check.view.empty());
-            checks.push_back(is_secret ? secret(check) : of(lab, task, check));
+            checks.push_back(is_secret ? secret(task, check) : of(lab, task, check));
         }
         return {{"id", task.id},
                 {"title", task.title},
@@ -86,21 +81,28 @@ private:
                 {"facts", facts({{wrong ? "found" : "message", check.found},
                                  {"view", check.view},
                                  {"allowed", wrong && shown ? shown->check.reason : ""},
-                                 {"look at", check.look_at}})},
+                                 {"look at", first_hint(task, check)}})},
                 {"pictures", open && shown ? check_figures(*shown->manifest, shown->check, shown->drawn,
                                                            shown->expected, DrawnBy::submission)
                                            : Value()}};
     }
 
+    /// Its hint, unless a check of the task has told it already.
+    static std::string first_hint(const TaskMark& task, const CheckMark& check) {
+        for (const CheckMark* other = &task.checks.front(); other != &check; ++other)
+            if (other->outcome != Outcome::passed && other->look_at == check.look_at) return {};
+        return check.look_at;
+    }
+
     /// What a student may know of what he cannot look at.
-    static Fields secret(const CheckMark& check) {
+    static Fields secret(const TaskMark& task, const CheckMark& check) {
         return {{"open", check.outcome != Outcome::passed},
                 {"badge", badge(check.outcome)},
                 {"name", check.hidden ? "a" : check.name},
                 {"hidden", check.hidden},
                 {"hidden_view", false},
                 {"said", ""},
-                {"facts", facts({{"found", found_for_students(check)}, {"look at", check.look_at}})},
+                {"facts", facts({{"found", found_for_students(check)}, {"look at", first_hint(task, check)}})},
                 {"pictures", Value()}};
     }
 

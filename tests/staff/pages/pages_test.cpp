@@ -123,5 +123,16 @@ TEST(BenchPage, ShowsRowsAndMachinesAsText) {
     EXPECT_GT(times_escaped(bench_page(std::vector{std::move(result)}, [](const auto&, const auto&) {})), 20);
 }
 
+TEST(StudentPage, TellsAHintOnceInATask) {
+    SubmissionMark mark = some_submission();
+    std::vector<CheckMark>& checks = mark.labs[0].tasks[0].checks;
+    for (CheckMark& check : checks) check.outcome = Outcome::wrong, check.look_at = "mind the sign", check.view = "";
+    checks[1].found = "something else";
+    const std::string page = student_page(mark, {}, PageFor::student);
+    const size_t first = page.find("mind the sign");
+    EXPECT_NE(first, std::string::npos);
+    EXPECT_EQ(page.find("mind the sign", first + 1), std::string::npos);
+}
+
 }  // namespace
 }  // namespace relief

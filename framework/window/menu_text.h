@@ -1,0 +1,64 @@
+// Styled text in lines of a width, as handouts have it. In the window module only.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "framework/base/markdown.h"
+#include "framework/window/menu_style.h"
+
+namespace relief {
+
+inline const ImVec4 plain_color{0.88f, 0.88f, 0.86f, 1}, code_color{0.95f, 0.82f, 0.70f, 1};
+constexpr ImU32 code_back = IM_COL32(46, 48, 56, 255), line_color = IM_COL32(84, 86, 94, 255);
+
+/// What the target of a knob's name begins with.
+constexpr std::string_view knob_link = "knob:";
+
+/// How a span looks. Debian's DejaVu has no slanted faces in its small package: italics are quiet.
+struct Look {
+    ImFont* face;
+    ImU32 color;
+    bool boxed = false;
+    std::string knob = {};  ///< what a click sets or shows: "method", "method=steep"
+};
+
+/// Sets words from left to right in lines of a width; what is wider than a line is cut.
+class TextLayout {
+public:
+    TextLayout(ImVec2 corner, float width, FontRole base, bool visible)
+        : corner_(corner), width_(width), base_(base), visible_(visible), line_(line_height(base)) {}
+
+    void set(const Spans& spans);
+    float height() const { return y_ + line_; }
+    float widest() const { return widest_; }
+    float widest_word() const { return widest_word_; }
+    /// The knob that was clicked, or empty.
+    const std::string& clicked() const { return clicked_; }
+
+    static float line_height(FontRole base) { return font(base)->FontSize * 1.35f; }
+
+private:
+    struct Piece {
+        std::string text;
+        Look look;
+        bool goes_on;  ///< in the box of the word before
+    };
+    static float gap(const Look& look) { return look.face->FontSize * (look.boxed ? 0.6f : 0.36f); }
+    static float width_of(const Piece& piece);
+    void flush();
+    void put(const Piece& piece);
+
+    ImVec2 corner_;
+    float width_;
+    FontRole base_;
+    bool visible_;
+    float line_, x_ = 0, y_ = 0, widest_ = 0, widest_word_ = 0;
+    std::vector<Piece> word_;
+    std::string clicked_;
+};
+
+}  // namespace relief

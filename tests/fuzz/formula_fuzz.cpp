@@ -1,0 +1,25 @@
+// Formulas of handouts, whatever is in them: what is read can be shown.
+#include "framework/base/formula.h"
+#include "tests/fuzz/fuzz.h"
+
+namespace {
+
+void hold(const relief::Formula& part) {
+    using Kind = relief::Formula::Kind;
+    const bool has_parts = part.kind == Kind::row || part.kind == Kind::matrix;
+    const size_t wanted = part.kind == Kind::fraction                             ? 2
+                          : part.kind == Kind::scripts                            ? 3
+                          : part.kind == Kind::root || part.kind == Kind::bracket ? 1
+                                                                                  : 0;
+    if (!has_parts && part.parts.size() != wanted) __builtin_trap();
+    for (const relief::Formula& each : part.parts) hold(each);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {
+    return relief::fuzz(bytes, count, [&](const std::string& text) {
+        for (const auto& line : relief::formula_lines(text))
+            for (const relief::FormulaCell& cell : line) hold(cell.formula);
+    });
+}
