@@ -18,7 +18,7 @@ const show = () => {
 words.addEventListener("input", show);
 lab.addEventListener("change", show);
 // On paper nothing can be opened.
-const differences = [...document.querySelectorAll(".difference:not([open])")];
+const differences = [...document.querySelectorAll("details.difference:not([open])")];
 addEventListener("beforeprint", () => differences.forEach(one => one.open = true));
 addEventListener("afterprint", () => differences.forEach(one => one.open = false));
 filter.hidden = false;
