@@ -107,7 +107,7 @@ public:
         options.value("--check", "NAME", check_, "show this check, with its knobs, camera and probe");
         shot_.options(options);
         options.value("--probe", "NAME", probe_, "show a quantity as the shader computes it, instead of the picture");
-        options.flag("--error-map", error_map_, "show beside it how far it is from the exact values (E)");
+        options.flag("--error-map", error_map_, "beside the picture, show how far it is from the exact values (key E)");
     }
     int run() override {
         const LabEntry& lab = find_lab(lab_);
@@ -136,9 +136,10 @@ public:
         if (program.starts_with("lab-") && registry().size() == 1) only_lab_ = registry().front().folder;
         app_.require_subcommand(0, 1);
         app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-        app_.set_version_flag("--version", fmt::format("relief {} ({})", versions::relief, versions::commit));
+        app_.set_version_flag("--version", fmt::format("relief {} ({})", versions::relief, versions::commit),
+                              "print the version");
         app_.add_flag("--verbose", verbose_, "print each event to standard error");
-        app_.set_help_flag("-h,--help", "prints this help");
+        app_.set_help_flag("-h,--help", "print this help");
         app_.get_formatter()->column_width(34);
         for (const CommandEntry& entry : commands()) {
             CLI::App* sub = app_.add_subcommand(entry.name, entry.help);

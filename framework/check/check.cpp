@@ -38,18 +38,25 @@ public:
         if (!limit) return;
         const bool kept = value <= *limit;
         good_ &= kept;
-        text_ += fmt::format("{}{} {}{}", text_.empty() ? "" : ", ", what, amount_of(value, unit, 4),
-                             kept ? "" : fmt::format(" (at most {})", rounded(*limit, 4)));
+        const int digits = digits_for(value, *limit);
+        text_ += fmt::format("{}{} {}{}", text_.empty() ? "" : ", ", what, amount_of(value, unit, digits),
+                             kept ? "" : fmt::format(" (at most {})", rounded(*limit, digits)));
     }
     /// A lower limit for the value that was added last.
     void must_reach(double value, std::optional<double> min) {
         if (!min || value >= *min) return;
         good_ = false;
-        text_ += fmt::format(" (at least {})", rounded(*min, 4));
+        text_ += fmt::format(" (at least {})", rounded(*min, digits_for(value, *min)));
     }
     Judgement judgement() const { return {good_ ? Outcome::passed : Outcome::wrong, text_}; }
 
 private:
+    /// Three, or as many as tell a value from its limit.
+    static int digits_for(double value, double limit) {
+        int digits = 3;
+        while (digits < 9 && value != limit && rounded(value, digits) == rounded(limit, digits)) ++digits;
+        return digits;
+    }
     bool good_ = true;
     std::string text_;
 };

@@ -69,7 +69,9 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
         for (const CheckResult& result : task.checks) {
             Fields fields = fields_of(lab, manifest, result);
             const bool is_told = result.outcome != Outcome::passed && result.outcome != Outcome::unfinished;
-            fields["look_at"] = is_told && hints.insert(look_at(result)).second ? look_at(result) : "";
+            const std::string hint = look_at(result);
+            const bool is_new = is_told && !hint.empty() && hints.insert(hint).second;
+            fields["look_at"] = is_new ? rows(with_code(hint).list) : Value();
             checks.push_back(std::move(fields));
         }
         shown.push_back(Fields{{"id", task.task->id},

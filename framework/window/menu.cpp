@@ -78,7 +78,7 @@ float scale_of(GLFWwindow* window) {
     glfwGetMonitorPhysicalSize(monitor, &width, &height);
     if (height <= 0) return 1;
     const float density = float(mode->height) * 25.4f / float(height) / 96;
-    return std::max(1.0f, std::floor(4 * std::min(density, float(mode->height) / 1080)) / 4);
+    return std::max(1.0f, std::round(4 * std::min(density, float(mode->height) / 1080)) / 4);
 }
 
 /// Larger on a display whose pixels are small, and never larger than the display.

@@ -25,7 +25,8 @@ void PixelExplanation::compute(const Stage& stage) {
         said = text_of(report);
         conclusion_ = conclusion_of(report);
         for (const ExplainedFunction& one : explanation.functions)
-            print_event(fmt::format("pixel {}, {}: {}, {} calls", pixel_->x, pixel_->y, one.function.name, one.calls));
+            print_event(fmt::format("pixel {}, {}: {}, {} call{}", pixel_->x, pixel_->y, one.function.name, one.calls,
+                                    one.calls == 1 ? "" : "s"));
     } catch (const Error& error) {
         said = error.what();
         print_event(fmt::format("pixel {}, {}: {}", pixel_->x, pixel_->y, said));

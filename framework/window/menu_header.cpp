@@ -43,7 +43,8 @@ Sign sign_of(ShaderState state) {
         case ShaderState::unchanged:
             break;
     }
-    return {"as opened", "The shaders are those that the lab was opened with. A saved shader is taken at once.", quiet};
+    return {"as opened", "The shaders are those that the lab was opened with. A saved shader is reloaded at once.",
+            quiet};
 }
 
 float button_width(const char* label) { return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x; }
@@ -137,7 +138,7 @@ void draw_header(const Box& box, float scale, const Stage& stage, const Checks& 
     tooltip("The lab's handout, beside the picture (F1).");
     ImGui::SameLine();
     if (ImGui::Button("Search")) wish.search = true;
-    tooltip("Finds a lab, a knob or a check by a part of its name (Ctrl+F, /).");
+    tooltip("Finds a lab, or a knob, a probe or a check of any lab, by a part of its name (Ctrl+F, /).");
     ImGui::SameLine();
     if (ImGui::Button("?")) wish.help = true;
     tooltip("All keys (?).");

@@ -13,14 +13,14 @@ struct Line {
 constexpr Line camera[] = {{"drag", "turn the camera"},
                            {"right drag", "move it sideways"},
                            {"wheel", "nearer, farther"},
-                           {"C", "the lab's camera again"},
+                           {"C", "reset the camera"},
                            {"space", "pause an animation"}};
 constexpr Line settings[] = {{"Ctrl+Z, Ctrl+Y", "undo, redo"},
                              {"Ctrl+click", "type a slider's number"},
                              {"A", "hold this setting as A, beside the present one; again: let it go"},
                              {"X", "swap A and the present setting"},
-                             {"R", "the lab anew, as its manifest says"}};
-constexpr Line looks[] = {{"click", "hold the values of a pixel of a probe"},
+                             {"R", "reset the lab: knobs, camera, probe"}};
+constexpr Line looks[] = {{"click", "hold the values of the pixel under the mouse"},
                           {"P", "follow the pixel under the mouse through the task's functions"},
                           {"E", "error map"},
                           {"S, F12", "save the picture"},
@@ -28,7 +28,7 @@ constexpr Line looks[] = {{"click", "hold the values of a pixel of a probe"},
 constexpr Line places[] = {{"left, right", "the lab before, the next lab"},
                            {"Ctrl+F, /", "search labs, knobs, probes and checks"},
                            {"F1", "handout; up, down, Page Up and Page Down scroll it"},
-                           {"Ctrl +, Ctrl -", "larger, smaller; Ctrl+0: as at first"},
+                           {"Ctrl +, Ctrl -", "larger, smaller; Ctrl+0: the usual size"},
                            {"Ctrl+E", "the line of a shader's error in your editor"},
                            {"?", "these keys"},
                            {"Esc", "close what is open; then quit"}};
@@ -66,8 +66,9 @@ void draw_help(const Box& picture, float scale, bool& open) {
     draw_lines("Pictures and values", looks, keys_width);
     draw_lines("Labs and the window", places, keys_width);
     quiet_text(
-        "A saved shader is taken at once, and the checks run again. A picture's file that is dropped on the window "
-        "becomes the lab's map.");
+        "A saved shader is reloaded at once, and the checks run again. A picture file dropped on the window becomes "
+        "the "
+        "lab's map.");
     if (ImGui::IsMouseClicked(0) && !ImGui::IsWindowAppearing() && !ImGui::IsWindowHovered()) open = false;
     ImGui::End();
 }

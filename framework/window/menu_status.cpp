@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "framework/base/text.h"
 #include "framework/gl/counters.h"
 #include "framework/window/menu_stage.h"
 #include "framework/window/menu_style.h"
@@ -43,8 +44,8 @@ void draw_graph(const std::array<float, 60>& milliseconds, ImVec2 size) {
                            ImGui::ColorConvertFloat4ToU32(accent));
     }
     ImGui::Dummy(size);
-    tooltip(
-        fmt::format("The last {} frames of the lab; the highest bar took {:.1f} ms.", milliseconds.size(), slowest));
+    tooltip(fmt::format("The last {} of the lab; the highest bar took {} ms.",
+                        count_of(int64_t(milliseconds.size()), "frame"), rounded(double(slowest))));
 }
 
 }  // namespace
@@ -69,11 +70,11 @@ void Status::draw(const Box& box, float scale, const Stage& stage, const std::st
         if (!help.empty()) tooltip(help);
     };
     const ImVec4& plain_text = ImGui::GetStyle().Colors[ImGuiCol_Text];
-    put(fmt::format("{:.1f} ms", stage.milliseconds()), plain_text, "The last frame, to its end on the GPU.");
+    put(rounded(stage.milliseconds()) + " ms", plain_text, "The last frame, to its end on the GPU.");
     if (!message.empty()) put(message, accent, message);
     const Counters& now = counters();
     put(count_of(stage.draw_calls(), "draw call"), quiet, "Draw calls in the last frame.");
-    put(fmt::format("{:.1f} MiB", double(now.texture_bytes) / (1 << 20)), quiet, "Memory of all textures.");
+    put(rounded(double(now.texture_bytes) / (1 << 20)) + " MiB", quiet, "Memory of all textures.");
     put(count_of(now.live_objects(), "GL object"), quiet, live_objects());
     put(count_of(stage.frames(), "frame"), quiet, "Frames of labs since the window opened.");
 

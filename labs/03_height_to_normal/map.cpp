@@ -34,7 +34,11 @@ void Map::fill(const Image& image) const {
 Image Map::read(int channels) const {
     std::vector<float> upwards(size_t(side_) * side_ * channels);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glReadPixels(0, 0, side_, side_, channels == 1 ? GL_RED : GL_RGB, GL_FLOAT, upwards.data());
+    glReadPixels(0, 0, side_, side_,
+                 channels == 1   ? GL_RED
+                 : channels == 3 ? GL_RGB
+                                 : GL_RGBA,
+                 GL_FLOAT, upwards.data());
     Image image(side_, side_, channels);
     const size_t row = size_t(side_) * channels;
     for (int y = 0; y < side_; ++y) std::copy_n(upwards.data() + row * (side_ - 1 - y), row, image.pixel(0, y));

@@ -275,7 +275,7 @@ TEST(MistakesPage, ShowsEveryMistakeOfALabBesideWhatIsRight) {
     for (size_t i = 0; i < files.size(); i += 2)
         EXPECT_GT(difference(read_image(files[i]), read_image(files[i + 1]), 8.0 / 255).pixels_over, 30u) << files[i];
     const Names maps = browser().eval(
-        "[...document.querySelectorAll('article .difference img')].map(image => decodeURI(image.src).slice(7))");
+        "[...document.querySelectorAll('article figure.difference img')].map(image => decodeURI(image.src).slice(7))");
     EXPECT_EQ(maps.size(), ids.size());
     for (const std::string& map : maps) {
         const Image picture = read_image(map);
@@ -284,6 +284,11 @@ TEST(MistakesPage, ShowsEveryMistakeOfALabBesideWhatIsRight) {
     }
     EXPECT_EQ(browser().eval("document.querySelectorAll('.badge:not(.passed)').length"), json(ids.size()));
     EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0) << "edits are folded away";
+    browser().eval("dispatchEvent(new Event('beforeprint')), 0");
+    EXPECT_EQ(browser().eval("document.querySelectorAll('details.difference:not([open])').length"), 0) << "on paper";
+    EXPECT_GT(browser().eval("document.querySelectorAll('details.difference[open]').length"), 0);
+    browser().eval("dispatchEvent(new Event('afterprint')), 0");
+    EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0);
     ASSERT_TRUE(browser().tab_to("input[type=search]"));
     browser().type("truncated 2.1");
     EXPECT_EQ(browser().eval("document.querySelector('output').textContent"),

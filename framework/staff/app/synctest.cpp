@@ -72,7 +72,7 @@ class SynctestCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
         options.value("-o", "FOLDER", output_,
-                      "writes the cube, its map, and a README.md that says what to do with them");
+                      "write the cube, its map, and a README.md that says what to do with them");
         options.value("--judge", "PICTURE", picture_, "a picture of the cube's normals by another renderer");
         options.flag("--json", json_, "with --judge: print JSON, for scripts");
         options.footer(

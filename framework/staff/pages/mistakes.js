@@ -17,5 +17,9 @@ const show = () => {
 };
 words.addEventListener("input", show);
 lab.addEventListener("change", show);
+// On paper nothing can be opened.
+const differences = [...document.querySelectorAll("details.difference:not([open])")];
+addEventListener("beforeprint", () => differences.forEach(one => one.open = true));
+addEventListener("afterprint", () => differences.forEach(one => one.open = false));
 filter.hidden = false;
 show();
