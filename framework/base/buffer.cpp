@@ -2,9 +2,7 @@
 
 #include <new>
 
-#ifdef __linux__
-    #include <sys/mman.h>
-#endif
+#include "framework/base/system.h"
 
 namespace relief {
 
@@ -15,9 +13,7 @@ void* allocate_working_memory(size_t bytes) {
     if (rounded < bytes) throw std::bad_alloc();
     void* const memory = std::aligned_alloc(alignment, rounded);
     if (!memory) throw std::bad_alloc();
-#ifdef __linux__
-    if (alignment == page) madvise(memory, rounded, MADV_HUGEPAGE);  // who cannot have them has small ones
-#endif
+    if (alignment == page) os::take_large_pages(memory, rounded);
     return memory;
 }
 

@@ -30,6 +30,8 @@ MappedFile map_file(const std::filesystem::path& path);
 /// end. Textures and pictures come and go in pieces of megabytes: in small pages the system's work for them is a sixth
 /// of a shot's time. Call it first.
 void take_large_pages();
+/// The same for a piece of memory that is aligned to large pages. Where there are none, all is as it was.
+void take_large_pages(void* memory, size_t bytes);
 
 /// "Linux 6.1.0-18-amd64 x86_64"
 std::string name();

@@ -49,6 +49,8 @@ MappedFile map_file(const fs::path& path) {
             {static_cast<const char*>(mapped), size}};
 }
 
+void take_large_pages(void* memory, size_t bytes) { madvise(memory, bytes, MADV_HUGEPAGE); }
+
 void take_large_pages() {
 #if defined __GLIBC__ && !defined __SANITIZE_ADDRESS__
     constexpr uintptr_t size = 64 << 20, large = 2 << 20;
@@ -59,7 +61,7 @@ void take_large_pages() {
     std::free(piece);
     mallopt(M_TOP_PAD, 1 << 20);
     const uintptr_t end = reinterpret_cast<uintptr_t>(sbrk(0)), begin = (end - size + large - 1) / large * large;
-    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);  // where there are none, all is as it was
+    take_large_pages(reinterpret_cast<void*>(begin), end - begin);
 #endif
 }
 

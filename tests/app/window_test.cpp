@@ -239,6 +239,13 @@ protected:
             << key << "\n"
             << window_->err();
     }
+    /// Opens the search, types into it, and waits until it has found something. The first time it reads all labs.
+    void search_for(const char* letters) {
+        press("slash");
+        std::this_thread::sleep_for(2s);
+        run({"xdotool", "type", "--delay", "80", letters}, where_);
+        std::this_thread::sleep_for(500ms);
+    }
     Image saved(const std::string& name) {
         press("s");
         if (eventually([&] { return std::filesystem::exists(folder_.path() / name); }))
@@ -589,10 +596,7 @@ TEST_F(Window, TheListOfKeysOpensOnAQuestionMark) {
 
 TEST_F(Window, SearchFindsALabByAPartOfItsName) {
     open("20");
-    press("slash");
-    std::this_thread::sleep_for(500ms);
-    run({"xdotool", "type", "--delay", "80", "specu"}, where_);
-    std::this_thread::sleep_for(500ms);
+    search_for("specu");
     EXPECT_EQ(frames().back().lab, "20_test_wall") << "letters are no keys while one types";
     press_for("Return", "01_specular_highlights");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "20_test_wall-1.png"));
@@ -600,10 +604,7 @@ TEST_F(Window, SearchFindsALabByAPartOfItsName) {
 
 TEST_F(Window, SearchFindsAKnobOfAnotherLab) {
     open("20");
-    press("slash");
-    std::this_thread::sleep_for(2s);
-    run({"xdotool", "type", "--delay", "80", "shininess"}, where_);
-    std::this_thread::sleep_for(500ms);
+    search_for("shininess");
     press_for("Return", "01_specular_highlights");
 }
 

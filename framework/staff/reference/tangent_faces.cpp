@@ -247,8 +247,8 @@ glm::dvec3 normal_of_faces(const Mesh& mesh, std::span<const uint32_t> corners) 
         const glm::dvec3 across = glm::cross(b - a, c - a);
         if (std::isfinite(glm::dot(across, across))) sum += across;
     }
-    const double squared = glm::dot(sum, sum);
-    return squared > 0 && std::isfinite(squared) ? sum / std::sqrt(squared) : glm::dvec3(0, 0, 1);
+    const glm::dvec3 normal = direction(sum);
+    return normal == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : normal;
 }
 
 }  // namespace
@@ -265,7 +265,7 @@ glm::dvec3 UnitNormals::at(uint32_t vertex) const {
         if (const auto found = repaired_.find(vertex_of_[vertex]); found != repaired_.end()) return found->second;
     const glm::dvec3 n(mesh_.vertices[vertex].normal);
     const double squared = glm::dot(n, n);
-    return n * (std::abs(squared - 1) < 1e-6 ? 1.5 - 0.5 * squared : 1 / std::sqrt(squared));
+    return std::abs(squared - 1) < 1e-6 ? made_unit(n) : n * (1 / std::sqrt(squared));
 }
 
 void tangent_faces(const Mesh& mesh, const UnitNormals& normals, TangentMethod method, double area_unit, size_t begin,

@@ -1,12 +1,22 @@
 // What triangles contribute to the tangents at their corners.
 #pragma once
 
+#include <cmath>
 #include <unordered_map>
 
 #include "framework/mesh/corners.h"
 #include "framework/staff/reference/tangents.h"
 
 namespace relief {
+
+/// Unit, of what is so within 1e-6: by one of Newton's steps, without a root.
+inline glm::dvec3 made_unit(const glm::dvec3& v) { return v * (1.5 - 0.5 * glm::dot(v, v)); }
+
+/// Unit, or zero where it has no direction.
+inline glm::dvec3 direction(const glm::dvec3& v) {
+    const double squared = glm::dot(v, v);
+    return squared > 0 && std::isfinite(squared) ? v * (1 / std::sqrt(squared)) : glm::dvec3(0);
+}
 
 /// The vertices' normals in double precision, of unit length. Those that are zero or not finite are replaced by the
 /// mean of their triangles' geometric normals, by area.

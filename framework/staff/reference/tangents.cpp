@@ -21,15 +21,6 @@ namespace {
 /// good to 6e-8, so what is left there is off by tens of degrees.
 constexpr double smallest_sine = 2e-7;
 
-/// Unit, of what is so within 1e-6: by one of Newton's steps, without a root.
-glm::dvec3 made_unit(const glm::dvec3& v) { return v * (1.5 - 0.5 * glm::dot(v, v)); }
-
-/// Unit, or zero where it has no direction.
-glm::dvec3 direction(const glm::dvec3& v) {
-    const double squared = glm::dot(v, v);
-    return squared > 0 && std::isfinite(squared) ? v * (1 / std::sqrt(squared)) : glm::dvec3(0);
-}
-
 /// Everything that is known before vertices are looked at one by one.
 struct Solver {
     const Mesh& mesh;
