@@ -4,6 +4,8 @@
 // each pixel takes the cheapest method that keeps it. Your tasks: shaders/17_time_and_error/task.glsl
 #include <fmt/format.h>
 
+#include <bit>
+
 #include "framework/base/text.h"
 #include "framework/gl/patches.h"
 #include "framework/kit/kept.h"
@@ -31,9 +33,7 @@ public:
         for (size_t i = 0; i < tiles.size(); ++i) {
             const bool shows_methods = view_ == methods_only || (view_ == both && i == 1);
             glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
-            draw_wall(frame_in(frame, tiles[i]), frame.probe     ? Define(frame.probe)
-                                                 : shows_methods ? "METHOD_COLORS"
-                                                                 : "");
+            draw_wall(frame_in(frame, tiles[i]), shows_methods);
             if (shows_methods)
                 describe_methods(frame.size, tiles[i], shares);
             else
@@ -110,8 +110,9 @@ private:
                 precision, double(exact_taps_), double(triangle_taps_)};
     }
 
-    /// What is drawn, by the program that draws it.
-    std::map<Group, std::vector<glm::vec2>> groups_of(const FrameBudget& budget, const std::string& probe) const {
+    /// What is drawn, by the program that draws it. `shows_methods`: each pixel says which method it chose.
+    std::map<Group, std::vector<glm::vec2>> groups_of(const FrameBudget& budget, const std::string& probe,
+                                                      bool shows_methods) const {
         // What decides a pixel is a question to each of them, where its patch has decided already, too.
         const bool is_of_choice = probe == "pixels" || probe == "left" || probe == "level" || probe == "bumps";
         std::map<Group, std::vector<glm::vec2>> groups;
@@ -128,12 +129,22 @@ private:
             if (budget.frame.camera.eye().z > 0) add(groups[{forced, true}], wall_low, wall_high, false);
             return groups;
         }
-        for (const Patch& patch : patches_for(budget, map_errors())) {
-            Methods wanted = forced != 0 ? forced : patch.methods;
-            if (is_of_choice || (probe == "method" && wanted != bit(displacement))) wanted = any_of_a_pixel;
-            if (wanted != 0 && wanted != bit(displacement))
-                add(groups[{wanted, patch.may_leave}], patch.low, patch.high, false);
-            if (wanted != bit(displacement) && (is_of_choice || !patch.behind)) continue;
+        std::vector<Patch> patches = patches_for(budget, map_errors());
+        for (Patch& patch : patches) {
+            if (forced != 0) patch.methods = forced;
+            if (is_of_choice)
+                patch.methods = any_of_a_pixel;
+            else if (probe == "method" && patch.methods != bit(displacement))
+                patch.methods = any_of_a_pixel;
+            else if (!shows_methods)
+                // What is dear does all that is cheap: a search in a relief of which nothing is left ends at once.
+                patch.methods = std::bit_floor(patch.methods);
+        }
+        for (const Patch& patch : joined(patches)) {
+            const bool is_displaced = patch.methods == bit(displacement);
+            if (patch.methods != 0 && !is_displaced)
+                add(groups[{patch.methods, patch.may_leave}], patch.low, patch.high, false);
+            if (!is_displaced && (is_of_choice || !patch.behind)) continue;
             for (double x = patch.low.x; x < patch.high.x; x += cell_metres)
                 for (double y = patch.low.y; y < patch.high.y; y += cell_metres)
                     add(groups[{bit(displacement), false}], {x, y}, glm::dvec2(x, y) + cell_metres, true);
@@ -141,7 +152,8 @@ private:
         return groups;
     }
 
-    void draw_wall(const Frame& frame, const Define& purpose) {
+    void draw_wall(const Frame& frame, bool shows_methods) {
+        const Define purpose = frame.probe ? Define(frame.probe) : shows_methods ? "METHOD_COLORS" : "";
         const FrameBudget budget = frame_budget(frame);
         if (!uploaded_) {
             uploaded_.emplace();
@@ -152,7 +164,7 @@ private:
         }
         glBindVertexArray(uploaded_->layout);
         glBindBuffer(GL_ARRAY_BUFFER, uploaded_->places);
-        for (const auto& [group, places] : groups_of(budget, frame.probe.name)) {
+        for (const auto& [group, places] : groups_of(budget, frame.probe.name, shows_methods)) {
             const bool displaced = group.methods == bit(displacement);
             glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(places.size() * sizeof(glm::vec2)), places.data(), GL_STREAM_DRAW);
             set((displaced ? displaced_ : flat_)
@@ -202,7 +214,8 @@ private:
         const float smaller = float(measured.y) / float(std::max(1, frame.size.y));
         budget_ *= smaller, triangle_taps_ *= smaller * smaller;
         frame.size = measured;
-        const Image drawn = draw_numbers(measured, [&] { draw_wall(frame, "PROBE_method"); });
+        frame.probe = {"method"};
+        const Image drawn = draw_numbers(measured, [&] { draw_wall(frame, false); });
         budget_ = budget, triangle_taps_ = triangle_taps;
         double count = 0;
         for (size_t i = 0; i < drawn.values.size(); i += 4)

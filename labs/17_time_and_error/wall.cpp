@@ -207,17 +207,22 @@ std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps)
         for (const Patch& other : displaced)
             patch.behind |=
                 patch.methods != bit(displacement) && patch.low.x < other.high.x && other.low.x < patch.high.x;
-    // Neighbours that want the same are one: where two triangles meet, pixels are drawn for both.
-    std::vector<Patch> merged;
+    return patches;
+}
+
+std::vector<Patch> joined(const std::vector<Patch>& patches) {
+    std::vector<Patch> joined;
     for (const Patch& patch : patches) {
         if (patch.methods == 0 && !patch.behind) continue;
-        if (!merged.empty() && merged.back().high.x == patch.low.x && merged.back().methods == patch.methods &&
-            merged.back().may_leave == patch.may_leave && merged.back().behind == patch.behind)
-            merged.back().high.x = patch.high.x;
-        else
-            merged.push_back(patch);
+        if (!joined.empty() && joined.back().high.x == patch.low.x && joined.back().methods == patch.methods &&
+            joined.back().behind == patch.behind) {
+            joined.back().high.x = patch.high.x;
+            joined.back().may_leave |= patch.may_leave;
+        } else {
+            joined.push_back(patch);
+        }
     }
-    return merged;
+    return joined;
 }
 
 }  // namespace relief::budget

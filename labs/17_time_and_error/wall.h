@@ -56,8 +56,12 @@ struct Patch {
     bool behind = false;  ///< rays come here from a displaced patch, so it is displaced, too, behind what it is else
 };
 
-/// What the picture may show of the wall, in pieces from its lower to its upper end.
+/// The wall in pieces from its lower to its upper end; those that the picture does not show have no methods.
 std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps);
+
+/// Neighbours with the same methods as one, without those that are not needed. Where two triangles meet, the renderer
+/// draws blocks of pixels for both: twenty pieces in place of one cost a third of a grazing search.
+std::vector<Patch> joined(const std::vector<Patch>& patches);
 
 /// The level of the normal map whose texels are as wide as a pixel that shows a place a metre ahead, in the mean of
 /// both directions; at `ahead` metres it is this + 1.5 log2(ahead), at least 0: a pixel covers ahead³ / (p² e) square

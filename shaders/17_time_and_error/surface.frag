@@ -1,6 +1,6 @@
 #version 410 core
-// A wall by the cheapest method that keeps the budget, pixel by pixel. METHODS has a bit for each that may be needed
-// here; where there is one, nothing is chosen.
+// A wall within the budget. METHODS has a bit for each method that is compiled in: of several, each pixel chooses the
+// cheapest; where there is one, nothing is chosen.
 
 #include "17_time_and_error/task.glsl"
 

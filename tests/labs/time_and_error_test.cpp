@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "framework/gl/counters.h"
 #include "framework/kit/relief_material.h"
 #include "framework/staff/reference/least_move.h"
 #include "labs/17_time_and_error/wall.h"
@@ -177,6 +178,22 @@ TEST(TimeAndError, WhatAPatchLeavesOutNoPixelOfItAsksFor) {
                 }
         }
     EXPECT_GT(decided, all / 2) << "of half of the pixels the patch has decided";
+}
+
+TEST(TimeAndError, EachMethodOfThePictureIsOneDrawAndThereIsNoneThatNoPixelAsksFor) {
+    Shot shot = shot_of("17", {{"view", "picture"}, {"map", "posts"}}, "", pixels);
+    shot.camera = views[0].camera;
+    const auto lab = make_lab(find_lab("17"), shot);
+    const auto draws = [&](const char* method, const char* budget) {
+        set_knob(*lab, "method", method), set_knob(*lab, "budget", budget);
+        const int64_t before = counters().draw_calls;
+        render_shot(*lab, shot);
+        return counters().draw_calls - before;
+    };
+    const int64_t one = draws("plain", "1");
+    EXPECT_LE(draws("auto", "0.25"), one + 1) << "near the wall's end rays may leave it, which is another program";
+    EXPECT_LE(draws("auto", "2"), one + 3) << "a search near the eye, the normal map, then a colour";
+    EXPECT_EQ(draws("auto", "16"), one);
 }
 
 TEST(TimeAndError, NothingJumpsWhileTheEyeMovesSlowly) {
