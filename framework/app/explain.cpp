@@ -101,14 +101,18 @@ struct ExplainArguments {
     bool json = false;
 };
 
-/// What should be at the pixel: of a check what it compares with, else the probe's exact value.
-ExpectedValue expected_at(const LabEntry& lab, const Manifest& manifest, const ExplainArguments& arguments,
-                          const Shot& shot, glm::ivec2 pixel) {
+/// What should be at the pixel: where a check draws this very shot, what it compares with, else the probe's exact value.
+ExpectedValue expected_at(const LabEntry& lab, const Manifest& manifest, const Shot& shot, glm::ivec2 pixel) {
     std::optional<Image> image;
     std::string from;
-    if (!arguments.check.empty() &&
-        shot_text(shot, manifest.camera) == shot_text(manifest.check(arguments.check).shot, manifest.camera)) {
-        image = expectation(lab, manifest.check(arguments.check));
+    const auto text = [&](Shot any) {  // whatever the order of its knobs
+        std::sort(any.set.begin(), any.set.end());
+        return shot_text(any, manifest.camera);
+    };
+    const auto check = std::find_if(manifest.checks.begin(), manifest.checks.end(),
+                                    [&](const CheckInfo& one) { return text(one.shot) == text(shot); });
+    if (check != manifest.checks.end()) {
+        image = expectation(lab, *check);
         from = "expected by the check";
     } else if (shot.probe) {
         image = make_lab(lab, shot)->truth(
@@ -118,6 +122,13 @@ ExpectedValue expected_at(const LabEntry& lab, const Manifest& manifest, const E
     if (!image || image->width != shot.size.x || image->height != shot.size.y) return {};
     const float* const value = image->pixel(pixel.x, pixel.y);
     return {{value, value + image->channels}, from};
+}
+
+/// The first check of this probe, else the first of all.
+const CheckInfo& check_near(const Manifest& manifest, const std::string& probe) {
+    const auto same = std::find_if(manifest.checks.begin(), manifest.checks.end(),
+                                   [&](const CheckInfo& one) { return one.shot.probe.name == probe; });
+    return same == manifest.checks.end() ? manifest.checks.front() : *same;
 }
 
 int explain_pixel(const ExplainArguments& arguments) {
@@ -143,7 +154,10 @@ int explain_pixel(const ExplainArguments& arguments) {
 
     const auto context = open_context(context_kind(arguments.context));
     const Twins twins = twins_of(manifest);
-    const ExpectedValue expected = expected_at(lab, manifest, arguments, shot, pixel);
+    const ExpectedValue expected = expected_at(lab, manifest, shot, pixel);
+    if (expected.value.empty() && twins.empty() && !manifest.checks.empty())
+        print_note(fmt::format("what is right at a pixel is known in the pictures of checks: add --check \"{}\"",
+                               check_near(manifest, shot.probe.name).name));
     std::shared_ptr<void> others;
     if (!arguments.mistake.empty() || !arguments.submission.empty())
         others = course_with(manifest, arguments.mistake, arguments.submission);

@@ -48,6 +48,15 @@ TEST(ExplainCommand, FollowsAPixelThroughTheFunctionsOfTheTask) {
     EXPECT_EQ(functions.at("on_ray")["calls"].size(), 2U) << "first and last";
 }
 
+TEST(ExplainCommand, APictureOfACheckHasWhatTheCheckExpectsByNameOrByItsKnobs) {
+    const Result named = with({});
+    const Result set = explain({"10", "--set", "view=one", "--set", "steps=8", "--set", "method=steep", "--camera",
+                                "45,20,0.2", "--probe", "uv", "--size", "128x128", "--pixel", "65,80"});
+    EXPECT_TRUE(contains(named.out, "expected by the check: ")) << named.out << named.err;
+    EXPECT_EQ(set.out, named.out);
+    EXPECT_TRUE(contains(explain({"10", "--probe", "uv", "--pixel", "9,9", "--size", "64x64"}).out, "the exact value"));
+}
+
 TEST(ExplainCommand, TwinsHaveMoreDigits) {
     const auto functions = functions_of(Json::parse(with({"--json"}).out));
     const Json call = functions.at("ray_in_relief")["calls"][0], in = call["inputs"];

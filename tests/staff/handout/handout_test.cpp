@@ -322,6 +322,14 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
         EXPECT_EQ(code, 0) << lab << report.dump(1);
         EXPECT_EQ(report.at("points"), report.at("of")) << lab;
     }
+    // Without exact values a pixel is told right or wrong in the pictures of checks.
+    const auto explain = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {(build / "bin/relief").string(), "explain", "06", "--pixel", "9,9"});
+        return run(more);
+    };
+    const std::string check_named = staff("06_tangent_space").checks.front().name;
+    EXPECT_TRUE(contains(explain({}).err, "add --check \"")) << check_named;
+    EXPECT_TRUE(contains(explain({"--check", check_named}).out, "expected by the check: "));
     // A known mistake is named, by what the handout has alone.
     const Manifest storage = staff("02_normal_map_storage");
     const MistakeInfo& mistake = storage.mistakes.front();
