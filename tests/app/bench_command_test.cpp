@@ -124,7 +124,7 @@ TEST_F(BenchCommand, StartTimesShotsAndTheirPhases) {
     const Result result = run({relief_program(), "bench", "start", "--quick", "--repeats", "1", "-o", folder.string()});
     EXPECT_EQ(result.code, 0) << result.err;
     const auto rows = read_bench_csv(read_all(folder / "start.csv"));
-    ASSERT_EQ(rows.size(), 4u) << "a floor and a shot for each of PNG and PPM";
+    ASSERT_EQ(rows.size(), 6u) << "two floors and a shot for each of PNG and PPM";
     for (const BenchRow& row : rows) {
         EXPECT_TRUE(row.is_measured()) << row.state;
         EXPECT_EQ(row.work.size(), row.method == "shot" ? 9u : 0u);

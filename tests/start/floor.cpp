@@ -1,7 +1,7 @@
 // The least that a picture costs: a context, one textured and lit quad at 512 x 512, a file. As somebody would write it
 // by hand with the same libraries, and with nothing of the framework; `relief bench start` holds `relief shot` to it.
-// Built twice: floor-png TEXTURE.png OUT.png reads and writes with libpng, floor-ppm TEXTURE.ppm OUT.ppm by
-// itself.
+// Built twice: floor-png TEXTURE.png OUT.png SAMPLES reads and writes with libpng, floor-ppm TEXTURE.ppm OUT.ppm SAMPLES
+// by itself. SAMPLES: of a pixel; a shot has four.
 #include <glad/gl.h>  // before osmesa.h, which would bring the system's gl.h
 
 // glad takes these names back at its end, and the header of Mesa 25 wants them.
@@ -116,7 +116,8 @@ GLuint compiled(GLenum stage, const char* text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3) fail("usage: floor TEXTURE OUT");
+    if (argc != 4) fail("usage: floor TEXTURE OUT SAMPLES");
+    const int samples = std::atoi(argv[3]);
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,
                               OSMESA_PROFILE,
@@ -158,11 +159,31 @@ int main(int argc, char** argv) {
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
 
+    GLuint target = 0, surfaces[2] = {};
+    if (samples > 1) {
+        glGenFramebuffers(1, &target);
+        glBindFramebuffer(GL_FRAMEBUFFER, target);
+        glGenRenderbuffers(2, surfaces);
+        constexpr GLenum formats[] = {GL_RGBA8, GL_DEPTH_COMPONENT24};
+        constexpr GLenum places[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+        for (int i = 0; i < 2; ++i) {
+            glBindRenderbuffer(GL_RENDERBUFFER, surfaces[i]);
+            glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, formats[i], side, side);
+            glFramebufferRenderbuffer(GL_FRAMEBUFFER, places[i], GL_RENDERBUFFER, surfaces[i]);
+        }
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) fail("no samples");
+    }
+
     glClearColor(0.1f, 0.1f, 0.1f, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(program);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 
+    if (samples > 1) {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        glBlitFramebuffer(0, 0, side, side, 0, 0, side, side, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    }
     Picture picture{side, side, std::vector<unsigned char>(side * side * 3)};
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     std::vector<unsigned char> upwards(picture.rows.size());

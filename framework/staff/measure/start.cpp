@@ -104,14 +104,19 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
         scene.knobs = {{"file", kind}};
         scene.item = "picture";
         const fs::path floor = executable_folder() / ("floor-" + kind);
-        const auto at_least = [=] {
+        const auto at_least = [=](const std::string& samples) {
             fs::path from = course_root() / "assets" / texture;
             if (kind == "ppm") write_image(from = folder->path() / "texture.ppm", read_asset(texture));
-            const Words command = {floor.string(), from.string(), (folder->path() / ("floor." + kind)).string()};
+            const Words command = {floor.string(), from.string(), (folder->path() / ("floor." + kind)).string(),
+                                   samples};
             return BenchSubject{.run = [folder, command] { run(command); }};
         };
         if (fs::exists(floor))
-            scene.methods.push_back({"floor", {{"shaders", "cached"}}, at_least, true});
+            for (const std::string samples : {"1", "4"})  // a shot has four
+                scene.methods.push_back({"floor",
+                                         {{"shaders", "cached"}, {"samples", samples}},
+                                         [=] { return at_least(samples); },
+                                         true});
         else
             print_note(fmt::format("there is no {}: it is built with the tests", floor.string()));
         for (const bool with_cache : {true, false}) {
