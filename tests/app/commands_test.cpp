@@ -335,10 +335,13 @@ TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
           "look at: The code 0 means -1, not 0: every normal leans towards (1, 1, 1).\n"})
         EXPECT_TRUE(contains(wrong.out, part)) << part << "\n" << wrong.out;
     EXPECT_EQ(count(wrong.out, "The code 0 means -1"), 1) << "a hint is said once: " << wrong.out;
+    const std::string manifest = "labs/02_normal_map_storage/lab.toml";
+    course().edit(manifest, "decode_unorm8 undoes f", "`decode_unorm8` undoes f");
     course().edit(file, "code / 255.0", "code / 254.0 * 2.0 - 1.0");
     const Result unknown = course().relief({"check", "storage"});
     EXPECT_TRUE(contains(unknown.out, "look at: decode_unorm8 undoes f"))
-        << "no mistake that is known: " << unknown.out;
+        << "no mistake that is known, and no backticks: " << unknown.out;
+    course().edit(manifest, "`decode_unorm8` undoes f", "decode_unorm8 undoes f");
     course().edit(file, "code / 254.0 * 2.0 - 1.0", "code / 255.0");
     course().edit(file, "code / 255.0", "cde / 255.0");
     const Result broken = course().relief({"check", "2"});
