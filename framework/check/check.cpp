@@ -284,7 +284,7 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
 
 /// In the grader's words; or empty.
 std::string what_reaches_beyond(const std::string& file, const OtherShaders& others) {
-    if (!file.ends_with(".glsl") || !fs::exists(course_root() / file)) return {};
+    if (!is_shader(file) || !fs::exists(course_root() / file)) return {};
     const std::string beyond = reaches_beyond(read_file(course_root() / file), others);
     return beyond.empty() ? "" : fmt::format("{} {}", file, beyond);
 }
