@@ -83,6 +83,8 @@ Lines wrong_libraries(const std::string& file, const std::string& text) {
             include.starts_with("GLFW/") || include.starts_with("imgui") || include.starts_with("backends/imgui");
         if ((image && file != "framework/image/openimageio.cpp" &&
              file != "framework/staff/measure/peers_module.cpp") ||
+            ((include.starts_with("librsvg/") || include.starts_with("cairo")) &&
+             file != "framework/image/librsvg.cpp") ||
             (archive && file != "framework/staff/grade/libarchive.cpp") ||
             (include == "seccomp.h" && file != "framework/staff/grade/system_calls.cpp") ||
             (include == "md4c.h" && file != "framework/base/markdown.cpp") ||
@@ -214,11 +216,13 @@ TEST(Arrows, APlantedOneIsFound) {
 
 TEST(Arrows, APlantedLibraryIsFound) {
     EXPECT_FALSE(wrong_libraries("framework/image/file.cpp", "#include <OpenImageIO/imageio.h>\n").empty());
+    EXPECT_FALSE(wrong_libraries("framework/image/svg.cpp", "#include <librsvg/rsvg.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/lab/shot.cpp", "#include <GLFW/glfw3.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/context/window.cpp", "#include <GLFW/glfw3.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("labs/07_baking/lab.cpp", "#include <imgui.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/mesh/shapes.cpp", "#include <glad/gl.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/pages/page.cpp", "#include <kainjow/mustache.hpp>\n").empty());
+    EXPECT_TRUE(wrong_libraries("framework/image/librsvg.cpp", "#include <librsvg/rsvg.h>\n").empty());
     EXPECT_TRUE(wrong_libraries("framework/context/glfw_window.cpp", "#include <GLFW/glfw3.h>\n").empty());
     EXPECT_TRUE(wrong_libraries("framework/window/menu_panel.cpp", "#include <imgui.h>\n").empty());
     EXPECT_TRUE(wrong_libraries("framework/gl/gl.h", "#include <glad/gl.h>\n").empty());

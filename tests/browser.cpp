@@ -148,6 +148,11 @@ void Browser::dark(bool on) {
          {{"features", {{{"name", "prefers-color-scheme"}, {"value", on ? "dark" : "light"}}}}});
 }
 
+void Browser::paper(bool on) {
+    width(on ? 720 : 0);
+    call("Emulation.setEmulatedMedia", {{"media", on ? "print" : ""}});
+}
+
 void Browser::width(int pixels) {
     if (pixels == 0)
         call("Emulation.clearDeviceMetricsOverride");

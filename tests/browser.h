@@ -28,6 +28,8 @@ public:
     bool tab_to(const std::string& selector);
     void type(const std::string& text);
     void dark(bool on);
+    /// As it is printed, on a sheet 720 pixels wide.
+    void paper(bool on);
     void scripts(bool on);
     /// As on a screen of so many pixels across; 0: the window's own.
     void width(int pixels);

@@ -10,6 +10,7 @@
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
+#include "framework/base/markdown.h"
 #include "framework/base/paths.h"
 #include "framework/base/process.h"
 #include "framework/base/text.h"
@@ -57,7 +58,7 @@ private:
         if (result.outcome == Outcome::wrong && !result.check->reason.empty())
             fmt::print("              why this limit: {}\n", result.check->reason);
         if (const std::string hint = look_at(result); hints_.insert(hint).second)
-            fmt::print("              look at: {}\n", hint);
+            fmt::print("              look at: {}\n", plain_text(line_with_code(hint)));
         if (result.outcome == Outcome::wrong)
             fmt::print("              in the window: ./relief run {} --check '{}'\n", lab_.two_digits(),
                        result.check->name);

@@ -134,8 +134,8 @@ const CheckInfo& check_near(const Manifest& manifest, const std::string& probe) 
 int explain_pixel(const ExplainArguments& arguments) {
     const LabEntry& lab = find_lab(arguments.lab);
     const Manifest manifest = load_manifest(lab);
-    const auto is_shader = [](const TaskInfo& task) { return task.file.ends_with(".glsl"); };
-    if (std::none_of(manifest.tasks.begin(), manifest.tasks.end(), is_shader))
+    if (std::none_of(manifest.tasks.begin(), manifest.tasks.end(),
+                     [](const TaskInfo& task) { return is_shader(task.file); }))
         throw UsageError(fmt::format("no task of lab {} is in a shader: look at its probes with relief shot {} --help",
                                      lab.two_digits(), lab.two_digits()));
     if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // that there is one, before anything else
@@ -149,7 +149,7 @@ int explain_pixel(const ExplainArguments& arguments) {
     if (!arguments.probe.empty()) shot.probe.name = manifest.probe(arguments.probe).name;
     const glm::ivec2 pixel = parse_pixel(arguments.pixel);
     if (!arguments.check.empty())
-        if (const TaskInfo& task = manifest.task(manifest.check(arguments.check).task); !is_shader(task))
+        if (const TaskInfo& task = manifest.task(manifest.check(arguments.check).task); !is_shader(task.file))
             print_note(fmt::format("task {} is in C++: only functions of shaders are followed", task.id));
 
     const auto context = open_context(context_kind(arguments.context));

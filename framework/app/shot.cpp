@@ -9,6 +9,7 @@
 #include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/text.h"
+#include "framework/gl/missing_tasks.h"
 #include "framework/image/file.h"
 #include "framework/image/visualize.h"
 #include "framework/lab/manifest.h"
@@ -69,9 +70,14 @@ int take_shot(const ShotArguments& arguments) {
     const auto draw = [&](bool light) {
         if (!arguments.mistake.empty())
             return draw_with_mistake(entry, arguments.mistake, shot, light && !shot.probe, choice);
-        return render_shot(*lab, shot, light);
+        Image drawn = render_shot(*lab, shot, light);
+        if (const size_t missing = shot.probe ? pixels_not_written(drawn) : 0; missing > 0)
+            print_note(fmt::format("{} of {} pixels come from a task that is not written yet", missing,
+                                   drawn.pixel_count()));
+        return drawn;
     };
 
+    const TellMissingTasks told;
     Image image;
     std::string summary;
     if (show == Show::truth) {
@@ -81,7 +87,8 @@ int take_shot(const ShotArguments& arguments) {
         context = open_context(choice);
         image = error_image(draw(false), truth, metric);
         const ErrorSummary error = summarize(image);
-        summary = fmt::format("mean {}, rms {}, 99 % {}, largest {}, over {} pixels\n",
+        if (error.count > 0)
+            summary = fmt::format("mean {}, rms {}, 99 % {}, largest {}, over {} pixels\n",
                               amount_of(error.mean, manifest.probe(shot.probe.name).unit, 6), plain(error.rms),
                               plain(error.p99), plain(error.largest), error.count);
         if (!floats) image = visualize_error(image, error.p99);

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "framework/base/text.h"
+
 namespace relief {
 namespace {
 
@@ -183,6 +185,20 @@ std::vector<Block> parse_markdown(std::string_view text) {
     Builder builder;
     if (md_parse(text.data(), MD_SIZE(text.size()), &parser, &builder) != 0) throw std::bad_alloc();
     return builder.blocks();
+}
+
+Spans line_with_code(std::string_view line) {
+    Spans spans;
+    const std::vector<std::string> pieces = split(line, '`');
+    for (size_t i = 0; i < pieces.size(); ++i)
+        if (!pieces[i].empty()) spans.push_back({.text = pieces[i], .code = i % 2 == 1 && i + 1 < pieces.size()});
+    return spans;
+}
+
+std::string plain_text(const Spans& spans) {
+    std::string text;
+    for (const Span& span : spans) text += span.text;
+    return text;
 }
 
 }  // namespace relief

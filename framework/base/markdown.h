@@ -34,4 +34,11 @@ struct Block {
 /// closed, or not known, stays as written.
 std::vector<Block> parse_markdown(std::string_view text);
 
+/// A line of text, such as a hint, in which code stands between backticks, and nothing else is marked. A backtick without
+/// a second one is left out.
+Spans line_with_code(std::string_view line);
+
+/// Without styles and backticks: for a terminal.
+std::string plain_text(const Spans& spans);
+
 }  // namespace relief

@@ -126,7 +126,7 @@ public:
     Watched(const LabEntry& entry, const Manifest& manifest, const Shot& shot, const Twins& twins)
         : entry_(entry), shot_(shot), twins_(twins) {
         for (const TaskInfo& task : manifest.tasks)
-            if (task.file.ends_with(".glsl")) task_files_.insert(course_root() / task.file);
+            if (is_shader(task.file)) task_files_.insert(course_root() / task.file);
     }
 
     /// Draws the frame with twins in the places of functions (see watched::flow), and returns the pixel. With `notes`

@@ -32,7 +32,7 @@ std::string text_of(const ValueShape& shape, const Number*& at) {
 std::string numbers_of(const std::vector<float>& value) {
     std::string text;
     for (const float number : value) text += (text.empty() ? "" : "  ") + rounded(double(number), 6);
-    return value.front() == no_surface ? "no surface" : text;
+    return value.front() == no_surface ? "no surface" : value.front() == not_written ? "a task is not written" : text;
 }
 
 std::string where_of(const ExplainedFunction& one) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "framework/base/error.h"
@@ -9,6 +10,7 @@
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
 #include "framework/gl/cube_texture.h"
+#include "framework/gl/missing_tasks.h"
 #include "framework/gl/texture.h"
 
 namespace relief {
@@ -239,6 +241,8 @@ const Program& Programs::with(std::initializer_list<Define> defines) const {
     std::vector<std::string> key;
     for (const Define& define : defines)
         if (!define.text.empty()) key.push_back(define.text);
+    const auto is_probe = [](const std::string& define) { return define.starts_with("PROBE_"); };
+    if (missing_tasks_are_told() && std::any_of(key.begin(), key.end(), is_probe)) key.push_back("TELL_MISSING");
     std::unique_ptr<Permutation>& permutation = permutations_[key];
     if (!permutation) {
         std::vector<fs::path> paths;

@@ -64,6 +64,8 @@ Image error_image(const Image& measured, const Image& truth, ErrorMetric metric)
         const bool is_nan = std::any_of(m, m + measured.channels, [](float v) { return std::isnan(v); });
         if (is_nan)
             error = NAN;
+        else if (m[0] == not_written)
+            error = not_written;
         else if (!std::isinf(m[0]) && !std::isinf(t[0]))
             switch (metric) {
                 case ErrorMetric::angle:
@@ -87,6 +89,7 @@ ErrorSummary summarize(const Image& error) {
     double sum = 0, squares = 0;
     for (const float value : error.values) {
         if (std::isnan(value)) ++summary.not_finite;
+        if (value == not_written) ++summary.missing;
         if (!std::isfinite(value)) continue;
         errors.push_back(value);
         sum += value, squares += double(value) * value;

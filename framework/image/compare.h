@@ -22,7 +22,7 @@ Difference difference(const Image& a, const Image& b, double threshold);
 enum class ErrorMetric { distance, angle, absolute };
 
 /// One channel: the error of each pixel, +infinity where either has no surface, NaN where either is NaN or, for an
-/// angle, zero. The shapes must agree.
+/// angle, zero, and not_written where the measured value is. The shapes must agree.
 Image error_image(const Image& measured, const Image& truth, ErrorMetric metric);
 
 /// Over the pixels with a surface; all zero when there are none.
@@ -30,6 +30,7 @@ struct ErrorSummary {
     size_t count = 0;  ///< pixels compared
     double mean = 0, rms = 0, p99 = 0, largest = 0;
     size_t not_finite = 0;  ///< pixels that are NaN: always a mistake
+    size_t missing = 0;     ///< pixels that are not_written
 };
 ErrorSummary summarize(const Image& error);
 

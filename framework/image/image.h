@@ -11,7 +11,7 @@ namespace relief {
 enum class ColorSpace { linear, srgb };
 
 /// Row 0 is the top; `channels` floats a pixel, without padding. Values that come from, or go to, integers are in [0,
-/// 1]; probes have the units of their quantity, with +infinity in every channel where there is no surface.
+/// 1]; probes have the units of their quantity, with no_surface or not_written in every channel where there is none.
 struct Image {
     int width = 0;
     int height = 0;
@@ -41,5 +41,7 @@ private:
 
 /// What a probe holds where no surface is.
 constexpr float no_surface = std::numeric_limits<float>::infinity();
+/// What a probe holds where its value comes from a task that is not written: see shaders/common/unfinished.glsl.
+constexpr float not_written = -std::numeric_limits<float>::infinity();
 
 }  // namespace relief

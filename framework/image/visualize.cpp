@@ -9,7 +9,7 @@ namespace relief {
 namespace {
 
 using Color = std::array<float, 3>;
-constexpr Color nothing{0.11f, 0.12f, 0.14f}, not_a_number{1, 0, 1};
+constexpr Color nothing{0.11f, 0.12f, 0.14f}, not_a_number{1, 0, 1}, missing{0.85f, 0, 0.85f};
 
 void put(Image& image, size_t i, const Color& color) {
     std::copy(color.begin(), color.end(), image.values.begin() + std::ptrdiff_t(i * 3));
@@ -18,6 +18,7 @@ void put(Image& image, size_t i, const Color& color) {
 /// Of a value that no colour can stand for, or nothing.
 const Color* special_color(const float* value, int channels) {
     if (std::any_of(value, value + channels, [](float v) { return std::isnan(v); })) return &not_a_number;
+    if (std::count(value, value + channels, not_written) == channels) return &missing;
     if (std::any_of(value, value + channels, [](float v) { return std::isinf(v); })) return &nothing;
     return nullptr;
 }
@@ -117,9 +118,10 @@ Image visualize_error(const Image& error, double largest) {
     for (size_t i = 0; i < error.pixel_count(); ++i) {
         const float value = error.values[i];
         put(picture, i,
-            std::isnan(value)   ? not_a_number
-            : std::isinf(value) ? nothing
-                                : heat(largest > 0 ? value / largest : 0));
+            std::isnan(value)      ? not_a_number
+            : value == not_written ? missing
+            : std::isinf(value)    ? nothing
+                                   : heat(largest > 0 ? value / largest : 0));
     }
     return picture;
 }

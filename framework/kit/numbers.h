@@ -10,8 +10,8 @@
 
 namespace relief {
 
-/// What `draw` draws into a target of its own, four floats a pixel; +infinity where nothing is drawn. The viewport is
-/// the whole target. Afterwards framebuffer and viewport are as they were.
+/// What `draw` draws into a target of its own, four floats a pixel; +infinity where nothing is drawn, not_written where
+/// a task is missing. The viewport is the whole target. Afterwards framebuffer and viewport are as they were.
 Image draw_numbers(glm::ivec2 size, const std::function<void()>& draw);
 
 /// An image of four floats a pixel; row 0 is the top. Several threads call `value`, which gets column and row.

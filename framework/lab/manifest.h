@@ -31,6 +31,8 @@ struct TaskInfo {
     /// It is marked with the solution of the other tasks where it loses points with the student's own.
     bool alone = true;
 };
+/// Whether a task's file is a shader, and not C++.
+inline bool is_shader(const std::string& file) { return file.ends_with(".glsl"); }
 
 /// What a check allows between two shots; nothing where a limit is not given. In the unit of the probe, over the pixels
 /// with a surface.

@@ -49,14 +49,19 @@ void restore_state() {
     glBindVertexArray(0);
 }
 
-void refuse_broken_probe(const Image& image, const Probe& probe) {
+/// Pixels whose task is not written are as good as any if `without_tasks`.
+void refuse_broken_probe(const Image& image, const Probe& probe, bool without_tasks) {
     size_t surface = 0, broken = 0, first = 0;
+    const size_t missing = pixels_not_written(image);
+    if (missing > 0 && !without_tasks)
+        throw Error(fmt::format("probe '{}': {} pixels come from a task that is not written yet", probe.name, missing));
     for (size_t i = 0; i < image.pixel_count(); ++i) {
         const float* const value = image.values.data() + i * image.channels;
         const auto finite = std::count_if(value, value + image.channels, [](float v) { return std::isfinite(v); });
         const auto outside = std::count(value, value + image.channels, no_surface);
-        surface += finite == image.channels;
-        if (finite != image.channels && outside != image.channels && broken++ == 0) first = i;
+        const bool is_missing = std::count(value, value + image.channels, not_written) == image.channels;
+        surface += finite == image.channels || is_missing;
+        if (finite != image.channels && outside != image.channels && !is_missing && broken++ == 0) first = i;
     }
     if (broken > 0)
         throw Error(fmt::format("probe '{}': {} pixels are not finite, the first at column {}, row {}", probe.name,
@@ -132,16 +137,23 @@ Image draw_shot(Lab& lab, const Shot& shot, bool light) {
     return image;
 }
 
-void refuse_unusable(const Image& image, const Shot& shot) {
+size_t pixels_not_written(const Image& image) {
+    size_t count = 0;
+    for (auto pixel = image.values.begin(); pixel != image.values.end(); pixel += image.channels)
+        count += std::count(pixel, pixel + image.channels, not_written) == image.channels;
+    return count;
+}
+
+void refuse_unusable(const Image& image, const Shot& shot, bool without_tasks) {
     if (shot.probe)
-        refuse_broken_probe(image, shot.probe);
+        refuse_broken_probe(image, shot.probe, without_tasks);
     else if (image.pixel_count() > 1 && is_one_color(image))
         throw Error("the picture has one colour: nothing was drawn, or the camera does not see it");
 }
 
 Image render_shot(Lab& lab, const Shot& shot, bool light) {
     Image image = draw_shot(lab, shot, light);
-    refuse_unusable(image, shot);
+    refuse_unusable(image, shot, true);
     return image;
 }
 

@@ -40,13 +40,15 @@ Image read_picture(const Target& target);
 
 /// draw_lab() into a new target, then the pixels: 8-bit sRGB (3 channels) for a picture, linear floats (3
 /// channels) when `light`, floats (4 channels) for a probe. Throws Error when nothing was drawn (a picture of
-/// one colour, a probe without a surface) or a probe has a pixel that is neither finite nor background.
+/// one colour, a probe without a surface) or a probe has a pixel that is neither finite nor background nor not_written.
 Image render_shot(Lab& lab, const Shot& shot, bool light = false);
 
 /// The two halves of render_shot(), for callers that draw and validate in different processes. draw_shot() throws for
-/// GL errors only.
+/// GL errors only. Without `without_tasks` refuse_unusable() also refuses what is not_written.
 Image draw_shot(Lab& lab, const Shot& shot, bool light = false);
-void refuse_unusable(const Image& image, const Shot& shot);
+void refuse_unusable(const Image& image, const Shot& shot, bool without_tasks = false);
+/// How many pixels of a probe come from a task that is not written.
+size_t pixels_not_written(const Image& image);
 
 /// Why a probe has no exact values; without a name, of any probe. A students' course does not have what computes them.
 std::string no_truth(const std::string& probe = "");

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/image/file.h"
+#include "framework/image/svg.h"
 #include "framework/pages/lab_page.h"
 #include "framework/pages/markdown_page.h"
 #include "framework/pages/page.h"
@@ -18,12 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A drawing's own size, from its view box.
-PagePicture size_of_drawing(const std::string& svg, const fs::path& file) {
-    static const std::regex box("viewBox=\"0 0 ([0-9]+) ([0-9]+)\"");
-    std::smatch found;
-    if (!std::regex_search(svg, found, box)) throw Error({file}, "a drawing needs viewBox=\"0 0 WIDTH HEIGHT\"");
-    return {.width = std::stoi(found[1]), .height = std::stoi(found[2]), .is_drawing = true};
+PagePicture drawing_of(const std::string& svg, const fs::path& file) {
+    try {
+        const glm::ivec2 size = svg_size(svg);
+        return {.width = size.x, .height = size.y, .is_drawing = true};
+    } catch (const Error& error) {
+        throw Error({file}, error.what());
+    }
 }
 
 class Handout {
@@ -74,7 +75,7 @@ private:
         const std::string name = lab_.folder + "/handout-" + file.filename().string();
         if (file.extension() == ".svg") {
             const std::string svg = read_file(course_root() / file);
-            shown = size_of_drawing(svg, file);
+            shown = drawing_of(svg, file);
             put_(name, svg);
         } else {
             const Image image = read_image(course_root() / file);

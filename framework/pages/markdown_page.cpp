@@ -88,12 +88,6 @@ private:
         fields["opened"] = std::move(opened);
     }
 
-    static std::string plain_text(const Spans& spans) {
-        std::string text;
-        for (const Span& span : spans) text += span.text;
-        return text;
-    }
-
     /// A paragraph that is one picture.
     Value figure(const Block& block) const {
         if (block.spans.size() != 1 || !block.spans.front().image) return {};

@@ -6,6 +6,7 @@
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
+#include "framework/base/markdown.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
 
@@ -62,11 +63,8 @@ Value rows(const std::vector<std::string>& texts) { return rows(List(texts.begin
 
 Value with_code(const std::string& text) {
     List parts;
-    const std::vector<std::string> pieces = split(text, '`');
-    for (size_t i = 0; i < pieces.size(); ++i) {
-        const bool is_code = i % 2 == 1 && i + 1 < pieces.size();
-        parts.push_back(Fields{{"code", is_code ? pieces[i] : ""}, {"text", is_code ? "" : pieces[i]}});
-    }
+    for (const Span& span : line_with_code(text))
+        parts.push_back(Fields{{"code", span.code ? span.text : ""}, {"text", span.code ? "" : span.text}});
     return parts;
 }
 

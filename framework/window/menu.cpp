@@ -18,6 +18,7 @@
 #include "framework/base/process.h"
 #include "framework/context/glfw_window.h"
 #include "framework/gl/counters.h"
+#include "framework/gl/missing_tasks.h"
 #include "framework/image/file.h"
 #include "framework/window/menu_check_view.h"
 #include "framework/window/menu_checks.h"
@@ -104,6 +105,7 @@ public:
     }
 
     int run() {
+        const TellMissingTasks told;
         GLFWwindow* const window = window_.handle();
         while (!glfwWindowShouldClose(window)) {
             // Asleep until something happens. An event wants a second turn, in which Dear ImGui shows what it did, and

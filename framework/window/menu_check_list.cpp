@@ -4,12 +4,14 @@
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
+#include "framework/base/markdown.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
 #include "framework/pages/check_figures.h"
 #include "framework/pages/check_page.h"
 #include "framework/window/menu_checks.h"
 #include "framework/window/menu_style.h"
+#include "framework/window/menu_text.h"
 
 namespace relief {
 namespace {
@@ -57,13 +59,19 @@ bool wrapped_selectable(const std::string& line, bool is_chosen) {
     return pressed;
 }
 
+void draw_hint(const std::string& hint) {
+    Spans spans = line_with_code(hint);
+    spans.insert(spans.begin(), {.text = "Look at: "});
+    wrapped(spans, accent);
+}
+
 /// `mistake`: what stands above, and need not be said again.
 void draw_result(const CheckInfo& check, const CheckResult& result, const std::string& mistake) {
     ImGui::Indent();
     wrapped(outcome_words(result.outcome) + ": " + result.found);
     if (result.outcome == Outcome::wrong && !check.reason.empty()) quiet_text("Why this limit: " + check.reason);
     if (const std::string hint = look_at(result); !hint.empty() && hint != mistake && result.outcome != Outcome::passed)
-        colored_text(accent, "Look at: " + hint);
+        draw_hint(hint);
     ImGui::Unindent();
 }
 
@@ -93,7 +101,7 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
         ImGui::PopID();
         tooltip("Opens " + task.file + " in your editor: VISUAL, EDITOR, or the desktop's.");
         const std::string mistake = checks.mistake(task);
-        if (!mistake.empty()) colored_text(accent, "Look at: " + mistake);
+        if (!mistake.empty()) draw_hint(mistake);
         for (size_t i = 0; i < manifest.checks.size(); ++i) {
             const CheckInfo& check = manifest.checks[i];
             if (check.task != task.id) continue;

@@ -6,6 +6,7 @@
 
 #include "framework/base/error.h"
 #include "framework/base/log.h"
+#include "framework/base/markdown.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
 
@@ -80,7 +81,8 @@ void Checks::run_next(const std::string& first) {
     Advice advice = checker_->advice();
     for (size_t k = 0; k < results_.size(); ++k) results_[k]->look_at = advice.look_at[k];
     mistakes_ = std::move(advice.mistakes);
-    for (const auto& [task, hint] : mistakes_) print_event(fmt::format("task {}, look at: {}", task, hint));
+    for (const auto& [task, hint] : mistakes_) 
+        print_event(fmt::format("task {}, look at: {}", task, plain_text(line_with_code(hint))));
     print_event(fmt::format("checks: {} of {} points", points_text(points()), manifest_.points()));
 }
 

@@ -109,15 +109,20 @@ void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size, bool moves) const {
     } else {
         const ProbeInfo& probe = compared_->probe;
         wrapped(fmt::format("{}: distance from the exact value", probe.name));
-        wrapped(fmt::format("mean {}    99 % {}    largest {}", rounded(error_.mean), rounded(error_.p99),
-                            amount_of(error_.largest, probe.unit)));
-        if (error_.count == 0) wrapped("No pixel shows a surface in both pictures.");
+        if (error_.count > 0)
+            wrapped(fmt::format("mean {}    99 % {}    largest {}", rounded(error_.mean), rounded(error_.p99),
+                                amount_of(error_.largest, probe.unit)));
+        else if (error_.missing == 0)
+            wrapped("No pixel shows a surface in both pictures.");
+        if (error_.missing > 0)
+            wrapped(fmt::format("{} pixels, in magenta, come from a task that is not written yet.", error_.missing));
         if (error_.not_finite > 0) {
             ImGui::PushStyleColor(ImGuiCol_Text, alarm);
             wrapped(fmt::format("{} pixels, in magenta, are NaN or infinite.", error_.not_finite));
             ImGui::PopStyleColor();
         }
-        draw_heat_scale("0", amount_of(error_.p99, probe.unit) + " and more", ImGui::GetContentRegionAvail().x);
+        if (error_.count > 0)
+            draw_heat_scale("0", amount_of(error_.p99, probe.unit) + " and more", ImGui::GetContentRegionAvail().x);
     }
     ImGui::End();
 }

@@ -10,9 +10,9 @@
 
 #include "framework/base/error.h"
 #include "framework/base/file.h"
+#include "framework/base/log.h"
 #include "framework/base/paths.h"
 #include "framework/base/text.h"
-#include "framework/image/file.h"
 #include "framework/window/menu_formula_block.h"
 #include "framework/window/menu_style.h"
 #include "framework/window/menu_text.h"
@@ -260,28 +260,19 @@ void Handout::draw_table(const Block& block, float width) {
     ImGui::Dummy({width, y - corner.y});
 }
 
-// A picture that cannot be read is its text.
+// A picture that cannot be shown is its text, and is not tried again before the handout changes.
 void Handout::draw_picture(const Span& image, float width) {
-    const std::filesystem::path file = (file_.parent_path() / image.target).lexically_normal();
-    auto found = pictures_.find(image.target);
+    const auto [place, is_new] = pictures_.try_emplace(image.target);
+    std::unique_ptr<HandoutPicture>& picture = place->second;
     try {
-        if (found == pictures_.end())
-            found = pictures_
-                        .emplace(image.target, Texture(image.target, [file] { return read_image(file); },
-                                                       {.wrap = Wrap::clamp, .anisotropy = 1}))
-                        .first;
-        const GLuint name = found->second;
-        GLint columns = 0, rows = 0;
-        glBindTexture(GL_TEXTURE_2D, name);
-        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &columns);
-        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &rows);
-        glBindTexture(GL_TEXTURE_2D, 0);
-        const float share = std::min(1.0f, width / float(columns));
-        ImGui::Image(reinterpret_cast<ImTextureID>(std::uintptr_t(name)), {float(columns) * share, float(rows) * share},
-                     {0, 1}, {1, 0});  // row 0 of a texture is the bottom
-    } catch (const Error&) {
-        set_spans({image}, width);
+        if (is_new)
+            picture = std::make_unique<HandoutPicture>((file_.parent_path() / image.target).lexically_normal());
+        if (picture) picture->draw(width);
+    } catch (const Error& error) {
+        print_event(fmt::format("handout: {}: {}", image.target, error.what()));
+        picture.reset();
     }
+    set_spans({picture ? Span{.text = image.text, .italic = true} : image}, width);
 }
 
 }  // namespace relief

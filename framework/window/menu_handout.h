@@ -3,15 +3,16 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "framework/base/formula.h"
 #include "framework/base/markdown.h"
-#include "framework/gl/texture.h"
 #include "framework/lab/knobs.h"
 #include "framework/lab/registry.h"
 #include "framework/window/menu_layout.h"
+#include "framework/window/menu_picture.h"
 #include "framework/window/menu_style.h"
 #include "framework/window/menu_wish.h"
 
@@ -46,8 +47,8 @@ private:
     std::vector<Block> blocks_;
     std::map<const Block*, std::vector<std::vector<FormulaCell>>> formulas_;  ///< of blocks that are formulas
     std::vector<KnobText> knobs_;
-    std::string clicked_;                      ///< "name" or "name=value", of the present frame
-    std::map<std::string, Texture> pictures_;  ///< by target
+    std::string clicked_;  ///< "name" or "name=value", of the present frame
+    std::map<std::string, std::unique_ptr<HandoutPicture>> pictures_;  ///< by target; nothing if it cannot be shown
 };
 
 }  // namespace relief

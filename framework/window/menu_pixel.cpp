@@ -19,6 +19,7 @@ namespace {
 
 /// The channels that count: a probe's last ones are often unused, and 0.
 int used_channels(const Image& image, glm::ivec2 pixel, ErrorMetric metric) {
+    if (image.pixel(pixel.x, pixel.y)[0] == not_written) return 1;
     int count = metric == ErrorMetric::absolute ? 1 : metric == ErrorMetric::angle ? 3 : image.channels;
     while (metric == ErrorMetric::distance && count > 1 && image.pixel(pixel.x, pixel.y)[count - 1] == 0) --count;
     return count;
@@ -26,6 +27,7 @@ int used_channels(const Image& image, glm::ivec2 pixel, ErrorMetric metric) {
 
 std::string numbers_at(const Image& image, glm::ivec2 pixel, int channels) {
     const float* const values = image.pixel(pixel.x, pixel.y);
+    if (values[0] == not_written) return "a task is not written";
     if (std::isinf(values[0])) return "no surface";
     std::string line;
     for (int c = 0; c < channels; ++c) line += (c ? "  " : "") + rounded(double(values[c]), 5);

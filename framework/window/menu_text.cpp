@@ -8,12 +8,12 @@ namespace {
 
 const ImVec4 bold_color{1, 1, 0.98f, 1}, link_color{0.56f, 0.74f, 0.95f, 1};
 
-Look look_of(const Span& span, FontRole base) {
+Look look_of(const Span& span, FontRole base, const ImVec4& plain) {
     const ImVec4 color = span.code              ? code_color
                          : !span.target.empty() ? (span.image ? quiet : link_color)
                          : span.italic          ? quiet
                          : span.bold            ? bold_color
-                                                : plain_color;
+                                                : plain;
     const FontRole role = span.code ? FontRole::code : span.bold && base == FontRole::text ? FontRole::bold : base;
     const bool is_knob = span.code && span.target.starts_with(knob_link);
     return {font(role), ImGui::ColorConvertFloat4ToU32(is_knob ? link_color : color), span.code,
@@ -24,7 +24,7 @@ Look look_of(const Span& span, FontRole base) {
 
 void TextLayout::set(const Spans& spans) {
     for (const Span& span : spans) {
-        const Look look = look_of(span, base_);
+        const Look look = look_of(span, base_, color_);
         const std::string& text = span.image ? "[" + span.text + "]" : span.text;
         for (size_t begin = 0; begin <= text.size();) {
             const size_t end = std::min(text.find_first_of(" \n", begin), text.size());
@@ -91,6 +91,13 @@ void TextLayout::put(const Piece& piece) {
     }
     x_ += width;
     widest_ = std::max(widest_, x_);
+}
+
+void wrapped(const Spans& spans, const ImVec4& color) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    TextLayout layout(ImGui::GetCursorScreenPos(), width, FontRole::text, true, color);
+    layout.set(spans);
+    ImGui::Dummy({width, layout.height()});
 }
 
 }  // namespace relief

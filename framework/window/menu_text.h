@@ -29,8 +29,8 @@ struct Look {
 /// Sets words from left to right in lines of a width; what is wider than a line is cut.
 class TextLayout {
 public:
-    TextLayout(ImVec2 corner, float width, FontRole base, bool visible)
-        : corner_(corner), width_(width), base_(base), visible_(visible), line_(line_height(base)) {}
+    TextLayout(ImVec2 corner, float width, FontRole base, bool visible, const ImVec4& color = plain_color)
+        : corner_(corner), width_(width), base_(base), visible_(visible), color_(color), line_(line_height(base)) {}
 
     void set(const Spans& spans);
     float height() const { return y_ + line_; }
@@ -56,9 +56,13 @@ private:
     float width_;
     FontRole base_;
     bool visible_;
+    ImVec4 color_;  ///< of what has no style of its own
     float line_, x_ = 0, y_ = 0, widest_ = 0, widest_word_ = 0;
     std::vector<Piece> word_;
     std::string clicked_;
 };
+
+/// Sets spans at the cursor, over what is left of the window's width, and moves it below them.
+void wrapped(const Spans& spans, const ImVec4& color);
 
 }  // namespace relief

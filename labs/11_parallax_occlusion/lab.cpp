@@ -158,7 +158,7 @@ private:
         Figures figures;
         for (size_t i = 0; i < drawn.pixel_count(); ++i) {
             const float* const pixel = drawn.values.data() + i * 4;
-            if (pixel[3] >= 0) continue;  // background, or a task is not written
+            if (!std::isfinite(pixel[3])) continue;  // background, or a task is not written
             ++figures.pixels;
             figures.mean += double(pixel[0]);
             figures.heights_read += double(pixel[1]);

@@ -109,14 +109,13 @@ private:
         return *skips_[&surface].get({surface.version()}, [&] { return std::make_unique<Skips>(surface.heights()); });
     }
 
-    void draw_object(const Frame& frame, const Object& object, Method method, float turns_from,
-                     const Define& purpose = "") {
+    void draw_object(const Frame& frame, const Object& object, Method method, float turns_from) {
         const ReliefSurface& surface = *object.surface;
         Skips& skips = skips_of(surface);
         const double radius = object.radius(outline_);
         const Program& program = surface_program_.with(
             {frame.probe, method_defines[method], frame.probe ? "" : shadow_defines[size_t(shadow_)],
-             write_depth_ ? "WRITE_DEPTH" : "", outline_ ? "OUTLINE" : "", radius > 0 ? "CURVED" : "", purpose});
+             write_depth_ ? "WRITE_DEPTH" : "", outline_ ? "OUTLINE" : "", radius > 0 ? "CURVED" : ""});
         glUseProgram(program);
         surface.set(program, frame, object.world_from_model);
         skips.set(program, method);
@@ -148,7 +147,7 @@ private:
         frame.probe = {"steps"};
         frame.size = {64, 64};
         const Image steps = draw_numbers(frame.size, [&] {
-            for (const Object& object : objects()) draw_object(frame, object, method, 0, "MEASURE");
+            for (const Object& object : objects()) draw_object(frame, object, method, 0);
         });
         double sum = 0, count = 0;
         for (size_t i = 0; i < steps.values.size(); i += 4)

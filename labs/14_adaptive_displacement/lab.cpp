@@ -158,12 +158,13 @@ private:
     void describe_picture(glm::ivec2 size, const Tile& tile, const Frame& eye, int triangles) {
         labels_.caption(size, tile, 0, fmt::format("{} triangles", triangles));
         if (levels_of_ == edges) return;
-        const std::vector<glm::ivec2> found = holes(eye);
+        const auto found = holes(eye);
+        if (!found) return;
         const float top = float(size.y - tile.corner.y), side = std::max(3.0f, 0.009f * float(tile.size.y));
-        for (const glm::ivec2 hole : found)
+        for (const glm::ivec2 hole : *found)
             labels_.rectangle(glm::vec2(float(tile.corner.x + hole.x) + 0.5f, top - float(hole.y) - 0.5f) - side / 2,
                               glm::vec2(side), {1, 0.25f, 0.1f, 0.75f});
-        labels_.caption(size, tile, -1, fmt::format("{} pixels are holes", found.size()), {1.0f, 0.55f, 0.4f});
+        labels_.caption(size, tile, -1, fmt::format("{} pixels are holes", found->size()), {1.0f, 0.55f, 0.4f});
     }
 
     /// `more` triangles than from the eye are those of patches that are not drawn there; -1: who knows.
@@ -214,13 +215,14 @@ private:
     }
 
     /// Pixels where a closed surface is entered more often than left, or less; from the lower left corner. Elsewhere
-    /// specks: pixels of background between others.
-    std::vector<glm::ivec2> holes(const Frame& frame) {
+    /// specks: pixels of background between others. Nothing before the tasks are written.
+    std::optional<std::vector<glm::ivec2>> holes(const Frame& frame) {
         const Image sums = draw_numbers(frame.size, [&] {
             DisplacedSurface::begin_winding();
             draw_surface(frame, frame, "PROBE_winding");
             DisplacedSurface::end_winding();
         });
+        if (std::find(sums.values.begin(), sums.values.end(), not_written) != sums.values.end()) return {};
         const bool is_closed = surface_.patches().is_closed;
         const auto sum = [&](int x, int y) {
             return *sums.pixel(std::clamp(x, 0, sums.width - 1), std::clamp(y, 0, sums.height - 1));

@@ -26,7 +26,7 @@ public:
 
     void draw(const Frame& frame) override {
         const auto tiles = tiles_of_view(frame.size);
-        std::array<double, method_count> shares{};
+        Shares shares;
         if (!frame.probe) shares = shares_of_methods(frame_in(frame, tiles.back()));
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -90,6 +90,8 @@ private:
         VertexArrayName layout;
         BufferName places;
     };
+    /// Of the picture, by method.
+    using Shares = std::optional<std::array<double, method_count>>;
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const { return tiles_of(size, view_ == both ? 2 : 1); }
 
@@ -206,10 +208,10 @@ private:
         for (size_t i = 0; i < colors.size(); ++i) program.set(fmt::format("u_colors[{}]", i).c_str(), colors[i]);
     }
 
-    /// Over a small copy of the picture, that is as many pixels off for all that is drawn of it.
-    std::array<double, method_count> shares_of_methods(Frame frame) {
-        std::array<double, method_count> shares{};
-        if (view_ == picture) return shares;
+    /// Over a small copy of the picture, that is as many pixels off for all that is drawn of it. Nothing before the
+    /// tasks are written.
+    Shares shares_of_methods(Frame frame) {
+        if (view_ == picture) return {};
         const float budget = budget_, triangle_taps = triangle_taps_;
         const float smaller = float(measured.y) / float(std::max(1, frame.size.y));
         budget_ *= smaller, triangle_taps_ *= smaller * smaller;
@@ -217,6 +219,8 @@ private:
         frame.probe = {"method"};
         const Image drawn = draw_numbers(measured, [&] { draw_wall(frame, false); });
         budget_ = budget, triangle_taps_ = triangle_taps;
+        if (std::find(drawn.values.begin(), drawn.values.end(), not_written) != drawn.values.end()) return {};
+        std::array<double, method_count> shares{};
         double count = 0;
         for (size_t i = 0; i < drawn.values.size(); i += 4)
             if (std::isfinite(drawn.values[i])) {
@@ -227,14 +231,14 @@ private:
         return shares;
     }
 
-    void describe_methods(glm::ivec2 size, const Tile& tile, const std::array<double, method_count>& shares) {
+    void describe_methods(glm::ivec2 size, const Tile& tile, const Shares& shares) {
         const float line = std::min(Labels::line_height(size) * 0.85f, 0.055f * float(tile.size.y)), gap = line * 0.3f;
         glm::vec2 place(float(tile.corner.x) + gap * 2,
                         float(size.y - tile.corner.y) - (line + gap) * method_count - gap);
         for (size_t i = method_count; i-- > 0; place.y += line + gap) {
             labels_.rectangle(place, {line * 1.4f, line}, glm::vec4(glm::pow(colors[i], glm::vec3(1 / 2.2f)), 1));
-            labels_.text(fmt::format("{} {:.0f} %", methods[i + 1], 100 * shares[i]), place + glm::vec2(line * 1.9f, 0),
-                         line);
+            const std::string share = shares ? fmt::format(" {:.0f} %", 100 * (*shares)[i]) : "";
+            labels_.text(std::string(methods[i + 1]) + share, place + glm::vec2(line * 1.9f, 0), line);
         }
     }
 

@@ -41,14 +41,14 @@ vec3 surface_normal() {
 
 void main() {
 #ifdef PROBE_direction
-    o_color = vec4(direction(), 0.0);
+    o_color = probed(vec4(direction(), 0.0));
     return;
 #endif
     vec3 normal = surface_normal();
 #if defined LAMP
     o_color = vec4(1.0, 0.95, 0.84, 1.0);
 #elif defined PROBE_normal
-    o_color = vec4(normal, 0.0);
+    o_color = probed(vec4(normal, 0.0));
 #elif defined PROBE_uv
     o_color = vec4(v_uv * vec2(textureSize(s_albedo, 0)), 0.0, 0.0);
 #else

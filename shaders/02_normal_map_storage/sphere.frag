@@ -133,7 +133,7 @@ void main() {
 void main() {
     vec4 texel = texel_here();
     if (mod(texel.a, 2.0) == 0.0) discard;
-    o_color = vec4(read_back(texel.xyz), 0.0);
+    o_color = probed(vec4(read_back(texel.xyz), 0.0));
 }
 #else
 
@@ -148,7 +148,7 @@ void main() {
     bool missing = !keeps_lower_half() && normal.z < 0.0;
 #ifdef PROBE_stored
     if (inside < 0.0 || missing) discard;
-    o_color = vec4(stored(normal), 0.0);
+    o_color = probed(vec4(stored(normal), 0.0));
 #elif defined STORE
     o_color = texel_of(stored(normal), inside >= 0.0 && !missing);
 #else

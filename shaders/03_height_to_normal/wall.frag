@@ -32,7 +32,9 @@ ivec2 texel() {
 
 void main() {
 #if defined PROBE_normal
-    o_color = vec4(texelFetch(s_normals, texel(), 0).xyz, 0.0);
+    vec4 stored = texelFetch(s_normals, texel(), 0);
+    is_unfinished = stored.a < 0.5;
+    o_color = probed(vec4(stored.xyz, 0.0));
 #elif defined PROBE_height
     o_color = vec4(texelFetch(s_heights, texel(), 0).r, 0.0, 0.0, 0.0);
 #else

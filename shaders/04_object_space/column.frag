@@ -38,7 +38,7 @@ vec3 surface_normal() {
 void main() {
     vec3 normal = surface_normal();
 #ifdef PROBE_normal
-    o_color = vec4(normal, 0.0);
+    o_color = probed(vec4(normal, 0.0));
 #else
     vec3 albedo = vec3(0.16, 0.32, 0.30), to_eye = normalize(u_eye - v_world), to_light = normalize(u_light - v_world);
     vec3 light = albedo * mix(vec3(0.10, 0.09, 0.08), vec3(0.22, 0.25, 0.30), 0.5 + 0.5 * normal.y);

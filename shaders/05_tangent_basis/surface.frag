@@ -57,9 +57,9 @@ void main() {
     vec4 tangent = tangent_here(normal);
     vec3 bitangent = tangent.w * cross(normal, tangent.xyz);
 #if defined PROBE_tangent
-    o_color = vec4(tangent.xyz, 0.0);
+    o_color = probed(vec4(tangent.xyz, 0.0));
 #elif defined PROBE_bitangent
-    o_color = vec4(bitangent, 0.0);
+    o_color = probed(vec4(bitangent, 0.0));
 #else
     vec3 color;
     if (gl_FragCoord.x > u_split) {

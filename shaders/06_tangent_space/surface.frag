@@ -83,7 +83,7 @@ void main() {
     normal = normalize(frame * mapped);
 #endif
 #ifdef PROBE_normal
-    o_color = vec4(normal, 0.0);
+    o_color = probed(vec4(normal, 0.0));
 #else
     float up = normal.y;
 #if defined NORMAL_MAP && defined IN_TANGENT_SPACE

@@ -20,18 +20,19 @@ void main() {
     int level = int(u_level);
     ivec2 level_size = textureSize(s_map, level);
     vec4 stored = texelFetch(s_map, clamp(ivec2(uv * vec2(level_size) + 0.001), ivec2(0), level_size - 1), level);
+    if (stored.a < 0.9) is_unfinished = true;
 #if defined PROBE_stored
     if (!is_covered) discard;
-    o_color = vec4(2.0 * stored.xyz - 1.0, 0.0);
+    o_color = probed(vec4(2.0 * stored.xyz - 1.0, 0.0));
 #elif defined PROBE_hit
-    if (!is_covered || hit.y == 0.0) discard;
-    o_color = vec4(hit.x, 0.0, 0.0, 0.0);
+    is_unfinished = hit.z > 0.0;
+    if (!is_covered || (hit.y == 0.0 && !is_unfinished)) discard;
+    o_color = probed(vec4(hit.x, 0.0, 0.0, 0.0));
 #else
     vec3 color = stored.xyz;
     if (!is_covered && level == 0) color *= vec3(0.72, 0.66, 0.60);
     if (is_covered && hit.y == 0.0) color = vec3(0.80, 0.16, 0.10);
     if (is_covered && hit.y > 1.5) color = mix(color, vec3(0.62, 0.20, 0.85), 0.8);
-    if (stored.a < 0.9) is_unfinished = true;
     o_color = finished(vec4(color, 1.0), gl_FragCoord.xy);
 #endif
 }

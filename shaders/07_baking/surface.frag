@@ -54,7 +54,7 @@ void main() {
     vec3 normal = normalize(v_normal);
 #endif
 #ifdef PROBE_normal
-    o_color = vec4(normal, 0.0);
+    o_color = probed(vec4(normal, 0.0));
 #else
     vec3 to_eye = normalize(u_eye - v_position);
 #ifdef MIRROR

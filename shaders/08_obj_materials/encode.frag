@@ -41,7 +41,7 @@ void main() {
     light = linear_from_srgb(light);
 #endif
 #ifdef PROBE_color
-    o_color = vec4(light, 0.0);
+    o_color = probed(vec4(light, 0.0));
 #else
     // Bright light is compressed, as film does.
     o_color = finished(vec4(srgb_from_linear(1.0 - exp(-1.7 * light)), 1.0), gl_FragCoord.xy);

@@ -99,16 +99,16 @@ void main() {
     if (HAS(MASK_MAP)) share = mask_share();
 #endif
 #if defined PROBE_coverage
-    o_color = vec4(share, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(share, 0.0, 0.0, 0.0));
 #elif defined PROBE_material || defined PROBE_order
     o_color = vec4(u_number, 0.0, 0.0, 0.0);
 #elif defined PROBE_layers
     o_color = vec4(1.0, 0.0, 0.0, 0.0);
 #elif defined PROBE_normal
-    o_color = vec4(normal_here(to_eye), 0.0);
+    o_color = probed(vec4(normal_here(to_eye), 0.0));
 #elif defined PROBE_lamp
 #if LAMP != 2
-    o_color = vec4(lamp_share(v_place - u_lamp), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(lamp_share(v_place - u_lamp), 0.0, 0.0, 0.0));
 #else
     o_color = vec4(0.0);
 #endif
@@ -121,7 +121,7 @@ void main() {
     vec4 shine = u_shine;
     if (HAS(HIGHLIGHT_MAP)) shine = specular_of(texture(s_highlights, v_uv));
 #if defined PROBE_specular
-    o_color = shine;
+    o_color = probed(shine);
 #elif defined FLAT
     float facing = abs(dot(normal_here(to_eye), normalize(vec3(0.4, 0.8, 0.6))));
     if (share < 0.5) discard;

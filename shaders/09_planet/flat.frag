@@ -20,7 +20,7 @@ void main() {
     vec2 local = (gl_FragCoord.xy - u_window.xy) / u_window.zw;
     vec2 st = mix(u_patch_on_face.xy, u_patch_on_face.zw, local);
 #if defined PROBE_direction
-    o_color = vec4(grid_direction(u_face, st), 0.0);
+    o_color = probed(vec4(grid_direction(u_face, st), 0.0));
 #elif defined PROBE_stretch
     vec3 u, v;
     grid_tangents(u_face, st, u, v);
@@ -29,11 +29,11 @@ void main() {
 #else
     const float mean = radians(180.0) / 6.0;
 #endif
-    o_color = vec4(length(cross(u, v)) / mean, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(length(cross(u, v)) / mean, 0.0, 0.0, 0.0));
 #elif defined PROBE_corner
     vec3 u, v;
     grid_tangents(u_face, st, u, v);
-    o_color = vec4(degrees(atan(length(cross(u, v)), dot(u, v))), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(degrees(atan(length(cross(u, v)), dot(u, v))), 0.0, 0.0, 0.0));
 #elif defined PROBE_gradient || defined PROBE_formula
     vec3 r = grid_direction(u_face, st), u, v;
     grid_tangents(u_face, st, u, v);
@@ -45,17 +45,21 @@ void main() {
     }
     vec3 grad = gradient(u, v, vec2(h.x - h.y, h.z - h.w) / (2.0 * e));
 #ifdef PROBE_gradient
-    o_color = vec4(grad, 0.0);
+    o_color = probed(vec4(grad, 0.0));
 #else
-    o_color = vec4(planet_normal(r, height_of_elevation(elevation(r)), grad), 0.0);
+    o_color = probed(vec4(planet_normal(r, height_of_elevation(elevation(r)), grad), 0.0));
 #endif
 #elif defined PROBE_texel
     ivec2 texel = ivec2(local * float(u_texels + 2));
-    o_color = vec4(gutter_place(texel, u_patch, u_level, u_texels), 0.0, 0.0);
+    o_color = probed(vec4(gutter_place(texel, u_patch, u_level, u_texels), 0.0, 0.0));
 #elif defined PROBE_normal
-    o_color = vec4(map_at(local).xyz, 0.0);
+    vec4 texel = map_at(local);
+    if (texel.w < -8.0) is_unfinished = true;
+    o_color = probed(vec4(texel.xyz, 0.0));
 #elif defined PROBE_slope
-    o_color = vec4(map_mean(local).xy, 0.0, 0.0);
+    vec4 texel = map_mean(local);
+    if (texel.w < -8.0) is_unfinished = true;
+    o_color = probed(vec4(texel.xy, 0.0, 0.0));
 #else
     vec4 texel = map_at(local);
     if (texel.w < -8.0) is_unfinished = true;

@@ -44,7 +44,7 @@ void main() {
 #endif
     if (texel.w < -8.0) is_unfinished = true;
 #ifdef PROBE_normal
-    o_color = vec4(normal, 0.0);
+    o_color = probed(vec4(normal, 0.0));
 #else
     float distance_ = length(from_eye);
     vec3 to_eye = -from_eye / distance_, up = normalize(place);

@@ -78,13 +78,13 @@ void main() {
     vec2 uv = on_ray(v_uv, along, t);
     //)
 #if defined PROBE_ray
-    o_color = vec4(along * vec2(textureSize(s_heights, 0)), 0.0, 0.0);
+    o_color = probed(vec4(along * vec2(textureSize(s_heights, 0)), 0.0, 0.0));
 #elif defined PROBE_uv
-    o_color = vec4(uv * vec2(textureSize(s_heights, 0)), 0.0, 0.0);
+    o_color = probed(vec4(uv * vec2(textureSize(s_heights, 0)), 0.0, 0.0));
 #elif defined PROBE_depth
-    o_color = vec4(distance(u_eye, v_position) + t * u_depth_metres / slant, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(distance(u_eye, v_position) + t * u_depth_metres / slant, 0.0, 0.0, 0.0));
 #elif defined PROBE_steps
-    o_color = vec4(taps(t), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(taps(t), 0.0, 0.0, 0.0));
 #elif defined ERROR || defined MEASURE
     float exact = cosine > 0.0 ? exact_hit(s_heights, s_windows, u_window_extent, v_uv, along, vec2(0.0, 1.0)) : 0.0;
     float texels = abs(t - exact) * length(along * vec2(textureSize(s_heights, 0)));

@@ -142,13 +142,13 @@ void main() {
     float off = abs(t - exact) * length(ray.march * vec2(textureSize(s_heights, 0)));  // texels
 #endif
 #if defined PROBE_uv
-    o_color = vec4(uv * vec2(textureSize(s_heights, 0)), 0.0, 0.0);
+    o_color = probed(vec4(uv * vec2(textureSize(s_heights, 0)), 0.0, 0.0));
 #elif defined PROBE_depth
-    o_color = vec4(distance_ + t * u_depth_metres / slant, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(distance_ + t * u_depth_metres / slant, 0.0, 0.0, 0.0));
 #elif defined PROBE_steps
-    o_color = vec4(float(heights_read), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(float(heights_read), 0.0, 0.0, 0.0));
 #elif defined PROBE_count
-    o_color = vec4(steps_of(ray, vec2(textureSize(s_heights, 0))), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(steps_of(ray, vec2(textureSize(s_heights, 0))), 0.0, 0.0, 0.0));
 #elif defined MEASURE
     o_color = measured(vec4(off, float(heights_read), 0.0, -1.0));
 #elif defined ERROR

@@ -103,16 +103,13 @@ void main() {
     mat3 frame = mat3(tangent, bitangent, normal);
     float height = height_of(view, hit.t);
 #if defined PROBE_uv
-    o_color = vec4(uv * size, 0.0, 0.0);
+    o_color = probed(vec4(uv * size, 0.0, 0.0));
 #elif defined PROBE_depth
-    o_color = vec4(distance(u_eye, position), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(distance(u_eye, position), 0.0, 0.0, 0.0));
 #elif defined PROBE_steps
-    o_color = vec4(float(hit.iterations), hit.stopped ? 1.0 : 0.0, 0.0, 0.0);
-#ifdef MEASURE
-    o_color = measured(o_color);
-#endif
+    o_color = probed(vec4(float(hit.iterations), hit.stopped ? 1.0 : 0.0, 0.0, 0.0));
 #elif defined PROBE_shadow
-    o_color = vec4(lit_at(uv, height, u_to_light * frame, hit.iterations), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(lit_at(uv, height, u_to_light * frame, hit.iterations), 0.0, 0.0, 0.0));
 #else
     if (gl_FragCoord.x > u_turns_from) {
         o_color = finished(vec4(heat(log2(float(max(hit.iterations, 1))) / 8.0), 1.0), gl_FragCoord.xy);

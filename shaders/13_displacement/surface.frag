@@ -60,18 +60,18 @@ void main() {
     vec3 normal = surface_normal(), to_eye = normalize(u_eye - v_position);
     is_unfinished = is_unfinished || v_unfinished > 0.0;
 #if defined PROBE_depth
-    o_color = vec4(distance(u_eye, v_position), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(distance(u_eye, v_position), 0.0, 0.0, 0.0));
 #elif defined PROBE_normal
-    o_color = vec4(normal, 0.0);
+    o_color = probed(vec4(normal, 0.0));
 #elif defined PROBE_place
-    o_color = vec4(v_place, 0.0);
+    o_color = probed(vec4(v_place, 0.0));
 #elif defined PROBE_mip
-    o_color = vec4(v_mip, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(v_mip, 0.0, 0.0, 0.0));
 #elif defined PROBE_slope
     float level = max(textureQueryLod(s_heights, v_uv).y, 0.0);
-    o_color = vec4(height_slope(s_heights, v_uv, level, vec2(textureSize(s_heights, 0))), 0.0, 0.0);
+    o_color = probed(vec4(height_slope(s_heights, v_uv, level, vec2(textureSize(s_heights, 0))), 0.0, 0.0));
 #elif defined PROBE_winding
-    o_color = vec4(gl_FrontFacing ? 1.0 : -1.0, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(gl_FrontFacing ? 1.0 : -1.0, 0.0, 0.0, 0.0));
 #elif defined WIRE
     o_color = finished(vec4(u_wire, 1.0), gl_FragCoord.xy);
 #else

@@ -41,15 +41,15 @@ vec3 lit(vec3 albedo) {
 void main() {
     is_unfinished = is_unfinished || v_unfinished > 0.0;
 #if defined PROBE_depth
-    o_color = vec4(distance(u_seen_from, v_position), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(distance(u_seen_from, v_position), 0.0, 0.0, 0.0));
 #elif defined PROBE_place
-    o_color = vec4(v_place, 0.0);
+    o_color = probed(vec4(v_place, 0.0));
 #elif defined PROBE_level
-    o_color = vec4(v_level, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(v_level, 0.0, 0.0, 0.0));
 #elif defined PROBE_left
-    o_color = vec4(v_left, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(v_left, 0.0, 0.0, 0.0));
 #elif defined PROBE_winding
-    o_color = vec4(gl_FrontFacing ? 1.0 : -1.0, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(gl_FrontFacing ? 1.0 : -1.0, 0.0, 0.0, 0.0));
 #elif defined WIRE
     o_color = finished(vec4(u_wire, 1.0), gl_FragCoord.xy);
 #elif defined PATCHES

@@ -256,7 +256,7 @@ void main() {
 #if defined WIRE
     o_color = vec4(u_wire, 1.0);
 #elif defined PROBE_sigma
-    o_color = vec4(water_at(v_place.xy, vec3(0.0, 1.0, 0.0), SLOPES).variance, 0.0);
+    o_color = probed(vec4(water_at(v_place.xy, vec3(0.0, 1.0, 0.0), SLOPES).variance, 0.0));
 #elif defined PROBE_height
     float height = v_place.z;
 #ifdef FLAT
@@ -268,27 +268,27 @@ void main() {
     height += u_amplitude.y * read_map(s_waves_2, map_uv(v_place.xy, 1)).z;
 #endif
 #endif
-    o_color = vec4(height, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(height, 0.0, 0.0, 0.0));
 #elif defined PROBE_slope && !(defined FIRST && defined SECOND)
 #ifdef FIRST
-    o_color = vec4(map_slope(s_waves_1, s_normals_1, v_place.xy, 0), 0.0, 0.0);
+    o_color = probed(vec4(map_slope(s_waves_1, s_normals_1, v_place.xy, 0), 0.0, 0.0));
 #else
-    o_color = vec4(map_slope(s_waves_2, s_normals_2, v_place.xy, 1), 0.0, 0.0);
+    o_color = probed(vec4(map_slope(s_waves_2, s_normals_2, v_place.xy, 1), 0.0, 0.0));
 #endif
 #elif defined PROBE_glitter && COMBINE == SLOPES && (FAR == LEAN || FAR == SAMPLES)
-    o_color = vec4(glitter(position, water_at(v_place.xy, vec3(0.0, 1.0, 0.0), SLOPES)), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(glitter(position, water_at(v_place.xy, vec3(0.0, 1.0, 0.0), SLOPES)), 0.0, 0.0, 0.0));
 #else
     vec3 normal = normal_at(v_place.xy, rule), to_eye = -normalize(position);
 #if defined PROBE_normal
-    o_color = vec4(normal, 0.0);
+    o_color = probed(vec4(normal, 0.0));
 #elif defined PROBE_slope
-    o_color = vec4(-normal.xz / normal.y, 0.0, 0.0);
+    o_color = probed(vec4(-normal.xz / normal.y, 0.0, 0.0));
 #elif defined PROBE_glitter
-    o_color = vec4(glitter(position, water_at(v_place.xy, normal, rule)), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(glitter(position, water_at(v_place.xy, normal, rule)), 0.0, 0.0, 0.0));
 #elif defined PROBE_reflection
-    o_color = vec4(reflected(to_eye, normal), 0.0);
+    o_color = probed(vec4(reflected(to_eye, normal), 0.0));
 #elif defined PROBE_fresnel
-    o_color = vec4(mirrored_share(dot(normal, to_eye)), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(mirrored_share(dot(normal, to_eye)), 0.0, 0.0, 0.0));
 #elif defined ERROR || defined MEASURE
     vec2 slope = vec2(0.0);
 #ifdef FIRST

@@ -197,17 +197,17 @@ void main() {
     mirror_normal = surface.face;
 #endif
 #if defined PROBE_normal
-    o_color = vec4(surface.normal, 0.0);
+    o_color = probed(vec4(surface.normal, 0.0));
 #elif defined PROBE_reflection
-    o_color = vec4(mirrored_sky(surface, to_eye, mirror_normal), 0.0);
+    o_color = probed(vec4(mirrored_sky(surface, to_eye, mirror_normal), 0.0));
 #elif defined PROBE_fresnel
-    o_color = vec4(mirrored_share(surface.straight, dot(mirror_normal, to_eye)), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(mirrored_share(surface.straight, dot(mirror_normal, to_eye)), 0.0, 0.0, 0.0));
 #elif defined PROBE_exponent
-    o_color = vec4(surface.exponent, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(surface.exponent, 0.0, 0.0, 0.0));
 #elif defined PROBE_shadow
-    o_color = vec4(shadow_at(surface), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(shadow_at(surface), 0.0, 0.0, 0.0));
 #elif defined PROBE_occlusion
-    o_color = vec4(open_at(), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(open_at(), 0.0, 0.0, 0.0));
 #elif defined SHOW
     vec3 shown = vec3(0.0);
     float share = surface.gloss * mirrored_share(surface.straight, dot(mirror_normal, to_eye));
@@ -249,7 +249,7 @@ void main() {
     o_mirror = vec4(mirror, share);
     o_light = vec4(light, is_unfinished ? 1.0 : 0.0);
 #elif defined PROBE_light
-    o_color = vec4(light, 0.0);
+    o_color = probed(vec4(light, 0.0));
 #else
     o_color = finished(vec4(srgb_from_linear(exposed(light)), 1.0), gl_FragCoord.xy);
 #endif

@@ -190,22 +190,22 @@ void main() {
     vec3 to_eye = normalize(u_eye - vec3(place, u_scale * (height - 1.0)));
 
 #if defined PROBE_uv
-    o_color = vec4(place * u_texels, 0.0, 0.0);
+    o_color = probed(vec4(place * u_texels, 0.0, 0.0));
 #elif defined PROBE_method
-    o_color = vec4(float(method), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(float(method), 0.0, 0.0, 0.0));
 #elif defined PROBE_work
-    o_color = vec4(float(heights_read), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(float(heights_read), 0.0, 0.0, 0.0));
 #elif defined PROBE_pixels
-    o_color = vec4(c.pixels * u_scale, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(c.pixels * u_scale, 0.0, 0.0, 0.0));
 #elif defined PROBE_left
-    o_color = vec4(c.left, 0.0, 0.0);
+    o_color = probed(vec4(c.left, 0.0, 0.0));
 #elif defined PROBE_level
-    o_color = vec4(c.level, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(c.level, 0.0, 0.0, 0.0));
 #elif defined PROBE_shininess
     vec3 mean = textureLod(s_normals, place, level).xyz * 2.0 - 1.0;
-    o_color = vec4(spread_shininess(mean, shininess), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(spread_shininess(mean, shininess), 0.0, 0.0, 0.0));
 #elif defined PROBE_bumps
-    o_color = vec4(bumps, 0.0, 0.0, 0.0);
+    o_color = probed(vec4(bumps, 0.0, 0.0, 0.0));
 #else
     vec3 light = lit(place, height, level, bumps, to_eye);
 #ifdef METHOD_COLORS

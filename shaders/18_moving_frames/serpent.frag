@@ -207,22 +207,22 @@ void main() {
     Rest rest = rest_at(v_uv);
     Moves moves = moves_at(rest.position);
 #if defined PROBE_normal
-    o_color = vec4(unit_or(skin_normal(rest.normal, moves, WAY), vec3(0.0, 0.0, 1.0)), 0.0);
+    o_color = probed(vec4(unit_or(skin_normal(rest.normal, moves, WAY), vec3(0.0, 0.0, 1.0)), 0.0));
 #elif defined PROBE_tangent
     mat2x3 along = directions_at(rest);
     float handedness = dot(cross(along[0], along[1]), rest.normal) < 0.0 ? -1.0 : 1.0;
     vec4 tangent = moved_tangent(vec4(along[0], handedness), v_world_from_model * moves.jacobian);
-    o_color = vec4(unit_or(tangent.xyz, vec3(0.0, 0.0, 1.0)), tangent.w);
+    o_color = probed(vec4(unit_or(tangent.xyz, vec3(0.0, 0.0, 1.0)), tangent.w));
 #elif defined PROBE_carried
-    o_color = vec4(v_world_from_model * moves.jacobian[0], 0.0);
+    o_color = probed(vec4(v_world_from_model * moves.jacobian[0], 0.0));
 #elif defined PROBE_fold
-    o_color = vec4(determinant(moves.jacobian), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(determinant(moves.jacobian), 0.0, 0.0, 0.0));
 #elif defined PROBE_place
-    o_color = vec4(v_world_from_model * moves.place + v_origin, 0.0);
+    o_color = probed(vec4(v_world_from_model * moves.place + v_origin, 0.0));
 #elif defined PROBE_uv
-    o_color = vec4(texture_at(v_uv), 0.0, 0.0);
+    o_color = probed(vec4(texture_at(v_uv), 0.0, 0.0));
 #elif defined PROBE_material
-    o_color = vec4(passed_material(), 0.0, 0.0, 0.0);
+    o_color = probed(vec4(passed_material(), 0.0, 0.0, 0.0));
 #elif defined MEASURE || defined ERROR
     vec3 wrong = skin_normal(rest.normal, moves, WAY), right = skin_normal(rest.normal, moves, GRADIENT);
     float off = degrees_between(wrong, right);

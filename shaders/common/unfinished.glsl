@@ -13,8 +13,17 @@ mat2x4 unfinished(mat2x4 placeholder) { is_unfinished = true; return placeholder
 int unfinished(int placeholder) { is_unfinished = true; return placeholder; }
 ivec2 unfinished(ivec2 placeholder) { is_unfinished = true; return placeholder; }
 
-// Numbers that a lab measures, or +infinity, which is no measurement.
-vec4 measured(vec4 numbers) { return is_unfinished ? vec4(uintBitsToFloat(0x7f800000u)) : numbers; }
+// Numbers that a lab measures, or -infinity, which is no number: they come from a task that is missing.
+vec4 measured(vec4 numbers) { return is_unfinished ? vec4(uintBitsToFloat(0xff800000u)) : numbers; }
+
+// What a probe holds. A person is told of a missing task; a check of another one can do with what stands in for it.
+vec4 probed(vec4 value) {
+#ifdef TELL_MISSING
+    return measured(value);
+#else
+    return value;
+#endif
+}
 
 vec4 finished(vec4 color, vec2 pixel) {
     if (!is_unfinished) return color;

@@ -211,12 +211,71 @@ struct Page {
     }
 };
 
+/// Topics of many methods whose points lie near each other, with long names and short ones, and with times that have no
+/// error.
+struct CrowdedPage {
+    TemporaryFolder folder;
+    std::filesystem::path file = folder.path() / "index.html";
+
+    CrowdedPage() {
+        std::vector<BenchTopic> topics;
+        for (const char* name : {"storage", "tangents", "normals", "parallax"})
+            topics.push_back({name, "searches", "question?", {}});
+        std::vector<TopicResult> results;
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> share(0, 1);
+        for (const BenchTopic& topic : topics) {
+            TopicResult& result = results.emplace_back();
+            result.topic = &topic, result.machine = {.cpu = "CPU", .renderer = "llvmpipe"};
+            for (int i = 0; i < 40; ++i) {
+                BenchRow& row = result.rows.emplace_back();
+                const char* const names[] = {"oct16", "oct16-precise", "xyz8", "mikktspace-by-angle", "a"};
+                row.topic = topic.name, row.method = names[i % 5], row.knobs = {{"bits", std::to_string(i)}};
+                row.item = "normal", row.state = "measured", row.peer = i % 3 == 0, row.repeats = 10;
+                const double time = 1e6 * std::pow(20, share(random));
+                row.times = {time, time * 0.95, time * 1.05};
+                const double error = std::pow(10, -2 * share(random));
+                if (i % 8 != 3) row.error = {error, error, error, "degree", {}};
+            }
+            EXPECT_TRUE(draw_plots(result));
+        }
+        write_file(file, bench_page(results, {}));
+    }
+};
+
 Browser& browser() {
     static Browser one;
     return one;
 }
 std::string words() { return browser().eval("document.querySelector('#look p').textContent"); }
 const char* const is_shown = "!document.getElementById('look').hidden";
+
+TEST(BenchPage, NoNameLiesOnAnotherOneInWidePlotsAndInNarrowOnes) {
+    const CrowdedPage page;
+    browser().open(page.file);
+    browser().eval("document.querySelectorAll('details').forEach(one => { one.open = true; })");
+    for (const int width : {1440, 390}) {
+        browser().width(width);
+        // Of all words in a plot that is shown, those that have more than a letter's edge in common.
+        const nlohmann::json found = browser().eval(R"((() => {
+            const overlaps = [];
+            let names = 0;
+            for (const plot of document.querySelectorAll('figure svg')) {
+                const boxes = [...plot.querySelectorAll('text')].filter(text => text.textContent.trim())
+                    .map(text => [text.textContent.trim(), text.getBoundingClientRect()]).filter(one => one[1].width > 0);
+                names += boxes.filter(one => one[0].startsWith('oct16')).length;
+                boxes.forEach(([one, a], i) => boxes.slice(0, i).forEach(([other, b]) => {
+                    if (Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 &&
+                        Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3) overlaps.push(one + ' on ' + other);
+                }));
+            }
+            return {overlaps, names};
+        })())");
+        EXPECT_EQ(found.at("overlaps"), nlohmann::json::array()) << width;
+        EXPECT_GT(found.at("names"), 10) << width << ": the claim is empty when no point has its name";
+    }
+    browser().width(0);
+}
 
 TEST(BenchPage, ShowsThePicturesBehindAPointAndBehindItsLine) {
     const Page page;

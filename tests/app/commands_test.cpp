@@ -321,6 +321,31 @@ TEST_F(CourseTest, HelpShowsALabsKnobsAndProbes) {
         EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
 }
 
+TEST_F(CourseTest, AProbeOfATaskThatIsNotWrittenSaysSoAndChecksOfOthersStay) {
+    const std::string file = "shaders/02_normal_map_storage/task.glsl", before = read_all(course().path() / file);
+    const auto probe = [](const char* kind, const char* output) {
+        return course().relief({"shot", "2", kind, "normal", "--size", "64x48", "-o", output});
+    };
+    EXPECT_EQ(probe("--probe", "written.pfm").err, "");
+    course().edit(file, "code / 255.0 * 2.0 - 1.0", "unfinished(code)");
+    const Result shown = probe("--probe", "missing.pfm");
+    EXPECT_EQ(shown.code, 0);
+    EXPECT_TRUE(contains(shown.err, "pixels come from a task that is not written yet")) << shown.err;
+    const Image missing = read_image(course().path() / "missing.pfm"), right = read_image(course().path() / "written.pfm");
+    const auto count = [](const Image& image, auto is) { return std::count_if(image.values.begin(), image.values.end(), is); };
+    const auto numbers = count(right, [](float value) { return std::isfinite(value); });
+    const auto told = count(missing, [](float value) { return value == not_written; });
+    EXPECT_GT(told, 300);
+    EXPECT_EQ(count(missing, [](float value) { return std::isfinite(value); }) + told, numbers);
+    const Result error = probe("--error", "error.png");
+    EXPECT_EQ(error.code, 0);
+    EXPECT_TRUE(contains(error.err, "not written yet"));
+    const Result checked = course().relief({"check", "2"});
+    EXPECT_FALSE(contains(checked.out, "come from a task")) << checked.out;
+    EXPECT_TRUE(contains(checked.out, "unfinished")) << checked.out;
+    course().overwrite(file, before);
+}
+
 TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
     const Result right = course().relief({"check", "2"});
     EXPECT_EQ(right.code, 0) << right.out << right.err;
@@ -335,10 +360,13 @@ TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
           "look at: The code 0 means -1, not 0: every normal leans towards (1, 1, 1).\n"})
         EXPECT_TRUE(contains(wrong.out, part)) << part << "\n" << wrong.out;
     EXPECT_EQ(count(wrong.out, "The code 0 means -1"), 1) << "a hint is said once: " << wrong.out;
+    const std::string manifest = "labs/02_normal_map_storage/lab.toml";
+    course().edit(manifest, "decode_unorm8 undoes f", "`decode_unorm8` undoes f");
     course().edit(file, "code / 255.0", "code / 254.0 * 2.0 - 1.0");
     const Result unknown = course().relief({"check", "storage"});
     EXPECT_TRUE(contains(unknown.out, "look at: decode_unorm8 undoes f"))
-        << "no mistake that is known: " << unknown.out;
+        << "no mistake that is known, and no backticks: " << unknown.out;
+    course().edit(manifest, "`decode_unorm8` undoes f", "decode_unorm8 undoes f");
     course().edit(file, "code / 254.0 * 2.0 - 1.0", "code / 255.0");
     course().edit(file, "code / 255.0", "cde / 255.0");
     const Result broken = course().relief({"check", "2"});

@@ -237,7 +237,7 @@ TEST_F(ShotCommand, OpensNoLibraryThatItDoesNotNeed) {
         const std::string plain = libraries_of({"shot", lab, "--size", "64x64", "-o", "a.png"});
         EXPECT_TRUE(contains(plain, "libOSMesa")) << lab;
         for (const char* unwanted :
-             {"OpenImageIO", "relief-openimageio", "glfw", "imgui", "relief-window", "libX11", "archive", "libEGL"})
+             {"OpenImageIO", "relief-openimageio", "rsvg", "cairo", "glfw", "imgui", "relief-window", "libX11", "archive", "libEGL"})
             EXPECT_FALSE(contains(plain, unwanted)) << lab << ": " << unwanted;
     }
     const std::string exr = libraries_of({"shot", "01", "--size", "64x64", "-o", "a.exr"});

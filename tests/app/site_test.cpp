@@ -64,6 +64,11 @@ constexpr const char* wider_than_the_screen =
     "document.scrollingElement.scrollWidth > 360 ? [...document.querySelectorAll('body *')].filter(one => "
     "one.getBoundingClientRect().right > 360).map(one => one.outerHTML.slice(0, 90)) : []";
 
+/// What would show a part of what is in it, and a bar beside it.
+constexpr const char* scrolls =
+    "[...document.querySelectorAll('main *')].filter(one => /auto|scroll/.test(getComputedStyle(one).overflowX + "
+    "getComputedStyle(one).overflowY)).map(one => one.outerHTML.slice(0, 90))";
+
 constexpr const char* clipped_formulas =
     "[...document.querySelectorAll('.formulas')].filter(one => one.scrollWidth > one.clientWidth).length";
 
@@ -108,6 +113,13 @@ TEST_F(Site, EveryPageThatIsLinkedIsWholeAndLegibleAndFitsAPhone) {
             EXPECT_EQ(browser().eval(clipped_formulas), 0) << page << " on a phone";
             browser().width(0);
             EXPECT_EQ(browser().eval(clipped_formulas), 0) << page;
+            browser().paper(true);
+            EXPECT_EQ(browser().eval(scrolls), json::array()) << page << " on paper";
+            EXPECT_EQ(browser().eval("[...document.querySelectorAll('.measured pre')].filter(one => "
+                                     "!one.checkVisibility({contentVisibilityAuto: true})).length"),
+                      0)
+                << page << " on paper";
+            browser().paper(false);
             for (const Browser::Control& control : browser().controls())
                 EXPECT_NE(control.name, "") << page << ": a " << control.role;
         }
@@ -287,6 +299,11 @@ TEST(MistakesPage, ShowsEveryMistakeOfALabBesideWhatIsRight) {
     browser().eval("dispatchEvent(new Event('beforeprint')), 0");
     EXPECT_EQ(browser().eval("document.querySelectorAll('details.difference:not([open])').length"), 0) << "on paper";
     EXPECT_GT(browser().eval("document.querySelectorAll('details.difference[open]').length"), 0);
+    browser().paper(true);
+    EXPECT_LT(int(browser().eval("Math.max(...[...document.querySelectorAll('article')].map(one => one.offsetHeight))")),
+              480)
+        << "two mistakes on a sheet, each of them whole";
+    browser().paper(false);
     browser().eval("dispatchEvent(new Event('afterprint')), 0");
     EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0);
     ASSERT_TRUE(browser().tab_to("input[type=search]"));

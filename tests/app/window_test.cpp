@@ -498,6 +498,41 @@ TEST_F(Window, TheHandoutOpensBesideThePictureAndEscapeClosesIt) {
     EXPECT_TRUE(eventually([&] { return !window_->running(); }));
 }
 
+TEST_F(Window, TheHandoutShowsADiagramOnPaperAndTheTextOfOneThatIsBroken) {
+    const char* file = "labs/20_test_wall/README.md";
+    const std::string good = read_all(course_.course.path() / file);
+    course_.course.overwrite("labs/20_test_wall/square.svg",
+                             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 40 20\">"
+                             "<rect x=\"10\" y=\"5\" width=\"20\" height=\"10\" fill=\"#ff00ff\"/></svg>");
+    course_.course.overwrite("labs/20_test_wall/broken.svg", "<svg viewBox=\"0 0 40 20\">");
+    for (const bool is_broken : {true, false}) {
+        course_.course.overwrite(file, is_broken ? "![words](broken.svg)\n" : "![words](square.svg)\n");
+        open("20");
+        press("F1");
+        ASSERT_TRUE(eventually([&] { return place().x + place().width < window_width; })) << window_->err();
+        settle();
+        const Place at = place();
+        const Image all = screen();
+        double paper = 0, drawn = 0;
+        for (int y = at.y; y < at.y + 400; ++y)
+            for (int x = at.x + at.width; x < window_width; ++x) {
+                const float* const color = all.pixel(x, y);
+                paper += color[0] == 1 && color[1] == 1 && color[2] == 1;
+                drawn += color[0] == 1 && color[1] == 0 && color[2] == 1;
+            }
+        if (is_broken) {
+            EXPECT_EQ(drawn, 0);
+            EXPECT_LT(paper, 1000) << "the letters of a button, at the most";
+        } else {
+            EXPECT_GT(drawn, 10000);
+            EXPECT_GT(paper, 3 * drawn) << "around the square, which is a quarter, and a margin";
+        }
+        EXPECT_EQ(count("handout: broken.svg: "), is_broken ? 1u : 0u) << "tried once";
+        EXPECT_TRUE(window_->running());
+    }
+    course_.course.overwrite(file, good);
+}
+
 TEST_F(Window, AKnobThatIsTurnedIsUndoneAndDoneAgain) {
     open("20");
     const Image before = saved("20_test_wall-1.png");

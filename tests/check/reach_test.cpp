@@ -53,7 +53,7 @@ TEST(Reach, OfTheCoursesOwnTasksIsNoneRefused) {
         const OtherShaders others(LabEntry{0, "", lab.path().filename()}, manifest);
         std::set<std::string> shaders;
         for (const TaskInfo& task : manifest.tasks)
-            if (task.file.ends_with(".glsl")) shaders.insert(task.file);
+            if (is_shader(task.file)) shaders.insert(task.file);
         for (const std::string& file : shaders) {
             EXPECT_EQ(reaches_beyond(read_file(course_root() / file), others), "") << file;
             ++files;

@@ -92,6 +92,8 @@ TEST(Error, IsInfiniteWithoutASurfaceAndNanWhereEitherIs) {
         EXPECT_TRUE(std::isnan(error_of({nan, 0, 1}, {0, 0, 1}, metric))) << int(metric);
         EXPECT_TRUE(std::isnan(error_of({0, 0, 1}, {nan, nan, nan}, metric))) << int(metric);
     }
+    for (const ErrorMetric metric : {ErrorMetric::distance, ErrorMetric::angle, ErrorMetric::absolute})
+        EXPECT_EQ(error_of({not_written, not_written, not_written}, {0, 0, 1}, metric), not_written) << int(metric);
     EXPECT_TRUE(std::isnan(error_of({0, nan, 1}, {0, 0, 1}, ErrorMetric::distance)));
     EXPECT_TRUE(std::isnan(error_of({0, nan, 1}, {0, 0, 1}, ErrorMetric::angle)));
 }
@@ -127,7 +129,8 @@ TEST(Summary, P99IsTheSmallestValueThat99PercentDoNotExceed) {
 }
 
 TEST(Summary, LeavesOutPixelsWithoutASurfaceAndCountsNans) {
-    const ErrorSummary summary = summarize(row(1, {inf, 2, nan, 4, inf, nan, nan}));
+    const ErrorSummary summary = summarize(row(1, {inf, 2, nan, 4, inf, nan, not_written, nan, not_written}));
+    EXPECT_EQ(summary.missing, 2u);
     EXPECT_EQ(summary.count, 2u);
     EXPECT_EQ(summary.mean, 3);
     EXPECT_EQ(summary.largest, 4);

@@ -46,6 +46,13 @@ TEST(Visualize, ANanIsMagentaInAnyChannel) {
     EXPECT_EQ(error_color(nan, 1), magenta);
 }
 
+TEST(Visualize, AMissingTaskIsMagentaAsInThePicture) {
+    const Color magenta{0.85f, 0, 0.85f};  // unfinished.glsl's
+    for (const ErrorMetric metric : {ErrorMetric::distance, ErrorMetric::angle, ErrorMetric::absolute})
+        EXPECT_EQ(probe_color(std::vector<float>(4, not_written), metric), magenta);
+    EXPECT_EQ(error_color(not_written, 1), magenta);
+}
+
 TEST(Visualize, NoSurfaceIsDarkGrey) {
     const Color probe = probe_color({no_surface, no_surface, no_surface, no_surface}, ErrorMetric::angle);
     EXPECT_EQ(error_color(no_surface, 1), probe);

@@ -98,6 +98,13 @@ TEST(Shot, AProbeThatIsNotFiniteNamesItsPixel) {
     }
 }
 
+TEST(Shot, AProbeOfAMissingTaskIsShownButNotJudged) {
+    const Image probe = take_left_half(glm::vec4(not_written), small_probe);
+    EXPECT_EQ(pixels_not_written(probe), 64u);
+    EXPECT_TRUE(contains(message_of([&] { refuse_unusable(probe, small_probe); }),
+                         "64 pixels come from a task that is not written yet"));
+}
+
 TEST(Shot, AProbeWithoutAnySurfaceFails) {
     EXPECT_TRUE(contains(message_of([] { take_left_half(glm::vec4(no_surface), small_probe); }), "no surface"));
 }

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool in_shaders(const std::vector<Edit>& edits) {
-    return std::all_of(edits.begin(), edits.end(), [](const Edit& edit) { return edit.file.ends_with(".glsl"); });
+    return std::all_of(edits.begin(), edits.end(), [](const Edit& edit) { return is_shader(edit.file); });
 }
 
 /// The functions of task files that the edits change.
@@ -87,7 +87,7 @@ protected:
     }
     bool in_shaders_only() const {
         return std::any_of(manifest_.tasks.begin(), manifest_.tasks.end(),
-                           [](const TaskInfo& task) { return task.file.ends_with(".glsl"); });
+                           [](const TaskInfo& task) { return is_shader(task.file); });
     }
 
     Manifest manifest_ = load_manifest(GetParam());

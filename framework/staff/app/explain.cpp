@@ -13,7 +13,7 @@ namespace {
 
 CourseFiles submitted(const Manifest& manifest, const std::string& path) {
     std::set<std::string> wanted = task_files(manifest);
-    std::erase_if(wanted, [](const std::string& file) { return !file.ends_with(".glsl"); });
+    std::erase_if(wanted, [](const std::string& file) { return !is_shader(file); });
     const Submission submission = read_submission(path, wanted);
     if (!submission.problem.empty()) throw Error({path}, submission.problem);
     if (submission.files.empty()) throw Error({path}, fmt::format("has no {}", fmt::join(wanted, " and no ")));

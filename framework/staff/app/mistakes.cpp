@@ -2,11 +2,17 @@
 // the fingerprints by which `relief check` names them.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
 #include "framework/app/shot.h"
 #include "framework/base/error.h"
 #include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/paths.h"
+#include "framework/base/share.h"
 #include "framework/image/file.h"
 #include "framework/pages/check_figures.h"
 #include "framework/pages/figures.h"
@@ -21,50 +27,24 @@ namespace fs = std::filesystem;
 /// The longer side of a picture, in pixels: two of them fill a line of the page.
 constexpr int large = 480;
 
-class MistakesPage {
+/// Draws a mistake's pictures and describes it: an article of the page.
+class MistakeArticle {
 public:
-    explicit MistakesPage(fs::path folder) : folder_(std::move(folder)) {}
-    int failures() const { return failures_; }
+    MistakeArticle(const fs::path& folder, const LabEntry& lab, MistakePictures& pictures, const MistakeInfo& mistake)
+        : folder_(folder), lab_(lab), pictures_(pictures), manifest_(pictures.manifest()), mistake_(mistake) {}
 
-    void add(const LabEntry& lab, MistakePictures& pictures, Progress& progress) {
-        const Manifest& manifest = pictures.manifest();
-        List tasks;
-        size_t total = 0;
-        for (const TaskInfo& task : manifest.tasks) {
-            List mistakes;
-            for (const MistakeInfo& mistake : manifest.mistakes) {
-                if (mistake.task != task.id) continue;
-                progress.next(lab.two_digits() + " " + mistake.id);
-                mistakes.push_back(shown(lab, pictures, mistake));
-                mistakes.back().fields["place"] = lab.two_digits() + "-" + mistake.id;
-                total += 1;
-            }
-            tasks.push_back(Fields{{"id", task.id}, {"title", task.title}, {"mistakes", std::move(mistakes)}});
-        }
-        labs_.push_back(Fields{
-            {"number", lab.two_digits()}, {"title", manifest.title}, {"total", total}, {"tasks", std::move(tasks)}});
-    }
+    /// Why there is no picture, once it was made.
+    const std::string& problem() const { return problem_; }
 
-    std::string finish() const {
-        return render({.title = "Relief: known mistakes",
-                       .body = "framework/staff/pages/mistakes",
-                       .styles = {"badge", "checks", "figures", "framework/staff/pages/mistakes"},
-                       .scripts = {"wipe", "checks", "framework/staff/pages/mistakes"},
-                       .pictures = PagePictures::beside},
-                      {{"count", count_}, {"labs", labs_}, {"driver", describe_context().driver()}});
-    }
-
-private:
-    Fields shown(const LabEntry& lab, MistakePictures& pictures, const MistakeInfo& mistake) {
-        ++count_;
-        Fields fields = described(pictures.manifest(), mistake);
+    std::string text() {
+        Fields fields = described();
         try {
-            const MistakePicture picture = pictures.best(mistake);
-            fields["words"] = mistake.id + " " + mistake.hint + " " + mistake.task + " " + picture.check->name;
+            const MistakePicture picture = pictures_.best(mistake_);
+            fields["words"] = mistake_.id + " " + mistake_.hint + " " + mistake_.task + " " + picture.check->name;
             fields["check"] = picture.check->name;
             fields["badge"] = badge(picture.said.outcome);
             fields["found"] = picture.said.found;
-            List shown = figures(lab, pictures.manifest(), mistake, picture);
+            List shown = figures(picture);
             List difference;
             if (!shown.empty() && shown.back().fields.at("kind").text == "difference") {
                 difference.push_back(std::move(shown.back()));
@@ -74,46 +54,46 @@ private:
         } catch (const CannotWrite&) {
             throw;
         } catch (const Error& error) {
-            print_error(fmt::format("{}: {}: {}", lab.folder, mistake.id, error.what()));
-            fields["problem"] = error.what();
-            ++failures_;
+            fields["problem"] = problem_ = error.what();
         }
-        return fields;
+        return render("framework/staff/pages/mistake", fields);
     }
 
+private:
     /// Everything but the pictures.
-    static Fields described(const Manifest& manifest, const MistakeInfo& mistake) {
+    Fields described() const {
         List others, edits;
-        for (const MistakeInfo& other : manifest.mistakes)
-            if (other.same_as == mistake.id) others.push_back(Fields{{"id", other.id}, {"is_first", others.empty()}});
-        for (const Edit& edit : mistake.edits)
+        for (const MistakeInfo& other : manifest_.mistakes)
+            if (other.same_as == mistake_.id) others.push_back(Fields{{"id", other.id}, {"is_first", others.empty()}});
+        for (const Edit& edit : mistake_.edits)
             edits.push_back(Fields{{"file", edit.file},
                                    {"find", edit.find},
                                    {"replace", edit.replace.empty() ? "(nothing)" : edit.replace}});
-        return {{"id", mistake.id},
-                {"words", mistake.id + " " + mistake.hint + " " + mistake.task},
-                {"hint", with_code(mistake.hint)},
+        return {{"id", mistake_.id},
+                {"place", lab_.two_digits() + "-" + mistake_.id},
+                {"words", mistake_.id + " " + mistake_.hint + " " + mistake_.task},
+                {"hint", with_code(mistake_.hint)},
                 {"problem", ""},
-                {"same_as", mistake.same_as},
-                {"others", mistake.same_as.empty() ? rows(std::move(others)) : Value()},
+                {"page", Fields{{"pictures_inside", false}}},
+                {"same_as", mistake_.same_as},
+                {"others", mistake_.same_as.empty() ? rows(std::move(others)) : Value()},
                 {"edits", std::move(edits)}};
     }
 
-    List figures(const LabEntry& lab, const Manifest& manifest, const MistakeInfo& mistake,
-                 const MistakePicture& picture) const {
+    List figures(const MistakePicture& picture) const {
         const CheckInfo& check = *picture.check;
-        const ComparedImages shown = compare_images(picture.is_probe ? &manifest.probe(check.shot.probe.name) : nullptr,
+        const ComparedImages shown = compare_images(picture.is_probe ? &manifest_.probe(check.shot.probe.name) : nullptr,
                                                     picture.wrong, picture.right);
         const std::string what = picture.is_probe ? ", “" + check.shot.probe.name + "” as colours" : "";
-        const std::string number = fmt::format("{}", &mistake - manifest.mistakes.data());
+        const std::string number = fmt::format("{}", &mistake_ - manifest_.mistakes.data());
         // Mistakes that are shown by one check share its right picture, unless its colours are chosen for both.
         const std::string right =
-            picture.is_probe ? number + "-right" : fmt::format("check-{}", &check - manifest.checks.data());
+            picture.is_probe ? number + "-right" : fmt::format("check-{}", &check - manifest_.checks.data());
         List all;
         const auto add = [&](const std::string& name, const Image& image, const char* kind, const std::string& caption,
                              const std::string& alt, Value scale = {}) {
             if (image.pixel_count() == 0) return;
-            const std::string file = lab.folder + "/" + name + ".png";
+            const std::string file = lab_.folder + "/" + name + ".png";
             write_beside_page(folder_ / file, encode_image(image, ImageFormat::png));
             all.push_back(figure(image, file, kind, caption, check.name + alt, std::move(scale)));
         };
@@ -124,10 +104,121 @@ private:
         return all;
     }
 
-    fs::path folder_;
-    List labs_;
-    int count_ = 0, failures_ = 0;
+    const fs::path& folder_;
+    const LabEntry& lab_;
+    MistakePictures& pictures_;
+    const Manifest& manifest_;
+    const MistakeInfo& mistake_;
+    std::string problem_;
 };
+
+/// The mistakes of one task, which share what the solution draws: one process draws them all.
+struct Part {
+    const LabEntry* lab;
+    std::string task;
+    size_t work;  ///< roughly
+};
+
+/// Lab by lab, in each the longest first.
+std::vector<Part> parts_of(const std::vector<const LabEntry*>& labs) {
+    std::vector<Part> parts;
+    for (const LabEntry* lab : labs) {
+        const Manifest manifest = load_manifest(*lab);
+        const size_t first = parts.size();
+        for (const TaskInfo& task : manifest.tasks) {
+            const auto is_its = [&](const auto& one) { return one.task == task.id; };
+            const auto count = std::count_if(manifest.mistakes.begin(), manifest.mistakes.end(), is_its) *
+                               std::count_if(manifest.checks.begin(), manifest.checks.end(), is_its);
+            if (count > 0) parts.push_back({lab, task.id, size_t(count)});
+        }
+        std::stable_sort(parts.begin() + std::ptrdiff_t(first), parts.end(),
+                         [](const Part& a, const Part& b) { return a.work > b.work; });
+    }
+    return parts;
+}
+
+/// What processes that draw say: an article, or before each that it begins.
+using nlohmann::json;
+
+std::string text_of(const json& message) { return message.dump(-1, ' ', false, json::error_handler_t::replace); }
+
+/// Draws mistakes in a process of its own.
+void draw_parts(const std::vector<Part>& parts, const fs::path& folder, ContextChoice choice, const NextPart& next,
+                const Say& say) {
+    const auto context = open_context(choice);
+    say(text_of({{"driver", describe_context().driver()}}));
+    std::optional<MistakePictures> pictures;
+    const LabEntry* lab = nullptr;
+    while (const auto place = next()) {
+        const Part& part = parts[*place];
+        if (part.lab != lab)
+            pictures.emplace(*part.lab, Renderer{.context = choice, .threads = 0, .pinned = is_pinned()}, large);
+        lab = part.lab;
+        for (const MistakeInfo& mistake : pictures->manifest().mistakes) {
+            if (mistake.task != part.task) continue;
+            const std::string name = lab->two_digits() + " " + mistake.id;
+            say(text_of({{"begins", name}}));
+            MistakeArticle article(folder, *lab, *pictures, mistake);
+            std::string text = article.text();
+            say(text_of({{"article", name}, {"text", std::move(text)}, {"problem", article.problem()}}));
+        }
+    }
+}
+
+/// What has been drawn of a page.
+struct Drawn {
+    std::map<std::string, std::string> articles;  ///< by "10 towards-the-eye"
+    std::string driver;
+    int failures = 0;
+};
+
+Drawn draw_all(const std::vector<const LabEntry*>& labs, int count, const fs::path& folder, ContextChoice choice) {
+    const std::vector<Part> parts = parts_of(labs);
+    Drawn drawn;
+    Progress progress(count);
+    share_among_processes(
+        parts.size(),
+        [&](const NextPart& next, const Say& say) { draw_parts(parts, folder, choice, next, say); },
+        [&](const std::string& text) {
+            const json message = json::parse(text);
+            if (message.contains("driver")) drawn.driver = message.at("driver");
+            if (message.contains("begins")) progress.next(std::string(message.at("begins")));
+            if (!message.contains("article")) return;
+            const std::string name = message.at("article"), problem = message.at("problem");
+            drawn.articles[name] = message.at("text");
+            if (problem.empty()) return;
+            print_error(fmt::format("{}: {}", name, problem));
+            ++drawn.failures;
+        });
+    return drawn;
+}
+
+std::string page_of(const std::vector<const LabEntry*>& labs, int count, const Drawn& drawn) {
+    List all;
+    for (const LabEntry* lab : labs) {
+        const Manifest manifest = load_manifest(*lab);
+        List tasks;
+        for (const TaskInfo& task : manifest.tasks) {
+            List mistakes;
+            for (const MistakeInfo& mistake : manifest.mistakes)
+                if (mistake.task == task.id)
+                    mistakes.push_back(Fields{{"id", mistake.id},
+                                              {"place", lab->two_digits() + "-" + mistake.id},
+                                              {"article", drawn.articles.at(lab->two_digits() + " " + mistake.id)}});
+            tasks.push_back(Fields{{"id", task.id}, {"title", task.title}, {"mistakes", std::move(mistakes)}});
+        }
+        all.push_back(Fields{{"number", lab->two_digits()},
+                             {"title", manifest.title},
+                             {"total", manifest.mistakes.size()},
+                             {"tasks", std::move(tasks)}});
+    }
+    return render({.title = "Relief: known mistakes",
+                   .body = "framework/staff/pages/mistakes",
+                   .styles = {"badge", "checks", "figures", "framework/staff/pages/mistakes"},
+                   .scripts = {"wipe", "checks", "framework/staff/pages/mistakes"},
+                   .pictures = PagePictures::beside},
+                  {{"count", count}, {"labs", std::move(all)}, {"driver", drawn.driver}});
+}
 
 /// That lab, or all if `lab` is empty, where there are known mistakes; and how many there are.
 std::pair<std::vector<const LabEntry*>, int> with_mistakes(const std::string& lab) {
@@ -149,18 +240,10 @@ int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice)
     if (folder.empty()) folder = course_root() / "build" / "mistakes";
     const auto [labs, count] = with_mistakes(lab);
     make_folder(folder);
-    const auto context = open_context(choice);
-    MistakesPage page(folder);
-    {
-        Progress progress(count);
-        for (const LabEntry* entry : labs) {
-            MistakePictures pictures(*entry, {.context = choice, .threads = 0, .pinned = is_pinned()}, large);
-            page.add(*entry, pictures, progress);
-        }
-    }
-    write_file(folder / "index.html", page.finish());
+    const Drawn drawn = draw_all(labs, count, folder, choice);
+    write_file(folder / "index.html", page_of(labs, count, drawn));
     fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
-    return page.failures() == 0 ? 0 : 1;
+    return drawn.failures == 0 ? 0 : 1;
 }
 
 /// Writes the file by which `relief check` names mistakes, of one lab, or of all if `lab` is empty.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "framework/base/markdown.h"
 #include "framework/base/text.h"
 #include "framework/staff/grade/csv.h"
 #include "framework/staff/grade/strangers_text.h"
@@ -87,11 +88,14 @@ Suite suite_of(const Standing& standing) {
 
 // ---- JSON ----
 
+/// Its hint, on a line of its own, in systems that show plain text.
+std::string look_at(const CheckMark& check) {
+    return check.look_at.empty() ? "" : "\nlook at: " + plain_text(line_with_code(check.look_at));
+}
+
 /// The text for a check on Gradescope, which shows hidden checks to instructors only.
 std::string sentence(const CheckMark& check) {
-    std::string text = check.hidden ? check.found : found_for_students(check);
-    if (!check.look_at.empty()) text += "\nlook at: " + check.look_at;
-    return text;
+    return (check.hidden ? check.found : found_for_students(check)) + look_at(check);
 }
 
 /// What people and rules did to the points, a line each.
@@ -236,10 +240,7 @@ std::string to_prairielearn(const Standing& standing) {
                          {"points", check.outcome == Outcome::passed ? points : 0.0},
                          {"max_points", points},
                          {"message", std::string(name_of(check.outcome))},
-                         {"output", printable_lines(check.look_at.empty()
-                                                        ? found_for_students(check)
-                                                        : found_for_students(check) + "\nlook at: " + check.look_at,
-                                                    4000)}});
+                         {"output", printable_lines(found_for_students(check) + look_at(check), 4000)}});
                 }
     std::string text = dump(json);
     if (text.size() <= max_bytes) return text;
@@ -280,7 +281,7 @@ std::string to_gradescope(const Standing& standing) {
             }
             if (!task.hint.empty())
                 add(fmt::format("{} {}: a hint", task.id, task.title), lab,
-                    {{"output", task.hint}, {"visibility", "visible"}});
+                    {{"output", plain_text(line_with_code(task.hint))}, {"visibility", "visible"}});
         }
     std::string output = mark.problem.empty() ? "" : mark.problem + "\n";
     if (any_hidden)

@@ -27,7 +27,7 @@ std::optional<Judgement> judge_file(const TaskInfo& task, const Submission& subm
         return Judgement{Outcome::broken, fmt::format("{} is {}", task.file, refused->second)};
     const auto file = submission.files.find(task.file);
     if (file == submission.files.end()) return Judgement{Outcome::unfinished, fmt::format("there is no {}", task.file)};
-    if (task.file.ends_with(".glsl"))
+    if (is_shader(task.file))
         if (const std::string beyond = reaches_beyond(file->second, others); !beyond.empty())
             return Judgement{Outcome::broken, fmt::format("{} {}", task.file, printable(beyond))};
     if (is_unfinished(file->second, task.id)) return Judgement{Outcome::unfinished, "not written yet"};

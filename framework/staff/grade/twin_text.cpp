@@ -146,7 +146,7 @@ TwinText twin_text(const std::string& text, const std::string& includes) {
 Twins twins_of_course(const Manifest& manifest) {
     Twins twins;
     for (const TaskInfo& task : manifest.tasks) {
-        if (!task.file.ends_with(".glsl") || twins.contains(task.file)) continue;
+        if (!is_shader(task.file) || twins.contains(task.file)) continue;
         const std::string text = read_file(course_root() / task.file);
         std::string includes;
         for (const std::string& name : included_by(text))

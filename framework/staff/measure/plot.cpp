@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "framework/base/error.h"
 #include "framework/base/text.h"
@@ -103,38 +103,84 @@ private:
         return text;
     }
 
-    /// What has a time and no error.
-    std::string upright_lines() const {
+    /// A part of the plot, in pixels from its lower left corner.
+    struct Room {
+        glm::dvec2 low, high;
+        bool meets(const Room& other) const {
+            return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+        }
+    };
+    /// Without titles, axes and their numbers: roughly, as gnuplot divides a panel.
+    glm::dvec2 plot_size() const { return glm::dvec2(style_.size) - glm::dvec2(118, 105); }
+    double width(const std::string& name) const { return 0.66 * style_.names * double(name.size()); }
+    double height() const { return 1.3 * style_.names; }
+
+    /// Where a point lies in the plot.
+    glm::dvec2 place_of(double time, double error, const Span& all) const {
+        return plot_size() * glm::dvec2(std::log(1.25 * time / all.left) / std::log(2.375 * all.right / all.left),
+                                        std::log(error / all.floor) / std::log(all.ceiling / all.floor));
+    }
+    glm::dvec2 place_of(size_t row, const Span& all) const {
+        return place_of(time(row), std::max(rows_[row].error.mean, all.floor), all);
+    }
+
+    /// What has a time and no error, with its name along it: below those that would lie on it. What they take of the
+    /// plot is added to `taken`.
+    std::string upright_lines(const Span& all, std::vector<Room>& taken) const {
         std::string text;
-        for (const size_t place : timed_)
-            if (rows_[place].error.unit.empty())
-                text += fmt::format(
-                    "set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' dt 3\n"
-                    "set label {2} at {0},graph 0.97 rotate by 90 right font ',{3}' textcolor rgb '{1}' "
-                    "noenhanced offset -0.5,0\n",
-                    time(place), peer_color, gnuplot_text(short_name(rows_[place])), style_.names);
+        for (const size_t place : timed_) {
+            if (!rows_[place].error.unit.empty()) continue;
+            const std::string name = short_name(rows_[place]);
+            const double x = place_of(time(place), all.ceiling, all).x;
+            const double top = 0.97 * plot_size().y;
+            Room room{{x - height() - 0.4 * style_.axes, top - width(name)}, {x, top}};
+            for (bool moved = true; moved;) {
+                moved = false;
+                for (const Room& other : taken)
+                    if (room.meets(other)) {
+                        const double down = room.high.y - other.low.y;
+                        room.low.y -= down, room.high.y -= down, moved = true;
+                    }
+            }
+            text += fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' dt 3\n", time(place),
+                                peer_color);
+            if (room.low.y < 0) continue;  // there is no more room
+            taken.push_back(room);
+            text += fmt::format(
+                "set label {} at {},graph {:.3f} rotate by 90 right font ',{}' textcolor rgb '{}' noenhanced offset "
+                "-0.5,0\n",
+                gnuplot_text(name), time(place), room.high.y / plot_size().y, style_.names, peer_color);
+        }
         return text;
     }
 
-    /// Where it lies in the panel, from 0 to 1.
-    static glm::dvec2 place_of(double time, double error, const Span& all) {
-        return {std::log(time / all.left) / std::log(2.4 * all.right / all.left),
-                std::log(error / all.floor) / std::log(all.ceiling / all.floor)};
-    }
+    /// Where a name can stand beside its point, in letters of the axes, which are 0.7 of their size wide and 1.5 high.
+    struct Side {
+        const char* align;
+        double x, y;
+    };
+    static constexpr std::array<Side, 4> sides = {
+        {{"left", 0.7, 0.45}, {"right", -0.7, 0.45}, {"left", 0.7, -0.45}, {"right", -0.7, -0.45}}};
 
-    /// A name that would lie on another one is left out: the point still has its own. The front's come first.
-    std::set<size_t> named_points(const Span& all) const {
-        // A name is some 14 letters wide.
-        const glm::dvec2 room(11.7 * style_.names / style_.size.x, 2.1 * style_.names / style_.size.y);
-        std::vector<glm::dvec2> taken;
-        std::set<size_t> named;
+    /// Points whose name has room beside them, and its place among `sides`. The front's come first, and no name lies on
+    /// another one.
+    std::map<size_t, size_t> named_points(const Span& all, std::vector<Room> taken) const {
+        std::map<size_t, size_t> named;
         const auto name = [&](size_t place) {
-            const double y = std::max(rows_[place].error.mean, all.floor);
-            const glm::dvec2 here = place_of(time(place), y, all);
-            for (const glm::dvec2& other : taken)
-                if (std::abs(here.x - other.x) < room.x && std::abs(here.y - other.y) < room.y) return;
-            taken.push_back(here);
-            named.insert(place);
+            const glm::dvec2 point = place_of(place, all);
+            const double length = width(short_name(rows_[place]));
+            const size_t first = point.x > 0.7 * plot_size().x ? 1 : 0;
+            for (const size_t i : {first, 1 - first, 2 + first, 3 - first}) {
+                const glm::dvec2 near = point + glm::dvec2(0.7 * sides[i].x, 1.5 * sides[i].y) * double(style_.axes);
+                const double left = sides[i].x > 0 ? near.x : near.x - length;
+                const Room room{{left, near.y - height() / 2}, {left + length, near.y + height() / 2}};
+                if (left < 0 || room.high.x > plot_size().x + 14 || room.low.y < 0 ||
+                    std::any_of(taken.begin(), taken.end(), [&](const Room& other) { return room.meets(other); }))
+                    continue;
+                taken.push_back(room);
+                named.emplace(place, i);
+                return;
+            }
         };
         for (const auto wanted : {0, 1, 2})
             for (const size_t place : timed_) {
@@ -147,23 +193,23 @@ private:
 
     /// Lines of data by the names of their blocks: pale, front, peers, sweeps, steps. None is empty.
     using Blocks = std::map<std::string, std::string>;
-    Blocks blocks(const Span& all) const {
-        const std::set<size_t> named = named_points(all);
+    Blocks blocks(const Span& all, const std::map<size_t, size_t>& named) const {
         Blocks blocks;
         std::map<std::string, std::string> by_method;
         for (const size_t place : timed_) {
             const BenchRow& row = rows_[place];
             if (row.error.unit.empty()) continue;
             const double y = std::max(row.error.mean, all.floor);
-            const bool is_named = named.contains(place), is_far = place_of(time(place), y, all).x > 0.7;
+            const auto found = named.find(place);
+            std::string names;
+            for (size_t side = 0; side < sides.size(); ++side)
+                names += " " + gnuplot_text(found != named.end() && found->second == side ? short_name(row) : "");
             by_method[row.method] += fmt::format("{} {}\n", time(place), y);
             blocks[row.peer          ? "peers"
                    : is_front(place) ? "front"
                                      : "pale"] +=
-                fmt::format("{} {} {} {} {} {} {}\n", time(place), y, row.times.p10 * scale_, row.times.p90 * scale_,
-                            gnuplot_text(fmt::format("#{} {}", place, row_name(row))),
-                            gnuplot_text(is_named && !is_far ? short_name(row) : ""),
-                            gnuplot_text(is_named && is_far ? short_name(row) : ""));
+                fmt::format("{} {} {} {} {}{}\n", time(place), y, row.times.p10 * scale_, row.times.p90 * scale_,
+                            gnuplot_text(fmt::format("#{} {}", place, row_name(row))), names);
         }
         for (const auto& [method, points] : by_method) blocks["sweeps"] += points + "\n";
         std::vector<size_t> line = front_;
@@ -185,8 +231,9 @@ private:
         };
         const auto names = [&](const char* name, const char* color) {
             const std::string look = fmt::format("font ',{}' textcolor rgb '{}' noenhanced", style_.names, color);
-            add(name, "using 1:2:6 with labels left offset 0.7,0.45 " + look);
-            add(name, "using 1:2:7 with labels right offset -0.7,0.45 " + look);  // near the right border
+            for (size_t i = 0; i < sides.size(); ++i)
+                add(name, fmt::format("using 1:2:{} with labels {} offset {},{} {}", 6 + i, sides[i].align, sides[i].x,
+                                      sides[i].y, look));
         };
         add("sweeps", "using 1:2 with lines lw 0.7 lc rgb '#ddd7cb'");
         add("steps", fmt::format("using 1:2 with steps lw 2 lc rgb '{}'", front_color));
@@ -201,8 +248,9 @@ private:
 
     std::string points() const {
         const Span all = span();
-        std::string text = axes(all) + upright_lines();
-        const Blocks data = blocks(all);
+        std::vector<Room> taken;
+        std::string text = axes(all) + upright_lines(all, taken);
+        const Blocks data = blocks(all, named_points(all, std::move(taken)));
         for (const auto& [name, block] : data) text += fmt::format("${}{} << END\n{}END\n", name, number_, block);
         return text + layers(data);
     }

@@ -185,7 +185,8 @@ std::string verdict_of(const BenchSweep& sweep, const std::string& unit) {
 }
 
 std::string sweep_panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PanelStyle& style) {
-    return Panel(rows, scene, 0, style).script();
+    const std::string panel = Panel(rows, scene, 0, style).script();
+    return panel.empty() ? "" : "set rmargin 5\n" + panel;  // the axis' last number, which is turned, ends beyond it
 }
 
 std::string sweep_script(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {

@@ -81,7 +81,7 @@ private:
                 {"facts", facts({{wrong ? "found" : "message", check.found},
                                  {"view", check.view},
                                  {"allowed", wrong && shown ? shown->check.reason : ""},
-                                 {"look at", first_hint(task, check)}})},
+                                 {"look at", with_code(first_hint(task, check))}})},
                 {"pictures", open && shown ? check_figures(*shown->manifest, shown->check, shown->drawn,
                                                            shown->expected, DrawnBy::submission)
                                            : Value()}};
@@ -102,14 +102,18 @@ private:
                 {"hidden", check.hidden},
                 {"hidden_view", false},
                 {"said", ""},
-                {"facts", facts({{"found", found_for_students(check)}, {"look at", first_hint(task, check)}})},
+                {"facts", facts({{"found", found_for_students(check)}, {"look at", with_code(first_hint(task, check))}})},
                 {"pictures", Value()}};
     }
 
-    static List facts(const std::vector<std::pair<const char*, std::string>>& all) {
+    /// Texts, and one with code in it; those that are empty are left out.
+    static List facts(const std::vector<std::pair<const char*, Value>>& all) {
         List facts;
-        for (const auto& [name, value] : all)
-            if (!value.empty()) facts.push_back(Fields{{"name", name}, {"value", value}});
+        for (const auto& [name, value] : all) {
+            List parts = value.list;
+            if (value.kind == Value::Kind::text) parts = {Fields{{"code", ""}, {"text", value}}};
+            if (!parts.empty()) facts.push_back(Fields{{"name", name}, {"value", std::move(parts)}});
+        }
         return facts;
     }
 
@@ -130,7 +134,7 @@ private:
                                            {"title", task.title},
                                            {"points", points_text(task.points)},
                                            {"of", task.of},
-                                           {"hint", with_code(task.hint)}});
+                                           {"hint", rows(with_code(task.hint).list)}});
         }
         return rows(std::move(tasks));
     }
