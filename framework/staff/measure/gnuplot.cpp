@@ -64,7 +64,7 @@ std::string gnuplot_panels(const std::string& title, std::span<const std::string
         "set terminal svg size {0},{1} dynamic font 'DejaVu Sans,11' background '#ffffff'\n"
         "set multiplot layout {2},{3} margins screen {4},{5},{6},{7} spacing screen {8},{9} title {10} noenhanced font "
         "',14'\n",
-        width, height, lines, columns, 90.0 / width, 1 - 28.0 / width, double(panel.below) / height,
+        width, height, lines, columns, 90.0 / width, 1 - 44.0 / width, double(panel.below) / height,
         1 - (title_height + 34.0) / height, 90.0 / width, (panel.below + 40.0) / height, gnuplot_text(title));
     for (const std::string& one : panels) script += one;
     return script + "unset multiplot\n";

@@ -109,8 +109,8 @@ private:
         if (!limit || *limit <= floor_ || *limit >= ceiling_) return {};
         return fmt::format(
             "set arrow from graph 0,first {0} to graph 1,first {0} nohead lc rgb '#8a857b' dt 2\n"
-            "set label 'stated' at graph 0.01,first {0} offset 0,0.4 font ',8' textcolor rgb '#8a857b'\n",
-            *limit);
+            "set label 'stated' at graph 0.01,first {0} offset 0,0.4 font ',{1}' textcolor rgb '#8a857b'\n",
+            *limit, style_.names - 1);
     }
 
     void curve(size_t row, size_t count, std::string& text, std::vector<std::string>& plots) const {
@@ -190,9 +190,13 @@ std::string sweep_panel(std::span<const BenchRow> rows, const std::vector<size_t
 }
 
 std::string sweep_script(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
+    const std::vector<std::vector<size_t>> scenes = scenes_of(rows);
+    // One panel alone is read from afar, on a slide.
+    const PanelStyle style =
+        scenes.size() == 1 ? PanelStyle{.title = 15, .axes = 13, .names = 12} : PanelStyle{.axes = 10};
     std::vector<std::string> panels;
-    for (const std::vector<size_t>& scene : scenes_of(rows))
-        if (std::string panel = Panel(rows, scene, panels.size(), {.axes = 10}).script(); !panel.empty())
+    for (const std::vector<size_t>& scene : scenes)
+        if (std::string panel = Panel(rows, scene, panels.size(), style).script(); !panel.empty())
             panels.push_back(std::move(panel));
     if (panels.empty()) return {};
     return gnuplot_panels(topic.name + ", " + (machine.renderer == "none" ? machine.cpu : machine.renderer), panels,
