@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "framework/app/command.h"
@@ -15,6 +17,7 @@
 #include "framework/base/process.h"
 #include "framework/base/text.h"
 #include "framework/check/check.h"
+#include "framework/image/compare.h"
 #include "framework/pages/check_page.h"
 #include "framework/pages/page.h"
 
@@ -37,17 +40,17 @@ std::string colored(Outcome outcome, const std::string& word) {
 /// Prints results, each hint once in a task, and each message of a compiler once in all.
 class Printer {
 public:
-    explicit Printer(const LabEntry& lab) : lab_(lab) {}
+    Printer(const LabEntry& lab, const Manifest& manifest) : lab_(lab), manifest_(manifest) {}
 
     void print(const TaskResult& task) {
         fmt::print("{}  {}: {} of {} points ({})\n", task.task->id, task.task->title, points_text(task.points()),
                    task.task->points, task.task->file);
         hints_.clear();
-        for (const CheckResult& result : task.checks) print(result);
+        for (const CheckResult& result : task.checks) print(result, *task.task);
     }
 
 private:
-    void print(const CheckResult& result) {
+    void print(const CheckResult& result, const TaskInfo& task) {
         const bool is_broken = result.outcome == Outcome::broken;
         const bool is_repeated = is_broken && !messages_.insert(result.found + result.details).second;
         fmt::print("  {}  {}: {}\n", colored(result.outcome, fmt::format("{:<10}", name_of(result.outcome))),
@@ -59,12 +62,34 @@ private:
             fmt::print("              why this limit: {}\n", result.check->reason);
         if (const std::string hint = look_at(result); hints_.insert(hint).second)
             fmt::print("              look at: {}\n", plain_text(line_with_code(hint)));
-        if (result.outcome == Outcome::wrong)
-            fmt::print("              in the window: ./relief run {} --check '{}'\n", lab_.two_digits(),
-                       result.check->name);
+        if (result.outcome != Outcome::wrong) return;
+        fmt::print("              in the window: ./relief run {} --check '{}'\n", lab_.two_digits(),
+                   result.check->name);
+        const std::optional<glm::ivec2> worst = worst_pixel(result);
+        if (worst && is_shader(task.file))
+            fmt::print("              the worst pixel: ./relief explain {} --check '{}' --pixel {},{}\n",
+                       lab_.two_digits(), result.check->name, worst->x, worst->y);
+    }
+
+    /// Where the check's picture differs most, from the upper left corner; nothing if no pixel can be compared.
+    std::optional<glm::ivec2> worst_pixel(const CheckResult& result) const {
+        const Image &drawn = result.drawn, &expected = result.expected;
+        if (drawn.values.empty() || drawn.width != expected.width || drawn.height != expected.height ||
+            drawn.channels != expected.channels)
+            return {};
+        const std::string& probe = result.check->shot.probe.name;
+        const Image errors =
+            error_image(drawn, expected, probe.empty() ? ErrorMetric::distance : manifest_.probe(probe).error);
+        size_t worst = 0;
+        float largest = 0;
+        for (size_t i = 0; i < errors.values.size(); ++i)
+            if (std::isfinite(errors.values[i]) && errors.values[i] > largest) worst = i, largest = errors.values[i];
+        if (largest == 0) return {};
+        return glm::ivec2(worst % size_t(errors.width), worst / size_t(errors.width));
     }
 
     const LabEntry& lab_;
+    const Manifest& manifest_;
     std::set<std::string> hints_, messages_;
 };
 
@@ -95,7 +120,7 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
 
     double points = 0;
     bool all = true;
-    Printer printer(lab);
+    Printer printer(lab, manifest);
     nlohmann::ordered_json report = {{"lab", lab.folder}, {"tasks", nlohmann::ordered_json::array()}};
     for (const TaskResult& task : tasks) {
         points += task.points();

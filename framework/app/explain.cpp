@@ -162,7 +162,7 @@ int explain_pixel(const ExplainArguments& arguments) {
     if (!arguments.mistake.empty() || !arguments.submission.empty())
         others = course_with(manifest, arguments.mistake, arguments.submission);
     const Explanation explanation = explain(lab, manifest, shot, pixel, twins);
-    const PixelReport report{lab, shot, pixel, explanation, expected, !twins.empty()};
+    const PixelReport report{lab, manifest, shot, pixel, explanation, expected, !twins.empty()};
     arguments.json ? print_json(report) : fmt::print("{}{}", text_of(report), conclusion_of(report));
     return 0;
 }

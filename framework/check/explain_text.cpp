@@ -65,7 +65,9 @@ std::string name_of_result(const ValueShape& shape) { return shape.name.empty() 
 
 std::string text_of(const PixelReport& report) {
     const Explanation& explanation = report.explanation;
-    const std::string what = report.shot.probe ? "probe " + report.shot.probe.name : "picture";
+    const std::string& probe = report.shot.probe.name;
+    const std::string what =
+        probe.empty() ? "picture" : fmt::format("probe {} ({})", probe, plural(report.manifest.probe(probe).unit));
     std::string text = fmt::format("{}, pixel {},{} of {} x {}\n", report.lab.folder, report.pixel.x, report.pixel.y,
                                    report.shot.size.x, report.shot.size.y);
     text += fmt::format("  {}: {}\n", what, numbers_of(explanation.value));

@@ -25,6 +25,7 @@ struct ExpectedValue {
 
 struct PixelReport {
     const LabEntry& lab;
+    const Manifest& manifest;
     const Shot& shot;
     glm::ivec2 pixel;
     const Explanation& explanation;

@@ -21,7 +21,7 @@ void PixelExplanation::compute(const Stage& stage) {
     try {
         const Twins twins = twins_of(stage.manifest());
         const Explanation explanation = explain(stage.entry(), stage.manifest(), shot, *pixel_, twins);
-        const PixelReport report{stage.entry(), shot, *pixel_, explanation, {}, !twins.empty()};
+        const PixelReport report{stage.entry(), stage.manifest(), shot, *pixel_, explanation, {}, !twins.empty()};
         said = text_of(report);
         conclusion_ = conclusion_of(report);
         for (const ExplainedFunction& one : explanation.functions)

@@ -360,6 +360,19 @@ TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
           "look at: The code 0 means -1, not 0: every normal leans towards (1, 1, 1).\n"})
         EXPECT_TRUE(contains(wrong.out, part)) << part << "\n" << wrong.out;
     EXPECT_EQ(count(wrong.out, "The code 0 means -1"), 1) << "a hint is said once: " << wrong.out;
+    // What it names as the worst pixel is wrong there.
+    const std::string begin = "the worst pixel: ./relief explain 02 --check 'three bytes and back' --pixel ";
+    const size_t at = wrong.out.find(begin);
+    ASSERT_NE(at, std::string::npos) << wrong.out;
+    const std::string pixel = wrong.out.substr(at + begin.size(), wrong.out.find('\n', at) - at - begin.size());
+    const Result there =
+        course().relief({"explain", "02", "--check", "three bytes and back", "--pixel", pixel, "--json"});
+    ASSERT_EQ(there.code, 0) << pixel << there.err;
+    const auto report = nlohmann::json::parse(there.out);
+    double off = 0;
+    for (size_t i = 0; i < 3; ++i)
+        off = std::max(off, std::abs(double(report["value"][i]) - double(report["expected"][i])));
+    EXPECT_GT(off, 0.3) << there.out;
     const std::string manifest = "labs/02_normal_map_storage/lab.toml";
     course().edit(manifest, "decode_unorm8 undoes f", "`decode_unorm8` undoes f");
     course().edit(file, "code / 255.0", "code / 254.0 * 2.0 - 1.0");
