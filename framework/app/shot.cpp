@@ -18,7 +18,7 @@ namespace relief {
 namespace {
 
 struct ShotArguments {
-    std::string lab, output, size, time, context = "auto", probe, truth, error, mistake;
+    std::string lab, output, size, time, context = "auto", probe, truth, error, check, mistake;
     ShotOptions options;
 };
 
@@ -51,7 +51,9 @@ int take_shot(const ShotArguments& arguments) {
     const Manifest manifest = load_manifest(entry);
     Shot shot;
     shot.camera = manifest.camera;
-    const Show show = what_to_show(arguments, shot.probe);
+    if (!arguments.check.empty()) shot = manifest.check(arguments.check).shot;
+    Show show = what_to_show(arguments, shot.probe);
+    if (show == Show::picture && shot.probe) show = Show::probe;
     if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // that there is one, before anything else
     const ErrorMetric metric = shot.probe ? manifest.probe(shot.probe.name).error : ErrorMetric::distance;
     if (!arguments.size.empty()) shot.size = parse_size(arguments.size);
@@ -131,7 +133,8 @@ public:
     void options(CommandOptions& options) override {
         options.lab(shot_.lab, true);
         options.value("-o", "FILE", shot_.output, "FILE.png, .exr, .ppm or .pfm, or - for standard output");
-        options.value("--size", "WxH", shot_.size, "size of the picture in pixels [1280x720]");
+        options.value("--check", "NAME", shot_.check, "what this check draws, with its knobs, camera and probe");
+        options.value("--size", "WxH", shot_.size, "size of the picture in pixels [1280x720, or the check's]");
         options.value("--time", "SECONDS", shot_.time, "time of an animation, in seconds [0]");
         options.value("--context", "NAME", shot_.context, context_help);
         shot_.options.options(options);

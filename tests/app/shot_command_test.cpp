@@ -80,6 +80,24 @@ TEST_F(ShotCommand, KnobsCameraAndMethodChangeThePicture) {
     }
 }
 
+TEST_F(ShotCommand, DrawsWhatACheckDraws) {
+    const auto drawn = [&](std::vector<std::string> more) {
+        std::vector<std::string> command = {relief_program(), "shot", "10", "-o", file("check.pfm").string()};
+        command.insert(command.end(), more.begin(), more.end());
+        const Result result = run(command);
+        EXPECT_EQ(result.code, 0) << result.err;
+        return read_all(file("check.pfm"));
+    };
+    const std::string check = drawn({"--check", "eight layers"});
+    EXPECT_EQ(check, drawn({"--set", "view=one", "--set", "method=steep", "--set", "steps=8", "--camera", "45,20,0.2",
+                            "--probe", "uv", "--size", "128x128"}));
+    EXPECT_NE(check, drawn({"--check", "eight layers", "--set", "steps=9"})) << "what is said beside it counts";
+    EXPECT_NE(check, drawn({"--check", "eight layers", "--error", "uv"}));
+    const Result unknown = run({relief_program(), "shot", "10", "--check", "eight layer"});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_TRUE(contains(unknown.err, "eight layers")) << unknown.err;
+}
+
 TEST_F(ShotCommand, DrawsAKnownMistakeAsPictureProbeAndError) {
     const char* mistake = "--mistake=green-flipped";
     const auto of = [&](const std::string& file_name, std::vector<std::string> more) {
