@@ -29,10 +29,11 @@ struct ProcessJob {
     /// Comes on `request_descriptor` once the output begins with `asks`: nothing is there to be read before.
     std::string request = {}, asks = {};
     ProcessLimits limits = {};
-    std::string calls = {};  ///< seccomp's filter of its system calls (struct sock_filter); empty: any call
-    std::string note = {};   ///< a file on `note_descriptor`, unless empty
-    bool as_nobody = false;  ///< root gives its rights up
-    bool reports = false;    ///< it writes to `report_descriptor`
+    std::string calls = {};            ///< seccomp's filter of its system calls (struct sock_filter); empty: any call
+    std::string note = {};             ///< a file on `note_descriptor`, unless empty
+    std::filesystem::path group = {};  ///< the folder of the control group that it joins; empty: ours
+    bool as_nobody = false;            ///< root gives its rights up
+    bool reports = false;              ///< it writes to `report_descriptor`
 };
 
 /// `failed`: it never ran, and that is the machine's fault or ours.

@@ -75,9 +75,17 @@ bool take_filter(const std::string& calls) {
     return calls.empty() || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
+/// The new process joins a control group. False where it cannot; errno says why.
+bool join(const char* group) {
+    const int folder = open(group, O_PATH | O_DIRECTORY | O_CLOEXEC);
+    const int processes = openat(folder, "cgroup.procs", O_WRONLY | O_CLOEXEC);
+    return write(processes, "0", 1) == 1;  // both end with the program's begin
+}
+
 /// In the new process. False where it cannot; errno says why.
 bool take_limits(const ProcessJob& job) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (!job.group.empty() && !join(job.group.c_str())) return false;  // while it has our rights
     // When the machine has no memory left, it is this that goes, and no neighbour.
     if (const int score = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); score >= 0) {
         [[maybe_unused]] const ssize_t written = write(score, "1000", 4);

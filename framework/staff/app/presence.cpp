@@ -11,8 +11,8 @@ const decltype(staff_is_here)::Provided said(staff_is_here, [] { return true; })
 
 const decltype(staff_info)::Provided told(staff_info, [] {
     const IsolationReport isolation = probe_isolation();
-    return fmt::format("grading  submissions run with {} and a filter of system calls{}\n", name_of(isolation.level),
-                       isolation.reason.empty() ? "" : ": " + isolation.reason);
+    return fmt::format("grading  submissions run with {}, and system calls are filtered{}\n", name_of(isolation.level),
+                       isolation.reason.empty() ? "" : "; " + isolation.reason);
 });
 
 }  // namespace

@@ -109,7 +109,7 @@ private:
         job.command = {course_.program.string(), "draw-checks", "--course", course_.folder->path().string()};
         job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course_.libraries.string()}};
         // In the sandbox's own memory, gone with it: the next shot need not compile the same shader again.
-        if (stage_.isolation() == Isolation::namespaces) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
+        if (stage_.isolation() != Isolation::limits) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
         job.request = drawing_request(lab_, shots, renderer_);
         job.asks = drawing_asks();
         job.limits.wall = std::min(wall_left_, limits_.wall());

@@ -186,7 +186,7 @@ private:
         auto mark = result_of(options_.output, entry.name, course_);
         const auto is_same = [](const LabMark& one, const LabEntry* lab) { return one.lab == lab->folder; };
         if (!mark || mark->hash != entry.hash ||
-            (!options_.trust && mark->isolation != name_of(Isolation::namespaces)) ||
+            (!options_.trust && mark->isolation == name_of(Isolation::limits)) ||
             !std::equal(mark->labs.begin(), mark->labs.end(), entry.labs.begin(), entry.labs.end(), is_same))
             return false;
         entry.mark = std::move(*mark);
@@ -302,7 +302,7 @@ std::string new_seed() {
 
 IsolationReport isolation_for(bool trust) {
     const IsolationReport isolation = probe_isolation();
-    if (isolation.level != Isolation::namespaces && !trust)
+    if (isolation.level == Isolation::limits && !trust)
         throw Error(
             fmt::format("submissions cannot be isolated on this machine: {}. With --trust they run anyway, "
                         "with limits on time and memory only",

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
+#include "framework/base/error.h"
 #include "framework/check/drawing.h"
+#include "framework/staff/grade/control_group.h"
 #include "framework/staff/grade/system_calls.h"
 
 namespace relief {
@@ -13,6 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
+
+/// Bubblewrap's own, which count in a control group.
+constexpr int wrapping_processes = 3;
 
 Words bubblewrap(const ProcessJob& job, const Confinement& confinement) {
     Words words = {"/usr/bin/bwrap",
@@ -64,32 +70,49 @@ bool find_exit_code(const std::string& status, int& code) {
 
 }  // namespace
 
-const char* name_of(Isolation isolation) { return isolation == Isolation::namespaces ? "namespaces" : "limits"; }
+const char* name_of(Isolation isolation) {
+    constexpr const char* names[] = {"namespaces and control groups", "namespaces", "limits"};
+    return names[int(isolation)];
+}
 
 IsolationReport probe_isolation() {
     std::error_code ignored;
     if (std::getenv("RELIEF_NO_NAMESPACES")) return {Isolation::limits, "RELIEF_NO_NAMESPACES is set"};
     if (!fs::exists("/usr/bin/bwrap", ignored))
         return {Isolation::limits, "there is no /usr/bin/bwrap: install the Debian package bubblewrap"};
-    const ProcessResult tried = run_sandboxed({.command = {"/usr/bin/true"}, .limits = {.wall = 10}}, {});
-    if (tried.succeeded()) return {Isolation::namespaces, ""};
-    const std::string reason = tried.errors.substr(0, tried.errors.find('\n'));
-    return {Isolation::limits, "this system does not let bubblewrap make namespaces (" + reason + ")"};
+    const auto problem = [](Isolation level) -> std::string {
+        const ProcessResult tried =
+            run_sandboxed({.command = {"/usr/bin/true"}, .limits = {.wall = 10}}, {.isolation = level});
+        return tried.succeeded() ? "" : tried.errors.substr(0, tried.errors.find('\n'));
+    };
+    if (const std::string reason = problem(Isolation::namespaces); !reason.empty())
+        return {Isolation::limits, "this system does not let bubblewrap make namespaces (" + reason + ")"};
+    const std::string reason = problem(Isolation::groups);
+    return {reason.empty() ? Isolation::groups : Isolation::namespaces, reason};
 }
 
 ProcessResult run_sandboxed(ProcessJob job, const Confinement& confinement) {
-    const bool wrapped = confinement.isolation == Isolation::namespaces;
+    const bool wrapped = confinement.isolation != Isolation::limits;
+    std::optional<ControlGroup> group;
+    try {
+        if (confinement.isolation == Isolation::groups)
+            job.group = group.emplace(job.limits.memory, confinement.processes + wrapping_processes).folder();
+    } catch (const Error& error) {
+        return {.ending = Ending::failed, .errors = error.what()};
+    }
     job.as_nobody = true;
     static const std::string with_processes = call_filter(true), with_threads = call_filter(false);
     job.calls = confinement.makes_processes ? with_processes : with_threads;
     if (wrapped) {
         job.command = bubblewrap(job, confinement);
-        job.environment.clear();  // the command's own is among bubblewrap's words
+        job.environment.clear();                  // the command's own is among bubblewrap's words
         job.note = std::exchange(job.calls, {});  // bubblewrap itself needs what they forbid
         job.reports = true;
     }
     ProcessResult result = run_process(job);
-    if (wrapped && !result.stopped && result.ending != Ending::failed) {
+    if (group && group->ran_out_of_memory()) {
+        result.ending = Ending::out_of_memory;
+    } else if (wrapped && !result.stopped && result.ending != Ending::failed) {
         int code = result.code;
         if (find_exit_code(result.report, code)) {
             result.exit_with(code);

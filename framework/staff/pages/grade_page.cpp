@@ -250,7 +250,7 @@ std::string class_page(const ClassReport& report, const ClassStanding& standing)
                    .styles = {"badge", "framework/staff/pages/class"},
                    .scripts = {"framework/staff/pages/class"}},
                   {{"numbers", number_cards(report, counts)},
-                   {"isolation", report.isolation.reason},
+                   {"isolation", report.isolation.level == Isolation::limits ? report.isolation.reason : ""},
                    {"is_long", standing.students.size() > 50},
                    {"columns", std::move(columns)},
                    {"has_remarks", has_remarks},

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include "framework/staff/grade/control_group.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -27,7 +28,8 @@ protected:
                               .limits = limits},
                              {isolation_.level, std::move(readable), processes});
     }
-    static bool has_namespaces() { return isolation_.level == Isolation::namespaces; }
+    static bool has_namespaces() { return isolation_.level != Isolation::limits; }
+    static bool has_groups() { return isolation_.level == Isolation::groups; }
     static inline IsolationReport isolation_;
 };
 
@@ -73,7 +75,68 @@ TEST_F(Sandbox, BoundsMemoryFilesAndProcesses) {
     EXPECT_TRUE(contains(bomb.errors, "fork")) << bomb.errors;
 }
 
-// At both levels.
+// tests/control_groups.sh starts a machine that has control groups.
+TEST_F(Sandbox, AControlGroupLimitsAllProcessesTogether) {
+    if (!has_groups()) {
+        std::printf("not looked at without control groups: processes together can take more than one of them may\n");
+        return;
+    }
+    const auto python = [](Isolation level, const std::string& script, size_t memory) {
+        return run_sandboxed({.command = {"/usr/bin/python3", "-c", "import os, time\n" + script},
+                              .limits = {.wall = 60, .cpu = 60, .memory = memory, .file = size_t{256} << 20}},
+                             {.isolation = level});
+    };
+    constexpr size_t mebi = size_t{1} << 20;
+    const std::string four =
+        "for i in range(3): os.fork() or (bytearray(b'1') * (90 << 20), time.sleep(2), os._exit(0))\n"
+        "x = bytearray(b'1') * (90 << 20); time.sleep(2); print('all')";
+    const std::string file =
+        "with open('/tmp/x', 'wb') as f:\n  for i in range(200): f.write(bytes(1 << 20))\nprint('all')";
+    const std::string files = "for i in range(100000): os.close(os.open('/tmp/%d' % i, os.O_CREAT))\nprint('all')";
+    for (const std::string& script : {four, file, files}) {
+        SCOPED_TRACE(script);
+        const size_t memory = script == files ? 64 * mebi : 160 * mebi;
+        // Each of its processes and files alone is within the limits.
+        EXPECT_EQ(python(Isolation::namespaces, script, memory).output, "all\n");
+        const ProcessResult stopped = python(Isolation::groups, script, memory);
+        EXPECT_EQ(stopped.ending, Ending::out_of_memory) << name_of(stopped.ending) << stopped.errors;
+        EXPECT_EQ(stopped.output, "");
+        EXPECT_EQ(python(Isolation::groups, script, 1024 * mebi).output, "all\n");
+    }
+    // The sandbox's namespace limits the number of processes, too: so without it.
+    const std::string many =
+        "n=0\nfor i in range(40):\n  try: os.fork() or os.execlp('sleep', 'sleep', '2')\n"
+        "  except OSError: break\n  n += 1\nprint(n)";
+    const auto started = [&](const fs::path& group) {
+        return run_process(
+            {.command = {"/usr/bin/python3", "-c", "import os\n" + many}, .limits = {.wall = 20}, .group = group});
+    };
+    const ControlGroup group(256 * mebi, 20);
+    EXPECT_EQ(started(group.folder()).output, "19\n");
+    EXPECT_EQ(started({}).output, "40\n");
+}
+
+// A grader that left its groups behind would fill the system with them.
+TEST_F(Sandbox, LeavesNoControlGroupBehind) {
+    if (!has_groups()) {
+        std::printf("not looked at without control groups\n");
+        return;
+    }
+    fs::path folder;
+    {
+        const ControlGroup group(size_t{64} << 20, 4);
+        folder = group.folder();
+        EXPECT_TRUE(fs::exists(folder));
+        EXPECT_FALSE(group.ran_out_of_memory());
+    }
+    EXPECT_FALSE(fs::exists(folder));
+    shell("setsid sleep 60 & echo started");
+    for (const auto& entry : fs::directory_iterator(folder.parent_path()))
+        EXPECT_FALSE(entry.path().filename().string().starts_with("relief-" + std::to_string(getpid())))
+            << entry.path();
+}
+
+// At each level.
 TEST_F(Sandbox, RefusesSystemCallsThatNoProgramOfAStudentNeeds) {
     const auto python = [](Isolation level, const std::string& script, bool makes_processes) {
         const std::string prelude = R"(
@@ -91,6 +154,7 @@ def tried(name, what):
     };
     std::vector<Isolation> levels = {Isolation::limits};
     if (has_namespaces()) levels.push_back(Isolation::namespaces);
+    if (has_groups()) levels.push_back(Isolation::groups);
     for (const Isolation level : levels) {
         SCOPED_TRACE(name_of(level));
         for (const bool makes_processes : {false, true})
@@ -181,7 +245,8 @@ TEST_F(Sandbox, SeesNothingOfTheMachine) {
               "");
     EXPECT_EQ(look("echo x > /tmp/x && cat /tmp/x"), "x\n");
     EXPECT_EQ(look("cat /tmp/x"), "");
-    EXPECT_EQ(look("id -u; cat /sys/class/net/*/address; hostname"), "65534\nrelief\n");
+    const std::string user = std::to_string(geteuid() == 0 ? 65534 : geteuid());
+    EXPECT_EQ(look("id -u; cat /sys/class/net/*/address; hostname"), user + "\nrelief\n");
     // No root inside either, and no namespaces in the namespace.
     EXPECT_EQ(look("unshare -r true && echo made"), "");
 }

@@ -1,0 +1,155 @@
+#include "framework/staff/grade/control_group.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <sys/xattr.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "framework/base/descriptor.h"
+#include "framework/base/error.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the processes go that were in the group which we divide.
+constexpr const char* graders_name = "relief-graders";
+
+/// False on failure; errno says why. A control file takes a whole text in one call.
+bool set(const fs::path& file, const std::string& text) {
+    const Descriptor opened(open(file.c_str(), O_WRONLY | O_CLOEXEC));
+    return opened >= 0 && write(opened, text.data(), text.size()) == ssize_t(text.size());
+}
+
+/// Empty if it cannot be read.
+std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+bool has_word(const fs::path& file, const std::string& wanted) {
+    std::ifstream words(file);
+    for (std::string word; words >> word;)
+        if (word == wanted) return true;
+    return false;
+}
+
+bool limits_memory_and_processes(const fs::path& controllers) {
+    return has_word(controllers, "memory") && has_word(controllers, "pids");
+}
+
+/// Where version 2 is mounted; empty if nowhere.
+fs::path mount_point() {
+    std::ifstream mounts("/proc/self/mounts");
+    for (std::string device, folder, type, rest; mounts >> device >> folder >> type && std::getline(mounts, rest);)
+        if (type == "cgroup2") return folder;
+    return {};
+}
+
+/// The group of this process; empty if it has none.
+fs::path own_group() {
+    const fs::path root = mount_point();
+    std::ifstream groups("/proc/self/cgroup");
+    for (std::string line; !root.empty() && std::getline(groups, line);)
+        if (line.starts_with("0::/")) return root / fs::path(line.substr(4));
+    return {};
+}
+
+/// Whoever manages this machine's groups has left this one to us. Root may write everywhere, so it needs the manager's
+/// mark (systemd's).
+bool is_delegated(const fs::path& group) {
+    if (geteuid() == 0) {
+        char mark = '0';
+        return getxattr(group.c_str(), "trusted.delegate", &mark, 1) == 1 && mark == '1';
+    }
+    for (const char* file : {"", "cgroup.procs", "cgroup.subtree_control"})
+        if (access((group / file).c_str(), W_OK) != 0) return false;
+    return true;
+}
+
+/// False if one cannot be moved; errno says why.
+bool move_processes(const fs::path& from, const fs::path& to) {
+    // While they are moved, they may start others.
+    for (std::string all = text_of(from / "cgroup.procs"); !all.empty(); all = text_of(from / "cgroup.procs")) {
+        std::istringstream processes(all);
+        for (std::string process; processes >> process;)
+            if (!set(to / "cgroup.procs", process) && errno != ESRCH) return false;
+    }
+    return true;
+}
+
+struct Preparation {
+    fs::path group;       ///< below which new ones are made
+    std::string missing;  ///< why none can be
+};
+
+Preparation prepare() {
+    fs::path group = own_group();
+    if (group.empty()) return {{}, "this system has no control groups of version 2"};
+    // An earlier grader has moved the shell that started this one.
+    const bool is_prepared = group.filename() == graders_name;
+    if (is_prepared) group = group.parent_path();
+    if (!is_delegated(group))
+        return {{},
+                "this process may not divide its own; start the grader with "
+                "`systemd-run --user --scope --property=Delegate=yes`"};
+    if (!limits_memory_and_processes(group / "cgroup.controllers"))
+        return {{}, "that of this process limits no memory, or no processes"};
+    if (is_prepared && limits_memory_and_processes(group / "cgroup.subtree_control")) return {group, ""};
+    const fs::path graders = group / graders_name;
+    if ((mkdir(graders.c_str(), 0755) != 0 && errno != EEXIST) || !move_processes(group, graders) ||
+        !set(group / "cgroup.subtree_control", "+memory +pids"))
+        return {{}, fmt::format("that of this process cannot be divided: {}", std::strerror(errno))};
+    return {group, ""};
+}
+
+const Preparation& prepared() {
+    static const Preparation once = prepare();
+    return once;
+}
+
+}  // namespace
+
+const std::string& control_groups_missing() { return prepared().missing; }
+
+ControlGroup::ControlGroup(size_t memory, int processes) {
+    static std::atomic<int> count = 0;
+    if (!prepared().missing.empty()) throw Error("no control group: " + prepared().missing);
+    folder_ = prepared().group / fmt::format("relief-{}-{}", getpid(), ++count);
+    if (mkdir(folder_.c_str(), 0755) != 0) throw Error(fmt::format("no control group: {}", std::strerror(errno)));
+    // A system without swap has no such file.
+    const bool without_swap = set(folder_ / "memory.swap.max", "0") || errno == ENOENT;
+    if (!without_swap || !set(folder_ / "memory.max", std::to_string(memory)) ||
+        !set(folder_ / "memory.oom.group", "1") || !set(folder_ / "pids.max", std::to_string(processes))) {
+        const int reason = errno;
+        rmdir(folder_.c_str());
+        throw Error(fmt::format("no limits for a control group: {}", std::strerror(reason)));
+    }
+}
+
+ControlGroup::~ControlGroup() {
+    set(folder_ / "cgroup.kill", "1");
+    // A group can be removed once its last process is gone, a moment later.
+    for (int i = 0; i < 500 && rmdir(folder_.c_str()) != 0 && errno == EBUSY; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+}
+
+bool ControlGroup::ran_out_of_memory() const {
+    std::ifstream events(folder_ / "memory.events");
+    for (std::string name, count; events >> name >> count;)
+        if (name == "oom_kill") return count != "0";
+    return false;
+}
+
+}  // namespace relief
