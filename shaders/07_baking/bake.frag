@@ -31,7 +31,7 @@ void main() {
     float reach = u_reach * pow(u_growth, turn_here() - 3.0);
     BakeRay ray = bake_ray(v_position, ray_normal, reach);
     float unwritten = is_unfinished ? 1.0 : 0.0;
-    Found found = walk(ray, reach, v_position, outwards);
+    Found found = walk(ray, reach);
     if (is_unfinished && unwritten == 0.0) unwritten = 2.0;
     vec3 normal = outwards;  // where nothing is met, the coarse model's own
     o_hit = vec4(0.0, 0.0, unwritten, 1.0);

@@ -23,8 +23,8 @@ bool is_better(float height, bool is_front, float best) {
     return takes(height, is_front, best);
 }
 
-// What `ray` meets within 2 * reach of its origin; heights are measured from `position` along `outwards`.
-Found walk(BakeRay ray, float reach, vec3 position, vec3 outwards) {
+// What `ray` meets within 2 * reach of its origin. Heights are measured along it, so its direction must be unit.
+Found walk(BakeRay ray, float reach) {
     Found found = Found(1e30, vec3(0.0), 0);
     vec3 inverse = inverse_direction(ray.direction), shear = ray_shear(ray.direction);
     float end = 2.0 * reach;
@@ -42,7 +42,7 @@ Found walk(BakeRay ray, float reach, vec3 position, vec3 outwards) {
             vec4 hit = triangle_hit(ray.origin, ray.direction, shear, row_texel(s_corners, 3 * i).xyz,
                                     row_texel(s_corners, 3 * i + 1).xyz, row_texel(s_corners, 3 * i + 2).xyz);
             if (hit.w == 0.0 || hit.x < 0.0 || hit.x > end) continue;
-            float height = dot(ray.origin + hit.x * ray.direction - position, outwards);
+            float height = reach - hit.x;
             if (is_better(height, hit.w > 0.0, found.height))
                 found = Found(height, vec3(hit.yz, 1.0 - hit.y - hit.z), i);
         }
