@@ -24,7 +24,8 @@ struct ComparedImages {
     Value scale;                        ///< of the map
 };
 /// `probe`: what the images hold; nullptr where they are a lab's pictures. Their values can be anything. The map's last
-/// colour stands for what 99 % of the pixels keep, and for no less than `allowed`, in the probe's unit.
+/// colour stands for what 99 % of the pixels keep, and for no less than `allowed`, in the probe's unit; pixels that have a
+/// surface in one image only have that colour, too.
 ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const Image& expected, double allowed = 0);
 
 /// The largest of a check's limits: differences up to it need not be seen.
