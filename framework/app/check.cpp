@@ -63,12 +63,12 @@ private:
         if (const std::string hint = look_at(result); hints_.insert(hint).second)
             fmt::print("              look at: {}\n", plain_text(line_with_code(hint)));
         if (result.outcome != Outcome::wrong) return;
-        fmt::print("              in the window: ./relief run {} --check '{}'\n", lab_.two_digits(),
-                   result.check->name);
+        const std::string name = quoted_for_shell(result.check->name);
+        fmt::print("              in the window: ./relief run {} --check {}\n", lab_.two_digits(), name);
         const std::optional<glm::ivec2> worst = worst_pixel(result);
         if (worst && is_shader(task.file))
-            fmt::print("              the worst pixel: ./relief explain {} --check '{}' --pixel {},{}\n",
-                       lab_.two_digits(), result.check->name, worst->x, worst->y);
+            fmt::print("              the worst pixel: ./relief explain {} --check {} --pixel {},{}\n",
+                       lab_.two_digits(), name, worst->x, worst->y);
     }
 
     /// Where the check's picture differs most, from the upper left corner; nothing if no pixel can be compared.

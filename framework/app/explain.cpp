@@ -101,7 +101,8 @@ struct ExplainArguments {
     bool json = false;
 };
 
-/// What should be at the pixel: where a check draws this very shot, what it compares with, else the probe's exact value.
+/// What should be at the pixel: where a check draws this very shot, what it compares with, else the probe's exact
+/// value.
 ExpectedValue expected_at(const LabEntry& lab, const Manifest& manifest, const Shot& shot, glm::ivec2 pixel) {
     std::optional<Image> image;
     std::string from;
@@ -156,8 +157,8 @@ int explain_pixel(const ExplainArguments& arguments) {
     const Twins twins = twins_of(manifest);
     const ExpectedValue expected = expected_at(lab, manifest, shot, pixel);
     if (expected.value.empty() && twins.empty() && !manifest.checks.empty())
-        print_note(fmt::format("what is right at a pixel is known in the pictures of checks: add --check \"{}\"",
-                               check_near(manifest, shot.probe.name).name));
+        print_note(fmt::format("what is right at a pixel is known in the pictures of checks: add --check {}",
+                               quoted_for_shell(check_near(manifest, shot.probe.name).name)));
     std::shared_ptr<void> others;
     if (!arguments.mistake.empty() || !arguments.submission.empty())
         others = course_with(manifest, arguments.mistake, arguments.submission);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "framework/base/text.h"
 #include "framework/context/context.h"
 #include "framework/pages/check_figures.h"
 #include "framework/pages/page.h"
@@ -12,32 +13,17 @@
 namespace relief {
 namespace {
 
-/// As one would type it to draw the check's shot.
-std::string command_for(const LabEntry& lab, const Manifest& manifest, const Shot& shot) {
-    std::string command = fmt::format("./relief shot {} --size {}x{}", lab.two_digits(), shot.size.x, shot.size.y);
-    const Orbit &camera = shot.camera, &usual = manifest.camera;
-    if (camera != usual) command += fmt::format(" --camera {},{},{}", camera.yaw, camera.pitch, camera.distance);
-    const bool other_view = camera.field_of_view != usual.field_of_view;
-    if (other_view || camera.target != usual.target)
-        command += fmt::format(",{},{},{}", camera.target.x, camera.target.y, camera.target.z);
-    if (other_view) command += fmt::format(",{}", camera.field_of_view);
-    if (shot.time != 0) command += fmt::format(" --time {}", shot.time);
-    for (const auto& [knob, value] : shot.set) command += fmt::format(" --set {}={}", knob, value);
-    if (shot.probe) command += " --probe " + shot.probe.name;
-    return command + " -o mine.png";
-}
-
-Fields fields_of(const LabEntry& lab, const Manifest& manifest, const CheckResult& result) {
+Fields fields_of(const Manifest& manifest, const CheckResult& result) {
     const CheckInfo& check = *result.check;
     const bool passed = result.outcome == Outcome::passed;
     return {{"name", check.name},
+            {"quoted", quoted_for_shell(check.name)},
             {"badge", badge(result.outcome)},
             {"open", !passed},
             {"found_is", result.outcome == Outcome::broken ? "message" : "found"},
             {"found", result.found},
             {"details", result.details},
             {"allowed", check.reason},
-            {"command", command_for(lab, manifest, check.shot)},
             {"pictures", check_figures(manifest, check, result.drawn, result.expected, DrawnBy::reader)}};
 }
 
@@ -67,7 +53,7 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
         List checks;
         std::set<std::string> hints;  // each once in a task
         for (const CheckResult& result : task.checks) {
-            Fields fields = fields_of(lab, manifest, result);
+            Fields fields = fields_of(manifest, result);
             const bool is_told = result.outcome != Outcome::passed && result.outcome != Outcome::unfinished;
             const std::string hint = look_at(result);
             const bool is_new = is_told && !hint.empty() && hints.insert(hint).second;
