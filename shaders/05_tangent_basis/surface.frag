@@ -24,7 +24,7 @@ uniform sampler2D s_normals;
 layout(location = 0) out vec4 o_color;
 
 // A probe shows the task's result, and must not be able to call the exact solution.
-#if !defined PROBE_tangent && !defined PROBE_bitangent
+#if !defined PROBE_tangent && !defined PROBE_bitangent && !defined PROBE_frame
 // dP/du of the surface that the mesh stands for.
 vec3 exact_tangent() {
 #if defined QUAD
@@ -60,6 +60,8 @@ void main() {
     o_color = probed(vec4(tangent.xyz, 0.0));
 #elif defined PROBE_bitangent
     o_color = probed(vec4(bitangent, 0.0));
+#elif defined PROBE_frame
+    o_color = probed(vec4(length(tangent.xyz), dot(normalize(tangent.xyz), normal), tangent.w, 0.0));
 #else
     vec3 color;
     if (gl_FragCoord.x > u_split) {

@@ -98,7 +98,7 @@ LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn
     return {{hidden.outcome, "correct in the check's own view, but not in a hidden one: " + hidden.found}, true};
 }
 
-/// One mistake costs its own task. So a task that loses points beside others, or in a check that needs others, is drawn
+/// One mistake costs its own task. So a task that loses points beside others, or in a check that depends on others, is drawn
 /// again, with the solution of all other tasks; what passes then has passed. Where that draws nothing, the first
 /// verdict stands.
 void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdict>& verdicts,
@@ -106,15 +106,15 @@ void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdi
     const std::vector<CheckInfo>& checks = manifest().checks;
     std::vector<bool> failed;
     std::set<std::string> losers;
-    bool needs_others = false;
+    bool depends_on_others = false;
     for (size_t i = 0; i < checks.size(); ++i) {
         const Outcome outcome = verdicts[i].said.outcome;
         failed.push_back(outcome != Outcome::passed && outcome != Outcome::machine);
         if (!failed[i]) continue;
         losers.insert(checks[i].task);
-        needs_others |= !checks[i].needs.empty();
+        depends_on_others |= !checks[i].needs.empty() || !checks[i].leans_on.empty();
     }
-    if (losers.size() < 2 && !needs_others) return;
+    if (losers.size() < 2 && !depends_on_others) return;
     const CourseFiles solution = solution_files(manifest());
     for (const TaskInfo& task : manifest().tasks) {
         if (!task.alone || !losers.contains(task.id) || judge_file(task, submission, others_)) continue;
