@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -16,6 +17,7 @@
 
 #include "framework/base/descriptor.h"
 #include "framework/base/error.h"
+#include "framework/base/process.h"
 
 namespace relief {
 namespace {
@@ -66,16 +68,22 @@ fs::path own_group() {
     return {};
 }
 
-/// Whoever manages this machine's groups has left this one to us. Root may write everywhere, so it needs the manager's
-/// mark (systemd's).
+/// Whether the system's manager of groups has left this one to us. That we may write is not enough: all groups of a
+/// desktop belong to its user, and systemd divides them.
 bool is_delegated(const fs::path& group) {
-    if (geteuid() == 0) {
+    // The system's systemd marks what it leaves to others. Only root sees the older mark.
+    for (const char* name : {"user.delegate", "trusted.delegate"}) {
         char mark = '0';
-        return getxattr(group.c_str(), "trusted.delegate", &mark, 1) == 1 && mark == '1';
+        if (getxattr(group.c_str(), name, &mark, 1) == 1 && mark == '1') return true;
     }
-    for (const char* file : {"", "cgroup.procs", "cgroup.subtree_control"})
-        if (access((group / file).c_str(), W_OK) != 0) return false;
-    return true;
+    if (geteuid() == 0 || access((group / "cgroup.subtree_control").c_str(), W_OK) != 0) return false;
+    // A user's systemd cannot mark it, but says so.
+    ProcessJob question{.command = {"/usr/bin/systemctl", "--user", "show", "--property=Delegate", "--value", "--",
+                                    group.filename().string()},
+                        .limits = {.wall = 5}};
+    for (const char* name : {"XDG_RUNTIME_DIR", "DBUS_SESSION_BUS_ADDRESS"})
+        if (const char* const value = std::getenv(name)) question.environment[name] = value;
+    return run_process(question).output != "no\n";
 }
 
 /// False if one cannot be moved; errno says why.
