@@ -328,7 +328,7 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
         return run(more);
     };
     const std::string check_named = staff("06_tangent_space").checks.front().name;
-    EXPECT_TRUE(contains(explain({}).err, "add --check \"")) << check_named;
+    EXPECT_TRUE(contains(explain({}).err, "add --check '")) << check_named;
     EXPECT_TRUE(contains(explain({"--check", check_named}).out, "expected by the check: "));
     // A known mistake is named, by what the handout has alone.
     const Manifest storage = staff("02_normal_map_storage");
