@@ -69,8 +69,12 @@ Image visualize_probe(const Image& probe, ProbeColors colors) {
 
     const auto channel_of = [&](float value) {
         if (metric == ErrorMetric::angle) return std::clamp(0.5f * value + 0.5f, 0.0f, 1.0f);
-        const double bands = (colors.is_signed ? std::abs(value) : value) / band, place = bands - std::floor(bands);
-        return float(!colors.is_signed ? place : value < 0 ? 0.5 - 0.5 * place : 0.5 + 0.5 * place);
+        const double bands = value / band;
+        if (!colors.is_signed) return float(bands - std::floor(bands));
+        // Rising in one band and falling in the next: a step between them would show 1 and the number before it, equal
+        // but for rounding, as far apart.
+        const double place = std::abs(std::remainder(bands, 2.0));
+        return float(value < 0 ? 0.5 - 0.5 * place : 0.5 + 0.5 * place);
     };
     const auto color_of = [&](const float* value) {
         if (metric == ErrorMetric::absolute)

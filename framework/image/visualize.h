@@ -19,12 +19,12 @@ struct ProbeColors {
     bool is_signed;  ///< whether it matters that a value is above or below 0
 };
 
-/// A probe as an 8-bit picture: directions (compared by angle) as 0.5 v + 0.5; vectors (by distance) in bands, each
-/// channel rising from 0 to 1 again and again, a power of two wide; single numbers as a heat map, the largest being the
-/// last colour. Of what is signed, the bands of a vector rise from a half to 1 above 0 and fall from a half to 0 below
-/// it; single numbers below 0 go from black over blue to pale cyan, as far as those above 0 go to yellow. Dark grey
-/// where there is no surface (a value is infinite), magenta where a task is not written or it is not a number. Values
-/// can be anything.
+/// A probe as an 8-bit picture: directions (compared by angle) as 0.5 v + 0.5; vectors (by distance) in bands a power of
+/// two wide, each channel rising from 0 to 1 in every band, as texture coordinates repeat; single numbers as a heat map,
+/// the largest being the last colour. Of what is signed, a vector rises from a half to 1 in one band above 0 and falls
+/// back in the next, without a step; below 0 it falls from a half to 0 and rises back. Single numbers below 0 go from
+/// black over blue to pale cyan, as far as those above 0 go to yellow. Dark grey where there is no surface (a value is
+/// infinite), magenta where a task is not written or it is not a number. Values can be anything.
 Image visualize_probe(const Image& probe, ProbeColors colors);
 /// Two of one shape in the same colours: bands and heat are chosen by what is in either.
 std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ProbeColors colors);

@@ -39,8 +39,8 @@ std::string how_to_read(const ProbeInfo& probe) {
         case ErrorMetric::angle:
             return "x, y and z of a direction are red, green and blue; half of each means 0.";
         case ErrorMetric::distance:
-            return probe.is_signed ? "Each channel goes from half to bright again and again above 0, and from half to "
-                                     "dark below it: compare the bands."
+            return probe.is_signed ? "Each channel goes from half to bright and back again and again above 0, and from "
+                                     "half to dark and back below it: compare the bands."
                                    : "Each channel goes from dark to bright again and again: compare the bands.";
         case ErrorMetric::absolute:
             return probe.is_signed

@@ -98,10 +98,20 @@ TEST(Visualize, VectorsShowBandsAPowerOfTwoWide) {
 
 TEST(Visualize, ASignedVectorIsBrighterThanHalfAbove0AndDarkerBelow) {
     const ProbeColors with_sign(ErrorMetric::distance, true);
-    // The same bands as without a sign, half as high.
+    // The same bands as without a sign, half as high,
     EXPECT_EQ(probe_color({5.125f, -3.125f, 6, 16}, with_sign), (Color{0.625f, 0.375f, 0.5f}));
     EXPECT_EQ(probe_color({-5.125f, 3.125f, 6, 16}, with_sign), (Color{0.375f, 0.625f, 0.5f})) << "the sign flipped";
     EXPECT_EQ(probe_color({0, 0, 0}, with_sign), (Color{0.5f, 0.5f, 0.5f}));
+    // and every other one the other way round.
+    EXPECT_EQ(probe_color({5.5f, 5.625f, -5.875f, 16}, with_sign), (Color{1, 0.875f, 0.375f}));
+}
+
+TEST(Visualize, SignedVectorsThatDifferByRoundingLookTheSame) {
+    for (const float value : {1.0f, -1.0f, 0.5f, 3.0f, 0.03125f, 0.0f}) {
+        const std::vector<float> around = {std::nextafter(value, -4.0f), value, std::nextafter(value, 4.0f), 1};
+        const Color color = probe_color(around, {ErrorMetric::distance, true});
+        for (const float channel : color) EXPECT_NEAR(channel, color[1], 1e-5) << value;
+    }
 }
 
 TEST(Visualize, ASignedNumberIsBlueBelow0AndAsBrightAsItsOpposite) {
