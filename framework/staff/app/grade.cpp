@@ -287,14 +287,24 @@ int grade_on_slurm(const GradeArguments& arguments, ClassOptions& options) {
 /// Returns 1 if the machine failed on a submission, a part of the class is missing, or the self-test finds a wrong
 /// mark.
 int grade_submissions(const GradeArguments& arguments) {
+    std::string purpose;
     for (const auto& [given, option] : {std::pair(!arguments.merge.empty(), "--merge"),
                                         {!arguments.status.empty(), "--status"},
                                         {arguments.self_test, "--self-test"},
                                         {!arguments.mutate.empty(), "--mutate"},
-                                        {arguments.gradescope, "--gradescope"}})
-        if (given && !arguments.paths.empty())
+                                        {arguments.gradescope, "--gradescope"}}) {
+        if (!given) continue;
+        if (!arguments.paths.empty())
             throw UsageError(
                 fmt::format("{} takes no submissions: '{}' is one argument too many", option, arguments.paths.front()));
+        if (!purpose.empty()) throw UsageError(fmt::format("{} and {} do not go together", purpose, option));
+        purpose = option;
+    }
+    for (const auto& [given, option] : {std::pair(arguments.resume, "--resume"),
+                                        {!arguments.shard.empty(), "--shard"},
+                                        {!arguments.slurm.empty(), "--slurm"}})
+        if (given && !purpose.empty())
+            throw UsageError(fmt::format("{} and {} do not go together", purpose, option));
     if (!arguments.class_file.empty() &&
         (arguments.self_test || !arguments.mutate.empty() || arguments.gradescope || !arguments.status.empty()))
         throw UsageError("--class goes with submissions, --resume or --merge");

@@ -150,6 +150,7 @@ private:
         const CsvTable table = read_csv(file);
         table.refuse_columns(Words{"student", "name", "email", "login", "canvas_id", "sis_id", "section"},
                              Words{"student"});
+        if (table.rows.empty()) throw Error({file}, "names no student");
         for (const CsvRow& row : table.rows) {
             const auto cell = [&](const char* name) { return table.cell(row, name); };
             add({cell("student"), cell("name"), cell("email"), cell("login"), cell("canvas_id"), cell("sis_id"),

@@ -1,11 +1,14 @@
 #include "framework/staff/pages/summaries.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <set>
 
 #include "framework/base/file.h"
 #include "framework/base/parallel.h"
 #include "framework/staff/grade/exports.h"
+#include "framework/staff/grade/progress.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/standing_part.h"
 
@@ -21,7 +24,8 @@ void write_standing(const Standing& standing, UtcOffset offset, const fs::path& 
     SubmissionMark nothing;
     nothing.name = standing.name;
     nothing.problem = standing.is_waiting ? "This is not graded yet." : "Nothing was handed in.";
-    const bool is_kept = standing.mark && fs::exists(file);
+    // A run into the folder that does not name a graded submission leaves its result, and so its page.
+    const bool is_kept = fs::exists(file) && (standing.mark || fs::exists(result_file(folder, standing.name)));
     const std::string page =
         is_kept ? read_file(file) : student_page(standing.mark ? *standing.mark : nothing, {}, reader);
     const std::string now = with_standing(page, standing, offset, reader);
@@ -45,6 +49,18 @@ std::set<std::string> handed_in(const fs::path& folder) {
     return names;
 }
 
+/// Says who has a result in the folder, but was not named in this run: a class is graded as a whole.
+void note_left_out(ClassStanding& standing, const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const Standing& one : standing.students)
+        if (!one.mark && !one.is_waiting && fs::exists(result_file(folder, one.name))) names.push_back(one.name);
+    if (names.empty()) return;
+    standing.notes.push_back(fmt::format(
+        "{} of them handed in before, and this run does not name the submission: {}. Name all of the class's: those "
+        "that have not changed are not graded again",
+        names.size(), some_of(names)));
+}
+
 }  // namespace
 
 fs::path page_file(const std::string& name, PageFor reader) {
@@ -60,6 +76,7 @@ ClassStanding write_summaries(const ClassReport& report, const fs::path& folder)
     for (const char* name : {"gradescope", "prairielearn", "surefire"}) make_folder(folder / name);
     ClassStanding standing = class_standing(report.marks, read_class_file(class_file_of(folder), folder),
                                             labs_of(folder), handed_in(folder));
+    note_left_out(standing, folder);
     parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
         const Standing& one = standing.students[i];
         const std::string name = file_name_of(one.name);
@@ -71,7 +88,10 @@ ClassStanding write_summaries(const ClassReport& report, const fs::path& folder)
     write_file(folder / "results.csv", to_csv(standing));
     write_file(folder / "junit.xml",
                to_junit(standing, std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now())));
-    if (!standing.policy.students.empty()) write_file(folder / "canvas.csv", to_canvas(standing));
+    if (!standing.policy.students.empty())
+        write_file(folder / "canvas.csv", to_canvas(standing));
+    else
+        fs::remove(folder / "canvas.csv");  // nobody is to upload that of a roster which no longer counts
     for (const AssignedLab& lab : standing.policy.labs)
         if (!lab.moodle.empty() && !standing.students.empty() && standing.students.front().lab(lab.folder)) {
             make_folder(folder / "moodle");

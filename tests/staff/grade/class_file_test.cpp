@@ -183,6 +183,7 @@ TEST_F(ClassFiles, WhatIsWrongIsOneLineWithItsPlace) {
     folder.write("formula.csv", "student,login\njane,=1+1\n");
     folder.write("other.csv", "student,nmae\njane,Jane\n");
     folder.write("nameless.csv", "name\nJane\n");
+    folder.write("nobody.csv", "student,name\n");
     folder.write("times.csv", "student,lab,handed_in\njane,13,2027-03-01T12:00Z\njane,13,2027-03-02T12:00Z\n");
     folder.write("date.csv", "student,handed_in\njane,2027-03-01\n");
     folder.write("stranger.csv", "student,handed_in\njane,2027-03-01T12:00Z\njim,2027-03-01T12:00Z\n");
@@ -202,6 +203,7 @@ TEST_F(ClassFiles, WhatIsWrongIsOneLineWithItsPlace) {
         {"roster = \"twice.csv\"\n" + some_labs, "twice.csv:3: email 'j@x.org' is there twice: also in line 2"},
         {"roster = \"formula.csv\"\n" + some_labs, "formula.csv:2: login '=1+1' would be a formula"},
         {"roster = \"other.csv\"\n" + some_labs, "other.csv:1: unknown column 'nmae': did you mean 'name'?"},
+        {"roster = \"nobody.csv\"\n" + some_labs, "nobody.csv: names no student"},
         {"roster = \"nameless.csv\"\n" + some_labs, "nameless.csv:1: needs a column 'student'"},
         {some_students + "[[student]]\nstudent = \"joe\"\n",
          "class.toml:10: student 'joe' is there twice: also in line 8"},

@@ -748,6 +748,15 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsAndNoVerdict) {
     const Result merged = run({relief_program(), "grade", "--merge", output.string()});
     EXPECT_TRUE(contains(merged.out, "9/16  adjusted by -1")) << merged.out << merged.err;
 
+    // Whoever is not named in a run is said to be left out, and keeps the page for the next one.
+    const Result without_jane = run(grade({words[1], "-o", output.string()}));
+    EXPECT_TRUE(contains(without_jane.err, "1 of them handed in before")) << without_jane.err;
+    const Result with_jane = run(grade({words[0], words[1], "-o", output.string()}));
+    EXPECT_TRUE(contains(with_jane.out, "2 unchanged")) << with_jane.out;
+    const std::string page = read_file(output / "students/jane.html");
+    EXPECT_TRUE(contains(page, "9 of 16 points"));
+    EXPECT_FALSE(contains(page, "Nothing was handed in")) << "the page is that of her submission";
+
     // A mistake in them is found before anything is graded, and costs nothing.
     folder.write("out/adjustments.csv", "student,task,points,note\njane,2.1,lots,x\n");
     const Result refused = run(grade({"--resume", "-o", output.string()}));
@@ -756,6 +765,7 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsAndNoVerdict) {
     fs::remove(output / "adjustments.csv");
     const Result none = run(grade({"--resume", "-o", output.string(), "--class", "none"}));
     EXPECT_TRUE(contains(none.out, "11/11")) << none.out;
+    EXPECT_FALSE(fs::exists(output / "canvas.csv")) << "without a roster there is none to upload";
     const Result other =
         run(grade({words[0], "-o", output.string(), "--lab", "5", "--class", (folder.path() / "class.toml").string()}));
     EXPECT_EQ(other.code, 2);
@@ -789,6 +799,8 @@ TEST(Grade, WrongUseIsOneClearLine) {
                  {{a, "-o", output, "--json"}, "--json goes with --mutate or --status"},
                  {{"--status", output + "/nowhere"}, "there is no class.json"},
                  {{"--status", output, a}, "--status takes no submissions: '"},
+                 {{"--self-test", "--mutate", "1"}, "--self-test and --mutate do not go together"},
+                 {{"--merge", output, "--slurm", "2"}, "--merge and --slurm do not go together"},
                  {{"--self-test", a}, "--self-test takes no submissions: '"},
                  {{"--gradescope", a, "-o", output}, "--gradescope takes no submissions: '"},
                  {{a, "-o", output, "--context", "window"}, "grade draws without a window"},
