@@ -303,8 +303,7 @@ int grade_submissions(const GradeArguments& arguments) {
     for (const auto& [given, option] : {std::pair(arguments.resume, "--resume"),
                                         {!arguments.shard.empty(), "--shard"},
                                         {!arguments.slurm.empty(), "--slurm"}})
-        if (given && !purpose.empty())
-            throw UsageError(fmt::format("{} and {} do not go together", purpose, option));
+        if (given && !purpose.empty()) throw UsageError(fmt::format("{} and {} do not go together", purpose, option));
     if (!arguments.class_file.empty() &&
         (arguments.self_test || !arguments.mutate.empty() || arguments.gradescope || !arguments.status.empty()))
         throw UsageError("--class goes with submissions, --resume or --merge");

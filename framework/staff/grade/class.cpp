@@ -123,6 +123,8 @@ private:
                     fmt::format("two submissions are named '{}': rename one, or grade them into folders of "
                                 "their own",
                                 printable(submission.name)));
+            if (!submission.doubt.empty())
+                print_note(fmt::format("{}: {}", printable(submission.name), submission.doubt));
             const int place = int(roster.submissions.size());
             roster.submissions.push_back({submission.name, submission.hash, fs::absolute(path).lexically_normal()});
             if (place % options_.shard.count != options_.shard.index) continue;

@@ -8,6 +8,7 @@
 #include "framework/base/markdown.h"
 #include "framework/base/text.h"
 #include "framework/staff/grade/csv.h"
+#include "framework/staff/grade/progress.h"
 #include "framework/staff/grade/strangers_text.h"
 
 namespace relief {
@@ -109,12 +110,19 @@ std::string remarks_text(const Standing& standing) {
 
 // ---- Moodle ----
 
+/// A key for an identifier of a worksheet's column. Systems differ in the case of addresses and names of users.
+std::string key_of(const std::string& column, std::string value) {
+    for (char& c : value)
+        if (column != "ID number" && c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return column + ' ' + value;
+}
+
 /// The student of a row: by any identifier that both sides have.
 const Standing* student_of(const CsvTable& sheet, const CsvRow& row, const std::map<std::string, const Standing*>& by) {
     for (const char* column : {"Email address", "Username", "ID number"}) {
         const std::string& value = sheet.cell(row, column);
         if (value.empty()) continue;
-        if (const auto found = by.find(std::string(column) + ' ' + value); found != by.end()) return found->second;
+        if (const auto found = by.find(key_of(column, value)); found != by.end()) return found->second;
     }
     return nullptr;
 }
@@ -183,12 +191,12 @@ std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std
                                     column));
     std::map<std::string, const Standing*> by;
     for (const Standing& one : standing.students)
-        for (const auto& [column, value] : {std::pair("Email address ", &one.student.email),
-                                            {"Username ", &one.student.login},
-                                            {"ID number ", &one.student.sis_id}})
-            if (!value->empty()) by.emplace(column + *value, &one);
+        for (const auto& [column, value] : {std::pair("Email address", &one.student.email),
+                                            {"Username", &one.student.login},
+                                            {"ID number", &one.student.sis_id}})
+            if (!value->empty()) by.emplace(key_of(column, *value), &one);
     std::string text = csv_line(sheet.columns);
-    size_t unknown = 0;
+    Cells unknown;
     for (const CsvRow& row : sheet.rows) {
         Cells cells = row.cells;
         const Standing* const one = student_of(sheet, row, by);
@@ -197,7 +205,7 @@ std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std
             throw Error({lab.moodle, row.line},
                         "'Maximum Grade' must be a number of points, as in 6.00: in Moodle, let the "
                         "assignment have points, and download the worksheet in English");
-        unknown += !one;
+        if (!one) unknown.push_back(sheet.cell(row, "Identifier"));
         const LabStanding* const points = one ? one->lab(lab.folder) : nullptr;
         if (points && points->marked && sheet.cell(row, "Grade can be changed") != "No") {
             cells[size_t(grade)] = decimal(points->of() > 0 ? *max * points->points() / points->of() : 0);
@@ -210,9 +218,10 @@ std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std
         }
         text += csv_line(cells);
     }
-    if (unknown > 0)
-        notes.push_back(fmt::format("{}: {} of {} rows have no email address, username or ID number of the roster",
-                                    lab.moodle.filename().string(), unknown, sheet.rows.size()));
+    if (!unknown.empty())
+        notes.push_back(fmt::format("{}: {} of {} rows have no email address, username or ID number of the roster: {}",
+                                    lab.moodle.filename().string(), unknown.size(), sheet.rows.size(),
+                                    some_of(unknown)));
     return text;
 }
 

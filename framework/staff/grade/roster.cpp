@@ -57,7 +57,7 @@ Shard shard_of_array() {
 std::string to_json(const Roster& roster) {
     ordered_json json = {{"schema", schema},
                          {"course", roster.course},
-                         {"seed", roster.seed},
+                         {"seed", utf8_of_bytes(roster.seed)},
                          {"labs", roster.labs},
                          {"solution_cpu_seconds", roster.solution_cpu},
                          {"submissions", ordered_json::array()}};
@@ -73,7 +73,10 @@ std::optional<Roster> read_roster(const fs::path& folder) {
     try {
         const ordered_json json = ordered_json::parse(read_file(file, size_t{1} << 28));
         if (json.at("schema") != schema) throw Error({file}, "was written by another version: use a new folder");
-        Roster roster{.course = json.at("course"), .seed = json.at("seed"), .labs = json.at("labs"), .submissions = {}};
+        Roster roster{.course = json.at("course"),
+                      .seed = bytes_of_utf8(json.at("seed").get<std::string>()),
+                      .labs = json.at("labs"),
+                      .submissions = {}};
         if (json.contains("solution_cpu_seconds")) json.at("solution_cpu_seconds").get_to(roster.solution_cpu);
         if (!json.at("submissions").is_array())
             throw Error({file}, "has no list of submissions: remove it, or use a new folder");

@@ -239,6 +239,11 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
             for (LabStanding& lab : standing.labs) lab.marked = !standing.is_waiting;
             if (!standing.is_waiting) absent.push_back(student.student);
         }
+    std::vector<std::string> nobody;
+    if (result.policy.students.empty())  // the roster has been asked before
+        for (const Extension& one : result.policy.extensions)
+            if (!known.contains(one.student)) nobody.push_back(printable(one.student));
+    note(result.notes, nobody, "extension is for nobody who handed in", "extensions are for nobody who handed in");
     note(result.notes, absent, "student of the roster handed nothing in", "students of the roster handed nothing in");
     note(result.notes, strangers, "submission is not on the roster", "submissions are not on the roster");
     if (!result.policy.hand_ins.empty())

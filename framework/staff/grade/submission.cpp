@@ -64,8 +64,10 @@ public:
             std::count_if(entry.name.begin(), entry.name.end(), [](char c) { return c == '/' || c == '\\'; });
         const auto place = std::pair(depth, entry.name);
         if (const auto before = places_.find(*file); before != places_.end()) {
+            if (before->second.first == depth && before->second.second != entry.name) beside_.insert(*file);
             if (before->second < place) return ignore(entry.name);
             ignore(before->second.second);
+            if (before->second.first > depth) beside_.erase(*file);
         }
         places_[*file] = place;
         submission_.files.erase(*file);
@@ -77,7 +79,10 @@ public:
     }
 
     /// When all has been added.
-    void refuse_links() {
+    void finish() {
+        if (!beside_.empty())
+            submission_.doubt = fmt::format("has {} in several folders side by side; only '{}' is graded: is it several submissions?",
+                                            *beside_.begin(), printable(places_.at(*beside_.begin()).second));
         for (const std::string& file : links_)
             if (!places_.contains(file)) submission_.refused[file] = "a link, and links are not followed";
     }
@@ -92,7 +97,8 @@ private:
     Submission& submission_;
     const std::set<std::string>& wanted_;
     std::map<std::string, std::pair<std::ptrdiff_t, std::string>> places_;
-    std::set<std::string> links_;  ///< task files in whose place there is one
+    std::set<std::string> beside_;  ///< task files of which there is another one in as few folders
+    std::set<std::string> links_;   ///< task files in whose place there is one
 };
 
 /// Opens below a folder, through no link and never outside it, whatever is moved about meanwhile.
@@ -193,7 +199,7 @@ Submission read_submission(const fs::path& path, const std::set<std::string>& wa
             const auto is_wanted = [&](const std::string& name) { return task_file_of(name, wanted).has_value(); };
             for (ArchiveEntry& entry : read_archive(path, max_task_bytes, is_wanted)) gathering.add(std::move(entry));
         }
-        gathering.refuse_links();
+        gathering.finish();
         submission.hash = hash_of(submission);
     } catch (const std::exception& error) {  // also what the file system's iterators throw
         submission.problem = printable(error.what(), 400);

@@ -21,6 +21,7 @@ struct Submission {
     std::vector<std::string> ignored;            ///< printable names of all other files; at most a hundred
     size_t ignored_count = 0;                    ///< how many other files there are
     std::vector<std::string> links;  ///< printable names of links that may stand for task files; at most ten
+    std::string doubt;               ///< which of several equally good task files was taken, or empty
     std::string problem;             ///< why nothing could be read, or empty
     std::string hash;                ///< SHA-256 of everything that decides a mark; empty if nothing could be read
 };

@@ -353,6 +353,12 @@ TEST_F(ClassFiles, AdjustmentsOfNobodyAndOfNoTaskAreRefused) {
     EXPECT_EQ(class_standing(marks, read_class_file({}, folder.path() / "marks"), {}).students[1].points(), 2);
 }
 
+TEST_F(ClassFiles, WithoutARosterAnExtensionForNobodyIsReported) {
+    const ClassFile policy = read(some_labs + "[[extension]]\nstudent = \"jnae\"\ndays = 3\n");
+    EXPECT_EQ(class_standing({submission("jane", {{"13.1", 1}})}, policy, {}).notes,
+              Cells{"1 extension is for nobody who handed in: jnae"});
+}
+
 TEST_F(ClassFiles, WhoWaitsForAGradeHasNotForgottenToHandIn) {
     const ClassStanding standing =
         class_standing({submission("jane", {{"13.1", 1}})}, read(some_students), {}, {"jane", "joe"});

@@ -158,7 +158,7 @@ TEST(Moodle, TakesItsOwnWorksheetBack) {
         "modified (grade),Feedback comments\n";
     std::string sheet = "\xef\xbb\xbf" + head;
     sheet +=
-        "Participant 11,\"Doe, \"\"Jane\"\"\",s0@x.org,\"Submitted for grading - \",,100.00,Yes,\"Monday, 1 March "
+        "Participant 11,\"Doe, \"\"Jane\"\"\",S0@X.org,\"Submitted for grading - \",,100.00,Yes,\"Monday, 1 March "
         "2027\",-,\n";
     sheet += "Participant 12,Locked,s1@x.org,No submission,7.00,100.00,No,-,-,before\n";
     sheet += "Participant 13,Not There,absent@x.org,No submission,,100.00,Yes,-,-,\n";
@@ -181,7 +181,7 @@ TEST(Moodle, TakesItsOwnWorksheetBack) {
     EXPECT_EQ(after[3][4], "0.00");
     EXPECT_EQ(after[3][9], "0 of 4 points; nothing handed in");
     EXPECT_EQ(after[4], before[4]) << "nobody of the roster";
-    EXPECT_EQ(notes, Cells{"sheet.csv: 1 of 4 rows have no email address, username or ID number of the roster"});
+    EXPECT_EQ(notes, Cells{"sheet.csv: 1 of 4 rows have no email address, username or ID number of the roster: Participant 14"});
     some.standing.policy.labs[0].moodle = folder.write("german.csv", "ID,Bewertung\nTeilnehmer 1,\n");
     EXPECT_TRUE(contains(message_of([&] { to_moodle(some.standing, some.standing.policy.labs[0], notes); }),
                          "german.csv:1: has no column 'Identifier': download Moodle's grading worksheet again"));

@@ -87,6 +87,16 @@ TEST(Submission, MayBePackedInAFolderOfAnyName) {
     }
 }
 
+TEST(Submission, SaysWhichOfFoldersSideBySideIsGraded) {
+    const TemporaryFolder folder;
+    for (const char* name : {"jane", "joe"}) folder.write(name + std::string("/") + shader, "mine");
+    const std::string doubt = read_submission(folder.path(), wanted).doubt;
+    EXPECT_TRUE(contains(doubt, "only 'jane/shaders/01_a/task.glsl' is graded")) << doubt;
+    folder.write(shader, "mine");
+    EXPECT_EQ(read_submission(folder.path(), wanted).doubt, "") << "the one in the fewest folders is plain";
+    EXPECT_EQ(read_submission(folder.path() / "joe", wanted).doubt, "");
+}
+
 TEST(Submission, OfAFileThatAnArchiveHasTwiceIsTheLast) {
     const TemporaryFolder folder;
     const fs::path tar = python(folder, "a.tar", R"(

@@ -96,11 +96,11 @@ TEST(Shard, IsReadFromWordsAndFromWhatRunsJobArrays) {
 TEST(Roster, ComesBackAsItWasWritten) {
     const TemporaryFolder folder;
     EXPECT_FALSE(read_roster(folder.path()));
-    const Roster roster{"c", "s", {"01_x"}, {{"o'd \"d\"\n", "h", "/a/b"}, {"jane", "", "/c"}}};
+    const Roster roster{"c", "s\xff", {"01_x"}, {{"o'd \"d\"\n", "h", "/a/b"}, {"jane", "", "/c"}}};
     write_roster(folder.path(), roster);
     const auto read = read_roster(folder.path());
     ASSERT_TRUE(read);
-    EXPECT_EQ(read->course + read->seed, "cs");
+    EXPECT_EQ(read->course + read->seed, "cs\xff") << "a seed of any bytes";
     EXPECT_EQ(read->labs, roster.labs);
     EXPECT_EQ(read->submissions, roster.submissions);
     folder.write("class.json", "{\"schema\": 1");
