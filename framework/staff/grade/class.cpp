@@ -262,7 +262,7 @@ private:
             for (const std::string& name : submission.ignored)
                 if (fs::path(name).filename() == fs::path(task).filename())
                     return fmt::format(": '{}' must keep its folders, as in {}", name, task);
-        return {};
+        return submission.ignored.empty() ? "" : ": only " + some_of(submission.ignored);
     }
 
     /// An exception here is the grader's fault: it costs no student a point.

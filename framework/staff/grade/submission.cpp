@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <linux/openat2.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -170,7 +171,9 @@ std::string submission_name(const fs::path& path) {
     std::error_code unknown;
     if (fs::is_directory(path, unknown)) return name;
     for (const char* ending : {".zip", ".tar", ".tgz", ".gz", ".bz2", ".xz", ".zst", ".tar"})
-        if (name.size() > std::strlen(ending) && name.ends_with(ending)) name.resize(name.size() - std::strlen(ending));
+        if (const size_t length = std::strlen(ending);
+            name.size() > length && strcasecmp(name.c_str() + name.size() - length, ending) == 0)
+            name.resize(name.size() - length);
     return name;
 }
 

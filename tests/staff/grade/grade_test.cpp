@@ -153,7 +153,7 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
     EXPECT_EQ(outcomes(result_of(output, "huge")), Outcomes{"broken"});
     EXPECT_TRUE(contains(found(result_of(output, "huge"), "broken"), "larger than 1 MiB"));
     EXPECT_FALSE(outcomes(result_of(output, "binary")).contains("passed"));
-    EXPECT_EQ(result_of(output, "nothing")["problem"], "there is no task file in it");
+    EXPECT_EQ(result_of(output, "nothing")["problem"], "there is no task file in it: only readme.txt");
     EXPECT_TRUE(contains(std::string(result_of(output, "flat")["problem"]),
                          "'task.glsl' must keep its folders, as in shaders/"))
         << result_of(output, "flat")["problem"];
@@ -663,7 +663,7 @@ TEST(Grade, ANameOfAnyBytesIsGradedShownAndResumed) {
     words.insert(words.end(), {"-o", output.string()});
     ASSERT_EQ(run(grade(words)).code, 0);
     const std::string csv = read_file(output / "results.csv");
-    EXPECT_TRUE(contains(csv, "\nm\\xfcller,there is no task file in it,")) << csv;
+    EXPECT_TRUE(contains(csv, "\nm\\xfcller,there is no task file in it: only notes.txt,")) << csv;
     EXPECT_TRUE(contains(csv, "\njane \\u202e,")) << csv;
     const Result resumed = run({relief_program(), "grade", "--resume", "-o", output.string()});
     EXPECT_EQ(resumed.code, 0) << resumed.err;

@@ -65,6 +65,7 @@ TEST(Submission, OfAnArchiveIsTheSameAsOfItsFolder) {
 with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as z:
     z.writestr("jane\\shaders\\01_a\\task.glsl", "mine"))");
     EXPECT_EQ(read_submission(zip, wanted).hash, plain.hash);
+    EXPECT_EQ(submission_name("a/JANE.ZIP"), "JANE") << "as some systems write it";
     folder.write("jane/shaders/01_a/task.glsl", "mine!");
     EXPECT_NE(read_submission(folder.path() / "jane", wanted).hash, plain.hash);
 }
