@@ -82,8 +82,9 @@ public:
     /// When all has been added.
     void finish() {
         if (!beside_.empty())
-            submission_.doubt = fmt::format("has {} in several folders side by side; only '{}' is graded: is it several submissions?",
-                                            *beside_.begin(), printable(places_.at(*beside_.begin()).second));
+            submission_.doubt =
+                fmt::format("has {} in several folders side by side; only '{}' is graded: is it several submissions?",
+                            *beside_.begin(), printable(places_.at(*beside_.begin()).second));
         for (const std::string& file : links_)
             if (!places_.contains(file)) submission_.refused[file] = "a link, and links are not followed";
     }

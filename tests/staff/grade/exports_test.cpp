@@ -181,7 +181,9 @@ TEST(Moodle, TakesItsOwnWorksheetBack) {
     EXPECT_EQ(after[3][4], "0.00");
     EXPECT_EQ(after[3][9], "0 of 4 points; nothing handed in");
     EXPECT_EQ(after[4], before[4]) << "nobody of the roster";
-    EXPECT_EQ(notes, Cells{"sheet.csv: 1 of 4 rows have no email address, username or ID number of the roster: Participant 14"});
+    EXPECT_EQ(
+        notes,
+        Cells{"sheet.csv: 1 of 4 rows have no email address, username or ID number of the roster: Participant 14"});
     some.standing.policy.labs[0].moodle = folder.write("german.csv", "ID,Bewertung\nTeilnehmer 1,\n");
     EXPECT_TRUE(contains(message_of([&] { to_moodle(some.standing, some.standing.policy.labs[0], notes); }),
                          "german.csv:1: has no column 'Identifier': download Moodle's grading worksheet again"));
