@@ -115,12 +115,18 @@ int open_beneath(int folder, const std::string& name) {
     return file;
 }
 
+/// The owner's rights are no fault of the student's, and the file no less handed in: so this is a problem.
+[[noreturn]] void refuse_unreadable(const std::string& name) {
+    throw Error(fmt::format("cannot read '{}': {}", name, std::strerror(EACCES)));
+}
+
 ArchiveEntry read_beneath(int folder, const std::string& name) {
     ArchiveEntry entry;
     entry.name = name;
     struct stat link {};
     entry.is_link = fstatat(folder, name.c_str(), &link, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(link.st_mode);
     const Descriptor file(open_beneath(folder, name));
+    if (file < 0 && errno == EACCES && S_ISREG(link.st_mode)) refuse_unreadable(name);
     struct stat status {};
     if (file < 0 || fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return entry;
     entry.is_file = true;
@@ -145,8 +151,11 @@ void gather_folder(const fs::path& path, const std::set<std::string>& wanted, Ga
          ++entry) {
         if (++entries > max_entries) throw Error(fmt::format("has more than {} files and folders", max_entries));
         std::error_code unknown;  // a link that leads to itself is a name like any other
-        if (!entry->is_symlink(unknown) && entry->is_directory(unknown)) continue;
-        names.push_back(entry->path().lexically_relative(path).string());
+        const std::string name = entry->path().lexically_relative(path).string();
+        if (entry->is_symlink(unknown) || !entry->is_directory(unknown))
+            names.push_back(name);
+        else if (may_lead_to_task(name, wanted) && access(entry->path().c_str(), R_OK | X_OK) != 0)
+            refuse_unreadable(name);
     }
     std::sort(names.begin(), names.end());
     for (const std::string& name : names)

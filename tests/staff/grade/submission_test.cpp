@@ -166,6 +166,23 @@ TEST(Submission, NamesWithQuotesAndNewlinesAreShownOnOneLine) {
     EXPECT_EQ(found.ignored[0], "it's \"odd\"\\x0a\\x1b[31m & <b>.txt");
 }
 
+TEST(Submission, ATaskThatMayNotBeReadIsAProblemAndNotMissing) {
+    if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
+    const TemporaryFolder folder;
+    folder.write("shaders/01_a/task.glsl", "mine");
+    folder.write("notes/secret.txt", "");
+    for (const char* name : {"shaders/01_a/task.glsl", "shaders/01_a", "notes"}) {
+        const fs::path path = folder.path() / name;
+        const fs::perms before = fs::status(path).permissions();
+        fs::permissions(path, fs::perms::none);
+        const Submission found = read_submission(folder.path(), wanted);
+        fs::permissions(path, before);
+        const bool is_others = std::string(name) == "notes";
+        EXPECT_EQ(found.problem, is_others ? "" : fmt::format("cannot read '{}': Permission denied", name));
+        EXPECT_EQ(found.files.size(), is_others ? 1u : 0u) << name;
+    }
+}
+
 TEST(Submission, RefusesATaskFileOfMoreThanAMebibyte) {
     const TemporaryFolder folder;
     folder.write(std::string("jane/") + shader, std::string(10 << 20, ' '));
