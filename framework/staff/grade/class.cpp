@@ -89,7 +89,8 @@ private:
         if (before) course_before_ = before->course, figures_before_ = before->solution_cpu;
         if (before && (setup_.seed.empty() || options_.keep_roster)) setup_.seed = before->seed;
         if (setup_.seed.empty() && !options_.shard.whole())
-            throw UsageError("all parts of a class need the same hidden views: give each part the same --seed WORD");
+            throw UsageError(
+                "all parts of a class need the same hidden views: give each part the same RELIEF_SEED=WORD");
         if (setup_.seed.empty()) setup_.seed = new_seed();
         report_.seed = setup_.seed;
     }

@@ -127,8 +127,11 @@ private:
                 throw Error(place, fmt::format("{} '{}' would be a formula in a spreadsheet", kind, printable(*value)));
             const auto [before, is_new] = known_.try_emplace({kind, *value}, place);
             if (!is_new)
-                throw Error(place, fmt::format("{} '{}' is there twice: also in line {}", kind, printable(*value),
-                                               before->second.line));
+                throw Error(place, fmt::format("{} '{}' is there twice: also in line {}{}", kind, printable(*value),
+                                               before->second.line,
+                                               before->second.file == place.file
+                                                   ? ""
+                                                   : " of " + printable(before->second.file.filename().string())));
         }
         class_.students.push_back(std::move(student));
     }

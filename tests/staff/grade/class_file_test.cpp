@@ -181,6 +181,7 @@ const std::string some_students = some_labs + "[[student]]\nstudent = \"jane\"\n
 TEST_F(ClassFiles, WhatIsWrongIsOneLineWithItsPlace) {
     folder.write("twice.csv", "student,email\njane,j@x.org\njoe,j@x.org\n");
     folder.write("formula.csv", "student,login\njane,=1+1\n");
+    folder.write("one.csv", "student\njane\n");
     folder.write("other.csv", "student,nmae\njane,Jane\n");
     folder.write("nameless.csv", "name\nJane\n");
     folder.write("nobody.csv", "student,name\n");
@@ -207,6 +208,8 @@ TEST_F(ClassFiles, WhatIsWrongIsOneLineWithItsPlace) {
         {"roster = \"nameless.csv\"\n" + some_labs, "nameless.csv:1: needs a column 'student'"},
         {some_students + "[[student]]\nstudent = \"joe\"\n",
          "class.toml:10: student 'joe' is there twice: also in line 8"},
+        {"roster = \"one.csv\"\n" + some_students,
+         "class.toml:7: student 'jane' is there twice: also in line 2 of one.csv"},
         {some_labs + "[late]\npercent_per_day = 10\n", "class.toml:5: [late] needs hand_ins"},
         {"hand_ins = \"times.csv\"\n" + some_labs, "times.csv:3: 'jane' has two times for lab 13: also in line 2"},
         {"hand_ins = \"date.csv\"\n" + some_labs, "date.csv:2: '2027-03-01' is no time"},

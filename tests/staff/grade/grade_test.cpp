@@ -489,7 +489,7 @@ TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
     const auto merged = [&] { return run({relief_program(), "grade", "--merge", output.string()}); };
     const Result seedless = part(output, {"--shard", "1/2"});
     EXPECT_EQ(seedless.code, 2);
-    EXPECT_TRUE(contains(seedless.err, "--seed WORD")) << seedless.err;
+    EXPECT_TRUE(contains(seedless.err, "RELIEF_SEED=WORD")) << seedless.err;
 
     const Result first = part(output / "one", {"--shard", "1/2", "--seed", "x"});
     EXPECT_EQ(first.code, 0) << first.err;
