@@ -125,11 +125,13 @@ void print_mutants(const LabEntry& lab, const MutationTest& test) {
         else
             fmt::print("    only other tasks lose points\n");
     }
+    const size_t killed = test.count(MutantFate::killed);
     fmt::print(
-        "lab {}: {} mutants; {} % of those that can be seen are killed; {} % of those that lose points lose them in "
+        "lab {}: {} mutants; {} of {} that can be seen are killed, {} %; {} % of those that lose points lose them in "
         "their own task only; survivors were looked at in {} views; {:.0f} s\n",
-        lab.two_digits(), test.results.size(), rounded(100 * test.kill_rate()), rounded(100 * test.own_rate()),
-        test.views, test.seconds);
+        lab.two_digits(), test.results.size(), killed,
+        killed + test.count(MutantFate::elsewhere) + test.count(MutantFate::survived), rounded(100 * test.kill_rate()),
+        rounded(100 * test.own_rate()), test.views, test.seconds);
 }
 
 void print_mutants_json(const LabEntry& lab, const MutationTest& test) {
@@ -162,7 +164,10 @@ int mutate(const GradeArguments& arguments, ClassOptions& options, int sample) {
         print_mutants_json(lab, test);
     else
         print_mutants(lab, test);
-    return test.kill_rate() >= kill_rate_goal ? 0 : 1;
+    if (test.kill_rate() >= kill_rate_goal) return 0;
+    print_error(
+        fmt::format("fewer than {} % of the mutants that can be seen are killed", rounded(100 * kill_rate_goal)));
+    return 1;
 }
 
 int make_gradescope(const ClassOptions& options) {

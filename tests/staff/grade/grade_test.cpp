@@ -841,6 +841,7 @@ TEST(Grade, NoticesMutantsOfASolutionAndSaysWhichItDoesNot) {
     EXPECT_EQ(blindly.code, 1) << blindly.err;
     EXPECT_TRUE(contains(blindly.out, "% of the pixels differ, by ")) << blindly.out;
     EXPECT_TRUE(contains(blindly.out, "\n2.2 line ")) << blindly.out;
+    EXPECT_TRUE(contains(blindly.err, "fewer than 97 % of the mutants that can be seen are killed")) << blindly.err;
 }
 
 // Every third lab, two of them with tasks in C++; `relief test --all` has all of them, whole.
