@@ -72,6 +72,7 @@ public:
     void draw(size_t from, size_t end) {
         bool tried_again = false;
         while (from < end) {
+            if (stalls_) return fail(from, end, {stalls_->outcome, "not started again: " + stalls_->found});
             if (wall_left_ <= 0 || cpu_left_ <= 0)
                 return fail(from, end, {Outcome::out_of_time, "the checks before it used up the time"});
             const std::vector<Shot> rest(shots_.begin() + std::ptrdiff_t(from), shots_.begin() + std::ptrdiff_t(end));
@@ -97,6 +98,7 @@ public:
                 tried_again = true;
                 continue;
             }
+            if (drawn.phase == DrawingPhase::started && why.outcome == Outcome::out_of_time) stalls_ = why;
             if (!has_context || !drawn.problem.empty()) return fail(from, end, why);
             fail(from, from + 1, why);
             ++from;
@@ -140,7 +142,8 @@ private:
     const Renderer& renderer_;
     const AttemptLimits& limits_;
     Attempt& attempt_;
-    double wall_left_, cpu_left_;  ///< seconds
+    double wall_left_, cpu_left_;      ///< seconds
+    std::optional<Judgement> stalls_;  ///< why the program never asks what to draw
 };
 
 /// The verdict about a C++ task that was not compiled.

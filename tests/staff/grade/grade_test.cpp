@@ -15,7 +15,10 @@
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/check/starter.h"
+#include "framework/lab/registry.h"
+#include "framework/staff/grade/attempt.h"
 #include "framework/staff/grade/sandbox.h"
+#include "framework/staff/grade/stage.h"
 #include "tests/app/course_copy.h"
 #include "tests/process.h"
 #include "tests/support.h"
@@ -320,6 +323,20 @@ static const int before = [] {
     EXPECT_FALSE(of("refers").contains("passed"));
     // The task that is only in the shader is not there, and every other task of the good one is whole.
     EXPECT_EQ(outcomes(result_of(output, "good"), "5.4"), Outcomes{"unfinished"});
+}
+
+// A class with a few of these would wait for each of them twice.
+TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsStartedOnce) {
+    const LabEntry& lab = find_lab("05");
+    Stage stage(has_namespaces() ? Isolation::namespaces : Isolation::limits);
+    stage.add(lab);
+    const Manifest manifest = load_manifest(lab);
+    CourseFiles files = solution_files(manifest);
+    files[cpp] = cpp_that("", "static const int before = [] { for (volatile int i = 0;; i = i + 1) {} return 0; }();\n");
+    const std::vector<Shot> shots(2, manifest.checks.front().shot);
+    const Attempt stalled = attempt(stage, lab, files, shots, {}, {.cpu = 2}, 1);
+    for (const DrawnAttempt& shot : stalled.shots) EXPECT_EQ(shot.outcome, Outcome::out_of_time) << shot.error;
+    EXPECT_EQ(stalled.shots[1].error, "not started again: " + stalled.shots[0].error);
 }
 
 // Otherwise a busy machine would let a submission compute for longer than an idle one does.
