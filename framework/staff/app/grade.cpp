@@ -153,6 +153,8 @@ void print_mutants_json(const LabEntry& lab, const MutationTest& test) {
 
 /// Returns 1 if the lab's checks notice too few.
 int mutate(const GradeArguments& arguments, ClassOptions& options, int sample) {
+    if (!arguments.output.empty() || !arguments.labs.empty())
+        throw UsageError("--mutate takes neither -o nor --lab: it names its lab, and prints what it finds");
     const LabEntry& lab = find_lab(arguments.mutate);
     if (load_manifest(lab).tasks.empty()) throw UsageError(fmt::format("lab {} has no tasks", lab.two_digits()));
     const IsolationReport isolation = isolation_for(options.trust);
@@ -272,6 +274,13 @@ void prepare_class_file(const GradeArguments& arguments, const fs::path& folder,
     keep_class_file(file, folder);
 }
 
+/// Marks are for nobody but who grades. A folder that is there keeps its rights.
+void make_results_folder(const fs::path& folder) {
+    const bool is_new = !fs::exists(folder);
+    make_folder(folder);
+    if (is_new) fs::permissions(folder, fs::perms::owner_all);
+}
+
 int grade_on_slurm(const GradeArguments& arguments, ClassOptions& options) {
     const int parts = whole_number(arguments.slurm, "--slurm", 1, 1000);
     if (!arguments.shard.empty()) throw UsageError("--slurm sends all parts: it takes no --shard");
@@ -284,7 +293,7 @@ int grade_on_slurm(const GradeArguments& arguments, ClassOptions& options) {
     if (!now) require_slurm(parts);
     name_submissions(arguments, options);
     if (now) return end_class(options, *now);
-    make_folder(options.output);
+    make_results_folder(options.output);
     prepare_class_file(arguments, options.output, {}, options.labs);
     return start_class(options, parts, arguments.jobs.empty() ? 0 : options.jobs, words_for_jobs(arguments));
 }
@@ -337,7 +346,7 @@ int grade_submissions(const GradeArguments& arguments) {
     options.shard = shard_of(arguments.shard);
     options.keep_roster = arguments.resume && !options.shard.whole();
     name_submissions(arguments, options);
-    make_folder(options.output);
+    make_results_folder(options.output);
     const Descriptor at_work = hold_output(options.output, options.shard.whole() ? Hold::alone : Hold::as_part);
     if (!options.keep_roster) prepare_class_file(arguments, options.output, {}, options.labs);
     const ClassReport report = grade_class(options, pages_into(options.output));

@@ -98,8 +98,8 @@ LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn
     return {{hidden.outcome, "correct in the check's own view, but not in a hidden one: " + hidden.found}, true};
 }
 
-/// One mistake costs its own task. So a task that loses points beside others, or in a check that depends on others, is drawn
-/// again, with the solution of all other tasks; what passes then has passed. Where that draws nothing, the first
+/// One mistake costs its own task. So a task that loses points beside others, or in a check that depends on others, is
+/// drawn again, with the solution of all other tasks; what passes then has passed. Where that draws nothing, the first
 /// verdict stands.
 void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdict>& verdicts,
                                  DrawnChecks& drawn) const {

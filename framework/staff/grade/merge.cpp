@@ -22,7 +22,8 @@ SubmissionMark read_result(const fs::path& file) {
     try {
         return from_json(read_file(file, size_t{1} << 26));
     } catch (const Error& error) {
-        throw Error({file}, error.what());
+        throw Error({file}, fmt::format("{}: remove it, and run the grading of its part again, which repeats no other",
+                                        error.what()));
     }
 }
 

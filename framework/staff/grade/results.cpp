@@ -152,8 +152,8 @@ SubmissionMark from_json(const std::string& text) try {
     mark.ignored_count = json.at("ignored_count");
     for (const ordered_json& lab : json.at("labs")) mark.labs.push_back(lab_from(lab));
     return mark;
-} catch (const nlohmann::json::exception& error) {
-    throw Error(fmt::format("not a result of grading: {}", error.what()));
+} catch (const nlohmann::json::exception&) {
+    throw Error("is not a whole result of grading");
 }
 
 }  // namespace relief

@@ -332,7 +332,8 @@ TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsStartedOnce) {
     stage.add(lab);
     const Manifest manifest = load_manifest(lab);
     CourseFiles files = solution_files(manifest);
-    files[cpp] = cpp_that("", "static const int before = [] { for (volatile int i = 0;; i = i + 1) {} return 0; }();\n");
+    files[cpp] =
+        cpp_that("", "static const int before = [] { for (volatile int i = 0;; i = i + 1) {} return 0; }();\n");
     const std::vector<Shot> shots(2, manifest.checks.front().shot);
     const Attempt stalled = attempt(stage, lab, files, shots, {}, {.cpu = 2}, 1);
     for (const DrawnAttempt& shot : stalled.shots) EXPECT_EQ(shot.outcome, Outcome::out_of_time) << shot.error;
@@ -511,6 +512,7 @@ TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
     const Result first = part(output / "one", {"--shard", "1/2", "--seed", "x"});
     EXPECT_EQ(first.code, 0) << first.err;
     EXPECT_TRUE(contains(first.out, "3 graded")) << first.out;
+    EXPECT_EQ(fs::status(output / "one").permissions(), fs::perms::owner_all) << "marks are nobody else's to read";
     EXPECT_FALSE(fs::exists(output / "one/results.csv")) << "a part is not the class";
     const Result early = merged();
     EXPECT_EQ(early.code, 1);
@@ -552,6 +554,8 @@ TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
     EXPECT_TRUE(contains(with_points(-1, 3), "has -1 of 3 points"));
     EXPECT_TRUE(
         contains(with_points(999, 999), "s0.json: has a task 2.1 of 999 points, which this course does not have"));
+    folder.write("out/one/results/s0.json", kept.substr(0, kept.size() / 2));
+    EXPECT_TRUE(contains(merged().err, "s0.json: is not a whole result of grading: remove it, and run "));
     folder.write("out/one/results/s0.json", kept);
 
     fs::copy_file(output / "one/results/s0.json", output / "two/results/s0.json");
@@ -811,6 +815,7 @@ TEST(Grade, WrongUseIsOneClearLine) {
                  {{a, "--merge", output}, "--merge takes no submissions: '"},
                  {{"--mutate", "2", a}, "--mutate takes no submissions: '"},
                  {{"--mutate", "99"}, "unknown lab"},
+                 {{"--mutate", "2", "-o", output}, "--mutate takes neither -o nor --lab"},
                  {{a, "-o", output, "--class", "nowhere.toml"}, "there is no class file 'nowhere.toml'"},
                  {{"--self-test", "--class", a}, "--class goes with submissions, --resume or --merge"},
                  {{a, "-o", output, "--json"}, "--json goes with --mutate or --status"},
