@@ -7,6 +7,7 @@
 
 #include "framework/base/file.h"
 #include "framework/base/parallel.h"
+#include "framework/base/text.h"
 #include "framework/staff/grade/exports.h"
 #include "framework/staff/grade/progress.h"
 #include "framework/staff/pages/grade_page.h"
@@ -49,16 +50,12 @@ std::set<std::string> handed_in(const fs::path& folder) {
     return names;
 }
 
-/// Says who has a result in the folder, but was not named in this run: a class is graded as a whole.
-void note_left_out(ClassStanding& standing, const fs::path& folder) {
+/// Students of the roster with a result in the folder, whom this run does not name.
+std::vector<std::string> left_out(const ClassFile& policy, const std::set<std::string>& named, const fs::path& folder) {
     std::vector<std::string> names;
-    for (const Standing& one : standing.students)
-        if (!one.mark && !one.is_waiting && fs::exists(result_file(folder, one.name))) names.push_back(one.name);
-    if (names.empty()) return;
-    standing.notes.push_back(fmt::format(
-        "{} of them handed in before, and this run does not name the submission: {}. Name all of the class's: those "
-        "that have not changed are not graded again",
-        names.size(), some_of(names)));
+    for (const Student& one : policy.students)
+        if (!named.contains(one.student) && fs::exists(result_file(folder, one.student))) names.push_back(one.student);
+    return names;
 }
 
 }  // namespace
@@ -74,9 +71,17 @@ void write_page(const fs::path& file, const std::string& text) {
 
 ClassStanding write_summaries(const ClassReport& report, const fs::path& folder) {
     for (const char* name : {"gradescope", "prairielearn", "surefire"}) make_folder(folder / name);
-    ClassStanding standing = class_standing(report.marks, read_class_file(class_file_of(folder), folder),
-                                            labs_of(folder), handed_in(folder));
-    note_left_out(standing, folder);
+    const ClassFile policy = read_class_file(class_file_of(folder), folder);
+    std::set<std::string> names = handed_in(folder);
+    for (const SubmissionMark& mark : report.marks) names.insert(printable(mark.name));
+    const std::vector<std::string> absent = left_out(policy, names, folder);
+    names.insert(absent.begin(), absent.end());  // no points at all, rather than 0
+    ClassStanding standing = class_standing(report.marks, policy, labs_of(folder), names);
+    if (!absent.empty())
+        standing.notes.push_back(fmt::format(
+            "{} handed in before, and this run does not name the submission, so there is no mark: {}. Name all of the "
+            "class's: those that have not changed are not graded again",
+            amount_of(double(absent.size()), "student"), some_of(absent)));
     parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
         const Standing& one = standing.students[i];
         const std::string name = file_name_of(one.name);

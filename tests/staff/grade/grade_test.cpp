@@ -769,9 +769,11 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsAndNoVerdict) {
     const Result merged = run({relief_program(), "grade", "--merge", output.string()});
     EXPECT_TRUE(contains(merged.out, "9/16  adjusted by -1")) << merged.out << merged.err;
 
-    // Whoever is not named in a run is said to be left out, and keeps the page for the next one.
+    // Whoever is not named in a run is said to be left out, gets no mark, and keeps the page for the next one.
     const Result without_jane = run(grade({words[1], "-o", output.string()}));
-    EXPECT_TRUE(contains(without_jane.err, "1 of them handed in before")) << without_jane.err;
+    EXPECT_TRUE(contains(without_jane.err, "1 student handed in before")) << without_jane.err;
+    EXPECT_TRUE(contains(read_file(output / "results.csv"), "\njane,not graded yet,,"))
+        << read_file(output / "results.csv");
     const Result with_jane = run(grade({words[0], words[1], "-o", output.string()}));
     EXPECT_TRUE(contains(with_jane.out, "2 unchanged")) << with_jane.out;
     const std::string page = read_file(output / "students/jane.html");
