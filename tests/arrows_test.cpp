@@ -1,4 +1,6 @@
 // The arrows of the house: which part may include which; and what is done in one place only.
+#include <fmt/format.h>
+
 #include <map>
 #include <regex>
 

@@ -1,5 +1,6 @@
 // The other commands, and a course with something missing or damaged, as users meet them.
 #include <OpenImageIO/oiioversion.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>

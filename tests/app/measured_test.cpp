@@ -13,6 +13,8 @@
 // benchmark that all these words name, from the baseline that the test `baseline` holds; or a test that has the number.
 // A line without numbers is what the sources of the lines below it begin with. A line that begins with a blank goes on
 // with the one before.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <regex>

@@ -2,6 +2,8 @@
 // told by the sandbox's tests.
 #include "framework/base/process.h"
 
+#include <fmt/format.h>
+
 #include <csignal>
 #include <cstdlib>
 

@@ -1,5 +1,6 @@
 // Every function of shaders/common and shaders/staff against its twin in double precision, over thousands of inputs;
 // and the same with a mistake planted in the shader, which must be seen.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // `relief explain` against known mistakes and correct variants of every lab's shaders.
+#include <fmt/format.h>
+
 #include <cstdlib>
 
 #include "framework/base/file.h"

@@ -1,6 +1,8 @@
 // Templates: what they show is escaped, whatever it is, and what is missing is an error.
 #include "framework/pages/template.h"
 
+#include <fmt/format.h>
+
 #include <regex>
 
 #include "framework/base/error.h"

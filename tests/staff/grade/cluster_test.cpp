@@ -1,6 +1,8 @@
 // A class on a cluster, with stand-ins for Slurm's commands: what is sent, what is sent again, what --status says.
 #include "framework/staff/grade/cluster.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <map>
 

@@ -1,6 +1,7 @@
 // What is taken of a submission, and what hostile ones do to the reader: nothing.
 #include "framework/staff/grade/submission.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "framework/base/sha256.h"

@@ -1,6 +1,8 @@
 // Twins of shader functions: their text, what the GLSL that it calls is worth in digits, and how they are wrapped.
 #include "framework/staff/grade/twin_text.h"
 
+#include <fmt/format.h>
+
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/gl/program.h"
