@@ -32,8 +32,4 @@ std::string Error::more_details() const {
     return details_.starts_with(first) ? details_.substr(first.size()) : details_;
 }
 
-void unfinished(const std::string& task, const char* file, int line) {
-    throw Error({file, line}, "task " + task + " is not written yet");
-}
-
 }  // namespace relief

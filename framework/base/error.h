@@ -37,9 +37,4 @@ public:
     using Error::Error;
 };
 
-/// Called by a student's function that is not written yet: throws Error that names the task, and the file and line of
-/// the call (std::source_location is not in every clang still in use). For shaders, common/unfinished.glsl has the
-/// equivalent.
-[[noreturn]] void unfinished(const std::string& task, const char* file = __builtin_FILE(), int line = __builtin_LINE());
-
 }  // namespace relief

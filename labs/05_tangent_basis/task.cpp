@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "framework/base/error.h"
+#include "framework/base/unfinished.h"
 #include "framework/mesh/frame.h"
 
 namespace relief::basis {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "framework/base/error.h"
+#include "framework/base/unfinished.h"
 
 namespace relief::materials {
 

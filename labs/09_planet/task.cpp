@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/base/error.h"
+#include "framework/base/unfinished.h"
 
 namespace relief::planet {
 
