@@ -23,7 +23,10 @@ inline toml::table parse_toml(const std::string& text, const std::filesystem::pa
     try {
         return toml::parse(text, file.string());
     } catch (const toml::parse_error& error) {
-        throw Error({file, int(error.source().begin.line)}, std::string(error.description()));
+        std::string what(error.description());
+        if (what.find("parsing date") != what.npos || what.find("parsing time") != what.npos)
+            what += "; a date is 2027-03-01, one with a time 2027-03-01T23:59:00";
+        throw Error({file, int(error.source().begin.line)}, what);
     }
 }
 

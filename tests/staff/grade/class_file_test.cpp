@@ -196,6 +196,9 @@ TEST_F(ClassFiles, WhatIsWrongIsOneLineWithItsPlace) {
         {"[[assigned]]\nlab = 99\n", "class.toml:2: "},
         {"[[assigned]]\nlab = 13\n[[assigned]]\nlab = \"13\"\n", "class.toml:4: lab 13 is assigned twice"},
         {"[[assigned]]\nlab = 13\ndue = 2027-02-30T23:59:00+01:00\n", "class.toml:3: "},
+        {"[[assigned]]\nlab = 13\ndue = 2027-03-01 23:59\n",
+         "class.toml:3: Error while parsing time: expected ':', saw '\\n'; a date is 2027-03-01, one with a time"},
+        {"[[assigned]]\nlab = 13\ndue = 2027-3-1\n", "; a date is 2027-03-01, one with a time 2027-03-01T23:59:00"},
         {"[[assigned]]\nlab = 13\ndue = \"Monday\"\n", "class.toml:3: 'due' must be a date without quotes"},
         {"[[assigned]]\nlab = 13\ndue = 2027-02-20T23:59:00\n", "class.toml:3: '2027-02-20T23:59:00' has no offset"},
         {"utc_offset = \"CET\"\n[[assigned]]\nlab = 13\n", "class.toml:1: 'CET' is no offset"},
@@ -358,22 +361,23 @@ TEST_F(ClassFiles, AdjustmentsOfNobodyAndOfNoTaskAreRefused) {
 
 TEST_F(ClassFiles, WithoutARosterAnExtensionForNobodyIsReported) {
     const ClassFile policy = read(some_labs + "[[extension]]\nstudent = \"jnae\"\ndays = 3\n");
-    EXPECT_EQ(class_standing({submission("jane", {{"13.1", 1}})}, policy, {}).notes,
+    const std::vector marks = {submission("jane", {{"13.1", 1}})};
+    EXPECT_EQ(class_standing(marks, policy, {}).notes,
               Cells{"1 extension is for nobody who handed in: jnae"});
 }
 
 TEST_F(ClassFiles, WhoWaitsForAGradeHasNotForgottenToHandIn) {
-    const ClassStanding standing =
-        class_standing({submission("jane", {{"13.1", 1}})}, read(some_students), {}, {"jane", "joe"});
+    const std::vector marks = {submission("jane", {{"13.1", 1}})};
+    const ClassStanding standing = class_standing(marks, read(some_students), {}, {"jane", "joe"});
     EXPECT_EQ(standing.students.at(1).state(), "not graded yet");
     EXPECT_FALSE(standing.students[1].is_marked());
     EXPECT_EQ(standing.notes, Cells{});
 }
 
 TEST_F(ClassFiles, WhatTheMachineCouldNotGradeHasNoPoints) {
-    SubmissionMark mark = submission("jane", {{"13.1", 1}, {"14.1", 1}});
-    mark.labs[0].tasks[0].checks[0].outcome = Outcome::machine;
-    const ClassStanding standing = class_standing({mark}, {}, {});
+    std::vector marks = {submission("jane", {{"13.1", 1}, {"14.1", 1}})};
+    marks[0].labs[0].tasks[0].checks[0].outcome = Outcome::machine;
+    const ClassStanding standing = class_standing(marks, {}, {});
     EXPECT_FALSE(standing.students[0].is_marked());
     EXPECT_FALSE(standing.students[0].labs[0].marked);
     EXPECT_TRUE(standing.students[0].labs[1].marked);
