@@ -1,6 +1,7 @@
 // relief bench as its users run it, and its page in a browser.
 #include <algorithm>
 #include <csignal>
+#include <random>
 #include <thread>
 
 #include "framework/base/file.h"

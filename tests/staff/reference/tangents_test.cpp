@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "framework/base/error.h"
 #include "framework/mesh/shapes.h"
