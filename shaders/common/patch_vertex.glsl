@@ -41,8 +41,9 @@ PatchVertex patch_vertex() {
     vertex.spacing = BLEND(spacing);
     vertex.height_uv = vertex.uv;
     if (edge >= 0) {
-        int next = (edge + 1) % CORNERS;
-        vertex.height_uv = uv_on_edge(weights[edge], weights[next], c_corner[edge].edge_uv, c_corner[edge].height_uv,
+        // llvmpipe reads the corners of every vertex, also where there is no edge.
+        int first = max(edge, 0), next = (first + 1) % CORNERS;
+        vertex.height_uv = uv_on_edge(weights[first], weights[next], c_corner[first].edge_uv, c_corner[first].height_uv,
                                       c_corner[next].height_uv);
     }
     return vertex;
