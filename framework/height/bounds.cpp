@@ -26,7 +26,8 @@ Image cells_of(const Image& heights) {
     return cells;
 }
 
-/// Rounded outwards: where a side is odd, its middle texel counts for both of its neighbours.
+/// Halves both sides, rounded down. Conservative: where a side is odd, neighbouring texels of the result share one
+/// texel.
 Image half(const Image& bounds) {
     Image result(std::max(1, bounds.width / 2), std::max(1, bounds.height / 2), 2);
     const auto begin = [](int i, int from, int to) { return i * from / to; };

@@ -10,10 +10,10 @@
 namespace relief {
 namespace {
 
-/// Where a line of `count` samples that repeats is read between two of them.
+/// Linear interpolation at `place` on a line of `count` samples that repeats; sample i is at i.
 struct Between {
     int first, second;
-    float share;  ///< of the second
+    float share;  ///< weight of `second`
     Between(double place, int count) {
         const double before = std::floor(place);
         first = (int(before) % count + count) % count, second = (first + 1) % count;
@@ -22,7 +22,8 @@ struct Between {
     float of(const float* line) const { return line[first] + share * (line[second] - line[first]); }
 };
 
-/// The surface through an image's texels, `offset` of them from its border, along a row of the image.
+/// Interpolates linearly between two rows of an image, at `place` texels from its top border. Writes one value per
+/// column. Row 0 lies `offset` texels from the border.
 void row_at(const Image& image, double place, double offset, std::vector<float>& row) {
     const Between rows(place - offset, image.height);
     row.resize(size_t(image.width));
@@ -30,8 +31,9 @@ void row_at(const Image& image, double place, double offset, std::vector<float>&
     for (int x = 0; x < image.width; ++x) row[size_t(x)] = a[x] + rows.share * (b[x] - a[x]);
 }
 
-/// The most that two surfaces are apart. Both are bilinear between lines half a texel of the larger one apart, so it is
-/// enough to look where these cross. The samples of `coarse` lie `offset` of its own texels within its border.
+/// Returns the maximum difference of two bilinear surfaces. Both are bilinear within squares of half a texel of `fine`,
+/// so the maximum is at a corner of such a square. The outermost samples of `coarse` lie `offset` of its own texels
+/// from its border.
 float most_apart(const Image& fine, const Image& coarse, double offset) {
     float largest = 0;
     std::mutex mutex;
@@ -53,8 +55,8 @@ float most_apart(const Image& fine, const Image& coarse, double offset) {
     return largest;
 }
 
-/// Of the squares between the samples of an image: how much they are twisted; and how much the slope changes at a
-/// sample, along both axes together.
+/// Maximum curvature of an image's bilinear surface. `twist` is over the squares between samples. `kink` is the change
+/// of slope at a sample, along both axes together.
 struct Bend {
     float twist = 0, kink = 0;
 };
@@ -73,7 +75,8 @@ Bend most_bent(const Image& image) {
     return largest;
 }
 
-/// Adds an error to those that never fall; false when it is enough, and is not the first.
+/// Appends an error, raised to the last one if it is smaller. Returns false, and appends nothing, when the error is not
+/// below `enough`. The first error is always appended.
 bool add(std::vector<float>& errors, float error, float enough) {
     if (!errors.empty()) error = std::max(error, errors.back());
     if (!errors.empty() && error >= enough) return false;
@@ -87,8 +90,9 @@ std::vector<float> level_errors(const Image& heights, float enough) {
     const std::vector<Image> levels = mip_chain(heights, ColorSpace::linear);
     std::vector<float> errors;
     for (const Image& level : levels) {
-        // A step of a texel, (a, b) with a² + b² = 1, crosses a line along each axis at most. A change of slope by J
-        // leaves the chord by J / 4 at most, where it is in the middle; and a square's twist T by 2 T a b / 8.
+        // A step of one texel, (a, b) with a² + b² = 1, crosses at most one grid line along each axis. A change of
+        // slope by J deviates from the chord by at most J / 4, where it is in the middle of the step. A square's twist
+        // T deviates by at most 2 T a b / 8.
         const Bend bend = most_bent(level);
         const float apart = errors.empty() ? 0 : most_apart(levels[0], level, 0.5);
         if (!add(errors, apart + bend.kink / 4 + bend.twist / 8, enough)) break;

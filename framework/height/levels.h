@@ -7,16 +7,17 @@
 
 namespace relief {
 
-/// For each level of mip_chain() the most that a march through it, a step a texel of that level, can be off, in
-/// heights; never falling. That is the most that the level's bilinear surface is apart from that of level 0, anywhere,
-/// and the most that it can leave the straight line between two places that are a texel apart. Level 0 comes always,
-/// others as long as they are off by less than `enough`. `heights` has one channel and repeats; its sides are powers of
-/// two.
+/// Returns for each level of mip_chain() an upper bound of the error of a march with one step per texel of that level,
+/// in heights. Non-decreasing. The bound is the sum of two maxima: the difference of the level's bilinear surface from
+/// that of level 0, and its distance from the chord between two points at a distance of one texel. Level 0 is always
+/// included, and further levels while their error is below `enough`. `heights` has one channel and repeats; its sides
+/// are powers of two.
 std::vector<float> level_errors(const Image& heights, float enough);
 
-/// For each k the most that bilinear pieces of 2^k x 2^k texels whose corners lie on the surface are off, with the
-/// worse of the two diagonals when they are cut in triangles; never falling. The corners of texels are theirs. The
-/// smallest come always, others as long as they are off by less than `enough`.
+/// Returns for each k an upper bound of the error of bilinear pieces of 2^k x 2^k texels, in heights. Non-decreasing.
+/// The corners of the pieces lie on the surface, at corners of texels. The bound also holds for pieces that are cut
+/// into two triangles along either diagonal. The smallest pieces (k = 0) are always included, and larger ones while
+/// their error is below `enough`. `heights` is as for level_errors().
 std::vector<float> piece_errors(const Image& heights, float enough);
 
 }  // namespace relief

@@ -20,7 +20,7 @@ SlopeDifferences slope_differences(SlopeFilter filter, int i, int count, bool wr
     };
     const bool fourth = filter == SlopeFilter::fourth_order || filter == SlopeFilter::spline;
     const int from_end = std::min(i, count - 1 - i);
-    const int in = i < count - 1 - i ? 1 : -1;  // the way into the line, from the nearer end
+    const int in = i < count - 1 - i ? 1 : -1;  // direction into the line, from the nearer end
 
     if (filter == SlopeFilter::forward) {
         if (wrap || i + 1 < count)
@@ -46,7 +46,7 @@ SlopeDifferences slope_differences(SlopeFilter filter, int i, int count, bool wr
         add(i + in, i, in * 2.0);
         add(i + 2 * in, i, in * -0.5);
     } else {
-        add(i + 1, i - 1, 1);  // the only difference there is, or none
+        add(i + 1, i - 1, 1);  // the only difference of a line of two; 0 on a line of one
     }
     return result;
 }
@@ -58,7 +58,7 @@ double weight_beside(SlopeFilter filter) {
 
 SplineLines::SplineLines(int count, bool wrap)
     : wrap_(wrap), values_(static_cast<size_t>(count)), work_(static_cast<size_t>(count)) {
-    // Thomas: m(i) + factor(i) m(i+1) = ..., the same for all lines.
+    // Thomas algorithm: m(i) + factor(i) m(i+1) = ..., with the same factors for all lines.
     double factor = 0;
     for (int i = 0; i < count; ++i) factors_.push_back(factor = 1 / (4 - factor));
 }
@@ -87,11 +87,12 @@ void SplineLines::solve() {
         solve_between_ends();
 }
 
-/// (1, 4, 1) around a circle is two recursions with the pole z = sqrt(3) - 2 (Unser 1999), begun exactly.
+/// Solves the cyclic system (1, 4, 1) by two recursions with the pole z = sqrt(3) - 2 (Unser 1999), with exact start
+/// values.
 void SplineLines::solve_around() {
     const int count = int(values_.size());
     const double z = std::sqrt(3.0) - 2, around = 1 / (1 - std::pow(z, count));
-    const int memory = std::min(count, 40);  // z^40 is 1e-23
+    const int memory = std::min(count, 40);  // z^40 is 1e-23, below double precision
     const auto at = [&](int i) { return size_t(inside(i, count, true)); };
     for (size_t k = 0; k < spline_lanes; ++k) {
         double first = 0;
@@ -129,7 +130,7 @@ void SplineLines::solve_between_ends() {
 
 namespace {
 
-/// Smoothed along both axes by (1 4 6 4 1) / 16 with holes of `spacing` - 1 texels.
+/// Smooths along both axes by (1 4 6 4 1) / 16, with a spacing of `spacing` texels between taps.
 Image smoothed(const Image& image, int spacing, bool wrap, unsigned threads) {
     constexpr std::array weights = {1 / 16.0, 4 / 16.0, 6 / 16.0, 4 / 16.0, 1 / 16.0};
     Image across(image.width, image.height, 1), result(image.width, image.height, 1);
@@ -160,7 +161,7 @@ Image smoothed(const Image& image, int spacing, bool wrap, unsigned threads) {
 
 Image with_level_strengths(const Image& heights, const std::vector<double>& strengths, bool wrap, unsigned threads) {
     Image result = heights, finer = heights;
-    // Levels that are wider than the map hold nothing more; sides end at 16384, so nothing overflows.
+    // Levels wider than the map hold no more detail. Sides are at most 16384, so the shift cannot overflow.
     const int side = std::max(heights.width, heights.height);
     for (size_t level = 0; level < strengths.size() && (1 << level) <= side; ++level) {
         Image coarser = smoothed(finer, 1 << level, wrap, threads);

@@ -12,7 +12,7 @@
 namespace relief {
 namespace {
 
-/// One value a texel, from its column and row.
+/// Fills an image with `value` of each texel's column and row.
 Image by_texel(int size, const std::function<float(int x, int y)>& value) {
     Image image(size, size, 1);
     parallel_pieces(size_t(size), 16, 0, [&](size_t begin, size_t end) {
@@ -33,9 +33,9 @@ struct Wave {
     double phase, amplitude;
 };
 
-/// Waves of `shortest` to `longest` periods in the tile, as many in each octave, with amplitudes of frequency^-fall.
-/// (Of all the waves there are, an octave has four times as many as the one below it: as they are, with
-/// frequency^-(fall + 1), these few stand for them.)
+/// Returns waves of `shortest` to `longest` periods per tile, evenly distributed over octaves, with amplitudes of
+/// frequency^-fall. The set of all waves has four times as many in each octave as in the one below. So these few
+/// represent all waves with amplitudes of frequency^-(fall + 1).
 std::vector<Wave> random_waves(int count, double shortest, double longest, double fall, uint32_t seed) {
     std::mt19937 random(seed);
     const auto share = [&] { return double(random()) / 4294967296.0; };
@@ -48,7 +48,7 @@ std::vector<Wave> random_waves(int count, double shortest, double longest, doubl
     return waves;
 }
 
-/// cos(a + b) = cos a cos b - sin a sin b: two multiplications a texel and wave, and no cosine.
+/// Uses cos(a + b) = cos a cos b - sin a sin b: two multiplications per texel and wave, and no cosine.
 Image sum_of(const std::vector<Wave>& waves, int size) {
     std::vector<float> along_x(waves.size() * 2 * size_t(size));
     parallel_pieces(waves.size(), 8, 0, [&](size_t begin, size_t end) {
@@ -76,7 +76,7 @@ Image sum_of(const std::vector<Wave>& waves, int size) {
     return image;
 }
 
-/// lowbias32 (Wellons 2018) of two numbers, in [0, 1).
+/// Hashes two numbers to [0, 1) by lowbias32 (Wellons 2018).
 float dice(uint32_t a, uint32_t b) {
     uint32_t x = a * 0x9e3779b9u + b;
     x = (x ^ (x >> 16)) * 0x7feb352du;
@@ -104,7 +104,7 @@ Image bricks(int size) {
     return image;
 }
 
-/// Worley's (1996) two nearest of one random point a cell: the joints are where they are equally far.
+/// Worley noise (1996) with one random point per cell. Joints are where the two nearest points are equally far.
 Image stones(int size) {
     constexpr int cells = 8;
     Image image = by_texel(size, [&](int x, int y) {
@@ -144,7 +144,7 @@ Image rock(int size) {
     const Image detail = sum_of(random_waves(240, 8, float(size) / 5, 1.1, 22), size);
     const Image cracks = sum_of(random_waves(80, 2, 20, 1, 23), size);
     Image image = by_texel(size, [&](int x, int y) {
-        // Ledges: what rises is steep, what lies is flat.
+        // Ledges: flat steps with steep rises between them.
         const float rise = *mass.pixel(x, y) * 6, step = std::floor(rise);
         const float ledges = (step + smooth_step(0.35f, 0.65f, rise - step)) / 6;
         const float crack = smooth_step(0.0f, 0.03f, std::abs(*cracks.pixel(x, y) - 0.5f));
@@ -197,7 +197,7 @@ Image make_height_map(HeightMap map, int size) {
 }
 
 void mend_heights(Image& heights) {
-    for (float& height : heights.values) height = height > 0 ? std::min(height, 1.0f) : 0.0f;  // not for NaN
+    for (float& height : heights.values) height = height > 0 ? std::min(height, 1.0f) : 0.0f;  // NaN > 0 is false
 }
 
 Image with_8_bits(Image heights) {

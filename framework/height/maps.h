@@ -8,10 +8,10 @@
 
 namespace relief {
 
-/// All of them tile, and have 0 as their lowest height and 1 as their highest where they are not flat.
+/// All of them tile. Each but the flat ones has 0 as its minimum and 1 as its maximum; `damaged` goes beyond.
 enum class HeightMap {
     smooth,   ///< waves of an eighth of the tile and longer
-    fbm,      ///< waves down to 4 texels: the spectrum of all of them with amplitudes frequency^-2
+    fbm,      ///< waves down to 4 texels, with the spectrum of all such waves at amplitudes frequency^-2
     bricks,   ///< flat tops, bevels two texels wide, deep joints
     stones,   ///< rounded cobbles of many heights
     posts,    ///< one texel wide, every sixteen texels: a step that is too long misses them
@@ -19,19 +19,19 @@ enum class HeightMap {
     low,      ///< 0 everywhere
     high,     ///< 1 everywhere
     plateau,  ///< 0.5 everywhere
-    damaged   ///< stones with texels that are not numbers, or beyond 0 and 1
+    damaged   ///< stones with texels that are NaN, infinite, or beyond [0, 1]
 };
 inline constexpr std::array height_map_names = {"smooth", "fbm", "bricks", "stones",  "posts",
                                                 "rock",   "low", "high",   "plateau", "damaged"};
 
-/// One channel of `size` x `size` floats, `size` at least 1. The features of all but `fbm`, `posts` and `rock` grow
-/// with the map.
+/// Returns a height map of one channel and `size` x `size` floats, `size` at least 1. The features of all but `fbm`,
+/// `posts` and `rock` scale with the map.
 Image make_height_map(HeightMap map, int size);
 
-/// Makes a map safe for searches: every height finite and in [0, 1]. NaN becomes 0.
+/// Makes a map safe for searches: clamps heights to [0, 1] and replaces NaN by 0.
 void mend_heights(Image& heights);
 
-/// Rounded to the nearest of 256.
+/// Returns the map with heights rounded to multiples of 1/255 and `bits` 8.
 Image with_8_bits(Image heights);
 
 }  // namespace relief

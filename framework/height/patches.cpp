@@ -14,8 +14,7 @@ namespace relief {
 namespace {
 
 constexpr double steepest = 1e6;
-/// Places that are looked at for each texel, along sides that count as 8 texels at least and 64 at most. Edges are
-/// cheap.
+/// Samples per texel. Sides count as 8 texels at least and 64 at most. Edges have more samples because they are cheap.
 constexpr int dense_on_edges = 8, dense_inside = 2, fewest_texels = 8, most_texels = 64;
 
 /// A box of uv.
@@ -32,7 +31,7 @@ struct Box {
 double height_at(const Image& heights, glm::dvec2 uv) {
     const auto wrapped = [](double place, int side) {
         place -= side * std::floor(place / side);
-        return place >= 0 && place < side ? place : 0;  // rounding, or no number
+        return place >= 0 && place < side ? place : 0;  // beyond by rounding, or NaN
     };
     const double x = wrapped(uv.x * heights.width - 0.5, heights.width),
                  y = wrapped(uv.y * heights.height - 0.5, heights.height);
@@ -44,10 +43,10 @@ double height_at(const Image& heights, glm::dvec2 uv) {
     return (lower[left] * (1 - s) + lower[right] * s) * (1 - t) + (upper[left] * (1 - s) + upper[right] * s) * t;
 }
 
-/// What the bilinear surface does in some cells.
+/// Bounds of the bilinear surface over some cells.
 struct Range {
     float lowest = std::numeric_limits<float>::infinity(), highest = -lowest;
-    glm::vec2 slope{};  ///< the largest |dh/du| and |dh/dv|
+    glm::vec2 slope{};  ///< maximum |dh/du| and |dh/dv|
 
     void take_in(const Range& other) {
         lowest = std::min(lowest, other.lowest), highest = std::max(highest, other.highest);
@@ -55,7 +54,7 @@ struct Range {
     }
 };
 
-/// Cells along one axis, first to last, in two pieces where they go round the border.
+/// Cells along one axis, first to last; in two pieces where they wrap around the border.
 struct Cells {
     struct Piece {
         int first, last;
@@ -64,7 +63,7 @@ struct Cells {
     int count;
 };
 
-/// Cell i is between the centres of texels i and i + 1. All of them where uv are not finite.
+/// Cell i is between the centres of texels i and i + 1. Returns all cells where uv are not finite.
 Cells cells_between(double from, double to, int side) {
     const double begin = std::floor(from * side - 0.5), count = std::floor(to * side - 0.5) - begin + 1;
     if (!(count < side)) return {{{{0, side - 1}, {0, -1}}}, side};
@@ -72,14 +71,15 @@ Cells cells_between(double from, double to, int side) {
     return {{{{first, std::min(last, side - 1)}, {0, last - side}}}, int(count)};
 }
 
-/// The ranges of a mip level's cells, and of 2x2, 4x4, ... of them: any patch needs few.
+/// The ranges of a mip level's cells and of blocks of 2x2, 4x4, ... cells, so that any patch reads only a few.
 class Ranges {
 public:
     explicit Ranges(Image level) : level_(std::move(level)), blocks_{cells_of(level_)} {
         while (blocks_.back().width > 1 || blocks_.back().height > 1) blocks_.push_back(quarters_of(blocks_.back()));
     }
 
-    /// Of heights exactly, or if the box is longer than 8 cells of blocks of them: at most 9 in a row, a quarter more.
+    /// Returns bounds over a box. Heights are exact for a box of up to 8 cells along a side. A longer box is covered
+    /// with blocks, at most 9 in a row, which adds up to a quarter.
     Range within(const Box& box) const {
         const Cells across = cells_between(box.low.x, box.high.x, level_.width),
                     up = cells_between(box.low.y, box.high.y, level_.height);
@@ -107,7 +107,8 @@ private:
         const Range& at(int x, int y) const { return ranges[size_t(y) * size_t(width) + size_t(x)]; }
     };
 
-    /// In a part of a bilinear cell the extremes are at its corners, and so no more than the cells' ends count.
+    /// The extremes over a part of a bilinear cell are at the corners of that part. So only cell borders and box
+    /// borders count.
     std::pair<float, float> exactly_within(const Box& box, int columns, int rows) const {
         const glm::dvec2 size(level_.width, level_.height), first = glm::floor(box.low * size - 0.5) + 0.5;
         double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -149,11 +150,12 @@ private:
     std::vector<Blocks> blocks_;
 };
 
-/// The most that a height changes per metre where it changes by up to `slope` per unit of u and of v. What is bilinear
-/// differs between two places by exactly what its derivatives half-way say. There the position has the derivatives a
-/// and b and the height wa and wb, and the most is |wa b - wb a| / |a x b|. Above and below the line are bilinear means
-/// of what the corners have: the quotient is nowhere more than at the worst of them, as long as each a x b, taken along
-/// their mean, is positive.
+/// Returns an upper bound of the height change per metre, where the height changes by at most `slope` per unit of u and
+/// of v. A bilinear difference equals the midpoint derivative times the offset. Let the position have the derivatives a
+/// and b at the midpoint, and the height wa and wb. Then the steepest slope there is |wa b - wb a| / |a x b|. Numerator
+/// and denominator are bilinear interpolations of their values at the corners. So the quotient is nowhere larger than
+/// at the worst corner, provided that each a x b has a positive component along their mean. Otherwise the result is
+/// `steepest`.
 double steepest_slope(std::span<const HeightCorner> patch, glm::dvec2 slope) {
     const size_t n = patch.size();
     const auto position = [&](size_t i) { return glm::dvec3(patch[i % n].position); };
@@ -179,18 +181,18 @@ double steepest_slope(std::span<const HeightCorner> patch, glm::dvec2 slope) {
     return largest;
 }
 
-/// A power of two: `density` or more for each texel of the longer side of `uv`.
+/// Returns the number of samples along a side, a power of two: at least `density` per texel of the longer side of `uv`.
 int cuts_for(glm::dvec2 uv, const Image& heights, int density) {
     const double texels = std::max(std::abs(uv.x) * heights.width, std::abs(uv.y) * heights.height);
     if (!(texels < most_texels)) return density * most_texels;
     return int(std::bit_ceil(unsigned(std::ceil(density * std::max<double>(texels, fewest_texels)))));
 }
 
-/// By how much chords are off at many places.
+/// Collects the errors of chords at many samples.
 class Offsets {
 public:
     void take(double off) {
-        if (!(off >= 0)) return;  // not a number
+        if (!(off >= 0)) return;  // NaN
         most_ = std::max(most_, off), squares_ += off * off, ++count_;
     }
     double typical() const {
@@ -203,9 +205,9 @@ private:
     size_t count_ = 0;
 };
 
-/// `error(step)` is that of the level whose vertices are `step` samples apart. One sample between two vertices can miss
-/// a kink that is near one of them, and no sample sees none: so the error is no less than half of the level before, as
-/// a kink's is.
+/// Returns the error of each level; `error(step)` gives that of the level with a vertex every `step` samples. With
+/// one sample between two vertices, a kink near a vertex can be missed; with none, every kink is. So the error is at
+/// least half of the level before, which is right for a kink.
 template <class Error>
 LevelErrors level_errors(int cuts, const Error& error) {
     LevelErrors errors{};
@@ -218,7 +220,9 @@ LevelErrors level_errors(int cuts, const Error& error) {
     return errors;
 }
 
-/// The same bits from either end: floats times dyadic weights are exact in doubles, and a sum has no order.
+/// Gives the same bits from either end of the edge. Products of floats and dyadic weights are exact in double
+/// precision, and a sum of two terms commutes. (The sum of squares may depend on the order in its last bits, which
+/// rounding to float hides.)
 LevelErrors edge_errors(const Image& heights, glm::vec4 uv, float& middle) {
     const glm::dvec2 begin(uv.x, uv.y), end(uv.z, uv.w);
     const int cuts = cuts_for(end - begin, heights, dense_on_edges);
@@ -242,7 +246,7 @@ LevelErrors edge_errors(const Image& heights, glm::vec4 uv, float& middle) {
     });
 }
 
-/// The heights of a patch's inside, on a grid that each of its levels is a part of.
+/// The heights inside a patch, on a grid that contains the vertices of each level.
 class Samples {
 public:
     LevelErrors errors(const Image& heights, std::span<const HeightCorner> patch) {
@@ -268,8 +272,8 @@ public:
 private:
     size_t place(int i, int j) const { return size_t(j * (cuts_ + 1) + i); }
 
-    /// Chords are the plane through three corners and, beyond a diagonal, a fold that reaches the fourth. Triangles
-    /// have the falling diagonal, and along their longest side half cells.
+    /// The chord surface is the plane through three corners plus, beyond the diagonal, a fold that reaches the fourth.
+    /// Triangles use the falling diagonal, and have half cells along the side between their last two corners.
     void take_cell(int i, int j, int step, Offsets& off) const {
         const bool is_half = is_triangle_ && i + j + step == cuts_;
         const float low = values_[place(i, j)], right = values_[place(i + step, j)] - low,

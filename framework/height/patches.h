@@ -1,5 +1,5 @@
-// A height map's bounds on each patch of a tessellated surface: its heights, its steepness, and the error of each
-// level. For choosing levels and culling before any vertex is made.
+// Bounds of a height map on each patch of a tessellated surface: its heights, its steepness, and the error of each
+// tessellation level. They serve to choose levels and to cull before any vertex is made.
 #pragma once
 
 #include <array>
@@ -11,41 +11,41 @@
 
 namespace relief {
 
-/// A patch's corner, as far as the height map is concerned. Its inside reads heights at `uv`; where two patches meet
-/// both read the same ones. uv are in tiles.
+/// A corner of a patch in the height map, with uv in tiles. The inside of the patch reads heights at `uv`. Edges and
+/// corners read at `edge_uv` and `height_uv`, which are the same for all patches that meet there.
 struct HeightCorner {
     glm::vec3 position;   ///< metres
-    glm::vec2 uv;         ///< (bi)linear between the corners
-    glm::vec2 height_uv;  ///< where the corner itself reads
-    glm::vec4 edge_uv;    ///< where the edge to the next corner reads: here (xy) and there (zw), linear between
+    glm::vec2 uv;         ///< linear (triangle) or bilinear (quad) between the corners
+    glm::vec2 height_uv;  ///< where the corner vertex itself reads
+    glm::vec4 edge_uv;    ///< where the edge to the next corner reads, linear between its begin (xy) and its end (zw)
 };
 
-/// Levels 1, 2, 4, ..., 64.
+/// Tessellation levels 1, 2, 4, ..., 64.
 constexpr int level_octaves = 7;
-/// By how much chords are off at each of those levels, or at any level above it: never rising. In heights. It is three
-/// times the root mean square, or half of the most where that is more: 99 of 100 places are within it, and none is off
-/// by more than twice as much. (With the most itself a rough relief takes 1.4 times the triangles for the same error of
-/// 99 of 100 pixels: patches differ in how rare their worst place is.)
+/// Error of the chords at each of these levels, in heights. Non-increasing: it is the maximum over the level and all
+/// finer ones. An error is three times the root mean square, or half the maximum if that is more. 99 % of the points
+/// are within it, and no point is off by more than twice as much. (The maximum itself would cost a rough relief 1.4
+/// times the triangles for the same error of 99 % of the pixels: patches differ in how rare their worst point is.)
 using LevelErrors = std::array<float, level_octaves>;
 
 struct PatchHeights {
-    /// The least and the most that a filter can read on the patch, its edges and corners, in any mip level; 1/255
-    /// apart from what is there, so that a map and a filter of 8 bits may round.
+    /// Lower and upper bound of any filtered height on the patch, its edges and its corners, at every mip level.
+    /// Widened by 1/255 to absorb 8-bit rounding of map and filter.
     float lowest, highest;
-    /// The most that the height at `uv` changes per metre of the flat patch, between any two of its places, in any mip
-    /// level. Never more than 1e6, which is also what a patch has whose positions collapse and whose heights do not.
+    /// Upper bound of the change of the height at `uv` per metre of the flat patch, between any two of its points, at
+    /// every mip level. Clamped to 1e6. A patch with degenerate positions and varying heights gets 1e6.
     float slope;
-    LevelErrors inside;                 ///< of the patch cut evenly; of a quad's cells, with the worse of the diagonals
-    std::array<float, 4> edge_heights;  ///< in the middle between the lowest and the highest of each edge
-    std::array<LevelErrors, 4> edges;   ///< of edge i, from corner i to the next; 3 of a triangle
+    LevelErrors inside;                 ///< of the evenly cut patch; for a quad, with the worse diagonal of each cell
+    std::array<float, 4> edge_heights;  ///< the mean of the minimum and the maximum height of each edge
+    std::array<LevelErrors, 4> edges;   ///< of edge i, from corner i to the next; a triangle has 3
 };
 
-/// Each `corners` points are a patch, counter-clockwise: 3, or 4 whose places are (0, 0), (1, 0), (1, 1), (0, 1) of the
-/// domain. `heights` has one channel and repeats; its surface is the bilinear one through the texel centres. Errors are
-/// those of mip level 0. They are looked for at two places a texel (eight on edges), at least 16 along a side (64) and
-/// no more than 128 (512), so a relief with sharp features can hide some between. A level whose vertices are as dense
-/// as that is taken to be off by half as much as the one before, or more. Heights should be finite; what is not a
-/// number does not count. Most of the time goes into errors: without `with_errors` they are 0.
+/// Measures patches of `corners` points each, counter-clockwise: 3, or 4 at (0, 0), (1, 0), (1, 1), (0, 1) of the
+/// domain. `heights` has one channel and repeats; its surface is bilinear between texel centres. NaN heights are
+/// ignored. Most of the time goes into errors: without `with_errors` they are 0.
+/// Errors are for mip level 0, and are sampled: 2 samples per texel inside and 8 on edges, at least 16 (64 on edges)
+/// and at most 128 (512) along a side. So a relief with sharp features can have larger errors between samples. A level
+/// with at most one sample between two vertices gets at least half the error of the level before.
 std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, int corners, const Image& heights,
                                           bool with_errors = true);
 

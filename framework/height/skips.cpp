@@ -15,7 +15,7 @@
 namespace relief {
 namespace {
 
-/// One number a cell or a block, row 0 lowest.
+/// One value per cell or per block, row 0 lowest.
 struct Grid {
     int width, height;
     std::vector<float> values;
@@ -48,13 +48,13 @@ Grid highest_in_cells(const Image& heights) {
     return cells;
 }
 
-/// The highest of `length` values from each on, around the end.
+/// Replaces each value by the maximum of `length` values, from itself on, wrapping around.
 void slide(std::vector<float>& values, int length) {
     const int count = int(values.size());
     length = std::min(length, count);
     int reach = 1;
     std::vector<float> next(values.size());
-    while (reach < length) {  // windows double until the last one, which overlaps
+    while (reach < length) {  // windows double in length; the last one overlaps
         const int shift = std::min(reach, length - reach);
         for (int i = 0; i < count; ++i)
             next[size_t(i)] = std::max(values[size_t(i)], values[size_t((i + shift) % count)]);
@@ -63,7 +63,7 @@ void slide(std::vector<float>& values, int length) {
     }
 }
 
-/// The highest in each block of `side` x `side` cells.
+/// Returns the maximum of each block of `side` x `side` cells.
 Grid highest_in_blocks(const Grid& cells, int side) {
     if (side == 1) return cells;
     Grid blocks(cells.width / side, cells.height / side);
@@ -77,7 +77,7 @@ Grid highest_in_blocks(const Grid& cells, int side) {
     return blocks;
 }
 
-/// The highest of `side` x `side` cells from `behind` cells before each.
+/// Returns for each cell the maximum of the `side` x `side` cells that begin `behind` cells before it on both axes.
 Grid highest_in_squares(const Grid& cells, int behind, int side) {
     Grid across(cells.width, cells.height), result(cells.width, cells.height);
     parallel_pieces(size_t(cells.height), 32, 0, [&](size_t begin, size_t end) {
@@ -101,16 +101,18 @@ Grid highest_in_squares(const Grid& cells, int behind, int side) {
 
 glm::ivec2 behind(int quadrant, int extent) { return {quadrant & 1 ? extent : 0, quadrant & 2 ? extent : 0}; }
 
-/// 1 - height in 1/255, rounded down: less than what is certain where rounding could say more.
+/// Returns 1 - height in 1/255, rounded down. The margin of 1e-3 keeps it conservative where (1 - height) * 255 is
+/// rounded up.
 float clear_of(float highest) { return std::max(0.0f, std::floor((1 - highest) * 255 - 1e-3f)); }
 
-/// How many turns the loop of shaders/12_relief_exact/search.glsl takes on average with some of the windows, for rays
-/// of all slants from all over the map, as if a cell whose top they come below were a hit.
+/// Counts the iterations of the loop of shaders/12_relief_exact/search.glsl with given windows. They are averaged over
+/// rays of all slants from everywhere on the map. A ray ends in the first cell whose maximum it comes below, as if that
+/// were a hit.
 class Turns {
 public:
     struct Window {
         int extent;
-        Grid highest;  ///< of the squares that begin at each block, for rays along +u and +v
+        Grid highest;  ///< maxima of the squares that begin at each block, for rays along +u and +v
     };
     Turns(const Grid& cells, int block) : cells_(cells), block_(block) {
         std::mt19937 random(1);
@@ -153,7 +155,8 @@ private:
     std::vector<Ray> rays_;
 };
 
-/// One window after the other, each the one that helps most beside those before it. `blocks` are of `block` cells.
+/// Chooses windows greedily: each is the one that helps most together with the ones before it. `blocks` holds the
+/// maxima of `block` x `block` cells.
 std::array<int, 4> best_windows(const Grid& cells, const Grid& blocks, int block) {
     std::vector<Turns::Window> candidates;
     for (const int extent : {0, 1, 2, 3, 5, 7, 10, 14, 20, 28, 40, 56})
@@ -190,7 +193,7 @@ HeightWindows height_windows(const Image& heights) {
     const Grid blocks = highest_in_blocks(cells, block);
     HeightWindows windows{block, best_windows(cells, blocks, block), Image(blocks.width, 4 * blocks.height, 4, 8)};
     for (int k = 0; k < 4; ++k) {
-        // The squares of the other quadrants are those of other blocks.
+        // A window in another quadrant is the quadrant-0 window of a shifted block.
         const int extent = windows.extent[size_t(k)] / block;
         const Grid ahead = highest_in_squares(blocks, 0, 1 + extent);
         for (int quadrant = 0; quadrant < 4; ++quadrant)
@@ -214,7 +217,7 @@ Image cone_map(const Image& heights, unsigned threads) {
         for (int y = int(begin); y < int(end); ++y)
             for (int x = 0; x < cells.width; ++x) {
                 const float top = cells.row(y)[x];
-                // Nothing is known of what lies beyond the reach: the cone is no wider at height 1.
+                // Nothing is known beyond the reach, so the cone must end there at height 1.
                 float widest = top < 1 ? float(reach) / (1 - top) : cone_widest;
                 for (int ring = 1; ring <= reach; ++ring) {
                     if (float(ring - 1) >= widest * (1 - top)) break;
