@@ -19,11 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tells a file's bytes from those that it held before, at the speed of memory; no secret is kept by it. Four sums of
-/// 64 bits, side by side because a multiplication waits for the one before.
+/// Tells whether a file's bytes have changed, at the speed of memory. Not cryptographic. Four sums of 64 bits run in
+/// parallel, because each multiplication depends on the one before it.
 class Fingerprint {
 public:
-    /// All but the last piece have a multiple of 32 bytes.
+    /// Appends a piece. The size of every piece but the last is a multiple of 32 bytes.
     void add(std::string_view bytes) {
         size_ += bytes.size();
         for (; bytes.size() >= sizeof sums_; bytes.remove_prefix(sizeof sums_)) add_block(bytes.data());
@@ -40,7 +40,7 @@ public:
 
 private:
     static uint64_t mixed(uint64_t sum, uint64_t word) {
-        sum = (sum ^ word) * 0x9e3779b97f4a7c15;  // odd, so that no bit is lost
+        sum = (sum ^ word) * 0x9e3779b97f4a7c15;  // odd, so multiplication is invertible
         return sum ^ sum >> 32;
     }
     void add_block(const char* block) {
@@ -54,7 +54,7 @@ private:
     uint64_t size_ = 0;
 };
 
-/// Of a file, or nothing when it cannot be read.
+/// Returns the fingerprint of a file, or nothing when it cannot be read.
 std::optional<uint64_t> fingerprint_of(const fs::path& path) {
     const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file < 0) return {};
@@ -66,7 +66,7 @@ std::optional<uint64_t> fingerprint_of(const fs::path& path) {
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return {};
         have += size_t(got);
-        if (got > 0 && have < piece.size()) continue;  // a whole piece, or the last
+        if (got > 0 && have < piece.size()) continue;  // read on until the piece is full or the file ends
         fingerprint.add({piece.data(), have});
         have = 0;
         if (got == 0) return fingerprint.value();
@@ -77,7 +77,7 @@ ColorSpace space_of(const std::string& name) {
     return fs::path(name).stem().string().ends_with("_albedo") ? ColorSpace::srgb : ColorSpace::linear;
 }
 
-/// What the build made of this very picture.
+/// Returns the texels that the build made of a picture, or nothing when they are missing or of another version of it.
 std::optional<Texels> converted(const std::string& name) {
     const std::optional<uint64_t> source = fingerprint_of(course_root() / "assets" / name);
     std::optional<Texels> texels;

@@ -1,6 +1,6 @@
-// Pictures in the course's assets folder, from what the build made of them: build/bin/textures/NAME.texels, beside the
-// framework's library. Such a file knows the bytes that it was made of: where it is missing, broken or of another
-// picture, the picture itself is read, which takes time but is never wrong.
+// Pictures in the course's assets folder, from files that the build makes of them: build/bin/textures/NAME.texels,
+// beside the framework's library. Such a file holds a fingerprint of its source picture. When it is missing, damaged or
+// of another picture, the picture itself is read, which is slow but always right.
 #pragma once
 
 #include <filesystem>
@@ -10,14 +10,14 @@
 
 namespace relief {
 
-/// The picture in assets/NAME. Throws what read_image() throws.
+/// Returns the picture in assets/NAME. Throws as read_image() does.
 Image read_asset(const std::string& name);
 
-/// Its mip chain for a colour space, by mip_chain().
+/// Returns the picture's mip chain for a colour space, as mip_chain() makes it. Throws as read_image() does.
 Texels read_asset_chain(const std::string& name, ColorSpace space);
 
-/// NAME.texels from the bytes of NAME: its mip chain, averaged as light when the name is like stones_albedo.png, else
-/// as numbers. Throws what decode_image() throws.
+/// Returns the contents of NAME.texels for the bytes of NAME: its mip chain. A name like stones_albedo.png is averaged
+/// as light, any other as plain numbers. Throws as decode_image() does.
 std::string convert_asset(const std::string& name, const std::string& bytes);
 
 }  // namespace relief

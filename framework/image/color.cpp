@@ -18,8 +18,8 @@ double linear_from_srgb(double stored) {
 }
 
 unsigned char srgb8_from_linear(float light) {
-    // The light half way between each stored value and the next, and where to look: over the square root of light the
-    // curve is so even that a bin holds one such half at the most.
+    // The light halfway between each stored value and the next, and for each bin the first value to try. Over the
+    // square root of light the curve is so even that a bin holds at most one halfway point.
     constexpr int bins = 4096;
     struct Tables {
         std::array<float, 256> halfway{};
@@ -31,11 +31,11 @@ unsigned char srgb8_from_linear(float light) {
             const double half = linear_from_srgb((i + 0.5) / 255);
             made.halfway[i] = static_cast<float>(half);
             if (made.halfway[i] < half)
-                made.halfway[i] = std::nextafter(made.halfway[i], 1.0f);  // the first that rounds up
+                made.halfway[i] = std::nextafter(made.halfway[i], 1.0f);  // the smallest float that rounds up
         }
         made.halfway[255] = std::numeric_limits<float>::infinity();
         for (int i = 0; i <= bins; ++i) {
-            // A little below the bin, so that a square root that is rounded up still begins low enough.
+            // A little below the bin: a square root that is rounded up must not begin too high.
             const float low = static_cast<float>((i - 0.01) * (i - 0.01) / (double(bins) * bins));
             made.first[i] = static_cast<unsigned char>(
                 std::upper_bound(made.halfway.begin(), made.halfway.end(), i == 0 ? 0.0f : low) - made.halfway.begin());

@@ -3,14 +3,14 @@
 
 namespace relief {
 
-/// Light in [0, 1] to the stored value in [0, 1], and back. Both are continued beyond 1 and by symmetry below
-/// 0.
+/// Convert light in [0, 1] to the stored value in [0, 1], and back. Both continue beyond 1, and symmetrically below 0.
 double srgb_from_linear(double light);
 double linear_from_srgb(double stored);
 
-/// round(255 * srgb_from_linear(light)), clamped to 0..255, without a power: for whole textures.
+/// Returns round(255 * srgb_from_linear(light)), clamped to 0..255. NaN gives 0. Fast enough for whole textures,
+/// because it computes no power.
 unsigned char srgb8_from_linear(float light);
-/// linear_from_srgb(stored / 255).
+/// Returns linear_from_srgb(stored / 255).
 float linear_from_srgb8(unsigned char stored);
 
 }  // namespace relief

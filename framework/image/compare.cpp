@@ -23,7 +23,7 @@ Difference difference(const Image& a, const Image& b, double threshold) {
         double largest = 0;
         for (int c = 0; c < a.channels; ++c) {
             const float x = a.values[i * a.channels + c], y = b.values[i * a.channels + c];
-            if (x == y) continue;  // also two infinities
+            if (x == y) continue;  // also for two equal infinities
             const double off = std::abs(static_cast<double>(x) - y);
             largest = std::max(largest, std::isnan(off) ? INFINITY : off);
         }

@@ -1,5 +1,5 @@
-// Makes what asset.h reads, as the build calls it for each picture: relief-textures PICTURE FILE. A picture that cannot
-// be read is nobody's trouble before it is used: then the file is empty.
+// relief-textures PICTURE FILE: makes the file that asset.h reads. The build calls it for each picture. A picture that
+// cannot be read gives an empty file and no error, so that the problem shows only when the picture is used.
 #include <cstdio>
 #include <filesystem>
 

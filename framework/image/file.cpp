@@ -25,7 +25,7 @@ const Module& openimageio() {
     return module;
 }
 
-// The first bytes say what a file is; its name may lie.
+// Detects the format from the first bytes, because a file's name may be wrong.
 const char* format_by_content(const std::string& bytes) {
     const std::string_view start(bytes);
     if (start.starts_with("\x89PNG\r\n\x1a\n"sv)) return "png";
@@ -34,8 +34,8 @@ const char* format_by_content(const std::string& bytes) {
     throw Error("neither PNG, OpenEXR, JPEG, PPM nor PFM");
 }
 
-/// How many bytes a value of these types has in an OpenEXR header; nothing for a type whose size is free. OpenEXR reads
-/// as many, whatever size the file says, and then takes what follows for something else.
+/// Returns the size in bytes of an OpenEXR header value of a fixed-size type, or nothing for a type of variable size.
+/// OpenEXR reads this many bytes even if the file states another size, and would then misread the bytes that follow.
 std::optional<uint32_t> openexr_size(std::string_view type) {
     constexpr std::pair<std::string_view, uint32_t> sizes[] = {{"box2i", 16},
                                                                {"box2f", 16},
@@ -66,9 +66,9 @@ std::optional<uint32_t> openexr_size(std::string_view type) {
     return {};
 }
 
-/// OpenEXR takes memory for what its header asks for before it looks whether the file has so much, and before
-/// OpenImageIO tells of the size: a few bytes could cost gigabytes. Walks the header; throws Error for a value that is
-/// larger than the file, for sides, tiles or channels beyond what is taken, and for files of several or deep images.
+/// OpenEXR allocates memory for the sizes in its header before it checks them against the file, and before OpenImageIO
+/// reports them: a few bytes could cost gigabytes. Walks the header. Throws Error for a value that is larger than the
+/// file, for sides, tiles or channels beyond the limits, and for files of several or deep images.
 void check_openexr_header(std::string_view bytes) {
     const auto number_at = [&](size_t at) {
         if (at > bytes.size() || bytes.size() - at < 4) throw Error("damaged: its header has no end");
@@ -91,7 +91,7 @@ void check_openexr_header(std::string_view bytes) {
         at = end + 1;
         return found;
     };
-    for (std::string_view name = word(); !name.empty(); name = word()) {  // a name, its type, its size, its value
+    for (std::string_view name = word(); !name.empty(); name = word()) {  // name, type, size, value
         const std::string_view type = word();
         const size_t size = number_at(at), begin = at += 4;
         const auto inconsistent = [&] { throw Error(fmt::format("damaged: {} bytes are no {}", size, type)); };
@@ -107,7 +107,7 @@ void check_openexr_header(std::string_view bytes) {
         if (type == "preview" && (size < 8 || uint64_t{number_at(begin)} * number_at(begin + 4) * 4 + 8 != size))
             inconsistent();
         if (type == "chlist") {
-            int channels = 0;  // each a name and 16 bytes, then an empty name
+            int channels = 0;  // each is a name and 16 bytes; an empty name ends them
             for (at = begin; at < begin + size && !word().empty(); at += 16)
                 if (++channels > 4) refuse("more than 4 channels");
             if (at != begin + size) inconsistent();
@@ -116,10 +116,10 @@ void check_openexr_header(std::string_view bytes) {
     }
 }
 
-/// libpng takes memory for a chunk before it reads it. Throws Error for one that is larger than what is left of the
+/// libpng allocates memory for a chunk before it reads it. Throws Error for a chunk that is larger than the rest of the
 /// file.
 void check_png_chunks(std::string_view bytes) {
-    for (size_t at = 8; bytes.size() - at >= 8;) {  // a length, a name, the bytes, a checksum
+    for (size_t at = 8; bytes.size() - at >= 8;) {  // length, name, bytes, checksum
         uint32_t length = 0;
         for (size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
         if (length > bytes.size() - at - 8)

@@ -7,11 +7,12 @@
 
 namespace relief {
 
-/// How stored numbers stand for light. Normal and height maps are linear, always.
+/// How stored numbers represent light. Normal and height maps are always linear.
 enum class ColorSpace { linear, srgb };
 
-/// Row 0 is the top; `channels` floats a pixel, without padding. Values that come from, or go to, integers are in [0,
-/// 1]; probes have the units of their quantity, with no_surface or not_written in every channel where there is none.
+/// Row 0 is the top. Each pixel has `channels` floats, without padding. Values from or for integer formats are in [0,
+/// 1]. Probes have the units of their quantity; no_surface or not_written fills every channel of a pixel without a
+/// value.
 struct Image {
     int width = 0;
     int height = 0;
@@ -39,9 +40,9 @@ private:
     size_t offset(int x, int y) const { return (static_cast<size_t>(y) * width + x) * channels; }
 };
 
-/// What a probe holds where no surface is.
+/// The value of a probe where there is no surface.
 constexpr float no_surface = std::numeric_limits<float>::infinity();
-/// What a probe holds where its value comes from a task that is not written: see shaders/common/unfinished.glsl.
+/// The value of a probe where a task is not written: see shaders/common/unfinished.glsl.
 constexpr float not_written = -std::numeric_limits<float>::infinity();
 
 }  // namespace relief

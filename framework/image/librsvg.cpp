@@ -1,4 +1,4 @@
-// The only file that includes librsvg, and Cairo, on which it draws. Built as a module of its own.
+// The only file that includes librsvg, and Cairo, which librsvg draws with. Built as a module of its own.
 #include "framework/image/librsvg.h"
 
 #include <librsvg/rsvg.h>
@@ -28,7 +28,7 @@ void check(bool done, GError* error) {
 
 relief::Image relief_draw_svg(const std::string& svg, glm::ivec2 size) {
     GError* error = nullptr;
-    // Without an address of its own it can name no other file.
+    // Data without a base address cannot refer to other files.
     const Drawing drawing(
         rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
     check(drawing != nullptr, error);
@@ -48,7 +48,7 @@ relief::Image relief_draw_svg(const std::string& svg, glm::ivec2 size) {
     for (int y = 0; y < size.y; ++y) {
         const auto* const row = reinterpret_cast<const uint32_t*>(bytes + std::ptrdiff_t(y) * row_bytes);
         for (int x = 0; x < size.x; ++x)
-            for (int c = 0; c < 3; ++c)  // red is the highest
+            for (int c = 0; c < 3; ++c)  // red is in the highest bits
                 image.pixel(x, y)[c] = float(row[x] >> (16 - 8 * c) & 255) / 255;
     }
     return image;

@@ -8,7 +8,7 @@
 
 namespace relief {
 
-/// As draw_svg() says; the size is one of an image.
+/// Draws as draw_svg() does. Precondition: `size` is a valid image size (see max_image_side).
 using DrawSvg = Image(const std::string& svg, glm::ivec2 size);
 
 }  // namespace relief

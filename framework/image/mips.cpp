@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-/// Applies a curve to what is colour: of 3 or 4 channels the first three, of 1 or 2 the first.
+/// Applies a curve to the colour channels: the first three of 3 or 4, the first of 1 or 2.
 template <class Curve>
 void apply_to_color(Image& image, Curve curve) {
     const int colors = image.channels >= 3 ? 3 : 1;
@@ -27,7 +27,8 @@ float stored_of(float light, int bits) {
     return static_cast<float>(srgb_from_linear(light));
 }
 
-/// Which texels of a row of `from` one texel of a row of `to` covers, and how much of each: 2, or 3 when odd.
+/// The texels of a row of `from` that one texel of a row of `to` covers, with weights: 2 in an even row, up to 3 in an
+/// odd one.
 struct Cover {
     int first, count;
     float weight[3];
@@ -52,7 +53,7 @@ Image half(const Image& image) {
     const auto columns = covers(image.width, result.width), rows = covers(image.height, result.height);
     const size_t channels = static_cast<size_t>(image.channels);
     std::vector<float> sum(static_cast<size_t>(image.width) *
-                           channels);  // of the rows that one row of the result covers
+                           channels);  // of the source rows that one result row covers
     for (int y = 0; y < result.height; ++y) {
         std::fill(sum.begin(), sum.end(), 0.0f);
         for (int j = 0; j < rows[y].count; ++j) {
@@ -108,7 +109,7 @@ std::vector<Image> normal_mip_chain(const Image& normals) {
         for (size_t i = 0; i < level.pixel_count(); ++i) {
             float* const texel = level.values.data() + i * 4;
             std::copy_n(mean.values.data() + i * 3, 3, texel);
-            // Rounding may leave the mean of equal normals a little too long.
+            // Rounding can make the mean of equal normals slightly longer than 1.
             texel[3] = chain.size() == 1 ? 1 : float(std::min(1.0, made_unit(texel)));
             for (int c = 0; c < 3; ++c) texel[c] = 0.5f * texel[c] + 0.5f;
         }

@@ -1,4 +1,4 @@
-// Mip chains, of colours and of normals.
+// Mip chains of colours and of normals.
 #pragma once
 
 #include <vector>
@@ -7,19 +7,20 @@
 
 namespace relief {
 
-/// Level 0 (the image) down to 1x1, each level half the size of the one before, rounded down. A texel is the mean of
-/// the area it covers, also where a side is odd; sRGB colour is averaged as light (alpha is never sRGB).
+/// Returns level 0 (the image) down to 1x1. Each level is half the size of the one before, rounded down. A texel is the
+/// mean of the area that it covers, also where a side is odd. sRGB colour is averaged as light; alpha is never sRGB.
 std::vector<Image> mip_chain(Image image, ColorSpace space);
 
-/// The chain of a normal map (3 channels of 0.5 n + 0.5, or 4 of which the fourth does not count): each level holds the
-/// mean of the unit normals below it, normalised again, as 0.5 n + 0.5, and in a fourth channel the length that the
-/// mean had: 1 where all agree. Averaged normals are right for diffuse light; for highlights the length says how much
-/// they differed. Where they cancel out the normal is straight up, and the length 0. Takes 28 bytes a texel of level 0.
+/// Returns the mip chain of a normal map with 3 channels of 0.5 n + 0.5; a fourth is ignored. Each level holds the mean
+/// of the unit normals that it covers, normalised again, as 0.5 n + 0.5. A fourth channel holds the length of the mean:
+/// 1 where all normals agree. Averaged normals are right for diffuse light. For highlights, the length tells how much
+/// the normals differ. Where they cancel out, the normal points straight up and the length is 0. Takes 28 bytes per
+/// texel of level 0.
 std::vector<Image> normal_mip_chain(const Image& normals);
 
-/// Toksvig's factor (2004), length / (length + shininess (1 - length)): a Blinn-Phong highlight of an averaged normal
-/// has `shininess` times this. From lengths that are stored in 8 bits it is no more than a guess at high shininess: at
-/// 512 the one step from 255 to 254 makes 1 into 0.33.
+/// Returns the factor of Toksvig (2004), length / (length + shininess (1 - length)). A Blinn-Phong highlight of an
+/// averaged normal has `shininess` times this factor. With lengths stored in 8 bits it is only a guess at high
+/// shininess: at 512, the step from 255 to 254 changes it from 1 to 0.33. A length of 0 gives 0.
 double toksvig_factor(double length, double shininess);
 
 }  // namespace relief

@@ -14,7 +14,7 @@
 namespace relief {
 namespace {
 
-/// The words of a header: apart by white space, with comments from # to the end of the line.
+/// The words of a header, separated by white space, with comments from # to the end of the line.
 class Header {
 public:
     explicit Header(std::string_view bytes) : bytes_(bytes) {}
@@ -38,7 +38,7 @@ public:
             throw Error(fmt::format("its {} is '{}': it must be from 1 to {}", what, printable(text), largest));
         return *value;
     }
-    /// What follows the one white space after the last word.
+    /// Returns the bytes after the single white space that ends the last word.
     std::string_view rest() const { return bytes_.substr(std::min(at_ + 1, bytes_.size())); }
 
 private:
@@ -76,7 +76,7 @@ Image decode_integers(Header& header, int width, int height, int channels) {
     return image;
 }
 
-// Rows go from the bottom to the top; the scale's sign says little-endian.
+// Rows go from the bottom to the top. A negative scale means little-endian.
 Image decode_floats(Header& header, int width, int height, int channels) {
     const std::string_view scale_text = header.word("scale");
     const auto scale = parse_number(scale_text);
@@ -106,7 +106,7 @@ std::string encode_ppm(const Image& image) {
     for (char* to = bytes.data() + head; to != bytes.data() + bytes.size(); to += 3, from += step)
         for (size_t c = 0; c < 3; ++c) {
             const float value = from[c * second];
-            const float scaled = (value >= 0 ? std::min(value, 1.0f) : 0.0f) * 255;  // also of what is no number
+            const float scaled = (value >= 0 ? std::min(value, 1.0f) : 0.0f) * 255;  // NaN >= 0 is false
             to[c] = static_cast<char>(static_cast<int>(double(scaled) + 0.5));
         }
     return bytes;

@@ -1,4 +1,4 @@
-// PPM, PGM and PFM, the formats that a pipe between two programs needs no library for.
+// PPM, PGM and PFM: formats that programs can pipe to each other without a library.
 #pragma once
 
 #include <string>
@@ -8,15 +8,18 @@
 
 namespace relief {
 
-/// "P6", 8 bits, three channels; a one-channel image becomes grey, alpha is left out, NaN becomes 0.
+/// Encodes as "P6" with 8 bits and three channels. One or two channels give grey of the first, alpha is dropped, and
+/// NaN becomes 0.
 std::string encode_ppm(const Image& image);
-/// "PF" of 3 channels or "Pf" of 1, little-endian floats; two channels get a third of 0, alpha is left out.
+/// Encodes as "PF" (3 channels) or "Pf" (1 channel) with little-endian floats. A two-channel image gets a third channel
+/// of 0; a fourth channel is dropped.
 std::string encode_pfm(const Image& image);
 
-/// Whether a file begins like one that decode_netpbm() reads: P5, P6, PF or Pf.
+/// Returns whether bytes begin like a format of decode_netpbm(): P5, P6, PF or Pf.
 bool is_netpbm(std::string_view bytes);
-/// P5 and P6 with 8 or 16 bits (1 or 3 channels, values in [0, 1]), PF and Pf of either byte order, whose scale does
-/// not change the values. Throws Error without a place: not this format, cut short, or larger than read_image takes.
+/// Decodes P5 and P6 with 8 or 16 bits (1 or 3 channels, values in [0, 1]), and PF and Pf of either byte order. The
+/// scale of PF and Pf does not change the values. Throws Error without a place for another format, truncated bytes, or
+/// an image larger than read_image() takes.
 Image decode_netpbm(std::string_view bytes);
 
 }  // namespace relief

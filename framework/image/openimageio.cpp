@@ -16,12 +16,12 @@ namespace {
 
 using namespace relief;
 
-// OpenImageIO's registry of formats goes by the ending of a name.
+// Returns a file name whose ending selects the format in OpenImageIO.
 std::string name_for(const char* format) {
     return std::string("image.") + (std::string_view(format) == "openexr" ? "exr" : format);
 }
 
-/// libjpeg prints on standard error by itself; what it says reaches the user through the Error.
+/// Silences standard error, where libjpeg prints by itself. Its message reaches the user through the Error.
 class QuietStandardError {
 public:
     QuietStandardError() : kept_(dup(STDERR_FILENO)) {
@@ -70,7 +70,7 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
         throw damaged(reason);
     };
     if (image.bits == 8) {
-        // Divided here: OpenImageIO multiplies by 1 / 255, which is a last bit off.
+        // Divided here, because OpenImageIO multiplies by 1 / 255, which is wrong in the last bit.
         std::vector<uint8_t> stored(image.values.size());
         read(OIIO::TypeDesc::UINT8, stored.data());
         std::transform(stored.begin(), stored.end(), image.values.begin(), [](auto v) { return float(v) / 255; });
@@ -82,7 +82,7 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
 
 std::string relief_encode_image(const Image& image, const char* format, const Notes& notes) {
     OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
-    spec.attribute("DateTime", "1970:01:01 00:00:00");  // else the present, and no two files are alike
+    spec.attribute("DateTime", "1970:01:01 00:00:00");  // not the current time: equal images need equal files
     for (const auto& [name, value] : notes) spec.attribute(std::string(note_prefix) + name, value);
 
     std::vector<unsigned char> bytes;

@@ -7,7 +7,7 @@
 
 namespace relief {
 
-/// Throws Error without a place, for the caller to complete. `format` is OpenImageIO's: "openexr", "jpeg".
+/// Throws Error without a place, which the caller adds. `format` is OpenImageIO's name: "openexr" or "jpeg".
 using DecodeImage = Image(const std::string& bytes, const char* format, Notes& notes);
 using EncodeImage = std::string(const Image& image, const char* format, const Notes& notes);
 

@@ -25,7 +25,7 @@ bool is_nearly_grey(const Image& picture) {
         const auto [low, high] = std::minmax({texel[0], texel[1], texel[2]});
         spread += double(high) - double(low);
     }
-    return spread <= 0.02 * double(picture.pixel_count());  // not where a channel is NaN
+    return spread <= 0.02 * double(picture.pixel_count());  // false for NaN
 }
 
 Image channels_of(const Image& image, int first, int count) {

@@ -1,4 +1,4 @@
-// A picture of the user's own, which a knob takes beside the names of its choice.
+// A picture file of the user, which a knob accepts in addition to its named choices.
 #pragma once
 
 #include <filesystem>
@@ -10,19 +10,19 @@ namespace relief {
 
 class OwnPicture {
 public:
-    /// `prepare` makes of a picture what the lab needs, or throws Error, without a place, that says what would be
-    /// right.
+    /// `prepare` converts a picture for the lab. It throws Error, without a place, when the picture is unsuitable; the
+    /// message says which pictures are accepted.
     explicit OwnPicture(std::function<Image(Image)> prepare) : prepare_(std::move(prepare)) {}
 
-    /// Throws Error that names the file when it is missing, damaged, too large or refused by `prepare`; the picture
-    /// before then stays.
+    /// Reads and prepares a picture. Throws Error that names the file when it is missing, damaged, too large or refused
+    /// by `prepare`; then the previous picture stays.
     void read(const std::filesystem::path& file);
 
-    /// Absolute; empty until a picture was read.
+    /// Absolute path; empty until a picture has been read.
     const std::filesystem::path& file() const { return file_; }
-    /// As `prepare` made it.
+    /// The picture as `prepare` returned it.
     const Image& image() const { return image_; }
-    /// Counts up with each picture that was read.
+    /// Increases with each picture that is read.
     int version() const { return version_; }
 
 private:
@@ -32,10 +32,11 @@ private:
     int version_ = 0;
 };
 
-/// Whether the first three channels are 0.02 apart on average at most; fewer channels are grey.
+/// Returns whether the first three channels of a pixel span at most 0.02 on average. An image with fewer channels is
+/// grey, and one with NaN is not.
 bool is_nearly_grey(const Image& picture);
 
-/// Some of an image's channels; its bits stay.
+/// Returns `count` channels of an image from channel `first` on, with the same `bits`.
 Image channels_of(const Image& image, int first, int count);
 
 }  // namespace relief

@@ -13,8 +13,8 @@
 namespace relief {
 namespace {
 
-/// What libpng reads from or writes to. libpng leaves by longjmp() where it fails, over what is on the stack: so all
-/// that has a destructor lives in here, outside of the functions that call setjmp().
+/// The source or the target of libpng, and its error. On failure libpng calls longjmp(), which skips destructors. So
+/// every object with a destructor lives in here, outside of the functions that call setjmp().
 struct Stream {
     const std::string* from = nullptr;
     size_t at = 0;
@@ -59,13 +59,13 @@ struct Reader {
     Reader& operator=(const Reader&) = delete;
 };
 
-/// The header, and what is to be done with the rows. False where libpng has failed.
+/// Reads the header and sets up the conversion of rows. Returns false when libpng fails.
 bool read_header(Reader& reader) {
     png_structp png = reader.png;
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_read_fn(png, &reader.stream, take_bytes);
     png_read_info(png, reader.info);
-    // Palettes, 1, 2 and 4 bits, and a transparent colour: as 8 bits a channel. Gamma is nobody's business here.
+    // Expands palettes, transparent colours and 1, 2 and 4 bits to 8 bits per channel. Gamma is ignored.
     png_set_expand(png);
     if (png_get_bit_depth(png, reader.info) == 16) {
         reader.bits = 16;
@@ -79,7 +79,7 @@ bool read_header(Reader& reader) {
     return true;
 }
 
-/// All rows, and what stands behind them.
+/// Reads all rows and the chunks after them. Returns false when libpng fails.
 bool read_rows(Reader& reader) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
     png_read_image(reader.png, reader.rows.data());
@@ -130,7 +130,7 @@ template <class Integer>
 void store(const std::vector<float>& values, std::vector<png_byte>& bytes, float largest) {
     bytes.resize(values.size() * sizeof(Integer));
     for (size_t i = 0; i < values.size(); ++i) {
-        const float value = values[i] > 0 ? std::min(values[i], 1.0f) : 0.0f;  // NaN, too, is 0
+        const float value = values[i] > 0 ? std::min(values[i], 1.0f) : 0.0f;  // NaN becomes 0
         const auto stored = Integer(value * largest + 0.5f);
         std::memcpy(bytes.data() + i * sizeof(Integer), &stored, sizeof stored);
     }

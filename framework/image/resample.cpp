@@ -6,7 +6,7 @@
 namespace relief {
 namespace {
 
-/// What one texel takes of a row that repeats, from texel `first` on.
+/// The weights of a row's texels, from texel `first` on, in one texel of the result. The row repeats.
 struct Tent {
     int first;
     std::vector<float> weights;  ///< their sum is 1
@@ -31,7 +31,7 @@ std::vector<Tent> tents(int from, int to) {
 
 int wrapped(int i, int count) { return ((i % count) + count) % count; }
 
-/// Each row in another number of texels, and rows and columns exchanged.
+/// Resamples each row to `width` texels, and transposes the image.
 Image turned_rows(const Image& image, int width) {
     Image result(image.height, width, image.channels);
     const std::vector<Tent> columns = tents(image.width, width);

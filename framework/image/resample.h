@@ -1,13 +1,13 @@
-// Maps in another number of texels.
+// Resampling of maps to another number of texels.
 #pragma once
 
 #include "framework/image/image.h"
 
 namespace relief {
 
-/// The image, which tiles, in `width` x `height` texels, both at least 1: the mean under a tent that is as wide as two
-/// texels of the coarser of the two. Texels that stay as many stay as they are. Values are numbers: take light for
-/// colours. In floats, whatever the bits.
+/// Returns the image, which tiles, resampled to `width` x `height` texels, both at least 1. The filter is a tent that
+/// is two texels of the coarser of the two images wide. An axis whose size stays the same keeps its values. Values are
+/// averaged as plain numbers, so convert colours to light first. The result always has 32 bits.
 Image resampled(const Image& image, int width, int height);
 
 }  // namespace relief

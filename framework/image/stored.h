@@ -1,4 +1,4 @@
-// What all readers and writers of image files by libraries keep to.
+// Rules that the library-based readers and writers of image files share.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,10 +10,10 @@
 
 namespace relief {
 
-/// Before the names of our notes in a file: no others come back from it.
+/// Prefix of our notes' names in a file. Only notes with this prefix are read back.
 constexpr std::string_view note_prefix = "relief:";
 
-/// Throws Error without a place for an image that read_image() does not take.
+/// Throws Error without a place for an image that exceeds the limits of read_image().
 inline void check_image_size(int width, int height, int channels) {
     const bool fits = width >= 1 && height >= 1 && width <= max_image_side && height <= max_image_side &&
                       channels >= 1 && channels <= 4 &&

@@ -1,4 +1,4 @@
-// SVG pictures, such as the handouts' diagrams: drawn by librsvg, which is opened at first use.
+// SVG pictures, such as the diagrams of handouts. They are drawn by librsvg, which is opened at first use.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,13 +8,13 @@
 
 namespace relief {
 
-/// Width and height of an SVG picture in units of its own, both above 0, from viewBox="0 0 WIDTH HEIGHT". Throws Error
-/// without a place if it has none.
+/// Returns width and height of an SVG picture in its own units, both above 0, from viewBox="0 0 WIDTH HEIGHT". Throws
+/// Error without a place when there is no such viewBox.
 glm::ivec2 svg_size(const std::string& svg);
 
-/// The picture on white paper, as large as fits into `size` pixels, in the middle: three channels, 8 bits, sRGB. Throws
-/// Error without a place if it is not SVG, if the size is not one of an image (see max_image_side), or if librsvg is
-/// missing.
+/// Draws the picture on white, centred, as large as fits into `size` pixels. The result has three channels, 8 bits,
+/// sRGB. Throws Error without a place if the text is not SVG, if `size` is not a valid image size (see max_image_side),
+/// or if librsvg is missing.
 Image draw_svg(const std::string& svg, glm::ivec2 size);
 
 }  // namespace relief

@@ -12,7 +12,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "as GL takes them, and as files hold them");
 
-/// At the beginning of a file; the levels follow, from 0 on. The last sign of the magic word is the format's version.
+/// The beginning of a file; the levels follow, from 0 on. The last character of `magic` is the format's version.
 struct Header {
     char magic[8] = {'r', 'e', 'l', 'i', 'e', 'f', 'T', '1'};
     uint64_t source = 0;

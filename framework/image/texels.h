@@ -1,4 +1,4 @@
-// Mip chains in the bytes that OpenGL takes, in memory and in files that are mapped.
+// Mip chains in the layout that OpenGL takes, in memory and in mapped files.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@
 
 namespace relief {
 
-/// Levels from 0 on. Rows go from the bottom to the top without padding; a value is an unsigned integer of 8 or 16
-/// bits, or a 32-bit float: what glTexImage2D takes with an alignment of 1.
+/// The levels of a mip chain, from level 0 on. Rows go from the bottom to the top without padding. A value is an
+/// unsigned integer of 8 or 16 bits, or a 32-bit float. glTexImage2D takes this layout with an alignment of 1.
 struct Texels {
     struct Level {
         int width = 0, height = 0;
@@ -26,24 +26,24 @@ struct Texels {
     int bits = 0;  ///< 8, 16 or 32
     ColorSpace space = ColorSpace::linear;
     std::vector<Level> levels = {};
-    std::shared_ptr<const void> memory = {};  ///< in which the rows lie
+    std::shared_ptr<const void> memory = {};  ///< owns the rows
 
     size_t bytes(const Level& level) const {
         return size_t(level.width) * size_t(level.height) * size_t(channels) * size_t(bits / 8);
     }
 };
 
-/// The levels of one picture. Integers are rounded and kept to [0, 1].
+/// Packs the levels of one picture, at least one. Integers are clamped to [0, 1] and rounded.
 Texels pack(std::span<const Image> levels, ColorSpace space);
-/// Level 0 as it was read from a file: of integers the same floats that decode_image() gives.
+/// Returns level 0 as read from a file. Integers give the same floats as decode_image().
 Image unpack(const Texels& texels);
 
-/// A whole chain, down to 1x1, as a file; `source` is whatever tells the picture that it was made of from all others.
+/// Returns the file contents of a whole chain, down to 1x1. `source` identifies the picture that the chain was made of.
 std::string encode_texels(const Texels& chain, uint64_t source);
-/// The chain in such bytes, which `memory` holds. Nothing when they are of another kind, of another source or length,
-/// or no whole chain: then it is to be made anew.
+/// Returns the chain in such bytes, which `memory` owns. Returns nothing when the format, the source or the length is
+/// another, or the chain is incomplete: then the caller makes it again.
 std::optional<Texels> decode_texels(std::string_view bytes, uint64_t source, std::shared_ptr<const void> memory);
-/// The same, mapped from a file. Nothing also when there is none.
+/// Maps a file and decodes it likewise. Returns nothing also when there is no such file.
 std::optional<Texels> map_texels(const std::filesystem::path& path, uint64_t source);
 
 }  // namespace relief

@@ -15,7 +15,7 @@ void put(Image& image, size_t i, const Color& color) {
     std::copy(color.begin(), color.end(), image.values.begin() + std::ptrdiff_t(i * 3));
 }
 
-/// Of a value that no colour can stand for, or nothing.
+/// Returns the colour of a value that is NaN, not written or infinite, or null for any other value.
 const Color* special_color(const float* value, int channels) {
     if (std::any_of(value, value + channels, [](float v) { return std::isnan(v); })) return &not_a_number;
     if (std::count(value, value + channels, not_written) == channels) return &missing;
@@ -24,7 +24,7 @@ const Color* special_color(const float* value, int channels) {
 }
 
 using Scale = std::array<Color, 6>;
-// Lightness rises steadily along both scales, so that they can be read without colour too.
+// Lightness increases steadily along both scales, so they can be read without colour too.
 constexpr Scale warm = {{{0.00f, 0.00f, 0.02f},
                          {0.26f, 0.04f, 0.41f},
                          {0.58f, 0.15f, 0.40f},
@@ -64,15 +64,15 @@ Image visualize_probe(const Image& probe, ProbeColors colors) {
         if (std::isfinite(value) && value != 0) sizes.push_back(std::abs(value));
     std::sort(sizes.begin(), sizes.end());
     const double largest = sizes.empty() ? 1 : sizes.back();
-    // Some sixteen bands between 0 and a usual value: one for each texture tile is typical of texels.
+    // About sixteen bands between 0 and the median. With texture coordinates, a band is then typically one tile.
     const double band = sizes.empty() ? 1 : std::exp2(std::ceil(std::log2(sizes[sizes.size() / 2] / 16)));
 
     const auto channel_of = [&](float value) {
         if (metric == ErrorMetric::angle) return std::clamp(0.5f * value + 0.5f, 0.0f, 1.0f);
         const double bands = value / band;
         if (!colors.is_signed) return float(bands - std::floor(bands));
-        // Rising in one band and falling in the next: a step between them would show 1 and the number before it, equal
-        // but for rounding, as far apart.
+        // Rises in one band and falls in the next. A step between bands would give two values that differ only by
+        // rounding very different colours.
         const double place = std::abs(std::remainder(bands, 2.0));
         return float(value < 0 ? 0.5 - 0.5 * place : 0.5 + 0.5 * place);
     };

@@ -1,4 +1,4 @@
-// Numbers as colours, for people.
+// False colours for numbers.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,32 +9,36 @@
 
 namespace relief {
 
-/// Black at 0 over purple and orange to pale yellow at 1, as sRGB stores it. The twin of shaders/common/heat.glsl.
+/// Returns the heat colour of a value: black at 0, then purple and orange, to pale yellow at 1, in stored sRGB. Values
+/// are clamped to [0, 1]. The twin of shaders/common/heat.glsl.
 glm::dvec3 heat_color(double share);
 
-/// What of a probe chooses its colours.
+/// The properties of a probe that determine its colours.
 struct ProbeColors {
     ProbeColors(ErrorMetric metric, bool with_sign = false) : error(metric), is_signed(with_sign) {}
     ErrorMetric error;
-    bool is_signed;  ///< whether it matters that a value is above or below 0
+    bool is_signed;  ///< whether the sign of a value matters
 };
 
-/// A probe as an 8-bit picture: directions (compared by angle) as 0.5 v + 0.5; vectors (by distance) in bands a power of
-/// two wide, each channel rising from 0 to 1 in every band, as texture coordinates repeat; single numbers as a heat map,
-/// the largest being the last colour. Of what is signed, a vector rises from a half to 1 in one band above 0 and falls
-/// back in the next, without a step; below 0 it falls from a half to 0 and rises back. Single numbers below 0 go from
-/// black over blue to pale cyan, as far as those above 0 go to yellow. Dark grey where there is no surface (a value is
-/// infinite), magenta where a task is not written or it is not a number. Values can be anything.
+/// Returns a probe as an 8-bit picture. Values can be anything. The colours depend on `colors.error`:
+/// - angle: directions, as 0.5 v + 0.5.
+/// - distance: vectors, in bands of a power of two. Each channel rises from 0 to 1 in every band, like texture
+/// coordinates that repeat. A signed channel has no steps: above 0 it rises from 0.5 to 1 in one band and falls back in
+/// the next; below 0 it falls from 0.5 to 0 and rises back.
+/// - absolute: single numbers, on a heat scale that ends at the largest magnitude. Signed numbers below 0 go from black
+/// over blue to pale cyan, on the same scale.
+/// A pixel is dark grey where there is no surface (a value is infinite), and magenta where a task is not written or a
+/// value is NaN.
 Image visualize_probe(const Image& probe, ProbeColors colors);
-/// Two of one shape in the same colours: bands and heat are chosen by what is in either.
+/// Returns two probes of the same shape in the same colours: both determine the bands and the scale.
 std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ProbeColors colors);
 
-/// A picture whose values can be anything, as an 8-bit one: what is below 0 or above 1 is cut, and colours are those of
-/// visualize_probe() where a value is infinite or not a number.
+/// Returns a picture as an 8-bit one. Values can be anything: they are clamped to [0, 1]. Infinite and NaN values get
+/// the colours of visualize_probe().
 Image visualize_picture(const Image& picture);
 
-/// An error image as an 8-bit heat map from black over purple and orange to pale yellow, `largest` and more
-/// being the last.
+/// Returns an error image as an 8-bit heat map from black over purple and orange to pale yellow. Errors of `largest`
+/// and above get the last colour.
 Image visualize_error(const Image& error, double largest);
 
 }  // namespace relief
