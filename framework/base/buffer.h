@@ -8,12 +8,13 @@
 
 namespace relief {
 
-/// Uninitialised memory, aligned to 64 bytes or more, for std::free(). From a few megabytes on it has large pages where
-/// the system gives them: a fault and an entry of the processor's table for each 4 kB would take a tenth of the time of
-/// what is done with it. Throws std::bad_alloc.
+/// Returns uninitialised memory, aligned to 64 bytes or more, to be freed with std::free(). From 4 MiB on it uses large
+/// pages if the system has them: page faults and TLB misses on pages of 4 kB would cost a tenth of the processing time.
+/// Throws std::bad_alloc.
 void* allocate_working_memory(size_t bytes);
 
-/// `count` uninitialised values: a vector would write zeros first, which takes as long as computing the result.
+/// An array of `count` uninitialised values. A vector would first write zeros, which takes as long as computing the
+/// result.
 template <class Value>
 class Buffer {
     static_assert(std::is_trivially_copyable_v<Value>);

@@ -1,4 +1,4 @@
-// An open file or folder of the system, closed with its owner.
+// A file descriptor of the system, closed by its owner.
 #pragma once
 
 #include <unistd.h>
@@ -31,9 +31,9 @@ private:
     int number_;
 };
 
-/// Writes everything, also when signals interrupt. False on failure; errno says why.
+/// Writes all bytes, and continues when signals interrupt. Returns false on failure; errno has the reason.
 bool write_all(int descriptor, std::string_view bytes);
-/// Reads so many bytes. False on failure, or where the end comes before.
+/// Reads `size` bytes. Returns false on failure, or when the end comes first.
 bool read_all(int descriptor, void* bytes, size_t size);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// Errors with a place: what is wrong, in which file and line, and what would be right.
+// Errors with a place: the problem, its file and line, and how to fix it.
 #pragma once
 
 #include <filesystem>
@@ -7,23 +7,23 @@
 
 namespace relief {
 
-/// Where something went wrong. `line` counts from 1; 0 means the whole file.
+/// The place of an error. `line` counts from 1; 0 means the whole file.
 struct Place {
     std::filesystem::path file;
     int line = 0;
 };
 
-/// Set-up failed. `what()` is one line, "file:line: message", and tells a person what to do.
-/// The process ends with exit code 1.
+/// A failed set-up. `what()` is one line, "file:line: message", and tells a person how to fix it. The process ends with
+/// exit code 1.
 class Error : public std::runtime_error {
 public:
     explicit Error(const std::string& message);
     Error(const Place& place, const std::string& message, std::string details = {});
 
     const Place& place() const { return place_; }
-    /// More than fits on one line (a compiler's whole log), or empty.
+    /// Text that does not fit on one line, such as a compiler's log; or empty.
     const std::string& details() const { return details_; }
-    /// The details without their first line, if that is what() again.
+    /// Returns the details without their first line, if that line repeats what().
     std::string more_details() const;
 
 private:

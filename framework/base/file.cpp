@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file being written now, for the signal handler, which may only touch such plain memory.
+// The file that is being written. A signal handler may access only plain memory like this.
 char unfinished_file[4096];
 std::atomic<bool> has_unfinished_file = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -31,13 +31,14 @@ void remove_unfinished_file(int signal) {
 
 constexpr const char* unfinished_suffix = ".unfinished-";
 
-/// A word that no other process has, not even one of the same number on another machine or in a namespace of its own.
+/// Returns a word that no other process has, not even one with the same process id on another machine or in
+/// another PID namespace.
 std::string random_word() {
     std::random_device random;
     return fmt::format("{:08x}{:08x}", random(), random());
 }
 
-/// The file beside the target that takes its name once it is whole, and goes away otherwise.
+/// A temporary file beside the target. It takes the target's name once it is complete; else the destructor removes it.
 class UnfinishedFile {
 public:
     explicit UnfinishedFile(const fs::path& target) : name_(target.string() + unfinished_suffix + random_word()) {
@@ -95,13 +96,13 @@ namespace {
 enum class Kept { soon, on_disk, on_disk_private };
 
 void write_whole(const fs::path& named, std::string_view bytes, Kept kept) {
-    // A link stays a link: what it points to is written.
+    // Write to the target of a symbolic link, so that the link stays.
     std::error_code ignored;
     const fs::path path = fs::is_symlink(named, ignored) ? fs::weakly_canonical(named, ignored) : named;
     struct stat status {};
     if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
         if (S_ISDIR(status.st_mode)) throw Error({named}, "cannot write: it is a folder, name a file in it");
-        // A pipe or a device cannot be replaced by a rename: write into it.
+        // A rename would replace a pipe or a device, so write into it.
         Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC));
         if (device < 0 || !write_all(device, bytes) || !device.close()) fail(named, "write");
         return;
@@ -147,7 +148,7 @@ void make_folder(const fs::path& path) {
 void clean_up_when_interrupted() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         if (std::signal(signal, remove_unfinished_file) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), with a message
+    std::signal(SIGPIPE, SIG_IGN);  // write() then reports a closed pipe as an error with a message
 }
 
 }  // namespace relief

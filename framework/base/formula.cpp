@@ -23,12 +23,12 @@ const std::map<std::string_view, std::string_view> greek = {
     {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"}, {"theta", "θ"}, {"lambda", "λ"}, {"mu", "μ"},
     {"pi", "π"},    {"sigma", "σ"}, {"phi", "φ"},   {"Sigma", "Σ"}, {"Delta", "Δ"}, {"Lambda", "Λ"}};
 
-/// Signs of more than one character, the longest first.
+/// Signs of more than one character, the longest first, with their displayed form.
 constexpr std::pair<std::string_view, std::string_view> long_signs[] = {{"<=>", "⇔"}, {"<=", "≤"}, {">=", "≥"},
                                                                         {"->", "→"},  {"×", "×"},  {"·", "·"}};
 const Formula minus{Kind::sign, "−"};
 
-/// Words, with signs in place of what a keyboard has for them.
+/// Replaces signs in a text by their displayed form.
 std::string with_signs(std::string words) {
     for (const auto& [written, shown] : long_signs)
         for (size_t at = 0; (at = words.find(written, at)) != std::string::npos; at += shown.size())
@@ -41,7 +41,7 @@ bool has_sign(const Formula& row, std::string_view sign) {
     return std::any_of(row.parts.begin(), row.parts.end(), [&](const Formula& part) { return is_sign(part, sign); });
 }
 
-/// The parts of a row between those that are this sign.
+/// Splits a row at each part that is this sign.
 std::vector<Formula> split_at(const Formula& row, std::string_view sign) {
     std::vector<Formula> pieces(1);
     for (const Formula& part : row.parts)
@@ -52,7 +52,7 @@ std::vector<Formula> split_at(const Formula& row, std::string_view sign) {
     return pieces;
 }
 
-/// As a part of a fraction or a script: a group in round brackets loses them, a vector and a matrix do not.
+/// Prepares a part of a fraction or a script: a group loses its round brackets, a vector and a matrix keep them.
 Formula bare(Formula part) {
     if (part.kind == Kind::row) return part;
     if (part.kind != Kind::bracket || part.text != "(" || has_sign(part.parts[0], ",") ||
@@ -87,7 +87,7 @@ private:
         return true;
     }
 
-    /// Up to one of the characters in `closing`, or to the end if there are none.
+    /// Parses up to one of the characters in `closing`, or to the end if it is empty.
     Formula row(std::string_view closing) {
         if (++depth_ > 30) fail("its brackets are nested too deep");
         Formula row;
@@ -118,7 +118,7 @@ private:
         return c == '-' ? minus : Formula{Kind::sign, c == '*' ? "·" : std::string(1, c)};
     }
 
-    /// A factor, or the fraction that it begins.
+    /// Parses a factor, or the fraction that begins with it.
     Formula quotient() {
         Formula above = factor();
         const std::string_view before = rest_;
@@ -134,7 +134,7 @@ private:
         return {Kind::fraction, "", {bare(std::move(above)), std::move(below)}};
     }
 
-    /// An atom with its scripts.
+    /// Parses an atom with its scripts.
     Formula factor() {
         Formula base = atom(), low, high;
         if (base.kind == Kind::scripts) {  // f0²
@@ -230,12 +230,12 @@ private:
             return {Kind::root, "", {bare(group())}};
         }
         Formula all = name();
-        // A function: its argument's brackets stay in a fraction.
+        // A function keeps the brackets of its argument in a fraction.
         if (all.kind != Kind::sign && rest_.starts_with("(")) return {.parts = {std::move(all), group()}};
         return all;
     }
 
-    /// A name, with the number that it ends in.
+    /// Parses a name. A number at its end becomes a subscript.
     Formula name() {
         std::string name(letters());
         if (name == "sum") return {Kind::sign, "∑"};
@@ -243,7 +243,8 @@ private:
         if (const auto letter = greek.find(name); letter != greek.end()) {
             name = letter->second;
         } else {
-            // Names of code: to_light, p.xy. A subscript has one letter on at least one side of its line.
+            // Names of code, such as to_light and p.xy. A subscript has a single letter on at least one side of the
+            // underscore.
             while (rest_.size() > 1 && is_letter(rest_[1]) && (rest_[0] == '.' || rest_[0] == '_')) {
                 const bool next_is_single = rest_.size() == 2 || !is_letter(rest_[2]);
                 if (rest_[0] == '_' && (name.size() == 1 || next_is_single)) break;

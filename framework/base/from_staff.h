@@ -9,7 +9,7 @@ namespace relief {
 template <class Signature>
 class FromStaff;
 
-/// If the slot is empty, as in a student's course, a call returns an empty result.
+/// A slot for a function. A call returns an empty result if the slot is empty, as in a student's course.
 template <class Result, class... Arguments>
 class FromStaff<Result(Arguments...)> {
 public:
@@ -19,7 +19,7 @@ public:
         return function_ ? function_(std::forward<Arguments>(arguments)...) : Result{};
     }
 
-    /// A static object of this type, in the staff's files, fills the slot when the program starts.
+    /// Fills the slot when the program starts. The staff's files define static objects of this type.
     struct Provided {
         Provided(FromStaff& place, Function* function) { place.function_ = function; }
     };
@@ -28,9 +28,9 @@ private:
     Function* function_ = nullptr;
 };
 
-/// Whether the staff's library is in this course.
+/// Returns whether this course has the staff's library.
 inline FromStaff<bool()> staff_is_here;
-/// What the staff's library adds to `relief info`: whole lines.
+/// Returns the lines that the staff's library adds to `relief info`.
 inline FromStaff<std::string()> staff_info;
 
 }  // namespace relief

@@ -12,7 +12,7 @@ namespace relief {
 namespace {
 
 bool is_verbose = false;
-double milliseconds_before = 0;  // that the process had run for when the watch was made
+double milliseconds_before = 0;  // run time of the process before `watch` started
 Stopwatch watch;
 
 bool colour() {
@@ -20,7 +20,7 @@ bool colour() {
     return on;
 }
 
-/// Whoever reads standard error may be gone: nothing can be said about that, and nothing is thrown.
+/// Ignores errors: the reader of standard error may be gone, and there is no other place to report it.
 void say(const std::string& text) {
     if (std::fwrite(text.data(), 1, text.size(), stderr) == text.size()) std::fflush(stderr);
 }
@@ -35,8 +35,8 @@ void print_note(std::string_view message) { say(fmt::format("relief: {}\n", mess
 
 void set_verbose(bool on) {
     is_verbose = on;
-    // Of the process's beginning nothing is known to better than a hundredth of a second. But until now it had one
-    // thread, which had nothing to wait for.
+    // The system knows the start of the process only to a hundredth of a second. But until now the process had one
+    // thread, which never waited, so its processor time is its run time.
     watch = {};
     milliseconds_before = 1e3 * double(std::clock()) / CLOCKS_PER_SEC;
 }

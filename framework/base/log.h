@@ -1,5 +1,5 @@
-// Messages on standard error: one line each, colour only on a terminal, and a progress bar when a run
-// takes longer than two seconds.
+// Messages on standard error, one line each. Colour is used on a terminal only. A progress bar appears when a run takes
+// longer than two seconds.
 #pragma once
 
 #include <chrono>
@@ -8,18 +8,18 @@
 
 namespace relief {
 
-/// "relief: message", red on a terminal.
+/// Prints "relief: message", red on a terminal.
 void print_error(std::string_view message);
 
-/// "relief: message". For information that is useful to a person and not needed by a script.
+/// Prints "relief: message": information that is useful to a person and not needed by a script.
 void print_note(std::string_view message);
 
-/// An event of the run: "[  12.3 ms] message", with the time since the process began. Printed with
-/// --verbose only.
+/// Prints an event of the run: "[  12.3 ms] message", with the time since the process began. Prints nothing unless
+/// set_verbose(true) was called, as --verbose does.
 void set_verbose(bool on);
 void print_event(std::string_view message);
 
-/// Time since it was made.
+/// Measures the time since its construction.
 class Stopwatch {
 public:
     double milliseconds() const {
@@ -30,8 +30,8 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// "[###       ] 3 of 17, 20 s left: lab 03" on a terminal's last line, from the third second on; nothing when standard
-/// error is not a terminal. The destructor removes the line.
+/// Shows "[###       ] 3 of 17, 20 s left: lab 03" on a terminal's last line after two seconds. Shows nothing when
+/// standard error is not a terminal. The destructor removes the line.
 class Progress {
 public:
     explicit Progress(int total) : total_(total) {}
@@ -39,7 +39,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// Call before each part with its name.
+    /// Begins the next part, named `what`.
     void next(std::string_view what);
 
 private:

@@ -11,8 +11,8 @@
 namespace relief {
 namespace {
 
-/// Makes blocks of what md4c reports. It reports a tree; here a list's paragraphs follow its items, and each says how
-/// deep it stands.
+/// Makes blocks of the tree that md4c reports. Blocks are a flat list: an item's further paragraphs follow it, and each
+/// block states its depth.
 class Builder {
 public:
     void enter(MD_BLOCKTYPE type, const void* detail) {
@@ -82,11 +82,12 @@ public:
         if (type == MD_SPAN_A) style.target = text_of(static_cast<const MD_SPAN_A_DETAIL*>(detail)->href);
         if (type == MD_SPAN_IMG) {
             style.image = true, style.target = text_of(static_cast<const MD_SPAN_IMG_DETAIL*>(detail)->src);
-            spans().push_back(style);  // also one without a text
+            spans().push_back(style);  // an image needs a span even without a text
         }
         styles_.emplace_back(type, std::move(style));
     }
-    /// Where emphasis and links overlap md4c 0.4.8 leaves spans in another order than it entered them, or not at all.
+    /// Ends the innermost span of this type. Where emphasis and links overlap, md4c 0.4.8 leaves spans in another order
+    /// than it entered them, or never leaves them.
     void leave(MD_SPANTYPE type) {
         for (size_t i = styles_.size(); i-- > 0;)
             if (styles_[i].first == type)
@@ -103,11 +104,11 @@ public:
         }
         Spans& all = spans();
         const Span& now = style();
-        // A picture's text is plain: what is bold in it, or a link, is still its text.
+        // An image's text is plain: drop bold and links in it.
         const bool goes_on = !all.empty() && (now.image ? all.back().image : same_style(all.back(), now));
         if (!goes_on) all.push_back(now);
         std::string& grows = all.back().text;
-        // In code as well a bar within a table has a backslash, which is not a part of the code: md4c leaves it there.
+        // In a table, a bar needs a backslash even in code. The backslash is not part of the code, but md4c keeps it.
         if (now.code && blocks_.back().kind == BlockKind::table)
             for (size_t bar; (bar = text.find("\\|")) != text.npos; text.remove_prefix(bar + 1))
                 grows += text.substr(0, bar);
@@ -138,29 +139,30 @@ private:
         fresh_item_ = false;
     }
 
-    /// Where text goes: where none is open a paragraph begins. md4c names none within a list without blank lines.
+    /// Returns the spans that take text; begins a paragraph if none are open. md4c reports no paragraphs in a list
+    /// without blank lines.
     Spans& spans() {
         if (!open_) begin({.kind = quotes_ > 0 ? BlockKind::quote : BlockKind::paragraph, .level = depth()});
         return *open_;
     }
 
     std::vector<Block> blocks_;
-    Spans* open_ = nullptr;    ///< of the last block, or of its last cell
-    bool fresh_item_ = false;  ///< the last block is an item that has no paragraph yet
-    bool code_ = false;        ///< within a block of code
+    Spans* open_ = nullptr;    ///< of the last block, or of its last cell; null: none
+    bool fresh_item_ = false;  ///< the last block is an item without a paragraph so far
+    bool code_ = false;        ///< inside a block of code
     int quotes_ = 0;
-    std::vector<List> lists_;  ///< those that stand open
+    std::vector<List> lists_;  ///< the open ones
     const Span plain_{};
-    std::vector<std::pair<MD_SPANTYPE, Span>> styles_;  ///< of what stands open within the block, the innermost last
+    std::vector<std::pair<MD_SPANTYPE, Span>> styles_;  ///< the open ones within the block, innermost last
 };
 
 }  // namespace
 
 std::vector<Block> parse_markdown(std::string_view text) {
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // some editors' mark of UTF-8
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // UTF-8's byte order mark, which some editors write
     if (text.size() > 0xffffffffu) throw std::length_error("Markdown of more than 4 GiB");
     MD_PARSER parser{};
-    // What looks like HTML is text: a menu shows none.
+    // Treat HTML as text: a menu cannot display it.
     parser.flags = MD_FLAG_TABLES | MD_FLAG_NOHTML;
     parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* builder) {
         static_cast<Builder*>(builder)->enter(type, detail);

@@ -1,4 +1,4 @@
-// Libraries that are opened at first use, so that a run opens none that it does not need.
+// Libraries that are opened at first use, so that a run opens only the ones that it needs.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace relief {
 
-/// An open shared library; it stays open as long as the process (drivers do not survive being unloaded).
+/// An open shared library. It stays open until the process ends, because drivers do not survive being unloaded.
 class Module {
 public:
-    /// Opens the first of `names` that is there. `package` is what Debian 12 calls the package to install.
-    /// Throws Error that names the package and the linker's reason.
+    /// Opens the first of `names` that exists. `package` is the Debian 12 package to install. Throws Error that names
+    /// the package and the linker's reason.
     Module(std::span<const char* const> names, const char* package);
 
     template <class Function>
@@ -27,10 +27,11 @@ private:
     std::string name_;
 };
 
-/// The folder of the framework's library, with the other files that the build made for it.
+/// Returns the folder of the framework's library, which also holds other files that the build made.
 const std::filesystem::path& framework_folder();
 
-/// Opens one of the project's own modules, which lie beside the framework's library.
+/// Opens a module of this project from the folder of the framework's library. Throws Error when it is missing or cannot
+/// be opened.
 Module open_own_module(const char* name, const char* package);
 
 }  // namespace relief

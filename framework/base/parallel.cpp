@@ -31,7 +31,7 @@ void parallel_pieces(size_t count, size_t smallest, unsigned threads,
             try {
                 helpers.emplace_back(run, piece);
             } catch (const std::system_error&) {
-                run(piece);  // no thread to be had: then it is done here
+                run(piece);  // the system has no more threads: use this one
             }
         }
         run(0);
@@ -43,7 +43,7 @@ void parallel_pieces(size_t count, size_t smallest, unsigned threads,
 void parallel_each(size_t count, unsigned threads, const std::function<void(size_t)>& one) {
     if (threads == 0) threads = hardware_threads();
     std::atomic<size_t> next = 0;
-    // A piece for each thread, and in each whatever is next.
+    // One piece per thread; each takes the next index until none is left.
     parallel_pieces(std::min(count, size_t{threads}), 1, threads, [&](size_t, size_t) {
         try {
             for (size_t i = next++; i < count; i = next++) one(i);

@@ -1,4 +1,4 @@
-// Work that is shared among threads.
+// Work that is divided among threads.
 #pragma once
 
 #include <cstddef>
@@ -6,17 +6,17 @@
 
 namespace relief {
 
-/// As many threads as the machine has, at least 1.
+/// Returns the number of hardware threads, at least 1.
 unsigned hardware_threads();
 
-/// Cuts [0, count) into one piece a thread, in order, each at least `smallest` long but perhaps the last, and calls
-/// `work(begin, end)` for each; the caller works on the first. Returns when all are done, and throws what the first
-/// piece that failed has thrown. `threads` 0 means hardware_threads().
+/// Cuts [0, count) into consecutive pieces, at most one per thread, and calls `work(begin, end)` for each. Each piece
+/// but the last has at least `smallest` elements. The caller works on the first. Returns when all are done; rethrows
+/// the exception of the first piece that failed. `threads` 0 means hardware_threads().
 void parallel_pieces(size_t count, size_t smallest, unsigned threads,
                      const std::function<void(size_t begin, size_t end)>& work);
 
-/// Calls `one(i)` for each of [0, count), each when a thread is free for it: for work of unequal length. After a
-/// failure none is begun, and what has failed first is thrown. `threads` 0 means hardware_threads().
+/// Calls `one(i)` for each i of [0, count) as threads become free: for work of unequal length. After a failure no
+/// further call begins, and one of the exceptions is rethrown. `threads` 0 means hardware_threads().
 void parallel_each(size_t count, unsigned threads, const std::function<void(size_t)>& one);
 
 }  // namespace relief

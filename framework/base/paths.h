@@ -1,4 +1,4 @@
-// Where the course is on disk. It is found from the executable's path, never from the working directory.
+// The course's place on disk. It is found from the executable's path, never from the working directory.
 #pragma once
 
 #include <filesystem>
@@ -7,16 +7,17 @@
 
 namespace relief {
 
-/// The running executable and its folder, links resolved.
+/// Return the running executable and its folder, with symbolic links resolved.
 const std::filesystem::path& executable_path();
 std::filesystem::path executable_folder();
 
-/// The course's top folder: the nearest one above the executable that has `labs` and `shaders` in it, else
-/// the source folder that this was built from. Throws Error when neither is there.
+/// Returns the course's top folder: the nearest folder above the executable that contains `labs` and `shaders`, else
+/// the source folder of the build. Throws Error when neither exists.
 const std::filesystem::path& course_root();
 
-/// While this is alive, course_root() is another folder with `labs` and `shaders`: a course with a student's files in
-/// it; there need be no other. One at a time, and on the thread that reads the course.
+/// While this object exists, course_root() returns another folder with `labs` and `shaders`: a course with a student's
+/// files. The program need not be in a course itself. Allows one object at a time, on the thread that reads the course.
+/// The constructor throws Error when the folder is not a course.
 class CourseElsewhere {
 public:
     explicit CourseElsewhere(const std::filesystem::path& root);
@@ -28,7 +29,7 @@ private:
     std::optional<std::filesystem::path> before_;
 };
 
-/// A path as shown to a person: relative to the course's top folder if inside it, else unchanged.
+/// Returns a path for people: relative to the course's top folder if inside it, else unchanged.
 std::string shown(const std::filesystem::path& path);
 
 }  // namespace relief

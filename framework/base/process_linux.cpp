@@ -1,4 +1,4 @@
-// Linux: framework/base/process.h.
+// Implements framework/base/process.h for Linux.
 #include "framework/base/process.h"
 
 #include <fcntl.h>
@@ -31,13 +31,14 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr size_t output_block = size_t{64} << 10;
-/// More than this on standard error is a flood.
+/// More bytes than this on standard error count as too much output.
 constexpr size_t max_errors = size_t{16} << 20;
 constexpr unsigned nobody = 65534;
-/// On which a new process says why the program has not begun.
+/// The descriptor on which a new process reports why its program cannot start.
 constexpr int told_descriptor = note_descriptor + 1;
 
-/// What is sent through it needs no reader to be sent, and ends nobody where the reader has gone.
+/// A pair of sockets. Unlike with a pipe, a write need not wait for a reader, and raises no signal when the reader has
+/// gone.
 struct Wire {
     Descriptor ours{-1}, theirs{-1};
     Wire() {
@@ -48,7 +49,7 @@ struct Wire {
     }
 };
 
-/// A file in memory that holds a text, so that nobody waits for a reader.
+/// Returns a file in memory that holds a text. Unlike a pipe, it never blocks the writer.
 Descriptor file_in_memory(const std::string& text) {
     Descriptor file(memfd_create("text", MFD_CLOEXEC));
     if (file < 0 || !write_all(file, text) || lseek(file, 0, SEEK_SET) != 0)
@@ -56,11 +57,12 @@ Descriptor file_in_memory(const std::string& text) {
     return file;
 }
 
-/// What the new process needs between fork and exec, where nothing may take memory: other threads may hold the lock.
+/// The data for a new process between fork and exec, prepared because memory cannot be allocated there: another thread
+/// may hold the allocator's lock.
 struct Start {
     std::vector<const char*> words, environment;
     int in = -1, out = -1, err = -1, report = -1, note = -1, request = -1, told = -1;
-    const ProcessJob* limited_by = nullptr;  ///< none: it outlives us, and takes what it likes
+    const ProcessJob* limited_by = nullptr;  ///< null: no limits, and the program may outlive this process
 };
 
 void limit(int resource, rlim_t value, rlim_t more = 0) {
@@ -68,50 +70,50 @@ void limit(int resource, rlim_t value, rlim_t more = 0) {
     setrlimit(__rlimit_resource_t(resource), &both);
 }
 
-/// From here on the kernel asks this filter about each call.
+/// Makes the kernel apply this filter to each further system call. Returns false on failure; errno has the reason.
 bool take_filter(const std::string& calls) {
     const sock_fprog program{static_cast<unsigned short>(calls.size() / sizeof(sock_filter)),
                              reinterpret_cast<sock_filter*>(const_cast<char*>(calls.data()))};
     return calls.empty() || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-/// The new process joins a control group. False where it cannot; errno says why.
+/// Moves the new process into a control group. Returns false on failure; errno has the reason.
 bool join(const char* group) {
     const int folder = open(group, O_PATH | O_DIRECTORY | O_CLOEXEC);
     const int processes = openat(folder, "cgroup.procs", O_WRONLY | O_CLOEXEC);
-    return write(processes, "0", 1) == 1;  // both end with the program's begin
+    return write(processes, "0", 1) == 1;  // exec closes both descriptors
 }
 
-/// In the new process. False where it cannot; errno says why.
+/// Applies the limits, in the new process. Returns false on failure; errno has the reason.
 bool take_limits(const ProcessJob& job) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (!job.group.empty() && !join(job.group.c_str())) return false;  // while it has our rights
-    // When the machine has no memory left, it is this that goes, and no neighbour.
+    if (!job.group.empty() && !join(job.group.c_str())) return false;  // needs the rights that are given up below
+    // When the machine runs out of memory, the kernel must kill this process, and no other.
     if (const int score = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); score >= 0) {
         [[maybe_unused]] const ssize_t written = write(score, "1000", 4);
         close(score);
     }
-    limit(RLIMIT_CPU, rlim_t(job.limits.cpu), 1);  // SIGXCPU, and SIGKILL for who does not listen
+    limit(RLIMIT_CPU, rlim_t(job.limits.cpu), 1);  // SIGXCPU, then SIGKILL a second later
     limit(RLIMIT_AS, job.limits.memory);
     limit(RLIMIT_FSIZE, job.limits.file);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_NOFILE, 256);
     if (job.as_nobody && geteuid() == 0) {
-        // The system calls themselves: the library's would try to tell other threads, which are not here.
+        // Direct system calls: the library's wrappers would signal other threads, which do not exist after a fork.
         if (syscall(SYS_setgroups, 0, nullptr) != 0 || syscall(SYS_setresgid, nobody, nobody, nobody) != 0 ||
             syscall(SYS_setresuid, nobody, nobody, nobody) != 0)
             return false;
-        prctl(PR_SET_PDEATHSIG, SIGKILL);  // a change of user takes it away
+        prctl(PR_SET_PDEATHSIG, SIGKILL);  // a change of user resets it
     }
     prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     return take_filter(job.calls);
 }
 
-/// The new process, to its end.
+/// Runs the program in the new process; does not return.
 [[noreturn]] void become(const Start& s) {
     setsid();
     dup2(s.in, 0), dup2(s.out, 1), dup2(s.err, 2);
-    dup3(s.told, told_descriptor, O_CLOEXEC);  // open until the program has begun
+    dup3(s.told, told_descriptor, O_CLOEXEC);  // exec closes it, which tells the parent that the program has started
     if (s.report >= 0)
         dup2(s.report, report_descriptor);
     else
@@ -121,7 +123,7 @@ bool take_limits(const ProcessJob& job) {
     else
         close(note_descriptor);
     if (s.request >= 0) dup2(s.request, request_descriptor);
-    // Whatever else is open here is none of its business.
+    // Close all other descriptors.
     syscall(SYS_close_range, told_descriptor + 1, request_descriptor - 1, 0);
     syscall(SYS_close_range, request_descriptor + (s.request >= 0 ? 1 : 0), ~0U, 0);
     if (!s.limited_by || take_limits(*s.limited_by))
@@ -131,7 +133,7 @@ bool take_limits(const ProcessJob& job) {
     _exit(126);
 }
 
-/// Its status, as the system has it.
+/// Waits for a process. Returns its status as the system reports it.
 int wait_for(pid_t process) {
     int status = 0;
     while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
@@ -139,11 +141,11 @@ int wait_for(pid_t process) {
     return status;
 }
 
-/// Returns when the program has begun, in a session of its own. Throws Error if it cannot.
+/// Starts a program in a session of its own, and returns when it runs. Throws Error if it cannot be started.
 pid_t spawn(Start s) {
     Pipe told;
     s.told = told.write;
-    // dup2 must not hit an end that is still wanted.
+    // Copy the ends above all target numbers, so that dup2 cannot overwrite one that is still needed.
     std::vector<Descriptor> copies;
     for (int* end : {&s.in, &s.out, &s.err, &s.report, &s.note, &s.request, &s.told}) {
         if (*end < 0) continue;
@@ -161,18 +163,18 @@ pid_t spawn(Start s) {
     throw Error(fmt::format("cannot start {}: {}", s.words[0], std::strerror(reason)));
 }
 
-/// What a running process writes into a pipe.
+/// Collects the bytes that a running process writes into a pipe.
 struct Stream {
     std::string& into;
-    size_t kept;              ///< bytes, the first ones
-    size_t max = ~size_t{0};  ///< bytes; more are a flood
+    size_t kept;              ///< number of first bytes to keep
+    size_t max = ~size_t{0};  ///< number of bytes that is not too much output
     bool is_open = true;
     size_t taken = 0;
     Pipe pipe = {};
 
     bool floods() const { return taken > max; }
 
-    /// All that is there to be read now.
+    /// Reads all bytes that are available now.
     void take() {
         char block[output_block];
         for (pollfd end{pipe.read, POLLIN, 0}; is_open && !floods() && poll(&end, 1, 0) > 0;) {
@@ -225,13 +227,13 @@ private:
         wire_.theirs.close();
     }
 
-    /// Until all pipes are closed, the program has ended, or a bound is reached.
+    /// Returns when the program has ended or a limit is reached.
     void watch(Clock::time_point deadline) {
         while (!has_ended_) {
             const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
             if (left <= 0) return stop(Ending::out_of_time);
             wait_for_news(int(std::min<int64_t>(left, 1000)));
-            // A process that was left behind may hold the pipes: the program itself decides.
+            // Do not wait for the end of the pipes: a child that is left behind may keep them open.
             has_ended_ = waitpid(process_, &status_, WNOHANG) == process_;
             for (Stream* stream : streams_) stream->take();
             if (out_.floods() || err_.floods()) return stop(Ending::too_much_output);
@@ -242,7 +244,7 @@ private:
         std::vector<pollfd> ends;
         for (const Stream* stream : streams_)
             if (stream->is_open) ends.push_back({stream->pipe.read, POLLIN, 0});
-        // Nothing is left to be read, and its end makes no sign.
+        // All pipes are closed, and the end of the program alone does not wake poll().
         if (ends.empty()) milliseconds = 1;
         const bool sends = wire_.ours >= 0 && !job_.request.empty() && result_.output.starts_with(job_.asks);
         if (sends) ends.push_back({wire_.ours, POLLOUT, 0});
@@ -250,7 +252,7 @@ private:
         if (sends && ends.back().revents) send_request();
     }
 
-    /// As much as goes; what was sent whole is ended.
+    /// Sends as much as possible now. Closes the socket at the end of the request, or when the reader has gone.
     void send_request() {
         const std::string_view rest = std::string_view(job_.request).substr(sent_);
         const ssize_t sent = send(wire_.ours, rest.data(), rest.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
@@ -268,7 +270,7 @@ private:
     Stream report_{result_.report, size_t{4} << 10};
     const std::array<Stream*, 3> streams_ = {&out_, &err_, &report_};
     Wire wire_;
-    size_t sent_ = 0;  ///< of the request
+    size_t sent_ = 0;  ///< bytes of the request
     pid_t process_ = -1;
     int status_ = 0;
     bool has_ended_ = false;
@@ -285,7 +287,7 @@ void ProcessResult::exit_with(int shell_code) {
     code = shell_code > 128 ? shell_code - 128 : shell_code;
     ending = Ending::exited;
     if (shell_code <= 128) return;
-    // We have not sent it: the system does when memory runs out.
+    // This process did not send SIGKILL, so the kernel did because memory ran out.
     ending = code == SIGKILL ? Ending::out_of_memory : code == SIGXCPU ? Ending::out_of_time : Ending::crashed;
 }
 
@@ -304,7 +306,7 @@ Pipe::Pipe() {
 }
 
 ChildProcess::ChildProcess(const std::function<void()>& work) {
-    std::fflush(nullptr);  // or what waits to be written would be written twice
+    std::fflush(nullptr);  // or buffered output would be written twice
     process_ = fork();
     if (process_ < 0) throw Error(fmt::format("no new process: {}", std::strerror(errno)));
     if (process_ > 0) return;
@@ -336,7 +338,7 @@ bool open_on_desktop(const fs::path& wanted) { return start_on_desktop({"xdg-ope
 bool start_on_desktop(const std::vector<std::string>& command) {
     const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
     if (command.empty() || (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))) return false;
-    // Silent, and without limits: it may run for as long as the browser does.
+    // Silent and without limits, as it may run for as long as the browser does.
     const Descriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
     Start s{.words = {}, .environment = {}, .in = null, .out = null, .err = null};
     for (const std::string& word : command) s.words.push_back(word.c_str());

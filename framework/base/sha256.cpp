@@ -50,7 +50,7 @@ std::string sha256(std::string_view bytes) {
     const auto at = [&](size_t i) { return reinterpret_cast<const unsigned char*>(bytes.data()) + i; };
     size_t done = 0;
     for (; bytes.size() - done >= 64; done += 64) add_block(state, at(done));
-    // What is left, a bit of one, zeros, and the length in bits fill one block or two.
+    // The remaining bytes, a bit of 1, zeros, and the length in bits fill one or two blocks.
     std::array<unsigned char, 128> rest{};
     const size_t left = bytes.size() - done, end = left < 56 ? 64 : 128;
     std::copy(at(done), at(done) + left, rest.begin());

@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4): a fingerprint that no other bytes can be made to have.
+// SHA-256 (FIPS 180-4), a collision-resistant hash.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace relief {
 
-/// 64 hexadecimal digits, in lower case.
+/// Returns 64 hexadecimal digits in lower case.
 std::string sha256(std::string_view bytes);
 
 }  // namespace relief

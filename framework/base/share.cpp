@@ -21,7 +21,7 @@
 namespace relief {
 namespace {
 
-/// A number that all copies of this process have in common.
+/// A number in memory that all copies of this process share.
 class SharedNumber {
 public:
     SharedNumber() {
@@ -39,7 +39,7 @@ private:
     std::atomic<size_t>* number_ = nullptr;
 };
 
-/// Texts on a pipe: a kind, the length, the bytes.
+/// Messages on a pipe: kind, length, bytes.
 enum Kind : uint32_t { said, failed };
 struct Head {
     Kind kind;
@@ -48,7 +48,7 @@ struct Head {
 
 void send(int pipe, Kind kind, const std::string& text) {
     const Head head{kind, uint32_t(text.size())};
-    // If nobody reads any more there is nobody to tell.
+    // Ignore failure: without a reader there is no one to tell.
     if (write_all(pipe, {reinterpret_cast<const char*>(&head), sizeof head})) write_all(pipe, text);
 }
 
@@ -71,7 +71,7 @@ public:
         read_ = std::move(pipe.read);
     }
 
-    /// Until it ends. Returns why it failed, or nothing.
+    /// Receives texts until the process ends. Returns the reason of its failure, or an empty string.
     std::string listen(const std::function<void(const std::string&)>& hear) {
         std::string failure;
         for (Head head; read_all(read_, &head, sizeof head);) {
@@ -108,7 +108,7 @@ void share_among_processes(size_t count, const std::function<void(const NextPart
             hear(text);
         });
         if (why.empty()) return;
-        *next = count;  // the others end soon
+        *next = count;  // lets the others end soon
         const std::lock_guard lock(mutex);
         if (failure.empty()) failure = why;
     });

@@ -1,4 +1,5 @@
-// Work that is shared among processes, for what one process can do once only at a time, such as drawing in a context.
+// Work that is divided among processes, for tasks that one process can do only one at a time, such as drawing in a
+// context.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +9,15 @@
 
 namespace relief {
 
-/// What a process is to do next, or nothing: each of [0, count) goes to one process.
+/// Returns the next part for a process, or nothing when no part is left. Each of [0, count) goes to one process.
 using NextPart = std::function<std::optional<size_t>()>;
-/// Sends a text to the process that waits for all.
+/// Sends a text to the process that waits for all others.
 using Say = std::function<void(const std::string& text)>;
 
-/// Calls `work` in as many copies of this process as the machine has threads, but no more than `count`. What they say
-/// comes to `hear`, one text at a time and those of one process in their order. Call it before any other thread is
-/// begun. Returns when all have ended; throws Error with what the first that failed has thrown, or how it crashed, when
-/// the others have done what they had begun.
+/// Calls `work` in copies of this process: one per hardware thread, but at most `count`. `hear` receives their texts
+/// one at a time, and the texts of one process in order. Precondition: this process has started no other thread.
+/// Returns when all copies have ended. After a failure, the others finish the parts that they have begun. Then throws
+/// Error with the first failure's message or crash.
 void share_among_processes(size_t count, const std::function<void(const NextPart& next, const Say& say)>& work,
                            const std::function<void(const std::string& text)>& hear);
 

@@ -1,4 +1,4 @@
-// Linux: framework/base/system.h.
+// Implements framework/base/system.h for Linux.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <malloc.h>
@@ -33,7 +33,7 @@ fs::path library_of(const void* address) {
 }
 
 fs::path executable() {
-    std::error_code no_proc;  // a sandbox has none: there the system's own word counts, what was started
+    std::error_code no_proc;  // some sandboxes have no /proc; use the path from the start of the program
     const fs::path link = fs::read_symlink("/proc/self/exe", no_proc);
     return no_proc ? fs::weakly_canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN))) : link;
 }
@@ -54,10 +54,10 @@ void take_large_pages(void* memory, size_t bytes) { madvise(memory, bytes, MADV_
 void take_large_pages() {
 #if defined __GLIBC__ && !defined __SANITIZE_ADDRESS__
     constexpr uintptr_t size = 64 << 20, large = 2 << 20;
-    mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that it takes
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the maximum that mallopt accepts
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
     mallopt(M_TOP_PAD, size);
-    void* volatile piece = std::malloc(1 << 20);  // more than there is: the heap grows
+    void* volatile piece = std::malloc(1 << 20);  // larger than the free memory, so that the heap grows
     std::free(piece);
     mallopt(M_TOP_PAD, 1 << 20);
     const uintptr_t end = reinterpret_cast<uintptr_t>(sbrk(0)), begin = (end - size + large - 1) / large * large;
