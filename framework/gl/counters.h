@@ -1,5 +1,4 @@
-// Counters of GL objects and calls. They are behind the GL function pointers themselves, so they also
-// count a lab's raw calls.
+// Counters of GL objects and calls. They wrap the GL function pointers, so they also count a lab's raw calls.
 #pragma once
 
 #include <array>
@@ -23,11 +22,11 @@ enum class GlKind {
 constexpr int gl_kinds = 11;
 
 struct Counters {
-    std::array<int64_t, gl_kinds> live{};  ///< GL objects by GlKind
-    int64_t draw_calls = 0;                ///< since the process began; a multi-draw counts once
-    int64_t links = 0;                     ///< of programs, since the process began
-    int64_t texture_bytes = 0;             ///< in textures that are live, all mip levels, as the course uploaded them
-    int64_t shared_bytes = 0;              ///< of live textures when one more asks for them: not uploaded again
+    std::array<int64_t, gl_kinds> live{};  ///< live GL objects, by GlKind
+    int64_t draw_calls = 0;                ///< since the process started; a multi-draw call counts once
+    int64_t links = 0;                     ///< program links since the process started
+    int64_t texture_bytes = 0;             ///< in live textures, all mip levels, as uploaded by the course
+    int64_t shared_bytes = 0;              ///< not uploaded again, because a live texture was shared
 
     int64_t live_objects() const {
         int64_t sum = 0;

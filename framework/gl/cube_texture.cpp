@@ -51,7 +51,7 @@ CubeTexture::operator GLuint() const {
             }
     });
 
-    // As a texture's: what is on the active unit stays there.
+    // Keep the caller's binding on the active unit.
     glGetIntegerv(GL_TEXTURE_BINDING_CUBE_MAP, &bound);
     loaded_.emplace();
     glBindTexture(GL_TEXTURE_CUBE_MAP, loaded_->name);

@@ -1,4 +1,4 @@
-// Cube maps of light by a formula, made when a draw first binds them.
+// Cube maps of light given by a formula, created when a draw first binds them.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,16 @@
 
 namespace relief {
 
-/// Six faces of three floats, with all mip levels, read trilinearly. Where faces meet, GL filters across only while
-/// GL_TEXTURE_CUBE_MAP_SEAMLESS is enabled.
+/// A cube map of three floats a texel, with all mip levels and trilinear filtering. GL filters across face edges only
+/// while GL_TEXTURE_CUBE_MAP_SEAMLESS is enabled.
 class CubeTexture {
 public:
-    /// `side` texels along each edge, a power of two. `light` is called from several threads, with the direction of a
-    /// texel's middle, of unit length.
+    /// `side` is the number of texels along each edge, a power of two. `light` returns the light from a direction of
+    /// unit length, that of a texel's centre. It is called from several threads and must be thread-safe.
     CubeTexture(std::string title, int side, std::function<glm::dvec3(const glm::dvec3& direction)> light);
 
     int side() const { return side_; }
-    /// Throws Error when it is too large for the driver.
+    /// Throws Error when `side` is below 1 or too large for the driver.
     operator GLuint() const;
 
 private:
@@ -37,11 +37,11 @@ private:
     mutable std::optional<Loaded> loaded_;
 };
 
-/// Makes the texture current on a unit.
+/// Binds the texture to a texture unit.
 void bind(int unit, const CubeTexture& texture);
 
-/// The direction that GL reads at a place of a face, not made unit: s to the right and t down, each from -1 to 1. Faces
-/// are +x, -x, +y, -y, +z, -z.
+/// Returns the direction that GL samples at a point of a face, not normalised. `s` grows to the right and `t`
+/// downwards, both in [-1, 1]. Faces 0 to 5 are +x, -x, +y, -y, +z, -z.
 glm::dvec3 cube_map_direction(int face, double s, double t);
 
 }  // namespace relief

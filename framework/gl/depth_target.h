@@ -1,4 +1,4 @@
-// A depth map: a framebuffer with depth alone, to be compared with by the next pass.
+// A depth map: a framebuffer with a depth attachment only, for comparison in the next pass.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,19 +10,19 @@ namespace relief {
 
 class DepthTarget {
 public:
-    /// Depths of 32-bit floats. Throws Error when the driver cannot hold it.
+    /// Allocates 32-bit float depths. Throws Error when the driver cannot hold it.
     explicit DepthTarget(glm::ivec2 size);
     ~DepthTarget();
     DepthTarget(const DepthTarget&) = delete;
     DepthTarget& operator=(const DepthTarget&) = delete;
 
     glm::ivec2 size() const { return size_; }
-    /// For a sampler2DShadow: 1 where the third coordinate is at most the depth of the nearest texel, else 0. Outside
-    /// of the map nothing is hidden: 1, up to a coordinate of 1.
+    /// Binds the map for a sampler2DShadow. A lookup returns 1 if the third coordinate is at most the depth of the
+    /// nearest texel, else 0. The border depth is 1: outside the map, coordinates up to 1 are unshadowed.
     void bind(int unit) const;
-    /// Draw into it, over all of its texels. What is there stays: clear it.
+    /// Binds the framebuffer and sets the viewport to the whole map. Does not clear it.
     void begin() const;
-    /// One channel, row 0 at the top.
+    /// Reads the depths: one channel, row 0 at the top.
     Image read() const;
 
 private:

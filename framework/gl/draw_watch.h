@@ -1,13 +1,13 @@
-// Draw calls as they are made, for whoever wants to make one again in another way. Behind the GL function pointers,
-// like the counters, so raw calls of a lab are seen, too.
+// Intercepts draw calls, so that a caller can repeat them with other state. The hook wraps the GL function pointers,
+// like the counters, so a lab's raw calls are seen as well.
 #pragma once
 
 #include <functional>
 
 namespace relief {
 
-/// While this lives, each draw call is handed to `watch`, which has to make it: `draw` may be called any number of
-/// times. One at a time.
+/// While it lives, each draw call goes to `watch` instead of GL. `watch` must issue the draw itself: it may call `draw`
+/// any number of times. At most one DrawWatch at a time.
 class DrawWatch {
 public:
     using Watch = std::function<void(const std::function<void()>& draw)>;

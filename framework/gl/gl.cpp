@@ -19,7 +19,7 @@ DrawWatch::Watch& draw_watch() {
     return watch;
 }
 
-// Each template below replaces one of glad's function pointers by a function that counts, then calls what was there.
+// Each template below replaces one of glad's function pointers by a function that counts, then calls the original.
 
 template <auto& pointer>
 using PointerOf = std::remove_reference_t<decltype(pointer)>;
@@ -145,8 +145,8 @@ std::vector<std::string>& caught_errors() {
 
 void GLAD_API_PTR on_message(GLenum source, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
                              const void*) {
-    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;  // Program tells of those, with their place
-    // A mistake in a loop must not fill the memory: the first few say what is wrong.
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;  // Program reports these with their place
+    // A mistake in a loop must not fill the memory; the first few errors are enough.
     if (type == GL_DEBUG_TYPE_ERROR && caught_errors().size() < 8) caught_errors().emplace_back(text, length);
 }
 
@@ -204,7 +204,7 @@ void watch_errors() {
 
 std::string take_gl_errors() {
     std::string line;
-    // A lost context may return errors for ever.
+    // A lost context may return errors endlessly.
     for (int i = 0; i < 8; ++i) {
         const GLenum error = glGetError();
         if (error == GL_NO_ERROR) break;

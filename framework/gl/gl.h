@@ -9,20 +9,20 @@ namespace relief {
 
 using LoadFunction = GLADapiproc(const char* name);
 
-/// Fills the function pointers from the current context and puts the counters in front of them.
-/// Throws Error when the context is older than 4.1.
+/// Loads the function pointers from the current context and wraps them with the counters. Throws Error when the context
+/// is older than OpenGL 4.1.
 void load_gl(LoadFunction* load);
 
-/// Whether the current context draws on the CPU (Mesa's llvmpipe or softpipe).
+/// Returns whether the current context renders on the CPU (Mesa's llvmpipe or softpipe).
 bool is_software_renderer();
 
-/// Where KHR_debug is present: names a GL object in debug messages and frame debuggers, else does nothing.
+/// Names a GL object in debug messages and frame debuggers. Does nothing without KHR_debug.
 void label(GLenum kind, GLuint name, const std::string& text);
 
-/// Where KHR_debug is present: errors are caught with their text as they happen.
+/// Collects GL errors with their text as they happen. Does nothing without KHR_debug.
 void watch_errors();
 
-/// The GL errors since the last call in one line, or "" if there were none.
+/// Returns the GL errors since the last call in one line, or "" if there were none. Lists at most 8.
 std::string take_gl_errors();
 
 }  // namespace relief

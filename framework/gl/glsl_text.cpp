@@ -14,7 +14,7 @@ namespace {
 bool is_word_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Behind a number that begins here: "1", "1.0e-3", ".5f", "0x1fu".
+/// Returns the offset after a number that starts at `i`: "1", "1.0e-3", ".5f", "0x1fu".
 size_t end_of_number(const std::string& text, size_t i) {
     while (i < text.size() && (is_word_character(text[i]) || text[i] == '.')) {
         const bool exponent = (text[i] == 'e' || text[i] == 'E') && i + 1 < text.size();
@@ -23,14 +23,14 @@ size_t end_of_number(const std::string& text, size_t i) {
     return i;
 }
 
-/// Behind a preprocessor line and the lines that a backslash joins to it.
+/// Returns the offset after a preprocessor line, including continuation lines.
 size_t end_of_directive(const std::string& text, size_t i) {
     for (; i < text.size() && text[i] != '\n'; ++i)
         if (text[i] == '\\') ++i;
     return std::min(i, text.size());
 }
 
-/// The place of the token that closes the bracket at `open`, or nothing.
+/// Returns the index of the token that closes the bracket at `open`, or nothing if it is never closed.
 std::optional<size_t> closing(const std::vector<GlslToken>& tokens, size_t open) {
     const std::string& opens = tokens[open].text;
     const std::string closes = opens == "(" ? ")" : opens == "[" ? "]" : "}";
@@ -48,7 +48,7 @@ bool is_qualifier(const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// `[9]` at token i; moves i behind it.
+/// Parses an array size such as `[9]` at token i and moves i past it. Returns 0 if there is none.
 int array_count(const std::vector<GlslToken>& tokens, size_t& i, size_t end) {
     if (i + 2 >= end || tokens[i].text != "[" || tokens[i + 2].text != "]") return 0;
     const auto count = parse_int(tokens[i + 1].text);
@@ -56,7 +56,7 @@ int array_count(const std::vector<GlslToken>& tokens, size_t& i, size_t end) {
     return count.value_or(0);
 }
 
-/// `const in vec3 a[4]` from token i to before `end`.
+/// Parses `const in vec3 a[4]` in tokens [i, end).
 std::optional<GlslVariable> parse_variable(const std::vector<GlslToken>& tokens, size_t i, size_t end) {
     GlslVariable variable{"in", "", "", 0};
     for (; i < end && is_qualifier(tokens[i].text); ++i)
@@ -86,7 +86,7 @@ std::optional<std::vector<GlslVariable>> parse_parameters(const std::vector<Glsl
     return parameters;
 }
 
-/// `vec2 start, along;` each.
+/// Parses declarations such as `vec2 start, along;`.
 std::vector<GlslVariable> parse_fields(const std::vector<GlslToken>& tokens, size_t open, size_t close) {
     std::vector<GlslVariable> fields;
     for (size_t i = open + 1; i < close; ++i) {
@@ -178,7 +178,7 @@ GlslText parse_glsl(const std::string& text) {
             } else {
                 i = *close;
             }
-        } else if (tokens[i].text == "{") {  // a block of uniforms, or an initialiser
+        } else if (tokens[i].text == "{") {  // a uniform block or an initialiser
             const auto close = closing(tokens, i);
             if (!close) break;
             i = *close;

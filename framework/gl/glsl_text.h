@@ -1,5 +1,5 @@
-// What a GLSL text defines, without a compiler: its tokens, functions and structs. Preprocessor lines are passed over,
-// so both branches of an #if count. Needs no GL.
+// Tokens, functions and structs of a GLSL text, found without a compiler. Preprocessor lines are ignored, so both
+// branches of an #if count. Needs no GL.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace relief {
 
-/// A piece of the text, from `begin` to before `end`; comments and preprocessor lines are none.
+/// A token: the half-open range [begin, end) of the text. Comments and preprocessor lines yield no tokens.
 struct GlslToken {
     enum Kind { word, number, symbol };
     Kind kind;
@@ -20,34 +20,35 @@ std::vector<GlslToken> glsl_tokens(const std::string& text);
 struct GlslVariable {
     std::string qualifier;  ///< "in", "out" or "inout"
     std::string type, name;
-    int count = 0;  ///< elements of an array; 0: it is none
+    int count = 0;  ///< array size; 0 if it is not an array
 };
 
 struct GlslFunction {
     std::string type, name;
     std::vector<GlslVariable> parameters;
-    size_t begin = 0;    ///< of its return type, or of what qualifies that
-    size_t name_at = 0;  ///< of its name
-    size_t end = 0;      ///< behind its closing brace
+    size_t begin = 0;    ///< offset of the return type or of its first qualifier
+    size_t name_at = 0;  ///< offset of the name
+    size_t end = 0;      ///< offset after the closing brace
 
-    /// "over(vec3,float)": overloads differ in it.
+    /// Returns a key that differs between overloads, such as "over(vec3,float)".
     std::string signature() const;
-    /// Whether it returns all that it computes.
+    /// Returns whether the return value is the function's only output: not void, and no `out` or `inout` parameters.
     bool has_result_only() const;
 };
 
 struct GlslStruct {
     std::string name;
     std::vector<GlslVariable> fields;
-    size_t begin = 0, end = 0;  ///< behind its semicolon
+    size_t begin = 0, end = 0;  ///< `end` is after the semicolon
 };
 
 struct GlslText {
-    std::vector<GlslFunction> functions;  ///< those with a body, in the text's order
+    std::vector<GlslFunction> functions;  ///< definitions with a body, in the text's order
     std::vector<GlslStruct> structs;
 };
 
-/// What cannot be read as a function or a struct is passed over: a compiler says more about it.
+/// Parses the text. Skips everything that is not a well-formed function or struct: error messages are the compiler's
+/// work.
 GlslText parse_glsl(const std::string& text);
 
 }  // namespace relief

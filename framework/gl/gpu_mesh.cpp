@@ -8,7 +8,7 @@ const GpuMesh::Uploaded& GpuMesh::uploaded() const {
     if (uploaded_) return *uploaded_;
     const Mesh mesh = make_();
     Uploaded result;
-    GLint bound = 0;  // another mesh may be bound already
+    GLint bound = 0;  // restored below: another mesh may be bound
     glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
     result.count = GLsizei(mesh.indices.size());
     result.vertex_count = GLsizei(mesh.vertices.size());

@@ -14,8 +14,8 @@ class GpuMesh {
 public:
     explicit GpuMesh(std::function<Mesh()> make) : make_(std::move(make)) {}
 
-    GLuint layout() const { return uploaded().layout; }  ///< the vertex array, with the index buffer in it
-    GLsizei count() const { return uploaded().count; }   ///< of indices, GL_UNSIGNED_INT
+    GLuint layout() const { return uploaded().layout; }  ///< vertex array, including the index buffer
+    GLsizei count() const { return uploaded().count; }   ///< number of indices, GL_UNSIGNED_INT
     GLsizei vertices() const { return uploaded().vertex_count; }
 
 private:

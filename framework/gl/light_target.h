@@ -1,4 +1,4 @@
-// A framebuffer of floats with depth, to be read by the next pass: light that is blended before it is encoded.
+// A float framebuffer with depth that the next pass reads: linear light, blended before it is encoded.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,8 +10,8 @@ namespace relief {
 
 class LightTarget {
 public:
-    /// `attachments` textures of RGBA32F. With more than one sample they are multisample textures, of no more samples
-    /// than the driver has: see samples(). Throws Error when the driver cannot hold it.
+    /// Allocates `attachments` textures of RGBA32F. `samples` is clamped to the driver's maximum: see samples(). With
+    /// more than one sample the textures are multisampled. Throws Error when the driver cannot hold it.
     LightTarget(glm::ivec2 size, int samples, int attachments = 1);
     ~LightTarget();
     LightTarget(const LightTarget&) = delete;
@@ -19,11 +19,10 @@ public:
 
     glm::ivec2 size() const { return size_; }
     int samples() const { return samples_; }
-    /// Draw into `count` attachments from `first` on, with one depth for all; location 0 of a shader is `first`.
-    /// The viewport is left as it is.
+    /// Binds the framebuffer and enables `count` attachments, starting with `first`; all share one depth buffer.
+    /// Location 0 of a fragment shader writes `first`. Does not change the viewport.
     void begin(int first = 0, int count = 1) const;
-    /// Makes an attachment the texture of a unit: of GL_TEXTURE_2D, read by the nearest texel, or of
-    /// GL_TEXTURE_2D_MULTISAMPLE.
+    /// Binds an attachment to a texture unit: as GL_TEXTURE_2D with nearest filtering, or as GL_TEXTURE_2D_MULTISAMPLE.
     void bind(int unit, int attachment = 0) const;
 
 private:

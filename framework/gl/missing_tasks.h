@@ -1,10 +1,11 @@
-// Whether probes tell that a task is missing.
+// Controls whether probes show that a task is missing.
 #pragma once
 
 namespace relief {
 
-/// While one lives, probes hold not_written where their value comes from a task that is not written: for people, and for
-/// figures. Without one, or with `tell` false, they hold what stands in for it, as checks of other tasks need it.
+/// While it lives, probes return not_written where their value depends on a task that is not written. People and
+/// printed figures need this. Without it, or if `tell` is false, probes use the task's stand-in value. Checks of other
+/// tasks need that.
 class TellMissingTasks {
 public:
     explicit TellMissingTasks(bool tell = true);

@@ -1,4 +1,4 @@
-// One owner for each GL name: made with it, moved, and deleted with it.
+// RAII owners of GL names: created with the object, movable, deleted with it.
 #pragma once
 
 #include <utility>

@@ -17,7 +17,7 @@ const GpuPatches::Uploaded& GpuPatches::uploaded() const {
     if (uploaded_) return *uploaded_;
     const PatchMesh mesh = make_();
     Uploaded result;
-    GLint bound = 0;  // another mesh may be bound already
+    GLint bound = 0;  // restored below: another mesh may be bound
     glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
     result.patches = int(mesh.patches()), result.control_points = mesh.corners;
     glBindVertexArray(result.layout);

@@ -9,15 +9,16 @@
 
 namespace relief {
 
-/// glDrawArrays of GL_PATCHES: `patches` of `control_points` vertices each, from `first_vertex` on. Program, state and
-/// vertex array are the caller's.
+/// Draws `patches` patches of `control_points` vertices each with glDrawArrays(GL_PATCHES), starting at `first_vertex`.
+/// The caller sets the program, the state and the vertex array.
 ///
-/// Mesa's software renderer numbers the vertices that an evaluation shader makes in one draw with 16 bits: above 65,535
-/// it draws others than asked for, without an error, in quadratic time. There 8 patches are a draw, which is 33,800
-/// vertices at level 64; elsewhere all are. So gl_PrimitiveID means nothing to a shader: gl_VertexID does.
+/// Mesa's software renderer indexes the vertices of one tessellated draw with 16 bits. Above 65,535 it draws wrong
+/// vertices, without an error, in quadratic time. So it gets one draw call for every 8 patches, which make 33,800
+/// vertices at level 64. A GPU gets a single draw call. Shaders must use gl_VertexID instead of gl_PrimitiveID, which
+/// restarts with each draw call.
 void draw_patches(int patches, int control_points, int first_vertex = 0);
 
-/// A PatchMesh, uploaded when a draw first needs it, for shaders/common/patch.vert.
+/// A PatchMesh with the vertex layout of shaders/common/patch.vert, uploaded when a draw first needs it.
 class GpuPatches {
 public:
     explicit GpuPatches(std::function<PatchMesh()> make) : make_(std::move(make)) {}

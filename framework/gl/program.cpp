@@ -30,7 +30,7 @@ GLenum stage_of(const fs::path& path) {
     return found->second;
 }
 
-// Works for shaders and programs alike: their functions have the same shapes.
+// Returns the log of a shader or of a program: their query functions have the same signatures.
 std::string log_of(GLuint name, PFNGLGETSHADERIVPROC parameter, PFNGLGETSHADERINFOLOGPROC read) {
     GLint length = 0;
     parameter(name, GL_INFO_LOG_LENGTH, &length);
@@ -118,7 +118,7 @@ GLint Program::location(const char* uniform) const {
         const std::vector<std::string> names(known_.begin(), known_.end());
         throw Error(title_ + ": " + unknown("uniform", uniform, names));
     }
-    return glGetUniformLocation(name_, uniform);  // an element of an array or a struct, or not in use (-1)
+    return glGetUniformLocation(name_, uniform);  // array or struct element, or not in use (-1)
 }
 
 void Program::set(const char* uniform, bool value) const { glUniform1i(location(uniform), value); }
@@ -156,7 +156,7 @@ void Program::set(const char* sampler, int unit, const CubeTexture& texture) con
     bind(unit, texture);
 }
 
-/// One program, and the texts that say whether its files have changed.
+/// One program, and the texts that show whether its files have changed.
 class Permutation {
 public:
     Permutation(std::vector<fs::path> stages, std::vector<std::string> defines)
@@ -167,26 +167,27 @@ public:
     Permutation(const Permutation&) = delete;
     Permutation& operator=(const Permutation&) = delete;
 
-    /// Every one that lives. A lab keeps its Programs to itself, and should not have to hand them to a window that it
-    /// knows nothing of; so they sign in here, as labs do in their registry.
+    /// All live permutations. A lab's Programs are private, and the window must not know the lab. So permutations
+    /// register themselves here, as labs do in their registry.
     static std::vector<Permutation*>& all() {
         static std::vector<Permutation*> permutations;
         return permutations;
     }
 
-    /// Throws when its files hold none; then they are tried again at the next call.
+    /// Compiles the program on first use. Throws when its files do not compile; the next call tries again.
     const Program& program() {
         if (!program_) compile(read());
         return *program_;
     }
 
-    /// Whether the files read differently, twice, from what was tried last.
+    /// Recompiles if two reads in a row gave the same text and it differs from the last one tried. Returns whether it
+    /// did.
     bool look() {
         Text text = read();
         const bool settled = text.whole == std::exchange(seen_, text.whole);
         if (!settled || text.whole == tried_) return false;
         tried_ = text.whole;
-        if (!program_) return true;  // it failed when it was asked for, and whoever asks again gets it
+        if (!program_) return true;  // failed at first use: the next program() compiles it
         error_.reset();
         try {
             if (text.whole != made_of_) compile(std::move(text)), ++renewals_;
@@ -201,10 +202,11 @@ public:
 private:
     struct Text {
         std::vector<ShaderSource> sources;
-        std::string whole;           ///< of all stages, or why there is none
-        std::optional<Error> error;  ///< a file is missing, or an #include is wrong
+        std::string whole;           ///< text of all stages, or the error message
+        std::optional<Error> error;  ///< a missing file or a wrong #include
     };
-    // Reading a few small files costs what asking for their times would, and no file system is wrong about a text.
+    // Comparing text is reliable on every file system, and reading a few small files is as fast as asking for their
+    // times.
     Text read() const {
         Text text;
         try {

@@ -21,19 +21,19 @@ namespace relief {
 class CubeTexture;
 class Texture;
 
-/// A linked program. Uniforms are set by name: one that this permutation does not use is skipped, one that
-/// is in none of the program's files throws Error and suggests the nearest name.
+/// A linked program whose uniforms are set by name. Setting a uniform that this permutation does not use has no effect.
+/// A name that appears in none of the program's files throws Error, which suggests the nearest name.
 class Program {
 public:
-    /// Compiles and links `stages` (paths; the ending says which stage: .vert .tesc .tese .geom .frag).
-    /// Throws Error with the file and line of the first mistake, and the whole log as details.
+    /// Compiles and links `stages`, paths whose extension names the stage: .vert .tesc .tese .geom .frag. Throws Error
+    /// with the file and line of the first mistake, and the whole log as details.
     Program(const std::vector<std::filesystem::path>& stages, const std::vector<std::string>& defines);
-    /// The same from text that is read already.
+    /// Compiles and links stages whose text is already loaded.
     explicit Program(std::vector<ShaderSource> stages);
 
     operator GLuint() const { return name_; }
 
-    // These set the program that is in use: call glUseProgram first.
+    // Precondition of all set(): the program is in use (glUseProgram).
     void set(const char* uniform, bool value) const;
     void set(const char* uniform, int value) const;
     void set(const char* uniform, float value) const;
@@ -46,13 +46,13 @@ public:
     void set(const char* uniform, const glm::mat3& value) const;
     void set(const char* uniform, const glm::mat4& value) const;
     void set(const char* uniform, const glm::dmat4& value) const { set(uniform, glm::mat4(value)); }
-    /// Binds the texture to a unit and points the sampler at it. A sampler that this permutation does not use
-    /// loads no texture.
+    /// Binds the texture to a unit and sets the sampler to that unit. Does nothing if this permutation does not use the
+    /// sampler, so the texture is not loaded.
     void set(const char* sampler, int unit, const Texture& texture) const;
     void set(const char* sampler, int unit, const CubeTexture& texture) const;
 
 private:
-    GLint location(const char* uniform) const;  ///< -1 when not in use
+    GLint location(const char* uniform) const;  ///< -1 if the uniform is not in use
 
     ProgramName name_;
     std::string title_;
@@ -60,8 +60,8 @@ private:
     std::map<std::string, GLint, std::less<>> locations_;
 };
 
-/// While this lives, programs are made of what `rewrite` makes of the text of their stages; it is told the program's
-/// name. One at a time.
+/// While it lives, `rewrite` may change the text of a program's stages before they are compiled. It also gets the name
+/// of the program. At most one ShaderRewriting at a time.
 class ShaderRewriting {
 public:
     using Rewrite = std::function<void(std::vector<ShaderSource>& stages, GLuint program)>;
@@ -71,7 +71,7 @@ public:
     ShaderRewriting& operator=(const ShaderRewriting&) = delete;
 };
 
-/// One preprocessor definition, "NAME" or "NAME VALUE"; an empty one stands for none.
+/// One preprocessor definition, "NAME" or "NAME VALUE". An empty text defines nothing.
 struct Define {
     std::string text;
     Define(const char* definition) : text(definition) {}
@@ -80,11 +80,11 @@ struct Define {
 
 class Permutation;
 
-/// The permutations of one set of shader files, each compiled when it is first used. What with() returned stays valid
-/// as long as this object, also when its files change: see renew_programs().
+/// The permutations of one set of shader files, each compiled at first use. References returned by with() stay valid
+/// for the lifetime of this object, even when renew_programs() recompiles the program.
 class Programs {
 public:
-    /// Paths below the course's `shaders` folder. Nothing is read yet.
+    /// `stages` are paths below the course's `shaders` folder. Reads no files yet.
     Programs(std::initializer_list<const char*> stages);
     ~Programs();
     Programs(Programs&&) noexcept;
@@ -92,10 +92,11 @@ public:
     template <class... Names>
     explicit Programs(const char* first, Names... others) : Programs({first, others...}) {}
 
-    /// The program with these definitions. Throws what Program's constructor throws.
+    /// Returns the program with these definitions. Throws the same errors as Program's constructor.
     const Program& with(std::initializer_list<Define> defines = {}) const;
     const Program& with(const Define& define) const { return with({define}); }
-    /// How often renew_programs() has compiled one of them anew: for values that are measured with them, and kept.
+    /// Returns how often renew_programs() has recompiled one of these programs. Measurements that are kept must be
+    /// repeated when it grows.
     int renewals() const;
 
 private:
@@ -103,16 +104,16 @@ private:
     mutable std::map<std::vector<std::string>, std::unique_ptr<Permutation>> permutations_;
 };
 
-/// The result of looking for saved shader files.
+/// Result of renew_programs().
 struct ShaderNews {
-    bool changed = false;        ///< since the call before, something was compiled anew or is to be tried again
-    std::optional<Error> error;  ///< why a program on screen is older than its files; stays until they are mended
+    bool changed = false;        ///< a program was recompiled since the last call, or may now compile
+    std::optional<Error> error;  ///< why a program on screen is older than its files; stays until they compile
 };
 
-/// Looks at the files of every permutation in use, in every Programs that lives, and compiles what reads differently
-/// into the same Program. One that does not compile leaves the last good program in place. Call it a few times a
-/// second: a text counts when two calls in a row saw it, so that a file which is half written, or away for a moment
-/// while an editor renames, is no news.
+/// Recompiles every used permutation of every live Programs whose files have changed, into the same Program object. If
+/// the new text does not compile, the last good program stays in use. Call it a few times a second. A change counts
+/// only after two calls in a row have read the same text. So a half-written file is ignored, and so is one that an
+/// editor renames and that is missing for a moment.
 ShaderNews renew_programs();
 
 }  // namespace relief

@@ -45,7 +45,7 @@ fs::path find_include(const std::string& name, const Place& from) {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-// By hand: std::regex recurses once a character, and a long line would overflow the stack.
+// No std::regex: it recurses once per character and would overflow the stack on a long line.
 void collect_names(const std::string& text, std::set<std::string>& names) {
     for (size_t begin = 0; begin < text.size();) {
         size_t end = begin;
@@ -56,7 +56,7 @@ void collect_names(const std::string& text, std::set<std::string>& names) {
     }
 }
 
-/// `#version 410 core`, however it is spaced: a newer one would not run on every student's machine.
+/// Accepts `#version 410 core` with any spacing. A newer version would not run on every student's machine.
 bool is_version_410(const std::string& line) {
     std::istringstream words(line);
     std::string directive, number, profile;
@@ -64,12 +64,12 @@ bool is_version_410(const std::string& line) {
     return directive == "#version" && number == "410" && profile == "core";
 }
 
-/// `#include` or `# include`, as the language allows for any directive.
+/// Accepts `#include` and `# include`: the language allows blanks after the # of any directive.
 bool is_include(const std::string& line) {
     return line.starts_with("#") && without_indent(line.substr(1)).starts_with("include");
 }
 
-/// The name in `#include "name"`, with nothing after it but a comment.
+/// Returns the name in `#include "name"`. Only a comment may follow it.
 std::optional<std::string> included_name(const std::string& line) {
     const size_t open = line.find_first_not_of(" \t", line.find("include") + std::string_view("include").size());
     if (open == std::string::npos || line[open] != '"') return {};
@@ -80,10 +80,10 @@ std::optional<std::string> included_name(const std::string& line) {
     return line.substr(open + 1, close - open - 1);
 }
 
-/// A message of a compiler: Mesa's "0:12(5): error: x", Nvidia's "0(12) : error C1: x", Apple's "ERROR: 0:12: x".
+/// A compiler's message: Mesa's "0:12(5): error: x", Nvidia's "0(12) : error C1: x", Apple's "ERROR: 0:12: x".
 struct LogLine {
-    std::optional<int> line;  ///< of the text that was compiled
-    int column = 0;           ///< from 1; 0 where the compiler does not say
+    std::optional<int> line;  ///< in the compiled text
+    int column = 0;           ///< from 1; 0 if the compiler reports none
     std::string message;
     bool is_warning = false;
 };
@@ -136,7 +136,7 @@ bool ends_in_comment(const std::string& line, bool inside) {
     return inside;
 }
 
-/// The lines of a file as they count: without a carriage return, and without some editors' mark of UTF-8.
+/// Calls `take` with each line, without a carriage return and without a UTF-8 byte order mark.
 template <class Take>
 void each_line(const std::string& text, Take take) {
     std::istringstream lines(text);
@@ -217,8 +217,8 @@ std::set<std::string> included_by(const std::string& text) {
 
 namespace {
 
-/// Where a compiler's column is in the line, from 0; past its end where it is nowhere. Only Mesa says columns, and it
-/// counts blanks that follow each other as one.
+/// Converts a compiler's column to an offset in the line, from 0. Returns the line's length if there is no such column.
+/// Only Mesa reports columns, and it counts a run of blanks as one.
 size_t place_of(const std::string& line, int column) {
     const auto is_blank = [&](size_t i) { return line[i] == ' ' || line[i] == '\t'; };
     for (size_t i = 0; i < line.size(); ++i)
@@ -226,7 +226,7 @@ size_t place_of(const std::string& line, int column) {
     return line.size();
 }
 
-/// A line of what was compiled, with a mark below the column; empty for a line that is not there.
+/// Returns a line of the compiled text with a mark below the column. Empty if there is no such line.
 std::string quoted(const std::vector<std::string>& source, const LogLine& at) {
     if (!at.line || *at.line < 1 || size_t(*at.line) >= source.size()) return {};
     const std::string& line = source[size_t(*at.line) - 1];
@@ -259,7 +259,7 @@ ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines, c
         const std::string quote = place.file.empty() ? "" : quoted(source_lines, parsed);
         if (quote != last_quoted) result.text += quote;
         last_quoted = quote;
-        // A line with a place says more than a heading without one.
+        // A message with a place is more useful than a heading without one.
         const bool better = result.first_message.empty() || (result.first.file.empty() && !place.file.empty());
         if (better && !parsed.is_warning) {
             result.first = place;

@@ -1,5 +1,5 @@
-// Shader text from files: #include, #define permutations, and the way back from a compiler's message to the
-// line that a person wrote. Needs no GL.
+// Shader text from files: #include, #define permutations, and the mapping of a compiler's messages back to source
+// lines. Needs no GL.
 #pragma once
 
 #include <filesystem>
@@ -13,23 +13,24 @@ namespace relief {
 
 struct ShaderSource {
     std::filesystem::path stage;
-    std::string text;             ///< what the compiler gets
-    std::vector<Place> lines;     ///< where each line of the text comes from; a #define that was put in has no file
-    std::set<std::string> names;  ///< every u_ and s_ name in the files, whether or not it is in use
+    std::string text;             ///< text for the compiler
+    std::vector<Place> lines;     ///< source file and line of each line of the text; an inserted #define has no file
+    std::set<std::string> names;  ///< every u_ and s_ name in the files, used or not
 };
 
-/// Reads a stage and what it includes. `#include "common/light.glsl"` is looked for beside the including file, then
-/// below the course's `shaders` folder; a file is taken once. `defines` ("NAME" or "NAME VALUE") follow the `#version`
-/// line, which the stage's first line must be. Throws Error with file and line.
+/// Reads a stage and the files that it includes. An included file such as `"common/light.glsl"` is searched for beside
+/// the including file, then below the course's `shaders` folder. Each file is included once. `defines` ("NAME" or "NAME
+/// VALUE") are inserted after the `#version` line, which must be the first line of the stage. Throws Error with file
+/// and line.
 ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<std::string>& defines);
 
-/// What a text includes itself, as it names it; a line that is none is passed over.
+/// Returns the names in a text's own #include lines, as written. Skips malformed lines.
 std::set<std::string> included_by(const std::string& text);
 
-/// A compiler's log with each "0:12(5): " or "0(12) : " replaced by the file and the line that line 12 of the text
-/// comes from, and the first error in it. (#line with a number for each file would be the language's own way, but
-/// Mesa 22.3 forgets the file's number in some messages: "undeclared" is one.) With `source`, what was compiled, the
-/// line that is meant follows each message, once, and where the compiler says a column, a mark below it.
+/// A compiler's log in terms of the source files, and its first error. Each "0:12(5): " or "0(12) : " is replaced by
+/// the file and line that line 12 of the text comes from. (GLSL could do this with a #line number per file, but Mesa
+/// 22.3 drops the file number from some messages, such as "undeclared".) `source` is the compiled text. If given, each
+/// message is followed by the line that it refers to, once, with a mark below the column if the compiler reports one.
 struct ShaderLog {
     Place first;
     std::string first_message;

@@ -15,8 +15,8 @@ void attach(GLenum place, GLuint renderbuffer, GLenum format, int samples, glm::
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, renderbuffer);
 }
 
-// A blit would do the same. But the software renderer compiles its blit in every process, for a twentieth of a second,
-// while a program of ours is in its cache.
+// A blit would do the same. But the software renderer compiles its blit shader in every process (50 ms), while this
+// program comes from its shader cache.
 std::vector<ShaderSource> resolving(int samples) {
     ShaderSource vertex, fragment;
     vertex.stage = "resolve.vert";
@@ -28,7 +28,7 @@ std::vector<ShaderSource> resolving(int samples) {
     fragment.stage = "resolve.frag";
     fragment.text = fmt::format(
         "#version 410 core\n"
-        "uniform sampler2DMS s_samples;\n"  // of unit 0
+        "uniform sampler2DMS s_samples;\n"  // texture unit 0
         "out vec4 o_mean;\n"
         "void main() {{\n"
         "    vec4 sum = vec4(0.0);\n"

@@ -1,4 +1,4 @@
-// Where a frame is drawn: an offscreen framebuffer with depth, for pictures or for probes.
+// The framebuffer of a frame: offscreen, with depth, for pictures or for probes.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,8 +15,8 @@ constexpr int max_picture_side = 8192;
 
 enum class TargetKind {
     picture,  ///< RGBA8, sRGB-encoded by the shader, 4 samples a pixel
-    light,    ///< the same picture in 32-bit floats, so that nothing is clipped or rounded
-    probe     ///< RGBA32F, one sample at the centre of the pixel: numbers must not be averaged
+    light,    ///< the same picture in 32-bit floats, neither clamped nor rounded
+    probe     ///< RGBA32F, one sample at the pixel's centre: numbers must not be averaged
 };
 
 class Target {
@@ -26,12 +26,12 @@ public:
 
     TargetKind kind() const { return kind_; }
     glm::ivec2 size() const { return size_; }
-    /// What a lab draws into.
+    /// Returns the framebuffer that a lab draws into.
     GLuint framebuffer() const { return drawn_; }
-    /// Averages the samples (if there are several) into the one-sample framebuffer that is returned. Leaves no program in
-    /// use, no depth test and its own viewport.
+    /// Averages the samples into a single-sample framebuffer and returns it. Returns framebuffer() if there is one
+    /// sample. Otherwise unbinds the program, disables the depth test and changes the viewport.
     GLuint resolve() const;
-    /// Reads all pixels, row 0 at the top: the first 1 to 4 channels.
+    /// Reads the first 1 to 4 channels of all pixels, row 0 at the top. Calls resolve().
     Image read(int channels = 4) const;
 
 private:
@@ -39,11 +39,11 @@ private:
     glm::ivec2 size_;
     FramebufferName drawn_;
     RenderbufferName depth_;
-    std::optional<RenderbufferName> color_;  ///< of a target with one sample
-    /// Of a target with several.
+    std::optional<RenderbufferName> color_;  ///< only with one sample a pixel
+    /// Only with several samples a pixel.
     struct Samples {
         TextureName color;
-        FramebufferName framebuffer;  ///< of their means
+        FramebufferName framebuffer;  ///< holds the average of the samples
         RenderbufferName means;
         Program resolve;
         VertexArrayName nothing;

@@ -1,4 +1,4 @@
-// A framebuffer of textures: several floats a texel, to be read by the next pass.
+// A framebuffer of textures that the next pass reads: several floats a texel.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,22 +13,22 @@ namespace relief {
 
 class TexelTarget {
 public:
-    /// One texture for each of `formats` (GL_RGBA32F, GL_RGBA16, GL_RGBA8), the colour attachments 0, 1, ... in this
-    /// order. With `mips` they have all levels, read trilinearly; else they are read by the nearest texel. Coordinates
-    /// are clamped. With `depth` what is near hides what is far. Throws Error when the driver cannot hold it.
+    /// Allocates one texture for each of `formats` (GL_RGBA32F, GL_RGBA16, GL_RGBA8): colour attachments 0, 1, ... in
+    /// this order. With `mips` they have all levels and trilinear filtering, else nearest filtering. Coordinates are
+    /// clamped to the edge. With `depth` it has a depth buffer. Throws Error when the driver cannot hold it.
     TexelTarget(glm::ivec2 size, std::initializer_list<GLenum> formats, bool mips = false, bool depth = false);
     ~TexelTarget();
     TexelTarget(const TexelTarget&) = delete;
     TexelTarget& operator=(const TexelTarget&) = delete;
 
     glm::ivec2 size() const { return size_; }
-    /// Makes an attachment the 2D texture of a unit.
+    /// Binds an attachment to a texture unit as GL_TEXTURE_2D.
     void bind(int unit, size_t attachment = 0) const;
-    /// Draw into all attachments of level 0, over all of their texels.
+    /// Binds the framebuffer and sets the viewport to all of level 0. Draws go to all attachments.
     void begin() const;
-    /// Levels 1 and on as means of those before. Leaves another texture bound on the active unit.
+    /// Fills levels 1 and up with averages of the level before. Changes the texture bound to the active unit.
     void make_mips() const;
-    /// Level 0 as floats of four channels, row 0 at the top.
+    /// Reads level 0 as four-channel floats, row 0 at the top.
     Image read(size_t attachment = 0) const;
 
 private:

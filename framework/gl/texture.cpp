@@ -60,7 +60,7 @@ Texture::Loaded::~Loaded() { counters().texture_bytes -= bytes; }
 
 Texture::operator GLuint() const {
     if (!loaded_ && is_asset_) {
-        // Of every course that is read, and of every way to look at a picture.
+        // The key has the course's root and all sampling options: a process may read several courses.
         using Key = std::tuple<std::string, ColorSpace, Wrap, bool, std::optional<float>>;
         static std::map<Key, std::weak_ptr<const Loaded>> assets;
         std::weak_ptr<const Loaded>& shared = assets[Key((course_root() / title_).string(), options_.space,
@@ -92,7 +92,7 @@ std::shared_ptr<const Texture::Loaded> Texture::create() const {
         throw Error(
             fmt::format("{}: {}x{} is larger than this driver's {}", title_, first.width, first.height, largest));
 
-    // Made in the middle of a draw that has textures bound: whatever is on the active unit must stay there.
+    // A texture is created in the middle of a draw: keep the caller's binding on the active unit.
     const GLenum target = this->target();
     const bool layered = target == GL_TEXTURE_2D_ARRAY;
     GLint bound = 0;
@@ -101,7 +101,7 @@ std::shared_ptr<const Texture::Loaded> Texture::create() const {
     glBindTexture(target, loaded->name);
     label(GL_TEXTURE, loaded->name, title_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    // First what it will be: a driver that hears of levels when the first is there makes room, and copies, twice.
+    // Set the level count before the upload: some drivers otherwise allocate and copy the texture twice.
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, layered ? 0 : GLint(texels.levels.size()) - 1);
     glTexParameteri(target, GL_TEXTURE_MAG_FILTER, layered ? GL_NEAREST : GL_LINEAR);
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER,

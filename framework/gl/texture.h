@@ -19,22 +19,24 @@ enum class Wrap { repeat, clamp };
 struct TextureOptions {
     ColorSpace space = ColorSpace::linear;
     Wrap wrap = Wrap::repeat;
-    /// Trilinear over the chain of mip_chain(), else bilinear on level 0 alone.
+    /// Trilinear filtering over the levels of mip_chain(); else bilinear filtering of level 0 only.
     bool mips = true;
-    /// More than 1: a 2-D array of the picture cut into as many of the same height, layer 0 lowest. It is read by the
-    /// nearest texel of level 0.
+    /// More than 1: the picture is cut into this many layers of equal height, for a 2-D array texture. Layer 0 is the
+    /// lowest. Sampled with nearest filtering from level 0.
     int layers = 1;
-    /// Samples along the longer side of a pixel's footprint, where the driver can; 1 is none. Unless it is said, a GPU
-    /// takes 8 and a software renderer 1: there 4 samples make the whole frame of lab 01 four times as long.
+    /// Maximum number of samples along the longer axis of a pixel's footprint, if the driver supports it. 1 disables
+    /// anisotropic filtering. Default: 8 on a GPU, 1 on a software renderer, where 4 samples make the whole frame of
+    /// lab 01 take four times as long.
     std::optional<float> anisotropy = {};
 };
 
-/// A 2-D texture, or an array of them, named at first use. Row 0 of the image is the top, and v grows up. 8-bit images
-/// become GL_R8 to GL_RGBA8 or GL_SRGB8(_ALPHA8), 16-bit ones GL_R16 to GL_RGBA16, floats GL_R32F to GL_RGBA32F.
+/// A 2-D texture or 2-D array texture, created at first use. Row 0 of the image is the top, and v grows up. 8-bit
+/// images become GL_R8 to GL_RGBA8 or GL_SRGB8(_ALPHA8), 16-bit images GL_R16 to GL_RGBA16, float images GL_R32F to
+/// GL_RGBA32F.
 class Texture {
 public:
     Texture(std::string title, std::function<Image()> make, TextureOptions options = {});
-    /// With mip levels of one's own, from level 0 down to 1 x 1.
+    /// `make` returns all mip levels, from level 0 down to 1 x 1.
     Texture(std::string title, std::function<std::vector<Image>()> make, TextureOptions options = {});
     Texture(Texture&&) noexcept = default;
     Texture& operator=(Texture&&) = delete;
@@ -44,7 +46,7 @@ public:
     GLenum target() const { return options_.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D; }
 
 private:
-    /// What the driver holds.
+    /// The texture object in the driver.
     struct Loaded {
         TextureName name;
         int64_t bytes = 0;
@@ -61,12 +63,12 @@ private:
     mutable std::shared_ptr<const Loaded> loaded_;
 };
 
-/// A file below the course's `assets` folder. All that load it with the same options share one texture of the driver's,
-/// which is there as long as one of them is.
+/// Loads a file below the course's `assets` folder. All textures of the same file and options share one GL texture,
+/// which lives until the last of them is destroyed.
 Texture load_texture(const char* asset, TextureOptions options);
 Texture load_texture(const char* asset, ColorSpace space);
 
-/// Makes the texture current on a unit.
+/// Binds the texture to a texture unit.
 void bind(int unit, const Texture& texture);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// Data of vertices, or of instances, beside the four attributes of a mesh.
+// Per-vertex or per-instance data in addition to the four attributes of a mesh.
 #pragma once
 
 #include <cstddef>
@@ -10,30 +10,31 @@
 
 namespace relief {
 
-/// One attribute of the elements of a stream.
+/// One attribute of a stream's elements.
 struct StreamAttribute {
     GLuint location;
-    GLint count;    ///< of numbers, 1 to 4
-    GLenum type;    ///< GL_FLOAT; or a type of whole numbers, which stay whole numbers in the shader (ivec4, uint, ...)
-    size_t offset;  ///< bytes from the beginning of an element
+    GLint count;    ///< number of components, 1 to 4
+    GLenum type;    ///< GL_FLOAT, or an integer type, which stays an integer in the shader (ivec4, uint, ...)
+    size_t offset;  ///< bytes from the start of an element
 };
 
-/// Elements that a vertex array reads beside those of its mesh: one a vertex or, with a divisor, one for every so many
-/// instances. The buffer is made when it is first filled. By convention 4 are bones, 5 their weights, and what belongs
-/// to instances begins at 6.
+/// Elements that a vertex array reads in addition to its mesh: one per vertex, or one per `divisor` instances if
+/// `divisor` is not 0. The buffer is created by the first fill(). Locations by convention: 4 bones, 5 bone weights, 6
+/// and up per-instance data.
 class VertexStream {
 public:
     VertexStream(std::vector<StreamAttribute> attributes, GLuint divisor = 0)
         : attributes_(std::move(attributes)), divisor_(divisor) {}
 
-    /// In place of what was in it. A vertex array that reads it goes on reading it.
+    /// Replaces the content. Vertex arrays that were attached stay attached.
     template <class Element>
     void fill(std::span<const Element> elements) {
         fill(elements.data(), sizeof(Element), elements.size());
     }
-    GLsizei count() const { return count_; }  ///< of elements
+    GLsizei count() const { return count_; }  ///< number of elements
 
-    /// Lets a vertex array read it, which must be filled. The vertex array that is bound stays bound.
+    /// Adds the stream's attributes to a vertex array. Keeps the current vertex array binding. Throws Error before the
+    /// first fill().
     void attach(GLuint layout) const;
 
 private:
