@@ -1,4 +1,4 @@
-// The three ways to a context, for context.cpp alone.
+// The three backends of a context, used by context.cpp only.
 #pragma once
 
 #include <memory>
@@ -13,14 +13,14 @@ std::unique_ptr<Context> open_osmesa();
 std::unique_ptr<Context> open_egl();
 std::unique_ptr<Context> open_hidden_window();
 
-/// Why a driver is of no use that opens a context and none of OpenGL 4.1 core: which it is and what it has. Asks the
-/// context of any kind that is current.
+/// Explains why the current context is below OpenGL 4.1 core. Names the driver, its OpenGL version and the environment
+/// variables that choose a driver. `load` is the loader of the current context, which may have any version.
 std::string too_little(LoadFunction* load);
 
-/// The module with GLFW and the menu in it. Throws NoWindow.
+/// The module with GLFW and the menu. Throws NoWindow if there is no display or the module does not open.
 const Module& window_module();
 
 }  // namespace relief
 
-/// What the window module offers to this layer; the caller owns the result.
+/// Entry point of the window module; the caller owns the result.
 extern "C" relief::Context* relief_open_hidden_window();

@@ -1,4 +1,4 @@
-// A context without a window from EGL: on a GPU where a driver offers one, else on Mesa's software renderer.
+// A windowless EGL context: on a GPU if a driver offers one, else on Mesa's software renderer.
 #define EGL_NO_X11
 #define MESA_EGL_NO_X11_HEADERS
 #include <EGL/egl.h>
@@ -63,7 +63,7 @@ public:
     }
 
 private:
-    /// Hardware first, Mesa's surfaceless platform last; that one alone when software is asked for.
+    /// Hardware devices first, Mesa's surfaceless platform last. Only the latter if LIBGL_ALWAYS_SOFTWARE is set.
     static std::vector<EGLDisplay> displays() {
         std::vector<EGLDisplay> found;
         const auto get_display = extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
@@ -106,7 +106,7 @@ private:
         return false;
     }
 
-    /// Why there is no context of OpenGL 4.1 core: one of any other version tells.
+    /// Notes why OpenGL 4.1 core is refused, by asking a context of any version.
     void note_refusal(EGLConfig config) {
         context_ = create_(display_, config, EGL_NO_CONTEXT, nullptr);
         if (context_ == EGL_NO_CONTEXT) return;
@@ -128,7 +128,7 @@ private:
     decltype(&eglMakeCurrent) make_current_ = core<decltype(eglMakeCurrent)>("eglMakeCurrent");
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
-    std::string refused_;  ///< the drivers that have too little, each with what it has
+    std::string refused_;  ///< drivers below OpenGL 4.1 core, each with its version
 };
 
 }  // namespace

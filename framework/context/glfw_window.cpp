@@ -13,7 +13,7 @@ namespace {
     throw NoWindow(std::string("no window: ") + (reason ? reason : "GLFW gives no reason"));
 }
 
-/// Why no window has a context of OpenGL 4.1 core: one of any other version tells.
+/// Throws NoWindow. Explains the missing OpenGL 4.1 core by asking a context of any version.
 [[noreturn]] void fail_to_open() {
     const char* reason = nullptr;
     glfwGetError(&reason);
@@ -39,7 +39,7 @@ GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) 
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS has no other core profile
     glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // labs draw into targets of their own
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // labs draw into their own targets
     window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
     if (!window_) fail_to_open();
     glfwSetWindowUserPointer(window_, this);
@@ -63,7 +63,7 @@ GlfwWindow::GlfwWindow(glm::ivec2 size, const std::string& title, bool visible) 
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* window, int, int) { noted(window); });
     GlfwWindow::make_current();
     load_gl(glfwGetProcAddress);
-    glfwSwapInterval(1);  // an animation needs no more frames than the screen shows
+    glfwSwapInterval(1);  // no more frames than the screen shows
 }
 
 GlfwWindow& GlfwWindow::noted(GLFWwindow* window) {
@@ -72,8 +72,8 @@ GlfwWindow& GlfwWindow::noted(GLFWwindow* window) {
     return self;
 }
 
-// GLFW itself stays: glfwTerminate would unload the driver's libraries, and whatever large library is opened after that
-// crashes as it starts (seen with OpenImageIO's on Mesa 22.3 and glibc 2.36).
+// GLFW itself stays initialised. glfwTerminate would unload the driver's libraries. The next large library to be opened
+// then crashes as it starts (seen with OpenImageIO, Mesa 22.3 and glibc 2.36).
 GlfwWindow::~GlfwWindow() {
     if (window_) glfwDestroyWindow(window_);
 }

@@ -14,7 +14,7 @@
 
 namespace relief {
 
-/// A key that was pressed: its place on the keyboard, what it types there, and what was held.
+/// A pressed key: its position on the keyboard, the text that it types, and whether Control was held.
 struct Key {
     int code;          ///< GLFW_KEY_...
     std::string name;  ///< "z", "+"; empty for keys that type nothing
@@ -31,15 +31,16 @@ public:
 
     void make_current() override { glfwMakeContextCurrent(window_); }
     GLFWwindow* handle() const { return window_; }
-    /// The keys pressed since the last call, in order: also those that were up again before anyone looked, as happens
-    /// when a frame takes longer than a tap.
+    /// Returns the keys pressed since the last call, in order. Includes keys that were released in between: a frame may
+    /// take longer than a key press.
     std::vector<Key> take_keys() { return std::exchange(keys_, {}); }
-    /// The characters typed since the last call: where a keyboard has its question mark is its own affair.
+    /// Returns the characters typed since the last call. The question mark is read this way, because its key depends on
+    /// the keyboard layout.
     std::vector<unsigned> take_characters() { return std::exchange(characters_, {}); }
-    /// The files dropped on the window since the last call.
+    /// Returns the files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_files() { return std::exchange(files_, {}); }
-    /// Whether anything has come from the user or the screen since the last call. What waits with a timeout cannot tell
-    /// otherwise why it woke.
+    /// Returns whether the user or the screen has sent an event since the last call. A wait with a timeout needs this
+    /// to tell an event from the timeout.
     bool take_event() { return std::exchange(event_, false); }
 
 private:

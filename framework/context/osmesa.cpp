@@ -1,7 +1,7 @@
-// A software context without any display, from Mesa's off-screen library.
-#include "framework/gl/gl.h"  // before osmesa.h, which would bring the system's gl.h
+// A software context without a display, from Mesa's off-screen library.
+#include "framework/gl/gl.h"  // before osmesa.h, which would include the system's gl.h
 
-// glad takes these names back at its end, and the header of Mesa 25 wants them.
+// glad undefines these macros at its end, and the osmesa.h of Mesa 25 needs them.
 #ifndef APIENTRY
     #define APIENTRY GLAD_API_PTR
 #endif
@@ -51,8 +51,8 @@ public:
     }
 
 private:
-    /// OSMesa does not look whether it has the driver that GALLIUM_DRIVER names, and crashes without it (Mesa 22.3 with
-    /// zink and no Vulkan): so one that it need not have is tried in a process of its own.
+    /// OSMesa does not check whether the driver in GALLIUM_DRIVER exists and crashes without it (Mesa 22.3 with zink
+    /// and no Vulkan). So every driver but llvmpipe and softpipe is first tried in a child process.
     void refuse_drivers_that_crash() const {
         const char* const name = std::getenv("GALLIUM_DRIVER");
         if (!name || !*name || std::string_view(name) == "llvmpipe" || std::string_view(name) == "softpipe") return;
@@ -64,7 +64,7 @@ private:
             throw Error("OSMesa crashes, as it does where it lacks the driver that is asked for" + driver_variables());
     }
 
-    /// Why there is no context of OpenGL 4.1 core: one of any other version tells.
+    /// Explains why there is no OpenGL 4.1 core, by asking a context of any version.
     std::string reason() {
         const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, 0};
         context_ = create_(attributes, nullptr);
@@ -88,7 +88,7 @@ private:
         library().function<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext");
     decltype(&OSMesaGetProcAddress) load_ = library().function<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress");
     OSMesaContext context_ = nullptr;
-    // OSMesa insists on a window buffer; nobody draws into it, because its pixels are not those of a framebuffer.
+    // OSMesa requires a window buffer. It stays unused, because labs draw into framebuffers of their own.
     std::array<unsigned char, 4 * 4 * 4> window_{};
 };
 

@@ -1,4 +1,4 @@
-// A hidden window's context: from the module that holds GLFW, so that headless runs never load it.
+// The context of a hidden window. Loads GLFW's module on demand, so that headless runs never load it.
 #include "framework/base/error.h"
 #include "framework/context/backends.h"
 
