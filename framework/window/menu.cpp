@@ -41,12 +41,12 @@
 namespace relief {
 namespace {
 
-/// Dear ImGui, for as long as the window is open.
+/// Owns Dear ImGui for the lifetime of the window.
 class ImGuiSession {
 public:
     ImGuiSession(GLFWwindow* window, float scale) {
         ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr;  // the menu leaves no files behind
+        ImGui::GetIO().IniFilename = nullptr;  // the menu writes no files
         style_menu(scale);
         ImGui_ImplGlfw_InitForOpenGL(window, true);
         ImGui_ImplOpenGL3_Init("#version 410 core");
@@ -59,7 +59,7 @@ public:
     ImGuiSession(const ImGuiSession&) = delete;
     ImGuiSession& operator=(const ImGuiSession&) = delete;
 
-    /// Between two frames.
+    /// Changes the scale; call it between frames.
     void scale(float scale) {
         style_menu(scale);
         ImGui_ImplOpenGL3_DestroyFontsTexture();
@@ -67,7 +67,8 @@ public:
     }
 };
 
-/// As the desktop is set. Where it is not, a display whose pixels are small is scaled up to what leaves 1080 rows.
+/// Returns the desktop's scale if it is above 1. Otherwise derives it from the display's pixel density, limited so that
+/// about 1080 scaled rows remain. Rounded to quarters, at least 1.
 float scale_of(GLFWwindow* window) {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window, &x, &y);
@@ -75,14 +76,14 @@ float scale_of(GLFWwindow* window) {
     GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     if (!mode) return 1;
-    int width = 0, height = 0;  // millimetres, 0 if nobody knows
+    int width = 0, height = 0;  // in millimetres; 0 if unknown
     glfwGetMonitorPhysicalSize(monitor, &width, &height);
     if (height <= 0) return 1;
     const float density = float(mode->height) * 25.4f / float(height) / 96;
     return std::max(1.0f, std::round(4 * std::min(density, float(mode->height) / 1080)) / 4);
 }
 
-/// Larger on a display whose pixels are small, and never larger than the display.
+/// Scales the window's size, clamped to the display's work area.
 void fit_to_display(GLFWwindow* window, float scale) {
     glm::ivec2 size{0, 0}, room{0, 0};
     glfwGetWindowSize(window, &size.x, &size.y);
@@ -108,9 +109,9 @@ public:
         const TellMissingTasks told;
         GLFWwindow* const window = window_.handle();
         while (!glfwWindowShouldClose(window)) {
-            // Asleep until something happens. An event wants a second turn, in which Dear ImGui shows what it did, and
-            // a third when that was to open a window, which is measured before it is shown. The sleep is broken to look
-            // at files, and nothing is drawn when they are as they were.
+            // Sleep until an event. An event needs up to three turns: Dear ImGui shows its effect in the second, and
+            // measures a new window before it shows it in the third. The sleep ends regularly to look at files;
+            // unchanged files cause no drawing.
             if (moves() || turns_ > 0 || checking()) {
                 glfwPollEvents();
             } else {
@@ -132,7 +133,7 @@ public:
 private:
     bool moves() const { return stage_.manifest().animated && !stage_.failed() && !paused_; }
 
-    /// Whether a check is to be run now: one between two frames, while nobody drags and the results are in view.
+    /// Returns whether to run a check now: between two frames, if nothing is being dragged and the panel is visible.
     bool checking() const {
         return checks_.pending() && !panel_hidden_ && !is_dragged() && glfwGetTime() - opened_ >= still_for;
     }
@@ -142,15 +143,15 @@ private:
         return false;
     }
 
-    /// What happens without the user: files that were saved, and an error map once the picture stands still. Whether
-    /// there is anything new to show.
+    /// Looks for saved files, and computes the error map once the picture is still. Returns whether there is anything
+    /// new to show.
     bool look() {
         const double now = glfwGetTime();
         bool news = false;
         if (now - looked_ >= look_every) {
             looked_ = now;
             news = stage_.look();
-            if (news) wipe_.changed();  // its programs are of the same files
+            if (news) wipe_.changed();  // it uses the same shader files
             news |= handout_.look();
             news |= checks_.look();
         }
@@ -158,7 +159,7 @@ private:
             explanation_.compute(stage_);
             news = true;
         }
-        // A drag that pauses is not over, and the truth may take a second.
+        // Not during a pause in a drag: the exact values may take a second.
         if (error_map_.wanted() && !check_view_.is_open() && !is_dragged() && !moves() && now - drawn_ >= still_for) {
             error_map_.compute(stage_);
             news = true;
@@ -209,8 +210,8 @@ private:
                       handout_.is_open() && stage_.lab() ? describe_knobs(*stage_.lab()) : std::vector<KnobText>(),
                       wish);
         borders_.drag(layout, scale_);
-        if (stage_.edits() != edits_) explanation_.close();  // it is of another picture
-        // A check shows what it is: whoever turns a knob wants to see the picture.
+        if (stage_.edits() != edits_) explanation_.close();  // it explains another picture
+        // A change of a knob is meant for the picture, so leave the check.
         if (stage_.edits() != edits_ && check_view_.is_open() && !wish.check) check_view_.close();
         edits_ = stage_.edits();
         check_view_.draw(picture, scale_, checks_, wish);
@@ -224,17 +225,17 @@ private:
         const int half = error_map_.on() ? 2 : 1;
         const glm::ivec2 room =
             glm::clamp(glm::ivec2(picture.size.x / half, picture.size.y), glm::ivec2(1), glm::ivec2(max_picture_side));
-        // Who waits is told so: the note is shown first, over the old picture, and then the frame is drawn.
+        // Before a slow frame, show a note over the old picture for one turn.
         const bool waits = !check_view_.is_open() && stage_.is_due(room, time_) && stage_.is_slow();
         if (waits && !std::exchange(is_told_, true)) {
             draw_note(picture, "drawing ...");
             turns_ = std::max(turns_, 2);
         } else if (!check_view_.is_open()) {
             is_told_ = false;
-            const bool is_first = !stage_.framebuffer();  // which also compiles and loads
+            const bool is_first = !stage_.framebuffer();  // also compiles and loads
             const bool drawn = stage_.draw(room, time_);
             if (drawn) error_map_.forget(), drawn_ = glfwGetTime();
-            if (drawn && stage_.failed()) turns_ = 3;  // the error's box is measured before it is shown
+            if (drawn && stage_.failed()) turns_ = 3;  // ImGui measures the error's box before it shows it
             if (drawn && !is_first) status_.note(stage_.milliseconds());
             wipe_.draw(stage_, room, time_, drawn);
             wipe_.draw_border({picture.at, room}, scale_, stage_);
@@ -247,7 +248,7 @@ private:
         act(wish);
     }
 
-    /// In the lower left corner of the picture.
+    /// Draws a note in the lower left corner of the picture.
     static void draw_note(const Box& picture, const char* note) {
         const float margin = ImGui::GetStyle().WindowPadding.x;
         const ImVec2 size = ImGui::CalcTextSize(note);
@@ -257,14 +258,14 @@ private:
         list.AddText({at.x + margin, at.y + margin / 2}, ImGui::ColorConvertFloat4ToU32(accent), note);
     }
 
-    /// A step of undo is a setting at which something rests: not one on the way of a drag.
+    /// Adds a step of undo for a setting that is complete, not for one in the middle of a drag.
     void remember() {
         if (settled_ == stage_.edits() || is_dragged() || ImGui::IsAnyItemActive()) return;
         settled_ = stage_.edits();
         history_.note(stage_.settings());
     }
 
-    /// For --verbose: where the picture stands.
+    /// Prints the picture's position for --verbose.
     void note(const Layout& layout) {
         if (layout.picture == noted_) return;
         noted_ = layout.picture;
@@ -278,7 +279,7 @@ private:
         glClearColor(0.08f, 0.085f, 0.10f, 1);
         glClear(GL_COLOR_BUFFER_BIT);
         if (!stage_.framebuffer() || check_view_.is_open()) return;
-        const int bottom = window.y - at.y - room.y;  // rows of a framebuffer count from below
+        const int bottom = window.y - at.y - room.y;  // framebuffer rows count from the bottom
         const auto copy = [&](GLuint from, int begin, int end) {
             glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
             glBlitFramebuffer(begin, 0, end, room.y, at.x + begin, bottom, at.x + end, bottom + room.y,
@@ -342,7 +343,7 @@ private:
         if (key.name == "f") wish.search = true;
         if (const Error* const error = stage_.error(); error && key.name == "e" && !error->place().file.empty())
             wish.edit = error->place();
-        if (ImGui::GetIO().WantTextInput) return;  // a field has its own undo
+        if (ImGui::GetIO().WantTextInput) return;  // a text field has its own undo
         if (key.name == "z") go_to(history_.undo());
         if (key.name == "y") go_to(history_.redo());
     }
@@ -369,11 +370,11 @@ private:
     void go_to(const std::optional<Shot>& setting) {
         if (!setting) return;
         stage_.apply(*setting);
-        // So that a value which is not kept exactly as text is no step of its own.
+        // A value that text does not hold exactly must not become a new step.
         settled_ = stage_.edits();
     }
 
-    /// The one under the mouse, in the picture or in the error map beside it.
+    /// Explains the pixel under the mouse, in the picture or in the error map beside it.
     void follow_pixel() {
         if (check_view_.is_open() || !stage_.framebuffer()) return;
         const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -403,7 +404,7 @@ private:
             handout_.open(stage_.entry());
     }
 
-    /// Keys that scroll an open handout, and what closes it. Returns false for all others.
+    /// Handles keys that scroll or close an open handout. Returns false for all other keys.
     bool press_in_handout(int key) {
         static const std::map<int, float> lines = {{GLFW_KEY_UP, -2.0f},       {GLFW_KEY_DOWN, 2.0f},
                                                    {GLFW_KEY_PAGE_UP, -25.0f}, {GLFW_KEY_PAGE_DOWN, 25.0f},
@@ -418,7 +419,7 @@ private:
 
     void press(int key, MenuWish& wish) {
         if (key == GLFW_KEY_ESCAPE && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
-            ImGui::SetWindowFocus(nullptr);  // closes whatever list is open
+            ImGui::SetWindowFocus(nullptr);  // closes any open list
             return;
         }
         if (key == GLFW_KEY_ESCAPE && help_) {
@@ -499,7 +500,7 @@ private:
         if (!(camera == before)) stage_.changed();
     }
 
-    // The point under the mouse stays under it.
+    // Keeps the point under the mouse in place.
     void pan(Orbit& camera, double right, double down) const {
         const double metres =
             2 * camera.distance * std::tan(glm::radians(camera.field_of_view) / 2) / std::max(1, stage_.size().y);
@@ -507,7 +508,7 @@ private:
         camera.target += world_from_view * glm::dvec3(-right * metres, down * metres, 0);
     }
 
-    /// A picture that was dropped on the window.
+    /// Loads a picture that was dropped on the window.
     void take(const std::filesystem::path& file) {
         try {
             if (!stage_.lab()) return;
@@ -539,7 +540,7 @@ private:
     static constexpr double look_every = 0.2, still_for = 0.3;  // seconds
     GlfwWindow window_{{1280, 800}, "Relief", true};
     const float display_scale_ = scale_of(window_.handle());
-    float zoom_ = 1, scale_ = display_scale_;  ///< by Ctrl with + and -; both together
+    float zoom_ = 1, scale_ = display_scale_;  ///< `zoom_`: set by Ctrl and +/-; `scale_`: zoom times display scale
     ImGuiSession imgui_{window_.handle(), scale_};
     Stage stage_;
     Checks checks_;
@@ -551,9 +552,9 @@ private:
     Search search_;
     History history_;
     Wipe wipe_;
-    bool help_ = false, is_told_ = false;  ///< the keys are shown; who waits knows it
+    bool help_ = false, is_told_ = false;  ///< help is open; the "drawing ..." note has been shown
     Box noted_;
-    int64_t edits_ = 0, settled_ = 0;  ///< of the stage, that have been seen; that are steps of the history
+    int64_t edits_ = 0, settled_ = 0;  ///< stage.edits() seen so far; stage.edits() at the last step of undo
     Handout handout_;
     ErrorMap error_map_;
     PixelValues pixel_;
@@ -562,7 +563,7 @@ private:
     double begin_ = 0, time_ = 0;
     bool paused_ = false, panel_hidden_ = false;
     int turns_ = 3;
-    int64_t shown_ = 0, told_ = 0;  ///< frames of the menu; those that --verbose knows of
+    int64_t shown_ = 0, told_ = 0;  ///< frames of the menu so far; at the last --verbose message
     std::string message_;
 };
 

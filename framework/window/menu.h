@@ -8,18 +8,18 @@
 
 namespace relief {
 
-/// What the window opens with.
+/// The window's initial state.
 struct MenuStart {
-    std::string lab_folder;         ///< its name; the first lab where there is none of that name
-    std::optional<Shot> shot = {};  ///< knobs, camera and probe; else the lab's own
+    std::string lab_folder;         ///< folder name of the lab; the first lab if there is no such folder
+    std::optional<Shot> shot = {};  ///< knobs, camera and probe; the lab's defaults if missing
     bool error_map = false;
-    std::string check = {};  ///< show this check in place of the picture
+    std::string check = {};  ///< name of a check to show in place of the picture; empty for none
 };
 
-/// Opens the window and returns the exit code when it is closed.
+/// Opens the window. Returns the exit code after it is closed.
 int open_menu(const MenuStart& start);
 
 }  // namespace relief
 
-/// The functions that the application calls in the window module.
+/// Entry point of the window module for the application.
 extern "C" int relief_run_menu(const relief::MenuStart& start);

@@ -35,18 +35,18 @@ Sign sign_of(const std::optional<CheckResult>& result) {
     }
 }
 
-/// Where the task's file says what is to be written; 0 if it does not.
+/// Returns the line of the task's marker in its file; 0 if it has none or the file is missing.
 int line_of(const TaskInfo& task) {
     try {
         const std::vector<std::string> lines = split(read_file(course_root() / task.file, size_t{1} << 20), '\n');
         for (size_t i = 0; i < lines.size(); ++i)
             if (lines[i].find("TASK " + task.id) != std::string::npos) return int(i) + 1;
-    } catch (const Error&) {  // the editor will say that it is not there
+    } catch (const Error&) {  // the editor reports the missing file
     }
     return 0;
 }
 
-/// In as many lines as it needs.
+/// A selectable that wraps over several lines.
 bool wrapped_selectable(const std::string& line, bool is_chosen) {
     const ImVec2 at = ImGui::GetCursorPos();
     const float width = ImGui::GetContentRegionAvail().x;
@@ -65,7 +65,7 @@ void draw_hint(const std::string& hint) {
     wrapped(spans, accent);
 }
 
-/// `mistake`: what stands above, and need not be said again.
+/// `mistake` is a hint that is already shown above and is not repeated.
 void draw_result(const CheckInfo& check, const CheckResult& result, const std::string& mistake) {
     ImGui::Indent();
     wrapped(outcome_words(result.outcome) + ": " + result.found);

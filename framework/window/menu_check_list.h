@@ -9,7 +9,7 @@ namespace relief {
 
 class Checks;
 
-/// `chosen`: the name of the check that is shown in place of the picture, or empty.
+/// `chosen` is the name of the check shown in place of the picture, or empty.
 void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& wish);
 
 }  // namespace relief

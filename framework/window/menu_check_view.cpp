@@ -17,13 +17,13 @@ namespace {
 
 void show_texels(const Texture& texture) {
     bind(0, texture);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);  // each pixel of the check is a square
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);  // show each pixel of the check as a square
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 ImTextureID id_of(const Texture& texture) { return reinterpret_cast<ImTextureID>(std::uintptr_t(GLuint(texture))); }
 
-/// A word on a dark ground at a corner of a picture.
+/// Draws a word on a dark background at a corner of a picture.
 void draw_tag(ImVec2 at, const char* word, bool from_right) {
     const ImVec2 size = ImGui::CalcTextSize(word);
     if (from_right) at.x -= size.x + 12;
@@ -95,7 +95,7 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
     if (ImGui::Button(back)) wish.check = "";
     tooltip("The picture has the check's knobs, camera and probe. Ctrl+Z brings back what was before.");
 
-    // Side by side or one below the other, whichever is larger; whole pixels where there is room.
+    // Side by side or one below the other, at the larger scale. The scale is an integer if it is at least 2.
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room{float(box.right()) - padding - corner.x,
                       float(box.bottom()) - corner.y - 4 * ImGui::GetTextLineHeightWithSpacing()};

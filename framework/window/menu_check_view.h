@@ -1,5 +1,5 @@
-// One check in place of the picture: yours and what is expected with a wipe between them, and where they differ. In the
-// window module only.
+// One check in place of the picture: the student's picture and the expected one with a wipe between them, and their
+// difference. In the window module only.
 #pragma once
 
 #include <optional>
@@ -26,11 +26,11 @@ private:
     void make(const Checks& checks, size_t check);
 
     std::string name_;
-    int version_ = -1;  ///< of the checks, of which the pictures are
+    int version_ = -1;  ///< version of the checks whose pictures are shown
     glm::ivec2 size_{0, 0};
     std::optional<Texture> drawn_, expected_, difference_;
     std::string differs_, largest_;
-    float border_ = 0.5f;  ///< yours is left of it, a share of the picture's width
+    float border_ = 0.5f;  ///< the student's picture is left of it; a fraction of the width
 };
 
 }  // namespace relief

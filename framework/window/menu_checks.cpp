@@ -28,7 +28,7 @@ void Checks::open(const LabEntry& lab, const Manifest& manifest) {
 
 Checks::Files Checks::files() const {
     Files found;
-    std::error_code ignored;  // a file that is away for a moment is away for this look
+    std::error_code ignored;  // a file that is missing for a moment is skipped in this look
     for (const fs::path& folder : {fs::path("shaders") / lab_->folder, fs::path("shaders") / "common"})
         for (const auto& entry : fs::directory_iterator(course_root() / folder, ignored))
             found[entry.path()] = entry.last_write_time(ignored);
@@ -48,7 +48,7 @@ bool Checks::look() {
     for (const auto& [file, time] : last_look_)
         if (file.extension() == ".cpp" && seen_[file] != time) to_build_ = shown(file);
     seen_ = last_look_;
-    checker_.emplace(*lab_, manifest_);  // which has read the lab's other shaders
+    checker_.emplace(*lab_, manifest_);  // it has cached the lab's old shaders
     waiting_.assign(manifest_.checks.size(), true);
     mistakes_.clear();
     ++version_;
@@ -74,7 +74,7 @@ void Checks::run_next(const std::string& first) {
                 expected_[i] = expected;
         }
         results_[i] = checker_->run(i, expected);
-    } catch (const std::exception& error) {  // of what is expected, which a student's file can spoil where it is drawn
+    } catch (const std::exception& error) {  // rendering the expected picture, which a student's file can break
         results_[i] = CheckResult{.check = &check, .outcome = Outcome::broken, .found = error.what()};
     }
     if (pending()) return;

@@ -13,9 +13,9 @@
 namespace relief {
 namespace {
 
-constexpr int around = 2;  // lines before and after that of the error
+constexpr int around = 2;  // lines before and after the line of the error
 
-/// Of an error's place, which may be relative to the course's top folder.
+/// Returns the absolute path of a file, which may be relative to the course's top folder.
 std::filesystem::path whole_path(const std::filesystem::path& file) {
     return file.is_absolute() ? file : course_root() / file;
 }
@@ -51,7 +51,7 @@ void ErrorBox::read(const Place& place) {
                 text.replace(tab, 1, "    ");
             lines_.push_back(text);
         }
-    } catch (const Error&) {  // the file is away: the error itself says so
+    } catch (const Error&) {  // a missing file: the error itself says so
     }
 }
 
@@ -62,7 +62,7 @@ void ErrorBox::draw(const Box& picture, float scale, const Stage& stage, MenuWis
     const float margin = 16 * scale;
     const float width = std::max(100.0f, float(picture.size.x) - 2 * margin);
     ImGui::SetNextWindowPos({float(picture.at.x) + margin, float(picture.at.y) + margin});
-    // A long log is scrolled: the last good picture stays in view below it.
+    // A long log scrolls, so that the last good picture stays in view below it.
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, float(picture.size.y) * 0.45f});
     ImGui::SetNextWindowBgAlpha(0.94f);
     ImGui::Begin("error", nullptr,

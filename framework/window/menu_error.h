@@ -1,4 +1,4 @@
-// What is wrong, over the upper part of the picture. In the window module only.
+// The error message, over the upper part of the picture. In the window module only.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace relief {
 
 class Stage;
 
-/// The stage's error, if any, with the source around its line.
+/// The stage's error, if any, with the source lines around it.
 class ErrorBox {
 public:
     void draw(const Box& picture, float scale, const Stage& stage, MenuWish& wish);
@@ -21,9 +21,9 @@ public:
 private:
     void read(const Place& place);
 
-    std::string shown_;  ///< the error whose source was read
+    std::string shown_;  ///< the error whose source lines are loaded
     std::vector<std::string> lines_;
-    int first_ = 0;  ///< line of the file
+    int first_ = 0;  ///< number of the first line, from 1
 };
 
 }  // namespace relief

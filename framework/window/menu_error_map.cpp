@@ -14,7 +14,7 @@
 namespace relief {
 
 void draw_heat_scale(const std::string& first, const std::string& last, float width) {
-    constexpr int steps = 5;  // between the colours of visualize_error(), which are linear in between
+    constexpr int steps = 5;  // visualize_error() interpolates linearly between these colours
     Image values(steps + 1, 1, 1);
     for (int i = 0; i <= steps; ++i) values.values[size_t(i)] = float(i) / steps;
     const Image colors = visualize_error(values, 1);
@@ -47,7 +47,7 @@ void ErrorMap::compute(Stage& stage) {
     done_ = true;
     try {
         compare(stage);
-    } catch (const std::exception& error) {  // also what a lab throws: the window stays open
+    } catch (const std::exception& error) {  // includes exceptions from a lab: the window stays open
         message_ = error.what();
         print_event("error map: " + message_);
     }
@@ -60,7 +60,7 @@ void ErrorMap::compare(Stage& stage) {
     if (shot.probe) {
         probes = {stage.manifest().probe(shot.probe.name)};
     } else {
-        // Of a picture the quantity by which the lab's page compares methods, which is what the lab is about.
+        // For a picture, prefer the probe by which the lab's page compares methods.
         const auto& compare = stage.manifest().compare;
         const std::string chief = compare ? compare->shot.probe.name : "";
         std::stable_partition(probes.begin(), probes.end(), [&](const ProbeInfo& one) { return one.name == chief; });
@@ -79,7 +79,7 @@ void ErrorMap::compare(Stage& stage) {
         picture_.emplace(
             "error map", [&] { return visualize_error(error, error_.p99); },
             TextureOptions{.wrap = Wrap::clamp, .mips = false});
-        bind(0, *picture_);  // made now, while the numbers are there
+        bind(0, *picture_);  // uploads it now, while `error` is in scope
         print_event(fmt::format("error map: {}, mean {}, rms {}, 99 % {}, largest {}, over {} pixels", probe.name,
                                 amount_of(error_.mean, probe.unit, 6), plain(error_.rms), plain(error_.p99),
                                 plain(error_.largest), error_.count));

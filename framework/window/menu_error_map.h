@@ -1,4 +1,4 @@
-// How far a probe is from the truth, as colours beside the picture. In the window module only.
+// The error of a probe, as colours beside the picture. In the window module only.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace relief {
 
 class Stage;
 
-/// The colours of errors from `first` to `last`, as wide as is said.
+/// Draws the colour scale of errors, `width` pixels wide, labelled from `first` to `last`.
 void draw_heat_scale(const std::string& first, const std::string& last, float width);
 
 class ErrorMap {
@@ -23,22 +23,23 @@ public:
         forget();
     }
 
-    /// Call it when the picture changed: the map belongs to the old one.
+    /// Call it when the picture has changed: the map is out of date.
     void forget();
-    /// Whether compute() has not been called yet for this picture.
+    /// Returns whether compute() has yet to be called for this picture.
     bool wanted() const { return on_ && !done_; }
-    /// Computes the map of the stage's probe, or for a picture of the probe by which the lab compares its methods, else
-    /// of the first one that has exact values. Takes as long as they do. An error is shown in place of the map.
+    /// Computes the map of the probe on screen. For a picture, takes the probe by which the lab compares its methods,
+    /// else the first probe with exact values. Takes as long as computing the exact values. An error is shown in place
+    /// of the map.
     void compute(Stage& stage);
 
-    /// What it was computed from, while it is shown: one pixel of each belongs to one pixel of the picture.
+    /// Inputs of the map on screen. All images have the size of the picture.
     struct Compared {
         ProbeInfo probe;
         Image values, exact, errors;
     };
     const Compared* compared() const { return compared_ ? &*compared_ : nullptr; }
 
-    /// Draws it with its corner at `at`. `moves`: the picture is animated, so there is no map.
+    /// Draws it with its upper left corner at `at`. With `moves` the picture is animated, so there is no map.
     void draw(glm::ivec2 at, glm::ivec2 size, bool moves) const;
 
 private:

@@ -1,4 +1,4 @@
-// One pixel, through the functions of the lab's shader task files, over the picture. In the window module only.
+// Explains one pixel by the values in the lab's shader task files, over the picture. In the window module only.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,14 +14,14 @@ class Stage;
 
 class PixelExplanation {
 public:
-    /// Of this pixel from now on: column and row from the picture's upper left corner.
+    /// Selects a pixel: column and row from the picture's upper left corner.
     void ask(glm::ivec2 pixel) { pixel_ = pixel, lines_.clear(), told_ = false; }
     void close() { pixel_.reset(), lines_.clear(); }
     bool is_open() const { return pixel_.has_value(); }
 
-    /// Whether it is still to be computed, and whoever waits has been told so.
+    /// Returns whether it has yet to be computed and the user has been told to wait.
     bool wanted() const { return told_ && lines_.empty(); }
-    /// As `relief explain` does, in the current context: it may take seconds.
+    /// Computes the same as `relief explain`, in the current context. May take seconds.
     void compute(const Stage& stage);
     void draw(const Box& picture, float scale);
 

@@ -15,10 +15,11 @@ namespace {
 
 using Kind = Formula::Kind;
 
-/// Of a letter that stands for a number, such as x: Debian's small package of fonts has no slanted faces.
+/// Slant of letters that stand for numbers, such as x. Sheared here, because Debian's small font package has no slanted
+/// faces.
 constexpr float slant = 0.2f;
 
-/// How large a part is, after TeX: a fraction within a fraction is as small as a script.
+/// Size of a part, after TeX: a fraction within a fraction is as small as a script.
 struct Style {
     int depth = 0;
     float size() const { return font(depth < 2 ? FontRole::formula : FontRole::script)->FontSize; }
@@ -57,7 +58,7 @@ FormulaBox glyphs(const std::string& text, Style style, bool slanted = false) {
 
 float thickness(float size) { return std::max(1.0f, size / 15); }
 
-/// How far above the baseline fractions have their line: as high as a minus.
+/// Height of fraction lines above the baseline: that of a minus sign.
 float axis(Style style) {
     const FormulaBox minus = glyphs("−", style);
     return (minus.above - minus.below) / 2;
@@ -84,11 +85,11 @@ FormulaBox box_of(const Formula& part, Style style);
 /// One of the boxes of a row.
 struct Link {
     FormulaBox box;
-    float before;   ///< room between it and the one before
-    int may_break;  ///< before it: the higher the better, 0 not at all
+    float before;   ///< space to the previous box
+    int may_break;  ///< rank of a line break before it: higher is better, 0 forbids it
 };
 
-/// Whether a bracket has to be drawn, since no glyph is as high as what it holds.
+/// Returns whether a bracket must be drawn with lines, because no glyph is as tall as its content.
 bool is_tall(const FormulaBox& inside, float size) { return inside.above > 0.95f * size || inside.below > 0.4f * size; }
 
 FormulaBox drawn_bracket(const std::string& form, const FormulaBox& inside, Style style) {
@@ -104,7 +105,7 @@ FormulaBox drawn_bracket(const std::string& form, const FormulaBox& inside, Styl
     } else if (form == "[" || form == "]") {
         stroke.points = {{inner, top}, {outer, top}, {outer, bottom}, {inner, bottom}};
     } else {
-        for (int i = 0; i <= 16; ++i) {  // a part of an ellipse
+        for (int i = 0; i <= 16; ++i) {  // part of an ellipse
             const float along = float(i) / 8 - 1;
             stroke.points.push_back({outer + (inner - outer) * (1 - std::sqrt(1 - 0.96f * along * along)) / 0.8f,
                                      middle + (bottom - middle) * along});
@@ -114,13 +115,13 @@ FormulaBox drawn_bracket(const std::string& form, const FormulaBox& inside, Styl
     return box;
 }
 
-/// The opening or the closing bracket around what it holds.
+/// Returns the opening or closing bracket around `inside`.
 FormulaBox bracket(std::string_view form, const FormulaBox& inside, Style style) {
     if (is_tall(inside, style.size())) return drawn_bracket(std::string(form), inside, style);
     return glyphs(std::string(form), style);
 }
 
-/// The boxes of a row. Flat brackets are boxes of the row themselves, so that a line can break within them.
+/// Appends the boxes of a row. Brackets of glyph height are separate boxes, so that a line can break between them.
 void add_links(const Formula& row, Style style, bool is_inside, std::vector<Link>& links) {
     const float size = style.size();
     const Formula* previous = nullptr;
@@ -134,7 +135,7 @@ void add_links(const Formula& row, Style style, bool is_inside, std::vector<Link
             links.push_back({std::move(box), before, may_break});
         };
         const bool is_prefix = !previous || previous->kind == Kind::sign;
-        const float open = style.depth < 2 ? 1 : 0.25f;  // scripts are set closer
+        const float open = style.depth < 2 ? 1 : 0.25f;  // scripts are set tighter
         const float gap = std::exchange(after, 0.0f);
         const size_t first = links.size();
         if (part.kind == Kind::row) {
@@ -170,7 +171,7 @@ FormulaBox joined(std::span<const Link> links) {
     row.above = row.below = links.empty() ? 0 : -1e6f;
     for (const Link& link : links) {
         if (&link != links.data()) row.width += link.before;
-        // What stands upright makes room for a letter that leans towards it.
+        // An upright box leaves room for the slanted letter before it.
         if (link.box.overhang == 0) row.width += 0.4f * row.overhang;
         row.add(link.box, {row.width, 0});
         row.width += link.box.width;
@@ -217,7 +218,7 @@ FormulaBox root(const Formula& part, Style style) {
     return box;
 }
 
-/// Primes and degrees are raised already: they stand beside the base, what else stands high behind them.
+/// Primes and degree signs are raised already: they stand directly beside the base, and the rest of the script follows.
 FormulaBox high_script(const Formula& row, Style style, float up) {
     FormulaBox box;
     box.above = box.below = -1e6f;
@@ -307,7 +308,7 @@ FormulaBox box_of(const Formula& part, Style style) {
             return glyphs(part.text, style, is_one_letter(part.text));
         case Kind::sign: {
             if (part.text != "∑" || style.depth > 0) return glyphs(part.text, style);
-            // Its middle is as high as a fraction's line.
+            // Centre the sign on the height of a fraction line.
             const FormulaBox sum = glyphs(part.text, FontRole::sum);
             FormulaBox box;
             box.above = box.below = -1e6f, box.width = sum.width;
@@ -333,7 +334,8 @@ FormulaBox box_of(const Formula& part, Style style) {
     return {};
 }
 
-/// How many of the links stand in a line of a width: a better place to break wins if the line is half full there.
+/// Returns how many links fit in a line of a width. A break of higher rank wins if the line is at least half full
+/// there.
 size_t count_in_line(std::span<const Link> links, float width) {
     float x = 0;
     size_t best = links.size();
@@ -382,7 +384,7 @@ void FormulaBox::draw(ImDrawList& list, ImVec2 at, ImU32 color) const {
     for (const Stroke& each : strokes) {
         std::vector<ImVec2> points;
         for (const ImVec2& point : each.points) points.push_back({at.x + point.x, at.y + point.y});
-        // A straight line is as sharp as a letter.
+        // Snap horizontal lines to pixels, to keep them sharp.
         if (points.size() == 2 && points[0].y == points[1].y)
             points[0].y = points[1].y = std::floor(points[0].y) + 0.5f * float(int(std::round(each.thickness)) % 2);
         list.AddPolyline(points.data(), int(points.size()), color, 0, each.thickness);

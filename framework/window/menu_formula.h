@@ -1,4 +1,4 @@
-// Formulas of a handout, typeset with lines and glyphs. In the window module only.
+// A handout's formulas, typeset with lines and glyphs. In the window module only.
 #pragma once
 
 #include <imgui.h>
@@ -10,7 +10,7 @@
 
 namespace relief {
 
-/// A formula, or a part of one, as what is drawn: pixels, from the left end of its baseline, y down.
+/// A typeset formula, or a part of one. Units are pixels, the origin is the left end of its baseline, y is down.
 struct FormulaBox {
     struct Glyphs {
         ImFont* face;
@@ -23,22 +23,22 @@ struct FormulaBox {
         std::vector<ImVec2> points;
         float thickness;
     };
-    float width = 0, above = 0, below = 0;  ///< what it covers; `below` may be negative
-    float overhang = 0;                     ///< how far its last letter leans over its end
+    float width = 0, above = 0, below = 0;  ///< extent; `below` may be negative
+    float overhang = 0;                     ///< how far its last letter leans over its right edge
     std::vector<Glyphs> glyphs = {};
     std::vector<Stroke> strokes = {};
 
-    /// Puts another one on this one, its baseline's left end at `at`. The width stays.
+    /// Adds another box with its baseline's left end at `at`. Does not change the width.
     void add(const FormulaBox& other, ImVec2 at);
     void scale(float factor);
     void draw(ImDrawList& list, ImVec2 at, ImU32 color) const;
 };
 
-/// The formula in one line.
+/// Typesets the formula in one line.
 FormulaBox typeset(const Formula& formula);
 
-/// The formula in lines no wider than `width`: it breaks before a relation or a sum's sign, behind a comma, or before a
-/// product's sign, and what is still too wide is smaller. Lines behind the first are indented.
+/// Typesets the formula in lines of at most `width` pixels. Breaks before a relation, before a sum's sign, after a
+/// comma, or before a product's sign. A line that is still too wide is scaled down. Lines after the first are indented.
 std::vector<FormulaBox> typeset(const Formula& formula, float width);
 
 }  // namespace relief

@@ -9,11 +9,11 @@
 
 namespace relief {
 
-/// What stands in a row of the block: a line of a formula, or words.
+/// One cell in a row of the block: a line of a formula, or words.
 struct FormulaBlock::Cell {
     float width, above, below;
     Item item;
-    bool begins_row = false;  ///< a formula's second line, and each one behind it
+    bool begins_row = false;  ///< for the second and later lines of a formula
 };
 
 std::vector<FormulaBlock::Cell> FormulaBlock::cells_of(const FormulaCell& cell, float width) const {
@@ -26,14 +26,14 @@ std::vector<FormulaBlock::Cell> FormulaBlock::cells_of(const FormulaCell& cell, 
     }
     TextLayout words({}, width, FontRole::text, false);
     words.set({{.text = cell.words, .italic = true}});
-    // A baseline about as far down as the fonts have it.
+    // Approximates the baseline of the font.
     const float above = (TextLayout::line_height(FontRole::text) + 0.7f * font(FontRole::text)->FontSize) / 2;
     cells.push_back({words.widest(), above, words.height() - above, {.at = {}, .words = cell.words, .width = width}});
     return cells;
 }
 
 float FormulaBlock::set_row(std::vector<Cell>& cells, float left, float top) {
-    // However low they are, rows are as high as lines of text.
+    // Rows are at least as high as a line of text.
     const float line = TextLayout::line_height(FontRole::text);
     float above = line * 0.7f, below = line * 0.3f, x = left;
     for (const Cell& cell : cells) above = std::max(above, cell.above), below = std::max(below, cell.below);
@@ -49,7 +49,7 @@ float FormulaBlock::set_row(std::vector<Cell>& cells, float left, float top) {
 FormulaBlock::FormulaBlock(std::span<const std::vector<FormulaCell>> lines, float width) : width_(width) {
     const float em = font(FontRole::formula)->FontSize, margin = 0.7f * em, gap = 1.6f * em, between = 0.35f * em;
     const float room = std::max(1.0f, width - 2 * margin);
-    // Words before a line's first formula are its label. Labels are a column where that leaves enough for formulas.
+    // Words before a line's first formula are its label. Labels form a column if that leaves enough width for formulas.
     const auto label_of = [](const std::vector<FormulaCell>& line) { return line.size() > 1 && line[0].is_words; };
     float labels = 0;
     for (const std::vector<FormulaCell>& line : lines)
@@ -83,7 +83,7 @@ FormulaBlock::FormulaBlock(std::span<const std::vector<FormulaCell>> lines, floa
         const bool has_label = has_column && label_of(line);
         if (!row.empty()) height_ = set_row(row, left, height_);
         if (has_label) {
-            // On the baseline of the line's first formula or note.
+            // Align it with the baseline of the line's first formula or note.
             const Item& beside = items_[first + 1];
             const float above = (TextLayout::line_height(FontRole::text) + 0.7f * font(FontRole::text)->FontSize) / 2;
             items_[first].at = {margin, beside.words.empty() ? std::max(top, beside.at.y - above) : beside.at.y};

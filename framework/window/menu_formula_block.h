@@ -1,4 +1,4 @@
-// A handout's block of formulas, in the width that the window has for it. In the window module only.
+// A handout's block of formulas, fitted to the window's width. In the window module only.
 #pragma once
 
 #include <imgui.h>
@@ -12,7 +12,7 @@
 
 namespace relief {
 
-/// The lines of a block ```formula: labels, formulas and notes beside each other as far as the width reaches.
+/// The lines of a block ```formula: labels, formulas and notes side by side as far as the width allows.
 class FormulaBlock {
 public:
     FormulaBlock(std::span<const std::vector<FormulaCell>> lines, float width);
@@ -21,14 +21,15 @@ public:
 
 private:
     struct Item {
-        ImVec2 at;  ///< of a formula its baseline's left end, of words their upper left corner
+        ImVec2 at;  ///< baseline's left end for formulas, upper left corner for words
         FormulaBox formula = {};
         std::string words = {};
-        float width = 0;  ///< of words
+        float width = 0;  ///< for words
     };
     struct Cell;
     std::vector<Cell> cells_of(const FormulaCell& cell, float width) const;
-    /// Cells beside each other, their baselines on one line, from `top` on. Returns where they end.
+    /// Sets cells side by side on a common baseline, starting at `left` and `top`. Returns the y coordinate of their
+    /// lower end.
     float set_row(std::vector<Cell>& cells, float left, float top);
 
     std::vector<Item> items_;

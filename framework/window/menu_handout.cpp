@@ -20,7 +20,7 @@
 namespace relief {
 namespace {
 
-/// The first word of a text, without what ends a clause.
+/// Returns the first word of a text, without punctuation at its end.
 std::string first_word(const std::string& text) {
     const size_t begin = text.find_first_not_of(' ');
     if (begin == std::string::npos) return {};
@@ -30,7 +30,7 @@ std::string first_word(const std::string& text) {
     return word;
 }
 
-/// Whether a knob's text can be this value: one of its choices, or a number where it takes numbers.
+/// Returns whether a knob accepts this value: one of its choices, or a number if it takes numbers.
 bool takes(const KnobText& knob, const std::string& value) {
     if (value.empty()) return false;
     for (const std::string& choice : split(knob.range, ','))
@@ -43,7 +43,7 @@ void draw_code(const std::string& text, float width) {
     ImFont* const face = font(FontRole::code);
     const float margin = face->FontSize * 0.6f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    // A line that is too long goes on below: nothing is out of sight.
+    // Wrap long lines, so that all of the code is visible.
     const ImVec2 size = face->CalcTextSizeA(face->FontSize, FLT_MAX, width - 2 * margin, lines.c_str());
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + size.y + 2 * margin}, code_back, 4);
     ImGui::GetWindowDrawList()->AddText(face, face->FontSize, {at.x + margin, at.y + margin},
@@ -52,8 +52,9 @@ void draw_code(const std::string& text, float width) {
     ImGui::Dummy({width, size.y + 2 * margin});
 }
 
-/// Each column as wide as it would like. When that is too much, those up to `whole` wide stay so where there is room,
-/// the others have their longest word, and all the same share of what they lack; when not even words fit they are cut.
+/// Distributes `room` over columns of the `wanted` widths. If it is too small, columns of at most `whole` keep their
+/// width if possible. The others start with their longest word, and each gets the same share of its missing width. If
+/// not even the longest words fit, all columns shrink in proportion.
 std::vector<float> column_widths(const std::vector<float>& wanted, const std::vector<float>& words, float whole,
                                  float room) {
     const auto sum = [](const std::vector<float>& all) { return std::accumulate(all.begin(), all.end(), 0.0f); };
@@ -108,7 +109,7 @@ bool Handout::look() {
     for (const Block& block : blocks_) try {
             if (block.language == "formula") formulas_[&block] = formula_lines(block.text);
         } catch (const Error&) {
-            // It stays as it is written.
+            // Show it as plain text.
         }
     pictures_.clear();
     return true;
@@ -123,7 +124,7 @@ Spans Handout::with_links(Spans spans) const {
         const auto knob =
             std::find_if(knobs_.begin(), knobs_.end(), [&](const KnobText& one) { return one.name == name; });
         if (knob == knobs_.end() || (equals == std::string::npos && name != span.text)) continue;
-        // `method=steep`, or as tables have it: `method` steep
+        // `method=steep`, or in tables: `method` steep
         const std::string value = equals != std::string::npos ? first_word(span.text.substr(equals + 1))
                                   : i + 1 < spans.size() && !spans[i + 1].code ? first_word(spans[i + 1].text)
                                                                                : "";
@@ -141,7 +142,7 @@ void Handout::set_spans(const Spans& spans, float width, FontRole base, float in
 }
 
 void Handout::draw(const Box& box, float scale, const std::vector<KnobText>& knobs, MenuWish& wish) {
-    // Not in the frame of the press, which still has the pictures in its lists.
+    // Not in the frame of the key press, whose draw lists still refer to the pictures.
     if (std::exchange(closing_, false)) close();
     if (!open_) return;
     knobs_ = knobs;
@@ -260,7 +261,7 @@ void Handout::draw_table(const Block& block, float width) {
     ImGui::Dummy({width, y - corner.y});
 }
 
-// A picture that cannot be shown is its text, and is not tried again before the handout changes.
+// A picture that cannot be shown is replaced by its text. It is not tried again until the handout changes.
 void Handout::draw_picture(const Span& image, float width) {
     const auto [place, is_new] = pictures_.try_emplace(image.target);
     std::unique_ptr<HandoutPicture>& picture = place->second;

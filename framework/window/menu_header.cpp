@@ -33,7 +33,7 @@ Sign sign_of(TaskState state) {
     return {"\u25cb", "is being checked", quiet};
 }
 
-/// Whether the shaders on screen are those in the files.
+/// Returns a sign that shows whether the picture uses the shaders in the files.
 Sign sign_of(ShaderState state) {
     switch (state) {
         case ShaderState::renewed:
@@ -52,7 +52,7 @@ float button_width(const char* label) { return ImGui::CalcTextSize(label).x + 2 
 void draw_tasks(const Checks& checks, float right, MenuWish& wish) {
     const auto& tasks = checks.manifest().tasks;
     if (tasks.empty()) return;
-    // Until each check has run once there is no sum.
+    // The sum is unknown until every check has run once.
     const std::string points =
         checks.is_whole() ? fmt::format("{} of {} points", points_text(checks.points()), checks.manifest().points())
                           : fmt::format("checked {} of {}", checks.count(), checks.manifest().checks.size());
@@ -62,7 +62,7 @@ void draw_tasks(const Checks& checks, float right, MenuWish& wish) {
         lines.push_back(fmt::format("{} {}", task.id, sign_of(checks.state(task)).sign));
         width += ImGui::CalcTextSize(lines.back().c_str()).x + ImGui::GetStyle().ItemSpacing.x * 1.5f;
     }
-    // Without room for all tasks the points alone stand for them; the panel has them all.
+    // Without room for all tasks, show only the points; the panel lists all tasks.
     const bool all = ImGui::GetCursorPosX() + width < right;
     for (size_t i = 0; all && i < tasks.size(); ++i) {
         const Sign sign = sign_of(checks.state(tasks[i]));
@@ -85,13 +85,13 @@ void draw_tasks(const Checks& checks, float right, MenuWish& wish) {
 }  // namespace
 
 const std::string& title_of(const LabEntry& lab) {
-    static std::map<const LabEntry*, std::string> titles;  // reading a manifest costs a file
+    static std::map<const LabEntry*, std::string> titles;  // cached: reading a manifest reads a file
     auto found = titles.find(&lab);
     if (found == titles.end()) {
         std::string title = lab.name;
         try {
             title = load_manifest(lab).title;
-        } catch (const Error&) {  // opening that lab says what is wrong with it
+        } catch (const Error&) {  // opening that lab reports the error
         }
         found = titles.emplace(&lab, lab.two_digits() + "  " + title).first;
     }

@@ -1,4 +1,4 @@
-// The line at the top of the window: the lab, its tasks, and what opens over the picture. In the window module only.
+// The line at the top of the window: the lab, its tasks, and the buttons of the overlays. In the window module only.
 #pragma once
 
 #include "framework/window/menu_layout.h"
@@ -11,7 +11,7 @@ class Stage;
 
 void draw_header(const Box& box, float scale, const Stage& stage, const Checks& checks, MenuWish& wish);
 
-/// "10  Parallax offset". Titles do not change while the window is open.
+/// Returns a title such as "10  Parallax offset". Titles do not change while the window is open.
 const std::string& title_of(const LabEntry& lab);
 
 }  // namespace relief

@@ -52,7 +52,7 @@ void draw_help(const Box& picture, float scale, bool& open) {
     if (!open) return;
     const float width = std::min(520 * scale, ImGui::GetIO().DisplaySize.x - 32 * scale);
     const float middle = float(picture.at.x) + float(picture.size.x) / 2;
-    // Beside a narrow picture it covers the panel, too, and however low the window, no line stands outside of it.
+    // Beside a narrow picture it covers the panel, too. In a low window it scrolls.
     const float x = std::clamp(middle - width / 2, 8.0f, std::max(8.0f, ImGui::GetIO().DisplaySize.x - width - 8));
     ImGui::SetNextWindowPos({x, ImGui::GetIO().DisplaySize.y / 2}, ImGuiCond_Always, {0, 0.5f});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, ImGui::GetIO().DisplaySize.y - 16});

@@ -1,11 +1,11 @@
-// All keys, over the picture. In the window module only.
+// The list of all keys, over the picture. In the window module only.
 #pragma once
 
 #include "framework/window/menu_layout.h"
 
 namespace relief {
 
-/// Draws the list; `open` becomes false when a click goes elsewhere.
+/// Draws the list. Sets `open` to false after a click outside it.
 void draw_help(const Box& picture, float scale, bool& open);
 
 }  // namespace relief

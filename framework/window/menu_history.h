@@ -1,4 +1,4 @@
-// What was set before: undo and redo of knobs, camera and probe. In the window module only.
+// Undo and redo of knobs, camera and probe. In the window module only.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@ namespace relief {
 
 class History {
 public:
-    /// Another lab: nothing to go back to.
+    /// Starts a new history, for another lab.
     void begin(Shot now);
-    /// Call it when a setting is reached: the mouse is up and nothing is typed. One that differs from the last one is
-    /// a step.
+    /// Adds a step if the setting differs from the current step. Call it when a setting is complete: the mouse is up
+    /// and nothing is being typed.
     void note(const Shot& now);
-    /// The setting before or after; nothing where there is none.
+    /// Moves to the step before or after and returns it; nothing if there is none.
     std::optional<Shot> undo();
     std::optional<Shot> redo();
 
 private:
     std::vector<Shot> steps_;
-    size_t at_ = 0;  ///< of the present one
+    size_t at_ = 0;  ///< index of the current step
 };
 
 }  // namespace relief

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double mark_for = 2;  // seconds
 
-/// The group of each knob, and all groups.
+/// Finds the group of a knob.
 class FindGroup final : public Knobs {
 public:
     explicit FindGroup(const std::string& knob) : knob_(knob) {}
@@ -37,7 +37,7 @@ private:
     std::string group_;
 };
 
-/// A knob's name, its widget, and an arrow back to its value at first where it has another.
+/// Draws a knob's name, its widget, and an arrow that resets it if it differs from its default.
 class DrawKnobs final : public Knobs {
 public:
     DrawKnobs(Stage& stage, std::string& seek)
@@ -54,14 +54,14 @@ public:
         widget_end_ = room - ImGui::GetFrameHeight() - ImGui::GetStyle().ItemInnerSpacing.x;
     }
     bool changed = false;
-    std::string to_reset;  ///< its name
+    std::string to_reset;  ///< name of the knob
 
     void group(const char* name) override {
         if (open_ == name) ImGui::SetNextItemOpen(true);
         shown_ = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
     }
     void slider(const char* name, float& value, float low, float high, const char* help) override {
-        // As many digits as tell whole numbers of the range apart, and no exponent.
+        // Enough digits to distinguish the integers of the range without an exponent.
         const double largest = std::max(std::abs(double(low)), std::abs(double(high)));
         const int digits = std::max(3, int(std::ceil(std::log10(std::max(1.0, largest) + 1))));
         const std::string format = fmt::format("%.{}g{}", digits, unit_after_number(read_help(help).unit));
@@ -133,7 +133,7 @@ private:
         ImGui::PopID();
     }
 
-    /// Behind the knob that is sought, for a while.
+    /// Marks the knob that was searched for, for `mark_for` seconds.
     void mark(const std::string& name, ImVec2 at) {
         static std::string marked;
         static double since = 0;

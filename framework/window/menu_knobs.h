@@ -7,8 +7,8 @@ namespace relief {
 
 class Stage;
 
-/// Draws them in their groups and turns them; the stage draws anew what was turned. `seek`: the name of a knob to show
-/// and to mark, emptied when that is done.
+/// Draws the knobs in their groups and applies changes; the stage then redraws. `seek` is the name of a knob to scroll
+/// to and mark. It is cleared afterwards.
 void draw_knobs(Stage& stage, std::string& seek);
 
 }  // namespace relief

@@ -14,7 +14,7 @@ Layout Borders::layout(glm::ivec2 window, float scale, Shown shown) const {
     layout.status.size = {window.x, std::min(status, window.y)};
     layout.status.at = {0, window.y - layout.status.size.y};
     const int height = std::max(1, window.y - header - status);
-    // However small the window, the picture keeps a third of it.
+    // The picture keeps at least a third of the window's width.
     const int most = window.x * 2 / 3;
     int panel = shown.panel ? std::min(int(panel_ * scale), most) : 0;
     int handout = shown.handout ? std::min(int(handout_ * scale), most) : 0;
@@ -54,7 +54,7 @@ void begin_in(const Box& box, const char* name, ImVec2 padding, bool scrolls) {
 }
 
 bool drag_border(const char* name, float& x, float top, float bottom, float scale, bool with_handle) {
-    const float reach = 5 * scale;  // of the mouse
+    const float reach = 5 * scale;  // how close the mouse must be
     ImGui::SetNextWindowPos({x - reach, top});
     ImGui::SetNextWindowSize({2 * reach, bottom - top});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});

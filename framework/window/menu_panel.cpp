@@ -40,7 +40,7 @@ void Panel::draw(const Box& box, Stage& stage, const Checks& checks, const std::
     if (box.size.x == 0) return;
     begin_in(box, "panel", ImGui::GetStyle().WindowPadding, false);
     if (ImGui::BeginTabBar("tabs")) {
-        // Each tab scrolls by itself, below its name.
+        // Each tab scrolls by itself, below the tab bar.
         const auto scrolled = [&](const char* name, auto contents) {
             if (!begin_tab(name)) return;
             ImGui::BeginChild(name);

@@ -1,4 +1,4 @@
-// The panel beside the picture: the knobs and what to look at, or the checks. In the window module only.
+// The panel beside the picture: the knobs and probes, or the checks. In the window module only.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ class Stage;
 
 class Panel {
 public:
-    /// Knobs and probe change the stage at once. `check`: the one that is shown, or empty.
+    /// Draws the panel. Knobs and probe change the stage at once. `check` is the name of the check on screen, or empty.
     void draw(const Box& box, Stage& stage, const Checks& checks, const std::string& check, bool error_map,
               MenuWish& wish);
 

@@ -15,9 +15,9 @@
 namespace relief {
 namespace {
 
-/// How wide diagrams are, with their paper, in letters of the text: as on the handout's page.
+/// Width of diagrams including margins, in font sizes, as on the handout's web page.
 constexpr float diagram_width = 36;
-/// Around a diagram, in the same unit.
+/// Margin around a diagram, in the same unit.
 constexpr float paper_margin = 0.8f;
 
 void put(GLuint texture, ImVec2 at, ImVec2 size) {
@@ -50,14 +50,14 @@ void HandoutPicture::draw(float width) {
 }
 
 void HandoutPicture::draw_image(float width) const {
-    const GLuint texture = *texture_;  // which reads it, and tells its size
+    const GLuint texture = *texture_;  // loads it and sets size_
     const float share = std::min(1.0f, width / float(size_.x));
     const ImVec2 size(float(size_.x) * share, float(size_.y) * share);
     put(texture, ImGui::GetCursorScreenPos(), size);
     ImGui::Dummy(size);
 }
 
-// Whole pixels: a texel of it is one of the screen's.
+// Rounds to whole pixels, so that texels match the screen's pixels.
 void HandoutPicture::draw_diagram(float width) {
     const float letter = font(FontRole::text)->FontSize, margin = std::round(paper_margin * letter);
     const int columns = std::max(1, int(std::min(width, diagram_width * letter) - 2 * margin));
@@ -67,7 +67,7 @@ void HandoutPicture::draw_diagram(float width) {
         texture_.emplace(name_, [this] { return draw_svg(svg_, drawn_); },
                          TextureOptions{.wrap = Wrap::clamp, .mips = false});
     }
-    const GLuint texture = *texture_;  // before its paper: it may be no picture
+    const GLuint texture = *texture_;  // before drawing its background: creating it may throw
     const ImVec2 cursor = ImGui::GetCursorScreenPos(), at(std::floor(cursor.x), std::floor(cursor.y));
     const ImVec2 size{float(columns), float(rows)}, whole{size.x + 2 * margin, size.y + 2 * margin};
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + whole.x, at.y + whole.y}, IM_COL32_WHITE, letter / 2);

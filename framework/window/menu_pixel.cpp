@@ -17,7 +17,7 @@
 namespace relief {
 namespace {
 
-/// The channels that count: a probe's last ones are often unused, and 0.
+/// Returns the number of channels to show: the last channels of a probe are often unused and 0.
 int used_channels(const Image& image, glm::ivec2 pixel, ErrorMetric metric) {
     if (image.pixel(pixel.x, pixel.y)[0] == not_written) return 1;
     int count = metric == ErrorMetric::absolute ? 1 : metric == ErrorMetric::angle ? 3 : image.channels;

@@ -13,22 +13,22 @@ namespace relief {
 class ErrorMap;
 class Stage;
 
-/// A row's name and its numbers: "value", "1.5  2".
+/// A row's name and its numbers, such as "value" and "1.5  2".
 struct PixelRow {
     const char* name;
     std::string numbers;
 };
-/// What one pixel of a probe has: its value, and with `exact`, of the same shape, what it should be and the error in
-/// the probe's unit.
+/// Returns the rows for one pixel of a probe: its value and, with `exact`, the exact value and the error in the probe's
+/// unit. `exact` must have the shape of `values`.
 std::vector<PixelRow> pixel_rows(const ProbeInfo& probe, glm::ivec2 pixel, const Image& values, const Image* exact);
-/// The rows below each other, their names quiet.
+/// Draws the rows below each other, their names in the quiet colour.
 void draw_rows(const std::vector<PixelRow>& rows);
 
-/// Shows, for the pixel under the mouse, what a shown probe or the error map has there: the value, the exact value and
-/// how far the two are apart. A click holds the pixel, another one lets it go.
+/// Shows the values at the pixel under the mouse, for a probe or the error map: the value, the exact value and their
+/// difference. A click holds the pixel, another click releases it.
 class PixelValues {
 public:
-    /// The picture has its corner at `at`; the error map, if it is on, stands right of it.
+    /// `at` is the upper left corner of the picture. The error map, if it is on, stands to the right of the picture.
     void draw(const Stage& stage, const ErrorMap& map, glm::ivec2 at, glm::ivec2 size);
 
 private:

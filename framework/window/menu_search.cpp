@@ -17,7 +17,7 @@ namespace {
 
 constexpr size_t most = 12;
 
-/// In small letters; what separates words in names is a space.
+/// Lowercases a text and replaces the separators of names by blanks.
 std::string plain_words(std::string text) {
     for (char& c : text) c = c == '_' || c == '-' ? ' ' : char(std::tolower(static_cast<unsigned char>(c)));
     return text;
@@ -42,7 +42,7 @@ void Search::learn_of_labs() {
     for (const LabEntry& lab : registry()) try {
             add(lab, load_manifest(lab), describe_knobs(*lab.make()), others_, "lab " + lab.two_digits());
         } catch (const Error&) {
-            // Whoever opens that lab sees what is wrong.
+            // Opening that lab shows the error.
         }
 }
 
@@ -56,7 +56,7 @@ std::vector<Search::Found> Search::find(const Stage& stage, const Checks& checks
     }
     const std::string wanted = plain_words(text_);
     std::vector<Found> result;
-    // Names first, then what is said of them; this lab's first, then the others'.
+    // Names before descriptions, and the current lab before the others.
     const auto take = [&](const std::vector<Found>& from, bool by_name) {
         for (const Found& found : from) {
             const bool in_name = plain_words(found.name).find(wanted) != std::string::npos;

@@ -19,19 +19,19 @@ public:
     void open() { wanted_ = true; }
     void close() { closing_ = true; }
     bool is_open() const { return wanted_ || open_; }
-    /// Enter or a click takes what is marked; up and down move the mark.
+    /// Draws the search. Enter or a click takes the marked result; the arrow keys move the mark.
     void draw(float scale, const Stage& stage, const Checks& checks, MenuWish& wish);
 
 private:
     struct Found {
         std::string kind, name, note;
-        std::string place;  ///< another lab, or empty
+        std::string place;  ///< the lab, if another one; else empty
         MenuWish wish;
     };
-    /// What a lab has beside its title.
+    /// Adds the knobs, probes and checks of a lab.
     static void add(const LabEntry& lab, const Manifest& manifest, const std::vector<KnobText>& knobs,
                     std::vector<Found>& all, const std::string& place);
-    /// Once: what all labs have.
+    /// Collects the contents of all labs, once.
     void learn_of_labs();
     std::vector<Found> find(const Stage& stage, const Checks& checks) const;
 

@@ -129,7 +129,7 @@ bool Stage::draw(glm::ivec2 size, double time) {
         shown_ = shot_.probe ? draw_probe(picture()) : target_->resolve();
     } catch (const Error& error) {
         fail(error);
-    } catch (const std::exception& error) {  // the window stays open, whatever a lab does
+    } catch (const std::exception& error) {  // exceptions from a lab must not close the window
         fail(Error(error.what()));
     }
     ++frames_;
@@ -139,7 +139,7 @@ bool Stage::draw(glm::ivec2 size, double time) {
     return true;
 }
 
-// The numbers went to the CPU and come back as colours; that happens only when they changed.
+// The values were read back and return as a texture of colours. This happens only after a change.
 GLuint Stage::draw_probe(Image picture) {
     shown_ = 0;
     probe_picture_.emplace(ProbePicture{

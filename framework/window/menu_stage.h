@@ -1,4 +1,4 @@
-// The lab that the menu shows: redrawn only when something changed or moves. In the window module only.
+// The lab that the menu shows, redrawn only after a change or in an animation. In the window module only.
 #pragma once
 
 #include <memory>
@@ -11,18 +11,17 @@
 
 namespace relief {
 
-/// The picture on screen, compared with the shader files.
+/// Relates the picture on screen to the shader files.
 enum class ShaderState {
     unchanged,  ///< drawn with the shaders that the lab was opened with
     renewed,    ///< drawn with shaders saved since then
-    failed      ///< the saved shader has an error: the picture is that of the last good program, or there is none
+    failed      ///< the saved shader has an error: the picture is from the last good program, or missing
 };
 
 class Stage {
 public:
-    /// Deletes the present lab with all its GL objects, then makes this one as its manifest says.
-    /// A broken manifest or shader becomes error(); nothing is thrown. `start` has knobs, camera and probe in place of
-    /// the manifest's.
+    /// Deletes the current lab with all its GL objects, then creates this one as its manifest says. `start` replaces
+    /// the manifest's knobs, camera and probe. Does not throw: a broken manifest or shader becomes error().
     void open(const LabEntry& entry, const Shot* start = nullptr);
     void restart() { open(*entry_); }
 
@@ -33,49 +32,49 @@ public:
     const Probe& probe() const { return shot_.probe; }
     void show(Probe probe);
 
-    /// Reloads saved shaders; knobs and camera stay. Call it a few times a second. Returns whether there is
-    /// anything new to show.
+    /// Reloads saved shaders; knobs and camera stay. Call it a few times a second. Returns whether there is anything
+    /// new to show.
     bool look();
     ShaderState shaders() const;
 
-    /// Call it when a knob or the camera moved.
+    /// Call it after a knob or the camera has moved.
     void changed() { stale_ = true, ++edits_; }
-    /// How often the user has changed what is shown.
+    /// Number of changes by the user.
     int64_t edits() const { return edits_; }
-    /// The knobs of this lab as a new one has them.
+    /// The knobs of this lab with their default values.
     const std::vector<KnobText>& defaults() const { return defaults_; }
-    /// What is shown, as a shot: all knobs, camera and probe.
+    /// Returns the current settings as a shot: all knobs, camera and probe.
     Shot settings() const;
-    /// Shows knobs, camera and probe of a shot; knobs that it does not set are at their defaults. What cannot be set (a
-    /// picture whose file is gone) is said and left out.
+    /// Applies knobs, camera and probe of a shot. Knobs that it does not set get their defaults. Reports and skips a
+    /// value that cannot be set, such as a picture whose file is missing.
     void apply(const Shot& shot);
     void reset_knob(const std::string& name);
-    /// Whether draw() would draw.
+    /// Returns whether draw() would draw.
     bool is_due(glm::ivec2 size, double time) const;
-    /// Whether that may take so long that somebody waits: the first frame of a lab, and where the last one did.
+    /// Returns whether drawing may take noticeably long: for a lab's first frame, or after a frame of more than 400 ms.
     bool is_slow() const { return shown_ == 0 || milliseconds_ > 400; }
-    /// Draws when something changed since the last call; returns whether it did.
+    /// Draws if something has changed since the last call. Returns whether it did.
     bool draw(glm::ivec2 size, double time);
 
-    /// The last frame without an error (one sample per pixel), for a blit; 0 if there is none.
+    /// The framebuffer of the last good frame (one sample per pixel), for a blit; 0 if there is none.
     GLuint framebuffer() const { return shown_; }
     const Shot& shot() const { return shot_; }
     glm::ivec2 size() const { return shot_.size; }
-    /// The probe's values, where a probe is shown.
+    /// The probe's values, if a probe is shown.
     const std::optional<Image>& values() const { return values_; }
-    /// The same as an 8-bit picture. Throws Error if there is none.
+    /// Returns the frame as an 8-bit picture. Throws Error if there is none.
     Image picture() const;
 
     /// Why there is no picture, or why it is older than its shaders. Null if there is no error.
     const Error* error() const;
-    /// Whether the last frame failed.
+    /// Returns whether the last frame failed.
     bool failed() const { return failure_.has_value(); }
 
     int64_t frames() const { return frames_; }             ///< drawn since the window opened
     int64_t draw_calls() const { return draw_calls_; }     ///< in the last frame
     double milliseconds() const { return milliseconds_; }  ///< of the last frame, to its end on the GPU
 
-    /// Where both stages show the same probe, gives both pictures the same colours.
+    /// If both stages show the same probe, gives both the same colour scale.
     friend void show_alike(Stage& one, Stage& other);
 
 private:
@@ -87,7 +86,7 @@ private:
     Shot shot_;
     std::unique_ptr<Lab> lab_;
     std::optional<Target> target_;
-    /// The probe as colours, when a probe is shown.
+    /// The probe as colours, if a probe is shown.
     struct ProbePicture {
         Texture texture;
         FramebufferName framebuffer;
@@ -98,8 +97,8 @@ private:
     std::vector<KnobText> defaults_;
     bool stale_ = true, renewed_ = false;
     int64_t edits_ = 0;
-    std::optional<Error> failure_;         ///< of the last frame, or of opening the lab
-    std::optional<Error> shader_failure_;  ///< of shaders that were saved since
+    std::optional<Error> failure_;         ///< from the last frame, or from opening the lab
+    std::optional<Error> shader_failure_;  ///< from shaders saved since the lab was opened
     int64_t frames_ = 0, draw_calls_ = 0;
     double milliseconds_ = 0;
 };

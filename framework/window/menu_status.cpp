@@ -14,7 +14,7 @@
 namespace relief {
 namespace {
 
-/// "1 draw call", "2 draw calls"
+/// Returns "1 draw call", "2 draw calls".
 std::string count_of(int64_t count, const std::string& thing) {
     return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
@@ -30,7 +30,7 @@ std::string live_objects() {
     return list;
 }
 
-/// The last frames as bars, the highest being the slowest of them.
+/// Draws the last frames as bars, scaled to the slowest of them.
 void draw_graph(const std::array<float, 60>& milliseconds, ImVec2 size) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -60,7 +60,7 @@ void Status::draw(const Box& box, float scale, const Stage& stage, const std::st
     begin_in(box, "status", {14 * scale, 5 * scale}, false);
     draw_graph(milliseconds_, {60 * scale, ImGui::GetTextLineHeight()});
 
-    // What is most worth knowing comes first and has its room; the rest is left out where there is none.
+    // The most important items come first. Items that do not fit are left out.
     const std::string camera = "--camera " + camera_text(stage.shot().camera);
     const float gap = 18 * scale, right = float(box.size.x) - 14 * scale - ImGui::CalcTextSize(camera.c_str()).x;
     const auto put = [&](const std::string& line, const ImVec4& color, const std::string& help) {

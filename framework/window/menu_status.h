@@ -1,5 +1,4 @@
-// The line at the bottom of the window: what a frame takes, the counters, messages, the camera. In the window module
-// only.
+// The line at the bottom of the window: frame time, counters, messages, camera. In the window module only.
 #pragma once
 
 #include <array>
@@ -13,7 +12,7 @@ class Stage;
 
 class Status {
 public:
-    /// What a frame took. Call it once for each frame of the lab.
+    /// Records the time of a frame. Call it once for each frame of the lab.
     void note(double milliseconds);
     void draw(const Box& box, float scale, const Stage& stage, const std::string& message) const;
 

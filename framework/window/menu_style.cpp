@@ -7,13 +7,13 @@ namespace {
 
 const std::filesystem::path fonts = "/usr/share/fonts/truetype/dejavu";
 
-// What handouts are written with beside Latin letters: Greek, dashes and quotes, small digits, arrows, mathematics,
-// lines of trees, shapes, ticks. In pairs, first and last.
+// Characters of handouts besides Latin: Greek, dashes and quotes, small digits, arrows, mathematics, tree lines,
+// shapes, ticks. Pairs of first and last.
 constexpr ImWchar characters[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2010, 0x205f, 0x2070,
                                   0x209f, 0x2100, 0x214f, 0x2190, 0x21ff, 0x2200, 0x22ff,
                                   0x2500, 0x257f, 0x25a0, 0x25ff, 0x2713, 0x2717, 0};
 
-// What formulas are written with (framework/base/formula.h), and their words.
+// Characters of formulas (framework/base/formula.h) and of the words in them.
 constexpr ImWchar formula_characters[] = {0x20,   0x17f,  0x391,  0x3c9,  0x2032, 0x2032, 0x2192, 0x2192, 0x21d4,
                                           0x21d4, 0x2200, 0x2211, 0x2212, 0x221a, 0x2260, 0x2265, 0};
 constexpr ImWchar sum_characters[] = {0x2211, 0x2211, 0};
@@ -24,7 +24,7 @@ void load_fonts(float scale) {
         float size;
         const ImWchar* ranges = characters;
     };
-    // By FontRole. Without the files Dear ImGui's own font stands in for all.
+    // Indexed by FontRole. Without these files all roles use Dear ImGui's own font.
     static constexpr File files[] = {{"DejaVuSans.ttf", 15},
                                      {"DejaVuSans-Bold.ttf", 15},
                                      {"DejaVuSans-Bold.ttf", 21},
@@ -62,7 +62,7 @@ void style_menu(float scale) {
         style.Colors[color] = {0.42f, 0.28f, 0.21f, 1};
     style.Colors[ImGuiCol_Header] = {0.22f, 0.19f, 0.18f, 1};
     style.Colors[ImGuiCol_CheckMark] = accent;
-    // Dark enough for the digits that stand on it: white has 5 to 1 against it.
+    // Dark enough for the digits on it: white has a contrast of 5 to 1.
     style.Colors[ImGuiCol_SliderGrab] = {0.64f, 0.34f, 0.19f, 1};
     style.Colors[ImGuiCol_SliderGrabActive] = {0.70f, 0.38f, 0.22f, 1};
     for (const int color : {ImGuiCol_Tab, ImGuiCol_TabUnfocused}) style.Colors[color] = {0.14f, 0.15f, 0.18f, 1};

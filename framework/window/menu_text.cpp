@@ -59,7 +59,7 @@ void TextLayout::flush() {
             const char* rest = nullptr;
             face->CalcTextSizeA(face->FontSize, std::max(1.0f, width_ - x_), 0, text, text + piece.text.size(), &rest);
             size_t count = size_t(rest - text);
-            while (count < piece.text.size() && (piece.text[count] & 0xc0) == 0x80) ++count;  // whole characters
+            while (count < piece.text.size() && (piece.text[count] & 0xc0) == 0x80) ++count;  // whole UTF-8 characters
             if (count >= piece.text.size() || (count == 0 && x_ == 0)) break;
             put({piece.text.substr(0, count), piece.look, piece.goes_on});
             piece.text.erase(0, count);

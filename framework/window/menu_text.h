@@ -1,4 +1,4 @@
-// Styled text in lines of a width, as handouts have it. In the window module only.
+// Styled text wrapped to a width, as in handouts. In the window module only.
 #pragma once
 
 #include <imgui.h>
@@ -15,18 +15,18 @@ namespace relief {
 inline const ImVec4 plain_color{0.88f, 0.88f, 0.86f, 1}, code_color{0.95f, 0.82f, 0.70f, 1};
 constexpr ImU32 code_back = IM_COL32(46, 48, 56, 255), line_color = IM_COL32(84, 86, 94, 255);
 
-/// What the target of a knob's name begins with.
+/// Prefix of the target of a link to a knob.
 constexpr std::string_view knob_link = "knob:";
 
-/// How a span looks. Debian's DejaVu has no slanted faces in its small package: italics are quiet.
+/// How a span looks. Italics have the quiet colour: Debian's small DejaVu package has no slanted faces.
 struct Look {
     ImFont* face;
     ImU32 color;
     bool boxed = false;
-    std::string knob = {};  ///< what a click sets or shows: "method", "method=steep"
+    std::string knob = {};  ///< knob that a click sets or shows: "method", "method=steep"
 };
 
-/// Sets words from left to right in lines of a width; what is wider than a line is cut.
+/// Sets words from left to right in lines of a width. Breaks a word that is wider than a line.
 class TextLayout {
 public:
     TextLayout(ImVec2 corner, float width, FontRole base, bool visible, const ImVec4& color = plain_color)
@@ -36,7 +36,7 @@ public:
     float height() const { return y_ + line_; }
     float widest() const { return widest_; }
     float widest_word() const { return widest_word_; }
-    /// The knob that was clicked, or empty.
+    /// The clicked knob, or empty.
     const std::string& clicked() const { return clicked_; }
 
     static float line_height(FontRole base) { return font(base)->FontSize * 1.35f; }
@@ -45,7 +45,7 @@ private:
     struct Piece {
         std::string text;
         Look look;
-        bool goes_on;  ///< in the box of the word before
+        bool goes_on;  ///< drawn in the box of the word before
     };
     static float gap(const Look& look) { return look.face->FontSize * (look.boxed ? 0.6f : 0.36f); }
     static float width_of(const Piece& piece);
@@ -56,13 +56,13 @@ private:
     float width_;
     FontRole base_;
     bool visible_;
-    ImVec4 color_;  ///< of what has no style of its own
+    ImVec4 color_;  ///< of text without a style of its own
     float line_, x_ = 0, y_ = 0, widest_ = 0, widest_word_ = 0;
     std::vector<Piece> word_;
     std::string clicked_;
 };
 
-/// Sets spans at the cursor, over what is left of the window's width, and moves it below them.
+/// Sets spans at the cursor over the remaining width of the window. Moves the cursor below them.
 void wrapped(const Spans& spans, const ImVec4& color);
 
 }  // namespace relief

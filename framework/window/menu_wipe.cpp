@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-/// The knobs of `one` that `other` has otherwise: "steps=8, method=steep".
+/// Returns the knobs of `one` that differ in `other`, such as "steps=8, method=steep".
 std::string difference(const Shot& one, const Shot& other) {
     std::string list;
     for (const auto& knob : one.set)

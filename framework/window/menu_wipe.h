@@ -1,5 +1,5 @@
-// Two settings of a lab in one picture: A, which is held, left of a border, and the present one, B, right of it. In the
-// window module only.
+// Two settings of a lab in one picture: A, the held setting, left of a border, and B, the current one, right of it. In
+// the window module only.
 #pragma once
 
 #include <optional>
@@ -12,24 +12,24 @@ namespace relief {
 class Wipe {
 public:
     bool on() const { return held_.has_value(); }
-    /// Holds the knobs of the stage as A, in a lab of their own.
+    /// Holds the knobs of the stage as A, in a lab of its own.
     void hold(const Stage& stage);
     void let_go() { held_.reset(); }
-    /// A becomes the present setting, and what was present is held.
+    /// Swaps A and the current setting.
     void swap(Stage& stage);
 
-    /// A's saved shaders and edits of what both share are its own affair: call it when the stage has to be drawn anew.
+    /// Call it when the stage's shader files have changed: A uses the same files and must be redrawn as well.
     void changed() {
         if (held_) held_->changed();
     }
-    /// Draws A as large as the stage, by its camera, its probe and its time, when one of them changed or the stage was
-    /// `drawn`. A probe has the same colours in both.
+    /// Draws A at the size of the stage, with its camera, its probe and its time. Redraws only if one of them changed,
+    /// or if `drawn` says that the stage was redrawn. A probe has the same colours in both.
     void draw(Stage& stage, glm::ivec2 size, double time, bool drawn);
-    /// The border, and the names of both settings: the knobs in which they differ.
+    /// Draws the border and labels both settings by the knobs in which they differ.
     void draw_border(const Box& picture, float scale, const Stage& stage);
 
     GLuint framebuffer() const { return held_ ? held_->framebuffer() : 0; }
-    /// How many columns of the picture are A's.
+    /// Returns how many columns of the picture show A.
     int columns(int width) const { return int(border_ * float(width) + 0.5f); }
 
 private:

@@ -1,4 +1,4 @@
-// What the user asks for in one frame, in whichever part of the window. In the window module only.
+// The user's requests in one frame, from any part of the window. In the window module only.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@ namespace relief {
 
 struct MenuWish {
     const LabEntry* lab = nullptr;
-    int step = 0;                             ///< 1: the next lab, -1: the one before
-    bool handout = false, error_map = false;  ///< show it, or hide it if it is shown
-    bool help = false, search = false;        ///< the same
+    int step = 0;                             ///< 1: the next lab, -1: the previous one
+    bool handout = false, error_map = false;  ///< toggle
+    bool help = false, search = false;        ///< toggle
     bool tasks = false;                       ///< open the panel's checks
     std::optional<std::string> check = {};    ///< show this check; "": the picture again
-    std::string knob = {}, probe = {};        ///< show the slider of this knob; look at this probe
-    std::string value = {};                   ///< set that knob to it
-    Place edit = {};                          ///< open it in the editor
+    std::string knob = {}, probe = {};        ///< show the slider of this knob; show this probe
+    std::string value = {};                   ///< set `knob` to this value
+    Place edit = {};                          ///< open this place in the editor
 };
 
 }  // namespace relief
