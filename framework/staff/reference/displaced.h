@@ -1,4 +1,4 @@
-// A displaced surface, p' = p + scale (h - 1) n, and its normal. The twins of the functions in
+// A displaced surface, p' = p + scale (h - 1) n, and its normal. Twins of the functions in
 // shaders/13_displacement/task.glsl.
 #pragma once
 
@@ -14,11 +14,11 @@ struct HeightPoint {
 
 struct DisplacedPoint {
     glm::dvec3 position;
-    glm::dvec3 normal;  ///< unit; the base's normal where the displaced surface has none (a crease, a point)
+    glm::dvec3 normal;  ///< unit length; the base's normal where the displaced surface has none (a crease, a point)
 };
 
-/// Height 1 stays on the base; height 0 lies `scale` metres inside. The normal includes the curvature of the base.
-/// Blinn (1978) leaves that out: slopes are then wrong by the factor 1 + scale (h - 1) / radius.
+/// Returns the displaced point. Height 1 stays on the base; height 0 lies `scale` metres inside. The normal includes
+/// the curvature of the base. Blinn (1978) omits it: slopes are then wrong by the factor 1 + scale (h - 1) / radius.
 DisplacedPoint displace(const SurfacePoint& base, const HeightPoint& height, double scale);
 
 }  // namespace relief

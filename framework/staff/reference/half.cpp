@@ -9,8 +9,8 @@ uint16_t half_from_double(double value) {
     const uint16_t sign = std::signbit(value) ? 0x8000 : 0;
     if (std::isnan(value)) return sign | 0x7e00;
     const double size = std::abs(value);
-    if (size >= 65520) return sign | 0x7c00;  // half way from the largest half to the next power of two
-    // Halves below 2^-14 are multiples of 2^-24; from there on 2^10 of them lie in each power of two.
+    if (size >= 65520) return sign | 0x7c00;  // halfway between the largest half and the next power of two
+    // Halves below 2^-14 are multiples of 2^-24. Above, each power of two holds 2^10 of them.
     int exponent = -14;
     if (size >= 0x1p-14) std::frexp(size, &exponent), --exponent;
     const double steps = std::nearbyint(std::ldexp(size, 10 - exponent));

@@ -5,9 +5,9 @@
 
 namespace relief {
 
-/// Rounds to the nearest half, ties to even. 65520 and more become infinity, 2^-25 and less zero. NaN stays NaN.
+/// Rounds to the nearest half, ties to even. 65520 and above become infinity, 2^-25 and below zero. NaN stays NaN.
 uint16_t half_from_double(double value);
-/// The exact value.
+/// Returns the exact value of a half.
 double double_from_half(uint16_t half);
 
 }  // namespace relief

@@ -1,5 +1,5 @@
-// One cell of a height map: the bilinear surface between four texel centres, and a ray against it. The twin of
-// shaders/common/height_cell.glsl.
+// One cell of a height map: the bilinear surface between four texel centres, and its intersection with a ray. The twin
+// of shaders/common/height_cell.glsl.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ inline double height_in_cell(const HeightCell& cell, glm::dvec2 at) {
     return lower + (upper - lower) * at.y;
 }
 
-/// dh/du and dh/dv, per texel.
+/// Returns dh/du and dh/dv, per texel.
 inline glm::dvec2 slope_in_cell(const HeightCell& cell, glm::dvec2 at) {
     const double along_u = cell.h10 - cell.h00, along_v = cell.h01 - cell.h00;
     const double twist = (cell.h11 - cell.h01) - along_u;
@@ -34,22 +34,22 @@ struct Gap {
     double begin, middle, end;
 };
 
-/// The gap of a segment between two points; x and y are positions in the cell, z is a height. The surface is bilinear:
-/// so the middle coefficient is the segment's mean height minus the mean of the surface at the two mixed positions
-/// (x of one end, y of the other).
+/// Returns the gap of a segment between two points; x and y are positions in the cell, z is a height. Because the
+/// surface is bilinear, the middle coefficient has a closed form. It is the segment's mean height minus the mean of the
+/// surface at the two mixed positions (x of one end, y of the other).
 inline Gap gap_above_cell(const HeightCell& cell, glm::dvec3 from, glm::dvec3 to) {
     return {from.z - height_in_cell(cell, {from.x, from.y}),
             (from.z + to.z - height_in_cell(cell, {to.x, from.y}) - height_in_cell(cell, {from.x, to.y})) / 2,
             to.z - height_in_cell(cell, {to.x, to.y})};
 }
 
-/// Whether a gap that begins at or above 0 reaches 0. Takes no root and no division.
+/// Returns whether a gap that begins at or above 0 reaches 0. Needs no root and no division.
 inline bool closes(const Gap& gap) {
     return gap.end <= 0 || gap.begin <= 0 || (gap.middle < 0 && gap.middle * gap.middle >= gap.begin * gap.end);
 }
 
-/// The first s in [0, 1] at which the gap is 0, for a gap that closes(). s / (1 - s) is the smaller positive root of
-/// begin + 2 middle r + end r². Both forms of the root add numbers of one sign, so nothing cancels.
+/// Returns the first s in [0, 1] at which the gap is 0. Precondition: closes(gap). s / (1 - s) is the smaller positive
+/// root of begin + 2 middle r + end r². Both forms of the root add numbers of one sign, so nothing cancels.
 inline double first_closing(const Gap& gap) {
     if (gap.begin <= 0) return 0;
     const double root = std::sqrt(std::max(0.0, gap.middle * gap.middle - gap.begin * gap.end));

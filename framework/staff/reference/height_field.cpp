@@ -16,15 +16,15 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Cells are numbered by their lower left texel. Beyond a border that is clamped they are all like cell -1, or the last
-/// one: level across the border.
+/// Cells are numbered by their lower left texel. With clamping, all cells beyond a border equal cell -1 or the last
+/// cell: they are level across the border.
 int64_t wrapped(int64_t index, int side, bool wraps) {
     if (!wraps) return std::clamp<int64_t>(index, -1, side - 1);
     const int64_t rest = index % side;
     return rest < 0 ? rest + side : rest;
 }
 
-/// A ray's way through the cells along one axis.
+/// The path of a ray through the cells along one axis.
 class AxisWalk {
 public:
     AxisWalk(double origin, double along, double now, int side, bool wraps)
@@ -37,8 +37,9 @@ public:
           stored_(wrapped(cell_, side, wraps)) {}
 
     int64_t cell() const { return cell_; }
-    int64_t stored() const { return stored_; }  ///< where the map has it
-    /// At which t the ray leaves the cell. Each from the line itself, not from the one before: nothing adds up.
+    int64_t stored() const { return stored_; }  ///< index of the cell in the map
+    /// t at which the ray leaves the cell. Computed from the line itself, not from the previous t, so errors do not
+    /// accumulate.
     double t() const { return std::isinf(inverse_) ? infinity : (double(cell_ + (step_ > 0)) - origin_) * inverse_; }
     void enter_next() {
         cell_ += step_;
@@ -112,7 +113,7 @@ std::optional<HeightField::Stretch> HeightField::stretch_of(const Ray& ray, doub
     Stretch stretch{0, t_end};
     const double above = ray.origin.z - highest_;
     if (bend > 0) {
-        // It may turn before it is low enough, and rise for ever after: every cell is looked at.
+        // The ray may turn before it is low enough and rise from then on, so its whole range is walked.
     } else if (along.z < 0) {
         stretch.begin = std::max(0.0, above / -along.z);
         const double slack = 1e-12 * (1 + std::abs(lowest_) + std::abs(ray.origin.z));
@@ -132,7 +133,8 @@ std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_
     const glm::dvec3 along = ray.direction;
     double t0 = stretch->begin;
 
-    // From the tile that the walk begins in: far from it a place would lose its digits. Cells begin at texel centres.
+    // Use coordinates relative to the tile in which the walk starts, to keep precision far from the origin. Cells begin
+    // at texel centres.
     glm::dvec2 tile(0);
     if (wraps_)
         tile = glm::floor((glm::dvec2(ray.origin) + t0 * glm::dvec2(along)) / glm::dvec2(size_)) * glm::dvec2(size_);
@@ -148,7 +150,7 @@ std::optional<HeightField::Hit> HeightField::first_hit(const Ray& ray, double t_
         const glm::dvec3 to = at(t1);
         const size_t here = place(across_u.stored(), across_v.stored());
         const double sag =
-            bend * (t1 - t0) * (t1 - t0) / 2;  // between its ends a ray that bends is lower by half of it
+            bend * (t1 - t0) * (t1 - t0) / 2;  // the bent ray sags by at most half of this below its chord
         if (std::min(from.z, to.z) - sag <= tops_[here]) {
             const glm::dvec3 corner(across_u.cell(), across_v.cell(), 0);
             Gap gap = gap_above_cell(cell(here), from - corner, to - corner);

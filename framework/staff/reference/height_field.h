@@ -14,8 +14,8 @@
 namespace relief {
 
 /// The bilinear surface through the texel centres. Positions are in texels, with (0, 0) at the lower left corner of the
-/// map and v upwards: the first texel of the lowest row has its centre at (0.5, 0.5), and uv = texels / size. Beyond
-/// the border the map repeats (`wraps`), or the last texel is repeated.
+/// map and v upwards. The first texel of the lowest row has its centre at (0.5, 0.5), and uv = texels / size. Beyond
+/// the border the map repeats (`wraps`), or the border texels are repeated.
 class HeightField {
 public:
     /// `heights` has one channel, row 0 at the top. Throws Error if it is empty or a height is not finite.
@@ -26,20 +26,20 @@ public:
     double highest() const { return highest_; }
 
     double height(glm::dvec2 texel) const;
-    /// (dh/du, dh/dv) per texel. On the border of two cells, the slope of the cell to the right or above.
+    /// Returns (dh/du, dh/dv) per texel. On the border of two cells, takes the slope of the cell to the right or above.
     glm::dvec2 slope(glm::dvec2 texel) const;
 
-    /// (dh/du, dh/dv) per texel by central differences of the interpolated surface over two texels. A normal map made
-    /// with central differences has these slopes, between its texels too.
+    /// Returns (dh/du, dh/dv) per texel by central differences of the interpolated surface over two texels. These are
+    /// the slopes of a normal map made with central differences, also between its texels.
     glm::dvec2 central_slope(glm::dvec2 texel) const;
 
     struct Hit {
-        double t;          ///< in lengths of the ray's direction
-        glm::dvec2 texel;  ///< not wrapped: it can lie beyond the border
-        int64_t cells;     ///< number of cells visited
+        double t;          ///< in multiples of the ray's direction
+        glm::dvec2 texel;  ///< not wrapped: may lie beyond the border
+        int64_t cells;     ///< number of visited cells
     };
-    /// The first point with t in [0, t_end] at which the ray (x and y in texels, z a height) is on or below the
-    /// surface. That is the ray's origin if the ray starts there. Nothing if there is no such point, or if the ray is
+    /// Returns the first point with t in [0, t_end] at which the ray (x and y in texels, z a height) is on or below the
+    /// surface. That is the origin if the ray starts there. Returns nothing if there is no such point, or if the ray is
     /// not finite. The walk from cell to cell (Amanatides and Woo 1987) solves one quadratic per cell; its error is
     /// about 1e-13 texels. Throws Error if the ray would cross more than max_cells, as a horizontal ray can.
     ///
@@ -48,14 +48,14 @@ public:
     std::optional<Hit> first_hit(const Ray& ray, double t_end, double bend = 0) const;
     static constexpr double max_cells = 1 << 24;
 
-    /// Whether the surface at `texel` sees a light in `direction` (x and y in texels, z a height). Light that grazes
-    /// the surface passes: the ray starts above it by 1e-10 of the map's range, or of its highest height if that is
-    /// more. Light from the horizon or below is always blocked, because the map has no end.
+    /// Returns whether a light in `direction` (x and y in texels, z a height) is visible from the surface at `texel`.
+    /// Grazing light passes: the ray starts above the surface by 1e-10 of the map's range, or of its highest height if
+    /// that is more. Light from the horizon or below is always blocked, because the map has no end.
     bool is_lit(glm::dvec2 texel, glm::dvec3 direction) const;
 
 private:
     size_t place_of(glm::dvec2 corner) const;
-    /// Of a ray: above the highest height nothing can be hit; a little below the lowest one everything has been.
+    /// The part of a ray that can hit: from the highest height to a little below the lowest one.
     struct Stretch {
         double begin, end;
     };

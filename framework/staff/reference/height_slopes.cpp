@@ -8,9 +8,9 @@
 namespace relief {
 namespace {
 
-using Line = std::function<double(int)>;  // heights of a line, of any index when it wraps
+using Line = std::function<double(int)>;  // heights of a line; accepts any index if the line wraps
 
-/// By polynomials through the nearest `order + 1` elements at the border; inside by the centred formula.
+/// Difference by polynomials through the nearest `order + 1` elements at the border, and by the centred formula inside.
 double difference(const Line& h, int i, int count, int order, bool wrap) {
     const bool second = order == 2;
     if (wrap || (second ? i >= 1 && i < count - 1 : i >= 2 && i < count - 2))
@@ -18,7 +18,7 @@ double difference(const Line& h, int i, int count, int order, bool wrap) {
     if (count == 1) return 0;
     if (count == 2) return h(1) - h(0);
     if (!second && count < 5) return difference(h, i, count, 2, wrap);
-    // The derivative at i of Lagrange's polynomial through order + 1 elements, as few as possible beyond i.
+    // The derivative at i of the Lagrange polynomial through order + 1 elements, with as few as possible beyond i.
     const int first = i < count / 2 ? 0 : count - 1 - order;
     double sum = 0;
     for (int j = first; j <= first + order; ++j) {
@@ -35,8 +35,8 @@ double difference(const Line& h, int i, int count, int order, bool wrap) {
     return sum;
 }
 
-/// Around a circle the inverse of (1, 4, 1) is the kernel z^|k| / (2 sqrt(3)), z = sqrt(3) - 2. Between ends the
-/// equations are relaxed until nothing changes: each sweep leaves a quarter of the error.
+/// On a circle the inverse of (1, 4, 1) is the kernel z^|k| / (2 sqrt(3)), z = sqrt(3) - 2. Between ends the equations
+/// are relaxed until nothing changes: each sweep leaves a quarter of the error.
 double spline(const Line& h, int i, int count, bool wrap) {
     if (wrap) {
         const double z = std::sqrt(3.0) - 2;

@@ -1,4 +1,4 @@
-// The slope of a height map at a texel, straight from the definition: the reference for normals_from_heights().
+// The slope of a height map at a texel, directly from the definition: the reference for normals_from_heights().
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,11 +7,11 @@
 
 namespace relief {
 
-/// (dh/du, dh/dv) per texel of a one-channel image; v grows up. Slow: a spline is solved along the texel's whole row
-/// and column.
+/// Returns (dh/du, dh/dv) per texel of a one-channel image; v grows up. Slow: solves a spline along the texel's whole
+/// row and column.
 glm::dvec2 slope_at(const Image& heights, int x, int y, SlopeFilter filter, bool wrap);
 
-/// The unit normal of that slope.
+/// Returns the unit normal of that slope.
 glm::dvec3 normal_at(const Image& heights, int x, int y, const NormalOptions& options);
 
 }  // namespace relief

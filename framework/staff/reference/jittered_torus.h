@@ -1,4 +1,4 @@
-// A mesh whose tangents are known, to try methods on.
+// A mesh with known tangents, to test methods on.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace relief {
 
-/// A torus (radii 1 and 0.4) of places that are jittered in uv, with diagonals by chance, and the exact dP/du at each
-/// vertex as its tangent. `columns` x `rows` cells; the seam's vertices are doubled.
+/// Returns a torus (radii 1 and 0.4) with the exact dP/du at each vertex as its tangent. Vertices are jittered in uv,
+/// and diagonals are random. It has `columns` x `rows` cells; the seam's vertices are doubled.
 inline Mesh jittered_torus(int columns, int rows, unsigned seed, double jitter = 0.3) {
     std::mt19937 random(seed);
     const auto off = [&] { return std::uniform_real_distribution<double>(-jitter, jitter)(random); };

@@ -8,11 +8,11 @@
 namespace relief {
 namespace {
 
-/// The next t at which one of the ray's coordinates passes from cell to cell; they meet at texel centres.
+/// Returns the next t at which one of the ray's coordinates enters another cell; cells meet at texel centres.
 double next_line(double origin, double along, double t) {
     if (along == 0) return INFINITY;
     const double place = origin - 0.5 + t * along, nearest = std::round(place);
-    // A line that the ray is on, but for rounding, is behind it.
+    // A line that the ray is on, up to rounding, counts as passed.
     const double line = std::abs(place - nearest) < 1e-9 * (1 + std::abs(place)) ? nearest + (along > 0 ? 1 : -1)
                         : along > 0                                              ? std::ceil(place)
                                                                                  : std::floor(place);
@@ -22,7 +22,7 @@ double next_line(double origin, double along, double t) {
 }  // namespace
 
 ReliefMove least_move(const HeightField& field, const Ray& ray, double t) {
-    const auto above = [&](double at) {  // of the relief above the ray
+    const auto above = [&](double at) {  // height of the relief above the ray
         const glm::dvec3 p = ray.at(at);
         return field.height(glm::dvec2(p)) - p.z;
     };
@@ -35,7 +35,7 @@ ReliefMove least_move(const HeightField& field, const Ray& ray, double t) {
     for (double from = begin, before = above(from); from < t;) {
         const double to = std::min(
             {next_line(ray.origin.x, ray.direction.x, from), next_line(ray.origin.y, ray.direction.y, from), t});
-        // Within a cell a quadratic in s, from 0 to 1: by its ends and its middle.
+        // Within a cell the height is a quadratic in s in [0, 1], given by its ends and its middle.
         const double middle = above((from + to) / 2), after = above(to);
         const double bend = 2 * (before + after) - 4 * middle, slope = after - before - bend;
         consider(from, before), consider(to, after);

@@ -7,20 +7,20 @@
 
 namespace relief {
 
-/// The largest move that a claimed hit asks of the relief, and where along the ray.
+/// The largest move of the relief that a claimed hit requires, and its position along the ray.
 struct ReliefMove {
-    double t;       ///< in lengths of the ray's direction
+    double t;       ///< in multiples of the ray's direction
     double height;  ///< up is positive
 };
 
-/// The error of the claim that the ray (x and y in texels, z a height, going down) first meets the relief at t. The
-/// claim is correct if the relief has the ray's height at t, and is nowhere above the ray before t. Otherwise the move
-/// is the relief's distance from the ray at t, or the most by which it rises above the ray before t, whichever is
-/// larger. So the error of a hidden point is how far above the ray the occluder rises. t is clamped to [0, t_end],
-/// where t_end is the point at which the ray reaches the lowest height.
+/// Returns the error of the claim that the ray (x and y in texels, z a height, going down) first meets the relief at t.
+/// The claim is correct if the relief has the ray's height at t and is nowhere above the ray before t. Otherwise two
+/// moves are compared, and the larger one is returned: the relief's distance from the ray at t, and its maximum height
+/// above the ray before t. So the error of a hidden point is the height of the occluder above the ray. t is clamped to
+/// [0, t_end], where t_end is the point at which the ray reaches the lowest height.
 ///
-/// A method whose heights are wrong by at most e has an error of at most e, whatever hides what. This is the texture
-/// deviation of Cohen, Olano and Manocha (1998), measured from the ray.
+/// A method whose heights are wrong by at most e has an error of at most e, regardless of occlusion. This is the
+/// texture deviation of Cohen, Olano and Manocha (1998), measured from the ray.
 ReliefMove least_move(const HeightField& field, const Ray& ray, double t);
 
 /// The same error on the screen.
@@ -31,9 +31,9 @@ struct ShownError {
     double pixels;     ///< the relief's move, in pixels of this picture
 };
 
-/// The errors of all pixels that show a wall, row by row. The wall lies in the plane z = 0 and faces +z; its relief is
-/// `scale` metres deep and lies behind the plane. The map has a corner at the origin and `texels_per_metre`. `texels`
-/// holds, in its first two channels, the position that each pixel shows, or no_surface.
+/// Returns the errors of all pixels that show a wall, row by row. The wall lies in the plane z = 0 and faces +z; its
+/// relief is `scale` metres deep and lies behind the plane. The map has a corner at the origin and `texels_per_metre`.
+/// The first two channels of `texels` hold the position that each pixel shows, or no_surface.
 std::vector<ShownError> wall_errors(const Image& texels, const HeightField& field, double texels_per_metre,
                                     double scale, const glm::dmat4& clip_from_world);
 

@@ -9,10 +9,10 @@ namespace relief {
 namespace {
 
 struct Placed {
-    glm::dvec2 stalk, along;  ///< `along` is as long as the leaf
+    glm::dvec2 stalk, along;  ///< as long as the leaf
 };
 
-/// Numbers in [0, 1), the same on any machine (the finaliser of SplitMix64, Steele et al. 2014).
+/// Random numbers in [0, 1), the same on any machine (the finaliser of SplitMix64, Steele et al. 2014).
 class Numbers {
 public:
     double next() {
@@ -37,7 +37,7 @@ const std::vector<Placed>& leaves() {
             const double top =
                 0.45 + 0.42 * std::pow(0.5 + 0.5 * std::sin(2 * glm::pi<double>() * (2 * u + 0.13)), 1.5);
             const double v = 0.13 + (top - 0.13) * (strand < 0.7 ? share : share * share);
-            // Leaves hang: their tips point downwards, give or take.
+            // Leaves hang: their tips point roughly downwards.
             const double angle = -glm::half_pi<double>() + 1.3 * hang;
             all.push_back({{u, v}, size * glm::dvec2(std::cos(angle), std::sin(angle))});
         }
@@ -46,7 +46,7 @@ const std::vector<Placed>& leaves() {
     return placed;
 }
 
-/// Three lobes: one to the tip, one to each side.
+/// Returns whether a point is in the leaf: three lobes, one to the tip and one to each side.
 bool is_inside(const glm::dvec2& place) {
     const auto lobe = [&](glm::dvec2 centre, glm::dvec2 axis, double length, double width) {
         const glm::dvec2 off = place - centre;
@@ -60,13 +60,13 @@ bool is_inside(const glm::dvec2& place) {
 
 constexpr int cells = 32;
 
-/// By cell of the tile, the leaves that may reach into it, the highest first.
+/// For each cell of the tile, the leaves that may overlap it, the highest first.
 const std::vector<std::vector<int>>& leaves_near() {
     static const std::vector<std::vector<int>> near = [] {
         std::vector<std::vector<int>> lists(cells * cells);
         for (int i = int(leaves().size()) - 1; i >= 0; --i) {
             const Placed& leaf = leaves()[size_t(i)];
-            // No place of a leaf is farther from its stalk than its length, and its lobes end within that.
+            // The lobes end within 1.15 times the leaf's length from its stalk.
             const double reach = 1.15 * glm::length(leaf.along);
             const glm::ivec2 low(glm::floor((leaf.stalk - reach) * double(cells))),
                 high(glm::floor((leaf.stalk + reach) * double(cells)));
@@ -81,7 +81,7 @@ const std::vector<std::vector<int>>& leaves_near() {
 }  // namespace
 
 bool is_wire(const glm::dvec2& uv) {
-    // 1 - (1 - share)^2 of the tile is wire.
+    // 1 - (1 - share)² of the tile is wire.
     static const double half_share = (1 - std::sqrt(1 - wire_coverage)) / 2;
     const auto on_wire = [](double across) { return std::abs(across - std::round(across)) < half_share; };
     return on_wire(wires * (uv.x + uv.y)) || on_wire(wires * (uv.x - uv.y));

@@ -21,7 +21,7 @@ glm::dvec4 triangle_hit(const Ray& ray, const RayAxes& axes, const glm::dvec3& a
                           axes.shear.z * z);
     };
     const glm::dvec3 p = sheared(a), q = sheared(b), r = sheared(c);
-    // A product of rounded numbers has the right sign, or is 0; so two triangles agree about the edge that they share.
+    // A product of rounded numbers has the right sign or is 0. So two triangles agree about the edge that they share.
     const glm::dvec3 weights(r.x * q.y - r.y * q.x, p.x * r.y - p.y * r.x, q.x * p.y - q.y * p.x);
     const bool any_below = weights.x < 0 || weights.y < 0 || weights.z < 0;
     const bool any_above = weights.x > 0 || weights.y > 0 || weights.z > 0;
@@ -29,7 +29,7 @@ glm::dvec4 triangle_hit(const Ray& ray, const RayAxes& axes, const glm::dvec3& a
     if ((any_below && any_above) || sum == 0) return glm::dvec4(0);
     const glm::dvec3 shares = weights / sum;
     const double t = shares.x * p.z + shares.y * q.z + shares.z * r.z;
-    // The axes are a right-handed permutation; looked at along a negative z they turn round.
+    // The axes are a right-handed permutation. Seen along a negative z, the winding is reversed.
     return {t, shares.x, shares.y, (sum > 0) == (axes.shear.z > 0) ? 1 : -1};
 }
 
@@ -43,7 +43,7 @@ bool meets_box(const glm::dvec3& origin, const glm::dvec3& inverse, double end, 
     const glm::dvec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
     const glm::dvec3 near = glm::min(a, b), far = glm::max(a, b);
     const double enters = std::max({near.x, near.y, near.z, 0.0}), leaves = std::min({far.x, far.y, far.z, end});
-    // Three roundings of a float may bring the two past each other (Ize 2013).
+    // Three float roundings may reverse the order of both (Ize 2013).
     return enters <= leaves * 1.0000004;
 }
 

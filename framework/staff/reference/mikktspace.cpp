@@ -9,7 +9,7 @@ namespace {
 struct Triangle {
     glm::dvec3 position[3], normal[3];
     glm::dvec2 uv[3];
-    glm::dvec3 along{0};  // dP/du, unit
+    glm::dvec3 along{0};  // dP/du, unit length
     int handedness = 0;
     bool degenerate = false;  // two equal positions
 };
@@ -38,8 +38,8 @@ public:
             }
             t.degenerate =
                 t.position[0] == t.position[1] || t.position[1] == t.position[2] || t.position[2] == t.position[0];
-            // Two edges in space and in uv, from the corner opposite the longest, so that slivers keep their digits;
-            // dP/du but for the division by the area.
+            // Two edges in space and in uv, from the corner opposite the longest edge, so that slivers keep precision.
+            // The result is dP/du without the division by the area.
             const auto length = [&](int k) { return glm::length(t.position[(k + 1) % 3] - t.position[(k + 2) % 3]); };
             const int a = length(0) >= length(1) && length(0) >= length(2) ? 0 : length(1) >= length(2) ? 1 : 2;
             const int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -75,7 +75,8 @@ public:
 private:
     const Vertex& vertex(Corner c) const { return mesh_.vertices[mesh_.indices[c.triangle * 3 + size_t(c.k)]]; }
 
-    /// Corners at the same vertex across the edge that leaves it (or arrives): that edge arrives (leaves) there.
+    /// Returns corners at the same vertex across the edge that leaves it (or arrives). That edge arrives (leaves) at
+    /// the other corner.
     std::vector<Corner> across(Corner c, bool leaving) const {
         std::vector<Corner> found;
         const Vertex& end = vertex({c.triangle, (c.k + (leaving ? 1 : 2)) % 3});
@@ -89,7 +90,7 @@ private:
         return found;
     }
 
-    /// Adds what is connected with the corner; a triangle without area in uv has the handedness of its first group.
+    /// Adds all corners connected with this one. A triangle without area in uv takes the handedness of its first group.
     void flood(Corner c, std::set<Corner>& group) {
         if (!group.insert(c).second) return;
         for (const bool leaving : {true, false})
@@ -113,8 +114,8 @@ private:
         return unit(total);
     }
 
-    /// From the first corner at the same vertex that has a tangent; its handedness, too, where the triangle can have
-    /// none.
+    /// Corners without a tangent take it from the first corner at the same vertex that has one. Degenerate triangles
+    /// also take its handedness.
     void inherit(std::vector<glm::dvec4>& result) const {
         const std::vector<glm::dvec4> own = result;
         for (size_t i = 0; i < own.size(); ++i) {
@@ -130,7 +131,7 @@ private:
 
     const Mesh& mesh_;
     std::vector<Triangle> triangles_;
-    std::vector<int> handedness_;  // its own, or what it takes on
+    std::vector<int> handedness_;  // its own, or the inherited one
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr std::array<NormalFormatInfo, 13> formats = {{
     {NormalFormat::half, "half", 3, 16},
 }};
 
-/// Scaled by its largest component first: the squares of 1e200 or 1e-200 are not numbers to divide by.
+/// Scales by the largest component first, because the squares of 1e200 or 1e-200 overflow or underflow.
 glm::dvec3 unit_or_up(glm::dvec3 v) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z) || largest == 0) return {0, 0, 1};
@@ -46,7 +46,7 @@ double from_snorm(uint16_t c, int bits) {
 
 double sign_not_zero(double x) { return x < 0 ? -1 : 1; }
 
-/// On the octahedron |x| + |y| + |z| = 1, its lower half folded outwards over the square's corners.
+/// Projects onto the octahedron |x| + |y| + |z| = 1, its lower half folded outwards over the square's corners.
 glm::dvec2 onto_octahedron(glm::dvec3 n) {
     const glm::dvec2 p = glm::dvec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
     if (n.z > 0) return p;
@@ -68,7 +68,7 @@ NormalCode octahedral(glm::dvec3 normal, int bits, bool precise) {
     double nearest = 5;
     for (const double x : {std::floor(scaled.x), std::ceil(scaled.x)})
         for (const double y : {std::floor(scaled.y), std::ceil(scaled.y)}) {
-            // By the chord: at 16 bits the dot products of all four are 1 but for their last digits.
+            // Compare chords: at 16 bits the dot products of all four codes differ only in their last digits.
             const NormalCode one = code(x, y);
             const glm::dvec3 off =
                 from_octahedron({from_snorm(one.channel[0], bits), from_snorm(one.channel[1], bits)}) - normal;

@@ -27,7 +27,7 @@ enum class NormalFormat {
 
 struct NormalFormatInfo {
     NormalFormat format;
-    std::string_view name;  ///< as on a command line: "oct12-precise"
+    std::string_view name;  ///< on the command line: "oct12-precise"
     int channels;           ///< per texel
     int bits;               ///< per channel
 };
@@ -41,11 +41,12 @@ struct NormalCode {
     bool operator==(const NormalCode&) const = default;
 };
 
-/// `normal` can have any length; if it is zero or not finite, (0, 0, 1) is encoded. rg8 and rg16 lose the sign of z.
+/// Encodes a direction. `normal` can have any length; if it is zero or not finite, (0, 0, 1) is encoded. rg8 and rg16
+/// lose the sign of z.
 NormalCode encode_normal(NormalFormat format, glm::dvec3 normal);
 
-/// The unit vector of a code; (0, 0, 1) if the channels have no direction. A code of another format gives a unit vector
-/// too: that is a well-known mistake, and labs show it.
+/// Returns the unit vector of a code; (0, 0, 1) if the channels have no direction. A code of another format also gives
+/// a unit vector: a well-known mistake that labs show.
 glm::dvec3 decode_normal(NormalFormat format, NormalCode code);
 
 }  // namespace relief

@@ -5,16 +5,16 @@
 
 namespace relief {
 
-/// From c = 255 (0.5 x + 0.5). `stored` is c / 255, as a sampler returns it. The result is not normalised.
+/// Decodes c = 255 (0.5 x + 0.5). `stored` is c / 255, as a sampler returns it. The result is not normalised.
 glm::dvec3 decode_normal(const glm::dvec3& stored);
 
-/// From c = 127 x + 128, where 128 is exactly 0. `stored` is c / 255. The result is not normalised.
+/// Decodes c = 127 x + 128, where 128 is exactly 0. `stored` is c / 255. The result is not normalised.
 glm::dvec3 decode_normal_128(const glm::dvec3& stored);
 
-/// From x and y in [-1, 1]: z >= 0 makes the length 1. If (x, y) is longer than 1, z is 0.
+/// Adds z >= 0 to x and y in [-1, 1] so that the length is 1. If (x, y) is longer than 1, z is 0.
 glm::dvec3 decode_normal_xy(const glm::dvec2& xy);
 
-/// From an octahedral map (Meyer et al. 2010; Cigolle et al. 2014), stored in [-1, 1]. The result has unit length.
+/// Decodes an octahedral map (Meyer et al. 2010; Cigolle et al. 2014), stored in [-1, 1]. The result has unit length.
 glm::dvec3 decode_octahedral(const glm::dvec2& stored);
 
 }  // namespace relief

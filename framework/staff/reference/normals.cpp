@@ -15,10 +15,10 @@
 namespace relief {
 namespace {
 
-/// Results larger than this do not stay in any cache.
+/// Larger results do not stay in any cache.
 constexpr size_t uncached_bytes = size_t{8} << 20;
 
-/// One texel by the definition, for borders: the slopes along u and v.
+/// The slopes of one texel along u and v by the definition, for borders.
 class TexelSlopes {
 public:
     TexelSlopes(const Image& heights, const NormalOptions& options) : heights_(heights), options_(options) {}
@@ -53,7 +53,7 @@ private:
     const NormalOptions& options_;
 };
 
-/// What the inner loop multiplies its differences by: of the next neighbours, and of those beside or beyond.
+/// Weights of the inner loop's differences: of the direct neighbours, and of the neighbours beside or beyond them.
 struct InnerWeights {
     double next, side;
 };
@@ -71,7 +71,7 @@ public:
 
     void write(int y) const {
         const int width = heights_.width, height = heights_.height;
-        // Where a tap would fall outside, texels are taken one by one; a tile's rows wrap as pointers.
+        // Where a tap would fall outside, process texels one by one. The rows of a tile wrap by pointer.
         const int reach = options_.filter == SlopeFilter::fourth_order ? 2 : 1;
         const bool row_inside = options_.wrap || (y >= reach && y < height - reach);
         const int begin = std::min(reach, width), end = std::max(begin, width - reach);

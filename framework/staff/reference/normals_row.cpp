@@ -12,15 +12,15 @@ namespace relief {
 namespace {
 
 // One source for two instruction sets: the functions below are compiled for the baseline and for AVX2. Without fused
-// multiply-adds both give the same bits. Vectors of eight by the compilers' own extension, in two halves where the
-// machine has four: left to themselves compilers write texels of three channels one by one.
+// multiply-adds both give the same bits. Vectors of eight use the compilers' own extension, in two halves on machines
+// with four lanes. Without it compilers write three-channel texels one by one.
 #define RELIEF_INLINE [[gnu::always_inline]] inline
 constexpr int lanes = 8;
 typedef float Floats __attribute__((vector_size(4 * lanes), aligned(4)));
 typedef int32_t Ints __attribute__((vector_size(4 * lanes), aligned(4)));
 typedef float Half __attribute__((vector_size(16), aligned(4)));
 
-/// Exact to the last bit, unlike the machines' own estimates: of the same bits everywhere.
+/// Correctly rounded, unlike the processors' own estimates, so the bits are the same everywhere.
 RELIEF_INLINE Floats square_root(Floats v) {
 #ifdef __SSE2__
     const __m128 low = _mm_sqrt_ps(__builtin_shufflevector(v, v, 0, 1, 2, 3)),
@@ -44,13 +44,13 @@ RELIEF_INLINE void store(Half low, Half high, float* to, bool uncached) {
     *reinterpret_cast<Half*>(to + 4) = high;
 }
 
-/// The normals of eight slopes; `usable` loses its bits where one is not a number or its square too large.
+/// Writes the normals of eight slopes. Clears the bits of `usable` where a slope is NaN or its square too large.
 RELIEF_INLINE void write_normals(Floats du, Floats dv, float* result, bool uncached, Ints& usable) {
     const Floats squared = du * du + dv * dv + 1;
     usable &= squared < 1e37f;
     const Floats half = 0.5f / square_root(squared);
     const Floats x = 0.5f - du * half, y = 0.5f - dv * half, z = 0.5f + half;
-    // Four texels a half: x0 y0 z0 x1 | y1 z1 x2 y2 | z2 x3 y3 z3, by shuffles that stay in the half.
+    // Four texels per half: x0 y0 z0 x1 | y1 z1 x2 y2 | z2 x3 y3 z3, by shuffles within the half.
     const Floats xy = __builtin_shufflevector(x, y, 0, 8, 1, 9, 4, 12, 5, 13);     // x0 y0 x1 y1
     const Floats zx = __builtin_shufflevector(z, x, 0, 0, 9, 9, 4, 4, 13, 13);     // z0 z0 x1 x1
     const Floats yz = __builtin_shufflevector(y, z, 1, 1, 9, 9, 5, 5, 13, 13);     // y1 y1 z1 z1
@@ -65,8 +65,8 @@ RELIEF_INLINE void write_normals(Floats du, Floats dv, float* result, bool uncac
     store(__builtin_shufflevector(b, b, 4, 5, 6, 7), __builtin_shufflevector(c, c, 4, 5, 6, 7), result + 16, uncached);
 }
 
-/// The slopes of eight texels from x on. The weights are copies: the compiler cannot know that results are not written
-/// over them.
+/// The slopes of eight texels starting at x. The weights are copies: the compiler cannot know that results do not
+/// overwrite them.
 template <SlopeFilter filter>
 struct Slopes {
     const float *up2, *up, *here, *down, *down2;
@@ -106,7 +106,7 @@ RELIEF_INLINE bool row(const HeightRows& rows, int begin, int end, float* result
         slopes.at(x, du, dv);
         write_normals(du, dv, result + 3 * (x - begin), past_caches, usable);
     };
-    // Eight at each end, wherever they fall, and between them what begins at a multiple of 16 bytes.
+    // Unaligned batches of eight at both ends; between them, batches aligned to 16 bytes.
     eight(begin, false), eight(end - lanes, false);
     int x = begin;
     while (uncached && reinterpret_cast<uintptr_t>(result + 3 * (x - begin)) % 16 != 0) ++x;
@@ -151,10 +151,10 @@ bool normals_of_row(SlopeFilter filter, const HeightRows& rows, int begin, int e
 }
 
 void normal_of_slope(float du, float dv, float* result) {
-    constexpr float limit = 1e18f;  // its square is a float
+    constexpr float limit = 1e18f;  // its square fits in a float
     const auto usable = [](float slope) { return std::isnan(slope) ? 0 : std::clamp(slope, -1e38f, 1e38f); };
     du = usable(du), dv = usable(dv);
-    // Both by one factor: each by itself would turn the normal around the vertical.
+    // Scale both by one factor: scaling each by itself would turn the normal around the vertical.
     if (const float larger = std::max(std::abs(du), std::abs(dv)); larger > limit)
         du = du / larger * limit, dv = dv / larger * limit;
     const float half = 0.5f / std::sqrt(du * du + dv * dv + 1);

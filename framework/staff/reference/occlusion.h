@@ -5,13 +5,14 @@
 
 namespace relief {
 
-/// The share of the cosine-weighted light of a slice that is left between two horizons: h1 <= 0 <= h2 are measured from
-/// the direction of view, `g` is the angle of the normal, all in radians (Jimenez et al. 2016). Horizons beyond the
-/// hemisphere of the normal count as its edge.
+/// Returns the share of a slice's cosine-weighted light that remains between two horizons. h1 <= 0 <= h2 are measured
+/// from the view direction; `g` is the angle of the normal; all are in radians (Jimenez et al. 2016). Horizons are
+/// clamped to the hemisphere of the normal.
 double open_share(double h1, double h2, double g);
 
-/// How open each texel of a relief that tiles is to the sky over it, by `slices` vertical planes through it and the
-/// heights within `reach` texels: 1 is open. `texels` is what a height of 1 is worth. One channel of floats.
+/// Returns the openness of each texel to the sky above a relief that tiles; 1 is open. Samples `slices` vertical planes
+/// through the texel and the heights within `reach` texels. `texels` is the size of height 1 in texels. One channel of
+/// floats.
 Image occlusion_from_heights(const Image& heights, double texels, int slices, int reach);
 
 }  // namespace relief

@@ -7,7 +7,7 @@ namespace {
 
 ParallaxHit hit_at(const ReliefRay& ray, double t, int taps) { return {t, ray.texel + t * ray.march, taps}; }
 
-/// How far the ray runs above the surface.
+/// Returns the height of the ray above the surface.
 double gap(const HeightField& field, const ReliefRay& ray, double t) {
     return 1 - t - field.height(ray.texel + t * ray.march);
 }
@@ -42,7 +42,7 @@ ParallaxHit march(const HeightField& field, const ReliefRay& ray, double steps, 
         const double above = gap_before * weight_before, below = -gap_after * weight_after;
         return before + (after - before) * above / (above + below);
     };
-    double weight_before = 1, weight_after = 1;  // Illinois: an end that stays twice counts half
+    double weight_before = 1, weight_after = 1;  // Illinois: an end that stays twice has half the weight
     int stayed = 0;
     for (int round = 0; refinement != Refinement::linear && round < rounds; ++round) {
         const double t =

@@ -1,5 +1,5 @@
-// What a view ray sees of a mesh with a relief, in double precision: the fragment that the rasteriser would make, and
-// the ray's way through the relief from there. As in the shaders, parallax is defined in the fragment's tangent plane.
+// The view of a ray on a mesh with a relief, in double precision: the fragment that the rasteriser would make, and the
+// ray's path through the relief from there. As in the shaders, parallax is defined in the fragment's tangent plane.
 #pragma once
 
 #include <optional>
@@ -28,8 +28,7 @@ constexpr double least_slant = 0.002;
 class ReliefSights {
 public:
     explicit ReliefSights(const Mesh& mesh);
-    /// The first triangle that the ray hits (Möller and Trumbore 1997). `front_only`: triangles that face away are
-    /// skipped, as with back-face culling.
+    /// Returns the first triangle that the ray hits (Möller and Trumbore 1997). `front_only` culls back faces.
     std::optional<ReliefSight> look(const Ray& ray, const ReliefMapping& mapping, bool front_only = false) const;
 
 private:

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double pi = glm::pi<double>();
 
-/// Of a t² + 2 b t + c = 0 in rising order; not a number where there is none. The smaller root is not found by a
-/// difference (b² - a c in a form that keeps its digits is the caller's).
+/// Returns the roots of a t² + 2 b t + c = 0 in ascending order; NaN if there are none. Neither root is computed as a
+/// difference, so nothing cancels. The caller must pass coefficients for which b² - a c does not cancel.
 std::array<double, 2> roots(double a, double b, double c) {
     if (a == 0) return {-c / (2 * b), -c / (2 * b)};
     const double q = -(b + std::copysign(std::sqrt(b * b - a * c), b));
@@ -44,7 +44,7 @@ SurfacePoint point_on(const ColumnShape& column, glm::dvec2 place) {
     const double angle = 2 * pi * place.x, s = std::sin(angle), c = std::cos(angle);
     const double taper = double(column.top_radius) - column.bottom_radius, height = column.height;
     const double radius = column.bottom_radius + taper * place.y;
-    // The normal leans by the taper and turns with the angle; it does not change on the way up.
+    // The normal leans by the taper and turns with the angle. It is constant along the height.
     const double slant = std::hypot(height, taper), level = slant > 0 ? height / slant : 1;
     const double rise = slant > 0 ? -taper / slant : 0;
     return {.position = {radius * s, place.y * height, radius * c},
@@ -78,8 +78,8 @@ std::optional<SurfaceHit> first_hit(const QuadShape& quad, const Ray& ray) {
 }
 
 std::optional<SurfaceHit> first_hit(const ColumnShape& column, const Ray& ray) {
-    // x² + z² = r(y)², with r linear in y. From the place of the ray that is nearest to the axis, so that a far
-    // origin does not cost the digits of b² - a c.
+    // x² + z² = r(y)², with r linear in y. Start at the ray's point nearest to the axis, so that b² - a c keeps its
+    // precision for a far origin.
     const double slope = (double(column.top_radius) - column.bottom_radius) / column.height;
     const glm::dvec2 level(ray.direction.x, ray.direction.z);
     const double reach = glm::dot(level, level);

@@ -12,15 +12,15 @@ namespace relief {
 namespace {
 
 // One source for two instruction sets: the functions below are compiled for the baseline and for AVX2. Without fused
-// multiply-adds both give the same bits. Vectors of four by the compilers' own extension: left to themselves compilers
-// do not find them in so long a loop.
+// multiply-adds both give the same bits. Vectors of four use the compilers' own extension: compilers do not vectorise
+// so long a loop.
 #define RELIEF_INLINE [[gnu::always_inline]] inline
 constexpr int lanes = 4, batch = 32, pieces = batch / lanes;
 typedef double Doubles __attribute__((vector_size(8 * lanes)));
 typedef int64_t Masks __attribute__((vector_size(8 * lanes)));
 
-/// A dP/du in double precision that leans against the normal by less than this is lost in the projection: what is left
-/// is off by a thousandth of a degree and more.
+/// The minimum sine of the angle between dP/du (in double precision) and the normal. Below it, the projection has an
+/// error of a thousandth of a degree or more.
 constexpr double smallest_sine = 1e-11;
 
 constexpr double pi = 3.14159265358979323846;
@@ -31,22 +31,22 @@ union Row {
     double one[batch];
 };
 
-/// Some triangles, each number beside that of the next.
+/// A batch of triangles in structure-of-arrays layout.
 struct alignas(64) Batch {
     Row position[3][3], uv[3][2], normal[3][3];
-    Row along[3];   ///< dP/du, unit or zero
-    Row across[3];  ///< the cross product of two edges
+    Row along[3];   ///< dP/du, unit length or zero
+    Row across[3];  ///< cross product of two edges
     Row twice_area;
     Row handedness;          ///< 1, 0 or -1
-    Row finite, separate;    ///< 1 or 0: whether all numbers are, whether no two corners coincide
-    Row on_plane[3][3];      ///< for mikktspace, per corner: `along` on the tangent plane
-    Row square[3];           ///< of the length of `on_plane`; 0 where too little is left
+    Row finite, separate;    ///< 1 or 0: all numbers are finite; no two corners coincide
+    Row on_plane[3][3];      ///< for mikktspace, per corner: `along` projected onto the tangent plane
+    Row square[3];           ///< squared length of `on_plane`; 0 if it is below the limit
     Row sine[3], cosine[3];  ///< of the corners' angles, times a common length
     float angle[3][batch];
     float pull[3][3][batch];
 };
 
-/// Exact to the last bit.
+/// Correctly rounded.
 RELIEF_INLINE Doubles square_root(Doubles v) {
 #ifdef __SSE2__
     const __m128d low = _mm_sqrt_pd(__builtin_shufflevector(v, v, 0, 1)),
@@ -77,15 +77,15 @@ RELIEF_INLINE Vector either(Masks first, Vector a, Vector b) {
     return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
 }
 
-// In double precision all sizes of floats can be squared twice over: nothing needs scaling. Differences of floats are
-// exact but for extreme sizes; what is made of two of them is made of the triangle's two shorter edges, so that a
-// sliver keeps its digits: at a sphere's pole one edge is 1e-17 long, and any other two leave nothing but rounding.
+// Double precision can hold the fourth power of any float, so nothing needs scaling. Differences of floats are exact
+// except for extreme magnitudes. Products use the triangle's two shorter edges, so that slivers keep precision. At a
+// sphere's pole one edge is 1e-17 long, and any other two edges leave only rounding errors.
 RELIEF_INLINE void solve(Batch& b, int i) {
     // Edge k runs from corner k to the next.
     const Vector p0 = at(b.position[0], i), p1 = at(b.position[1], i), p2 = at(b.position[2], i);
     const Vector e0 = p1 - p0, e1 = p2 - p1, e2 = p0 - p2;
     const Doubles l0 = dot(e0, e0), l1 = dot(e1, e1), l2 = dot(e2, e2);
-    const Masks is_0 = (l0 > l1) & (l0 > l2), is_1 = ~(l0 > l1) & (l1 > l2);  // the longest
+    const Masks is_0 = (l0 > l1) & (l0 > l2), is_1 = ~(l0 > l1) & (l1 > l2);  // the longest edge
     const Vector one = either(is_0, e1, either(is_1, e2, e0)), two = either(is_0, e2, either(is_1, e0, e1));
     const auto uv = [&](int k, int c) __attribute__((always_inline)) { return b.uv[k][c].four[i]; };
     const Doubles u0 = uv(1, 0) - uv(0, 0), u1 = uv(2, 0) - uv(1, 0), u2 = uv(0, 0) - uv(2, 0),
@@ -118,7 +118,7 @@ RELIEF_INLINE void solve(Batch& b, int i) {
     set(b.along, i, along * (squared > 0 ? 1 / square_root(squared) : all(0)));
     b.twice_area.four[i] = twice_area, b.handedness.four[i] = side;
     b.finite.four[i] = finite, b.separate.four[i] = separate;
-    // The angle at corner k, between the edge that leaves it and the one that arrives.
+    // The angle at corner k, between the leaving and the arriving edge.
     b.cosine[0].four[i] = -dot(e0, e2), b.cosine[1].four[i] = -dot(e1, e0), b.cosine[2].four[i] = -dot(e2, e1);
     for (int k = 0; k < 3; ++k) b.sine[k].four[i] = twice_area;
 }
@@ -126,18 +126,18 @@ RELIEF_INLINE void solve(Batch& b, int i) {
 RELIEF_INLINE Vector unit_normal(Vector n) {
     const Doubles squared = dot(n, n);
     const Masks near = size_of(squared - 1) < 1e-6;
-    Doubles scale = 1.5 - 0.5 * squared;  // one of Newton's steps
+    Doubles scale = 1.5 - 0.5 * squared;  // one Newton step
     if ((near[0] & near[1] & near[2] & near[3]) == 0) scale = near ? scale : 1 / square_root(squared);
     return n * scale;
 }
 
-/// On the tangent plane of each corner: dP/du, and the edges between which the angles are.
+/// Projects dP/du and the edges of each corner's angle onto its tangent plane.
 RELIEF_INLINE void project(Batch& b, int i) {
     for (int k = 0; k < 3; ++k) {
         const Vector n = unit_normal(at(b.normal[k], i)), here = at(b.position[k], i),
                      leaving = at(b.position[(k + 1) % 3], i) - here, arriving = here - at(b.position[(k + 2) % 3], i);
-        // The cross product of projected edges is what `across` has along the normal; their dot product loses what
-        // both have along it.
+        // The cross product of the projected edges is the component of `across` along the normal. Their dot product
+        // excludes the components along the normal.
         b.sine[k].four[i] = size_of(dot(n, at(b.across, i)));
         b.cosine[k].four[i] += dot(n, leaving) * dot(n, arriving);
         const Vector along = at(b.along, i), flat = along - n * dot(n, along);
@@ -152,7 +152,7 @@ RELIEF_INLINE void find_angles(const double* __restrict y, const double* __restr
     for (int i = 0; i < count; ++i) {
         const double size = std::abs(x[i]), low = y[i] < size ? y[i] : size, high = y[i] < size ? size : y[i];
         const float a = float(low / (high > 0 ? high : 1)), s = a * a;
-        // Chebyshev's polynomial for atan(a) / a over s = a² in [0, 1], 7.5e-8 off at most.
+        // Chebyshev polynomial for atan(a) / a over s = a² in [0, 1], with a maximum error of 7.5e-8.
         float p = -0.0046687733f;
         p = p * s + 0.02416619f;
         p = p * s - 0.0593671f;
@@ -176,7 +176,7 @@ RELIEF_INLINE void work(Batch& b, TangentMethod method, double area_unit) {
     for (int k = 0; k < 3; ++k) {
         float weight[batch];
         for (int i = 0; i < batch; ++i) {
-            const float squared = float(b.square[k].one[i]);  // the length need be no better than a float
+            const float squared = float(b.square[k].one[i]);  // float precision suffices for the length
             if (on_plane)
                 weight[i] = squared > 0 ? b.angle[k][i] / std::sqrt(squared) : 0;
             else if (by_angle)

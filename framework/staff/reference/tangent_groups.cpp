@@ -7,7 +7,7 @@ namespace {
 
 using Corners = std::span<CornerAtVertex>;
 
-/// Calls `visit(i, j)` for corners i and j where the edge that leaves the vertex along i arrives along j: in rising
+/// Calls `visit(i, j)` for corners i and j if the edge that leaves the vertex along i arrives along j: in ascending
 /// order of i, then of j.
 template <class Visit>
 void for_each_shared_edge(Corners corners, std::vector<uint64_t>& scratch, Visit visit) {
@@ -74,7 +74,8 @@ void take_on_handedness(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, con
     std::vector<bool> undecided(faces.size());
     for (size_t i = 0; i < faces.size(); ++i) undecided[i] = faces[i].handedness == 0 && !faces[i].in_no_group;
 
-    // Pairs of corners that share an edge at a vertex, in both orders, where there are triangles of both kinds.
+    // Pairs of corners that share an edge at a vertex, in both orders. Only vertices with triangles of both kinds can
+    // pass on a handedness.
     std::vector<std::pair<uint32_t, uint32_t>> links;
     std::vector<bool> seen(mesh.vertices.size());
     std::vector<CornerAtVertex> corners;

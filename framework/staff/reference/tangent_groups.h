@@ -1,4 +1,4 @@
-// Which corners at a vertex share a tangent, and which handedness is given to triangles without area in uv.
+// Groups of corners that share a tangent at a vertex, and the handedness of triangles without area in uv.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,23 @@
 
 namespace relief {
 
-/// One corner at a vertex: its triangle, and the (welded) vertices at the other ends of the two edges that meet there.
-/// `next` ends the edge that leaves the vertex, `previous` begins the edge that arrives.
+/// One corner at a vertex: its triangle, and the (welded) vertices at the other ends of its two edges. `next` ends the
+/// edge that leaves the vertex; `previous` begins the edge that arrives.
 struct CornerAtVertex {
     const TangentFace* face;
     uint32_t next, previous;
-    uint32_t group;  ///< the index of the group's first corner
+    uint32_t group;  ///< index of the group's first corner
 };
 
-/// Fills `corners` with the corners in `list`, which are all those at one vertex. Each is in a group of its own.
+/// Fills `corners` with the corners in `list`, which are all corners at one vertex. Each starts in a group of its own.
 void gather_corners(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, const Buffer<TangentFace>& faces,
                     std::span<const uint32_t> list, std::vector<CornerAtVertex>& corners);
 
-/// Whether the triangles lie around the vertex in one ring, each with the next at an edge. False may also be said of a
-/// ring of more than 16.
+/// Returns whether the triangles form one closed ring around the vertex, each joined to the next by an edge. Always
+/// false for more than 16 corners.
 bool is_closed_fan(std::span<const CornerAtVertex> corners);
 
-/// Fills in `group` by MikkTSpace's rules, see corner_tangents(). The corner of a face without handedness stays alone.
+/// Sets `group` by MikkTSpace's rules, see corner_tangents(). The corner of a face without handedness stays alone.
 /// `scratch` is working memory, reused from vertex to vertex.
 void group_corners(std::span<CornerAtVertex> corners, std::vector<uint64_t>& scratch);
 

@@ -5,25 +5,26 @@
 
 namespace relief {
 
-/// The columns are tangent, bitangent and normal, made orthonormal by Gram-Schmidt; the normal keeps its direction.
-/// bitangent = tangent.w cross(normal, tangent). The arguments can have any length. NaN if one is zero, or if they are
-/// parallel.
+/// Returns a frame whose columns are tangent, bitangent and normal, made orthonormal by Gram-Schmidt; the normal keeps
+/// its direction. bitangent = tangent.w cross(normal, tangent). The arguments can have any length. NaN if one is zero,
+/// or if they are parallel.
 glm::dmat3 tangent_frame(const glm::dvec3& normal, const glm::dvec4& tangent);
 
 /// Transforms a direction from tangent space to the space of `normal` and `tangent`. The result is normalised.
 glm::dvec3 from_tangent_space(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent);
 
-/// The inverse of from_tangent_space(): the frame is orthonormal, so its transpose inverts it.
+/// The inverse of from_tangent_space(): the frame is orthonormal, so its transpose is its inverse.
 glm::dvec3 to_tangent_space(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent);
 
-/// The columns are tangent, bitangent and normal as interpolated, neither normalised nor perpendicular: the frame of
-/// MikkTSpace and of bakers that follow it (Mikkelsen 2008). The program that bakes a map decides which frame it needs.
+/// Returns a frame whose columns are tangent, bitangent and normal as interpolated, neither normalised nor
+/// perpendicular. This is the frame of MikkTSpace and of bakers that follow it (Mikkelsen 2008). The program that bakes
+/// a map decides which frame it needs.
 glm::dmat3 interpolated_frame(const glm::dvec3& normal, const glm::dvec4& tangent);
 glm::dvec3 from_interpolated_frame(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent);
-/// The inverse. NaN if normal and tangent are parallel, or if one is zero.
+/// The inverse of from_interpolated_frame(). NaN if normal and tangent are parallel, or if one is zero.
 glm::dvec3 to_interpolated_frame(const glm::dvec3& direction, const glm::dvec3& normal, const glm::dvec4& tangent);
 
-/// A frame from screen derivatives of position and uv (dFdx and dFdy), without tangents at the vertices (Schuler 2013).
+/// Returns a frame from screen derivatives of position and uv (dFdx and dFdy), without vertex tangents (Schuler 2013).
 /// The first two columns are the gradients of u and v on the surface, scaled together so that the longer one has unit
 /// length. They are not perpendicular where the uv are sheared, and zero where the uv do not change.
 glm::dmat3 cotangent_frame(const glm::dvec3& normal, const glm::dvec3& position_dx, const glm::dvec3& position_dy,

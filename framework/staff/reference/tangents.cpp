@@ -17,11 +17,11 @@
 namespace relief {
 namespace {
 
-/// A tangent that leans against the normal by less than this is lost in the projection onto its plane: its floats are
-/// good to 6e-8, so what is left there is off by tens of degrees.
+/// The minimum sine of the angle between a float tangent and the normal. Floats are accurate to 6e-8, so below it the
+/// projection is off by tens of degrees.
 constexpr double smallest_sine = 2e-7;
 
-/// Everything that is known before vertices are looked at one by one.
+/// All data that is computed before the loop over vertices.
 struct Solver {
     const Mesh& mesh;
     TangentMethod method;
@@ -40,7 +40,7 @@ struct Solver {
           normals(all, vertex_of, lists),
           faces(all.indices.size() / 3) {
         const double area_unit = method == TangentMethod::area ? largest_area() : 1;
-        std::atomic<bool> some_undecided = false;  // of the handedness of some triangle
+        std::atomic<bool> some_undecided = false;  // some triangle has no handedness yet
         parallel_pieces(faces.size(), 1 << 12, threads, [&](size_t begin, size_t end) {
             tangent_faces(mesh, normals, method, area_unit, begin, end, faces);
             for (size_t i = begin; i < end; ++i)
@@ -50,7 +50,7 @@ struct Solver {
     }
 
 private:
-    /// So that areas of any size are floats beside each other.
+    /// Returns a unit for areas, so that areas of any magnitude fit in floats.
     double largest_area() const {
         double largest = 0;
         for (size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -64,7 +64,7 @@ private:
     }
 };
 
-/// The corners at one vertex, from their triangles to their tangents. One a thread, used again from vertex to vertex.
+/// Computes the tangents of all corners at one vertex. One instance per thread, reused from vertex to vertex.
 class VertexTangents {
 public:
     VertexTangents(const Solver& solver, std::vector<glm::vec4>& result) : solver_(solver), result_(result) {}
@@ -92,8 +92,8 @@ public:
 private:
     static float side(int handedness) { return handedness < 0 ? -1.0f : 1.0f; }
 
-    /// The usual vertex: all triangles have tangents, of one handedness, and so has their mean. False, and nothing
-    /// done, for any other.
+    /// Handles the common vertex: all triangles have tangents of one handedness, and so has their mean. Otherwise
+    /// returns false without any effect.
     bool write_plain(std::span<const uint32_t> list) {
         if (solver_.method == TangentMethod::per_face) return false;
         const int8_t handedness = solver_.faces[list[0] / 3].handedness;
@@ -110,13 +110,14 @@ private:
         return true;
     }
 
-    /// What corner i gets, and why, in the report; `lender` is the first corner that has a tangent.
+    /// Returns the tangent of corner i and counts its fallback in the report. `lender` is the first corner that has a
+    /// tangent.
     glm::vec4 tangent_of_corner(size_t i, size_t lender) {
         const CornerAtVertex& corner = corners_[i];
         const bool has_group = sums_[corner.group] != glm::dvec3(0),
                    has_own = corner.face->why == TangentFallback::none;
         const bool can_inherit = solver_.method != TangentMethod::per_face && lender < corners_.size();
-        // One for all corners of a triangle; one that nobody sees may have what it inherits.
+        // One handedness for all corners of a triangle. An invisible triangle may inherit it.
         const bool has_side = !corner.face->in_no_group || !can_inherit;
         const float own = side((has_side ? corner : corners_[lender]).face->handedness);
         if (bad_normal_)
@@ -129,7 +130,7 @@ private:
         return glm::vec4(any_perpendicular(normal_), own);
     }
 
-    /// Whether the triangles, all of one handedness, are one group.
+    /// Returns whether the triangles, all of one handedness, are one group.
     bool are_connected(std::span<const uint32_t> list) {
         gather_corners(solver_.mesh, solver_.vertex_of, solver_.faces, list, corners_);
         if (is_closed_fan(corners_)) return true;
@@ -142,7 +143,7 @@ private:
         gather_corners(solver_.mesh, solver_.vertex_of, solver_.faces, list, corners_);
         if (solver_.method == TangentMethod::mikktspace) return group_corners(corners_, scratch_);
         if (solver_.method == TangentMethod::per_face) return;
-        // One group for each handedness; without one the corner waits for a lender.
+        // One group for each handedness; a corner without handedness waits for a lender.
         uint32_t first[2] = {UINT32_MAX, UINT32_MAX};
         for (uint32_t i = 0; i < corners_.size(); ++i) {
             const int8_t handedness = corners_[i].face->handedness;
@@ -153,15 +154,15 @@ private:
         }
     }
 
-    /// On the tangent plane; zero where too little is left of it.
+    /// Projects onto the tangent plane; zero if the result is below the limit.
     glm::dvec3 projected(const glm::dvec3& v) const {
         const glm::dvec3 along = v - normal_ * glm::dot(normal_, v);
         const bool enough = glm::dot(along, along) > smallest_sine * smallest_sine * glm::dot(v, v);
         return enough ? along : glm::dvec3(0);
     }
 
-    /// Perpendicular to the normal and unit, or zero. Projected once more: the first time leaves along the normal what
-    /// rounding has, over the sine.
+    /// Returns a unit vector perpendicular to the normal, or zero. Projects twice: normalising amplifies the first
+    /// projection's rounding error by 1 / sine.
     glm::dvec3 tangent_of(const glm::dvec3& v) const {
         const glm::dvec3 unit = direction(projected(v));
         return made_unit(unit - normal_ * glm::dot(normal_, unit));
@@ -263,7 +264,7 @@ Mesh with_tangents(const Mesh& mesh, TangentMethod method, TangentReport* report
             const bool unit = std::abs(glm::dot(glm::dvec3(normal), glm::dvec3(normal)) - 1) < 1e-6;
             if (!unit) normal = glm::vec3(solver.normals.at(i));
             result.vertices[i].tangent =
-                glm::vec4(any_perpendicular(glm::dvec3(normal)), 1);  // of one that nobody uses
+                glm::vec4(any_perpendicular(glm::dvec3(normal)), 1);  // for a vertex that no triangle uses
         }
     }
     std::vector<bool> taken(mesh.vertices.size());
