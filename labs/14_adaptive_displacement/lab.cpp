@@ -1,7 +1,7 @@
 // Lab 14: adaptive displacement.
 //
-// Each edge chooses its own level, so that neighbours agree and no crack opens; hidden patches are culled, and far
-// away only the normal map is left. Your tasks: shaders/14_adaptive_displacement/task.glsl
+// Each edge chooses its own level, so that neighbours agree and no crack opens. Hidden patches are culled. Far away
+// only the normal map is left. Your tasks: shaders/14_adaptive_displacement/task.glsl
 #include <fmt/format.h>
 
 #include "framework/image/visualize.h"
@@ -84,7 +84,7 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        // Around a closed surface as many faces are seen from the front as from the back.
+        // Every line of sight crosses as many front faces as back faces of a closed surface, so all sums are 0.
         if (probe.name != "winding" || !surface_.patches().is_closed) return {};
         return Image(frame.size.x, frame.size.y, 4);
     }
@@ -104,7 +104,8 @@ private:
 
     static void set_viewport(const Tile& tile) { glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y); }
 
-    /// Over the ground from behind the eye; beside anything else, so that what faces away is seen.
+    /// Returns the camera that shows the patches. It looks at the ground from above and behind the eye, and at other
+    /// shapes from the side, so that patches that face away from the eye are visible.
     Camera camera_above(const Frame& eye) const {
         Orbit orbit = eye.camera.orbit();
         orbit.field_of_view = 40, orbit.target = {0, -0.6, 0};
@@ -121,7 +122,8 @@ private:
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     }
 
-    /// Levels and culling go by `eye`, the picture by `seen`. How many triangles were drawn, but for a probe.
+    /// Draws the picture of the camera of `seen` with the levels and the culling of the camera of `eye`. Returns the
+    /// number of triangles drawn, or 0 for a probe.
     int draw_surface(const Frame& eye, const Frame& seen, const Define& purpose) {
         const Program& program = program_.with(
             {purpose, surface_.corners_define(), DisplacedSurface::spacing_define(spacing_),
@@ -145,7 +147,7 @@ private:
         program.set("u_to_light", light_.direction());
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (one_sided) glEnable(GL_CULL_FACE);
-        // A probe has no caption; a caller that draws it may count itself.
+        // A probe has no caption for the count. Its caller may have a query of its own running.
         int triangles = 0;
         if (purpose.text.starts_with("PROBE_"))
             surface_.draw();
@@ -167,17 +169,18 @@ private:
         labels_.caption(size, tile, -1, fmt::format("{} pixels are holes", found->size()), {1.0f, 0.55f, 0.4f});
     }
 
-    /// `more` triangles than from the eye are those of patches that are not drawn there; -1: who knows.
+    /// `more` is the number of triangles of culled patches, which are drawn here but not in the eye's picture. It is -1
+    /// if unknown.
     void describe_patches(glm::ivec2 size, const Tile& tile, const Frame& eye, const Frame& seen, int more) {
         draw_sight(eye, seen);
-        const bool is_even = spacing_ == 2, is_quad = surface_.corners() == 4;  // then 1 is taken for 2
+        const bool is_even = spacing_ == 2, is_quad = surface_.corners() == 4;  // fractional-even takes level 1 for 2
         const int each = is_quad ? (is_even ? 8 : 2) : (is_even ? 6 : 1);
         if (more >= 0 && cull_ != cull_none)
             labels_.caption(size, tile, 0,
                             fmt::format("{:.0f} % of {} patches culled",
                                         100.0 * more / each / double(std::max<size_t>(1, surface_.patches().patches())),
                                         surface_.patches().patches()));
-        // Levels as in surface.frag, then what else a colour can mean.
+        // A first line for the colours of the levels, as in surface.frag; a second for the other colours.
         const float line = std::min(Labels::line_height(size) * 0.75f, 0.06f * float(tile.size.y)), gap = line * 0.25f;
         const float bottom = float(size.y - tile.corner.y) - line - gap;
         glm::vec2 place(float(tile.corner.x) + gap * 2, bottom);
@@ -194,7 +197,7 @@ private:
         if (fade_) chip("faded", faded_color);
     }
 
-    /// The eye, and what it sees, as lines.
+    /// Draws the eye and its field of view as lines.
     void draw_sight(const Frame& eye, const Frame& seen) {
         const double reach = surface_.shape == DisplacedSurface::ground ? 15 : 3.5;
         const Program& program = sight_.with();
@@ -214,8 +217,9 @@ private:
         glDisable(GL_BLEND);
     }
 
-    /// Pixels where a closed surface is entered more often than left, or less; from the lower left corner. Elsewhere
-    /// specks: pixels of background between others. Nothing before the tasks are written.
+    /// Returns the pixels that are holes, counted from the lower left corner. On a closed surface these show a
+    /// different number of front and back faces. On an open one they are background with something drawn close by on
+    /// all four sides. Returns nothing before the tasks are written.
     std::optional<std::vector<glm::ivec2>> holes(const Frame& frame) {
         const Image sums = draw_numbers(frame.size, [&] {
             DisplacedSurface::begin_winding();

@@ -10,19 +10,20 @@
 namespace relief::adaptive {
 namespace {
 
-/// The most that a matrix of these two columns makes of a unit vector.
+/// Returns the largest singular value of the matrix with the columns u and v.
 double most_of(const glm::dvec3& u, const glm::dvec3& v) {
     const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v);
     return std::sqrt((uu + vv + std::hypot(uu - vv, 2 * uv)) / 2);
 }
 
-/// A corner of a patch as seen along an axis: a and b to its neighbours, `area` what they span.
+/// The sides of a patch at a corner: a leads to the next corner, b to the previous one. `area` is the signed area of
+/// their parallelogram as seen along an axis.
 struct Span {
     glm::dvec3 a, b;
     double area;
 };
 
-/// The corners of a patch, counted around, with the axis along which they are seen.
+/// The corners of a patch and the axis along which they are seen. Numbers of corners wrap around.
 class Corners {
 public:
     Corners(std::span<const PatchCorner> patch, const glm::dvec3& axis)
@@ -34,7 +35,7 @@ public:
     glm::dvec3 direction(size_t i) const { return glm::dvec3(patch_[i % patch_.size()].direction); }
     glm::dvec3 before(size_t i) const { return direction(i + patch_.size() - 1); }
 
-    /// Of the patch that lies this deep along its directions.
+    /// Returns the sides at corner i of the patch that lies `depth` metres below, against its directions.
     Span span(size_t i, double depth) const {
         const auto place = [&](size_t k) {
             return glm::dvec3(patch_[k % patch_.size()].vertex.position) - depth * direction(k);
@@ -44,9 +45,10 @@ public:
         return span;
     }
 
-    /// Where something changes by da along a and by db along b: by how much per metre at most.
+    /// Returns the upper bound of the change per metre, seen along the axis, of a vector that is linear over the corner
+    /// and changes by da along span.a and by db along span.b.
     double rate(const Span& span, const glm::dvec3& da, const glm::dvec3& db) const {
-        const auto along = [&](const glm::dvec3& way) {  // times the area
+        const auto along = [&](const glm::dvec3& way) {  // multiplied by the area
             return da * glm::dot(axis_, glm::cross(way, span.b)) + db * glm::dot(axis_, glm::cross(span.a, way));
         };
         return most_of(along(e_), along(f_)) / span.area;
@@ -57,7 +59,7 @@ private:
     glm::dvec3 axis_, e_, f_;
 };
 
-/// Sphere, axis and spread; the rest as of a patch that folds over.
+/// Returns the sphere, axis and spread of a patch. The other members have the values of a patch that folds over.
 Facing folded(std::span<const PatchCorner> patch) {
     const size_t n = patch.size();
     const auto position = [&](size_t i) { return glm::dvec3(patch[i % n].vertex.position); };
@@ -67,20 +69,20 @@ Facing folded(std::span<const PatchCorner> patch) {
     for (size_t i = 0; i < n; ++i) centre += position(i) / double(n);
     double radius = 0;
     for (size_t i = 0; i < n; ++i) radius = std::max(radius, glm::distance(centre, position(i)));
-    facing.sphere = {centre, radius * (1 + 1e-5)};  // as floats are rounded
+    facing.sphere = {centre, radius * (1 + 1e-5)};  // for rounding to float
     const glm::dvec3 across = n == 4 ? glm::cross(position(2) - position(0), position(3) - position(1))
                                      : glm::cross(position(1) - position(0), position(2) - position(0));
     facing.axis = glm::length(across) > 0 ? glm::normalize(across) : direction(0);
     for (size_t i = 0; i < n; ++i) facing.spread = std::max(facing.spread, glm::distance(facing.axis, direction(i)));
-    // Between directions further apart than a right angle anything may lie.
+    // Between directions that differ by 90 degrees or more any direction may lie. NaN becomes 2, too.
     if (!(facing.spread < std::sqrt(2.0))) facing.spread = 2;
     facing.flat_rise = facing.rise = std::numeric_limits<double>::infinity();
     facing.skew = facing.length = 1;
     return facing;
 }
 
-/// Whether an edge reads its heights elsewhere on the map than the inside, which then says nothing of the steps
-/// between.
+/// Returns whether an edge or a corner reads heights elsewhere on the map than the inside does, but for whole tiles.
+/// The slope of the inside does not bound the steps between them.
 bool has_jump(std::span<const PatchCorner> patch) {
     const auto is_whole = [](glm::vec2 tiles) { return tiles == glm::round(tiles); };
     for (size_t i = 0; i < patch.size(); ++i) {
@@ -92,10 +94,12 @@ bool has_jump(std::span<const PatchCorner> patch) {
     return false;
 }
 
-/// Heights and errors are per metre of scale; a direction that turns leaves its chord, too.
+/// Adds the error at each level of a direction of displacement that turns from `from` to `to`. Errors are in heights,
+/// that is, per metre of scale.
 void add_turn(LevelErrors& errors, const glm::vec3& from, const glm::vec3& to) {
-    // Of a circle's arc the chord is off by angle²/8, and a relief of any depth up to 1 by that much of it. The ends
-    // either way round: squares of differences are the same.
+    // The chord of a unit circle's arc is off by angle²/8, and a relief by as much times its depth, which is 1 at most.
+    // The factor 1.2 is for `turn`, which is the length of a chord and not an angle. Both orders of the ends give the
+    // same bits, because the differences are squared.
     const glm::dvec3 turn = glm::dvec3(from) - glm::dvec3(to);
     double bend = std::min(1.0, glm::dot(turn, turn) / 8 * 1.2);
     for (float& error : errors) {
@@ -130,7 +134,7 @@ double most_pixels_per_radian(const Frame& frame) {
 Facing facing_of(std::span<const PatchCorner> patch, const PatchHeights& heights, double scale) {
     Facing facing = folded(patch);
     const glm::dvec3 axis = facing.axis;
-    const double shortest = 1 - facing.spread * facing.spread / 2;  // of a direction between them
+    const double shortest = 1 - facing.spread * facing.spread / 2;  // lower bound of the length of D, see scene.h
     if (shortest <= 0) return facing;
 
     const Corners corners(patch, axis);
@@ -158,8 +162,8 @@ Facing facing_of(std::span<const PatchCorner> patch, const PatchHeights& heights
     facing.length = longest / area;
     facing.skew = 1 / std::sqrt(std::max(1 - cosine, 1e-12));
     if (has_jump(patch)) return facing;
-    // What is left of p - depth d when p - middle D is taken away: (depth - middle) d, and middle (d - D) since D is
-    // not unit.
+    // The displaced patch is p - depth d with a unit direction d. The smooth patch p - middle D exceeds it by
+    // (depth - middle) d + middle (d - D). The second term is not 0, because D is not of unit length.
     const double deeper = scale * double(heights.slope) * stretch;
     const double turned = uneven * turn / shortest +
                           std::abs(middle) * turn * (facing.spread * facing.spread / 2 + 2 * facing.spread) / shortest;
@@ -207,10 +211,10 @@ Image PatchTexture::image(const PatchMesh& patches, const std::vector<PatchHeigh
     const int lines = int((known.size() + patches_a_line - 1) / patches_a_line);
     Image image(rows * patches_a_line, std::max(1, lines), 4);
     for (size_t i = 0; i < known.size(); ++i) {
-        // Row 0 of an image is the top, that of a texture the lowest.
+        // Row 0 is the top row of an image, but the bottom row of a texture.
         float* texel = image.pixel(int(i % patches_a_line) * rows, image.height - 1 - int(i / patches_a_line));
         const auto put = [&](std::initializer_list<double> values) {
-            // What is infinite stays a number.
+            // Clamps infinity, so that the shader computes with finite numbers.
             for (const double value : values) *texel++ = float(std::min(value, 1e30));
         };
         const Facing facing = facing_of({&patches.points[i * n], n}, known[i], scale);

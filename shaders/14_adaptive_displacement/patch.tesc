@@ -18,7 +18,7 @@ in int v_vertex[];
 out PatchCorner c_corner[];
 patch out int c_patch;
 patch out float c_level;  // the highest
-patch out int c_verdict;  // 0 drawn, 1 outside of the picture, 2 seen from its back
+patch out int c_verdict;  // 0 drawn, 1 outside of the picture, 2 faces away
 patch out float c_unfinished;
 
 uniform vec3 u_eye;
@@ -29,8 +29,8 @@ uniform vec4 u_by_distance;         // nearest, farthest, exponents there
 uniform float u_pixels_per_radian;
 uniform float u_pixels_per_segment;
 uniform float u_budget;             // pixels
-uniform vec2 u_fade;                // where it begins and ends, metres from the eye
-uniform int u_cull;                 // 1 what is outside, 2 what faces away, too
+uniform vec2 u_fade;                // its begin and end, metres from the eye
+uniform int u_cull;                 // 1 culls patches outside, 2 also back-facing ones
 uniform bool u_show_culled;
 uniform sampler2D s_patches;        // see PatchTexture in scene.h
 
@@ -41,7 +41,7 @@ vec4 known(int row) {
     return texelFetch(s_patches, ivec2(number % patches_a_line * rows + row, number / patches_a_line), 0);
 }
 
-// The nearest that an edge, or a sphere, can be.
+// Returns the distance from the eye to a sphere, 0 in it. An edge lies in the sphere whose diameter it is.
 float nearest(vec3 centre, float radius) {
     precise float away = max(distance(centre, u_eye) - radius, 0.0);
     return away;
@@ -56,8 +56,9 @@ bool is_faded(vec3 centre, float radius) {
 #endif
 }
 
-// By what is known of a stretch of the relief with a middle and half a length, which `direction` (not unit) presses in: how far
-// each level is off, and in fine.w which height is in the middle of it all.
+// Returns the level of an edge or of the inside by the errors of its levels, in `coarse` and fine.xyz. `middle` and
+// `half_` are a sphere around it before displacement. `direction` (not unit) is that of the displacement. fine.w is the
+// mean of its lowest and its highest height.
 float level_by_errors(vec3 middle, float half_, vec3 direction, vec4 coarse, vec4 fine) {
     precise vec3 pressed = middle + u_scale * (fine.w - 1.0) * normalize(direction);
     float tolerance = tolerated(nearest(pressed, half_), u_pixels_per_radian, u_budget, u_scale);
@@ -79,7 +80,7 @@ float level_of(vec3 a, vec3 b, vec3 direction, vec4 coarse, vec4 fine) {
 #endif
 }
 
-// Of the inside, by itself. `flat_` is a sphere around the corners.
+// Returns the level of the inside, before its edges are known. `flat_` is a sphere around the corners.
 float level_of_inside(vec4 flat_) {
 #if METHOD == ERROR
     return is_faded(flat_.xyz, flat_.w) ? 1.0 : level_by_errors(flat_.xyz, flat_.w, known(2).xyz, known(4), known(5));
@@ -88,9 +89,10 @@ float level_of_inside(vec4 flat_) {
 #endif
 }
 
-// The relief's steepest triangle leans no further than this from the patch's axis, as a tangent: see facing_of() in scene.h.
-// A triangle may be thin, and is then steeper than the relief. With one level all have right angles in the domain of a quad, and
-// nearly so in that of a triangle; else the corner beside an edge may lie off by as much as the inside is finer than the edge.
+// Returns the tangent of the largest angle between a triangle's normal and the patch's axis, an upper bound: see
+// facing_of() in scene.h. A thin triangle is steeper than the relief. If all levels are equal, triangles have right
+// angles in the domain of a quad, and nearly so in that of a triangle. Otherwise the corner that is opposite to an
+// edge may be off by as much as the inside is finer than the edge.
 float steepest(vec4 flat_, float flat_rise, vec4 facing, float inside, float least, bool is_flat) {
     float off = inside == least ? (CORNERS == 4 ? 0.0 : 0.5) : inside / least, lean = 1.0 + 2.0 * facing.w * off;
     float stretch = facing.z * sqrt(1.0 + lean * lean);
@@ -99,7 +101,7 @@ float steepest(vec4 flat_, float flat_rise, vec4 facing, float inside, float lea
     return rest > 0.0 ? facing.x * stretch / rest : 1e30;
 }
 
-// The displacement that is left on a patch: maximum and minimum.
+// Returns the maximum and the minimum of the displacement that is left on a patch.
 vec2 left_on(vec4 flat_) {
 #ifdef FADE
     return vec2(remaining(nearest(flat_.xyz, flat_.w), u_fade.x, u_fade.y),
@@ -109,7 +111,7 @@ vec2 left_on(vec4 flat_) {
 #endif
 }
 
-// A sphere around the patch with its relief.
+// Returns a sphere around the displaced patch.
 vec4 bounds_of(vec4 flat_, vec2 left) {
     vec4 heights = known(0);
     float lowest = 1.0 + left.x * (heights.x - 1.0);
@@ -118,7 +120,7 @@ vec4 bounds_of(vec4 flat_, vec2 left) {
 }
 
 bool shows_its_back(vec4 flat_, vec2 left, vec4 sphere, float inside, float least) {
-    // Where the relief is fading it is steeper than the map says.
+    // A relief that is fading out is steeper than its map, so its slopes are not bounded.
     bool is_flat = left.x == 0.0, is_whole = left.y == 1.0;
     if (u_cull < 2 || !(is_flat || is_whole)) return false;
     vec4 axis = known(2);
@@ -126,7 +128,7 @@ bool shows_its_back(vec4 flat_, vec2 left, vec4 sphere, float inside, float leas
 }
 
 void main() {
-    // A patch that is out of the picture is asked nothing else.
+    // A patch outside of the picture needs no levels.
     vec4 flat_ = known(1);
     vec2 left = left_on(flat_);
     vec4 sphere = bounds_of(flat_, left);
@@ -140,7 +142,7 @@ void main() {
     if (!is_out) {
         inside = level_of_inside(flat_);
 #ifdef LEVELS_OF_PATCH
-        // The textbook's: one level, from the patch's middle. Its neighbour has another.
+        // As in textbooks: one level from the patch's middle. Its neighbour has another level, so cracks open.
         vec3 half_ = 0.5 * (v_corner[1].position - v_corner[0].position);
         edges = vec4(METHOD == ERROR ? inside
                                      : level_of(flat_.xyz - half_, flat_.xyz + half_, known(2).xyz, vec4(0.0), vec4(0.0)));
@@ -154,7 +156,7 @@ void main() {
         //)
 #endif
         for (int i = 0; i < CORNERS; ++i) {
-            // An inside that is coarser than its edges is joined to them by slivers as steep as walls.
+            // An inside that is coarser than its edges would be joined to them by slivers as steep as walls.
             inside = max(inside, edges[i]);
             least = min(least, edges[i]);
         }

@@ -1,5 +1,5 @@
 #version 410 core
-// The eye and the rectangle that it sees, as eight lines.
+// The eye and a rectangle in its field of view, as eight lines.
 
 uniform mat4 u_clip_from_world;
 uniform vec3 u_places[5];  // the eye, then around the rectangle

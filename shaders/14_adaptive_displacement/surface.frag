@@ -16,7 +16,7 @@ flat in float v_level;
 flat in int v_verdict;
 in float v_unfinished;
 
-uniform vec3 u_seen_from;  // may be another camera than the one that levels and culling go by
+uniform vec3 u_seen_from;  // may differ from the eye that levels and culling are for
 uniform vec2 u_normal_strength;
 uniform vec3 u_to_light;
 uniform vec3 u_wire;
@@ -53,7 +53,8 @@ void main() {
 #elif defined WIRE
     o_color = finished(vec4(u_wire, 1.0), gl_FragCoord.xy);
 #elif defined PATCHES
-    // A verdict is a colour of its own; else the level, and paler the less displacement is left. Lit as cut.
+    // A culled patch has the colour of its verdict, others that of their level, paler with less displacement left.
+    // Flat shading shows the triangles.
     vec3 normal = normalize(cross(dFdx(v_position), dFdy(v_position)));
     float shade = 0.62 + 0.5 * max(dot(normal, u_to_light), 0.0);
     vec3 color = v_verdict == 1   ? vec3(0.16, 0.20, 0.28)

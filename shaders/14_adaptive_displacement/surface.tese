@@ -11,7 +11,7 @@ patch in float c_unfinished;
 
 uniform mat4 u_clip_from_model;
 uniform vec3 u_eye;
-uniform vec2 u_fade;    // where it begins and ends, metres from the eye
+uniform vec2 u_fade;    // its begin and end, metres from the eye
 uniform float u_scale;  // of the relief, metres
 uniform sampler2D s_heights;
 
@@ -19,8 +19,8 @@ out vec3 v_position;
 out vec3 v_normal;
 out vec4 v_tangent;
 out vec2 v_uv;
-out vec3 v_place;  // on the patch, and which it is
-out float v_left;  // of the displacement
+out vec3 v_place;  // xy on the patch, z the patch's number
+out float v_left;  // share of the displacement
 flat out float v_level;
 flat out int v_verdict;
 out float v_unfinished;
