@@ -1,4 +1,4 @@
-// The framework's definition of each slope filter as a table that a shader can read.
+// The framework's slope filters as tables that a shader can read.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,9 @@
 
 namespace relief::heights {
 
-/// A row for each texel of a line of `count` (row 0 of the image is the last one), a column for each difference: the
-/// two texels and the weight. Unused columns weigh 0. A spline's slope depends on the whole line.
+/// Returns the differences of a filter as an image with a row for each texel of a line of `count` texels. Row 0 is the
+/// last texel. A column holds one difference: its two texels and its weight, which is 0 in unused columns. There are 4
+/// columns; a spline has `count`, because its slope depends on the whole line.
 inline Image differences_of_lines(SlopeFilter filter, int count, bool wrap) {
     const auto row = [&](int i) { return count - 1 - i; };
     if (filter != SlopeFilter::spline) {
@@ -22,7 +23,7 @@ inline Image differences_of_lines(SlopeFilter filter, int count, bool wrap) {
         }
         return table;
     }
-    // The slopes of a line that is 1 at one texel and 0 elsewhere are a column of weights.
+    // Column k holds the slopes of an impulse: the line that is 1 at texel k and 0 elsewhere.
     Image table(count, count, 3);
     std::vector<float> impulse(size_t(count), 0.0f);
     for (int k = 0; k < count; ++k) {

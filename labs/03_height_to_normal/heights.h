@@ -1,4 +1,4 @@
-// The heights of lab 03: a function whose slope is known, sampled at texels.
+// The heights of lab 03: a function with a known slope, sampled at texels.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace relief::heights {
 
-/// Plane waves that tile: h = 1/2 + sum of a cos(2 pi (k . uv) + phase), in [0, 1].
+/// A plane wave that tiles. The height is h = 1/2 + the sum of amplitude cos(2 pi (k . uv) + phase), in [0, 1].
 struct Wave {
     double amplitude;
     glm::dvec2 k;  ///< whole waves across the map, along u and v
@@ -26,7 +26,7 @@ inline double height(glm::dvec2 uv) {
     return sum;
 }
 
-/// dh/du and dh/dv, across the whole map.
+/// Returns dh/du and dh/dv; u and v go from 0 to 1 across the whole map.
 inline glm::dvec2 slope(glm::dvec2 uv) {
     glm::dvec2 sum(0);
     for (const Wave& wave : waves)
@@ -35,10 +35,10 @@ inline glm::dvec2 slope(glm::dvec2 uv) {
     return sum;
 }
 
-/// Where a texel's centre lies, v upwards and row 0 at the top.
+/// Returns the uv of a texel's centre. v points up, and row 0 is at the top.
 inline glm::dvec2 centre(int x, int y, int size) { return {(x + 0.5) / size, 1 - (y + 0.5) / size}; }
 
-/// size x size texels, rounded to 8 or 16 bits or not at all (32).
+/// Returns the heights at the centres of size x size texels, rounded to `bits` = 8 or 16 bits, or not rounded (32).
 inline Image sample(int size, int bits) {
     Image image(size, size, 1, bits);
     const double steps = bits == 32 ? 0 : std::exp2(bits) - 1;

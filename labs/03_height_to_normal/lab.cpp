@@ -1,6 +1,6 @@
 // Lab 03: height to normal.
 //
-// A normal map from a height map, by six filters: on clean heights and on 8-bit ones, with borders that wrap or end.
+// A normal map from a height map, by six filters. Heights are exact or rounded to 8 bits, and borders wrap or end.
 // Your tasks: shaders/03_height_to_normal/task.glsl
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ public:
         for (size_t i = 0; i < tiles.size(); ++i) {
             if (!maps.normals.contains(filter_of(i)))
                 maps.normals.emplace(filter_of(i), make_normals(filter_of(i), maps.heights));
-            if (is_derived() && !frame.probe) derived(maps, filter_of(i));  // reads maps back, which binds others
+            if (is_derived() && !frame.probe) derived(maps, filter_of(i));  // reads maps back, which changes bindings
         }
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -109,14 +109,14 @@ private:
     }
     int filter_of(size_t tile) const { return view_ == one ? filter_ : int(tile); }
 
-    /// A quarter of an asset's size: a filter reads every texel of it.
+    /// Returns an asset at a quarter of its size.
     static Image picture(const char* file) {
         const Image whole = read_asset(file);
         Image small = mip_chain(whole, whole.channels == 3 ? ColorSpace::srgb : ColorSpace::linear).at(2);
         small.bits = 32;
         return small;
     }
-    /// The user's, in as many texels: heights where it is grey.
+    /// Returns the user's picture at the same size. A grey picture has one channel and is taken for heights.
     static Image own_picture(Image picture) {
         for (float& value : picture.values) value = std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0;
         const Image whole = resampled(picture, picture_size, picture_size);
@@ -130,7 +130,7 @@ private:
         return strengthened(heights::sample(size(), bits_ == 0 ? 32 : bits_ == 1 ? 16 : 8));
     }
     Image strengthened(Image image) const {
-        image.bits = 32;  // rounded where it was to be; what follows is exact
+        image.bits = 32;  // heights are rounded already; the map of strengths is not rounded
         if (fine_ == 1 && middle_ == 1 && coarse_ == 1) return image;
         return with_level_strengths(image, {fine_, middle_, coarse_}, wrap_, 0);
     }
@@ -142,7 +142,8 @@ private:
     const Program& normals_program(int filter) const {
         return normals_program_.with(SlopeFilter(filter) == SlopeFilter::sobel ? "SOBEL" : "");
     }
-    /// The programs that fill the maps: one whose shader is saved anew is another one, and its maps are made again.
+    /// Returns the programs that fill the maps. A program changes when its shader is saved, and then its maps are made
+    /// again.
     std::vector<GLuint> makers(size_t tiles) const {
         std::vector<GLuint> programs;
         if (has_colors()) programs.push_back(heights_program_.with());
@@ -150,12 +151,12 @@ private:
         return programs;
     }
 
-    /// Of one setting of the knobs that maps depend on.
+    /// The maps for one setting of the knobs in inputs().
     struct Maps {
         heights::Map heights;
         Texture truth;                                        ///< exact normals
-        std::map<int, heights::Map> normals;                  ///< by filter, those that were shown
-        std::map<std::pair<int, int>, Texture> derived = {};  ///< by what is shown and filter
+        std::map<int, heights::Map> normals;                  ///< by filter; made when they are first shown
+        std::map<std::pair<int, int>, Texture> derived = {};  ///< by `show_` and filter
     };
     std::vector<float> inputs() const {
         return {float(source_), float(size_), float(bits_), float(wrap_), float(where_),        depth_,
@@ -206,7 +207,7 @@ private:
         return map;
     }
 
-    /// Whether normals are the student's, not what stands in for them.
+    /// Returns whether the student has written the normals: no texel is marked as unfinished.
     static bool is_written(const heights::Map& normals) {
         const Image image = normals.read(4);
         for (size_t i = 3; i < image.values.size(); i += 4)
@@ -214,8 +215,8 @@ private:
         return true;
     }
 
-    /// How glossy what is left of a texel and its neighbours is, by the length of their mean normal (Toksvig 2005): 1
-    /// where they agree.
+    /// Returns the factor on the glossiness of each texel from the length of the mean normal of 3 x 3 texels (Toksvig
+    /// 2005). It is 1 where they agree.
     Image gloss_of(const Image& normals) const {
         constexpr double exponent = 64;
         Image made(normals.width, normals.height, 1);
@@ -233,7 +234,7 @@ private:
         return made;
     }
 
-    /// Another map of the same heights or normals.
+    /// Returns the occlusion or gloss map of the heights or normals, made when it is first asked for.
     const Texture& derived(Maps& maps, int filter) const {
         const std::pair key(show_, show_ == gloss ? filter : 0);
         if (const auto found = maps.derived.find(key); found != maps.derived.end()) return found->second;

@@ -1,4 +1,4 @@
-// A texture of floats that a fragment shader fills, a fragment a texel.
+// A texture of floats that a fragment shader fills, one fragment a texel.
 #pragma once
 
 #include "framework/gl/gpu_mesh.h"
@@ -12,14 +12,14 @@ public:
     /// `format` is GL_R32F or GL_RGBA32F. Binds texture unit 0 and the framebuffer.
     Map(int side, GLenum format);
 
-    /// By the program in use; one triangle covers the map.
+    /// Fills the map by the program in use, with one triangle over the whole map. `nothing` is a mesh without vertices.
     void fill(const GpuMesh& nothing) const;
-    /// By an image of the map's size, row 0 at the top; what it lacks of four channels is 1.
+    /// Fills the map with an image of the same size, row 0 at the top. Channels that the image lacks are 1.
     void fill(const Image& image) const;
     Image read(int channels) const;
     operator GLuint() const { return texture_; }
 
-    ErrorSummary error = {};  ///< of what it holds; no pixels where nothing is known
+    ErrorSummary error = {};  ///< of the map's values; its count is 0 if no exact values are known
 
 private:
     int side_;

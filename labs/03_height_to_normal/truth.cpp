@@ -9,7 +9,7 @@ Image exact_normals(int size, glm::dvec2 texels) {
     Image image(size, size, 3);
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
-            // Across what the surface does from one texel to the next, along u and along v.
+            // The normal is the cross product of the surface's steps of one texel along u and along v.
             const glm::dvec2 rise = slope(centre(x, y, size)) / double(size) * texels;
             const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(1, 0, rise.x), glm::dvec3(0, 1, rise.y)));
             for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = float(normal[c]);

@@ -1,4 +1,4 @@
-// The exact values of lab 03's probes, and the same maps made by the CPU.
+// The exact values of lab 03's probes, and the lab's maps made by the CPU.
 #pragma once
 
 #include "framework/base/from_staff.h"
@@ -7,21 +7,22 @@
 
 namespace relief::heights {
 
-/// The unit normals of the known function at the centres of size x size texels, not packed: 3 channels in [-1, 1].
-/// `texels` is what height 1 is worth along u and v.
+/// Returns the unit normals of the known function at the centres of size x size texels: 3 channels in [-1, 1]. `texels`
+/// is a height of 1, in texels along u and along v.
 Image exact_normals(int size, glm::dvec2 texels);
 
-/// What the framework makes of the same heights, not packed.
+/// Returns the framework's normals of the heights: 3 channels in [-1, 1].
 inline FromStaff<Image(const Image& heights, const NormalOptions& options)> normals_by_cpu;
 
-/// What the framework makes of a colour picture.
+/// Returns the framework's heights of a colour picture in sRGB.
 inline FromStaff<Image(const Image& picture)> heights_by_cpu;
 
-/// How open each texel is to the sky, 1 being wide open, by the horizons around it. `texels`: of a height of 1.
+/// Returns the ambient occlusion of each texel by the horizons around it: 1 if the whole sky is visible. `texels` is a
+/// height of 1, in texels.
 inline FromStaff<Image(const Image& heights, double texels)> open_to_the_sky;
 
-/// `map` (row 0 at the top) as a wall of half the size `wall` shows it that many times along each side: the texel at
-/// the centre of each pixel, +infinity beside the wall.
+/// Returns the frame of a wall that shows `map` (row 0 at the top), `repeat` times along each side. `wall` is half the
+/// size of the wall in metres. Each pixel has the value of the texel at its centre, or +infinity beside the wall.
 Image on_wall(const Frame& frame, const Image& map, glm::dvec2 wall, double repeat);
 
 }  // namespace relief::heights

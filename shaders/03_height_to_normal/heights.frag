@@ -1,9 +1,9 @@
 #version 410 core
-// A height map from a picture. Alpha 0 says that the task is not written yet.
+// A height map from a picture. Alpha is 0 if the task is not written yet.
 
 #include "03_height_to_normal/task.glsl"
 
-uniform sampler2D s_picture;  // as stored, not as light
+uniform sampler2D s_picture;  // stored values (sRGB), not decoded to light
 
 layout(location = 0) out vec4 o_height;
 

@@ -1,8 +1,9 @@
 #version 410 core
-// A normal map from a height map. Alpha 0 says that a task is not written yet.
+// A normal map from a height map. Alpha is 0 if a task is not written yet.
 //
-// A slope is a sum of weighted differences. Which texels, and how much each, comes from the CPU as a table with a row for
-// each texel of a line (at a border that does not wrap they are others): one definition for both.
+// A slope is a sum of weighted differences. Their texels and weights come from the CPU, so that both share one
+// definition. They are a table with a row for each texel of a line, since the weights differ at a border that does not
+// wrap.
 
 #include "03_height_to_normal/task.glsl"
 
@@ -42,8 +43,9 @@ float slope_v(ivec2 texel) {
 }
 
 #ifdef SOBEL
-// Beyond a border that does not wrap: along the slope the parabola through three texels continues, which makes the central
-// difference a one-sided one of the same order; across it the border repeats.
+// Returns a height that may lie beyond a border that does not wrap. Along the slope the parabola through the last three
+// texels continues. So a central difference becomes a one-sided one of the same order. Across the slope the border
+// repeats.
 //(beyond
 float beyond(ivec2 texel, ivec2 along) {
     ivec2 size = textureSize(s_heights, 0), last = inside(texel);

@@ -1,5 +1,5 @@
 #version 410 core
-// The map on the wall: lit, or its error against the slope of the known function.
+// The map on the wall: lit, or its error compared with the normal of the known function.
 
 #include "common/heat.glsl"
 #include "common/light.glsl"
@@ -20,7 +20,7 @@ uniform float u_repeat;
 #endif
 
 #ifdef DERIVED
-uniform sampler2D s_derived;  // one number a texel
+uniform sampler2D s_derived;  // one value per texel
 #endif
 
 layout(location = 0) out vec4 o_color;

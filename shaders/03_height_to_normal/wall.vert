@@ -6,7 +6,7 @@ layout(location = 3) in vec2 a_uv;
 
 uniform mat4 u_clip_from_world;
 uniform vec2 u_wall;     // half its width and height
-uniform float u_repeat;  // of the map along each side
+uniform float u_repeat;  // repeats of the map along each side
 
 out vec3 v_position;
 out vec2 v_uv;

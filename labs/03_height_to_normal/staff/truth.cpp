@@ -1,4 +1,4 @@
-// What only the staff has of lab 03: see ../truth.h.
+// The staff's part of lab 03: see ../truth.h.
 #include "truth.h"
 
 #include "framework/staff/reference/normals.h"
@@ -20,7 +20,7 @@ Image framework_heights(const Image& picture) {
     return heights;
 }
 
-// Task 16.5 has the students write this integral.
+// Students write this integral in task 16.5.
 Image open_by_horizons(const Image& heights, double texels) { return occlusion_from_heights(heights, texels, 8, 32); }
 
 const decltype(open_to_the_sky)::Provided provided_open_to_the_sky(open_to_the_sky, open_by_horizons);
