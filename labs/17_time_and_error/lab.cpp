@@ -1,7 +1,7 @@
 // Lab 17: time and error.
 //
-// A wall from the eye to the horizon, and one number to set: by how many pixels the picture may be off. Each patch and
-// each pixel takes the cheapest method that keeps it. Your tasks: shaders/17_time_and_error/task.glsl
+// A wall from the eye to the horizon, and one number to set: the budget, the error of the picture in pixels. Each patch
+// and each pixel takes the cheapest method that keeps the budget. Your tasks: shaders/17_time_and_error/task.glsl
 #include <fmt/format.h>
 
 #include <bit>
@@ -69,7 +69,7 @@ public:
 private:
     enum View { both, picture, methods_only };
     static constexpr std::array views = {"both", "picture", "methods"};
-    static constexpr int automatic = 0;  ///< then the methods of wall.h
+    static constexpr int automatic = 0;  ///< choice 0 of the knob; the methods of wall.h follow
     static constexpr std::array methods = {"auto", "plain", "normal-map", "parallax", "exact", "displacement"};
     static constexpr std::array<glm::vec3, method_count> colors = {{{0.10f, 0.12f, 0.22f},
                                                                     {0.05f, 0.25f, 0.42f},
@@ -78,7 +78,7 @@ private:
                                                                     {0.65f, 0.08f, 0.06f}}};
     static constexpr glm::ivec2 measured{96, 96};
 
-    /// Vertices of what one program draws.
+    /// Identifies the program that draws some of the vertices.
     struct Group {
         Methods methods;
         bool may_leave;
@@ -90,7 +90,7 @@ private:
         VertexArrayName layout;
         BufferName places;
     };
-    /// Of the picture, by method.
+    /// Share of the picture that each method draws, in [0, 1].
     using Shares = std::optional<std::array<double, method_count>>;
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const { return tiles_of(size, view_ == both ? 2 : 1); }
@@ -101,8 +101,8 @@ private:
     }
 
     FrameBudget frame_budget(const Frame& frame) const {
-        // Most of the budget goes into thinning, which every method gains by; of two methods that meet, each is off by
-        // no more than the rest beyond that, so that together they are within the budget, too.
+        // Thinning gets most of the budget, because it saves time in every method. The rest is the largest error of a
+        // method on the thinned relief. So where two methods meet, their difference is within the budget, too.
         double thinning = 0.875, precision = 0.125;
         if (method_ != automatic && !spend_) {
             thinning = 0;
@@ -112,10 +112,11 @@ private:
                 precision, double(exact_taps_), double(triangle_taps_)};
     }
 
-    /// What is drawn, by the program that draws it. `shows_methods`: each pixel says which method it chose.
+    /// Returns the vertices to draw, by the program that draws them. If `shows_methods`, each pixel chooses its method
+    /// itself and shows it.
     std::map<Group, std::vector<glm::vec2>> groups_of(const FrameBudget& budget, const std::string& probe,
                                                       bool shows_methods) const {
-        // What decides a pixel is a question to each of them, where its patch has decided already, too.
+        // These probes ask every pixel for the inputs of its choice, even if its patch has only one method.
         const bool is_of_choice = probe == "pixels" || probe == "left" || probe == "level" || probe == "bumps";
         std::map<Group, std::vector<glm::vec2>> groups;
         const auto add = [](std::vector<glm::vec2>& places, const glm::dvec2& low, const glm::dvec2& high,
@@ -139,7 +140,8 @@ private:
             else if (probe == "method" && patch.methods != bit(displacement))
                 patch.methods = any_of_a_pixel;
             else if (!shows_methods)
-                // What is dear does all that is cheap: a search in a relief of which nothing is left ends at once.
+                // The most expensive method replaces the others: its search ends at once in a relief that is thinned
+                // to a plane.
                 patch.methods = std::bit_floor(patch.methods);
         }
         for (const Patch& patch : joined(patches)) {
@@ -179,7 +181,7 @@ private:
         }
     }
 
-    /// `errors` are of what the program makes coarser.
+    /// Sets the uniforms. `errors` are piece_errors() if the program displaces, and otherwise level_errors().
     void set(const Program& program, const FrameBudget& budget, const std::vector<float>& errors) {
         const MapErrors& maps = map_errors();
         const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
@@ -208,8 +210,8 @@ private:
         for (size_t i = 0; i < colors.size(); ++i) program.set(fmt::format("u_colors[{}]", i).c_str(), colors[i]);
     }
 
-    /// Over a small copy of the picture, that is as many pixels off for all that is drawn of it. Nothing before the
-    /// tasks are written.
+    /// Returns the share of each method, measured on a small copy of the picture. The budget and the cost of a triangle
+    /// are scaled down with it, so that each place gets the same method. Returns nothing before the tasks are written.
     Shares shares_of_methods(Frame frame) {
         if (view_ == picture) return {};
         const float budget = budget_, triangle_taps = triangle_taps_;

@@ -9,10 +9,11 @@
 namespace relief::budget {
 namespace {
 
-constexpr float flat_lean = 0.05f;  // of a normal, sideways: 3 degrees
+constexpr float flat_lean = 0.05f;  // length of the xy of a normal that counts as flat: 3 degrees
 
-/// Along the wall: a metre apart at the eye's foot, and two fifths of their distance from it farther away. They stand
-/// on whole metres, so that they keep their places while the eye moves.
+/// Returns the x of the borders between patches, rising. Patches are a metre wide at the eye's foot (`foot`). Farther
+/// away their width is two fifths of their distance from it. Borders are at whole metres, so that they stay in place
+/// while the eye moves.
 std::vector<double> lines(double foot) {
     const double low = wall_low.x, high = wall_high.x, begin = std::floor(std::clamp(foot, low, high));
     std::vector<double> all{low, high};
@@ -25,13 +26,14 @@ std::vector<double> lines(double foot) {
     return all;
 }
 
-/// A place on the wall's front, and in clip space.
+/// A place on the wall's front, and the same in clip space.
 struct Corner {
     glm::dvec2 place;
     glm::dvec4 clip;
 };
 
-/// What the picture shows of a patch (Sutherland and Hodgman 1974), and a pixel around, for samples beside the centres.
+/// Returns the polygon of a patch that is in the picture (Sutherland and Hodgman 1974), empty if there is none. The
+/// picture is grown by a pixel on each side, for samples that are not at the centres of pixels.
 std::vector<Corner> seen_of(const Patch& patch, const FrameBudget& budget) {
     const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
     std::vector<Corner> polygon;
@@ -61,17 +63,17 @@ struct Interval {
     double min, max;
 };
 
-/// What the pixels of a patch have in common.
+/// Bounds of the pixels of a patch.
 struct Bounds {
     Interval pixels_per_metre;  ///< along the normal
-    Interval reach;             ///< of a view ray behind the wall: metres along it for each metre into it
+    Interval reach;             ///< of a view ray in the relief: metres along the wall per metre of depth
     Interval ahead;             ///< distances along the line of sight, metres
     bool may_leave;             ///< a ray may leave the wall
 };
 
-/// Over what is seen the inverse distance ahead is linear on the screen, and so is the vector whose length, times that,
-/// says how fast a pixel runs when its place moves along the normal. So neither is anywhere more than at the worst
-/// corner.
+/// Returns the bounds of the pixels in the polygon `seen`, which is not empty. When a place moves along the normal, its
+/// pixel moves by the length of a vector (a run) times the inverse distance ahead. The inverse distance and the run are
+/// linear on the screen. So the inverse distance and the length of the run have their maxima at corners.
 Bounds bounds_of(const std::vector<Corner>& seen, const FrameBudget& budget) {
     const glm::dvec3 eye = budget.frame.camera.eye();
     const glm::dvec4 along = budget.frame.camera.clip_from_world() * glm::dvec4(0, 0, 1, 0);
@@ -91,7 +93,7 @@ Bounds bounds_of(const std::vector<Corner>& seen, const FrameBudget& budget) {
     const double reach = bounds.reach.max * budget.scale;
     bounds.may_leave =
         glm::any(glm::lessThan(low - reach, wall_low)) || glm::any(glm::greaterThan(high + reach, wall_high));
-    // No run is less than along the mean of all.
+    // A run is at least as long as its projection on their mean direction, which has its minimum at a corner.
     const glm::dvec2 mean = glm::length(sum) > 0 ? glm::normalize(sum) : glm::dvec2(1, 0);
     Interval run{INFINITY, 0};
     for (const glm::dvec2& one : runs)
@@ -100,12 +102,13 @@ Bounds bounds_of(const std::vector<Corner>& seen, const FrameBudget& budget) {
     return bounds;
 }
 
-/// The level up to which errors are within `most`; -1: none is.
+/// Returns the last level whose error is at most `max_error`, or -1 if there is none. Errors are non-decreasing.
 double whole_level(const std::vector<float>& errors, double max_error) {
     return double(std::upper_bound(errors.begin(), errors.end(), float(max_error)) - errors.begin()) - 1;
 }
 
-/// Where this says that a method is not needed, no pixel of the patch asks for it; floats may round by a thousandth.
+/// Returns all methods that pixels of the patch may choose. The result is conservative: `slack` allows shaders a
+/// rounding error of a thousandth.
 Methods methods_of(const Bounds& bounds, const FrameBudget& budget, const MapErrors& maps) {
     const double range = double(maps.range.y - maps.range.x), slack = 1.001;
     const auto tolerance = [&](double pixels) { return budget.pixels / std::max(pixels * budget.scale, 1e-30); };
@@ -131,24 +134,24 @@ Methods methods_of(const Bounds& bounds, const FrameBudget& budget, const MapErr
     return methods;
 }
 
-/// Whether its triangles take less time than the search in its pixels.
+/// Returns whether triangles for the patch take less time than the search in its pixels.
 bool is_better_displaced(const Patch& patch, const std::vector<Corner>& seen, const Bounds& bounds,
                          const FrameBudget& budget, const MapErrors& maps) {
     if (!(patch.methods & (bit(parallax) | bit(exact)))) return false;
     const glm::dvec2 size = patch.high - patch.low;
-    double pixels = 0;  // twice the area of what is seen, then in pixels
+    double pixels = 0;  // twice the visible area in clip coordinates, then the area in pixels
     for (size_t i = 0; i < seen.size(); ++i) {
         const glm::dvec4 &a = seen[i].clip, &b = seen[(i + 1) % seen.size()].clip;
         pixels += glm::determinant(glm::dmat2(glm::dvec2(a) / a.w, glm::dvec2(b) / b.w));
     }
     pixels = std::abs(pixels) / 2 * budget.frame.size.x * budget.frame.size.y / 4;
-    const auto pays = [&](double side) {  // of squares of two triangles
+    const auto pays = [&](double side) {  // `side` is that of a square of two triangles
         return 2 * size.x * size.y / (side * side) * budget.triangle_taps < pixels * budget.exact_taps;
     };
     if (!pays(cell_metres)) return false;
     const double off = budget.precision * budget.pixels / (bounds.pixels_per_metre.max * budget.scale);
     const double side = std::exp2(whole_level(maps.pieces(), off)) / maps.texels;
-    return side * 64 >= cell_metres && pays(std::min(side, cell_metres));  // no finer than the tessellator goes
+    return side * 64 >= cell_metres && pays(std::min(side, cell_metres));  // the tessellator's limit is 64
 }
 
 }  // namespace
@@ -188,7 +191,7 @@ double first_level(const FrameBudget& budget, const MapErrors& maps) {
 std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps) {
     const glm::dvec3 eye = budget.frame.camera.eye();
     std::vector<Patch> patches, displaced;
-    if (eye.z <= 0) return patches;  // its back is not drawn
+    if (eye.z <= 0) return patches;  // the wall has no back
     const std::vector<double> columns = lines(eye.x);
     for (size_t i = 0; i + 1 < columns.size(); ++i) {
         Patch patch{{columns[i], wall_low.y}, {columns[i + 1], wall_high.y}, 0, false};

@@ -1,4 +1,4 @@
-// The wall of lab 17: the errors of its maps, and which methods each of its patches needs.
+// The wall of lab 17: the errors of its maps, and the methods that each of its patches needs.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,16 @@
 
 namespace relief::budget {
 
-enum Method { plain, normal_map, parallax, exact, displacement };  ///< as in task.glsl, from cheap to dear
+enum Method { plain, normal_map, parallax, exact, displacement };  ///< as in task.glsl, the cheapest first
 constexpr int method_count = 5;
-using Methods = unsigned;  ///< a bit for each
+using Methods = unsigned;  ///< a bit for each method
 constexpr Methods bit(Method method) { return 1u << method; }
 constexpr Methods any_of_a_pixel = bit(plain) | bit(normal_map) | bit(parallax) | bit(exact);
 
-/// In the plane z = 0 and facing +z, metres; a tile of the maps is a metre wide. The relief lies behind it.
+/// Corners of the wall in metres. It lies in the plane z = 0 and faces +z, with the relief behind it. A tile of the
+/// maps is a metre wide.
 constexpr glm::dvec2 wall_low{-8, -4}, wall_high{248, 12};
-constexpr double cell_metres = 0.25;  ///< a side of what the tessellator cuts, up to 64 times
+constexpr double cell_metres = 0.25;  ///< side of a cell, which the tessellator cuts into up to 64 x 64
 
 /// Errors and ranges of the maps, independent of any frame.
 class MapErrors {
@@ -23,49 +24,54 @@ public:
     MapErrors(const Image& heights, const Image& normals);
 
     glm::vec2 range{};          ///< the lowest and the highest height
-    std::vector<float> levels;  ///< level_errors() of those that are better than the plane in the middle
-    float flat_level = 0;       ///< of the normal map, from which on it is as good as flat
-    glm::vec3 flat_normal{};    ///< the mean of its normals
-    int texels = 1;             ///< of the height map, a metre
+    std::vector<float> levels;  ///< level_errors(), up to the last level that is better than a plane in the middle
+    float flat_level = 0;       ///< of the normal map: all coarser levels are nearly flat, too
+    glm::vec3 flat_normal{};    ///< the mean normal of the map
+    int texels = 1;             ///< of the height map, per metre
     int normal_texels = 1;
 
-    /// piece_errors(), likewise; found when they are asked for first.
+    /// Returns piece_errors(), up to the last piece that is better than a plane in the middle. Computed at the first
+    /// call.
     const std::vector<float>& pieces() const;
 
 private:
     Image heights_;
     mutable std::vector<float> pieces_;
 };
-constexpr size_t most_levels = 12;  ///< that shaders take, of levels and of pieces
+constexpr size_t most_levels = 12;  ///< capacity of the shaders, for levels and for pieces
 
-/// What a frame allows and costs, the same for each of its patches.
+/// The error and the costs that a frame allows, the same for all patches.
 struct FrameBudget {
     Frame frame;
     double pixels;               ///< the largest error allowed
     double scale;                ///< of the relief, metres
-    double thinning, precision;  ///< shares of the budget: to thin the relief, and for what a method is off by
+    double thinning, precision;  ///< shares of the budget: for thinning the relief; for the error of a method
     double exact_taps;           ///< heights that a march reads in the time of an exact search
-    double triangle_taps;        ///< and in that of a triangle
+    double triangle_taps;        ///< heights that a march reads in the time of a triangle
 };
 
-/// A piece of the wall.
+/// A rectangle of the wall.
 struct Patch {
     glm::dvec2 low, high;
-    Methods methods;      ///< that its pixels may choose, and more where that is not known; or displacement alone
-    bool may_leave;       ///< a view ray may leave the wall behind it
-    bool behind = false;  ///< rays come here from a displaced patch, so it is displaced, too, behind what it is else
+    Methods methods;  ///< all methods that its pixels may choose, maybe more; or displacement alone
+    bool may_leave;   ///< a view ray that enters here may leave the wall at its border
+    /// Also tessellated, besides being drawn by its methods: rays may enter from a displaced neighbour.
+    bool behind = false;
 };
 
-/// The wall in pieces from its lower to its upper end; those that the picture does not show have no methods.
+/// Returns the patches of the whole wall, by rising x. Each reaches from the lower to the upper border. A patch outside
+/// of the picture has no methods. Returns no patches if the eye is not in front of the wall.
 std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps);
 
-/// Neighbours with the same methods as one, without those that are not needed. Where two triangles meet, the renderer
-/// draws blocks of pixels for both: twenty pieces in place of one cost a third of a grazing search.
+/// Returns the patches that are drawn, with neighbours merged if they have the same methods. This saves time: along an
+/// edge the renderer shades blocks of pixels for both triangles. Twenty pieces in place of one take a third of the time
+/// of a grazing search.
 std::vector<Patch> joined(const std::vector<Patch>& patches);
 
-/// The level of the normal map whose texels are as wide as a pixel that shows a place a metre ahead, in the mean of
-/// both directions; at `ahead` metres it is this + 1.5 log2(ahead), at least 0: a pixel covers ahead³ / (p² e) square
-/// metres of a wall that is e metres from the eye, where p pixels are a metre wide a metre ahead.
+/// Returns the level of the normal map whose texels have the area of a pixel that shows a place one metre ahead. It may
+/// be negative. At `ahead` metres the level is this + 1.5 log2(ahead), clamped to at least 0. Derivation: let the eye
+/// be e metres from the wall, and let a metre be p pixels wide at one metre ahead. Then a pixel covers ahead³ / (p² e)
+/// square metres of the wall.
 double first_level(const FrameBudget& budget, const MapErrors& maps);
 
 }  // namespace relief::budget

@@ -1,5 +1,5 @@
 #version 410 core
-// The corners of cells that are to be displaced, as they are.
+// Passes on the corners of the cells that are displaced.
 
 layout(location = 0) in vec2 a_place;  // metres
 

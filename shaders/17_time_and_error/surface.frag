@@ -1,10 +1,10 @@
 #version 410 core
-// A wall within the budget. METHODS has a bit for each method that is compiled in: of several, each pixel chooses the
-// cheapest; where there is one, nothing is chosen.
+// A wall within the budget. METHODS has a bit for each method that is compiled in. If there are several, each pixel
+// chooses the cheapest one that keeps the budget.
 
 #include "17_time_and_error/task.glsl"
 
-// What a search reads passes here, to be counted.
+// A search reads heights by these two functions only, which count the reads.
 int heights_read = 0;
 float read_height(sampler2D heights, vec2 place, float level) {
     ++heights_read;
@@ -28,7 +28,7 @@ vec4 read_cell(sampler2D heights, vec2 place) {
 #define HAS(methods) ((METHODS & (methods)) != 0)
 #define IS_ONE ((METHODS & (METHODS - 1)) == 0)
 
-in vec2 v_place;  // on the wall's front, or of what is displaced; metres
+in vec2 v_place;  // on the wall's front, or of the displaced point; metres
 #if METHODS == DISPLACEMENT
 in float v_height;
 in float v_unfinished;
@@ -42,17 +42,17 @@ uniform vec4 u_border;       // of the wall: left, lower, right, upper
 uniform vec4 u_clip_along;   // a metre along the normal in clip space
 uniform vec2 u_size;         // of the picture, pixels
 uniform float u_budget;      // pixels
-uniform float u_shares[2];   // of the budget: to thin the relief, and for what a method is off by
+uniform float u_shares[2];   // of the budget: for thinning the relief; for the error of a method
 uniform float u_scale;       // of the relief, metres
 uniform vec2 u_range;        // the lowest and the highest height
 uniform float u_errors[12];  // of the height map's levels
 uniform int u_levels;
 uniform float u_exact_taps;  // heights that a march reads in the time of an exact search
 uniform vec2 u_normal_strength;
-uniform float u_texels;       // of the height map, a metre
-uniform float u_first_level;  // of the normal map, whose texels are as wide as a pixel a metre ahead
-uniform float u_flat_level;   // from which on the normal map is as good as flat
-uniform vec3 u_flat_normal;   // the mean of its normals
+uniform float u_texels;       // of the height map, per metre
+uniform float u_first_level;  // of the normal map: see first_level() in wall.h
+uniform float u_flat_level;   // from this level on the normal map is nearly flat
+uniform vec3 u_flat_normal;   // the mean normal of the map
 uniform vec3 u_colors[5];       // of the methods
 
 uniform sampler2D s_heights;
@@ -71,7 +71,8 @@ struct Ray {
     vec2 place, along;
 };
 
-// From between.x, where it may be below the surface already, to between.y, where it ends.
+// Returns the t of the hit of a march from t = between.x, where the ray may be below the surface already, to between.y,
+// where it ends.
 float marched(Ray ray, vec2 between, float level, float steps) {
     float stride = (between.y - between.x) / steps;
     //[solution
@@ -85,7 +86,7 @@ float marched(Ray ray, vec2 between, float level, float steps) {
     }
     return gap > 0.0 || gap_before <= 0.0 ? t : mix(before, t, gap_before / (gap_before - gap));
     //]starter
-    //| // The same from its far end, and all of it: how to march is for lab 11.
+    //| // The same from the far end, and without an early exit: how to march is the subject of lab 11.
     //| float met = between.y, t = between.y, far = 1.0 - t - read_height(s_heights, ray.place + t * ray.along, level);
     //| for (int i = int(ceil(steps)) - 1; i >= 0; --i) {
     //|     float next = between.x + float(i) * stride;
@@ -98,12 +99,12 @@ float marched(Ray ray, vec2 between, float level, float steps) {
     //]
 }
 
-// What a pixel could know before it decides.
+// The inputs of a pixel's choice of a method; members that no method needs are not computed.
 struct Choice {
-    float pixels;     // that a metre of relief is
-    vec2 left;        // of the heights
-    float level;      // of the height map
-    float taps;       // that a march would take
+    float pixels;     // per metre of relief
+    vec2 left;        // lowest and highest height after thinning
+    float level;      // coarsest level of the height map that keeps the budget
+    float taps;       // number of heights that a march would read
 };
 
 Choice look(Ray ray) {
@@ -119,9 +120,9 @@ Choice look(Ray ray) {
     c.level = coarsest_level(u_errors, u_levels, off);
     c.taps = max(1.0, (c.left.y - c.left.x) * length(ray.along * u_texels) * exp2(-floor(c.level)));
 #if !IS_ONE
-    if (off < u_errors[0]) c.taps = 1e30;  // no level will do
+    if (off < u_errors[0]) c.taps = 1e30;  // even level 0 is off by more
 #else
-    // A march that is to keep the budget all the same: steps of half a texel are off by half as much.
+    // Without another method the march has to keep the budget by shorter steps. Half the step halves the error.
     if (off > 0.0) c.taps = min(c.taps * max(1.0, u_errors[0] / off), float(max_iterations));
 #endif
 #endif
@@ -166,7 +167,7 @@ vec3 lit(vec2 place, float height, float level, float bumps, vec3 to_eye) {
 }
 
 void main() {
-    // As wide as a pixel in the mean of both directions: see first_level() in wall.h.
+    // The level whose texels have the area of a pixel: see first_level() in wall.h.
     float level = max(u_first_level - 1.5 * log2(gl_FragCoord.w), 0.0), bumps = 0.0;
 #if HAS(NORMAL | PARALLAX | EXACT | DISPLACEMENT)
     bumps = bumps_left(level, u_flat_level, u_budget);

@@ -1,6 +1,6 @@
 #version 410 core
-// How finely each edge of a displaced cell is cut: as coarsely as what is seen of it allows. An edge is a whole
-// number of texels long, or of halves, and is cut in the same places by both its neighbours.
+// The levels of the edges of a displaced cell: the lowest that keep the budget. An edge is a whole number of texels or
+// half texels long. Both its neighbours cut it in the same places.
 
 #include "17_time_and_error/task.glsl"
 
@@ -15,11 +15,11 @@ uniform vec4 u_clip_along;   // a metre along the normal in clip space
 uniform vec2 u_size;         // of the picture, pixels
 uniform float u_budget;      // pixels
 uniform float u_scale;       // of the relief, metres
-uniform float u_shares[2];   // of the budget: to thin the relief, and for what a method is off by
+uniform float u_shares[2];   // of the budget: for thinning the relief; for the error of a method
 uniform vec2 u_range;        // the lowest and the highest height
 uniform float u_errors[12];  // of squares of 1, 2, 4, ... texels of the height map
 uniform int u_levels;
-uniform float u_texels;      // of the height map, a metre
+uniform float u_texels;      // of the height map, per metre
 
 float level_of(vec2 a, vec2 b) {
     vec4 from = u_clip_from_world * vec4(a, 0.0, 1.0), to = u_clip_from_world * vec4(b, 0.0, 1.0);
@@ -36,7 +36,7 @@ float level_of(vec2 a, vec2 b) {
 void main() {
     c_corner[gl_InvocationID] = v_corner[gl_InvocationID];
     if (gl_InvocationID != 0) return;
-    // From corner 3 to 0, 0 to 1, 1 to 2, 2 to 3; u = 0 is the edge from 3 to 0.
+    // Outer level 0 belongs to u = 0, the edge from corner 3 to 0. The edges from 0 to 1, 1 to 2 and 2 to 3 follow.
     float finest = 1.0;
     for (int i = 0; i < 4; ++i) {
         gl_TessLevelOuter[i] = level_of(v_corner[(i + 3) % 4], v_corner[i]);

@@ -1,5 +1,5 @@
 #version 410 core
-// The wall pressed in: what is left of its relief where it is thinned.
+// The wall, displaced by its thinned relief.
 
 #include "17_time_and_error/task.glsl"
 
@@ -22,7 +22,7 @@ out float v_height;
 out float v_unfinished;
 
 void main() {
-    // Neighbours reach a vertex on their edge from other corners: on a lattice of 1/4096 m they meet all the same.
+    // Neighbours compute a vertex on their common edge from different corners. Rounding to 1/4096 m makes them agree.
     vec2 lower = mix(c_corner[0], c_corner[1], gl_TessCoord.x), upper = mix(c_corner[3], c_corner[2], gl_TessCoord.x);
     vec2 place = mix(lower, upper, gl_TessCoord.y);
     v_place = round(place * 4096.0) / 4096.0;

@@ -1,5 +1,5 @@
 #version 410 core
-// A wall in the plane z = 0: its front, which the relief lies behind.
+// The front of the wall, in the plane z = 0. The relief lies behind it.
 
 layout(location = 0) in vec2 a_place;  // metres
 
