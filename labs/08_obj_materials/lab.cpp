@@ -1,8 +1,8 @@
 // Lab 08: OBJ materials.
 //
-// A garden wall at dusk, from an OBJ file and its materials. A material decides which program, in which order, and how
-// much of a pixel: what it does not name is not compiled, fetched or drawn. Your tasks:
-// labs/08_obj_materials/task.cpp and shaders/08_obj_materials/task.glsl
+// A garden wall at dusk, from an OBJ file and its materials. The material of a surface decides its program, its place
+// in the drawing order, and how much of a pixel it covers. Features that it does not name are neither compiled nor
+// fetched. Your tasks: labs/08_obj_materials/task.cpp and shaders/08_obj_materials/task.glsl
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -105,22 +105,22 @@ private:
     static constexpr const char* mask_of_levels = "wire_mask.png";
     static constexpr int samples_of_pictures = 4, levels_shown = 6, most_listed = 12;
 
-    /// A file, as it is drawn.
+    /// The scene of a file, with its mesh, textures and masks' scales as they are drawn.
     struct Loaded {
         explicit Loaded(Scene made) : scene(std::move(made)) {}
         Scene scene;
         GpuMesh mesh = upload([this] { return scene.mesh; });
         std::map<std::string, Texture> textures;
-        std::map<std::string, std::vector<float>> scales;  ///< of masks, by level
+        std::map<std::string, std::vector<float>> scales;  ///< kept_scales() of each mask
     };
 
     /// A part of the picture, with or without maps.
     struct View {
-        Tile tile;  ///< that the camera sees
-        Tile part;  ///< of it, that is drawn
+        Tile tile;  ///< the camera's picture
+        Tile part;  ///< part of the tile that is drawn
         bool has_maps = true;
-        bool is_flat = false;  ///< in the colours of the programs
-        int filter = -1;       ///< another than the knob's
+        bool is_flat = false;  ///< drawn in the colours of the programs
+        int filter = -1;       ///< overrides the knob; -1: the knob's filter
     };
 
     Loaded& loaded(bool with_maps) const {
@@ -162,7 +162,7 @@ private:
         return all;
     }
 
-    /// Into floats, so that glass is blended as light, and is encoded at the end.
+    /// Draws the views into a target of floats, so that glass is blended as light, and encodes the sum at the end.
     void draw_light(const Frame& frame) {
         const int samples = frame.probe ? 1 : samples_of_pictures, attachments = order_ == weighted ? 3 : 1;
         const std::tuple wanted(frame.size, samples, attachments);
@@ -230,7 +230,7 @@ private:
 
     bool is_stored() const { return blend_in_ == 1; }
 
-    /// The pieces of a scene from the first to the last that is drawn.
+    /// Returns the indices of a scene's pieces in the order of drawing.
     std::vector<int> order_of(const Scene& scene, const glm::dvec3& eye) const {
         std::vector<int> order(scene.pieces.size());
         std::iota(order.begin(), order.end(), 0);
@@ -244,7 +244,7 @@ private:
         return draw_order(surfaces, eye);
     }
 
-    /// `purpose`: empty for light; FLAT, MEASURE, or the name of a probe.
+    /// Draws all pieces. `purpose` is empty for light, or FLAT, MEASURE, or the name of a probe.
     void draw_pieces(const Frame& frame, Loaded& loaded, const std::string& purpose, int filter = -1) {
         const std::vector<int> order = order_of(loaded.scene, frame.camera.eye());
         const Program* in_use = nullptr;
@@ -274,7 +274,7 @@ private:
         set_blending(false, purpose);
     }
 
-    /// What lies behind glass shows through: it is blended, and hides nothing.
+    /// Switches between glass and opaque surfaces. Glass is blended and writes no depth, so it hides nothing.
     void set_blending(bool is_on, const std::string& purpose) {
         glDepthMask(is_on ? GL_FALSE : GL_TRUE);
         (is_on ? glEnable : glDisable)(GL_BLEND);
@@ -369,7 +369,7 @@ private:
         return scales;
     }
 
-    /// As the texture holds them: in 8 bits.
+    /// Returns the mip levels of a mask as in its texture, rounded to 8 bits.
     static std::vector<Image> levels_of(const std::string& mask) {
         std::vector<Image> levels = mip_chain(read_asset(mask), ColorSpace::linear);
         for (Image& level : levels)
@@ -409,7 +409,7 @@ private:
         if (file_ == ground_file || file_ == broken_file) write_notes(frame, scene);
     }
 
-    /// What was left out or made up, along the lower edge.
+    /// Writes the scene's notes along the lower edge.
     void write_notes(const Frame& frame, const Scene& scene) {
         const float line = Labels::line_height(frame.size) * 0.62f;
         float top = float(frame.size.y) - 1.3f * line * float(scene.notes.size() + 1);
@@ -420,7 +420,7 @@ private:
         }
     }
 
-    /// Each material with what it names, in the colour of its program, and its triangles; below a tile.
+    /// Lists the materials below a tile: name, features and triangles, in the colour of the program.
     void list(const Frame& frame, const Tile& tile, const Scene& scene) {
         const float left = float(tile.corner.x), width = float(tile.size.x),
                     top = float(tile.size.y) + 0.03f * float(frame.size.y),
@@ -443,7 +443,8 @@ private:
         }
     }
 
-    /// How far the colours of a filter are from 1024 samples, as a share of their mean; infinity before it is written.
+    /// Returns the mean error of a filter's colours compared with 1024 samples, as a share of their mean. Infinity
+    /// before the tasks are written.
     double measure(size_t place, const View& view) {
         std::vector<std::string> knobs;
         for (const KnobText& knob : describe_knobs(*this)) knobs.push_back(knob.value);
@@ -460,7 +461,7 @@ private:
         });
     }
 
-    /// Levels 0 to 5 of the wires' mask, by the threshold, by kept coverage, by alpha to coverage and as a mean.
+    /// Draws levels 0 to 5 of the wires' mask in four rows: threshold, kept coverage, alpha to coverage, mean.
     void draw_levels(const Frame& frame) {
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glViewport(0, 0, frame.size.x, frame.size.y);
@@ -524,7 +525,7 @@ private:
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     std::optional<LightTarget> target_;
     std::tuple<glm::ivec2, int, int> target_is_for_;
-    mutable std::array<Kept<std::unique_ptr<Loaded>, int>, 2> scenes_;  ///< without maps, and with them; by file
+    mutable std::array<Kept<std::unique_ptr<Loaded>, int>, 2> scenes_;  ///< index 0 without maps, 1 with them; by file
     std::optional<Texture> masks_;
     std::vector<float> level_scales_;
     std::array<Kept<double, std::vector<std::string>, int>, 4> errors_;

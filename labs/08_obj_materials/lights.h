@@ -1,4 +1,4 @@
-// The lights of lab 08's garden: the last of the day, and a lantern.
+// The lights of lab 08's garden: the sun or the dusk, and a lantern.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,13 +7,13 @@ namespace relief::materials {
 
 enum Lamp { spot_lamp, point_lamp, sun };
 
-/// Light is linear, 1 is white paper in full light. Metres.
+/// Light is linear: 1 is white paper in full light. Lengths are in metres.
 struct Lights {
     Lamp lamp = spot_lamp;
     glm::dvec3 to_sun{0, 1, 0}, sun{0}, sky{0}, ground{0};  ///< `sky` comes from above, `ground` from below
     glm::dvec3 place{1, 1.45, 0.6}, axis{0, -1, 0}, light{0};
     double range = 7, cone = 2;
-    glm::dvec3 attenuation{1, 0.3, 0.5};  ///< constant, by the distance, and by its square
+    glm::dvec3 attenuation{1, 0.3, 0.5};  ///< coefficients of 1, the distance and its square
 };
 
 inline Lights lights_of(Lamp lamp, const glm::dvec3& to_sun, double range, double cone, double height) {

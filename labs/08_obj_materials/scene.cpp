@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Along growing u, and whether v grows to its left: by the gradients of u and v on each triangle.
+/// Sets the tangents from the gradients of u and v on each triangle. xyz points along growing u, and w is the
+/// handedness. Degenerate triangles set none.
 void add_tangents(Mesh& mesh) {
     for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         Vertex* corner[3];
@@ -38,13 +39,13 @@ void add_tangents(Mesh& mesh) {
     }
 }
 
-/// What each map was found to hold; a picture is looked at once.
+/// Finds the maps of materials and their kinds. Each picture is examined once.
 class Maps {
 public:
     Maps(const std::function<MapKind(const Image&)>& kind_of, std::vector<std::string>& notes)
         : kind_of_(kind_of), notes_(notes) {}
 
-    /// Its name below the folder of assets; empty, with a note, where it is not there.
+    /// Returns the path of a map in the folder of assets. If the file is missing, adds a note and returns nothing.
     std::string asset(const Material& material, const char* keyword, const fs::path& file) {
         if (file.empty()) return {};
         std::error_code ignored;
@@ -54,7 +55,8 @@ public:
         return {};
     }
 
-    /// The feature that a bump map is; 0, with a note, where it is none.
+    /// Returns the feature of a bump map. Adds a note if it does not hold heights. Returns 0 if it holds no normals
+    /// either.
     unsigned bump(const Material& material, const std::string& name) {
         const auto [kind, is_new] = kinds_.try_emplace(name);
         if (is_new) kind->second = kind_of_(read_asset(name));
@@ -76,7 +78,7 @@ private:
     std::map<std::string, MapKind> kinds_;
 };
 
-/// The alpha of a level at u and v in tiles, as GL's bilinear filter has it.
+/// Returns the alpha of a level at (u, v) in tiles by GL's bilinear filter.
 double alpha_at(const Image& level, double u, double v) {
     const double x = u * level.width - 0.5, y = v * level.height - 0.5;
     const double left = std::floor(x), low = std::floor(y);
@@ -88,7 +90,7 @@ double alpha_at(const Image& level, double u, double v) {
     return glm::mix(bottom, glm::mix(texel(left, low + 1), texel(left + 1, low + 1), x - left), y - low);
 }
 
-/// At 16,384 places that lie evenly, whatever the size of texels (Roberts 2018).
+/// Returns the alpha at 16,384 evenly distributed places, for any size of texels (Roberts 2018).
 std::vector<double> alphas_of(const Image& level) {
     std::vector<double> alphas;
     for (int i = 0; i < 1 << 14; ++i) {
@@ -117,7 +119,7 @@ Scene make_scene(ObjModel model, bool with_maps, const std::function<MapKind(con
         Piece piece;
         if (subset.material >= 0) {
             piece.material = model.materials[size_t(subset.material)];
-        } else {  // grey, never black: a material that is missing is to be seen
+        } else {  // grey and not black, so that a missing material is visible
             piece.material.name = "(missing)";
             piece.material.diffuse = glm::vec3(0.6f);
         }

@@ -1,4 +1,4 @@
-// What an OBJ file and its materials become: surfaces, each with the features that its program is compiled for.
+// The scene of an OBJ file: surfaces, each with its material and the features that its program is compiled for.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace relief::materials {
 
-/// What a material names, as the shaders have it.
+/// The features that a material can name, with the values of features.glsl.
 enum Feature : unsigned {
     color_map = 1,
     highlight_map = 2,
@@ -28,7 +28,7 @@ struct Piece {
     unsigned features = 0;
     int program = 0;  ///< counts sets of features, in the order of their first piece
     uint32_t first_index = 0, index_count = 0;
-    glm::dvec3 centre;  ///< of the box around it
+    glm::dvec3 centre;  ///< of the bounding box
     // Names of assets, or empty.
     std::string colors, highlights, bumps, mask;
 
@@ -36,28 +36,29 @@ struct Piece {
     bool is_glass() const { return features & glass; }
 };
 
-/// A set of features as an MTL file would name them: "Kd Ks norm".
+/// Returns a set of features in the words of an MTL file, such as "Kd Ks norm".
 std::string words(unsigned features);
 
 struct Scene {
     Mesh mesh;                  ///< with tangents along growing u
-    std::vector<Piece> pieces;  ///< in the order of the file; none with opacity 0
+    std::vector<Piece> pieces;  ///< in the order of the file, without invisible ones (opacity 0)
     int programs = 0;
-    std::vector<std::string> notes;  ///< what was left out or made up, "file:line: message"
+    std::vector<std::string> notes;  ///< about omitted and substituted parts, "file:line: message"
 };
 
-/// Without maps nothing but numbers counts. `kind_of` decides about map_bump. Throws what read_obj throws: then there
-/// is no scene at all.
+/// Returns the scene of a model. Without `with_maps` materials keep their numbers only. `kind_of` decides how map_bump
+/// is read. A map that is missing is left out, with a note. Throws as read_image() does for a bump map, and as
+/// `kind_of` does.
 Scene make_scene(ObjModel model, bool with_maps, const std::function<MapKind(const Image&)>& kind_of);
 
-/// A thousand tiles, each of a material of its own, with four sets of features.
+/// Returns a model of a thousand tiles. Each has a material of its own; there are four sets of features.
 ObjModel thousand_tiles();
 
-/// By level of a mask: what its alpha is multiplied by, so that as many places are above 1/2 as on level 0 (Castano
-/// 2010). Places lie between texels, too.
+/// Returns the factor on the alpha of each level of a mask that keeps its coverage: the share of places above 1/2 is
+/// that of level 0 (Castano 2010). Places lie between texels, too, and are filtered bilinearly.
 std::vector<float> kept_scales(const std::vector<Image>& levels);
 
-/// Share of the places of a level that are above the threshold.
+/// Returns the share of the places of a level whose alpha is above the threshold.
 double share_above(const Image& level, double threshold);
 
 }  // namespace relief::materials

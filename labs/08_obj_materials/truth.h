@@ -12,21 +12,25 @@ struct Setting {
     const Scene& scene;
     bool has_maps;
     Lights lights;
-    double fence;  ///< tiles of a mask to one of the file's
+    double fence;  ///< tiles of wire for each tile of the file
 };
 
-/// From the ray through the middle of a pixel, which meets every layer; masks by their formulas, in double precision.
-/// Of the first surface: `material` (its index in the scene), `order` (its place in the right order of drawing),
-/// `normal`, `lamp` (share of the lamp's light), `specular` (colour and exponent). `color`: light, with everything that
-/// lies over each other, and the sky; with maps it is the mean over 32 x 32 rays. `layers`: how many surfaces there are
-/// up to the first opaque one. `coverage`: share of the pixel in which the nearest masked surface is there, by
-/// 64 x 64 rays.
+/// Returns the exact values of a probe, in double precision, by rays that meet all layers. Masks follow their formulas.
+/// There is one ray through the centre of each pixel, unless stated otherwise. The probes:
+///  - `material`: index of the first surface in the scene
+///  - `order`: place of the first surface in the correct drawing order
+///  - `normal`: normal of the first surface
+///  - `lamp`: share of the lamp's light on the first surface
+///  - `specular`: colour and exponent of the highlight of the first surface
+///  - `color`: linear light of all layers and the sky; with maps the mean over 32 x 32 rays
+///  - `layers`: number of surfaces up to the first opaque one
+///  - `coverage`: share of the pixel that the nearest masked surface covers, by 64 x 64 rays
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Setting& setting)> truth;
 
-/// Share of a mask that is covered, by its formula; `mask` is the name of an asset.
+/// Returns the share of a mask that is covered, by its formula. `mask` is the name of an asset.
 inline FromStaff<std::optional<double>(const std::string& mask)> true_coverage;
 
-/// The share of a lamp's light at a place.
+/// Returns the share of the lamp's light that reaches a place, in metres.
 inline FromStaff<std::optional<double>(const Lights& lights, const glm::dvec3& place)> true_share;
 
 }  // namespace relief::materials

@@ -1,5 +1,5 @@
 #version 410 core
-// A cut through the lamp's light, upright and across the view: how much of it would reach a surface at each place.
+// A vertical section through the lamp's light, across the view: the share that would reach a surface at each place.
 
 #include "08_obj_materials/task.glsl"
 #include "08_obj_materials/lamp.glsl"

@@ -1,5 +1,5 @@
 #version 410 core
-// The light of a frame, from floats to what the target stores.
+// Encodes the light of a frame: from linear floats to the values that the target stores.
 
 #include "common/srgb.glsl"
 #include "common/unfinished.glsl"
@@ -27,7 +27,7 @@ void main() {
     for (int i = 0; i < SAMPLES; ++i) {
         vec3 light = texelFetch(s_light, pixel, i).rgb;
 #ifdef WEIGHTED
-        // The weighted mean of all panes over what they let pass together (McGuire and Bavoil 2013).
+        // The weighted mean of all panes, over the light that passes through all of them (McGuire and Bavoil 2013).
         vec4 panes = texelFetch(s_sum, pixel, i);
         float passed = texelFetch(s_passed, pixel, i).r;
         if (panes.r < -1.0) is_unfinished = true;
@@ -43,7 +43,7 @@ void main() {
 #ifdef PROBE_color
     o_color = probed(vec4(light, 0.0));
 #else
-    // Bright light is compressed, as film does.
+    // Compresses bright light, as film does.
     o_color = finished(vec4(srgb_from_linear(1.0 - exp(-1.7 * light)), 1.0), gl_FragCoord.xy);
 #endif
 }

@@ -1,5 +1,5 @@
-// What a material names. A program is compiled for one set of features, FEATURES; or for all of them, and looks at
-// u_features in each pixel (BRANCHES).
+// The features of a material. A program is compiled for one set of features, FEATURES. With BRANCHES it is compiled for
+// all of them, and each pixel tests u_features.
 
 #define COLOR_MAP 1
 #define HIGHLIGHT_MAP 2

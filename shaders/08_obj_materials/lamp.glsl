@@ -1,6 +1,6 @@
-// The lamp, as a surface or the air has it.
+// The lamp, and the share of its light that reaches a place.
 
-uniform vec3 u_lamp;  // place
+uniform vec3 u_lamp;  // position
 uniform vec3 u_axis;
 uniform float u_range;
 uniform float u_cone;

@@ -1,5 +1,5 @@
 #version 410 core
-// One mip level of a mask, drawn at one texel to a pixel and shown larger; or how much of it is covered.
+// One mip level of a mask, drawn at one pixel per texel and magnified; or its coverage.
 
 #include "08_obj_materials/task.glsl"
 #include "common/srgb.glsl"
@@ -10,7 +10,7 @@ uniform sampler2D s_mask;
 uniform int u_level;
 uniform float u_scale;
 uniform float u_threshold;
-uniform float u_part;  // of the mask that is shown
+uniform float u_part;  // part of the mask that is shown
 
 layout(location = 0) out vec4 o_color;
 
@@ -36,7 +36,7 @@ float share_at(vec2 uv) {
 
 void main() {
 #if defined PROBE_coverage || defined MEASURE
-    // Places that lie evenly, between texels too (Roberts 2018).
+    // Evenly distributed places, between texels, too (Roberts 2018).
     float sum = 0.0;
     for (int i = 0; i < 4096; ++i)
         sum += share_at(fract((float(i) + 0.5) * vec2(0.7548776662, 0.5698402910)));

@@ -1,4 +1,4 @@
-// Light on a surface: of the sky and the ground around, of the sun, and of the lamp.
+// Light on a surface: from the sky and the ground, from the sun, and from the lamp.
 
 uniform vec3 u_to_sun;
 uniform vec3 u_sun;
@@ -6,7 +6,8 @@ uniform vec3 u_sky;
 uniform vec3 u_ground;
 uniform vec3 u_lamp_light;
 
-/// Blinn and Phong's highlight; `shine` has its colour and its exponent. Through glass light falls from both sides.
+/// Returns diffuse light and a Blinn-Phong highlight; `shine` has its colour and its exponent. A thin surface (glass)
+/// is lit diffusely from both sides.
 vec3 light_from(vec3 to_light, vec3 light, vec3 normal, vec3 to_eye, vec3 color, vec4 shine, bool is_thin) {
     float facing = dot(normal, to_light);
     vec3 diffuse = color * light * (is_thin ? abs(facing) : max(facing, 0.0));

@@ -1,6 +1,6 @@
-// How maps are read.
+// The filters of maps.
 
-/// The mip level whose texels are as wide as a pixel, along the longer side of its footprint.
+/// Returns the mip level whose texels are as wide as the longer side of a pixel's footprint.
 float level_of(sampler2D map, vec2 right, vec2 up) {
     vec2 size = vec2(textureSize(map, 0));
     right *= size;
@@ -8,7 +8,7 @@ float level_of(sampler2D map, vec2 right, vec2 up) {
     return max(0.5 * log2(max(max(dot(right, right), dot(up, up)), 1e-20)), 0.0);
 }
 
-/// The mean of 32 x 32 places of a pixel's footprint, without mip levels.
+/// Returns the mean of 32 x 32 samples of level 0 over a pixel's footprint.
 vec4 by_samples(sampler2D map, vec2 uv, vec2 right, vec2 up) {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 1024; ++i)
@@ -17,8 +17,11 @@ vec4 by_samples(sampler2D map, vec2 uv, vec2 right, vec2 up) {
     return sum / 1024.0;
 }
 
-/// FILTER 0: the nearest texel; 1: mip levels as wide as the footprint is long; 2: up to TAPS places along the longer
-/// side of the footprint, from mip levels as wide as the shorter one; 3: 1024 samples.
+/// Reads a map by FILTER:
+///  0: the nearest texel of level 0
+///  1: trilinear; the mip level fits the longer side of the footprint
+///  2: anisotropic; up to TAPS samples along the longer side, whose mip level fits the shorter side
+///  3: 1024 samples
 vec4 filtered(sampler2D map, vec2 uv) {
     vec2 right = dFdx(uv), up = dFdy(uv);
 #if FILTER == 0

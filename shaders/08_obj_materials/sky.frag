@@ -1,5 +1,5 @@
 #version 410 core
-// The evening sky: its light by height and by the angle to the sun, and the trees at the end of the garden.
+// The sky at dusk or by day, with the trees at the end of the garden. Its light depends on height and the sun.
 
 #include "common/srgb.glsl"
 
@@ -13,7 +13,7 @@ uniform float u_day;  // 0 at dusk, 1 by day
 
 layout(location = 0) out vec4 o_color;
 
-/// How high the trees are in a direction, as the sine of the angle.
+/// Returns the height of the trees in a direction, as the sine of the angle.
 float trees(float angle) {
     return 0.020 + 0.010 * sin(5.0 * angle + 1.0) + 0.006 * sin(17.0 * angle) + 0.004 * sin(41.0 * angle + 2.0) +
            0.0025 * sin(113.0 * angle) + 0.0015 * sin(293.0 * angle);

@@ -1,5 +1,5 @@
 #version 410 core
-// A surface with what its material names, and nothing else.
+// A surface with the features that its material names.
 
 #include "08_obj_materials/features.glsl"
 #include "08_obj_materials/task.glsl"
@@ -31,21 +31,21 @@ uniform vec3 u_emission;
 uniform float u_opacity;
 uniform float u_bump;     // depth of the heights, in widths of the map
 uniform float u_threshold;
-uniform float u_scales[12];  // of the mask, by level
+uniform float u_scales[12];  // factors on the mask's alpha, by level
 uniform sampler2D s_colors;
 uniform sampler2D s_highlights;
 uniform sampler2D s_bumps;
 uniform sampler2D s_mask;
 uniform vec3 u_flat;      // the program's colour
-uniform float u_dim;      // where another surface is highlighted
-uniform float u_number;   // what a probe writes: the place in the order, or the number of the surface
+uniform float u_dim;      // below 1 if another surface is highlighted
+uniform float u_number;   // for probes: the place in the order, or the number of the surface
 
 layout(location = 0) out vec4 o_color;
 #ifdef WEIGHTED
 layout(location = 1) out vec4 o_passed;
 #endif
 
-/// In the tangent's space.
+/// Returns the normal in tangent space, not of unit length.
 vec3 bump() {
     if (HAS(NORMAL_MAP)) return 2.0 * texture(s_bumps, v_uv).xyz - 1.0;
     vec2 texel = 1.0 / vec2(textureSize(s_bumps, 0));
@@ -54,7 +54,7 @@ vec3 bump() {
     return vec3(-u_bump * rise / (2.0 * texel), 1.0);
 }
 
-/// On the side of the eye.
+/// Returns the unit normal on the side of the eye.
 vec3 normal_here(vec3 to_eye) {
     vec3 up = normalize(v_normal), normal = up;
     if (HAS(NORMAL_MAP) || HAS(HEIGHT_MAP)) {
@@ -64,7 +64,7 @@ vec3 normal_here(vec3 to_eye) {
     return dot(up, to_eye) < 0.0 ? -normal : normal;
 }
 
-/// How much of the pixel the mask leaves. Derivatives are taken before any pixel is discarded.
+/// Returns the share of the pixel that the mask covers. Call it before any discard: it takes derivatives.
 float mask_share() {
     vec2 right = dFdx(v_uv), up = dFdy(v_uv);
     float level = min(level_of(s_mask, right, up), 11.0);
@@ -93,7 +93,7 @@ void main() {
     vec3 to_eye = normalize(u_eye - v_place);
     float share = 1.0;
 #ifdef PLAIN_MASK
-    // Probes of the surface do not depend on how its edge is drawn.
+    // Probes of the surface are independent of the knob `alpha`.
     if (HAS(MASK_MAP) && textureLod(s_mask, v_uv, 0.0).r <= 0.5) discard;
 #else
     if (HAS(MASK_MAP)) share = mask_share();
@@ -113,7 +113,7 @@ void main() {
     o_color = vec4(0.0);
 #endif
 #elif defined MEASURE
-    // How far this filter is from 1024 samples, as a share of white.
+    // The error of this filter compared with 1024 samples, as a share of white.
     vec3 exact = by_samples(s_colors, v_uv, dFdx(v_uv), dFdy(v_uv)).rgb;
     vec3 off = abs(filtered(s_colors, v_uv).rgb - exact);
     o_color = measured(vec4((off.r + off.g + off.b) / 3.0, (exact.r + exact.g + exact.b) / 3.0, 0.0, 0.0));
@@ -143,7 +143,7 @@ void main() {
     o_passed = vec4(o_color.a);
     o_color *= weight;
 #endif
-    // What is not written yet: encode.frag finds it.
+    // A negative light marks unfinished tasks for encode.frag.
     if (is_unfinished) o_color = vec4(vec3(-1e6), 1.0);
 #endif
 #endif

@@ -1,5 +1,5 @@
 #version 410 core
-// A surface of an OBJ file, as it stands in the world.
+// A surface of an OBJ file, in world coordinates.
 
 #include "08_obj_materials/features.glsl"
 

@@ -1,4 +1,4 @@
-// What only the staff has of lab 08: see ../truth.h.
+// The staff's part of lab 08: see ../truth.h.
 #include "truth.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace relief::materials {
 namespace {
 
-/// A picture as GL's bilinear filter reads its level 0, in double precision.
+/// Level 0 of a picture, read by GL's bilinear filter in double precision.
 class ExactMap {
 public:
     ExactMap(const std::string& asset, bool is_color) : image_(read_asset(asset)) {
@@ -50,7 +50,7 @@ const ExactMap& exact_map(const std::string& asset, bool is_color) {
     return maps.try_emplace({asset, is_color}, asset, is_color).first->second;
 }
 
-/// What the course's pictures hold, whatever a student's kind_of() says.
+/// Returns the kind of a picture of the course, independent of a student's kind_of().
 MapKind true_kind(const std::string& asset) {
     if (asset.ends_with("_height.png")) return MapKind::heights;
     return asset.starts_with("bricks_normal") ? MapKind::normals : MapKind::neither;
@@ -73,7 +73,7 @@ struct Hit {
     double t;
     const Piece* piece;
     int index;
-    glm::dvec3 place, normal;  ///< of the mesh
+    glm::dvec3 place, normal;  ///< on the mesh, without bump maps
     glm::dvec4 tangent;
     glm::dvec2 uv;
 };
@@ -142,14 +142,15 @@ private:
         glm::dvec2 low(INFINITY), high(-INFINITY);
         for (const Vertex* corner : triangle.corners) {
             const glm::dvec4 clip = frame_.camera.clip_from_world() * glm::dvec4(corner->position, 1);
-            if (clip.w < 1e-3) return;  // behind the eye: anywhere
+            if (clip.w < 1e-3) return;  // partly behind the eye: it may cover any pixel
             const glm::dvec2 pixel = (glm::dvec2(clip.x, -clip.y) / clip.w * 0.5 + 0.5) * glm::dvec2(frame_.size);
             low = glm::min(low, pixel), high = glm::max(high, pixel);
         }
         triangle.low = low, triangle.high = high;
     }
 
-    /// Opaque by program and from near to far, then glass from far to near; ties by index.
+    /// Finds the rank of each piece in the order of task 8.2: opaque ones by program and from near to far, then glass
+    /// from far to near. Ties go by index.
     void order() {
         std::map<unsigned, int> program_of;
         std::vector<std::tuple<int, int, double, int>> keys;
@@ -192,7 +193,7 @@ private:
 
     glm::dvec2 mask_uv(const Hit& hit) const { return hit.piece->has(color_map) ? hit.uv : setting_.fence * hit.uv; }
 
-    /// All surfaces along the ray, the nearest first; masked ones where their formula has them.
+    /// Returns all surfaces along the ray, the nearest first. Masked surfaces count where their formula covers them.
     std::vector<Hit> hits_of(const std::vector<const Triangle*>& near, const Ray& ray) const {
         std::vector<Hit> hits;
         for (const Triangle* triangle : near)
@@ -201,7 +202,7 @@ private:
                 if (!hit->piece->has(mask_map) || is_covered(hit->piece->mask, mask_uv(*hit))) hits.push_back(*hit);
             }
         std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.t < b.t; });
-        // Two triangles of a quad meet at an edge: one place, not two layers.
+        // A ray through the common edge of two triangles hits both, but they are one layer.
         hits.erase(std::unique(hits.begin(), hits.end(),
                                [](const Hit& a, const Hit& b) { return a.index == b.index && b.t - a.t < 1e-9; }),
                    hits.end());
@@ -274,7 +275,7 @@ private:
                    std::exp(-6 * height);
     }
 
-    /// Each layer over those behind it.
+    /// Returns the light of all layers along a ray, each composited over the layers behind it.
     glm::dvec3 color(const std::vector<const Triangle*>& near, const Ray& ray) const {
         glm::dvec3 sum(0);
         double passed = 1;
