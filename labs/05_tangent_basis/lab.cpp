@@ -61,7 +61,8 @@ public:
 private:
     enum View { every, one };
     enum Show { half_and_half, light, error_map };
-    enum Method { per_face, uniform, area, angle, mikktspace, derivatives, analytic };
+    /// The last is no method: B of each face, for a probe.
+    enum Method { per_face, uniform, area, angle, mikktspace, derivatives, analytic, solved_bitangent };
     static constexpr std::array views = {"every", "one"};
     static constexpr std::array methods = {"per-face",   "uniform",     "area",    "angle",
                                            "mikktspace", "derivatives", "analytic"};
@@ -85,6 +86,8 @@ private:
         switch (method) {
             case per_face:
                 return basis::with_faces(mesh);
+            case solved_bitangent:
+                return basis::with_faces(mesh, basis::Axis::bitangent);
             case uniform:
                 return basis::with_means(mesh, basis::Weight::uniform);
             case area:
@@ -112,8 +115,10 @@ private:
                             : shape() == basis::Shape::box      ? "BOX"
                             : shape() == basis::Shape::mirrored ? "MIRRORED"
                                                                 : "";
-        const GpuMesh& mesh = mesh_of(method);
-        const Program& surface = surface_.with({frame.probe, method == derivatives ? "DERIVATIVES" : "", exact});
+        const bool shows_solved = method == per_face && frame.probe.name == "dp_dv";
+        const GpuMesh& mesh = mesh_of(shows_solved ? solved_bitangent : method);
+        const char* source = method == derivatives ? "DERIVATIVES" : shows_solved ? "SOLVED_BITANGENT" : "";
+        const Program& surface = surface_.with({frame.probe, source, exact});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_eye", frame.camera.eye());

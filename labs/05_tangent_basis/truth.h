@@ -7,8 +7,9 @@
 
 namespace relief::basis {
 
-/// dP/du or dP/dv (`bitangent`) of the surface at the u and v that the mesh has in each pixel; or, for `frame`, the
-/// length of a tangent, its cosine with the normal, and the handedness.
+/// dP/du (`tangent`) or dP/dv (`dp_dv`) of the surface at the u and v that the mesh has in each pixel; for `bitangent`,
+/// the direction across the normal and dP/du; for `frame`, the length of a tangent, its cosine with the normal, and the
+/// handedness.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const CoarseMesh& mesh, Shape shape,
                                       double shear)>
     truth;

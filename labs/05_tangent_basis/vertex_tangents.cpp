@@ -16,7 +16,7 @@ Triangle triangle_of(const Mesh& mesh, size_t first) {
 
 }  // namespace
 
-Mesh with_faces(const Mesh& mesh) {
+Mesh with_faces(const Mesh& mesh, Axis axis) {
     Mesh result;
     for (size_t first = 0; first < mesh.indices.size(); first += 3) {
         const Triangle triangle = triangle_of(mesh, first);
@@ -27,8 +27,9 @@ Mesh with_faces(const Mesh& mesh) {
             Vertex vertex = mesh.vertices[mesh.indices[first + i]];
             if (glm::length(up) > 0) vertex.normal = glm::normalize(up);
             // What lies in the triangle is perpendicular to its normal already.
+            const glm::dvec3& solved = axis == Axis::tangent ? face.tangent : face.bitangent;
             vertex.tangent = face.handedness == 0 ? glm::dvec4(any_perpendicular(vertex.normal), 1)
-                                                  : glm::dvec4(face.tangent, face.handedness);
+                                                  : glm::dvec4(solved, face.handedness);
             result.indices.push_back(uint32_t(result.vertices.size()));
             result.vertices.push_back(vertex);
         }

@@ -24,7 +24,7 @@ uniform sampler2D s_normals;
 layout(location = 0) out vec4 o_color;
 
 // A probe shows the task's result, and must not be able to call the exact solution.
-#if !defined PROBE_tangent && !defined PROBE_bitangent && !defined PROBE_frame
+#if !defined PROBE_tangent && !defined PROBE_bitangent && !defined PROBE_dp_dv && !defined PROBE_frame
 // dP/du of the surface that the mesh stands for.
 vec3 exact_tangent() {
 #if defined QUAD
@@ -58,7 +58,9 @@ void main() {
     vec3 bitangent = tangent.w * cross(normal, tangent.xyz);
 #if defined PROBE_tangent
     o_color = probed(vec4(tangent.xyz, 0.0));
-#elif defined PROBE_bitangent
+#elif defined SOLVED_BITANGENT
+    o_color = probed(vec4(tangent.xyz, 0.0));  // B of the triangle stands there
+#elif defined PROBE_bitangent || defined PROBE_dp_dv
     o_color = probed(vec4(bitangent, 0.0));
 #elif defined PROBE_frame
     o_color = probed(vec4(length(tangent.xyz), dot(normalize(tangent.xyz), normal), tangent.w, 0.0));

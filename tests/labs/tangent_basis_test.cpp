@@ -1,4 +1,6 @@
 // Lab 05: which method comes nearest to dP/du, and what is not drawn costs nothing.
+#include <cmath>
+
 #include "framework/gl/counters.h"
 #include "tests/labs/shots.h"
 
@@ -28,6 +30,16 @@ TEST(TangentBasis, AMirroredMeshIsAsGoodAsTheOther) {
     for (const char* method : {"uniform", "angle", "mikktspace"})
         EXPECT_NEAR(mean_error("mirrored", method, "bitangent"), mean_error("sphere", method, "bitangent"), 0.15)
             << method;
+}
+
+TEST(TangentBasis, BOfAFaceFollowsVWhereItIsShearedAndTheFrameDoesNot) {
+    const auto off = [](const char* method) {
+        return error_of("05", shot_of("05", {{"view", "one"}, {"shape", "quad"}, {"shear", "0.6"}, {"method", method}},
+                                      "dp_dv"))
+            .mean;
+    };
+    EXPECT_LT(off("per-face"), 0.01) << "single precision";
+    EXPECT_NEAR(off("angle"), glm::degrees(std::atan(0.6)), 0.01) << "across T, which is turned by the shear";
 }
 
 TEST(TangentBasis, LinesThatAreOffCostNoDrawNoProgramAndNoPixel) {

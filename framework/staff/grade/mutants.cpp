@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <regex>
 #include <set>
 #include <string_view>
 
@@ -107,12 +108,55 @@ bool has(const List& list, std::string_view word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }
 
+/// A part of a function's result that cannot be divided: `.origin.x`, `[1].z`, or nothing for the whole of a float.
+struct Leaf {
+    std::string path, type;
+};
+
+/// The parts of a result of this type. `structs` has the text that declares structs. Empty for other types.
+std::vector<Leaf> leaves_of(std::string type, const std::string& structs) {
+    if (type.starts_with("glm::")) type = type.substr(5);
+    if (has(std::array{"float", "double", "int", "bool"}, type)) return {{"", type}};
+    std::vector<Leaf> leaves;
+    static const std::regex vector("([di]?)vec([234])"), matrix("d?mat([234])(x([234]))?");
+    std::smatch match;
+    if (std::regex_match(type, match, vector)) {
+        const std::string part = match[1] == "i" ? "int" : match[1] == "d" ? "double" : "float";
+        for (int i = 0; i < match[2].str()[0] - '0'; ++i) leaves.push_back({std::string(".") + "xyzw"[i], part});
+        return leaves;
+    }
+    const auto add = [&](const std::string& path, const std::string& part) {
+        for (const Leaf& leaf : leaves_of(part, structs)) leaves.push_back({path + leaf.path, leaf.type});
+    };
+    if (std::regex_match(type, match, matrix)) {
+        const std::string column = "vec" + (match[3].matched ? match[3].str() : match[1].str());
+        for (int i = 0; i < match[1].str()[0] - '0'; ++i) add(fmt::format("[{}]", i), column);
+        return leaves;
+    }
+    const size_t declared = structs.find("struct " + type + " {");
+    if (declared == std::string::npos) return {};
+    const Tokens tokens(structs, structs.find('{', declared) + 1, structs.find("\n}", declared));
+    std::string part;  // the type of the fields that follow
+    for (size_t i = 0; i < tokens.size(); ++i) {
+        if (part.empty()) {
+            part = tokens.text(i);
+            while (tokens.is(i + 1, "::")) i += 2, part = tokens.text(i);
+            continue;
+        }
+        add("." + std::string(tokens.text(i)), part);
+        while (i + 1 < tokens.size() && !tokens.is(i, ",") && !tokens.is(i, ";")) ++i;
+        if (tokens.is(i, ";")) part.clear();
+    }
+    return leaves;
+}
+
 class Maker {
 public:
-    Maker(const std::string& text, const std::filesystem::path& file) : text_(text) {
+    Maker(const std::string& text, const std::filesystem::path& file, const std::string& header) : text_(text) {
         for (const auto& [begin, end] : solutions(text, file)) {
             const Tokens tokens(text, begin, end);
             for (size_t i = 0; i < tokens.size(); ++i) token(tokens, i);
+            outputs(begin, text + header);
         }
         std::stable_sort(made_.begin(), made_.end(), [](const Made& a, const Made& b) { return a.begin < b.begin; });
     }
@@ -161,12 +205,55 @@ private:
     }
 
     void add(const char* rule, size_t begin, size_t end, const std::string& now) {
-        Mutant mutant{task_at(begin),
-                      rule,
-                      1 + int(std::count(text_.begin(), text_.begin() + long(begin), '\n')),
-                      on_one_line(std::string_view(text_).substr(begin, end - begin)),
-                      on_one_line(now),
-                      text_.substr(0, begin) + now + text_.substr(end)};
+        keep(begin,
+             {task_at(begin), rule, line_at(begin), on_one_line(std::string_view(text_).substr(begin, end - begin)),
+              on_one_line(now), text_.substr(0, begin) + now + text_.substr(end)});
+    }
+
+    /// Each part of the result of the function with this solution, by 0, by 1 and by the part after it. The function
+    /// gets another name, and one that calls it takes its place.
+    void outputs(size_t solution, const std::string& structs) {
+        static const std::regex signature(R"(^([\w:]+) (\w+)\(([^{}()]*)\) \{\s*(//[^\n]*\s*)*$)");
+        const size_t body = text_.rfind(") {\n", solution);
+        if (body == std::string::npos) return;
+        const size_t begin = text_.rfind('\n', text_.rfind('(', body)) + 1, end = text_.find("\n}", solution);
+        const std::string head = text_.substr(begin, text_.rfind('\n', solution) - begin);
+        std::smatch match;
+        if (end == std::string::npos || !std::regex_match(head, match, signature)) return;
+        const std::string type = match[1], name = match[2], arguments = match[3];
+        const Tokens tokens(arguments, 0, arguments.size());
+        std::string names;
+        for (size_t i = 1; i < tokens.size(); ++i)
+            if (tokens[i].kind == Token::name &&
+                (i + 1 == tokens.size() || tokens.is(i + 1, ",") || tokens.is(i + 1, "[")))
+                names += (names.empty() ? "" : ", ") + std::string(tokens.text(i));
+        const std::vector<Leaf> leaves = leaves_of(type, structs);
+        for (size_t i = 0; i < leaves.size(); ++i) {
+            const auto& [path, part] = leaves[i];
+            std::set<std::string> values = {"0.0", "1.0"};
+            if (part == "int") values = {"0", "1"};
+            if (part == "bool") values = {"false", "true"};
+            size_t next = i;
+            do next = (next + 1) % leaves.size();
+            while (leaves[next].type != part);
+            if (next != i) values.insert("result" + leaves[next].path);
+            for (const std::string& value : values) {
+                const std::string call = fmt::format("{}_({})", name, names);
+                std::string text = text_;
+                text.insert(
+                    end + 2,
+                    fmt::format(
+                        "\n{0} {1}({2}) {{\n    {0} result = {3};\n    result{4} = {5};\n    return result;\n}}", type,
+                        name, arguments, call, path, value));
+                text.insert(begin + type.size() + 1 + name.size(), "_");
+                keep(begin, {task_at(begin), "output", line_at(begin), name + "()" + path, value, std::move(text)});
+            }
+        }
+    }
+
+    int line_at(size_t place) const { return 1 + int(std::count(text_.begin(), text_.begin() + long(place), '\n')); }
+
+    void keep(size_t begin, Mutant mutant) {
         if (mutant.text != text_ && seen_.insert(mutant.text).second) made_.push_back({begin, std::move(mutant)});
     }
 
@@ -301,8 +388,8 @@ private:
 
 }  // namespace
 
-std::vector<Mutant> mutants_of(const std::string& text, const std::filesystem::path& file) {
-    return Maker(text, file).take();
+std::vector<Mutant> mutants_of(const std::string& text, const std::filesystem::path& file, const std::string& header) {
+    return Maker(text, file, header).take();
 }
 
 }  // namespace relief

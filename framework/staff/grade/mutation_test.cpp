@@ -8,8 +8,10 @@
 #include <mutex>
 #include <random>
 
+#include "framework/base/file.h"
 #include "framework/base/log.h"
 #include "framework/base/parallel.h"
+#include "framework/base/paths.h"
 #include "framework/base/sha256.h"
 #include "framework/base/text.h"
 #include "framework/image/visualize.h"
@@ -86,6 +88,12 @@ std::vector<Shot> views_of(const LabEntry& entry, const Manifest& manifest, cons
     return shots;
 }
 
+/// Of a task in C++: `task.h` beside it.
+std::string header_of(const std::string& file) {
+    const std::filesystem::path header = (course_root() / file).replace_extension(".h");
+    return std::filesystem::exists(header) ? read_file(header) : "";
+}
+
 class Tester {
 public:
     Tester(const LabEntry& lab, const Stage& stage, const GradeSetup& setup, MutationOptions options)
@@ -102,7 +110,7 @@ public:
         const auto begin = std::chrono::steady_clock::now();
         MutationTest test;
         for (const auto& [file, text] : solution_)
-            for (Mutant& mutant : mutants_of(text, file)) {
+            for (Mutant& mutant : mutants_of(text, file, header_of(file))) {
                 files_.push_back(file);
                 test.results.push_back({std::move(mutant)});
             }

@@ -38,7 +38,10 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
         const Place place = place_on(shape, *seen, shear);
         glm::dvec3 value(place.tangent);
         // dP/dv of a surface of revolution is perpendicular to dP/du; a sheared quad's is not, but its frame is.
-        if (probe.name == "bitangent") value = place.tangent.w * glm::cross(place.normal, value);
+        if (probe.name == "dp_dv" && shape == Shape::quad)
+            value = {0, 1, 0};
+        else if (probe.name == "bitangent" || probe.name == "dp_dv")
+            value = place.tangent.w * glm::cross(place.normal, value);
         if (probe.name == "frame") value = {1, 0, place.tangent.w};
         return glm::dvec4(value, 0);
     });

@@ -16,6 +16,7 @@ const std::string tail = "\n    //]starter\n    //| return 1.0 - x;\n    //]\n}\
 std::set<std::string> changes(const std::string& statement) {
     std::set<std::string> all;
     for (const Mutant& mutant : mutants_of(head + statement + tail, "task.glsl")) {
+        if (mutant.rule == "output") continue;
         EXPECT_EQ(mutant.task, "1.1");
         EXPECT_EQ(mutant.line, 4);
         EXPECT_TRUE(mutant.text.starts_with(head) && mutant.text.ends_with(tail)) << mutant.text;
@@ -42,6 +43,48 @@ TEST(Mutants, ComeByRule) {
     EXPECT_EQ(changes("x *= y;"), (Changes{"x *= y; -> ;", "*= -> /="}));
     EXPECT_EQ(changes("float y = x;"), Changes{}) << "a declaration stays";
     EXPECT_EQ(changes("return x;  // a + b"), Changes{}) << "words of a comment stay";
+}
+
+/// "part: values" of each output of a function that is in the text.
+std::set<std::string> outputs(const std::string& text, const std::string& header = {}) {
+    std::set<std::string> all;
+    for (const Mutant& mutant : mutants_of(text, "task.glsl", header))
+        if (mutant.rule == "output") all.insert(mutant.was + " -> " + mutant.now);
+    return all;
+}
+std::string function(const std::string& signature) {
+    return "// TASK 1.1: x\n" + signature + " {\n    // TASK 1.2\n    //[solution\n    return x;\n    //]\n}\n";
+}
+
+TEST(Mutants, ReplaceEachPartOfAResultByZeroOneAndThePartAfterIt) {
+    EXPECT_EQ(outputs(function("float f(float x)")), (Changes{"f() -> 0.0", "f() -> 1.0"}));
+    EXPECT_EQ(outputs(function("bool f()")), (Changes{"f() -> false", "f() -> true"}));
+    EXPECT_EQ(outputs(function("glm::dvec2 f(const glm::dvec2& x)")),
+              (Changes{"f().x -> 0.0", "f().x -> 1.0", "f().x -> result.y", "f().y -> 0.0", "f().y -> 1.0",
+                       "f().y -> result.x"}));
+    EXPECT_EQ(outputs(function("mat2x4 f()")).size(), 3u * 8);
+    EXPECT_EQ(outputs(function("ivec3 f()")).size(), 3u * 3);
+    EXPECT_EQ(outputs(function("Ray f()"), "struct Ray {\n    vec3 a, b;  // c, d\n    float e = 0;\n};").size(),
+              3u * 7);
+    EXPECT_EQ(outputs(function("glm::Box f()"), "struct Box {\n    glm::dvec3 a{0}, b{0};\n    int e = 0;\n};").size(),
+              3u * 6 + 2)
+        << "the only whole number has no other part of its type";
+    EXPECT_EQ(outputs(function("void f(int x)")), Changes{});
+    EXPECT_EQ(outputs("//[solution\nconst float x = 1.5;\n//]\n"), Changes{}) << "no function";
+}
+
+TEST(Mutants, CallTheSolutionByAnotherNameWhereTheyReplaceAnOutput) {
+    const std::string text =
+        "// TASK 1.1\n//(region\nvec2 f(vec2 x, float y[9],\n       int z) {\n    //[solution\n    return x;\n    "
+        "//]\n}\n//)\n";
+    const std::vector<Mutant> mutants = mutants_of(text, "task.glsl");
+    ASSERT_EQ(mutants.size(), 6u);
+    EXPECT_EQ(mutants[0].line, 3);
+    EXPECT_EQ(mutants[0].text,
+              "// TASK 1.1\n//(region\nvec2 f_(vec2 x, float y[9],\n       int z) {\n    //[solution\n    return x;\n  "
+              "  //]\n}\n"
+              "vec2 f(vec2 x, float y[9],\n       int z) {\n    vec2 result = f_(x, y, z);\n    result.x = 0.0;\n"
+              "    return result;\n}\n//)\n");
 }
 
 TEST(Mutants, BelongToTheTaskThatTheFileNamesLast) {
