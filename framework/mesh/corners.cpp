@@ -13,7 +13,7 @@
 namespace relief {
 namespace {
 
-/// What makes a vertex the same as another, as bits.
+/// The bits of a vertex that are compared.
 using Key = std::array<uint32_t, 8>;
 
 Key key_of(const Vertex& vertex) {
@@ -27,7 +27,7 @@ Key key_of(const Vertex& vertex) {
 uint64_t hash_of(const Key& key) {
     uint64_t words[4], hash = 0;
     std::memcpy(words, key.data(), sizeof words);
-    // Each word is mixed into the upper bits, which the multiplication fills best, and these are brought down again.
+    // Multiplication mixes each word into the upper bits most, so the shift brings these down again.
     for (const uint64_t word : words) {
         hash = (hash ^ word) * 0x9e3779b97f4a7c15;
         hash ^= hash >> 32;
@@ -49,7 +49,7 @@ void check_indices(const Mesh& mesh) {
 Buffer<uint32_t> welded_vertices(const Mesh& mesh) {
     const size_t count = mesh.vertices.size();
     const size_t slots = std::bit_ceil(count + count / 2 + 1);
-    // Of each slot the vertex, and half of its hash: so a vertex that only shares the slot is not read.
+    // The upper half of the hash avoids reading vertices that only share the slot.
     struct Slot {
         uint32_t vertex, hash;
     };
@@ -57,7 +57,7 @@ Buffer<uint32_t> welded_vertices(const Mesh& mesh) {
     Buffer<Slot> table(slots);
     Buffer<uint32_t> first(count);
     std::fill(table.begin(), table.end(), Slot{empty, empty});
-    // The keys of a few vertices ahead, so that their slots are on the way while this one is looked at.
+    // Compute the keys of a few vertices ahead, so that their slots are prefetched.
     constexpr size_t ahead = 8;
     std::array<Key, ahead> keys;
     std::array<uint64_t, ahead> hashes;
@@ -86,7 +86,7 @@ Buffer<uint32_t> welded_vertices(const Mesh& mesh) {
 CornerLists::CornerLists(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, unsigned threads)
     : begins_(mesh.vertices.size() + 1), corners_(mesh.indices.size()) {
     std::fill(begins_.begin(), begins_.end(), 0u);
-    // Each thread reads all corners and takes those at its own vertices.
+    // Each thread reads all corners and keeps the ones at its own vertices.
     const auto vertices_in_pieces = [&](const auto& work) {
         parallel_pieces(mesh.vertices.size(), 1 << 16, threads, work);
     };

@@ -1,4 +1,4 @@
-// Which corners of a mesh meet where.
+// Which corners of a mesh coincide.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace relief {
 
-/// Throws Error when an index has no vertex, or the last triangle is not whole.
+/// Throws Error when an index has no vertex, or the number of indices is not a multiple of 3.
 void check_indices(const Mesh& mesh);
 
-/// For each vertex the first one that has the same position, normal and uv (0 and -0 are the same, and so are NaNs of
-/// the same bits).
+/// Returns for each vertex the first one with the same position, normal and uv. 0 equals -0, and a NaN equals a NaN of
+/// the same bits. Tangents are ignored.
 Buffer<uint32_t> welded_vertices(const Mesh& mesh);
 
 /// The corners (indices into mesh.indices) at each vertex, in rising order.
 class CornerLists {
 public:
-    /// `vertex_of[i]` is the vertex that vertex i counts as.
+    /// `vertex_of[i]` is the vertex that stands for vertex i, for example from welded_vertices().
     CornerLists(const Mesh& mesh, const Buffer<uint32_t>& vertex_of, unsigned threads);
 
     std::span<const uint32_t> at(size_t vertex) const {

@@ -7,8 +7,8 @@
 
 namespace relief {
 
-/// `normal` and `tangent.xyz` are unit and perpendicular; bitangent = tangent.w * cross(normal, tangent.xyz),
-/// with tangent.w = 1 or, where the uv are mirrored, -1.
+/// `normal` and `tangent.xyz` are perpendicular unit vectors. bitangent = tangent.w * cross(normal, tangent.xyz), where
+/// tangent.w is 1, or -1 where the uv are mirrored.
 struct Vertex {
     glm::vec3 position;
     glm::vec3 normal;
@@ -16,7 +16,7 @@ struct Vertex {
     glm::vec2 uv;
 };
 
-/// Three indices a triangle, counter-clockwise seen from outside.
+/// Three indices per triangle, counter-clockwise seen from outside.
 struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;

@@ -35,7 +35,8 @@ Vertex vertex_at(const obj::Faces& faces, const obj::Corner& corner) {
             .uv = corner.uv < 0 ? glm::vec2(0) : faces.uvs[size_t(corner.uv)]};
 }
 
-/// For each material that a face names, its index in `materials`; the first of a name counts.
+/// Returns for each material name of the faces its index in `materials`, or -1. The first of several equal names
+/// counts.
 std::vector<int> resolve(const std::vector<obj::Named>& names, const std::vector<Material>& materials,
                          const fs::path& file, obj::Notes& notes) {
     std::map<std::string_view, int> indices;
@@ -90,11 +91,11 @@ void make_right_handed(obj::Faces& faces) {
         std::reverse(faces.corners.begin() + face.first, faces.corners.begin() + face.first + face.count);
 }
 
-/// `materials_of` gives the materials of the libraries that the faces name.
+/// `materials_of` returns the materials of the libraries that the faces name.
 template <class Materials>
 ObjModel read_model(std::string_view text, const fs::path& file, const ObjLimits& limits, const ObjOptions& options,
                     Materials materials_of) {
-    const size_t most_bytes = std::min(limits.bytes, size_t{1} << 31);  // so that an int counts whatever is in it
+    const size_t most_bytes = std::min(limits.bytes, size_t{1} << 31);  // so that an int can count everything in it
     if (text.size() > most_bytes)
         throw Error({file}, fmt::format("{} bytes, the limit is {}", text.size(), most_bytes));
     obj::Notes notes;
@@ -114,7 +115,7 @@ ObjModel read_model(std::string_view text, const fs::path& file, const ObjLimits
     return model;
 }
 
-/// The files that a `mtllib` names: several with blanks between them, or one with blanks in its name.
+/// Returns the files that a `mtllib` names: several separated by blanks, or one with blanks in its name.
 std::vector<fs::path> library_files(std::string slashed, const fs::path& folder) {
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     std::error_code ignored;

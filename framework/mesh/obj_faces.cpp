@@ -1,8 +1,8 @@
 // Faces of an OBJ text, read by tinyobjloader.
 //
-// It reads what it can and keeps silent about the rest: "v 1 x 3" is (1, 0, 3) to it, and an index that is not there is
-// left to its caller. So it is shown one statement after another, each checked before; what it makes of a statement
-// arrives in a callback, while the line is still known.
+// tinyobjloader skips errors silently: it reads "v 1 x 3" as (1, 0, 3), and does not check that an index exists. So it
+// gets one statement at a time, checked beforehand. Its callbacks handle the result while the line number is still
+// known.
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int most_corners_of_a_face = 1024;
 
-/// "7", "7/2", "7//3" or "7/2/3": whole numbers that an int holds, the first of them not empty.
+/// Accepts "7", "7/2", "7//3" or "7/2/3": integers other than 0 that fit into an int. The first must not be empty.
 bool is_corner(std::string_view word) {
     for (int part = 0; part < 3; ++part) {
         const size_t length = std::min(word.find('/'), word.size());
@@ -35,7 +35,7 @@ bool is_corner(std::string_view word) {
     return false;
 }
 
-/// The stream that tinyobjloader reads, and the state that grows with it.
+/// The stream that tinyobjloader reads, and the state that its callbacks fill.
 class Reader : public std::streambuf {
 public:
     Reader(std::string_view text, const std::filesystem::path& file, const ObjLimits& limits, Notes& notes)
@@ -59,7 +59,7 @@ public:
             static_cast<Reader*>(reader)->add_face({corners, size_t(count)});
         };
         std::istream stream(this);
-        stream.exceptions(std::ios::badbit);  // an Error out of underflow() goes through
+        stream.exceptions(std::ios::badbit);  // lets an Error of underflow() propagate
         tinyobj::LoadObjWithCallback(stream, callbacks, this);
         if (faces_.faces.empty()) throw Error({statements_.file()}, "has no faces");
         check_indices();
@@ -114,7 +114,7 @@ private:
                                 excerpt(word)));
             if (++count > most_corners_of_a_face)
                 statements_.fail(fmt::format("a face of more than {} corners", most_corners_of_a_face));
-            // After "7/" tinyobjloader would take the next corner for the uv.
+            // Drop slashes at the end: after "7/", tinyobjloader would read the next corner as the uv.
             shown_.append(" ").append(word.substr(0, word.find_last_not_of('/') + 1));
         }
         if (count < 3) statements_.fail(fmt::format("a face of {} corners; it takes 3 at least", count));
@@ -145,7 +145,7 @@ private:
         return found->second;
     }
 
-    /// 0e999 is a number, but not to tinyobjloader.
+    /// Rejects valid numbers that tinyobjloader reads as non-finite, such as 0e999.
     glm::vec3 finite(const glm::vec3& value) const {
         if (!std::isfinite(value.x) || !std::isfinite(value.y) || !std::isfinite(value.z))
             statements_.fail("a number has an exponent out of range");
@@ -166,7 +166,8 @@ private:
                                       .normal = resolve(corner.normal_index, faces_.normals.size(), "vn")});
     }
 
-    /// 1 is the first of all, -1 the last so far; 0 stands for none.
+    /// Returns the zero-based index, or -1 for none. In the file, 1 is the first, -1 the latest so far, and 0 means
+    /// none.
     int32_t resolve(int index, size_t count, const char* kind) const {
         if (index >= 0) return index - 1;
         if (size_t(-int64_t(index)) > count)
@@ -174,7 +175,7 @@ private:
         return int32_t(int64_t(count) + index);
     }
 
-    /// A face may name what comes later, so only now all is known.
+    /// Checks upper bounds at the end, because a face may refer to later statements.
     void check_indices() const {
         const auto check = [&](const Face& face, int32_t index, size_t count, const char* kind) {
             if (index >= 0 && size_t(index) >= count)

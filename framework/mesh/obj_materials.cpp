@@ -1,7 +1,7 @@
 // Materials of an MTL text, read by tinyobjloader.
 //
-// It sees only what this course has a use for, a checked line at a time, and made to fit: it takes three numbers after
-// -o, -s and -t, where the format allows one or two, and would swallow the map's name.
+// tinyobjloader gets only the statements that this course needs, checked and normalised one line at a time. It expects
+// three numbers after -o, -s and -t, where the format also allows one or two, and would swallow the map's name.
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
@@ -18,8 +18,8 @@ namespace {
 
 constexpr size_t most_materials = 4096;
 
-/// Takes options off the front, and returns them with all their numbers. `is_end`: no name follows them, and where one
-/// lacks its arguments nothing is an option.
+/// Takes options off the front, and returns them with all their numbers. `is_end` means that no name follows; then the
+/// result is empty if an option lacks its arguments.
 std::string take_options(std::string_view& rest, bool is_end) {
     static const std::map<std::string_view, int> arguments_of = {
         {"-blendu", 1},  {"-blendv", 1}, {"-boost", 1},      {"-clamp", 1}, {"-bm", 1}, {"-texres", 1}, {"-type", 1},
@@ -45,8 +45,8 @@ std::string take_options(std::string_view& rest, bool is_end) {
     return whole;
 }
 
-/// The options of a map with all their numbers, whether they stand before its name or after it, and its name without
-/// quotes. All may be empty.
+/// Returns the options of a map with all their numbers, from before and after its name, and then its name without
+/// quotes. Each of these may be empty.
 std::string with_whole_options(std::string_view rest) {
     std::string whole = take_options(rest, false);
     std::string_view name = trimmed(rest), end;
@@ -54,7 +54,7 @@ std::string with_whole_options(std::string_view rest) {
         end = name.substr(quote + 1), name = name.substr(1, quote - 1);
         return take_options(end, true) + whole.append(name);
     }
-    // A word like an option may be a part of the name: it is one if nothing but options follows.
+    // A word like an option may be part of the name. It is an option only if nothing but options follows it.
     for (size_t dash = name.find(" -"); dash != std::string_view::npos; dash = name.find(" -", dash + 1)) {
         end = name.substr(dash + 1);
         std::string options = take_options(end, true);
@@ -63,7 +63,7 @@ std::string with_whole_options(std::string_view rest) {
     return whole.append(name);
 }
 
-/// What tinyobjloader is to see of a statement; empty where that is nothing.
+/// Returns the line of a statement for tinyobjloader, or an empty string to skip it.
 std::string checked(const Statements& statement, Notes& notes) {
     static const std::set<std::string_view> maps = {"map_Ka",   "map_Kd",   "map_Ks",  "map_Ke", "map_Ns",
                                                     "map_d",    "norm",     "bump",    "disp",   "map_bump",
@@ -95,8 +95,8 @@ glm::vec3 color(const float (&rgb)[3], float otherwise) {
     return {finite_or(rgb[0], otherwise), finite_or(rgb[1], otherwise), finite_or(rgb[2], otherwise)};
 }
 
-/// As this system opens it: files that were written elsewhere have backslashes, and drives, where the file is looked
-/// for beside the model.
+/// Returns a map's path for this system. Backslashes become slashes. A path with a drive letter loses its folders, so
+/// that the file is looked for beside the model.
 std::filesystem::path map_path(std::string name, const std::filesystem::path& folder) {
     std::replace(name.begin(), name.end(), '\\', '/');
     if (name.size() > 2 && name[1] == ':' && name[2] == '/') name.erase(0, name.rfind('/') + 1);
@@ -116,8 +116,8 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
             if (statements.keyword() == "newmtl") {
                 if (statements.rest().empty()) statements.fail("a material without a name; the rest is not read");
                 if (names.size() == most_materials) statements.fail("too many materials; the rest is not read");
-                // Under a number, because newer releases of tinyobjloader end a name at its first blank. And with a
-                // diffuse colour, because its default depends on the materials before.
+                // The number replaces the name, because newer releases of tinyobjloader end a name at its first blank.
+                // The diffuse colour is set, because its default depends on the previous materials.
                 shown += fmt::format("newmtl {}\nKd 1 1 1\n", names.size());
                 names.emplace_back(statements.rest());
                 lines.push_back(statements.line());
@@ -135,7 +135,7 @@ std::vector<Material> read_materials(std::string_view text, const std::filesyste
 
     std::vector<Material> materials;
     for (const tinyobj::material_t& material : read) {
-        if (material.name.empty()) continue;  // there is always one more
+        if (material.name.empty()) continue;  // tinyobjloader adds one without a name
         materials.push_back({.name = names[materials.size()],
                              .diffuse = color(material.diffuse, 1),
                              .specular = color(material.specular, 0),

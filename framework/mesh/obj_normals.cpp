@@ -1,4 +1,4 @@
-// Normals for the corners of an OBJ model that has none there.
+// Computes normals for the corners of an OBJ model that have none.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 struct PositionHash {
     size_t operator()(const std::array<float, 3>& position) const {
         uint64_t hash = 0;
-        for (const float x : position) hash = mix(hash ^ std::bit_cast<uint32_t>(x + 0.0f));  // -0 is 0
+        for (const float x : position) hash = mix(hash ^ std::bit_cast<uint32_t>(x + 0.0f));  // -0 becomes 0
         return hash;
     }
 };
@@ -23,7 +23,7 @@ struct Mix {
     size_t operator()(uint64_t key) const { return mix(key); }
 };
 
-/// For each position the first that is equal: a model whose uv seams repeat positions is smooth across them.
+/// Returns for each position the first equal one, so that normals are smooth across uv seams with repeated positions.
 std::vector<uint32_t> welded(const std::vector<glm::vec3>& positions) {
     std::unordered_map<std::array<float, 3>, uint32_t, PositionHash> first;
     std::vector<uint32_t> result;
@@ -33,7 +33,7 @@ std::vector<uint32_t> welded(const std::vector<glm::vec3>& positions) {
     return result;
 }
 
-/// The angle inside of the polygon at a corner, in [0, 2 pi).
+/// Returns the interior angle of the polygon at a corner, in [0, 2 pi).
 double angle_at(const glm::dvec3& before, const glm::dvec3& at, const glm::dvec3& after, const glm::dvec3& normal) {
     const glm::dvec3 to_after = after - at, to_before = before - at, across = glm::cross(to_after, to_before);
     const double angle = std::atan2(glm::length(across), glm::dot(to_after, to_before));
@@ -45,7 +45,7 @@ glm::dvec3 unit_or(const glm::dvec3& vector, const glm::dvec3& otherwise) {
     return length > 0 ? vector / length : otherwise;
 }
 
-/// The sum of the weighted normals of faces, and of their weights.
+/// Sums over faces: weighted normals, and weights.
 struct Sum {
     glm::dvec3 normal{0};
     double weight = 0;
@@ -88,7 +88,7 @@ void add_missing_normals(Faces& faces) {
             Corner& corner = faces.corners[i];
             if (corner.normal >= 0) continue;
             Sum* sum = face.smoothing == 0 ? nullptr : &sums[key(face, corner)];
-            // What two opposite faces leave of each other is rounding.
+            // The normals of opposite faces cancel out except for rounding.
             if (sum && glm::length(sum->normal) > 1e-6 * sum->weight) {
                 if (sum->index < 0) sum->index = add(glm::normalize(sum->normal));
                 corner.normal = sum->index;

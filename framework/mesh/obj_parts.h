@@ -1,4 +1,4 @@
-// The parts that obj.cpp puts together: statements of a text, the faces of an OBJ text, the materials of an MTL text.
+// The parts of the OBJ reader: statements of a text, the faces of an OBJ text, the materials of an MTL text.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace relief::obj {
 
-/// Keeps the first 20: junk has a note for every line.
+/// Keeps the first 20 notes, because a file of junk would give one per line.
 class Notes {
 public:
     void add(const Error& error);
@@ -23,9 +23,9 @@ private:
     std::vector<std::string> lines_;
 };
 
-/// Reads a text statement by statement: a keyword, and the rest of its line without blanks around it. Lines end in LF,
-/// CR LF or CR, and go on in the next one after a backslash. Comments and empty lines are passed over. Throws Error at
-/// a byte 0, which no text has.
+/// Reads a text statement by statement: a keyword, and the rest of its line without surrounding blanks. Lines end in
+/// LF, CR LF or CR. A backslash at the end continues a line in the next one. Comments and empty lines are skipped.
+/// Throws Error at a zero byte, which no text contains.
 class Statements {
 public:
     Statements(std::string_view text, std::filesystem::path file) : text_(text), file_(std::move(file)) {}
@@ -47,31 +47,31 @@ private:
     std::string_view keyword_, rest_;
 };
 
-/// Takes the next word off the front, up to a blank; empty at the end and before a comment.
+/// Takes the next word off the front, up to a blank. Returns an empty word at the end or before a comment.
 std::string_view take_word(std::string_view& rest);
-/// As take_word(), but a '#' is a part of a word.
+/// As take_word(), but '#' does not begin a comment.
 std::string_view take_name(std::string_view& rest);
 std::string_view trimmed(std::string_view text);
-/// A decimal number that a float can hold.
+/// Returns whether a word is a finite decimal number in the range of a float.
 bool is_number(std::string_view word);
-/// As it can stand in a message: short, and without control characters.
+/// Returns a word as it may appear in a message: short, and without control characters.
 std::string excerpt(std::string_view word);
 
 struct Corner {
-    int32_t position, uv, normal;  ///< from 0; uv and normal are -1 where there is none
+    int32_t position, uv, normal;  ///< from 0; uv and normal are -1 if missing
     bool operator==(const Corner&) const = default;
 };
 
 struct Face {
-    uint32_t first = 0, count = 0;  ///< its corners in Faces::corners
+    uint32_t first = 0, count = 0;  ///< range in Faces::corners
     uint32_t smoothing = 0;         ///< 0: off
     int32_t material = -1;          ///< an index into Faces::materials
     int32_t line = 0;
 };
 
-constexpr uint32_t smooth_by_default = 0xffffffff;  ///< Face::smoothing while no `s` has come
+constexpr uint32_t smooth_by_default = 0xffffffff;  ///< Face::smoothing before the first `s`
 
-/// A name, and the line on which it comes first.
+/// A name, and the line of its first use.
 struct Named {
     std::string name;
     int line;
@@ -80,19 +80,19 @@ struct Named {
 struct Faces {
     std::vector<glm::vec3> positions, normals;
     std::vector<glm::vec2> uvs;
-    std::vector<Corner> corners;  ///< all indices are in range
+    std::vector<Corner> corners;  ///< with indices in range
     std::vector<Face> faces;
     std::vector<Named> materials, libraries;
 };
 
-/// Throws as read_obj() does.
+/// Reads the faces of an OBJ text. Throws as read_obj() does.
 Faces read_faces(std::string_view text, const std::filesystem::path& file, const ObjLimits& limits, Notes& notes);
 
-/// `folder` is put in front of relative maps.
+/// Reads the materials of an MTL text. `folder` is put in front of the paths of maps.
 std::vector<Material> read_materials(std::string_view text, const std::filesystem::path& file,
                                      const std::filesystem::path& folder, Notes& notes);
 
-/// Gives a normal to every corner that has none.
+/// Computes a normal for every corner without one.
 void add_missing_normals(Faces& faces);
 
 /// Spreads the bits of a key over a hash (the finaliser of SplitMix64, Steele et al. 2014).

@@ -15,7 +15,8 @@
 namespace relief {
 namespace {
 
-/// So that a sphere's pole is one place, and 0 and -0 are: what is nothing beside the mesh's extent becomes 0.
+/// Rounds coordinates that are negligible against the mesh's extent to 0. So a sphere's pole is one place, and -0
+/// equals 0.
 Mesh snapped(Mesh mesh) {
     double extent = 0;
     for (const Vertex& vertex : mesh.vertices)
@@ -27,8 +28,8 @@ Mesh snapped(Mesh mesh) {
     return mesh;
 }
 
-/// Convex seen along the mean normal of the two triangles that it is along its diagonal from 1 to 3, which are folded
-/// by no more than 60 degrees. A triangle without area fits any other.
+/// Returns whether a quad is convex, seen along the mean normal of the two triangles at its diagonal from corner 1 to
+/// 3. They may be folded by at most 60 degrees. A triangle without area fits any other.
 bool is_convex(const std::array<glm::dvec3, 4>& quad) {
     std::array<glm::dvec3, 4> sides;
     double size = 0;
@@ -44,14 +45,16 @@ bool is_convex(const std::array<glm::dvec3, 4>& quad) {
     return true;
 }
 
-/// Two corners in one place: nothing to see, but displaced by what lies between their uv it would be a fin.
+/// Returns whether two corners coincide. Such a triangle is invisible, but would become a fin if the heights between
+/// the uv of these corners displaced it.
 bool is_slit(const Mesh& mesh, const uint32_t* triangle) {
     const glm::vec3 &a = mesh.vertices[triangle[0]].position, &b = mesh.vertices[triangle[1]].position,
                     &c = mesh.vertices[triangle[2]].position;
     return a == b || b == c || c == a;
 }
 
-/// The quad that two triangles are, from the first corner of the first. Vertex i counts as vertex same[i].
+/// Returns the quad of two triangles, from the first corner of the first on, or nothing. Vertex i counts as vertex
+/// same[i].
 std::optional<std::array<uint32_t, 4>> joined(const Mesh& mesh, const Buffer<uint32_t>& same,
                                               const uint32_t* triangles) {
     const std::array<uint32_t, 3> one = {triangles[0], triangles[1], triangles[2]};
@@ -65,14 +68,15 @@ std::optional<std::array<uint32_t, 4>> joined(const Mesh& mesh, const Buffer<uin
             std::array<glm::dvec3, 4> positions;
             for (size_t m = 0; m < 4; ++m) positions[m] = mesh.vertices[quad[m]].position;
             if (!is_convex(positions)) continue;
-            // It has begun opposite the shared edge.
+            // The quad starts opposite the shared edge.
             std::rotate(quad.begin(), quad.begin() + (i == 0 ? 1 : i == 1 ? 0 : 3), quad.end());
             return quad;
         }
     return {};
 }
 
-/// Four indices for each two triangles in a row; nothing where two do not make a quad.
+/// Returns four indices per pair of consecutive triangles, or nothing if a pair does not form a quad. Drops degenerate
+/// quads.
 std::optional<std::vector<uint32_t>> paired(const Mesh& mesh) {
     if (mesh.indices.size() % 6 != 0) return {};
     const Buffer<uint32_t> same = welded_vertices(mesh);
@@ -87,7 +91,7 @@ std::optional<std::vector<uint32_t>> paired(const Mesh& mesh) {
     return quads;
 }
 
-/// Of two vertices it is the same to the bit in either order: sums of two commute.
+/// Returns the mean of vertices. For two vertices, the order does not change the bits, because a sum of two commutes.
 Vertex middle(std::initializer_list<const Vertex*> vertices) {
     glm::dvec3 position(0), normal(0), tangent(0);
     glm::dvec2 uv(0);
@@ -109,7 +113,7 @@ Vertex middle(std::initializer_list<const Vertex*> vertices) {
             .uv = uv / count};
 }
 
-/// Each triangle as three quads, which meet in its middle.
+/// Cuts each triangle into three quads, which meet in its centre.
 Mesh split(const Mesh& mesh) {
     Mesh result{.vertices = mesh.vertices, .indices = {}};
     result.vertices.reserve(mesh.vertices.size() + mesh.indices.size() / 3 * 4);
@@ -127,7 +131,7 @@ Mesh split(const Mesh& mesh) {
     return result;
 }
 
-/// The mesh with `corners` indices a patch.
+/// Cuts the mesh into `corners` indices per patch.
 Mesh cut(Mesh mesh, int corners) {
     if (corners == 4)
         if (auto quads = paired(mesh)) {
@@ -144,20 +148,20 @@ Mesh cut(Mesh mesh, int corners) {
     return corners == 3 ? mesh : split(mesh);
 }
 
-/// The patches' corners, and where they meet.
+/// The patches' corners, and the places where they meet.
 struct Meeting {
     std::vector<PatchCorner>& points;
     const Buffer<uint32_t>& place;  ///< of each corner
     size_t places, corners;
 
-    /// The corner of the same patch so many steps on.
+    /// Returns the corner of the same patch that is `steps` further on.
     size_t after(size_t corner, size_t steps = 1) const {
         const size_t first = corner - corner % corners;
         return first + (corner - first + steps) % corners;
     }
 };
 
-/// The angle of its patch at a corner. Where a side has no length the last of the corners that coincide has it.
+/// Returns the patch's angle at a corner. The last of several coincident corners has the angle; the others have 0.
 double angle_at(const Meeting& meeting, size_t corner) {
     const auto is_here = [&](size_t other) { return meeting.place[other] == meeting.place[corner]; };
     const size_t next = meeting.after(corner);
@@ -169,10 +173,10 @@ double angle_at(const Meeting& meeting, size_t corner) {
     const glm::dvec3 leaving = glm::dvec3(meeting.points[next].vertex.position) - here;
     const glm::dvec3 arriving = glm::dvec3(meeting.points[before].vertex.position) - here;
     const double angle = std::atan2(glm::length(glm::cross(leaving, arriving)), glm::dot(leaving, arriving));
-    return angle > 0 ? angle : 0;  // nor does what is not a number count
+    return angle > 0 ? angle : 0;  // 0 for NaN, too
 }
 
-/// One direction and one uv for each place.
+/// Sets one direction and one uv for each place.
 void share_places(const Meeting& meeting) {
     struct Place {
         const Vertex* owner = nullptr;
@@ -195,17 +199,17 @@ void share_places(const Meeting& meeting) {
         point.height_uv = here.owner->uv;
         const double length = glm::length(here.normals);
         if (here.is_smooth)
-            point.direction = here.owner->normal;  // a mean would round
+            point.direction = here.owner->normal;  // a mean would be rounded
         else
             point.direction = length > 1e-6 * here.weight ? glm::vec3(here.normals / length) : point.vertex.normal;
     }
 }
 
-/// One pair of uv for each edge, and what they say of the spacing in each place. Returns whether the mesh is closed.
-/// `corners` are those in each place.
+/// Sets the uv of each edge to its owner's, and the spacing of each place. `corners` lists the corners in each place.
+/// Returns whether the mesh is closed.
 bool share_edges(const Meeting& meeting, const CornerLists& corners) {
     std::vector<PatchCorner>& points = meeting.points;
-    for (size_t i = 0; i < points.size(); ++i)  // of a side without length, it stays
+    for (size_t i = 0; i < points.size(); ++i)  // a side without length keeps this
         points[i].edge_uv = {points[i].height_uv, points[i].height_uv};
 
     struct Lengths {
@@ -219,7 +223,7 @@ bool share_edges(const Meeting& meeting, const CornerLists& corners) {
         uint32_t from;   ///< the corner
         auto operator<=>(const Edge&) const = default;
     };
-    std::vector<Edge> edges;  // of one place, those of one edge in a row
+    std::vector<Edge> edges;  // of one place; after sorting, uses of the same edge are adjacent
     for (uint32_t place = 0; place < meeting.places; ++place) {
         edges.clear();
         for (const uint32_t corner : corners.at(place)) {
@@ -255,7 +259,7 @@ bool share_edges(const Meeting& meeting, const CornerLists& corners) {
     return is_closed;
 }
 
-/// For each vertex the first one in its place.
+/// Returns for each vertex the first one with the same position.
 Buffer<uint32_t> places_of(const Mesh& mesh) {
     Mesh positions;
     positions.vertices.reserve(mesh.vertices.size());

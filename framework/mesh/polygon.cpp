@@ -5,12 +5,12 @@
 namespace relief {
 namespace {
 
-/// Twice the area of a triangle, positive when it is counter-clockwise.
+/// Returns twice the signed area of a triangle, positive when it is counter-clockwise.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// The polygon seen along the axis on which it shows most, counter-clockwise.
+/// Projects the polygon along the axis on which its area is largest, so that it is counter-clockwise.
 std::vector<glm::dvec2> flatten(std::span<const glm::dvec3> corners) {
     const glm::dvec3 area = vector_area(corners), size = glm::abs(area);
     const int drop = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
@@ -22,7 +22,7 @@ std::vector<glm::dvec2> flatten(std::span<const glm::dvec3> corners) {
     return flat;
 }
 
-/// A polygon that loses one ear after the other.
+/// A polygon from which ears are clipped one after another.
 class EarClipper {
 public:
     explicit EarClipper(std::span<const glm::dvec2> corners) : corners_(corners), ring_(corners.size()) {
@@ -40,7 +40,7 @@ public:
         size_t left = corners_.size(), misses = 0;
         while (left > 2) {
             const auto [before, after, ear] = ring_[at];
-            // Only a polygon that crosses itself runs out of ears: then any corner has to do.
+            // Only a polygon that crosses itself runs out of ears. Then clip any corner.
             if (ear || misses > left) {
                 triangles.insert(triangles.end(), {before, at, after});
                 ring_[before].after = after, ring_[after].before = before;
@@ -51,7 +51,7 @@ public:
                 }
                 --left;
                 misses = 0;
-                at = ring_[after].after;  // not the neighbour: a fan around one corner has needles for triangles
+                at = ring_[after].after;  // not the neighbour, which would give a fan of needle-like triangles
             } else {
                 ++misses;
                 at = after;
@@ -68,7 +68,7 @@ private:
     const glm::dvec2& corner(uint32_t i) const { return corners_[i]; }
     bool is_convex(uint32_t i) const { return turn(corner(ring_[i].before), corner(i), corner(ring_[i].after)) >= 0; }
 
-    /// Convex, and no reflex corner lies in its triangle.
+    /// Returns whether a corner is convex and no reflex corner lies in its triangle.
     bool is_ear(uint32_t i) const {
         const glm::dvec2 &a = corner(ring_[i].before), &b = corner(i), &c = corner(ring_[i].after);
         if (turn(a, b, c) < 0) return false;

@@ -1,4 +1,4 @@
-// Polygons in space: their normal, and the triangles they are cut into.
+// Polygons in space: their normals, and their triangulation.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,15 @@
 
 namespace relief {
 
-/// The area of the polygon along the normal that sees it counter-clockwise; where it is not flat, the sum over any
-/// surface within it (Newell). 0 when it has no area.
+/// Returns the vector area of a polygon: its area times the normal from whose side the polygon is counter-clockwise
+/// (Newell). For a polygon that is not flat, this is the integral over any surface with its outline. 0 when it has no
+/// area.
 glm::dvec3 vector_area(std::span<const glm::dvec3> corners);
 
-/// Adds corners.size() - 2 triangles, three indices into `corners` each, wound as the polygon is. A quad is cut along
-/// its shorter diagonal, unless that lies outside; a larger polygon is cut into a fan if it is convex, and otherwise
-/// ear by ear (Meisters 1975), in a time that grows with the square of its corners. Where a polygon crosses itself or
-/// has no area, some triangles overlap or have none, but their number stays. Fewer than three corners give nothing.
+/// Appends corners.size() - 2 triangles of three indices into `corners` each, with the polygon's winding. A quad is cut
+/// along its shorter diagonal, unless that lies outside. A larger convex polygon is cut into a fan. Any other loses one
+/// ear after the other (Meisters 1975), in time quadratic in its corners. If a polygon crosses itself or has no area,
+/// triangles may overlap or be degenerate, but their number is the same. Fewer than three corners give no triangles.
 void triangulate(std::span<const glm::dvec3> corners, std::vector<uint32_t>& triangles);
 
 }  // namespace relief

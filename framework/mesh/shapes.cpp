@@ -7,17 +7,17 @@
 namespace relief {
 namespace {
 
-/// A place of a patch: u and v in [0, 1]; s and t, the same in [-1, 1], are exactly opposite at opposite places.
+/// A point of a patch. u and v are in [0, 1]; s and t are the same in [-1, 1], and exactly opposite at opposite points.
 struct Place {
     double u, v, s, t;
 };
 
-/// With less than 1e18 sums and squared lengths stay finite in float, too.
+/// Below 1e18, sums and squared lengths stay finite in float, too.
 double extent(float size) { return std::isfinite(size) ? std::min(std::abs(size), 1e18f) : 0; }
 
 int count_of(int count, int min) { return std::clamp(count, min, 4096); }
 
-/// Adds a grid of (columns + 1) x (rows + 1) vertices; `vertex` gives the surface at a place.
+/// Appends a grid of (columns + 1) x (rows + 1) vertices; `vertex` returns the surface at a point.
 template <class Surface>
 void add_patch(Mesh& mesh, int columns, int rows, glm::vec2 repeat, Surface vertex) {
     columns = count_of(columns, 1), rows = count_of(rows, 1);
@@ -52,7 +52,7 @@ constexpr CubeFace cube_faces[] = {
     {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
 };
 
-/// The last column lies on the first to the last bit: sin(2 pi) is not 0 in floating point.
+/// Puts the last column exactly on the first one: sin(2 pi) is not 0 in floating point.
 double once_around(double u) { return u < 1 ? u : 0; }
 
 }  // namespace
@@ -130,7 +130,7 @@ Mesh make_sphere(const SphereShape& shape) {
 const CubeFace& cube_face(int face) { return cube_faces[face]; }
 
 glm::dvec3 cube_sphere_direction(int index, double s, double t) {
-    // tan(pi / 4) is not 1 in floating point, and the faces must meet in their edges.
+    // tan(pi / 4) is not 1 in floating point, but the faces must meet exactly in their edges.
     const auto equal_angle = [](double x) { return std::abs(x) == 1 ? x : std::tan(glm::quarter_pi<double>() * x); };
     const CubeFace& face = cube_faces[index];
     return glm::normalize(face.normal + equal_angle(s) * face.right + equal_angle(t) * face.up);
@@ -143,7 +143,7 @@ Mesh make_cube_sphere(const CubeSphereShape& shape) {
         const CubeFace& face = cube_faces[index];
         add_patch(mesh, shape.cells, shape.cells, shape.repeat, [&](const Place& at) {
             const glm::dvec3 out = cube_sphere_direction(index, at.s, at.t);
-            // The place on the cube moves along `right`; pushed onto the sphere, what is left is tangential.
+            // On the cube, the point moves along `right` with u. The part along `out` does not move it on the sphere.
             const glm::dvec3 along_u = glm::normalize(face.right - out * glm::dot(out, face.right));
             return Vertex{.position = radius * out, .normal = out, .tangent = glm::dvec4(along_u, 1), .uv = {}};
         });

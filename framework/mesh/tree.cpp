@@ -48,7 +48,7 @@ private:
             const glm::vec3 extent = centres.high - centres.low;
             const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
             const uint32_t middle = (begin + end) / 2;
-            // Ties by the index, or the tree would depend on the library's way to select.
+            // Break ties by the index, so that the tree does not depend on the library's selection algorithm.
             std::nth_element(triangles + begin, triangles + middle, triangles + end, [&](uint32_t a, uint32_t b) {
                 const float at_a = centres_[a][axis], at_b = centres_[b][axis];
                 return at_a < at_b || (at_a == at_b && a < b);
