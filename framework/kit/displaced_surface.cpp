@@ -14,7 +14,7 @@ constexpr std::array spacing_defines = {"SPACING equal_spacing", "SPACING fracti
                                         "SPACING fractional_even_spacing"};  // in the order of spacings
 constexpr float around = 2 * glm::pi<float>();
 
-/// Metres per unit of uv, along u at the middle; tiles per unit of uv where `repeat` is 1.
+/// The uv of a shape: metres per unit of u at its middle, and tiles per unit of uv where `repeat` is 1.
 struct Lay {
     float metres;
     glm::vec2 tiles;
@@ -69,7 +69,7 @@ Mesh DisplacedSurface::mesh() const {
                                      .sides = std::max(3, density),
                                      .rows = std::max(1, density / 2),
                                      .repeat = tiles});
-            for (Vertex& vertex : mesh.vertices) vertex.position.y -= 1;  // around the origin, as all others are
+            for (Vertex& vertex : mesh.vertices) vertex.position.y -= 1;  // centred, as the other shapes are
             return mesh;
         }
         case box:
@@ -89,7 +89,7 @@ const DisplacedSurface::Made& DisplacedSurface::made() const {
 }
 
 void DisplacedSurface::set(const Program& program, const Frame& frame) const {
-    // Composed in double precision: far from the world's origin a float has no millimetres left.
+    // Multiply in double precision: far from the world's origin, a float cannot resolve millimetres.
     program.set("u_clip_from_model", frame.camera.clip_from_world() * glm::translate(glm::dmat4(1), origin));
     program.set("u_eye", frame.camera.eye() - origin);
     program.set("u_scale", scale());

@@ -13,56 +13,57 @@ namespace relief {
 class DisplacedSurface {
 public:
     enum Shape { wall, ground, sphere, globe, torus, column, box, urn };
-    static constexpr float wall_metres = 2, ground_metres = 16;  ///< sides
+    static constexpr float wall_metres = 2, ground_metres = 16;  ///< side lengths
 
-    /// The spacings, the positions of vertices at a fractional level: the choices of a lab's knob.
+    /// The spacings of a tessellation, which place the vertices at a fractional level: the choices of a lab's knob.
     static constexpr std::array spacings = {"equal", "fractional-odd", "fractional-even"};
 
     void knobs(Knobs& knobs);
 
     const PatchMesh& patches() const { return made().patches; }
     const Image& heights() const { return material.heights(); }
-    /// Counts up when patches() or heights() change.
+    /// Increases when patches() or heights() change.
     int version() const {
         made();
         return made_.version() + material.version();
     }
-    /// Per unit of the shape's own uv; those of the patches are in tiles.
+    /// Returns the number of tiles per unit of the shape's own uv. The uv of the patches are in tiles.
     glm::vec2 tiles() const;
-    /// Of the relief, in metres.
+    /// Returns the depth of the relief in metres.
     float scale() const { return depth * tile(); }
 
-    /// Whether back faces are never seen from outside.
+    /// Returns whether back faces are never visible from outside.
     bool is_one_sided() const { return shape == ground || patches().is_closed; }
 
-    /// What common/patch_vertex.glsl and the control shader are compiled for: "CORNERS 3" or "CORNERS 4".
+    /// Returns the define of common/patch_vertex.glsl and the control shader: "CORNERS 3" or "CORNERS 4".
     Define corners_define() const { return "CORNERS " + std::to_string(corners()); }
-    /// What common/patch_vertex.glsl is compiled for; `spacing` is a place in spacings.
+    /// Returns the define of common/patch_vertex.glsl for a spacing, an index into `spacings`.
     static Define spacing_define(int spacing);
     int corners() const { return corners_choice == 0 ? 3 : 4; }
 
-    /// u_clip_from_model, u_eye (in the model), u_scale, u_normal_strength, and the material's maps. The program is in
-    /// use.
+    /// Sets u_clip_from_model, u_eye (in the model), u_scale, u_normal_strength, and the material's maps. Precondition:
+    /// the program is in use.
     void set(const Program& program, const Frame& frame) const;
     void draw() const;
-    /// The same; how many triangles the tessellator made of it. Waits until they are drawn.
+    /// Draws likewise, and returns the number of triangles from the tessellator. Waits until they are drawn.
     int draw_and_count() const;
 
-    /// For the probe `winding`: what is drawn in between is added up from 0 on in the bound framebuffer, whatever its
-    /// depth. Each front face adds 1, each back face takes 1 away: seen from outside, a closed surface sums up to 0.
-    /// Afterwards there is a depth test and no blending, as a lab finds them.
+    /// For the probe `winding`: between these calls, drawing accumulates additively from 0 in the bound framebuffer;
+    /// the depth test is off. Each front face adds 1 and each back face subtracts 1, so the sum over a closed surface
+    /// seen from outside is 0. end_winding() turns the depth test on and blending off, which is the initial state of a
+    /// lab.
     static void begin_winding();
     static void end_winding();
 
-    // The knobs. A lab may begin with others.
+    // The knobs. A lab may set other defaults.
     ReliefMaterial material;
     int shape = sphere, corners_choice = 1, density = 8, repeat = 1;
-    int most_density = 128;  ///< that the knob offers; no knob
+    int most_density = 128;  ///< maximum of the knob `patches`; not a knob itself
     float depth = 0.1f;      ///< of the relief, in widths of a tile
-    glm::dvec3 origin{};     ///< no knob: where the model stands in the world, however far
+    glm::dvec3 origin{};     ///< not a knob: the model's position in the world, at any distance
 
 private:
-    float tile() const;  ///< its width, metres
+    float tile() const;  ///< width of a tile, metres
     Mesh mesh() const;
 
     struct Made {
@@ -70,7 +71,7 @@ private:
         GpuPatches uploaded;
     };
     const Made& made() const;
-    mutable Kept<Made, int, int, int, int> made_;  ///< by shape, corners, density and repeat
+    mutable Kept<Made, int, int, int, int> made_;  ///< inputs: shape, corners, density and repeat
     mutable std::optional<QueryName> count_;
 };
 

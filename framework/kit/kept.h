@@ -1,4 +1,4 @@
-// Values that are made anew when their inputs change.
+// Values that are computed again when their inputs change.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace relief {
 
-/// A value and the inputs that it was made from, which are compared by ==.
+/// A cached value with the inputs that it was made from. Inputs are compared by ==.
 template <class Value, class... Inputs>
 class Kept {
 public:
-    /// What `make` returns, or has returned if it was made from the same inputs.
+    /// Returns the result of `make`. Calls it only if `inputs` differ from those of the previous call.
     template <class Make>
     Value& get(const std::tuple<Inputs...>& inputs, Make make) {
         if (inputs_ != inputs) {
@@ -22,7 +22,7 @@ public:
         }
         return *value_;
     }
-    /// How many values there have been.
+    /// Returns the number of values made so far.
     int version() const { return version_; }
 
 private:

@@ -36,7 +36,7 @@ void Labels::text(const std::string& text, glm::vec2 place, float height, Align 
 }
 
 void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text, glm::vec3 color) {
-    // Counted in lines of one height, whatever the words: what is long is written smaller.
+    // Line spacing does not depend on the text. A long text is drawn smaller.
     const float high = std::min(line_height(size), 0.075f * float(tile.size.y)) * (line == 0 ? 1.0f : 0.8f);
     const float height = std::min(high, 0.94f * float(tile.size.x) / ((float(text.size()) + 1) * letter_aspect));
     const float top = float(size.y - tile.corner.y - tile.size.y);

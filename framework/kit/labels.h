@@ -13,31 +13,33 @@ namespace relief {
 
 enum class Align { left, centre, right };
 
-/// Collects, then draws over what is there, in one call. Places and sizes are in pixels of the frame, from its upper
-/// left corner; colours as sRGB stores them. A probe is never written upon.
+/// Collects text and shapes, then draws them over the picture in one draw call. Positions and sizes are in pixels of
+/// the frame, from its upper left corner. Colours are in stored sRGB. Draws nothing on a probe.
 class Labels {
 public:
-    /// How high a line of text is in a frame of this size: legible, and the same share of any picture.
+    /// Returns the height of a line of text for a frame of this size: legible, and the same share of any larger
+    /// picture.
     static float line_height(glm::ivec2 size) { return std::max(11.0f, 0.042f * float(std::min(size.x, size.y))); }
     static float width(const std::string& text, float height) { return float(text.size()) * height * letter_aspect; }
 
-    /// ASCII, and a degree sign for `~`. `place` is the upper end of the text at its left, its middle or its right;
-    /// dark plates keep it legible on anything.
+    /// Adds ASCII text, with a degree sign for `~`, on a dark plate that keeps it legible. `place` is the upper end of
+    /// the text at its left, its middle or its right.
     void text(const std::string& text, glm::vec2 place, float height, Align align = Align::left,
               glm::vec3 color = {0.93f, 0.92f, 0.89f});
-    /// In the middle of a tile: line 0 is its first, -1 its last. As high as line_height() where the tile has the room.
+    /// Adds text in the middle of a tile: line 0 is the first, -1 the last. Its height is line_height() if the tile has
+    /// enough room.
     void caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text,
                  glm::vec3 color = {0.93f, 0.92f, 0.89f});
     void rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color);
-    /// From 0 on the left to 1 on the right, as heat() has it.
+    /// Adds the colours of heat(), from 0 on the left to 1 on the right.
     void heat_scale(glm::vec2 place, glm::vec2 size);
 
-    /// The scale of heat(), in the lowest scale_height() pixels of a frame: `low` at its left, ten times as much per
-    /// tick.
+    /// Adds the scale of heat() in the lowest scale_height() pixels of a frame. Its left end is `low`; each tick is ten
+    /// times the previous one.
     static int scale_height(glm::ivec2 size) { return int(std::ceil(line_height(size) * 0.9f)); }
     void log_scale(glm::ivec2 size, const std::string& low, const std::string& high, int ticks);
 
-    /// Draws into frame.target over its whole size, and forgets.
+    /// Draws into the whole of frame.target, and clears the collection.
     void draw(const Frame& frame);
 
 private:

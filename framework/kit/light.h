@@ -1,4 +1,4 @@
-// The lights of labs: a direction with its knobs, and a lamp that stands somewhere around.
+// The lights of labs: a direction with its knobs, and a lamp around the vertical axis.
 #pragma once
 
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace relief {
 
-/// Light from far away. Degrees: at yaw 0 and pitch 0 it comes along the z axis, from its positive end; yaw grows to
-/// the right.
+/// A distant light, in degrees. At yaw 0 and pitch 0 it shines from the positive end of the z axis; yaw grows to the
+/// right.
 struct DistantLight {
     float yaw = -50, pitch = 40;
 
@@ -17,7 +17,7 @@ struct DistantLight {
         knobs.slider("light_yaw", yaw, -180, 180, "direction of the light, degrees");
         knobs.slider("light_pitch", pitch, min_pitch, max_pitch, "elevation of the light, degrees");
     }
-    /// Towards the light, of unit length.
+    /// Returns the unit vector towards the light.
     template <class Number = float>
     glm::vec<3, Number> direction() const {
         const Number yaw_rad = glm::radians(Number(yaw)), pitch_rad = glm::radians(Number(pitch));
@@ -25,7 +25,7 @@ struct DistantLight {
     }
 };
 
-/// The place of a lamp around the vertical axis; at yaw 0 (degrees) it stands on the side of +z.
+/// Returns the position of a lamp around the vertical axis. At yaw 0 (degrees) it is on the side of +z.
 inline glm::vec3 lamp_at(float yaw, float distance, float height) {
     const float yaw_rad = glm::radians(yaw);
     return {distance * std::sin(yaw_rad), height, distance * std::cos(yaw_rad)};

@@ -17,7 +17,7 @@ Image draw_numbers(glm::ivec2 size, const std::function<void()>& draw) {
     glClearBufferfv(GL_COLOR, 0, nothing);
     glClear(GL_DEPTH_BUFFER_BIT);
     {
-        const TellMissingTasks told;  // what stands in for a task makes no figures
+        const TellMissingTasks told;  // the placeholder of a missing task then writes not_written, not numbers
         draw();
     }
     Image drawn = target.read();

@@ -1,4 +1,4 @@
-// Images of numbers that a lab needs for itself: measured on the GPU, or by rays.
+// Images of numbers that a lab computes for itself, on the GPU or by rays.
 #pragma once
 
 #include <functional>
@@ -10,15 +10,16 @@
 
 namespace relief {
 
-/// What `draw` draws into a target of its own, four floats a pixel; +infinity where nothing is drawn, not_written where
-/// a task is missing. The viewport is the whole target. Afterwards framebuffer and viewport are as they were.
+/// Calls `draw` with a framebuffer of its own and returns the result, four floats per pixel: +infinity where nothing is
+/// drawn, not_written where a task is missing. The viewport is the whole framebuffer. Restores framebuffer and
+/// viewport.
 Image draw_numbers(glm::ivec2 size, const std::function<void()>& draw);
 
-/// An image of four floats a pixel; row 0 is the top. Several threads call `value`, which gets column and row.
+/// Returns an image of four floats per pixel; row 0 is the top. `value` gets column and row, and must be thread-safe.
 Image image_of_values(glm::ivec2 size, const std::function<glm::dvec4(int x, int y)>& value);
 
-/// The truth of a frame from what the ray of each pixel sees; +infinity where that is nothing. Several threads call
-/// `value`.
+/// Returns the truth of a frame, computed from the ray of each pixel; +infinity where `value` returns nothing. `value`
+/// must be thread-safe.
 Image truth_of_rays(const Frame& frame, const std::function<std::optional<glm::dvec4>(const Ray&)>& value);
 
 }  // namespace relief

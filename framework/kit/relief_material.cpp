@@ -20,7 +20,7 @@ constexpr std::array sizes = {"1", "256", "512", "1024", "4096"};
 constexpr std::array texels = {1, 256, 512, 1024, 4096};
 constexpr std::array bit_counts = {"float", "8"};
 
-/// Light from the depths to the tops, as the material has it.
+/// Linear colours at heights 0, 0.5 and 1.
 struct Palette {
     glm::vec3 low, middle, high;
 };
@@ -39,7 +39,7 @@ Palette palette_of(int map) {
     }
 }
 
-/// The largest level of the image's mip chain with `side` texels a side at most.
+/// Returns the largest level of the image's mip chain that is at most `side` texels wide.
 Image level_of(Image image, int side) {
     std::vector<Image> levels = mip_chain(std::move(image), ColorSpace::linear);
     size_t level = 0;
@@ -47,10 +47,10 @@ Image level_of(Image image, int side) {
     return std::move(levels[level]);
 }
 
-/// Whether the four channels are a normal map with heights in the fourth.
+/// Returns whether an image is a normal map with heights in the fourth channel.
 bool has_normals(const Image& image) { return image.channels == 4; }
 
-/// Heights that are finite; those beyond 0 and 1, as in files of floats, are brought between.
+/// Replaces heights that are not finite by 0. If any are beyond [0, 1], as in files of floats, rescales all to [0, 1].
 void bring_between_0_and_1(float* heights, size_t count, size_t stride) {
     float low = 0, high = 1;
     for (size_t i = 0; i < count; ++i) {
@@ -63,10 +63,10 @@ void bring_between_0_and_1(float* heights, size_t count, size_t stride) {
         heights[i * stride] = float((double(heights[i * stride]) - double(low)) / (double(high) - double(low)));
 }
 
-/// Heights of a user's picture: one that is grey, or the fourth channel. With it stays a normal map, if that is what
-/// the other three channels are.
+/// Returns the heights of a user's picture: a grey picture, or the fourth channel. If the other three channels are a
+/// normal map, it stays with the heights.
 Image own_heights(Image picture) {
-    double up = 0, length = 0;  // sums over the picture: of z, and of how long normals are
+    double up = 0, length = 0;  // sums over the picture: of z, and of the lengths of normals
     float least = 1, most = 0;  // of the fourth channel
     for (size_t i = 0; picture.channels == 4 && i < picture.pixel_count(); ++i) {
         const float* const texel = picture.values.data() + i * 4;
@@ -118,7 +118,7 @@ ReliefMaterial::Made ReliefMaterial::make() const {
     }
     mend_heights(image);
     if (bits == 1) image = with_8_bits(std::move(image));
-    const bool is_whole = is_asset() && full.values.empty();  // its integers need no mending
+    const bool is_whole = is_asset() && full.values.empty();  // its integers are valid already
     return {
         std::move(image), std::move(full),
         is_whole ? load_texture(height_asset, ColorSpace::linear) : Texture("heights", [this] { return heights(); }),
@@ -142,9 +142,10 @@ Image ReliefMaterial::albedo() const {
     return image;
 }
 
-/// Those of the user's picture; else at each texel across the two chords between the points beside it.
+/// Returns the normals of the user's picture if it has any. Else the normal of a texel is perpendicular to two chords:
+/// from its left to its right neighbour, and from its lower to its upper one.
 Image ReliefMaterial::normals() const {
-    // In full detail, also where the search makes do with less.
+    // At full size, also where the search uses smaller heights.
     const Image& heights = made().full.values.empty() ? made().heights : made().full;
     const int side = heights.width;
     if (map == ReliefMap::own && has_normals(own_.image())) {

@@ -13,16 +13,16 @@ constexpr std::array shapes = {"wall", "column", "urn"};
 constexpr ColumnShape column_shape{.bottom_radius = ReliefSurface::column_radius,
                                    .top_radius = ReliefSurface::column_radius,
                                    .height = ReliefSurface::column_height,
-                                   .sides = 96,  // a third of the way around is a tile, and a whole number of them
+                                   .sides = 96,  // a tile is a third of the way around: 32 whole sides
                                    .rows = 1};
 constexpr float around_column = 2 * glm::pi<float>() * ReliefSurface::column_radius;
-constexpr float around_urn = 3.2f, up_urn = 2.4f;  // metres per unit of uv, at its middle
+constexpr float around_urn = 3.2f, up_urn = 2.4f;  // metres per unit of uv, at the urn's middle
 
 }  // namespace
 
 Mesh read_urn() {
     Mesh mesh = read_obj(course_root() / "assets" / "urn.obj").mesh;
-    // A surface of revolution knows its tangents by its uv.
+    // On a surface of revolution, uv determine the tangent.
     for (Vertex& vertex : mesh.vertices) {
         const float around = 2 * glm::pi<float>() * vertex.uv.x;
         vertex.tangent = glm::vec4(std::cos(around), 0, -std::sin(around), 1);
@@ -56,12 +56,12 @@ ReliefMapping ReliefSurface::mapping() const {
     const glm::vec2 metres = shape == wall     ? glm::vec2(extent)
                              : shape == column ? glm::vec2(around_column, column_shape.height)
                                                : glm::vec2(around_urn, up_urn);
-    // Around, whole tiles; on the wall a tile is a metre wide.
+    // A whole number of tiles around; on the wall, a tile is a metre wide.
     const float tile = shape == wall ? 1.0f / float(repeat) : metres.x / float(3 * repeat);
     glm::vec2 tiles = metres / glm::vec2(tile, tile * stretch);
     if (mirror) tiles.x = -tiles.x;
-    // A float that holds 10,000 tiles is off by a quarter of a texel; and a map that repeats looks the same without
-    // them. A few stay, so that what takes it for granted that uv are below 1 shows.
+    // At 10,000 tiles, a float is wrong by a quarter of a texel. A map that repeats looks the same without whole tiles.
+    // A few tiles stay, to expose code that assumes uv < 1.
     return {tiles, glm::vec2(float(shift % 4)), glm::vec2(depth, depth / stretch), depth * tile, heights().width};
 }
 
@@ -79,7 +79,7 @@ void ReliefSurface::set(const Program& program, const Frame& frame, const glm::d
 }
 
 void ReliefSurface::set_exact_hit(const Program& program, int unit) const {
-    if (glGetUniformLocation(program, "u_window_extent") < 0) return;  // this permutation shows no error
+    if (glGetUniformLocation(program, "u_window_extent") < 0) return;  // a permutation without exact_hit()
     const std::array<int, 4>& cells = windows().heights.extent;
     program.set("s_windows", unit, windows().texture);
     program.set("u_window_extent", glm::vec4(cells[0], cells[1], cells[2], cells[3]));

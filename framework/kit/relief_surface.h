@@ -1,4 +1,4 @@
-// The surface of labs 10 to 12: a mesh, a height map, and how the map lies on the mesh.
+// The surface of labs 10 to 12: a mesh, a height map, and the mapping between them.
 #pragma once
 
 #include "framework/height/skips.h"
@@ -9,7 +9,7 @@
 
 namespace relief {
 
-/// assets/urn.obj, with its exact tangents. An urn's uv go once around it, and once up.
+/// Reads assets/urn.obj, with exact tangents. Its uv go once around the urn, and once up.
 Mesh read_urn();
 
 class ReliefSurface {
@@ -24,22 +24,22 @@ public:
     ReliefMapping mapping() const;
     int version() const { return material.version(); }
 
-    /// For shaders/common/relief.vert and what follows it; binds s_heights to unit 0, s_albedo to 1, s_normals to 2.
-    /// The program is in use.
+    /// Sets the uniforms of shaders/common/relief.vert and the stages after it. Binds s_heights to unit 0, s_albedo to
+    /// 1, s_normals to 2. Precondition: the program is in use.
     void set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model = glm::dmat4(1)) const;
     void draw() const;
-    /// For exact_hit() of shaders/common/exact_hit.glsl: s_windows on a unit, and u_window_extent; nothing where
-    /// the permutation does not use it.
+    /// Sets the inputs of exact_hit() in shaders/common/exact_hit.glsl: s_windows on `unit`, and u_window_extent. Does
+    /// nothing if the permutation does not use them.
     void set_exact_hit(const Program& program, int unit) const;
 
-    // The knobs. A lab may begin with others.
+    // The knobs. A lab may set other defaults.
     ReliefMaterial material;
     int shape = wall, repeat = 1;
     float depth = 0.08f;  ///< of the relief, in tiles along u
-    float stretch = 1;    ///< height of a tile over its width: texels that are not square
+    float stretch = 1;    ///< height of a tile divided by its width: not 1 for texels that are not square
     float extent = 4;     ///< side of the wall, metres
     bool mirror = false;
-    int shift = 0;  ///< tiles; mapping() has what is left of it when fours are dropped
+    int shift = 0;  ///< tiles; mapping() returns the remainder of dividing by 4
 
 private:
     struct Shaped {
@@ -47,14 +47,14 @@ private:
         GpuMesh uploaded;
     };
     const Shaped& shaped() const;
-    mutable Kept<Shaped, int, float> shaped_;  ///< by shape and extent
+    mutable Kept<Shaped, int, float> shaped_;  ///< inputs: shape and extent
 
     struct Windows {
         HeightWindows heights;
         Texture texture;
     };
     const Windows& windows() const;
-    mutable Kept<Windows, int> windows_;  ///< by the material's version
+    mutable Kept<Windows, int> windows_;  ///< input: the material's version
 };
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// A frame cut into a grid of smaller ones, to show methods side by side.
+// A frame divided into a grid of smaller ones, to show methods side by side.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,13 @@
 
 namespace relief {
 
-/// A part of a frame, in pixels from its lower left corner, as glViewport has it.
+/// A part of a frame, in pixels from its lower left corner, as for glViewport.
 struct Tile {
     glm::ivec2 corner, size;
 };
 
-/// Rows from the top, columns from the left; together they cover the frame. A tile of a tiny frame may be empty.
+/// Returns tiles row by row from the top, each row from the left. Together they cover the frame. A tile of a tiny frame
+/// may be empty.
 inline std::vector<Tile> tile_grid(glm::ivec2 size, int columns, int rows) {
     std::vector<Tile> tiles;
     for (int row = rows - 1; row >= 0; --row)
@@ -28,8 +29,8 @@ inline std::vector<Tile> tile_grid(glm::ivec2 size, int columns, int rows) {
     return tiles;
 }
 
-/// `count` tiles in the columns that leave them nearest to squares and few places empty; the lowest `below` pixels stay
-/// free of them.
+/// Returns `count` tiles, with the number of columns that makes them nearly square and leaves few places empty. The
+/// lowest `below` pixels stay free.
 inline std::vector<Tile> tiles_of(glm::ivec2 size, int count, int below = 0) {
     size.y = std::max(0, size.y - below);
     const auto rows = [&](int columns) { return (count + columns - 1) / columns; };
@@ -46,8 +47,8 @@ inline std::vector<Tile> tiles_of(glm::ivec2 size, int count, int below = 0) {
     return tiles;
 }
 
-/// The frame as one tile sees it: its size, and a camera of its shape. A tile that is higher than wide sees as much
-/// from side to side as a square one.
+/// Returns the frame of one tile: its size, and a camera with its aspect ratio. A tile that is higher than wide has the
+/// horizontal field of view of a square one.
 inline Frame frame_in(const Frame& frame, const Tile& tile) {
     Frame part = frame;
     part.size = tile.size;
@@ -59,12 +60,12 @@ inline Frame frame_in(const Frame& frame, const Tile& tile) {
     return part;
 }
 
-/// A truth put together from those of its tiles; nothing where one of them has none.
+/// Returns a truth composed from the truths of the tiles, or nothing if one of them is missing.
 inline std::optional<Image> truth_in_tiles(
     const Frame& frame, const std::vector<Tile>& tiles,
     const std::function<std::optional<Image>(const Frame&, size_t tile)>& truth) {
     Image whole(frame.size.x, frame.size.y, 4);
-    std::fill(whole.values.begin(), whole.values.end(), no_surface);  // where there is no tile
+    std::fill(whole.values.begin(), whole.values.end(), no_surface);  // for pixels outside of all tiles
     for (size_t i = 0; i < tiles.size(); ++i) {
         const auto& [corner, size] = tiles[i];
         if (size.x <= 0 || size.y <= 0) continue;
