@@ -7,8 +7,8 @@
 
 namespace relief {
 
-/// Where the camera is: on a sphere around the target. Degrees and metres; yaw 0 looks along -z, yaw grows as
-/// the camera moves to the right, pitch grows as it rises (-89 to 89).
+/// The camera's position on a sphere around the target. Degrees and metres. Yaw 0 looks along -z. Yaw grows as the
+/// camera moves to the right, and pitch as it rises, from -89 to 89.
 struct Orbit {
     double yaw = 30, pitch = 20, distance = 3;
     glm::dvec3 target{0, 0, 0};
@@ -18,7 +18,7 @@ struct Orbit {
 
 class Camera {
 public:
-    /// `aspect` is width over height.
+    /// `aspect` is width divided by height. Clamps the pitch to -89..89.
     Camera(const Orbit& orbit, double aspect);
 
     const Orbit& orbit() const { return orbit_; }
@@ -26,9 +26,9 @@ public:
     glm::dmat4 view_from_world() const { return view_from_world_; }
     glm::dmat4 clip_from_view() const { return clip_from_view_; }
     glm::dmat4 clip_from_world() const { return clip_from_view_ * view_from_world_; }
-    /// The same camera for a picture of another shape.
+    /// Returns the same camera for a picture of another aspect ratio.
     Camera with_aspect(double aspect) const { return {orbit_, aspect}; }
-    /// The ray through a point of the picture: x and y in [-1, 1], y up. Its direction is normalised.
+    /// Returns the ray through a point of the picture, x and y in [-1, 1], y up. Its direction is normalised.
     Ray ray(glm::dvec2 clip) const;
 
 private:

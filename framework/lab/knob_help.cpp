@@ -16,7 +16,7 @@ std::string trimmed(const std::string& text) {
     return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
 
-/// "map, rays and one" as its three words.
+/// Splits "map, rays and one" into its three words.
 std::vector<std::string> values_of(std::string list) {
     for (size_t at = list.find(" and "); at != std::string::npos; at = list.find(" and ")) list.replace(at, 5, ",");
     std::vector<std::string> values = split(list, ',');

@@ -46,7 +46,7 @@ public:
     void slider(const char* name, float& value, float low, float high, const char*) override {
         if (name != name_) return;
         const auto number = parse_number(text_);
-        // In float, as the range is: 0.1 as a double lies below 0.1f.
+        // Compare as floats, like the range: the double 0.1 is below 0.1f.
         if (!number || float(*number) < low || float(*number) > high) refuse(plain(low) + " to " + plain(high));
         value = float(*number);
         done = true;
@@ -79,7 +79,7 @@ public:
                            const char* help) override {
         if (name != name_) return;
         if (std::find(names.begin(), names.end(), text_) != names.end()) return choice(name, value, names, help);
-        // A name without a dot or a slash is rather a slip than a file that is missing.
+        // A word without a dot or a slash is more likely a misspelt choice than a missing file.
         if (text_.find_first_of("./\\") == std::string::npos && !std::filesystem::exists(text_))
             throw UsageError(unknown_choice(names) + ", or a picture's file");
         own.read(text_);

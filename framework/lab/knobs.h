@@ -1,4 +1,4 @@
-// A lab's adjustable values. The lab names them once; the menu, --set and --help all read them there.
+// A lab's adjustable values. The lab declares them once; the menu, --set and --help all read this declaration.
 #pragma once
 
 #include <filesystem>
@@ -10,38 +10,38 @@ namespace relief {
 
 class OwnPicture;
 
-/// The visitor to which a lab shows its values, with their ranges (inclusive) and one line of help each. A help may end
-/// in a unit, and begin with the other knob's values for which the knob counts: see knob_help.h.
+/// The visitor that a lab declares its values to, with inclusive ranges and one line of help each. A help may end in a
+/// unit. It may begin with the values of another knob for which this knob has an effect: see knob_help.h.
 class Knobs {
 public:
     virtual ~Knobs() = default;
-    /// A heading over the knobs that follow, up to the next one; where they belong to no group, none.
+    /// Begins a group with a heading, which contains the knobs up to the next group.
     virtual void group(const char*) {}
     virtual void slider(const char* name, float& value, float low, float high, const char* help) = 0;
     virtual void steps(const char* name, int& value, int low, int high, const char* help) = 0;
     virtual void toggle(const char* name, bool& value, const char* help) = 0;
     virtual void choice(const char* name, int& value, std::span<const char* const> names, const char* help) = 0;
-    /// A choice that takes a file with a picture, too: the value is then names.size(). For who does not override it, a
-    /// picture that was read is one more name.
+    /// A choice that also accepts a picture file; the value is then names.size(). The default is a choice() with
+    /// the file's name as one more name, if a picture was read.
     virtual void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
                                    const char* help);
 };
 
-/// One knob as text.
+/// A knob as text.
 struct KnobText {
     std::string name, value, range, help;
 };
 
 class Lab;
 
-/// All knobs of a lab, with their present values.
+/// Returns all knobs of a lab with their current values.
 std::vector<KnobText> describe_knobs(Lab& lab);
 
-/// Sets one knob from text. Throws UsageError that names the nearest knob, or the range, or the choices.
+/// Sets a knob from text. Throws UsageError that suggests the nearest knob, or names the range or the choices.
 void set_knob(Lab& lab, const std::string& name, const std::string& value);
 
-/// Gives a file to the first knob that takes a picture, and returns that knob's name; empty where the lab has none.
-/// Throws what OwnPicture::read throws.
+/// Gives a file to the first knob that accepts a picture. Returns that knob's name, or an empty string if the lab has
+/// none. Throws as OwnPicture::read() does.
 std::string set_picture(Lab& lab, const std::filesystem::path& file);
 
 }  // namespace relief

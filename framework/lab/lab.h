@@ -1,4 +1,4 @@
-// What a lab is. A lab includes this file and nothing above it.
+// The interface of a lab. A lab includes this file and nothing above it.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -20,9 +20,9 @@
 namespace relief {
 
 /// The input of a lab for one frame. Draw into `target`; framebuffer 0 does not exist everywhere.
-/// What decides how a fragment lands is at GL's defaults (tests, masks, blending, culling, depth range), but for these:
-/// the depth test is on, and the clear colour is the background (the picture's, or +infinity for a probe). Viewport,
-/// textures and buffers are the lab's to bind.
+/// The state of fragment operations (tests, masks, blending, culling, depth range) has GL's defaults, with two
+/// exceptions: the depth test is on, and the clear colour is the background (the picture's, or +infinity for a probe).
+/// Binding the viewport, textures and buffers is up to the lab.
 struct Frame {
     GLuint target;
     glm::ivec2 size;  ///< pixels
@@ -30,21 +30,21 @@ struct Frame {
     Camera camera;
     Probe probe;
 
-    /// Through the centre of pixel (x, y) of the picture, row 0 at the top.
+    /// Returns the ray through the centre of pixel (x, y) of the picture; row 0 is the top.
     Ray ray(int x, int y) const { return camera.ray({(x + 0.5) / size.x * 2 - 1, 1 - (y + 0.5) / size.y * 2}); }
 };
 
-/// One class a lab, in one file. Members that hold GL objects are made at first use, so a lab can be made
-/// without a context, and loads what its knobs need and no more.
+/// A lab is one class in one file. It creates its GL objects at first use. So it can be constructed without a context,
+/// and loads only the data that its knobs need.
 class Lab {
 public:
     Lab() = default;
-    Lab(const Lab&) = delete;  // textures and meshes are made by what their lab knows, so it stays where it is
+    Lab(const Lab&) = delete;  // not movable: its textures and meshes refer to it
     virtual ~Lab() = default;
     virtual void draw(const Frame& frame) = 0;
     virtual void knobs(Knobs&) {}
-    /// The exact value of a probe at every pixel of this frame, in double precision, where mathematics gives
-    /// it. Four channels, as the shader writes them; +infinity where there is no surface.
+    /// Returns the exact value of a probe at every pixel of this frame, in double precision, or nothing if there is no
+    /// exact solution. Four channels, as the shader writes them; +infinity where there is no surface.
     virtual std::optional<Image> truth(const Frame&, const Probe&) const { return {}; }
 };
 

@@ -65,7 +65,7 @@ bool is_file_name(const std::string& name) {
     return !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") == std::string::npos;
 }
 
-/// Inside the course, whoever wrote the manifest.
+/// Returns whether a path stays inside the course. A manifest may come from anyone.
 bool is_course_path(const std::string& path) {
     const fs::path normal = fs::path(path).lexically_normal();
     return !path.empty() && normal.is_relative() && *normal.begin() != "..";
@@ -89,7 +89,7 @@ const Thing& find_named(const std::vector<Thing>& things, std::string Thing::*na
     throw UsageError(unknown(kind, wanted, known));
 }
 
-/// Runs a look-up whose failure is the table's.
+/// Calls a look-up. Its UsageError becomes an Error at a key of the table.
 template <class LookUp>
 void require(const Table& table, const char* key, LookUp look_up) {
     try {
@@ -206,7 +206,7 @@ MistakeInfo read_mistake(Table& table, const Manifest& manifest) {
     return mistake;
 }
 
-/// Two numbers are a range, texts are choices.
+/// Reads knobs that vary: two numbers are a range, texts are choices.
 std::vector<VaryInfo> read_vary(Table table) {
     std::vector<VaryInfo> all;
     for (const std::string& knob : table.keys()) {

@@ -1,4 +1,4 @@
-// lab.toml: a lab's description for everybody; staff/grading.toml: the part for staff only.
+// lab.toml, a lab's description for everyone, and staff/grading.toml, the part for staff only.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,15 @@
 
 namespace relief {
 
-/// A quantity that the lab's shaders can write. `error` is how two values of it are compared, and `limit` what 99 % of
-/// the pixels keep, by the manifest's camera and the knobs as they are: no more than single precision costs, unless the
-/// lab is about methods that are wrong.
+/// A quantity that the lab's shaders can write. `error` tells how two values are compared. `limit` is an upper bound of
+/// the error for 99 % of the pixels, with the manifest's camera and the default knobs. It allows only for single
+/// precision, unless the lab is about methods with errors.
 struct ProbeInfo {
     std::string name, unit;
     ErrorMetric error = ErrorMetric::distance;
     double limit = 1e-3;      ///< in the unit
-    bool any_length = false;  ///< of a direction: where the exact one has unit length, others may do without
-    bool is_signed = false;   ///< it matters that a value is above or below 0, and colours show it
+    bool any_length = false;  ///< of a direction whose exact value is a unit vector: any other length is accepted
+    bool is_signed = false;   ///< the sign of a value matters, and colours show it
     ProbeColors colors() const { return {error, is_signed}; }
 };
 
@@ -28,73 +28,74 @@ struct ProbeInfo {
 struct TaskInfo {
     std::string id, title, file;  ///< "11.2"; the file is relative to the course's top folder
     int points = 0;
-    /// It is marked with the solution of the other tasks where it loses points with the student's own.
+    /// If it loses points with the student's other tasks, it is graded again with the solution of the other tasks.
     bool alone = true;
 };
-/// Whether a task's file is a shader, and not C++.
+/// Returns whether a task's file is a shader; else it is C++.
 inline bool is_shader(const std::string& file) { return file.ends_with(".glsl"); }
 
-/// What a check allows between two shots; nothing where a limit is not given. In the unit of the probe, over the pixels
-/// with a surface.
+/// Limits of a check for the error between two shots, in the probe's unit, over the pixels with a surface. A missing
+/// limit allows any error.
 struct Limits {
     std::optional<double> mean, p99, largest;
-    std::optional<double> at_least;  ///< of the mean: what is nearer to the truth was not worked out as asked
-    std::optional<double> wrong;     ///< share of the pixels that are off by more than one unit
-    double outline = 0.01;           ///< share of the pixels in which only one of the two has a surface
+    std::optional<double> at_least;  ///< lower bound of the mean: a smaller error means that another method was used
+    std::optional<double> wrong;     ///< share of the pixels with an error of more than one unit
+    double outline = 0.01;           ///< share of the pixels where only one of the two has a surface
 };
 
-/// A comparison that decides whether a task is solved. A picture without its own `limits` may have 0.05 % of its
-/// pixels off by more than 2/255, and 4 pixels by more than 32/255.
+/// A comparison that decides whether a task is solved. A picture without its own `limits` passes if at most 0.05 % of
+/// its pixels differ by more than 2/255, and at most 4 pixels by more than 32/255.
 struct CheckInfo {
     std::string task, name;
     Shot shot;
     std::string against;  ///< "truth" of the probe, "solution" (its picture or probe), or the name of another check
     Limits limits;
-    std::string reason;   ///< where the limits come from
-    std::string look_at;  ///< what to look at next when it fails
-    bool hidden = false;  ///< of the staff's file: never handed out
-    /// The other tasks without which it cannot pass.
+    std::string reason;   ///< origin of the limits
+    std::string look_at;  ///< where to look next when it fails
+    bool hidden = false;  ///< from the staff's file: students never get it
+    /// The other tasks without which the check cannot pass.
     std::vector<std::string> needs = {};
-    /// Those that it can do without while they are not written, and that spoil it when they are wrong.
+    /// Other tasks that may be unwritten, but that spoil the check if they are wrong.
     std::vector<std::string> leans_on = {};
     bool depends_on(const std::string& other_task) const;
 };
 
-/// A change to a file: `find` stands in it exactly once.
+/// A change to a file. Precondition: `find` occurs in it exactly once.
 struct Edit {
     std::string file, find, replace;
 };
 
-/// A known mistake, as edits of the solution: a check of its task must fail with them.
+/// A known mistake, as edits of the solution. With them, a check of its task must fail.
 struct MistakeInfo {
     std::string id, task, hint;
     std::vector<Edit> edits;
     std::string same_as;  ///< another mistake that no check can distinguish from this one, or empty
 };
 
-/// A knob that differs in hidden views: within a range, or one of several values.
+/// A knob that differs in hidden views: in a range, or among several values.
 struct VaryInfo {
     std::string knob;
     double low = 0, high = 0;
     std::vector<std::string> choices = {};
 };
 
-/// A correct variant of a solution, as edits of it: with them every task of the lab has all its points.
+/// A correct variant of a solution, as edits of it. With them, every task of the lab gets all its points.
 struct EquivalentInfo {
     std::string id, task;
-    std::string why;          ///< what it does differently
-    std::vector<Edit> edits;  ///< of files that tasks name: no other is taken from a submission
+    std::string why;          ///< how it differs from the solution
+    std::vector<Edit> edits;  ///< only of files that tasks name, because a submission contains no others
 };
 
 /// The comparison on a lab's page: one shot for each value of a knob.
 struct CompareInfo {
     static constexpr glm::ivec2 usual_size{560, 420};
     std::string knob;
-    std::vector<std::string> values;  ///< as --set takes them; empty: all that a choice or a toggle has
-    Shot shot;                        ///< its probe is the one whose error is shown; or none
+    std::vector<std::string> values;  ///< as for --set; empty: all values of a choice or a toggle
+    Shot shot;                        ///< its probe is the one whose error is shown; empty: no error is shown
 };
 
-/// A reference screenshot, labs/<the lab's folder>/golden/<name>.png; of a probe, what visualize_probe() makes of it.
+/// A reference screenshot, labs/<the lab's folder>/golden/<name>.png. For a probe, it is the result of
+/// visualize_probe().
 struct GoldenInfo {
     std::string name;
     Shot shot;
@@ -105,7 +106,7 @@ struct Manifest {
     std::vector<std::string> learns;
     Orbit camera;
     bool animated = false;
-    /// Below `shaders`: what the shader of a task may include besides common/unfinished.glsl.
+    /// Files below `shaders` that the shader of a task may include, besides common/unfinished.glsl.
     std::vector<std::string> task_includes;
     std::vector<ProbeInfo> probes;
     std::vector<TaskInfo> tasks;
@@ -117,20 +118,20 @@ struct Manifest {
     std::vector<GoldenInfo> goldens;
 
     int points() const;
-    // These throw UsageError that suggests the nearest.
+    // These throw UsageError that suggests the nearest name.
     const ProbeInfo& probe(const std::string& name) const;
     const TaskInfo& task(const std::string& id) const;
     const CheckInfo& check(const std::string& name) const;
     const MistakeInfo& mistake(const std::string& id) const;
 };
 
-/// Reads a lab.toml, and staff/grading.toml beside it where there is one. Throws Error with file and line for a missing
-/// file, a syntax error, an unknown or missing key, a value of another type or out of range; for a name that is used
-/// twice, and for one (of a probe, a task, a check, a mistake) that is not there.
+/// Reads a lab.toml, and staff/grading.toml beside it if it exists. Throws Error with file and line for a missing file,
+/// a syntax error, an unknown or missing key, or a value of another type or out of range. Also throws for a duplicate
+/// name, or for a reference to a missing probe, task, check or mistake.
 Manifest load_manifest(const std::filesystem::path& file);
-/// Of the text of a lab.toml alone; `file` is only named.
+/// Parses the text of a lab.toml alone. `file` appears in messages only.
 Manifest parse_manifest(const std::string& text, const std::filesystem::path& file);
-/// What the text of a staff/grading.toml adds: hidden checks, mistakes, equivalents, and what varies.
+/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, and knobs that vary.
 void add_grading(Manifest& manifest, const std::string& text, const std::filesystem::path& file);
 Manifest load_manifest(const LabEntry& lab);
 

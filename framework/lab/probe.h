@@ -7,12 +7,12 @@
 
 namespace relief {
 
-/// "normal", "uv", ...; empty for the picture itself.
+/// The probe's name, such as "normal" or "uv"; empty for the picture itself.
 struct Probe {
     std::string name;
 
     explicit operator bool() const { return !name.empty(); }
-    /// The shader's permutation: PROBE_normal is defined in all stages.
+    /// Returns the define of the shader's permutation, such as PROBE_normal in all stages.
     operator Define() const { return name.empty() ? "" : "PROBE_" + name; }
     bool operator==(const Probe&) const = default;
 };

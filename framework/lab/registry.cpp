@@ -45,7 +45,7 @@ const LabEntry& find_lab(std::string_view text) {
     for (const LabEntry* lab : candidates) folders.push_back(lab->folder);
     if (!folders.empty()) throw UsageError(fmt::format("'{}' may be any of: {}", text, join(folders, ", ")));
 
-    // A typo is near to a name or to a word of one; the answer is the whole folder.
+    // A typo resembles a name, or a word of a name. The suggestion is the whole folder.
     std::vector<std::string> words;
     std::map<std::string, std::string> folder_of;
     for (const LabEntry& lab : registry()) {

@@ -15,12 +15,12 @@
 namespace relief {
 namespace {
 
-// sRGB-encoded, since nothing encodes what glClear writes.
+// In sRGB encoding, because glClear does not encode.
 constexpr glm::vec3 background{0.11f, 0.12f, 0.14f};
 
 double aspect(glm::ivec2 size) { return double(size.x) / size.y; }
 
-/// What Frame promises, but for the clear colour.
+/// Sets the state that Frame promises, except for the clear colour.
 void restore_state() {
     for (const GLenum capability :
          {GL_BLEND, GL_COLOR_LOGIC_OP, GL_CULL_FACE, GL_DEPTH_CLAMP, GL_FRAMEBUFFER_SRGB, GL_POLYGON_OFFSET_FILL,
@@ -49,7 +49,8 @@ void restore_state() {
     glBindVertexArray(0);
 }
 
-/// Pixels whose task is not written are as good as any if `without_tasks`.
+/// Throws Error for a probe without a surface or with broken pixels. If `without_tasks`, pixels of unwritten tasks are
+/// valid.
 void refuse_broken_probe(const Image& image, const Probe& probe, bool without_tasks) {
     size_t surface = 0, broken = 0, first = 0;
     const size_t missing = pixels_not_written(image);
@@ -94,7 +95,7 @@ Frame frame_of(const Shot& shot, const Target& target) {
 }
 
 void draw_lab(Lab& lab, const Frame& frame) {
-    // Before, for the lab; after, also when it throws, for whoever draws next.
+    // Before the call for the lab; after it, also on an exception, for the next user of the context.
     struct Restored {
         Restored() { restore_state(); }
         ~Restored() { restore_state(); }

@@ -1,4 +1,4 @@
-// TOML files, read table by table and key by key. Errors have a line, and so do unknown keys.
+// Reads TOML files table by table and key by key. Errors have a line; unknown keys are errors.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 
 namespace relief {
 
-/// Throws Error with the line of what is no TOML.
+/// Parses a TOML text. Throws Error with the line of a syntax error.
 inline toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
     try {
         return toml::parse(text, file.string());
@@ -61,8 +61,8 @@ public:
         if (!array) fail(*node, fmt::format("'{}' must be a list of texts", key));
         for (const toml::node& element : *array) result.push_back(value<std::string>(element, key, "a list of texts"));
     }
-    /// A date, with or without a time and an offset, as the file has it: "2027-03-01T23:59:00+01:00". Empty when the key
-    /// is not there.
+    /// Returns a date, with or without a time and an offset, as the file has it: "2027-03-01T23:59:00+01:00". Returns
+    /// an empty string when the key is missing.
     std::string date(const char* key) {
         const toml::node* node = find(key);
         if (!node) return {};
@@ -75,7 +75,7 @@ public:
             fail(*node, fmt::format("'{}' must be a date without quotes, such as 2027-03-01T23:59:00", key));
         return text.str();
     }
-    /// A list of `count` numbers; false when the key is not there.
+    /// Reads a list of `count` numbers. Returns false when the key is missing.
     template <int count>
     bool read(const char* key, std::array<double, count>& result, double low, double high) {
         const toml::node* node = find(key);
@@ -92,7 +92,7 @@ public:
         if (!node->as_table()) fail(*node, fmt::format("'{}' must be a table, {{ key = value }}", key));
         return Table(file_, *node->as_table(), fmt::format("{}.{}", what_, key));
     }
-    /// Each [[key]] in order.
+    /// Returns the table of each [[key]], in order.
     std::vector<Table> tables(const char* key) {
         std::vector<Table> result;
         const toml::node* node = find(key);
@@ -104,7 +104,7 @@ public:
         return result;
     }
 
-    /// Each { ... } of a list, in order.
+    /// Returns each { ... } of a list, in order.
     std::vector<Table> inline_tables(const char* key) {
         std::vector<Table> result;
         const toml::node* node = find(key);
@@ -118,7 +118,7 @@ public:
         return result;
     }
 
-    /// All keys with their values as text, for the knobs of a shot.
+    /// Returns all keys with their values as text, for the knobs of a shot.
     std::vector<std::pair<std::string, std::string>> all_as_text() {
         std::vector<std::pair<std::string, std::string>> result;
         for (const auto& [key, node] : table_) {
@@ -143,26 +143,26 @@ public:
         return result;
     }
     bool is_whole(const char* key) const { return table_[key].is_integer(); }
-    /// Whether there is a list of texts, of one at least.
+    /// Returns whether the key has a non-empty list of texts.
     bool is_texts(const char* key) const {
         const toml::array* const array = table_[key].as_array();
         return array && !array->empty() && array->is_homogeneous<std::string>();
     }
 
-    /// Call last: throws for a key that was not read.
+    /// Call this last. Throws Error for a key that was not read.
     void finish() const {
         for (const auto& [key, node] : table_)
             if (std::find(read_.begin(), read_.end(), key.str()) == read_.end())
                 throw Error({file_, int(key.source().begin.line)}, unknown("key of " + what_ + ",", key.str(), read_));
     }
 
-    /// Of the value of a key, or of the table when it is not there.
+    /// Returns the line of a key's value, or of the table when the key is missing.
     int line(const char* key) const {
         const toml::node* const node = table_.get(key);
         return int((node ? *node : table_).source().begin.line);
     }
     [[noreturn]] void fail(const std::string& message) const { fail(table_, message); }
-    /// At the value of a key, or at the table when it is not there.
+    /// Throws at a key's value, or at the table when the key is missing.
     [[noreturn]] void fail(const char* key, const std::string& message) const {
         const toml::node* const node = table_.get(key);
         fail(node ? *node : table_, message);
