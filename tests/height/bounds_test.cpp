@@ -1,4 +1,4 @@
-// The bounds of a relief's regions: never exceeded by the surface, and no wider than they must be.
+// Bounds of a relief's regions: the surface never exceeds them, and they are no wider than necessary.
 #include "framework/height/bounds.h"
 
 #include <gtest/gtest.h>
@@ -32,12 +32,12 @@ TEST(HeightBounds, HoldTheSurfaceOnEveryLevelOfMapsOfAnySize) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<> share(0, 1);
         for (int i = 0; i < 2000; ++i) {
-            const glm::dvec2 at(share(random), share(random));  // of the map; cells begin at texel centres
+            const glm::dvec2 at(share(random), share(random));  // in the map; cells begin at texel centres
             const double h = field.height(at * glm::dvec2(width, height) + 0.5);
             for (const Image& level : levels) {
                 const float* const bounds =
                     level.pixel(int(at.x * level.width), level.height - 1 - int(at.y * level.height));
-                // A bilinear mean rounds.
+                // Bilinear interpolation rounds.
                 ASSERT_LE(bounds[0], h + 1e-12) << width << "x" << height << ", level of " << level.width;
                 ASSERT_GE(bounds[1], h - 1e-12) << width << "x" << height << ", level of " << level.width;
             }
@@ -53,7 +53,7 @@ TEST(HeightBounds, AreThoseOfTheCornersWhereTheSideIsAPowerOfTwo) {
         for (int j = 0; j < 16 >> k; ++j)
             for (int i = 0; i < 16 >> k; ++i) {
                 float low = 1, high = 0;
-                for (int v = j << k; v <= (j + 1) << k; ++v)  // the far corners, too, beyond the border
+                for (int v = j << k; v <= (j + 1) << k; ++v)  // includes the far corners, also across the border
                     for (int u = i << k; u <= (i + 1) << k; ++u) {
                         const float h = *heights.pixel(u % 16, 15 - v % 16);
                         low = std::min(low, h), high = std::max(high, h);

@@ -1,4 +1,4 @@
-// How far the levels of a height map are off.
+// Error bounds of a height map's levels.
 #include "framework/height/levels.h"
 
 #include <gtest/gtest.h>
@@ -25,10 +25,10 @@ TEST(HeightLevels, OfOnePostAreKnownOnPaper) {
     Image image(4, 4, 1);
     *image.pixel(1, 1) = 1;
     const auto errors = level_errors(image, 10);
-    // Level 0 against its chords: second differences of -2 along both axes, a twist of 1.
+    // Level 0 against its chords: second differences are -2 along both axes, the twist is 1.
     EXPECT_NEAR(errors[0], std::sqrt(8.0) / 4 + 1.0 / 8, 1e-6);
-    // Level 1 has 1/4 in the texel that covers the post: at the post's centre, a quarter of its texel from the middle,
-    // it reads (3/4)² of that, and is off by 55/64. Its second differences are -1/2, its twist 1/4.
+    // Level 1 is 1/4 in the texel that covers the post. The post's centre is a quarter of this texel from its middle.
+    // There, level 1 interpolates to 1/4 (3/4)², an error of 55/64. Its second differences are -1/2, its twist is 1/4.
     EXPECT_NEAR(errors[1], 55.0 / 64 + std::sqrt(0.5) / 4 + 0.25 / 8, 1e-6);
     // The mean is 1/16.
     EXPECT_NEAR(errors[2], std::max(15.0 / 16, double(errors[1])), 1e-6);
@@ -46,7 +46,8 @@ TEST(HeightLevels, EndWhereTheyAreOffByEnough) {
 }
 
 TEST(HeightLevels, NoMarchIsOffByMore) {
-    // Between samples a texel of the level apart, the line between the level's heights, against the surface itself.
+    // For two samples at a distance of one texel of the level: the chord between its heights against the surface
+    // itself.
     for (const HeightMap map : {HeightMap::smooth, HeightMap::fbm, HeightMap::stones}) {
         const Image image = make_height_map(map, 128);
         const HeightField field(image, true);

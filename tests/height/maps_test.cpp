@@ -1,4 +1,4 @@
-// Height maps from formulas: what every search may rely on.
+// Height maps from formulas: the properties that every search relies on.
 #include "framework/height/maps.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ TEST(HeightMaps, ReachFromZeroToOneAndTile) {
         const auto [low, high] = std::minmax_element(image.values.begin(), image.values.end());
         EXPECT_EQ(*low, 0) << height_map_names[size_t(map)];
         EXPECT_NEAR(*high, 1, 1e-6) << height_map_names[size_t(map)];
-        // The step over the border is no larger than the largest inside.
+        // The largest step across the border is no larger than the largest one inside.
         float inside = 0, border = 0;
         for (int y = 0; y < 128; ++y)
             for (int x = 0; x < 128; ++x) {

@@ -1,4 +1,4 @@
-// What is said of a relief on a patch: bounds that nothing exceeds, and errors that mathematics knows.
+// Bounds of a relief on a patch, which no height exceeds, and errors that are known analytically.
 #include "framework/height/patches.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace relief {
 namespace {
 
 constexpr unsigned seed = 8;
-constexpr double rounding = 1 / 255.0;  // by how much bounds are apart from what is there
+constexpr double rounding = 1 / 255.0;  // how much the bounds are widened
 
 class Random {
 public:
@@ -33,7 +33,7 @@ Image noise(int width, int height) {
     return image;
 }
 
-/// `h(u, v)` at the texel centres.
+/// Returns a map of `h(u, v)` at the texel centres.
 template <class Function>
 Image map_of(int width, int height, const Function& h) {
     Image image(width, height, 1);
@@ -51,7 +51,7 @@ std::vector<std::pair<std::string, Image>> maps() {
     return result;
 }
 
-/// A map in all its mip levels, and between them.
+/// A map at all its mip levels, and between them.
 class Levels {
 public:
     explicit Levels(const Image& heights) {
@@ -73,7 +73,7 @@ private:
 
 using Patch = std::vector<HeightCorner>;
 
-/// The owner of everything on it. Flat, one metre a tile.
+/// Returns a flat patch that owns its edges and corners; a tile is one metre wide.
 Patch patch_of(const std::vector<glm::vec2>& uv) {
     Patch patch;
     for (size_t i = 0; i < uv.size(); ++i)
@@ -81,7 +81,7 @@ Patch patch_of(const std::vector<glm::vec2>& uv) {
     return patch;
 }
 
-/// Three or four corners, convex, anywhere.
+/// Returns a convex patch of three or four corners at a random position.
 Patch random_patch(Random& random, size_t corners) {
     const glm::vec2 middle = random.place(3);
     const double size = std::pow(10, random(-2.5, -0.2)), turn = random(0, 7);
@@ -97,7 +97,7 @@ Patch square(glm::vec2 at, float side) {
     return patch_of({at, at + glm::vec2(side, 0), at + side, at + glm::vec2(0, side)});
 }
 
-/// (bi)linear in what the corners have; triangles at barycentric (1 - s - t, s, t).
+/// Interpolates a member of the corners: bilinearly for a quad; for a triangle at barycentric (1 - s - t, s, t).
 template <int length>
 auto inside(const Patch& patch, glm::vec<length, float> HeightCorner::*member, double s, double t) {
     const auto at = [&](size_t i) { return glm::vec<length, double>(patch[i].*member); };
@@ -169,7 +169,7 @@ TEST(PatchHeights, AreNoSteeperThanSaidBetweenAnyTwoPlaces) {
         for (int i = 0; i < 200; ++i) {
             Patch patch = random_patch(random, 3 + i % 2);
             const glm::vec3 across(random.place(1), random(-1, 1)), up(random.place(1), random(-1, 1));
-            for (HeightCorner& corner : patch)  // sheared, and mirrored by half of them
+            for (HeightCorner& corner : patch)  // sheared, and half of them mirrored
                 corner.position = corner.position.x * across + corner.position.y * up;
             if (i % 4 == 1) patch[2].position += 0.3f * (patch[1].position - patch[0].position);
             if (i % 4 == 3) {
@@ -179,7 +179,7 @@ TEST(PatchHeights, AreNoSteeperThanSaidBetweenAnyTwoPlaces) {
             const double slope = measured(patch, heights).slope;
             for (int k = 0; k < 200; ++k) {
                 const glm::dvec2 from = random_place(random, patch);
-                const double share = std::pow(10, random(-3, 0));  // a tenth of them across, the others nearer by
+                const double share = std::pow(10, random(-3, 0));  // log-uniform in [0.001, 1]: close pairs, too
                 const glm::dvec2 to = from + (random_place(random, patch) - from) * share;
                 const double level = std::floor(random(0, levels.last() + 1));
                 const auto height = [&](glm::dvec2 place) {
@@ -195,7 +195,7 @@ TEST(PatchHeights, AreNoSteeperThanSaidBetweenAnyTwoPlaces) {
 }
 
 TEST(PatchHeights, AreAsSteepAsARoofIs) {
-    // 2 a tile everywhere, and the mean of two sides that are alike at its ridge is no steeper.
+    // The slope is 2 per tile everywhere. Coarser levels average two equal sides at the ridge, which is no steeper.
     const Image roof = map_of(128, 32, [](double u, double) { return std::abs(2 * u - 1); });
     for (Patch patch : {square({0.1f, 0.3f}, 0.2f), patch_of({{0.1f, 0.1f}, {0.4f, 0.2f}, {0.2f, 0.9f}})}) {
         EXPECT_NEAR(measured(patch, roof).slope, 2, 1e-4);
@@ -207,7 +207,7 @@ TEST(PatchHeights, AreAsSteepAsARoofIs) {
 }
 
 TEST(PatchHeights, AreSteepestInTheMiddleOfATwistedQuad) {
-    // Its lower and upper side are longer than the line half-way between them, which is 0.2 long: 2 a metre.
+    // The midline is 0.2 long, shorter than the lower and the upper side: the slope is 2 per metre.
     const Image roof = map_of(128, 32, [](double u, double) { return std::abs(2 * u - 1); });
     Patch patch = square({0.1f, 0.3f}, 0.2f);
     patch[1].position.z = -0.1f, patch[2].position.z = 0.1f;
@@ -226,8 +226,9 @@ TEST(PatchHeights, APlaneHasNoErrors) {
 }
 
 TEST(PatchHeights, ErrorsAreThoseOfChords) {
-    // Chords are off by (L / n)² |h''| / 8 at the most, and the root mean square of a parabola is sqrt(8 / 15) of its
-    // top; over the patch that of |h''| is 0.905 of the largest, which is in its middle. From 4 texels a chord on.
+    // The error of a chord is at most (L / n)² |h''| / 8. The root mean square of a parabola is sqrt(8 / 15) of its
+    // maximum. Over the patch, the RMS of |h''| is 0.905 of its maximum, which is in the middle. Valid for chords of at
+    // least 4 texels.
     const double side = 0.25, bend = 2 * M_PI * M_PI;
     const Image waves = map_of(256, 16, [](double u, double) { return 0.5 + 0.5 * std::sin(2 * M_PI * u); });
     const Patch corners = square({0.125f, 0.3f}, float(side));
@@ -268,7 +269,8 @@ TEST(PatchHeights, ErrorsNeverRise) {
     }
 }
 
-/// Of `height(x, y)` on [0, 1]², or on the triangle below its falling diagonal, cut into n along a side.
+/// Returns the chord surface of `height(x, y)` on [0, 1]², or on the triangle below the falling diagonal, with n cuts
+/// along a side.
 template <class Height>
 double chord_at(const Height& height, glm::dvec2 place, double n, bool is_falling) {
     const glm::dvec2 cell = glm::floor(place * n), at = place * n - cell;
@@ -282,7 +284,7 @@ double chord_at(const Height& height, glm::dvec2 place, double n, bool is_fallin
 
 TEST(PatchHeights, NoChordIsOffByMoreThanTwiceThatAndOneInAHundredByMore) {
     Random random;
-    const double missed = 1.5e-4;  // of kinks between two samples, on patches of a few texels
+    const double missed = 1.5e-4;  // error of a kink between two samples, on patches of a few texels
     for (const auto& [map, slack] : {std::pair(HeightMap::smooth, 1.2), {HeightMap::fbm, 1.3}}) {
         const Image heights = make_height_map(map, 64);
         const Levels levels(heights);

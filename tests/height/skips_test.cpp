@@ -1,4 +1,4 @@
-// What a search may skip: never anything that it could hit.
+// Maps for skipping: a search never skips anything that it could hit.
 #include "framework/height/skips.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace relief {
 namespace {
 
-/// The highest corner of each cell, by hand: cell (x, y) has texels (x, y) to (x + 1, y + 1), row 0 lowest.
+/// Brute-force maximum of each cell: cell (x, y) has texels (x, y) to (x + 1, y + 1), row 0 lowest.
 class Cells {
 public:
     explicit Cells(const Image& heights) : heights_(heights) {}
@@ -47,14 +47,14 @@ std::vector<Image> maps() {
             noise(2, 8)};
 }
 
-/// Where window k of a quadrant begins, beside a cell or block at (x, y).
+/// Returns where the window of a quadrant begins for a cell or block at (x, y).
 glm::ivec2 first_of(int x, int y, int quadrant, int extent) {
     return {x - (quadrant & 1 ? extent : 0), y - (quadrant & 2 ? extent : 0)};
 }
 
 TEST(HeightSkips, NothingInAWindowIsHigherThanItSaysAndItSaysNoMuchLess) {
     std::vector<Image> all = maps();
-    all.push_back(make_height_map(HeightMap::stones, 512));  // of larger blocks, and not all of them are looked at
+    all.push_back(make_height_map(HeightMap::stones, 512));  // has larger blocks, of which some are tested
     for (const Image& map : all) {
         const int step = map.width < 512 ? 1 : 61;
         const Cells cells(map);
@@ -110,7 +110,7 @@ TEST(HeightSkips, NoCellRisesIntoACone) {
 }
 
 TEST(HeightSkips, WindowsFitTheMap) {
-    // Between posts that stand sixteen texels apart the widest empty square is of fourteen cells or less.
+    // Between posts at a distance of sixteen texels, the largest empty square has at most fourteen cells.
     const auto posts = height_windows(make_height_map(HeightMap::posts, 256)).extent;
     EXPECT_LE(posts[2], 14);
     const auto smooth = height_windows(make_height_map(HeightMap::smooth, 256)).extent;
