@@ -1,4 +1,4 @@
-// What the build made of the course's pictures, against what a run would make of them.
+// The pictures that the build converted, compared with a conversion at run time.
 #include "framework/image/asset.h"
 
 #include <cstring>
@@ -23,7 +23,7 @@ std::vector<std::string> pictures() {
     return names;
 }
 
-/// A course whose assets are what a test puts there.
+/// A course whose assets are the files that a test writes.
 class CourseOfOwn {
 public:
     CourseOfOwn() {
@@ -47,7 +47,7 @@ bool same(const Texels& a, const Texels& b) {
     return true;
 }
 
-/// Which chain the build has made.
+/// Returns the colour space of the chain that the build made.
 ColorSpace map_space(const std::string& name) {
     const std::string bytes = read_file(framework_folder() / "textures" / (name + ".texels"));
     uint64_t source = 0;
@@ -80,7 +80,7 @@ TEST(Asset, ThatWasReplacedIsReadAnewWhateverItsTimeAndItsSize) {
     const CourseOfOwn course;
     course.put(name, bytes);
     EXPECT_EQ(read_asset(name).values, known.values);
-    // A PPM of a PNG's name, as long as the PNG was: contents decide.
+    // A PPM with a PNG's name and length: only the contents differ.
     Image other(16, 16, 3, 8);
     other.values[5] = 1;
     std::string ppm = encode_image(other, ImageFormat::ppm);
@@ -92,7 +92,7 @@ TEST(Asset, ThatWasReplacedIsReadAnewWhateverItsTimeAndItsSize) {
 }
 
 TEST(Asset, ChangesWithEachOfItsBytes) {
-    // Blocks of 32 bytes, in pieces of 65536: a byte at each place that is special.
+    // Blocks have 32 bytes and pieces 65536. Changes a byte at each kind of position.
     const std::string ppm = encode_image(Image(200, 200, 3, 8), ImageFormat::ppm);
     const auto fingerprint = [](const std::string& bytes) { return convert_asset("a.ppm", bytes).substr(8, 8); };
     std::set<std::string> seen = {fingerprint(ppm)};

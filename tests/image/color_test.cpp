@@ -1,4 +1,4 @@
-// The sRGB curve against IEC 61966-2-1, and its quick forms against the formula.
+// The sRGB curve against IEC 61966-2-1, and its fast forms against the formula.
 #include "framework/image/color.h"
 
 #include <gtest/gtest.h>
@@ -11,11 +11,11 @@
 namespace relief {
 namespace {
 
-/// What srgb8_from_linear promises, by the formula.
+/// Returns the result that srgb8_from_linear() promises, by the formula.
 int rounded(float light) { return int(std::lround(std::clamp(255 * srgb_from_linear(double(light)), 0.0, 255.0))); }
 
 TEST(Srgb, HasTheValuesOfTheStandard) {
-    // Evaluated from the standard's formula with 40 digits; 3e-16 is a rounding or two near 1.
+    // Evaluated from the standard's formula with 40 digits; 3e-16 allows for one or two roundings near 1.
     EXPECT_NEAR(linear_from_srgb(0.5), 0.21404114048223244243, 3e-16);
     EXPECT_NEAR(linear_from_srgb(0.75), 0.52252155396839181772, 3e-16);
     EXPECT_NEAR(linear_from_srgb(0.04045), 0.0031308049535603715170, 1e-18) << "the end of the straight part";
@@ -31,7 +31,7 @@ TEST(Srgb, HasTheValuesOfTheStandard) {
 TEST(Srgb, TheTwoCurvesAreInverseAlsoBeyondOneAndBelowZero) {
     for (int i = -2000; i <= 2000; ++i) {
         const double value = i / 1000.0;
-        // The standard's two parts meet within 3e-8; elsewhere only rounding is lost.
+        // The standard's two parts meet within 3e-8; elsewhere only rounding contributes.
         EXPECT_NEAR(linear_from_srgb(srgb_from_linear(value)), value, 2e-15) << value;
         EXPECT_NEAR(srgb_from_linear(linear_from_srgb(value)), value, 2e-15) << value;
         EXPECT_EQ(srgb_from_linear(-value), -srgb_from_linear(value)) << value;

@@ -61,16 +61,16 @@ TEST(Difference, OfShapesIsInfiniteAndAllPixels) {
 }
 
 TEST(Error, IsTheDistanceOverAllChannelsOrTheFirstAlone) {
-    EXPECT_EQ(error_of({1, 2, 3, 4}, {1, 5, 3, 8}, ErrorMetric::distance), 5);  // 3, 4, 5
+    EXPECT_EQ(error_of({1, 2, 3, 4}, {1, 5, 3, 8}, ErrorMetric::distance), 5);  // differences 3 and 4
     EXPECT_EQ(error_of({1, 9, 9}, {3, 0, 0}, ErrorMetric::absolute), 2);
     EXPECT_EQ(error_of({3}, {1}, ErrorMetric::distance), 2);
 }
 
 TEST(Error, OfAnAngleIsExactFromAMillionthOfADegreeToAHalfTurn) {
-    // By acos of the dot product everything below 0.02 degrees would be lost in float, below 1e-6 in double.
+    // With acos of the dot product, angles below 0.02 degrees would be lost in float, and below 1e-6 in double.
     for (const double degrees : {0.0, 1e-6, 1e-5, 1e-3, 0.02, 1.0, 45.0, 90.0, 135.0, 179.0, 180.0}) {
         const double angle = degrees * M_PI / 180;
-        // In a plane where the small component has all its digits: (1, 0, 0) against (cos, sin, 0).
+        // In a plane where the small component keeps all its digits: (1, 0, 0) against (cos, sin, 0).
         const float x = float(std::cos(angle)), y = float(std::sin(angle));
         EXPECT_NEAR(error_of({1, 0, 0}, {x, y, 0}, ErrorMetric::angle), degrees, 2e-7 * degrees + 1e-12);
         EXPECT_NEAR(error_of({0, y, x, 0.3f}, {0, 0, 2, 0.9f}, ErrorMetric::angle), degrees, 2e-7 * degrees + 1e-12)

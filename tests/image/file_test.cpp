@@ -1,4 +1,4 @@
-// Image files: exact where they promise it, and an error with a name for everything that is no image.
+// Image files: exact where they promise it, and an error with the file's name for every invalid file.
 #include "framework/image/file.h"
 
 #include <array>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using namespace std::string_literals;
 using namespace std::string_view_literals;
 
-/// Every value of `image.bits` that fits, in order.
+/// Returns an image of the values of `image.bits`, in order and repeated.
 Image all_values(int width, int height, int channels, int bits) {
     Image image(width, height, channels, bits);
     const size_t count = size_t{1} << bits;
@@ -30,7 +30,7 @@ std::string big_endian(uint32_t number) {
     return {char(number >> 24), char(number >> 16), char(number >> 8), char(number)};
 }
 
-/// A chunk as PNG (ISO 15948) has it: length, name, bytes, CRC-32 of the last two.
+/// Returns a PNG chunk (ISO 15948): length, name, bytes, CRC-32 of the last two.
 std::string png_chunk(const std::string& name, const std::string& bytes) {
     uint32_t crc = ~0u;
     for (const unsigned char byte : name + bytes) {
@@ -40,10 +40,10 @@ std::string png_chunk(const std::string& name, const std::string& bytes) {
     return big_endian(uint32_t(bytes.size())) + name + bytes + big_endian(~crc);
 }
 
-/// A PNG of rows, each with its filter before it; zlib's format (RFC 1950) lets them stand as they are.
+/// Returns a PNG of rows, each with its filter type first. They are stored uncompressed in zlib's format (RFC 1950).
 std::string png_of(uint32_t width, uint32_t height, char bits, char kind, const std::string& chunks,
                    const std::string& rows) {
-    uint32_t a = 1, b = 0;  // Adler-32
+    uint32_t a = 1, b = 0;  // of Adler-32
     for (const unsigned char byte : rows) a = (a + byte) % 65521, b = (b + a) % 65521;
     const auto low = char(rows.size()), high = char(rows.size() >> 8);
     const std::string stored = "\x78\x01\x01"s + low + high + char(~low) + char(~high) + rows + big_endian(b << 16 | a);
@@ -52,7 +52,7 @@ std::string png_of(uint32_t width, uint32_t height, char bits, char kind, const 
            png_chunk("IDAT", stored) + png_chunk("IEND", "");
 }
 
-/// The error of reading a file with these bytes, which must name the file.
+/// Returns the error of reading a file with these bytes, without the file's name, which it must begin with.
 std::string refusal(const std::string& name, std::string_view bytes) {
     const TemporaryFolder folder;
     const fs::path file = folder.write(name, bytes);
@@ -189,7 +189,7 @@ TEST_F(ImageFiles, PpmIsItsHeaderAndBytesFromTheTop) {
 
 TEST_F(ImageFiles, PfmIsItsHeaderAndLittleEndianFloatsFromTheBottom) {
     Image grey(1, 2, 1);
-    grey.values = {1.0f, -2.0f};  // 1 above -2
+    grey.values = {1.0f, -2.0f};  // 1 is above -2
     EXPECT_EQ(encode_image(grey, ImageFormat::pfm), "Pf\n1 2\n-1.0\n\x00\x00\x00\xc0\x00\x00\x80\x3f"sv);
     Image probe(1, 1, 4);
     probe.values = {no_surface, 1, -2, 0.5f};
@@ -219,7 +219,7 @@ TEST_F(ImageFiles, WriteTheFormatOfTheEnding) {
         EXPECT_TRUE(contains(message_of<UsageError>([&] { format_of(name); }), ".png, .exr, .ppm or .pfm")) << name;
 }
 
-/// The error says it all: nothing else goes to standard error, where libpng likes to write.
+/// The error is the only message: libpng must write nothing on standard error.
 class NoImages : public testing::Test {
 protected:
     void SetUp() override { testing::internal::CaptureStderr(); }
@@ -287,13 +287,13 @@ TEST_F(NoImages, AHugeHeaderIsRefusedBeforeItsPixelsAreAllocated) {
     const std::string window("dataWindow\0box2i\0\x10\0\0\0", 21);
     ASSERT_TRUE(contains(exr, window));
     const std::string small = exr;
-    exr.replace(exr.find(window) + window.size() + 8, 8, "\x9f\x86\x01\0\x9f\x86\x01\0"s);  // to 99999, 99999
+    exr.replace(exr.find(window) + window.size() + 8, 8, "\x9f\x86\x01\0\x9f\x86\x01\0"s);  // last column and row 99999
     EXPECT_TRUE(contains(refusal("huge.exr", exr), "too large: only one flat image of at most 16384x16384"));
     exr = small;
-    exr.replace(exr.find(window) + window.size() - 4, 4, "\xff\xff\xff\x7f"s);  // the value's own size
+    exr.replace(exr.find(window) + window.size() - 4, 4, "\xff\xff\xff\x7f"s);  // the size of the value itself
     EXPECT_TRUE(contains(refusal("huge.exr", exr), "2147483647 bytes are no box2i"));
     exr = small;
-    exr[5] = '\x10';  // of the version's flags
+    exr[5] = '\x10';  // the flags in the version
     EXPECT_TRUE(contains(refusal("several.exr", exr), "deep, or several images"));
     exr = small;
     const std::string channels("channels\0chlist\0", 16);

@@ -1,4 +1,4 @@
-// Mip chains keep the mean, of light where the image is colour.
+// Mip chains preserve the mean, and average colour as light.
 #include "framework/image/mips.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(Mips, KeepTheMeanOfEveryChannelAtEverySize) {
 TEST(Mips, AnOddSideIsCoveredInParts) {
     Image row(5, 1, 1);
     row.values = {1, 2, 3, 4, 5};
-    // Two texels of two and a half each: (1 + 2 + 3 / 2) / 2.5 and (3 / 2 + 4 + 5) / 2.5.
+    // Two texels cover two and a half each: (1 + 2 + 3 / 2) / 2.5 and (3 / 2 + 4 + 5) / 2.5.
     const Image half = mip_chain(row, ColorSpace::linear)[1];
     ASSERT_EQ(half.values.size(), 2u);
     EXPECT_FLOAT_EQ(half.values[0], 1.8f);
@@ -71,7 +71,7 @@ TEST(Mips, LevelZeroIsTheImageItself) {
 }
 
 TEST(Mips, AverageColourAsLight) {
-    // Half black, half white is half the light: srgb_from_linear(0.5) = 0.73536, in 8 bits 188, not 128.
+    // Half black and half white is half the light: srgb_from_linear(0.5) = 0.73536, which is 188 in 8 bits, not 128.
     Image image(2, 1, 3, 8);
     std::fill(image.values.begin() + 3, image.values.end(), 1.0f);
     const Image light = mip_chain(image, ColorSpace::srgb).back(), number = mip_chain(image, ColorSpace::linear).back();
@@ -82,8 +82,8 @@ TEST(Mips, AverageColourAsLight) {
 }
 
 TEST(Mips, AreNotRoundedFromLevelToLevel) {
-    // Sierpinski's triangle in the darkest grey: 27 of 64 texels are 1, a mean of 0.42, so 0. Rounding on
-    // each level would make 3/4 of it 1 again and again.
+    // Sierpinski's triangle in the darkest grey: 27 of 64 texels are 1, so the mean is 0.42, which rounds to 0. If each
+    // level were rounded, 3/4 would become 1 every time.
     Image image(8, 8, 1, 8);
     for (int y = 0; y < 8; ++y)
         for (int x = 0; x < 8; ++x) *image.pixel(x, y) = (x & y) == 0 ? 1 / 255.0f : 0.0f;
@@ -110,7 +110,7 @@ Image stored(const std::vector<glm::dvec3>& normals, int width) {
 TEST(NormalMips, OfEqualNormalsAreTheSameAndOfFullLength) {
     const glm::dvec3 tilted = glm::normalize(glm::dvec3(0.3, -0.4, 0.8));
     const auto chain =
-        normal_mip_chain(stored(std::vector<glm::dvec3>(35, 0.9 * tilted), 7));  // not unit, as 8 bits leave it
+        normal_mip_chain(stored(std::vector<glm::dvec3>(35, 0.9 * tilted), 7));  // not unit, as in 8 bits
     ASSERT_EQ(chain.size(), 3u);
     for (const Image& level : chain) {
         EXPECT_EQ(level.channels, 4);
@@ -123,7 +123,7 @@ TEST(NormalMips, OfEqualNormalsAreTheSameAndOfFullLength) {
 }
 
 TEST(NormalMips, AreUnitAndKeepTheLengthOfTheMean) {
-    // Two normals at 60 degrees to each other: their mean is as long as the cosine of 30.
+    // Two normals at 60 degrees to each other: the length of their mean is cos(30 degrees).
     const double s = std::sin(M_PI / 6), c = std::cos(M_PI / 6);
     const auto chain = normal_mip_chain(stored({{s, 0, c}, {-s, 0, c}}, 2));
     EXPECT_NEAR(chain[1].values[0], 0.5, 1e-6);
@@ -139,8 +139,8 @@ TEST(NormalMips, OfNormalsThatCancelOutPointUpWithoutLength) {
 }
 
 TEST(NormalMips, OfRandomSlopesAreAsLongAsTheIntegralSays) {
-    // Slopes N(0, s²) in both directions: |mean n| is the mean of n.z = 1 / sqrt(1 + r²), r² / s² exponential of
-    // mean 2.
+    // Slopes are N(0, s²) in both directions. |mean n| is the mean of n.z = 1 / sqrt(1 + r²), where r² / s² is
+    // exponentially distributed with mean 2.
     const double s = 0.3;
     std::mt19937 random(31);
     std::normal_distribution<> slope(0, s);
@@ -152,7 +152,7 @@ TEST(NormalMips, OfRandomSlopesAreAsLongAsTheIntegralSays) {
         const double r2 = -2 * s * s * std::log((i + 0.5) / steps);
         integral += 1 / std::sqrt(1 + r2) / steps;
     }
-    // The spread of n.z is 0.07, over 65,536 texels.
+    // The standard deviation of n.z is 0.07, over 65,536 texels.
     EXPECT_NEAR(normal_mip_chain(stored(normals, 256)).back().values[3], integral, 0.07 / 256 * 4);
 }
 

@@ -1,4 +1,4 @@
-// PPM, PGM and PFM: there and back again, and one clear line for what is none of them.
+// PPM, PGM and PFM: round trips, and a clear one-line error for invalid files.
 #include "framework/image/netpbm.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Maps in another number of texels.
+// Resampling of maps that tile.
 #include "framework/image/resample.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// SVG pictures, and every diagram that a handout shows.
+// SVG pictures, and all diagrams of handouts.
 #include "framework/image/svg.h"
 
 #include <set>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the picture's pixels, those that are not paper.
+/// Returns the share of the picture's pixels that are not white paper.
 double share_of_ink(const Image& image) {
     size_t ink = 0;
     for (size_t i = 0; i < image.values.size(); i += 3)

@@ -1,4 +1,4 @@
-// Mip chains as OpenGL takes them: their bytes, and files of them that are whole, cut short or another's.
+// Mip chains in OpenGL's layout: their bytes, and files of them that are complete, truncated or of another picture.
 #include "framework/image/texels.h"
 
 #include <cstring>
@@ -26,7 +26,7 @@ Value value_at(const Texels& texels, size_t level, size_t index) {
 
 TEST(Texels, RowsGoUpAndIntegersAreRoundedAndKeptInRange) {
     Image image(1, 2, 2, 16);
-    image.values = {1.5f, 0.25f, -1, 0.5f};  // the upper texel, the lower one
+    image.values = {1.5f, 0.25f, -1, 0.5f};  // the upper texel, then the lower one
     const Texels texels = pack(std::vector{image}, ColorSpace::linear);
     EXPECT_EQ(value_at<uint16_t>(texels, 0, 0), 0);
     EXPECT_EQ(value_at<uint16_t>(texels, 0, 1), 32768);
@@ -80,7 +80,7 @@ TEST(TexelsFile, WithAnImpossibleHeaderIsNotTaken) {
         return decode_texels(changed, 77, {});
     };
     EXPECT_FALSE(with(4, 0)) << "the magic word's end, with the version";
-    for (const size_t at : {16, 20, 24, 28})  // width, height, channels, bits
+    for (const size_t at : {16, 20, 24, 28})  // offsets of width, height, channels, bits
         for (const int32_t value : {0, -1, 7, 1 << 30}) EXPECT_FALSE(with(at, value)) << at << ", " << value;
 }
 

@@ -1,4 +1,4 @@
-// Numbers as colours: what is broken and what is background stand out.
+// Numbers as colours: invalid values and the background stand out.
 #include "framework/image/visualize.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Visualize, ANanIsMagentaInAnyChannel) {
 }
 
 TEST(Visualize, AMissingTaskIsMagentaAsInThePicture) {
-    const Color magenta{0.85f, 0, 0.85f};  // unfinished.glsl's
+    const Color magenta{0.85f, 0, 0.85f};  // as in unfinished.glsl
     for (const ErrorMetric metric : {ErrorMetric::distance, ErrorMetric::angle, ErrorMetric::absolute})
         EXPECT_EQ(probe_color(std::vector<float>(4, not_written), metric), magenta);
     EXPECT_EQ(error_color(not_written, 1), magenta);
@@ -91,18 +91,18 @@ TEST(Visualize, SingleNumbersAreHeatScaledByTheLargest) {
 }
 
 TEST(Visualize, VectorsShowBandsAPowerOfTwoWide) {
-    // Sizes 5, 3, 6 and 16: the usual one (of rank 2 from 0) is 6, a sixteenth of it 0.375, so a band is 0.5 wide.
+    // Sizes 5, 3, 6 and 16: the median (rank 2 from 0) is 6, and a sixteenth of it is 0.375. So a band is 0.5 wide.
     EXPECT_EQ(probe_color({5.125f, -3.125f, 6, 16}, ErrorMetric::distance), (Color{0.25f, 0.75f, 0}));
     EXPECT_EQ(probe_color({0, 0, 0}, ErrorMetric::distance), (Color{0, 0, 0})) << "no size to take a band from";
 }
 
 TEST(Visualize, ASignedVectorIsBrighterThanHalfAbove0AndDarkerBelow) {
     const ProbeColors with_sign(ErrorMetric::distance, true);
-    // The same bands as without a sign, half as high,
+    // The same bands as without a sign, with half the amplitude.
     EXPECT_EQ(probe_color({5.125f, -3.125f, 6, 16}, with_sign), (Color{0.625f, 0.375f, 0.5f}));
     EXPECT_EQ(probe_color({-5.125f, 3.125f, 6, 16}, with_sign), (Color{0.375f, 0.625f, 0.5f})) << "the sign flipped";
     EXPECT_EQ(probe_color({0, 0, 0}, with_sign), (Color{0.5f, 0.5f, 0.5f}));
-    // and every other one the other way round.
+    // Every other band falls.
     EXPECT_EQ(probe_color({5.5f, 5.625f, -5.875f, 16}, with_sign), (Color{1, 0.875f, 0.375f}));
 }
 
