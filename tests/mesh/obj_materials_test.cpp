@@ -1,4 +1,4 @@
-// MTL materials: which faces get which, what each line means, and where the files lie.
+// MTL materials: their faces, the meaning of each line, and the paths of files.
 #include "framework/mesh/obj.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// OBJ models as exporters write them: every spelling, and what the mesh then is.
+// OBJ models as exporters write them: all notations, and the resulting mesh.
 #include "framework/mesh/obj.h"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 const std::string square = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n";
 
-/// Corner by corner, the positions that the triangles name.
+/// Returns the positions of the triangles, corner by corner.
 std::vector<glm::vec3> corners(const ObjModel& model) {
     std::vector<glm::vec3> all;
     for (const uint32_t index : model.mesh.indices) all.push_back(model.mesh.vertices.at(index).position);
@@ -124,7 +124,7 @@ TEST(ObjNormals, AreSmoothWithinASmoothingGroupAndFlatWithout) {
 }
 
 TEST(ObjNormals, AreWeightedByTheAngleSoThatTheCutDoesNotMatter) {
-    // At a cube's corner three right angles meet: the mean is the diagonal, however each square was cut.
+    // At a cube's corner, three right angles meet. So the mean is the diagonal, however the squares are triangulated.
     const ObjModel model = parse_obj(
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
         "f 1 4 3 2\nf 5 6 7\nf 5 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7\nf 2 7 6\nf 1 5 8 4\n");
@@ -160,7 +160,7 @@ TEST(ObjNormals, AreMadeAnewIfThatIsWanted) {
 }
 
 TEST(Obj, ALeftHandedFileKeepsItsFrontsAndItsTexture) {
-    // Seen from -z, its front: in left-handed axes clockwise corners face the eye, and v comes from the top.
+    // Its front faces -z. In left-handed axes, clockwise corners face the viewer, and v grows down.
     const ObjModel model =
         parse_obj("v 0 0 5\nv 0 1 5\nv 1 1 5\nvt 0 1\nvt 0 0\nvt 1 0\nvn 0 0 -1\nf 1/1/1 2/2/1 3/3/1\n", {}, "m.obj",
                   {}, {.left_handed = true});

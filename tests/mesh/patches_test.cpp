@@ -1,4 +1,4 @@
-// What patches share, they know in the same bits: places, edges, directions; and how triangles become quads.
+// Patches have the same bits for shared places, edges and directions. Triangles are joined or split into quads.
 #include "framework/mesh/patches.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Named {
 
 Mesh urn() { return read_obj(RELIEF_SOURCE_FOLDER "/assets/urn.obj").mesh; }
 
-/// With seams, poles, hard edges and borders.
+/// Returns meshes with seams, poles, hard edges and borders.
 std::vector<Named> meshes() {
     return {
         {"sphere", make_sphere({.radius = 3, .sides = 12, .rows = 6, .repeat = {4, 2}})},
@@ -38,7 +38,7 @@ std::vector<Named> meshes() {
     };
 }
 
-/// The same mesh without its first triangle: its triangles no longer pair up.
+/// Returns the mesh without its first triangle, so that consecutive triangles no longer form quads.
 Mesh without_first_triangle(Mesh mesh) {
     mesh.indices.erase(mesh.indices.begin(), mesh.indices.begin() + 3);
     return mesh;
@@ -54,7 +54,7 @@ const PatchCorner& after(const PatchMesh& patches, size_t i) {
     return patches.points[i - i % corners + (i + 1) % corners];
 }
 
-/// Calls `check` with each mesh in triangles, in quads, and in quads that it had to be split into.
+/// Calls `check` with the patches of each mesh as triangles, as quads, and as quads of split triangles.
 template <class Check>
 void for_all(Check check) {
     for (const auto& [name, mesh] : meshes()) {
@@ -70,7 +70,7 @@ std::vector<glm::vec3> positions(const PatchMesh& patches) {
     return all;
 }
 
-/// Twice the area, outwards.
+/// Returns the outward vector area, doubled.
 glm::dvec3 across(const PatchMesh& patches, size_t patch) {
     const PatchCorner* const p = &patches.points[patch * size_t(patches.corners)];
     const glm::dvec3 a(p[0].vertex.position), b(p[1].vertex.position), c(p[2].vertex.position);
@@ -85,7 +85,7 @@ TEST(Patches, OfThreeCornersAreTheTrianglesButThoseWithTwoCornersInOnePlace) {
         for (size_t i = 0; i < mesh.indices.size(); i += 3) {
             const Vertex* corners[3];
             for (size_t k = 0; k < 3; ++k) corners[k] = &mesh.vertices[mesh.indices[i + k]];
-            // A pole's vertices are 1e-16 apart, all others more than a tenth.
+            // The distance between a pole's vertices is 1e-16; between any others it is more than 0.1.
             const auto meet = [&](int k, int m) {
                 return glm::distance(corners[k]->position, corners[m]->position) < 1e-6f;
             };
@@ -96,7 +96,7 @@ TEST(Patches, OfThreeCornersAreTheTrianglesButThoseWithTwoCornersInOnePlace) {
                 EXPECT_EQ(point.uv, vertex->uv) << name;
                 EXPECT_EQ(point.normal, vertex->normal) << name;
                 EXPECT_EQ(point.tangent, vertex->tangent) << name;
-                // No more than 1e-12 of an extent of 3 has become 0.
+                // Coordinates up to 1e-12 of an extent of 3 have become 0.
                 EXPECT_LT(glm::distance(point.position, vertex->position), 6e-12f) << name;
             }
         }
@@ -147,7 +147,7 @@ TEST(Patches, ThatMeetInAPlaceKnowItInTheSameBits) {
         std::map<Position, const PatchCorner*> owners;
         for (const PatchCorner& point : patches.points) {
             const PatchCorner& owner = *owners.try_emplace(key(point), &point).first->second;
-            // == of -0 and 0 is true, but displaced points would have other bits.
+            // -0 == 0, but displaced points would differ in their bits.
             for (int i = 0; i < 3; ++i)
                 EXPECT_EQ(std::signbit(point.vertex.position[i]), std::signbit(owner.vertex.position[i])) << name;
             EXPECT_EQ(point.direction, owner.direction) << name;
@@ -192,11 +192,11 @@ TEST(Patches, OfASolidAreClosedAndOfASheetAreNot) {
 TEST(Patches, AreDisplacedAlongTheDiagonalAtABoxsCornersWhateverItsSidesAre) {
     for (const int corners : {3, 4}) {
         for (const PatchCorner& point : make_patches(make_box({.size = {1, 2, 5}}), corners).points) {
-            // A corner of a face is one angle of 90 degrees or two of 45: the three normals weigh the same.
+            // A face's corner has one angle of 90 degrees or two of 45, so the three normals have equal weights.
             const glm::vec3 diagonal = glm::sign(point.vertex.position) / std::sqrt(3.0f);
             EXPECT_LT(glm::distance(point.direction, diagonal), 2e-7f);
         }
-        // In the middle of a side there are two normals, however many triangles each has.
+        // In the middle of an edge there are two normals, however many triangles have each.
         for (const PatchCorner& point : make_patches(make_box({.cells = {2, 2, 2}}), corners).points)
             EXPECT_LT(glm::distance(point.direction, glm::normalize(point.vertex.position)), 2e-7f);
     }
@@ -204,7 +204,7 @@ TEST(Patches, AreDisplacedAlongTheDiagonalAtABoxsCornersWhateverItsSidesAre) {
 
 TEST(Patches, OfASmoothMeshAreDisplacedAlongItsNormalsToTheBit) {
     Mesh torus = make_torus({.sides = 12, .rows = 6});
-    for (Vertex& vertex : torus.vertices) vertex.normal *= 0.99999f;  // as a file with five digits has them
+    for (Vertex& vertex : torus.vertices) vertex.normal *= 0.99999f;  // as in a file with five digits
     for (const int corners : {3, 4}) {
         for (const PatchCorner& point : make_patches(torus, corners).points)
             EXPECT_EQ(point.direction, point.vertex.normal);
@@ -216,7 +216,7 @@ TEST(Patches, OfASmoothMeshAreDisplacedAlongItsNormalsToTheBit) {
 }
 
 TEST(Patches, KeepTheirNormalsWhereThoseOfAPlaceCancelOut) {
-    Mesh sheet;  // seen from both sides
+    Mesh sheet;  // two-sided
     for (const float side : {1.0f, -1.0f})
         for (const glm::vec2 at : {glm::vec2(0, 0), {1, 0}, {0, 1}}) {
             sheet.vertices.push_back(flat_vertex(at, at));
@@ -229,13 +229,13 @@ TEST(Patches, KeepTheirNormalsWhereThoseOfAPlaceCancelOut) {
 }
 
 TEST(Patches, SpacingIsTheMeanLengthOfTheEdgesInAPlace) {
-    // 2 x 1 metres in 4 x 1 cells, so cells of 0.5 x 1; uv run over 8 x 3, so cells of 2 x 3.
+    // 2 x 1 metres in 4 x 1 cells, so cells are 0.5 x 1. uv run over 8 x 3, so cells are 2 x 3 in uv.
     const Mesh grid = make_quad({.width = 2, .height = 1, .columns = 4, .rows = 1, .repeat = {8, 3}});
     for (const PatchCorner& point : make_patches(grid, 4).points) {
-        const bool is_end = std::abs(point.vertex.position.x) == 1;  // two edges meet there, else three
+        const bool is_end = std::abs(point.vertex.position.x) == 1;  // two edges meet there, elsewhere three
         EXPECT_EQ(point.spacing, is_end ? glm::vec2(1.5f / 2, 5.0f / 2) : glm::vec2(2.0f / 3, 7.0f / 3));
     }
-    // At a pole each meridian counts once, and the sides without length not at all: 1/4 of a circle, as a chord.
+    // At a pole, each meridian counts once and sides of zero length do not count: the chord of a quarter circle.
     const PatchMesh sphere = make_patches(make_sphere({.sides = 6, .rows = 2}), 4);
     for (const PatchCorner& point : sphere.points)
         if (std::abs(point.vertex.position.y) == 1) {
@@ -245,7 +245,7 @@ TEST(Patches, SpacingIsTheMeanLengthOfTheEdgesInAPlace) {
 }
 
 TEST(Patches, OfTrianglesThatAreNoQuadsAreThreeATriangle) {
-    Mesh bent = make_box({});  // two sides of it, which meet at 90 degrees
+    Mesh bent = make_box({});  // two of its sides, which meet at 90 degrees
     bent.indices.assign({0, 1, 2, 0, 2, 3});
     for (const glm::vec3 at : {glm::vec3(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2f, 0.2f, 0}, {5, 5, 0}}) {
         bent.vertices.push_back(flat_vertex({at.x, at.y}, {at.x, at.y}));
@@ -290,7 +290,7 @@ TEST(Patches, OfASplitTriangleHaveItsMiddlesAndItsArea) {
     for (const PatchCorner& point : patches.points) {
         const glm::dvec3 normal(point.vertex.normal), tangent(point.vertex.tangent);
         EXPECT_LT(glm::distance(glm::vec2(point.vertex.position), 6.0f * point.vertex.uv), 1e-6f);
-        // Three components, each rounded to a float.
+        // Each of three components is rounded to a float.
         EXPECT_NEAR(glm::length(normal), 1, 2e-7);
         EXPECT_NEAR(glm::length(tangent), 1, 2e-7);
         EXPECT_NEAR(glm::dot(normal, tangent), 0, 2e-7);
@@ -302,7 +302,7 @@ TEST(Patches, OfASplitTriangleHaveItsMiddlesAndItsArea) {
 
 TEST(Patches, OfASplitSolidAreClosed) {
     for (const auto& [name, mesh] : meshes()) {
-        Mesh closed = mesh;  // with a triangle without area at the end, so that their number is odd
+        Mesh closed = mesh;  // with a degenerate triangle at the end, for an odd number of triangles
         closed.indices.insert(closed.indices.end(), 3, closed.indices[0]);
         const PatchMesh patches = make_patches(closed, 4);
         EXPECT_EQ(patches.patches(), 3 * make_patches(mesh, 3).patches()) << name;

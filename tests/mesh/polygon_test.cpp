@@ -1,4 +1,4 @@
-// Polygons cut into triangles: their areas add up, none is turned over, and nothing that is no polygon does harm.
+// Triangulation of polygons: areas add up, no triangle is flipped, and degenerate input does no harm.
 #include "framework/mesh/polygon.h"
 
 #include <cmath>
@@ -18,7 +18,7 @@ std::vector<uint32_t> cut(const Polygon& polygon) {
     return triangles;
 }
 
-/// As many triangles as corners less two, no index out of range, every corner used.
+/// Expects corners - 2 triangles with all indices in range, and every corner used.
 void expect_complete(const Polygon& polygon, const std::vector<uint32_t>& triangles) {
     ASSERT_EQ(triangles.size(), 3 * (polygon.size() - 2));
     std::vector<bool> used(polygon.size());
@@ -29,7 +29,7 @@ void expect_complete(const Polygon& polygon, const std::vector<uint32_t>& triang
     for (size_t i = 0; i < used.size(); ++i) EXPECT_TRUE(used[i]) << "corner " << i << " is in no triangle";
 }
 
-/// Every triangle is wound as the polygon is, and together they have its area: so they cover it once.
+/// Expects triangles with the polygon's winding and, together, its area: so they cover it exactly once.
 void expect_covered(const Polygon& polygon) {
     const std::vector<uint32_t> triangles = cut(polygon);
     expect_complete(polygon, triangles);
@@ -44,7 +44,7 @@ void expect_covered(const Polygon& polygon) {
     EXPECT_NEAR(sum, glm::length(whole), 1e-12 * double(polygon.size()) * sum);
 }
 
-/// The polygon in the plane z = 0, turned into six directions.
+/// Expects the polygon in the plane z = 0 to be covered in six orientations.
 void expect_covered_anywhere(const Polygon& flat) {
     for (const bool mirrored : {false, true})
         for (int axis = 0; axis < 3; ++axis) {
@@ -96,7 +96,7 @@ TEST(Triangulate, CoversConvexAndConcavePolygonsOnce) {
          {1, 1, 0},
          {1, 3, 0},
          {0, 3, 0}});
-    expect_covered_anywhere(  // a square with a square hole, and a bridge that is passed twice
+    expect_covered_anywhere(  // a square with a square hole, and a bridge that is traversed twice
         {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}});
     expect_covered_anywhere({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}});  // in line
 }

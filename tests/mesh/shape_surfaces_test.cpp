@@ -1,5 +1,5 @@
-// The shapes as surfaces: triangles that converge to the frames of their vertices, closed solids, areas and volumes
-// from the closed form, and what unusable numbers give.
+// The shapes as surfaces: triangles converge to the frames of their vertices, solids are closed, areas and volumes
+// converge to the closed form, and unusable parameters give valid meshes.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -17,12 +17,12 @@ constexpr double pi = glm::pi<double>();
 
 struct Surface {
     const char* name;
-    std::function<Mesh(int detail)> make;  ///< cells grow with 1 / detail
+    std::function<Mesh(int detail)> make;  ///< the size of cells is proportional to 1 / detail
     double area;
-    double volume = 0;  ///< 0: it is not closed
+    double volume = 0;  ///< 0: not closed
 };
 
-/// Areas and volumes from the formula of each solid; a cone's frustum has the area pi (r + R) slant.
+/// Areas and volumes from the formula of each shape. A frustum of a cone has the area pi (r + R) slant.
 const Surface surfaces[] = {
     {"quad",
      [](int n) {
@@ -67,7 +67,7 @@ struct Triangle {
     glm::dvec3 edge(int i) const { return glm::dvec3(corner[size_t(i)].position) - glm::dvec3(corner[0].position); }
     glm::dvec2 uv_edge(int i) const { return glm::dvec2(corner[size_t(i)].uv) - glm::dvec2(corner[0].uv); }
     glm::dvec3 area() const { return glm::cross(edge(1), edge(2)) / 2.0; }
-    /// Solved from the two edges: edge = dP/du du + dP/dv dv.
+    /// dP/du and dP/dv are solved from the two edges: edge = dP/du du + dP/dv dv.
     double uv_area() const { return uv_edge(1).x * uv_edge(2).y - uv_edge(2).x * uv_edge(1).y; }
     glm::dvec3 along_u() const { return (edge(1) * uv_edge(2).y - edge(2) * uv_edge(1).y) / uv_area(); }
     glm::dvec3 along_v() const { return (edge(2) * uv_edge(1).x - edge(1) * uv_edge(2).x) / uv_area(); }
@@ -85,21 +85,21 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// The largest angle between a triangle's dP/du and the tangents, averaged over its edge of constant v: in the middle
-/// of that edge the difference quotient is exact to second order.
+/// Returns the largest angle between a triangle's dP/du and the tangent, averaged over its edge of constant v. In the
+/// middle of that edge, the difference quotient is exact to second order.
 double largest_tangent_error(const Mesh& mesh) {
     double largest = 0;
     for (const Triangle& triangle : triangles(mesh))
         for (int i = 0; i < 3; ++i) {
             const Vertex &a = triangle.corner[size_t(i)], &b = triangle.corner[size_t((i + 1) % 3)];
-            if (a.uv.y != b.uv.y || glm::distance(a.position, b.position) < 1e-9f) continue;  // the latter at a pole
+            if (a.uv.y != b.uv.y || glm::distance(a.position, b.position) < 1e-9f) continue;  // coincident: at a pole
             const glm::dvec3 tangent = glm::dvec3(a.tangent) + glm::dvec3(b.tangent);
             largest = std::max(largest, angle_between(triangle.along_u(), tangent));
         }
     return largest;
 }
 
-// A float position of size 3 is off by 1e-7, on cells of 3 / 32 and more: angles of less than 1e-5.
+// A float position of size 3 has an error of 1e-7, and cells are at least 3 / 32: angles are below 1e-5.
 constexpr double rounding = 1e-5;
 
 TEST(ShapeSurfaces, TrianglesConvergeToTheTangentsInSecondOrder) {
@@ -127,7 +127,7 @@ TEST(ShapeSurfaces, HaveUnitPerpendicularFramesThatFaceOutwards) {
         for (const Triangle& triangle : triangles(surface.make(7)))
             for (const Vertex& vertex : triangle.corner) {
                 const glm::dvec3 normal(vertex.normal), tangent(vertex.tangent);
-                // Three components, each rounded to a float: 2e-7.
+                // Each of three components is rounded to a float: 2e-7.
                 ASSERT_NEAR(glm::length(normal), 1, 2e-7) << surface.name;
                 ASSERT_NEAR(glm::length(tangent), 1, 2e-7) << surface.name;
                 ASSERT_NEAR(glm::dot(normal, tangent), 0, 2e-7) << surface.name;
@@ -147,14 +147,14 @@ TEST(ShapeSurfaces, AreaAndVolumeConvergeToTheClosedForm) {
             return glm::abs(sum) / surface.area;
         };
         const glm::dvec2 coarse = errors(8), fine = errors(16);
-        // Second order: a quarter. Positions are rounded to 6e-8 of their size.
+        // Second order: the error falls to a quarter. Positions are rounded to 6e-8 of their size.
         EXPECT_TRUE(fine.x < coarse.x / 3.5 || fine.x < 1e-6) << surface.name << ", area: " << fine.x;
         EXPECT_TRUE(fine.y < coarse.y / 3.5 || fine.y < 1e-6) << surface.name << ", volume: " << fine.y;
         EXPECT_LT(std::max(fine.x, fine.y), 0.02) << surface.name;
     }
 }
 
-/// The edges that one triangle has and no other has the other way round, once equal positions are one.
+/// Returns the lengths of edges without a partner in the opposite direction. Vertices of equal position count as one.
 std::vector<double> open_edges(const Mesh& mesh) {
     using Point = std::array<float, 3>;
     const auto point = [](const Vertex& vertex) {
@@ -180,7 +180,7 @@ TEST(ShapeSurfaces, SolidsAreClosedToTheLastBit) {
     for (const int detail : {1, 3, 7, 10})
         for (const Surface& surface : surfaces) {
             if (surface.volume == 0) continue;
-            for (const double length : open_edges(surface.make(detail)))  // around a pole of the sphere, and no longer
+            for (const double length : open_edges(surface.make(detail)))  // only around a pole of the sphere
                 EXPECT_TRUE(surface.name == std::string("sphere") && length < 1e-15) << surface.name << ' ' << length;
         }
     EXPECT_EQ(open_edges(make_box({.size = {0.1f, 0.7f, 1.3f}, .cells = {3, 5, 7}})).size(), 0u);
@@ -225,7 +225,7 @@ TEST(CubeSphere, HasNoPolesAndCellsOfAlikeArea) {
         smallest = std::min(smallest, glm::length(triangle.area()));
         largest = std::max(largest, glm::length(triangle.area()));
     }
-    // Of the mapping itself the ratio is sqrt(2); in cells of finite size it is a little less or more.
+    // The ratio is sqrt(2) for the mapping itself, and slightly different for cells of finite size.
     EXPECT_NEAR(largest / smallest, std::sqrt(2.0), 0.1);
 }
 

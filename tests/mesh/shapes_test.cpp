@@ -1,4 +1,4 @@
-// Every shape against its own positions: what a vertex says of the surface is what its neighbours show.
+// Every shape against its own positions: the frame of a vertex agrees with its neighbours.
 #include "framework/mesh/shapes.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ TEST(Shapes, HaveUnitPerpendicularFrames) {
     for (const Grid& shape : shapes())
         for (const Vertex& vertex : shape.mesh.vertices) {
             const glm::dvec3 normal(vertex.normal), tangent(vertex.tangent);
-            // Three components, each rounded to a float: 2e-7.
+            // Each of three components is rounded to a float: 2e-7.
             EXPECT_NEAR(glm::length(normal), 1, 2e-7) << shape.name;
             EXPECT_NEAR(glm::length(tangent), 1, 2e-7) << shape.name;
             EXPECT_NEAR(glm::dot(normal, tangent), 0, 2e-7) << shape.name;
@@ -83,8 +83,8 @@ TEST(Shapes, FramesFollowTheSurface) {
                 const Vertex& vertex = shape.at(column, row);
                 const glm::dvec3 normal(vertex.normal), tangent(vertex.tangent);
                 const glm::dvec3 bitangent = double(vertex.tangent.w) * glm::cross(normal, tangent);
-                // Across equal steps on a circle or a line, the chord is parallel to the tangent in its
-                // middle; what is left is the rounding of two positions over their distance.
+                // Across equal steps on a circle or a line, the chord is parallel to the tangent in its middle. The
+                // remaining error is the rounding of two positions divided by their distance.
                 const double step = std::min(glm::length(du), glm::length(dv));
                 const double tolerance = 4e-7 * largest_position(shape.mesh) / step;
                 const std::string where =
@@ -104,7 +104,7 @@ TEST(Shapes, TrianglesAreCounterClockwiseSeenFromOutside) {
             const Vertex &a = shape.mesh.vertices[indices[i]], &b = shape.mesh.vertices[indices[i + 1]],
                          &c = shape.mesh.vertices[indices[i + 2]];
             const glm::dvec3 out = glm::cross(glm::dvec3(b.position - a.position), glm::dvec3(c.position - a.position));
-            if (glm::length(out) < 1e-9 * size * size) continue;  // at a pole, where two corners are one
+            if (glm::length(out) < 1e-9 * size * size) continue;  // at a pole, two corners coincide
             EXPECT_GT(glm::dot(out, glm::dvec3(a.normal + b.normal + c.normal)), 0)
                 << shape.name << ", triangle " << i / 3;
         }
@@ -179,7 +179,7 @@ TEST(Sphere, HasItsNormalsAlongItsRadiiAndItsPolesOnTheAxis) {
     EXPECT_LT(glm::distance(sphere.vertices.front().position, glm::vec3(0, -3, 0)), 1e-6f) << "v = 0 is the lower pole";
     EXPECT_LT(glm::distance(sphere.vertices.back().position, glm::vec3(0, 3, 0)), 1e-6f);
     EXPECT_LT(glm::distance(sphere.vertices[3 * 13].position, glm::vec3(0, 0, -3)), 1e-6f) << "u = 0 is at -z";
-    for (int column = 0; column <= 12; ++column)  // a pole's vertex has the tangent of its own meridian
+    for (int column = 0; column <= 12; ++column)  // each of a pole's vertices has the tangent of its own meridian
         EXPECT_EQ(sphere.vertices[size_t(column)].tangent, sphere.vertices[size_t(3 * 13 + column)].tangent);
 }
 

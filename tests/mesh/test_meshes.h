@@ -1,4 +1,4 @@
-// Meshes that tangents are tried on.
+// Meshes for testing tangents.
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,13 @@
 
 namespace relief {
 
-/// A vertex that faces +z.
+/// Returns a vertex that faces +z.
 inline Vertex flat_vertex(glm::vec2 at, glm::vec2 uv) {
     return {.position = {at, 0}, .normal = {0, 0, 1}, .tangent = {}, .uv = uv};
 }
 
-/// A flat grid around x = 0 whose uv are mirrored there, u = |x|. With an odd number of columns the mirror runs through
-/// the middle one, whose triangles have no area in uv.
+/// Returns a flat grid around x = 0 with uv mirrored there, u = |x|. With an odd number of columns, the mirror runs
+/// through the middle one, whose triangles have no area in uv.
 inline Mesh mirrored_grid(int columns, int rows) {
     Mesh mesh;
     for (int row = 0; row <= rows; ++row)
@@ -31,7 +31,7 @@ inline Mesh mirrored_grid(int columns, int rows) {
     return mesh;
 }
 
-/// The torus with uv on a coarse grid and mirrored, so that many triangles at random have no area in uv.
+/// Returns a torus with uv rounded to a coarse grid and mirrored, so that many triangles have no area in uv.
 inline Mesh torus_with_rounded_uv(unsigned seed) {
     Mesh mesh = jittered_torus(14, 9, seed);
     for (Vertex& vertex : mesh.vertices) {
@@ -41,8 +41,8 @@ inline Mesh torus_with_rounded_uv(unsigned seed) {
     return mesh;
 }
 
-/// Triangles at random among few places, normals and uv: shared edges, mirrored neighbours, edges of three triangles,
-/// two equal corners, uv on a line.
+/// Returns random triangles of a few positions, normals and uv: with shared edges, mirrored neighbours, edges of three
+/// triangles, two equal corners, and uv on a line.
 inline Mesh random_soup(unsigned seed, int triangles) {
     std::mt19937 random(seed);
     const auto between = [&](float low, float high) {
@@ -55,7 +55,7 @@ inline Mesh random_soup(unsigned seed, int triangles) {
         mesh.vertices.push_back({{at, between(-0.2f, 0.2f)}, normal, {}, {between(-1, 1), between(-1, 1)}});
     }
     mesh.vertices.push_back(mesh.vertices[0]);  // the same vertex twice
-    mesh.vertices.push_back(mesh.vertices[1]);  // the same place with another uv
+    mesh.vertices.push_back(mesh.vertices[1]);  // the same position with another uv
     mesh.vertices.back().uv.x += 0.5f;
     mesh.vertices[2].uv = mesh.vertices[3].uv = mesh.vertices[4].uv;  // triangles without area in uv
     for (int i = 0; i < 3 * triangles; ++i) mesh.indices.push_back(uint32_t(random() % mesh.vertices.size()));
