@@ -1,5 +1,5 @@
-// Baking: what a bake costs and what its map is off by, by size, frame and triangles; and what a frame costs with the
-// fine model, the coarse one, and its map.
+// Baking: the time of a bake and the error of its map, by size, frame and triangles. Also the time of a frame with the
+// fine model, the coarse model, and the coarse model with its map.
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
@@ -23,7 +23,7 @@ void add_error(BenchSubject& subject, Lab& lab, Shot shot, const BenchSettings& 
     if (settings.pictures) show_errors(subject, errors, 10);
 }
 
-/// A bake, padding and levels included, from a tree that is there.
+/// A bake, including padding and mip levels, from an existing tree.
 BenchMethod bake(const char* name, const BenchKnobs& knobs, const BenchKnobs& set, const BenchSettings& settings,
                  bool peer = false) {
     return {name, knobs,
@@ -34,7 +34,7 @@ BenchMethod bake(const char* name, const BenchKnobs& knobs, const BenchKnobs& se
                 tiny.size = {8, 8};
                 BenchSubject subject = drawn(lab, tiny);
                 add_error(subject, *lab, shot, settings);
-                // Another reach is another bake.
+                // A change of the reach forces a new bake.
                 subject.run = [lab, draw = subject.run, odd = false]() mutable {
                     odd = !odd;
                     set_knob(*lab, "reach", odd ? "0.421" : "0.42");
@@ -55,7 +55,7 @@ BenchScene bakes(const char* high, const BenchSettings& settings) {
         };
         add("one-frame", {});
         add("object-space", {{"map", "object"}});
-        // A map from elsewhere in a renderer that makes its frame orthonormal.
+        // A map made for the interpolated frame, in a renderer that makes its frame orthonormal.
         add("two-frames", {{"frame", "gram-schmidt"}}, true);
     }
     return scene;
@@ -67,7 +67,7 @@ BenchScene frames(const BenchSettings& settings) {
         scene.methods.push_back({name, knobs, [=] {
                                      const Shot shot = shell_shot(settings, knobs);
                                      const std::shared_ptr<Lab> lab = make_lab(find_lab("07"), shot);
-                                     render_shot(*lab, shot);  // the bake is no part of a frame
+                                     render_shot(*lab, shot);  // the bake is not part of a frame
                                      BenchSubject subject = drawn(lab, shot);
                                      add_error(subject, *lab, shot, settings);
                                      return subject;

@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-/// The figures that must not grow, by name.
+/// Returns the figures that must not grow, by name.
 std::map<std::string, double> figures_of(const BenchRow& row) {
     std::map<std::string, double> figures(row.work.begin(), row.work.end());
     if (!row.error.unit.empty())
@@ -23,7 +23,7 @@ std::map<std::string, double> figures_of(const BenchRow& row) {
 
 BaselineReport compare_with_baseline(std::span<const BenchRow> now, std::span<const BenchRow> baseline,
                                      double tolerance) {
-    // What is as small is rounding: errors are in texels, pixels, degrees and metres, work in whole things.
+    // Smaller figures are rounding: errors are in texels, pixels, degrees and metres, and work is in whole units.
     constexpr double nothing = 1e-5;
     std::map<std::string, const BenchRow*> before;
     for (const BenchRow& row : baseline) before[row_name(row)] = &row;

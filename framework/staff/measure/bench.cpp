@@ -14,7 +14,7 @@
 namespace relief {
 namespace {
 
-/// A scene's or a method's value of a knob; nothing where it has none.
+/// Returns the value of a knob of a scene or a method; null if it has no such knob.
 const std::string* value_of(const BenchKnobs& knobs, const std::string& name) {
     for (const auto& [knob, value] : knobs)
         if (knob == name) return &value;
@@ -27,7 +27,7 @@ const std::string* value_of(const BenchScene& scene, const BenchMethod& method, 
     return value ? value : value_of(scene.knobs, name);
 }
 
-/// A topic's knobs with all their values, in the order in which they come.
+/// Returns a topic's knobs with all their values, in order of appearance.
 std::vector<std::pair<std::string, std::vector<std::string>>> sweep_of(const std::vector<BenchScene>& scenes) {
     std::vector<std::pair<std::string, std::vector<std::string>>> sweep = {{"method", {}}};
     const auto add = [&](const std::string& knob, const std::string& value) {
@@ -60,7 +60,7 @@ std::vector<BenchScene> filter_scenes(const BenchTopic& topic, std::vector<Bench
     std::vector<std::string> names;
     for (const auto& [knob, values] : sweep) names.push_back(knob);
     for (const auto& one : wanted) {
-        const std::string& knob = one.first;  // no binding: clang 14 lets no lambda capture one
+        const std::string& knob = one.first;  // not a structured binding: clang 14 cannot capture one in a lambda
         const std::vector<std::string>& values = one.second;
         const auto known = std::find(names.begin(), names.end(), knob);
         if (known == names.end())
@@ -113,7 +113,7 @@ BenchTurns::BenchTurns(std::span<const BenchSubject> subjects, BenchClock clock,
     constexpr double shortest_sample = 1e-3;
     std::iota(order_.begin(), order_.end(), size_t{0});
     for (size_t i = 0; i < subjects.size(); ++i) {
-        take(i, 1);  // page faults, caches, a library's first call
+        take(i, 1);  // warms up page faults, caches, and a library's first call
         const double once = take(i, 1);
         if (once < shortest_sample) runs_[i] = size_t(std::min(1e6, shortest_sample / std::max(once, 1e-9))) + 1;
     }

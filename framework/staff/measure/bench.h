@@ -12,28 +12,28 @@
 
 namespace relief {
 
-/// A method's error against the exact values. `unit` is empty if the method has none, like memcpy.
+/// A method's error against the exact values. `unit` is empty if the method has no error, like memcpy.
 struct BenchError {
     double mean = 0, p99 = 0, largest = 0;
     std::string unit = {};             ///< "degree", "texel"
-    std::optional<double> wrong = {};  ///< share that is off by more than one unit, if the topic counts it
+    std::optional<double> wrong = {};  ///< share of results that are off by more than one unit, if the topic counts it
 };
 
 /// Amounts of work, which do not depend on the clock: {"taps", 7.2}, {"triangles", 2048}. Per item, or per frame.
 using BenchWork = std::vector<std::pair<std::string, double>>;
 using BenchKnobs = std::vector<std::pair<std::string, std::string>>;
 
-/// A method's error against how hard its input is made: a curve, where other topics have a time.
+/// A method's error as a function of the difficulty of its input: a curve, in topics without a time.
 struct BenchSweep {
     struct Place {
-        double hardness = 1;    ///< what grows: a scale, an angle's tangent; above 0
-        double error = 0;       ///< of the results that are finite
-        double not_finite = 0;  ///< the share of results that are not, or that have no meaning
-        double endless = 0;     ///< the share that used up all iterations
+        double hardness = 1;    ///< the swept quantity: a scale, an angle's tangent; above 0
+        double error = 0;       ///< of the finite results
+        double not_finite = 0;  ///< share of results that are not finite or have no meaning
+        double endless = 0;     ///< share of results that used up all iterations
     };
     double stated = 0;               ///< the error that the method promises, in the error's unit
-    std::string why = {};            ///< a sentence: where it breaks, and why
-    std::vector<Place> places = {};  ///< by growing hardness
+    std::string why = {};            ///< a sentence: where it fails, and why
+    std::vector<Place> places = {};  ///< in ascending order of hardness
 };
 
 /// A method that is ready to run. `run` owns its data; it is empty in a topic without times.
@@ -53,25 +53,25 @@ struct BenchMethod {
     std::string name;
     BenchKnobs knobs = {};  ///< its parameters: {"threads", "2"}
     std::function<BenchSubject()> prepare = {};
-    bool peer = false;  ///< not from this course: another library, or code that is commonly copied
+    bool peer = false;  ///< not from this course: another library, or commonly copied code
 };
 
 /// Methods that are compared with each other, in one panel of the topic's plot.
 struct BenchScene {
-    BenchKnobs knobs = {};  ///< the parameters that they share: {"map", "bricks"}
-    std::string item;       ///< "texel", "triangle": times are in nanoseconds per item. With sweeps: what grows
+    BenchKnobs knobs = {};  ///< the parameters that the methods share: {"map", "bricks"}
+    std::string item;       ///< "texel", "triangle": times are in nanoseconds per item. For sweeps: the swept quantity
     std::vector<BenchMethod> methods = {};
 };
 
 struct BenchSettings {
-    int repeats = 15;       ///< samples per method; 0: measure work and error only
+    int repeats = 15;       ///< samples per method; 0: measure only work and error
     bool quick = false;     ///< few scenes and small sizes, for a first look
     bool pictures = false;  ///< also make pictures and error maps for the page
 };
 
 struct BenchTopic {
     std::string name, help;
-    std::string question;  ///< that its measurements answer, for its page
+    std::string question;  ///< the question that its measurements answer, for its page
     std::function<std::vector<BenchScene>(const BenchSettings&)> scenes;
     bool draws = false;      ///< its methods need a context, from `prepare` to their destructors
     bool only_time = false;  ///< has no work and no errors
@@ -85,7 +85,7 @@ std::span<const BenchTopic> bench_topics();
 std::vector<BenchScene> filter_scenes(const BenchTopic& topic, std::vector<BenchScene> scenes,
                                       std::span<const std::pair<std::string, std::vector<std::string>>> wanted);
 
-/// "a=1 b=2".
+/// Returns a text such as "a=1 b=2".
 std::string knob_text(const BenchKnobs& knobs);
 
 /// A method's times, in nanoseconds per item.
@@ -93,26 +93,27 @@ struct BenchTimes {
     double median = 0, p10 = 0, p90 = 0;
 };
 
-/// The quantile of a sample, with linear interpolation; `share` in [0, 1]. The sample must not be empty.
+/// Returns the quantile of a sample, with linear interpolation; `share` is in [0, 1]. Precondition: the sample is not
+/// empty.
 double quantile(std::vector<double> values, double share);
 
-/// The mean, 99th percentile and maximum of a sample of errors; all zero if it is empty.
+/// Returns the mean, 99th percentile and maximum of a sample of errors; all zero if it is empty.
 BenchError error_figures(std::vector<double> errors, std::string unit);
 
 /// Returns the seconds that `times` runs take.
 using BenchClock = std::function<double(const std::function<void()>& run, size_t times)>;
-/// Uses the wall clock. A run must have finished its work when it returns: drawing ends with glFinish.
+/// Uses the wall clock. Precondition: a run has finished its work when it returns, so drawing ends with glFinish.
 double by_wall_clock(const std::function<void()>& run, size_t times);
 
-/// Times several subjects in turns. Each round takes one sample of every subject, in a new order: so other load on the
-/// machine affects all of them alike. Runs shorter than a millisecond are repeated within a sample.
+/// Times several subjects in turns. Each round takes one sample of every subject, in a new order, so that other load on
+/// the machine affects all of them alike. Runs shorter than a millisecond are repeated within a sample.
 class BenchTurns {
 public:
-    /// Runs each subject twice to warm up. Before each run it calls `begin` with the subject's index. Passes on what a
-    /// run throws.
+    /// Runs each subject twice to warm up. Calls `begin` with the subject's index before each run. Rethrows exceptions
+    /// of a run.
     BenchTurns(std::span<const BenchSubject> subjects, BenchClock clock, std::function<void(size_t)> begin = {});
     void round();
-    /// Needs at least one round.
+    /// Precondition: at least one round.
     std::vector<BenchTimes> times() const;
 
 private:
@@ -126,8 +127,8 @@ private:
     unsigned seed_ = 1;
 };
 
-/// Which points are on the Pareto front. `points` are pairs of time and error. A point is on the front if no other
-/// point is at least as good in both and better in one; equal points are on it together.
+/// Returns which points are on the Pareto front. `points` are pairs of time and error. A point is on the front if no
+/// other point is at least as good in both and better in one. Equal points are on it together.
 std::vector<bool> pareto_front(std::span<const std::pair<double, double>> points);
 
 }  // namespace relief

@@ -1,6 +1,6 @@
-// An error budget on lab 17's wall, which reaches the horizon, at 512 x 512 pixels: the cheapest method per patch and
-// pixel, compared with each method alone. Both the probe `uv` (the search and little else) and the picture are timed.
-// The error is the number of pixels by which the relief would have to move to make the picture correct.
+// An error budget on lab 17's wall, which reaches the horizon, at 512 x 512 pixels. Compares the cheapest method per
+// patch and pixel with each method alone. Times both the probe `uv` (the search and little else) and the picture. The
+// error is the number of pixels by which the relief would have to move to make the picture correct.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace relief {
 namespace {
 
 constexpr glm::ivec2 size{512, 512};
-constexpr double depth = 0.03, texels = 512;  // metres; a metre
+constexpr double depth = 0.03, texels = 512;  // depth in metres; texels per metre
 
-/// A map's heights, made when they are asked for.
+/// The wall with its height map, which is created on demand.
 class Wall {
 public:
     explicit Wall(int map) {
@@ -25,7 +25,7 @@ public:
         material_.size = 2;
         material_.asset_texels = int(texels);
     }
-    /// Pixels, of a shot of the probe `uv`.
+    /// Returns the errors in pixels for a shot of the probe `uv`.
     Image errors(const Image& uv, const Camera& camera) {
         if (!field_) field_.emplace(material_.heights(), true);
         Image errors(uv.width, uv.height, 1);
@@ -50,7 +50,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
     }
     for (const auto& one : maps)
         for (const std::string draws : {"uv", "picture"}) {
-            const std::string& map = one.first;  // no binding: clang 14 lets no lambda capture one
+            const std::string& map = one.first;  // not a structured binding: clang 14 cannot capture one in a lambda
             BenchScene& scene = result.emplace_back();
             scene.knobs = {{"map", map}, {"draws", draws}};
             scene.item = "frame";
@@ -83,14 +83,14 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
             };
             const auto budgets = {"0.5", "1", "2", "4"};
             for (const char* budget : budgets) add("auto", {{"budget", budget}}, {});
-            // As labs 11 and 12 have them: they know of no budget.
+            // The methods of labs 11 and 12, without a budget.
             for (const char* method : {"plain", "normal-map", "parallax", "exact"})
                 add(method, {}, {{"method", method}});
-            // With the budget spent in every pixel, but by one method.
+            // One method in all pixels, with the budget spent.
             for (const char* method : {"parallax", "exact"})
                 for (const char* budget : budgets)
                     add(std::string(method) + "-thinned", {{"budget", budget}}, {{"method", method}, {"spend", "on"}});
-            // Tens of millions of triangles: seconds a frame on the software renderer, so one of them is enough.
+            // Tens of millions of triangles take seconds per frame on the software renderer, so one is enough.
             if (!settings.quick && draws == "uv") add("displacement", {{"budget", "4"}}, {{"method", "displacement"}});
         }
     return result;

@@ -1,6 +1,9 @@
-// Displacement at 512 x 512 pixels: levels of lab 14 on hilly ground, time against the distance of surface points from
-// their correct positions on the screen; what culling saves; lab 13's spacings on a torus of stones, where `wrong` is
-// the share of pixels that differ from the outline of micro-polygons; and the speed of triangles as such.
+// Displacement at 512 x 512 pixels, in four parts:
+// - Levels of lab 14 on hilly ground: time against the screen distance of surface points from their correct positions.
+// - The gain by culling.
+// - Spacings of lab 13 on a torus of stones: `wrong` is the share of pixels that differ from the outline of
+//   micro-polygons.
+// - The plain speed of triangles.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,8 +22,8 @@ namespace {
 
 constexpr glm::ivec2 size{512, 512};
 
-/// The errors of a shot of the probe `place`, one for each pixel that shows something, from the top left;
-/// the shot of `depth` is taken when it is asked for.
+/// Returns the errors of a shot of the probe `place`, one for each pixel with a surface, from the top left. The shot of
+/// `depth` is taken on demand.
 using ErrorsOf = std::function<std::vector<double>(const Image& place, const std::function<Image()>& depth)>;
 using FiguresOf = std::function<BenchError(const Image& place, std::vector<double> errors)>;
 
@@ -32,7 +35,7 @@ Image map_of(const std::vector<double>& errors, const Image& place) {
     return map;
 }
 
-/// A lab's way of drawing: timed as it writes `place`, of which the error is taken, too.
+/// A lab's drawing method: the probe `place` is timed and gives the error as well.
 BenchMethod of_lab(const char* number, const std::string& name, const BenchKnobs& knobs, const BenchKnobs& set,
                    const Orbit& camera, const ErrorsOf& errors_of, const FiguresOf& figures_of,
                    const BenchSettings& settings) {
@@ -64,12 +67,12 @@ BenchError pixels_off(std::vector<double> errors) {
     return error;
 }
 
-/// Micro-polygons, tessellated beforehand; what is drawn is each pixel's place, as the labs' probe has it.
+/// Micro-polygons, tessellated beforehand. Draws each pixel's patch position, like the labs' probe `place`.
 class TessellatedMesh {
 public:
     TessellatedMesh(const Mesh& mesh, int n)
         : vertices_a_patch_((n + 1) * (n + 1)), mesh_(upload([&] { return mesh; })) {
-        mesh_.layout();  // while the mesh is there
+        mesh_.layout();  // uploads it while `mesh` is in scope
     }
 
     void draw(const Target& target, const Camera& camera) const {
@@ -107,7 +110,7 @@ private:
     GpuMesh mesh_;
 };
 
-/// Of pixels that one of two pictures covers: how many the other does not.
+/// Returns the share of pixels covered by only one of two pictures, among the pixels covered by either.
 double share_apart(const Image& a, const Image& b) {
     double covered = 0, apart = 0;
     for (size_t i = 0; i < a.values.size(); i += 4) {
@@ -118,7 +121,7 @@ double share_apart(const Image& a, const Image& b) {
     return apart / std::max(1.0, covered);
 }
 
-/// A ground of hills that runs to the horizon: lab 14's, with these knobs.
+/// A hilly ground that reaches the horizon: lab 14's, with these knobs.
 const BenchKnobs ground_knobs = {{"view", "eye"},
                                  {"surface", "ground"},
                                  {"corners", "4"},
@@ -147,7 +150,7 @@ struct Ground {
         if (!heights) heights.emplace(surface.heights(), true);
         return *heights;
     }
-    /// Pixels, of places as they are shown.
+    /// Returns the errors in pixels for a picture of the probe `place`.
     std::vector<double> off(const Image& place) {
         return screen_errors(place, surface.patches(), field(), double(surface.scale()),
                              Camera(camera, 1).clip_from_world());
@@ -164,7 +167,7 @@ BenchScene levels(const BenchSettings& settings) {
             scene.methods.push_back(of_lab("14", method, {{knob, value}}, together(ground_knobs, {{"method", method}}),
                                            ground->camera, off, figures, settings));
     };
-    // As the tutorials have it: 64 near the eye, 4 far from it, by distance alone.
+    // The settings of common tutorials: level 64 near the eye, 4 far away, by distance alone.
     BenchMethod& usual = scene.methods.emplace_back(of_lab(
         "14", "usual", {},
         together(ground_knobs,
@@ -211,7 +214,7 @@ void add_culling(std::vector<BenchScene>& scenes, const BenchSettings& settings)
                 return of_lab("14", "cull", {{"cull", cull}}, together(set, at_levels), camera, {}, {}, with);
             };
             BenchMethod method = at(levels, settings);
-            // At level 1 a patch is two triangles: so the patches that are left can be counted.
+            // At level 1 a patch is two triangles, so this counts the remaining patches.
             const auto coarse = at({{"method", "uniform"}, {"level", "1"}}, {}).prepare;
             method.prepare = [whole = method.prepare, coarse] {
                 BenchSubject subject = whole();
@@ -224,12 +227,12 @@ void add_culling(std::vector<BenchScene>& scenes, const BenchSettings& settings)
     }
 }
 
-/// What lab 13's torus of stones truly looks like.
+/// Lab 13's torus of stones with its exact picture.
 struct Torus {
     DisplacedSurface surface;
     Orbit camera{.yaw = 35, .pitch = 25, .distance = 3.4};
     std::optional<HeightField> heights;
-    Image exact;  // the places of micro-polygons
+    Image exact;  // patch positions of the micro-polygons
 
     Torus() {
         surface.shape = DisplacedSurface::torus;

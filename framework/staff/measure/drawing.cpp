@@ -14,13 +14,13 @@ namespace {
 
 constexpr int shown_side = 128;
 
-/// The worst of each square of pixels that becomes one.
+/// Returns the largest error of each square of pixels that becomes one pixel.
 Image worst_of(const Image& errors) {
     const int square = std::max(1, errors.width / shown_side);
     Image result(errors.width / square, errors.height / square, 1);
     for (int y = 0; y < result.height; ++y)
         for (int x = 0; x < result.width; ++x) {
-            float worst = no_surface;  // where none of them has a surface
+            float worst = no_surface;  // for squares without a surface
             for (int i = 0; i < square * square; ++i) {
                 const float error = *errors.pixel(x * square + i % square, y * square + i / square);
                 if (std::isnan(error) || (error != no_surface && (worst == no_surface || error > worst))) worst = error;
@@ -46,7 +46,8 @@ BenchSubject drawn(TargetKind kind, glm::ivec2 size, const std::function<void(co
         glFinish();
     };
     const Counters before = counters();
-    // A lab may ask GL for its triangles itself, and nobody else may then; how many come to be clipped is free to ask.
+    // A lab may have its own query for primitives generated, and GL allows one at a time. Clipping input primitives are
+    // a separate query.
     const bool can_count = GLAD_GL_ARB_pipeline_statistics_query;
     const QueryName query;
     if (can_count) glBeginQuery(GL_CLIPPING_INPUT_PRIMITIVES_ARB, query);

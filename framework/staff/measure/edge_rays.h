@@ -1,4 +1,4 @@
-// Rays that aim at the edges of a mesh, where searches lose some.
+// Rays aimed at the edges of a mesh, where searches lose some.
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,8 @@
 
 namespace relief {
 
-/// Rays from within a sphere of radius 1 to places on its mesh's edges and vertices: each hits at t = 1, if it does not
-/// slip through. The sphere's middle lies `away` along each axis: its vertices are rounded to floats there.
+/// Rays from inside a sphere of radius 1 to points on its mesh's edges and vertices. Each ray hits at t = 1 unless it
+/// slips through. The sphere's centre lies at (away, away, away), where its vertices are rounded to floats.
 struct RaysThroughEdges {
     Mesh mesh;
     std::vector<Ray> rays;
@@ -32,7 +32,7 @@ struct RaysThroughEdges {
         }
     }
 
-    /// In metres; a ray that is lost (t < 0) is off by its length.
+    /// Returns the error in metres; the error of a lost ray (t < 0) is its length.
     BenchError error_of(const std::vector<double>& hits) const {
         std::vector<double> errors;
         double lost = 0;

@@ -1,5 +1,5 @@
-// Environment: what a frame of lab 16 costs with and without each of its terms, and what shadows by bias and size of
-// the map, occlusion by slices and taps, and blurred mirror images are off by.
+// Environment: the time of a frame of lab 16 with and without each of its terms. The errors of shadows by bias and map
+// size, of occlusion by slices and taps, and of blurred mirror images.
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
@@ -14,7 +14,7 @@ Shot court_shot(const BenchSettings& settings, const BenchKnobs& set) {
     return shot;
 }
 
-/// A frame of the court with `set`, and the error of a probe in a shot of its own.
+/// A frame of the court with `set`, and the error of a probe in a separate shot.
 BenchMethod method(const BenchSettings& settings, const char* name, const BenchKnobs& swept, const BenchKnobs& set,
                    const std::optional<Shot>& measured = {}, const char* unit = "share") {
     return {name, swept, [=] {

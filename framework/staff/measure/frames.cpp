@@ -1,4 +1,4 @@
-// Frames of each lab at 512 x 512, with the manifest's camera and those of its reference screenshots. A frame ends with
+// Frames of each lab at 512 x 512, with the cameras of the manifest and of its reference screenshots. A frame ends with
 // glFinish.
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
@@ -7,7 +7,7 @@
 namespace relief {
 namespace {
 
-/// Of the first probe that has a truth, as the tests hold it to.
+/// Returns the error of the first probe with exact values, as the tests measure it.
 BenchError error_of(const LabEntry& entry, const Manifest& manifest) {
     for (const ProbeInfo& probe : manifest.probes) {
         Shot shot{.size = {128, 128}, .time = 0, .camera = manifest.camera, .probe = {probe.name}, .set = {}};

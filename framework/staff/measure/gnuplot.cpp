@@ -13,8 +13,8 @@ namespace {
 
 constexpr int title_height = 44;
 
-/// Without what gnuplot's own script would want, with titles that browsers show, and with names that no other plot on
-/// the same page has.
+/// Removes gnuplot's own script, gives points titles that browsers show, and makes element names unique on a page with
+/// several plots.
 std::string finished(const std::string& svg, const std::string& topic) {
     const std::pair<std::string, std::string> names[] = {{"id='gp", "id='" + topic + "-gp"},
                                                          {"href='#gp", "href='#" + topic + "-gp"},
@@ -33,7 +33,7 @@ std::string finished(const std::string& svg, const std::string& topic) {
             result += fmt::format("<g class=\"point\" data-row=\"{}\"><title>{}</title>", text.substr(1, space - 1),
                                   text.substr(space + 1));
             at += stop + end.size();
-        } else if (rest.starts_with("<title>$")) {  // what was plotted, in gnuplot's words
+        } else if (rest.starts_with("<title>$")) {  // gnuplot's own title of the plotted data
             at += rest.find("</title>") + 8;
         } else {
             const auto name = std::find_if(std::begin(names), std::end(names),

@@ -1,4 +1,4 @@
-// Plots by gnuplot: panels side by side in one SVG that a page can hold.
+// Plots by gnuplot: panels side by side in one SVG that a page can embed.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,33 +10,33 @@ namespace relief {
 
 constexpr const char* gnuplot_text_color = "#23211d";
 
-/// The text as a string of gnuplot's.
+/// Returns the text as a quoted gnuplot string.
 std::string gnuplot_text(const std::string& text);
 
-/// Where a panel's plot lies: pixels.
+/// The layout of a panel, in pixels.
 struct GnuplotPanel {
     glm::ivec2 size;
-    int below = 60;        ///< what of it lies under the axis
-    int least_columns = 2;  ///< room for so many panels beside each other, also where there are fewer
+    int below = 60;        ///< height of the part below the axis
+    int least_columns = 2;  ///< minimum number of columns, even for fewer panels
     int most_columns = 4;
 };
 
-/// A script of panels under a title, each panel the commands of one plot.
+/// Returns a script of panels under a title. Each panel holds the commands of one plot.
 std::string gnuplot_panels(const std::string& title, std::span<const std::string> panels, const GnuplotPanel& panel);
 
-/// How large a panel is, and the letters of its title, its axes and its names.
+/// The size of a panel, and the font sizes of its title, axes and names.
 struct PanelStyle {
     glm::ivec2 size{440, 340};
     int title = 12, axes = 11, names = 9;
-    bool all_names = false;  ///< also of the pale points
+    bool all_names = false;  ///< also name the pale points
 };
 
-/// A script of one panel.
+/// Returns a script of one panel.
 std::string gnuplot_panel(const std::string& panel, const PanelStyle& style);
 
-/// Runs a script. Labels with a hypertext "#17 its name" become elements `class="point" data-row="17"` with the name as
-/// their title; names of elements begin with `name`, so that a page can hold several plots. Nothing if gnuplot is not
-/// installed; throws Error if it fails.
+/// Runs a script and returns the SVG. Labels with a hypertext "#17 its name" become elements `class="point"
+/// data-row="17"` with the name as their title. Names of elements begin with `name`, so that a page can hold several
+/// plots. Returns nothing if gnuplot is not installed; throws Error if it fails.
 std::optional<std::string> run_gnuplot(const std::string& script, const std::string& name);
 
 }  // namespace relief

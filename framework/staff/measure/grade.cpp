@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-/// A correct submission. Each text is different, so that no cache knows it.
+/// Returns a correct submission. Each text is different, so that no cache has seen it.
 std::string handed_in(const std::string& file, size_t number) {
     return read_file(course_root() / file) + fmt::format("\n// submission {}\n", number);
 }
@@ -38,7 +38,7 @@ Words shot_words(const std::string& program, const LabEntry& lab, const Shot& sh
     return words;
 }
 
-/// A course of its own for each that is graded at a time, with the programs as they are.
+/// The simple loop. Each concurrent grading has its own copy of the course, with the existing programs.
 class PlainLoop {
 public:
     PlainLoop(const LabEntry& lab, int count) : lab_(lab), manifest_(load_manifest(lab)) {
@@ -85,7 +85,7 @@ private:
             if (file.ends_with(".cpp")) return true;
         return false;
     }
-    /// What a Makefile beside the lab would do: its sources anew, the framework as it is.
+    /// Compiles the lab's sources against the existing framework, like a Makefile beside the lab.
     void build(const fs::path& here, const std::string& program) const {
         const fs::path sources = here / "labs" / lab_.folder;
         Words words = {"/usr/bin/c++",
@@ -118,7 +118,7 @@ private:
     PublicFolder folder_{fs::temp_directory_path(), "relief-bench"};
 };
 
-/// What the grader needs for one lab, and its submissions.
+/// The grader's setup for one lab, and its submissions.
 struct Graded {
     Stage stage;
     std::unique_ptr<LabGrader> grader;
@@ -141,7 +141,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
     const bool has_idiff = fs::exists("/usr/bin/idiff");
     if (!has_idiff) print_note("the plain loop is skipped: there is no idiff (Debian package openimageio-tools)");
     for (const auto& [number, kind] : {std::pair{"02", "shaders"}, {"05", "C++"}}) {
-        if (settings.quick && kind == std::string("C++")) continue;  // a compiler takes its time
+        if (settings.quick && kind == std::string("C++")) continue;  // compiling is slow
         const LabEntry& lab = find_lab(number);
         BenchScene& scene = result.emplace_back();
         scene.knobs = {{"lab", lab.folder}, {"tasks", kind}};

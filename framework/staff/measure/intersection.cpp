@@ -1,5 +1,5 @@
-// The exact first hit of a ray and a height map, by view angle: the cost of the parallax labs' exact values. And that
-// of a ray and a mesh, the cost of a bake's.
+// The exact first hit of a ray and a height map, by view angle: the cost of the parallax labs' exact values. Also the
+// first hit of a ray and a mesh: the cost of a bake.
 #include <cmath>
 #include <memory>
 #include <random>
@@ -58,7 +58,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
     for (const int degrees : {30, 60, 75, 85})
         scene.methods.push_back(
             {"cell-walk", {{"angle", std::to_string(degrees)}}, [=] {
-                 constexpr double depth = 20;  // texels
+                 constexpr double depth = 20;  // in texels
                  const auto field = std::make_shared<HeightField>(make_height_map(HeightMap::fbm, 256), true);
                  std::mt19937 random(2);
                  std::uniform_real_distribution<> share(0, 1);
@@ -69,7 +69,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
                      rays.push_back({{256 * share(random), 256 * share(random), 1},
                                      {reach * std::cos(turn), reach * std::sin(turn), -1}});
                  }
-                 // The hit lies on the surface and on the ray: how far apart the two are there, in texels of depth.
+                 // The exact hit lies on the surface and on the ray. The error is the vertical distance of both there,
+                 // in texels.
                  std::vector<double> errors;
                  for (const Ray& ray : rays)
                      if (const auto hit = field->first_hit(ray, 1))

@@ -7,7 +7,7 @@
 namespace relief {
 namespace {
 
-/// A lab's picture; `probe`, where it is named, is held against its truth.
+/// A lab's picture. If `probe` is named, it is compared with its exact values.
 BenchMethod lit(const char* number, const std::string& name, const BenchKnobs& knobs, const BenchKnobs& set,
                 const Orbit& camera, const std::string& probe, const BenchSettings& settings) {
     return {name, knobs, [=] {
@@ -34,10 +34,9 @@ BenchMethod lit(const char* number, const std::string& name, const BenchKnobs& k
             }};
 }
 
-// Near enough that a texel is a pixel or more: what is off is then the method, and not what a smaller picture leaves
-// out.
+// Close enough that a texel covers a pixel or more. So the error comes from the method and not from minification.
 
-/// A column of brick: a normal map, or the vertices' normals alone.
+/// A brick column: with a normal map, or with vertex normals only.
 BenchScene columns(const BenchSettings& settings) {
     BenchScene scene{{{"lab", "01_specular_highlights"}}, "frame"};
     for (const char* method : {"vertex-normal", "normal-map"})
@@ -48,7 +47,7 @@ BenchScene columns(const BenchSettings& settings) {
     return scene;
 }
 
-/// Tangents that lean, and a model that may be scaled: what the frame of a pixel needs to be right.
+/// Leaning tangents, and a model that may be scaled: cases in which a pixel needs a correct frame.
 BenchScene frames_of_pixels(bool is_scaled, const BenchSettings& settings) {
     BenchScene scene{{{"lab", "06_tangent_space"}, {"scaled", is_scaled ? "yes" : "no"}}, "frame"};
     BenchKnobs set = {{"view", "one"}, {"shape", "column"}, {"turn", "0"}, {"trouble", "leaning"}};
@@ -65,12 +64,12 @@ BenchScene frames_of_pixels(bool is_scaled, const BenchSettings& settings) {
     add("whole", "tangent", "on", "on");
     add("leaning", "world", "off", "on");
     add("unscaled", "world", "on", "off");
-    // As the tutorials have it: the model's matrix for tangents and normals alike, light taken to the tangent's space.
+    // The usual tutorial code: the model matrix for tangents and normals alike, and light in tangent space.
     add("usual", "tangent", "off", "off", true);
     return scene;
 }
 
-/// A relief: what is compiled into its shader, and what is not.
+/// A relief with different features compiled into its shader.
 BenchScene permutations(const BenchSettings& settings) {
     BenchScene scene{{{"lab", "12_relief_exact"}, {"surface", "column"}}, "frame"};
     const auto add = [&](const char* name, const char* shadow, const char* depth, const char* outline) {

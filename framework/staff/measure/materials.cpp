@@ -1,5 +1,5 @@
-// Materials: what a frame of lab 08 costs with a program for each set of features and with one that has branches; what
-// orders, masks and filters are off by; and how long a large model is read.
+// Materials: the time of a frame of lab 08 with a program for each set of features, and with one program with branches.
+// The errors of orders, masks and filters. The time to read a large model.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ Shot garden_shot(const BenchSettings& settings, BenchKnobs set) {
     return shot;
 }
 
-/// A frame, with the programs that are linked for its first one.
+/// A frame, with the number of programs linked for its first run.
 BenchSubject frame_of(const std::shared_ptr<Lab>& lab, const Shot& shot, const BenchSettings& settings) {
     const int64_t before = counters().links;
     BenchSubject subject = drawn(lab, shot);
@@ -31,7 +31,7 @@ BenchSubject frame_of(const std::shared_ptr<Lab>& lab, const Shot& shot, const B
     return subject;
 }
 
-/// Against the exact light of a small picture, which the methods of a scene have in common.
+/// Adds the error against the exact light of a small picture, which the methods of a scene share.
 void add_light_error(BenchSubject& subject, Lab& lab, Shot shot, glm::ivec2 size, Image& exact,
                      const BenchSettings& settings) {
     shot.size = size, shot.probe = {"color"};
@@ -54,7 +54,7 @@ BenchScene programs(const char* file, const BenchSettings& settings) {
     return scene;
 }
 
-/// Three panes from behind, so that the file's order is the wrong one.
+/// Three panes from behind, so that the file's order is wrong.
 BenchScene orders(const BenchSettings& settings) {
     BenchScene scene{{{"panes", "3"}}, "frame"};
     const auto exact = std::make_shared<Image>();
@@ -72,7 +72,7 @@ BenchScene orders(const BenchSettings& settings) {
     return scene;
 }
 
-/// What a fence covers where a pixel is as wide as a texel of a mip level, against the formula of its wires.
+/// The coverage of a fence when a pixel is as wide as a texel of a mip level, compared with the formula of its wires.
 BenchScene masks(int level, const BenchSettings& settings) {
     BenchScene scene{{{"level", fmt::format("{}", level)}}, "frame"};
     const auto add = [&](const char* name, const BenchKnobs& knobs, bool is_peer = false) {
@@ -80,7 +80,7 @@ BenchScene masks(int level, const BenchSettings& settings) {
             {name, knobs,
              [=] {
                  Shot shot = garden_shot(settings, knobs);
-                 // A metre of the fence: 1463 texels of level 0.
+                 // One metre of the fence: 1463 texels of level 0.
                  shot.camera = {.yaw = 0, .pitch = 0, .distance = 8, .target = {-2.3, 1.15, 0}, .field_of_view = 7.15};
                  const std::shared_ptr<Lab> lab = make_lab(find_lab("08"), shot);
                  BenchSubject subject = frame_of(lab, shot, settings);
@@ -97,7 +97,7 @@ BenchScene masks(int level, const BenchSettings& settings) {
     return scene;
 }
 
-/// The lawn at a grazing angle, up to its end.
+/// The lawn at a grazing angle, up to its far end.
 BenchScene filters(const BenchSettings& settings) {
     BenchScene scene{{{"ground", "grazing"}}, "frame"};
     const auto exact = std::make_shared<Image>();

@@ -1,5 +1,5 @@
-// Moving frames: normals of a skin by what engines do and with the gradient of its weights, in degrees over the whole
-// skin against the time of a frame; and a flock by its bodies and triangles.
+// Moving frames: normals of a skin by the methods of engines and with the gradient of its weights. Error in degrees
+// over the whole skin against the time of a frame. Also a flock, by its bodies and triangles.
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
@@ -18,7 +18,7 @@ constexpr Way ways[] = {{"gradient", "linear", "gradient", false},
                         {"dual-gradient", "dual-quaternion", "gradient", false},
                         {"dual-rotation", "dual-quaternion", "matrix", true}};
 
-/// A tube by its joint; errors are those of every place of the skin, seen or not.
+/// A tube bent at its joint. Errors are over the whole skin, visible or not.
 BenchScene joint(const BenchKnobs& pose, const BenchSettings& settings) {
     BenchScene scene{pose, "frame"};
     for (const Way& way : ways)
@@ -52,7 +52,7 @@ BenchScene joint(const BenchKnobs& pose, const BenchSettings& settings) {
     return scene;
 }
 
-/// The opening picture; how the texture's place on each body is off stands for the flock's attributes.
+/// The opening picture. The error of the texture position on each body stands for the flock's attributes.
 BenchScene flock(const BenchSettings& settings) {
     BenchScene scene{{{"flock", "drawn"}}, "frame"};
     const auto add = [&](const char* name, const BenchKnobs& knobs) {

@@ -15,11 +15,11 @@ namespace relief {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int error_side = 256;                          // of the map on which errors are taken
-constexpr double wavelength = 16;                        // texels
-constexpr double amplitude = wavelength / (2 * pi) * 2;  // what height 1 is worth, so that slopes reach 1
+constexpr int error_side = 256;                          // side of the map for errors
+constexpr double wavelength = 16;                        // in texels
+constexpr double amplitude = wavelength / (2 * pi) * 2;  // height of 1 in texels, so that slopes reach 1
 
-/// A tile of crossed waves with heights in [0, 1]; steps of the precision.
+/// A tile of crossed waves with heights in [0, 1], before quantisation.
 double wave(int x, int y) {
     const double w = 2 * pi / wavelength;
     return 0.5 + 0.5 * std::sin(w * x) * std::sin(w * y);
@@ -34,7 +34,7 @@ Image wave_map(int bits) {
     return map;
 }
 
-/// The error of the stored normals of wave_map().
+/// Returns the error of the stored normals of wave_map().
 BenchError error_of(const Image& normals) {
     const double w = 2 * pi / wavelength;
     std::vector<double> errors;
@@ -83,7 +83,7 @@ public:
         });
     }
 
-    /// `bits` of the heights decide the error alone: in memory they are floats.
+    /// `bits` of the heights only affects the error: in memory they are floats.
     void add_filter(const char* name, SlopeFilter filter, int bits, unsigned threads) {
         add(
             name, bits, threads,
@@ -122,7 +122,7 @@ private:
 
     size_t texels() const { return size_t(maps_->side) * size_t(maps_->side); }
 
-    /// `bits` 0: the knob does not apply. Without `error` there is none.
+    /// `bits` 0: the knob does not apply. `error` may be empty.
     void add(const char* name, int bits, unsigned threads, const std::function<void()>& run,
              const std::function<BenchError()>& error = {}) {
         BenchKnobs knobs = {{"threads", std::to_string(threads)}};

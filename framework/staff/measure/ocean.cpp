@@ -1,5 +1,5 @@
-// Ocean: what a frame of lab 15 costs and is off by: normals by the rules that shaders mix two maps with, and the light
-// of a far sea by what a pixel knows of its waves.
+// Ocean: the time and the error of a frame of lab 15. Normals by the rules by which shaders combine two maps, and the
+// light of a far sea by the wave statistics that a pixel uses.
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
@@ -14,7 +14,7 @@ Shot sea_shot(const BenchSettings& settings, const BenchKnobs& set, const Orbit&
     return shot;
 }
 
-/// Two maps as one normal, from above.
+/// Two maps combined into one normal, seen from above.
 BenchScene rules(const char* wind, const BenchSettings& settings) {
     BenchScene scene{{{"wind", wind}}, "frame"};
     for (const char* rule : {"slopes", "mean", "whiteout", "udn", "rnm"})
@@ -38,7 +38,7 @@ BenchScene rules(const char* wind, const BenchSettings& settings) {
     return scene;
 }
 
-/// The path of light on a far sea: shares of a single slope's light at each pixel.
+/// The sun's glitter path on a far sea: error as a share of a single slope's light at each pixel.
 BenchScene far_seas(const char* wind, const BenchSettings& settings) {
     BenchScene scene{{{"far", wind}}, "frame"};
     for (const char* far : {"plain", "toksvig", "lean", "samples"})

@@ -15,15 +15,15 @@ namespace {
 
 struct Search {
     const char *name, *lab;
-    BenchKnobs knobs;                 // as the plot has them
-    BenchKnobs set = {};              // besides, always the same
-    const char* published = nullptr;  // macros of published_march.glsl, which then takes the place of lab 11's march
+    BenchKnobs knobs;                 // in the plot
+    BenchKnobs set = {};              // fixed knobs, not in the plot
+    const char* published = nullptr;  // macros of published_march.glsl, which replaces lab 11's march
 
     bool is_peer() const { return published || name == std::string("usual"); }
 };
 
 std::vector<Search> searches() {
-    // As it is copied from page to page: 8 to 32 steps by angle, one line, texture() in the loop.
+    // The commonly copied version: 8 to 32 steps by angle, one linear intersection, texture() in the loop.
     std::vector<Search> all = {
         {"usual", "11", {}, {{"count", "angle"}, {"refine", "linear"}, {"lookup", "implicit"}, {"skip", "off"}}}};
     const auto publish = [&](const char* name, const char* most, const char* least, const char* macros) {
@@ -32,7 +32,7 @@ std::vector<Search> searches() {
         all.push_back({name, "11", {}, set, macros});
     };
     publish("LearnOpenGL", "32", "8", "#define MOST_STEPS 33\n#define HALVINGS 0\n");
-    // three.js leaves the counts to whoever uses it; these are those of its example.
+    // three.js leaves the counts to the application; these are from its example.
     publish("three.js-occlusion", "25", "20", "#define MOST_STEPS 30\n#define HALVINGS 0\n");
     publish("three.js-relief", "25", "20", "#define MOST_STEPS 30\n#define HALVINGS 5\n");
     const auto march = [&](const char* refine, const char* rounds, std::initializer_list<const char*> counts) {
@@ -57,7 +57,7 @@ std::vector<Search> searches() {
     return all;
 }
 
-/// Lab 11's task file with another march.
+/// Returns lab 11's task file with another march().
 CourseFiles with_march(const std::string& macros) {
     const std::string file = "shaders/11_parallax_occlusion/task.glsl", begin = "//(march\n", end = "//)\n";
     std::string text = read_file(course_root() / file);
@@ -86,7 +86,7 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
         shot.set = together(shot.set, map);
         shot.camera = {.yaw = seen.middle, .pitch = 0, .distance = seen.distance, .field_of_view = seen.field_of_view};
         const auto prepare = [truth, shot, lab_number = search.lab, published = search.published, settings] {
-            // Programs are compiled by the time that errors are known.
+            // The programs are compiled before the overlay ends, because the errors are computed here.
             std::optional<CourseOverlay> overlay;
             if (published) overlay.emplace(with_march(published));
             const std::shared_ptr<Lab> lab = make_lab(find_lab(lab_number), shot);
@@ -94,7 +94,7 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
             BenchSubject subject = drawn(lab, shot);
             const Image errors = error_image(render_shot(*lab, shot), **truth, ErrorMetric::distance);
             subject.error = error_over(errors, "texel");
-            // Heights read, of lab 11; of lab 12 the cells, blocks or cones that were looked at.
+            // Heights read in lab 11; visited cells, blocks or cones in lab 12.
             subject.work.emplace_back(lab_number == std::string("11") ? "taps" : "visits",
                                       mean_of_probe(*lab, shot, "steps"));
             if (settings.pictures) {

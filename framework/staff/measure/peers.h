@@ -1,4 +1,4 @@
-// Methods of other libraries, measured for comparison. They are in a module of their own, opened when needed; it is
+// Methods of other libraries, measured for comparison. They are in a separate module that is opened on demand. It is
 // built if libassimp-dev, libembree-dev and libopenimageio-dev are installed.
 #pragma once
 
@@ -11,34 +11,34 @@
 
 namespace relief {
 
-/// Whether the module was built.
+/// Returns whether the module was built.
 bool has_peers();
 
-/// Assimp's tangents (aiProcess_CalcTangentSpace) for a mesh, which it keeps in its own form.
+/// Assimp's tangents (aiProcess_CalcTangentSpace) for a mesh, which it stores in its own format.
 class PeerTangents {
 public:
     virtual ~PeerTangents() = default;
     /// Computes the tangents again.
     virtual void run() = 0;
-    /// Three per triangle, in the order of the mesh's indices.
+    /// Returns three tangents per triangle, in the order of the mesh's indices.
     virtual std::vector<glm::vec4> tangents() const = 0;
 };
 std::unique_ptr<PeerTangents> assimp_tangents(const Mesh& mesh);
 using AssimpTangents = std::unique_ptr<PeerTangents>(const Mesh& mesh);
 
-/// The slopes that OpenImageIO stores for bump mapping (`maketx --bumpslopes`): (dh/du, dh/dv) per texel, v downwards.
-/// It writes a temporary file; that is part of its time.
+/// Computes the slopes that OpenImageIO stores for bump mapping (`maketx --bumpslopes`): (dh/du, dh/dv) per texel, v
+/// downwards. It writes a temporary file, which is part of its time.
 Image openimageio_slopes(const Image& heights);
 using OpenImageIOSlopes = void(const Image& heights, Image& slopes);
 
-/// Embree's first hits of a mesh, which it keeps in its own form, in single precision on one thread. `robust`: its
-/// flag RTC_SCENE_FLAG_ROBUST, with which rays do not slip through edges, and few through vertices: 1 to 4 in 1000 that
-/// aim at one (3.13). `any_machine`: with the instructions that every machine has, so that the hits are the same on
+/// Embree's first hits of a mesh, which it stores in its own format, in single precision on one thread. `robust` sets
+/// RTC_SCENE_FLAG_ROBUST. Then no rays slip through edges, and few through vertices: 1 to 4 in 1000 that aim at one
+/// (Embree 3.13). `any_machine` restricts it to instructions that every machine has, so that the hits are the same on
 /// all.
 class PeerHits {
 public:
     virtual ~PeerHits() = default;
-    /// For each ray t of the first hit with t in [0, 2], in lengths of its direction; -1 where there is none.
+    /// Sets hits[i] to t of the first hit of ray i with t in [0, 2], in multiples of its direction; -1 for a miss.
     virtual void run(const std::vector<Ray>& rays, std::vector<double>& hits) = 0;
 };
 std::unique_ptr<PeerHits> embree_hits(const Mesh& mesh, bool robust, bool any_machine);

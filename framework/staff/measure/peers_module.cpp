@@ -1,4 +1,4 @@
-// The module relief-peers.so: the only place that knows Assimp, Embree, and OpenImageIO's textures for bump mapping.
+// The module relief-peers.so: the only user of Assimp, Embree, and OpenImageIO's textures for bump mapping.
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 namespace relief {
 namespace {
 
-/// The mesh as the text of an OBJ file: the way in that Assimp has for everybody.
+/// Returns the mesh as the text of an OBJ file, a format that Assimp's public interface reads.
 std::string obj_text(const Mesh& mesh) {
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
@@ -38,12 +38,12 @@ class Tangents final : public PeerTangents {
 public:
     explicit Tangents(const Mesh& mesh) {
         const std::string text = obj_text(mesh);
-        // One vertex where all of it is the same, as in the mesh that it comes from.
+        // Joins identical vertices, as in the original mesh.
         if (!importer_.ReadFileFromMemory(text.data(), text.size(), aiProcess_JoinIdenticalVertices, "obj") ||
             importer_.GetScene()->mNumMeshes != 1 ||
             importer_.GetScene()->mMeshes[0]->mNumFaces != mesh.indices.size() / 3)
             throw Error(std::string("Assimp cannot read the mesh: ") + importer_.GetErrorString());
-        // Its reader of numbers rounds, and knows no exponents of a float's size: so the numbers are put back.
+        // Assimp's number parser rounds and cannot read all exponents of a float, so restore the exact numbers.
         aiMesh& read = this->mesh();
         for (unsigned face = 0; face < read.mNumFaces; ++face)
             for (unsigned corner = 0; corner < 3; ++corner) {
@@ -78,7 +78,7 @@ public:
     }
 
 private:
-    // The importer gives its scene to look at only; its tangents are taken away so that it makes them again.
+    // The importer exposes its scene as const. Removing its tangents makes it compute them again.
     aiMesh& mesh() { return *const_cast<aiMesh*>(importer_.GetScene()->mMeshes[0]); }
 
     Assimp::Importer importer_;

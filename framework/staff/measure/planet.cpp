@@ -1,4 +1,4 @@
-// A planet: what its maps are off by, by size and by formula, and what they cost; and frames by levels and culling.
+// A planet: the error and the time of its maps, by size and by formula; and frames by levels and culling.
 #include "framework/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
@@ -6,13 +6,13 @@
 namespace relief {
 namespace {
 
-/// All maps of the six faces, made anew: heights, slopes and normals.
+/// Regenerates all maps of the six faces: heights, slopes and normals.
 BenchMethod maps(const char* name, const BenchKnobs& knobs, const BenchKnobs& set, int texels,
                  const BenchSettings& settings, bool peer = false) {
     return {name, knobs,
             [=] {
                 Shot shot;
-                shot.size = {3 * texels, 2 * texels};  // a pixel a texel
+                shot.size = {3 * texels, 2 * texels};  // one pixel per texel
                 shot.set = together({{"view", "faces"}, {"seed", "1"}, {"detail", "1"}}, set);
                 const std::shared_ptr<Lab> lab = make_lab(find_lab("09"), shot);
                 Shot tiny = shot;
@@ -24,7 +24,7 @@ BenchMethod maps(const char* name, const BenchKnobs& knobs, const BenchKnobs& se
                 subject.error = error_over(errors, "degree");
                 subject.error.wrong.reset();
                 if (settings.pictures) show_errors(subject, errors, 10);
-                // Another height is another map.
+                // A change of the height forces a new map.
                 subject.run = [lab, draw = subject.run, odd = false]() mutable {
                     odd = !odd;
                     set_knob(*lab, "height", odd ? "0.999" : "1");
@@ -53,7 +53,7 @@ BenchScene maps_of_level(int level, const BenchSettings& settings) {
     return scene;
 }
 
-/// From a tenth of the radius above the ground, within two pixels.
+/// From a tenth of the radius above the ground, with an error of at most two pixels.
 BenchScene frames(const BenchSettings& settings) {
     BenchScene scene{{{"planet", "drawn"}}, "frame"};
     const auto add = [&](const char* name, const BenchKnobs& knobs) {
@@ -65,7 +65,7 @@ BenchScene frames(const BenchSettings& settings) {
                      {{"view", "planet"}, {"eye", "ground"}, {"altitude", "-1"}, {"tilt", "-35"}, {"texels", "32"}},
                      knobs);
                  const std::shared_ptr<Lab> lab = make_lab(find_lab("09"), shot);
-                 render_shot(*lab, shot);  // making maps is no part of a frame
+                 render_shot(*lab, shot);  // making maps is not part of a frame
                  BenchSubject subject = drawn(lab, shot);
                  if (settings.pictures) show_picture(subject, *lab, shot);
                  shot.probe = {"normal"};

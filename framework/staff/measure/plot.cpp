@@ -22,7 +22,7 @@ constexpr const char *quiet_color = "#857f73", *front_color = "#a34a16", *pale_c
 
 bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
 
-/// The scene's panel, in milliseconds or nanoseconds.
+/// The panel of one scene, in milliseconds or nanoseconds.
 class Panel {
 public:
     Panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, size_t number, const PanelStyle& style)
@@ -55,7 +55,7 @@ public:
 private:
     double time(size_t place) const { return rows_[place].times.median * scale_; }
 
-    /// A log axis of less than two decades wants more than its powers of ten.
+    /// A log axis of less than two decades needs more tics than its powers of ten.
     static std::string time_tics(double left, double right) {
         if (right / left > 100) return {};
         std::string text;
@@ -67,7 +67,7 @@ private:
 
     bool is_front(size_t place) const { return std::find(front_.begin(), front_.end(), place) != front_.end(); }
 
-    /// What the axes span. Zero has no place on a log axis: it lies at `floor`, and is called by its name.
+    /// The range of the axes. A log axis has no zero, so zeros lie at `floor`, with a label of their own.
     struct Span {
         double left = std::numeric_limits<double>::max(), right = 0, floor = 0, ceiling = 0;
         bool any_zero = false;
@@ -103,19 +103,19 @@ private:
         return text;
     }
 
-    /// A part of the plot, in pixels from its lower left corner.
+    /// A rectangle of the plot, in pixels from its lower left corner.
     struct Room {
         glm::dvec2 low, high;
         bool meets(const Room& other) const {
             return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
         }
     };
-    /// Without titles, axes and their numbers: roughly, as gnuplot divides a panel.
+    /// Returns the approximate size of the plot without titles, axes and numbers, as gnuplot divides a panel.
     glm::dvec2 plot_size() const { return glm::dvec2(style_.size) - glm::dvec2(118, 105); }
     double width(const std::string& name) const { return 0.66 * style_.names * double(name.size()); }
     double height() const { return 1.3 * style_.names; }
 
-    /// Where a point lies in the plot.
+    /// Returns the position of a point in the plot.
     glm::dvec2 place_of(double time, double error, const Span& all) const {
         return plot_size() * glm::dvec2(std::log(1.25 * time / all.left) / std::log(2.375 * all.right / all.left),
                                         std::log(error / all.floor) / std::log(all.ceiling / all.floor));
@@ -124,8 +124,8 @@ private:
         return place_of(time(row), std::max(rows_[row].error.mean, all.floor), all);
     }
 
-    /// What has a time and no error, with its name along it: below those that would lie on it. What they take of the
-    /// plot is added to `taken`.
+    /// Draws rows with a time but no error as vertical lines with their names along them. A name is moved down if it
+    /// would overlap another. Adds the covered rectangles to `taken`.
     std::string upright_lines(const Span& all, std::vector<Room>& taken) const {
         std::string text;
         for (const size_t place : timed_) {
@@ -144,7 +144,7 @@ private:
             }
             text += fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '{1}' dt 3\n", time(place),
                                 peer_color);
-            if (room.low.y < 0) continue;  // there is no more room
+            if (room.low.y < 0) continue;  // no room left
             taken.push_back(room);
             text += fmt::format(
                 "set label {} at {},graph {:.3f} rotate by 90 right font ',{}' textcolor rgb '{}' noenhanced offset "
@@ -154,7 +154,7 @@ private:
         return text;
     }
 
-    /// Where a name can stand beside its point, in letters of the axes, which are 0.7 of their size wide and 1.5 high.
+    /// A position of a name beside its point, in letters of the axes. A letter is 0.7 of its size wide and 1.5 high.
     struct Side {
         const char* align;
         double x, y;
@@ -162,8 +162,8 @@ private:
     static constexpr std::array<Side, 4> sides = {
         {{"left", 0.7, 0.45}, {"right", -0.7, 0.45}, {"left", 0.7, -0.45}, {"right", -0.7, -0.45}}};
 
-    /// Points whose name has room beside them, and its place among `sides`. The front's come first, and no name lies on
-    /// another one.
+    /// Returns the points whose name has room beside them, with the index of its position in `sides`. The front comes
+    /// first, and names do not overlap.
     std::map<size_t, size_t> named_points(const Span& all, std::vector<Room> taken) const {
         std::map<size_t, size_t> named;
         const auto name = [&](size_t place) {
@@ -255,7 +255,7 @@ private:
         return text + layers(data);
     }
 
-    /// With their names inside, where there is room for long ones.
+    /// Bars with their names inside, where even long names have room.
     std::string bars() const {
         std::string data;
         for (size_t i = 0; i < timed_.size(); ++i) {

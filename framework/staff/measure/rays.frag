@@ -1,6 +1,6 @@
 #version 410 core
-// One search of a relief for each texel of a map of rays: by the shaders of labs 10, 11 and 12, or by code that is
-// commonly copied. Red and green: the place of the hit, in uv. Blue: 1 if the search ran out of iterations.
+// Searches a relief once for each texel of a map of rays, by the shaders of labs 10, 11 and 12 or by commonly copied
+// code. Red and green: uv of the hit. Blue: 1 if the search ran out of iterations.
 
 #include "common/cell_walk.glsl"
 #include "common/height_cell.glsl"
@@ -22,16 +22,16 @@ uniform float u_highest;
 uniform sampler2DArray s_windows;
 uniform vec4 u_window_extent;
 #endif
-uniform sampler2D s_rays;       // uv, and the cosine and sine of the ray's turn
+uniform sampler2D s_rays;       // uv, and the cosine and sine of the ray's azimuth
 uniform float u_sine, u_cosine; // of the angle between the ray and the normal
-uniform float u_depth;          // tiles
+uniform float u_depth;          // in tiles
 
 layout(location = 0) out vec4 o_hit;
 
 float height_at(vec2 uv) { return textureLod(s_heights, uv, 0.0).r; }
 
 #ifdef USUAL
-// 8 to 32 layers by angle, a line between the last two. Nothing holds the cosine.
+// 8 to 32 layers by angle, then a linear intersection. The cosine is not clamped.
 vec4 hit(vec2 uv, vec3 to_eye) {
     float layers = mix(32.0, 8.0, abs(to_eye.z)), layer = 0.0;
     vec2 stride = to_eye.xy / to_eye.z * u_depth / layers, at = uv;
@@ -47,7 +47,7 @@ vec4 hit(vec2 uv, vec3 to_eye) {
     return vec4(mix(at, before, past / (past - early)), i >= 1000 ? 1.0 : 0.0, 0.0);
 }
 #elif defined RELIEF_MAPPING
-// 32 steps, then halved five times (Policarpo, Oliveira and Comba 2005).
+// 32 steps, then five bisections (Policarpo, Oliveira and Comba 2005).
 vec4 hit(vec2 uv, vec3 to_eye) {
     vec2 along = -to_eye.xy / to_eye.z * u_depth;
     float size = 1.0 / 32.0, t = 0.0, best = 1.0;
@@ -64,8 +64,8 @@ vec4 hit(vec2 uv, vec3 to_eye) {
     return vec4(uv + best * along, 0.0, 0.0);
 }
 #elif defined NUDGED
-// From cell to cell by places: where the ray leaves a cell, and a ten-thousandth of a texel further, so that the next
-// place is in the next cell. Added to a place of some thousand texels that is nothing.
+// Walks from cell to cell by position: to where the ray leaves a cell, plus 1e-4 texels to reach the next cell. At
+// positions of several thousand texels this offset is lost to rounding.
 vec4 hit(vec2 uv, vec3 to_eye) {
     vec2 size = vec2(textureSize(s_heights, 0));
     vec2 from = uv * size - 0.5, along = -to_eye.xy / to_eye.z * u_depth * size;
@@ -84,7 +84,7 @@ vec4 hit(vec2 uv, vec3 to_eye) {
 }
 #else
 vec4 hit(vec2 uv, vec3 to_eye) {
-    const float flattest = 0.002;  // a flatter ray counts as no flatter, in all labs
+    const float flattest = 0.002;  // flatter rays are clamped to it, in all labs
     float slant = max(to_eye.z, flattest);
     vec2 along = -to_eye.xy / slant * u_depth;
     vec2 size = vec2(textureSize(s_heights, 0));

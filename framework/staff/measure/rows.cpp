@@ -28,7 +28,7 @@ std::string quoted(const std::string& text) {
 
 std::string number(double value) { return fmt::format("{}", value); }
 
-/// The records of a CSV, each with the line it begins on.
+/// Returns the records of a CSV, each with the line on which it begins.
 std::vector<std::pair<int, std::vector<std::string>>> records_of(const std::string& text) {
     std::vector<std::pair<int, std::vector<std::string>>> records;
     int line = 1;
@@ -59,7 +59,7 @@ BenchKnobs knobs_from(const std::string& text) {
     BenchKnobs knobs;
     if (text.empty()) return knobs;
     for (const std::string& one : split(text, ' ')) {
-        // A value may have words of its own ("4 x 4 a patch").
+        // A value may contain spaces ("4 x 4 a patch").
         if (const size_t sign = one.find('='); sign != std::string::npos)
             knobs.emplace_back(one.substr(0, sign), one.substr(sign + 1));
         else if (!knobs.empty())
@@ -80,7 +80,8 @@ std::string work_text(const BenchWork& work) {
     return text;
 }
 
-/// "hardness:error" of each place, or what is wrong there; to three digits, which is less than compilers differ by.
+/// Returns "hardness:error" for each point, or the kind of failure there. Three digits hide the differences between
+/// compilers.
 std::string places_text(const BenchSweep& sweep) {
     std::string text;
     for (const BenchSweep::Place& place : sweep.places)
@@ -91,7 +92,7 @@ std::string places_text(const BenchSweep& sweep) {
     return text;
 }
 
-/// Which columns a table has, and how wide they are.
+/// The columns of a table, and their widths.
 struct TableColumns {
     size_t method = 6, knobs = 5;
     bool time = false, rate = false, error = false, wrong = false;
@@ -112,7 +113,7 @@ TableColumns columns_of(std::span<const BenchRow> rows) {
     return columns;
 }
 
-/// The units of a scene's errors.
+/// Returns the units of a scene's errors.
 std::set<std::string> error_units(std::span<const BenchRow> rows, const BenchKnobs& scene) {
     std::set<std::string> units;
     for (const BenchRow& row : rows)
@@ -180,7 +181,7 @@ std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows)
     const TableColumns columns = columns_of(rows);
     std::string text = fmt::format("{}: {}\n", topic.name, topic.help);
     const BenchRow* before = nullptr;
-    bool names_units = false;  // a scene with several units: each line names its own
+    bool names_units = false;  // in a scene with several units, each line names its own
     for (const BenchRow& row : rows) {
         if (!before || before->scene != row.scene || before->item != row.item) {
             if (before) text += '\n';

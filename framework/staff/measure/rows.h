@@ -15,7 +15,7 @@ struct BenchRow {
     std::string item, method;
     BenchKnobs knobs;
     bool peer = false;
-    /// "measured"; "open" before the result is known; else the reason for no result: "crashed: Segmentation fault".
+    /// "measured"; "open" until the result is known; otherwise the reason for no result: "crashed: Segmentation fault".
     std::string state = "open";
     size_t items = 1;
     double bytes_per_item = 0;
@@ -30,7 +30,7 @@ struct BenchRow {
     bool is_measured() const { return state == "measured"; }
 };
 
-/// The rows of a scene, all in state "open".
+/// Returns the rows of a scene, all in state "open".
 std::vector<BenchRow> open_rows(const BenchTopic& topic, const BenchScene& scene);
 
 /// The machine and the build, for each line of the CSV.
@@ -39,19 +39,19 @@ struct BenchMachine {
     std::string renderer = "none";  ///< "none" if nothing was drawn
     std::string clock = "wall";     ///< "wall": around glFinish for a topic that draws; "gpu": timer queries
 };
-/// The CPU's name as the system reports it.
+/// Returns the CPU's name as the system reports it.
 std::string cpu_name();
 
-/// A table for people, with a section for each scene.
+/// Returns a table for people, with a section for each scene.
 std::string bench_table(const BenchTopic& topic, std::span<const BenchRow> rows);
-/// CSV (RFC 4180) with a header line. Unknown values are empty, not 0.
+/// Returns CSV (RFC 4180) with a header line. Unknown values are empty, not 0.
 std::string bench_csv(std::span<const BenchRow> rows, const BenchMachine& machine);
-/// Reads work and errors from the text of bench_csv(). Throws Error with the line for any other text.
+/// Reads work and errors from the output of bench_csv(). Throws Error with the line for any other text.
 std::vector<BenchRow> read_bench_csv(const std::string& text);
 
-/// "linear 32": the method and the values of its knobs.
+/// Returns the method and the values of its knobs, such as "linear 32".
 std::string short_name(const BenchRow& row);
-/// "topic, scene, method, knobs": a name that no other row has.
+/// Returns a name that is unique among rows: "topic, scene, method, knobs".
 std::string row_name(const BenchRow& row);
 
 }  // namespace relief

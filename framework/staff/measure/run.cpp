@@ -75,13 +75,13 @@ void read_subject(const json& message, BenchRow& row) {
     if (!message.at("sweep").is_null()) row.sweep = sweep_from(message.at("sweep"));
 }
 
-/// Messages from the measuring process: a length, then CBOR, which keeps an infinity.
+/// Sends a message from the measuring process: a length, then CBOR, which can represent infinity.
 void send(int pipe, const json& message) {
     const std::vector<uint8_t> bytes = json::to_cbor(message);
     const uint32_t size = uint32_t(bytes.size());
     if (!write_all(pipe, {reinterpret_cast<const char*>(&size), sizeof size}) ||
         !write_all(pipe, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}))
-        _exit(1);  // nobody reads any more
+        _exit(1);  // the reader is gone
 }
 
 std::optional<json> receive(int pipe) {
@@ -92,7 +92,7 @@ std::optional<json> receive(int pipe) {
     return json::from_cbor(bytes);
 }
 
-/// Why a subject's results are none, or nothing.
+/// Returns why a subject has no valid results, or "".
 std::string fault_of(const BenchSubject& subject) {
     const BenchError& error = subject.error;
     bool finite = std::isfinite(error.mean) && std::isfinite(error.p99) && std::isfinite(error.largest) &&
@@ -101,7 +101,7 @@ std::string fault_of(const BenchSubject& subject) {
     return finite ? "" : "failed: its result is not a number";
 }
 
-/// In a process of its own: prepares and times those methods of a scene that have not failed before.
+/// Runs in the measuring process: prepares and times the methods of a scene that have not failed before.
 class Measuring {
 public:
     Measuring(const BenchTopic& topic, const BenchScene& scene, const BenchRun& run, int pipe, volatile int& current)
@@ -125,7 +125,7 @@ public:
                 places.push_back(place);
             });
         }
-        // Whatever fails while it is timed is left out, and the others begin anew.
+        // Drop a method that fails while it is timed, and start again with the others.
         while (run_.settings.repeats > 0 && !subjects.empty() &&
                !attempt([&] { time(subjects, places, on_gpu ? by_gpu_clock : by_wall_clock); })) {
             const auto bad = std::find(places.begin(), places.end(), size_t(current_));
@@ -138,7 +138,7 @@ private:
     void begin(size_t place) { current_ = int(place); }
     void failed(size_t place, const std::string& why) { send(pipe_, {{"method", place}, {"failed", why}}); }
 
-    /// False if the work threw: then the method that was begun last has failed.
+    /// Returns false if the work threw: then the current method has failed.
     template <class Work>
     bool attempt(Work work) {
         try {
@@ -167,7 +167,7 @@ private:
     volatile int& current_;
 };
 
-/// A number that two processes share, as long as the object lives.
+/// A number shared by two processes for the lifetime of the object.
 class Shared {
 public:
     Shared() : page_(mmap(nullptr, sizeof(int), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
@@ -186,7 +186,7 @@ std::string text_of(const ChildEnd& end) {
     return end.crash.empty() ? fmt::format("ended the process, exit code {}", end.code) : "crashed: " + end.crash;
 }
 
-/// What the measuring process has to say, written into the rows.
+/// Writes the messages of the measuring process into the rows.
 class Listener {
 public:
     Listener(std::vector<BenchRow>& rows, const BenchRun& run, BenchMachine& machine)
@@ -241,8 +241,8 @@ private:
 }  // namespace
 
 double by_gpu_clock(const std::function<void()>& run, size_t times) {
-    // Two moments and not one span: what is run ends with glFinish, and over that a span loses its beginning
-    // (llvmpipe).
+    // Two timestamps instead of one elapsed-time query: a run ends with glFinish, and llvmpipe then loses the start of
+    // the elapsed time.
     const QueryName begin, end;
     glQueryCounter(begin, GL_TIMESTAMP);
     for (size_t i = 0; i < times; ++i) run();
@@ -262,7 +262,7 @@ std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene
     std::vector<BenchRow> rows = open_rows(topic, scene);
     Listener listener(rows, run, machine);
     Shared current;
-    // A crash ends the process; the next one does without the method that was at work.
+    // A crash ends the process. The next one skips the method that crashed.
     for (bool again = true; again;) {
         again = false;
         std::vector<size_t> methods;

@@ -1,4 +1,4 @@
-// Measures a scene in a separate process, so that a method that crashes does not end the run.
+// Measures a scene in a separate process, so that a crashing method does not end the run.
 #pragma once
 
 #include <functional>
@@ -10,22 +10,23 @@
 
 namespace relief {
 
-/// Uses timer queries: the GPU's time from the first command to the last, in seconds. Needs a context.
+/// Returns the GPU's time from the first command to the last, in seconds, by timer queries. Needs a context.
 double by_gpu_clock(const std::function<void()>& run, size_t times);
 
 struct BenchRun {
     BenchSettings settings;
     std::optional<ContextKind> context = {};  ///< for topics that draw; empty: the first that opens
-    bool pinned = false;                      ///< the same bits on every machine, but slower
+    bool pinned = false;                      ///< same bits on every machine, but slower
     /// Called at each step with the results so far and the name of the next step ("linear, its error and work").
     std::function<void(const std::vector<BenchRow>& rows, const std::string& next)> report = {};
 };
 
-/// The number of calls of `report` for a scene in which nothing fails.
+/// Returns the number of calls of `report` for a scene in which nothing fails.
 int steps_of(const BenchScene& scene, const BenchSettings& settings);
 
-/// Measures the scene's methods. A method that throws, crashes or returns NaN gets a row with the reason; the others go
-/// on. Fills in the renderer and the clock of `machine`. Throws Error if no context opens or no process can be started.
+/// Measures the scene's methods. A method that throws, crashes or returns NaN gets a row with the reason; the others
+/// continue. Fills in the renderer and the clock of `machine`. Throws Error if no context opens or no process can be
+/// started.
 std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene, const BenchRun& run,
                                 BenchMachine& machine);
 

@@ -1,4 +1,4 @@
-// Where methods break: their error against how hard the input is, beside that of what others do.
+// The limits of methods: their error as a function of the input's difficulty, compared with peers.
 #include "framework/staff/measure/stability.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ BenchScene sweep_scene(const std::string& input, const std::string& axis, const 
                 sweep.places.push_back(method.at(hard));
                 all_hold = all_hold && holds(sweep, sweep.places.back());
             }
-            if (method.peer && all_hold) sweep.why.clear();  // it tells why others break
+            if (method.peer && all_hold) sweep.why.clear();  // it explains why peers fail
             return swept(std::move(sweep), unit);
         };
         scene.methods.push_back({method.name, method.knobs, prepare, method.peer});

@@ -1,4 +1,4 @@
-// Formats for normals ever nearer to poles, seams and zeros, and angles ever nearer to 0.
+// Normal formats near poles, seams and zeros, and angles near 0.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <random>
@@ -15,8 +15,8 @@ double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-/// Directions at `angle` from the places where formats have seams: the ends of the axes (poles), the planes between the
-/// axes, and the faces' edges of an octahedron. At 0 they lie on them, with components that are 0 and -0.
+/// Returns directions at `angle` from the seams of formats: the ends of the axes (poles), the planes between the axes,
+/// and the edges of an octahedron's faces. At angle 0 they lie on the seams, with components 0 and -0.
 std::vector<glm::dvec3> near_seams(double angle, size_t count) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<> turn(0, 2 * glm::pi<double>());
@@ -36,7 +36,7 @@ std::vector<glm::dvec3> near_seams(double angle, size_t count) {
 
 using RoundTrip = std::function<glm::dvec3(const glm::dvec3&)>;
 
-/// An octahedral map in two bytes with GLSL's sign(), which is 0 at 0: as often copied.
+/// An octahedral map in two bytes with GLSL's sign(), which is 0 at 0: a commonly copied version.
 glm::dvec3 octahedral_by_sign(const glm::dvec3& normal) {
     const auto sign = [](glm::dvec2 v) { return glm::dvec2((v.x > 0) - (v.x < 0), (v.y > 0) - (v.y < 0)); };
     const auto fold = [&](glm::dvec2 p) { return (1.0 - glm::dvec2(std::abs(p.y), std::abs(p.x))) * sign(p); };
@@ -47,7 +47,7 @@ glm::dvec3 octahedral_by_sign(const glm::dvec3& normal) {
     return glm::normalize(glm::dvec3(z < 0 ? fold(p) : p, z));
 }
 
-/// Two bytes, and z by Pythagoras without a look at what is below the root.
+/// Two bytes, and z by Pythagoras without a check for a negative radicand.
 glm::dvec3 two_bytes_bare(const glm::dvec3& normal) {
     const glm::dvec2 xy = glm::round((0.5 * glm::dvec2(normal) + 0.5) * 255.0) / 255.0 * 2.0 - 1.0;
     return glm::dvec3(xy, std::sqrt(1 - glm::dot(xy, xy)));
@@ -58,7 +58,7 @@ SweptMethod codec(const std::string& name, double stated, const char* why, size_
     return {name, stated, why,
             [=](double hard) {
                 Tally tally;
-                // Beyond what a double resolves the components are 0 themselves.
+                // Angles below a double's resolution would round to 0, so use 0.
                 for (const glm::dvec3& normal : near_seams(hard > 1e17 ? 0 : 1 / hard, count))
                     if (!upper || normal.z >= 0) tally.add(degrees_between(trip(normal), normal));
                 return tally.largest(hard);
@@ -68,8 +68,8 @@ SweptMethod codec(const std::string& name, double stated, const char* why, size_
 
 BenchScene seam_scene(const BenchSettings& settings) {
     const size_t count = settings.quick ? 50 : 1000;
-    // The largest errors as lab 02 and its sources state them (Cigolle et al. 2014, table 2), and 1.5 % more: maxima
-    // are found from below.
+    // Maximum errors as lab 02 and its sources state them (Cigolle et al. 2014, table 2), plus 1.5 %: sampled maxima
+    // are lower bounds.
     const std::pair<NormalFormat, double> formats[] = {
         {NormalFormat::unorm8, 0.387},        {NormalFormat::snorm8, 0.386},
         {NormalFormat::paired8, 0.387},       {NormalFormat::rg8, 5.91},
@@ -101,7 +101,7 @@ BenchScene seam_scene(const BenchSettings& settings) {
                        methods);
 }
 
-/// Two unit vectors at an angle, and the angle that single precision finds.
+/// The angle between two unit vectors, as computed in single precision.
 BenchScene angle_scene(const BenchSettings& settings) {
     const size_t count = settings.quick ? 100 : 2000;
     const auto method = [count](const std::string& name, double stated, const char* why, auto angle, bool peer) {
@@ -114,7 +114,7 @@ BenchScene angle_scene(const BenchSettings& settings) {
                                    const glm::dvec3 a =
                                        glm::normalize(glm::dvec3(around(random), around(random), around(random) + 2));
                                    const glm::dvec3 side = glm::normalize(glm::cross(a, glm::dvec3(1, 0, 0)));
-                                   // The rounded vectors are what the method gets, so their angle is the truth.
+                                   // The method gets the rounded vectors, so their angle is the exact value.
                                    const glm::vec3 one(a), two(std::cos(1 / hard) * a + std::sin(1 / hard) * side);
                                    const double truth = degrees_between(one, two);
                                    if (truth > 0)

@@ -1,4 +1,4 @@
-// Normals from heights: by slope, by the steps that heights are stored in.
+// Normals from heights: by slope, and by the quantisation of the heights.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-constexpr int side = 32, border = 4;  // texels at the border are left out: filters differ there by design
+constexpr int side = 32, border = 4;  // border texels are excluded: filters differ there by design
 
 constexpr std::pair<const char*, SlopeFilter> filters[] = {
     {"forward", SlopeFilter::forward}, {"central", SlopeFilter::central},           {"sobel", SlopeFilter::sobel},
@@ -18,7 +18,7 @@ constexpr std::pair<const char*, SlopeFilter> filters[] = {
 
 constexpr double ramp_u = 0.625, ramp_v = 0.75;  // dh/du and dh/dv of a ramp of slope 1
 
-/// A ramp of steps that floats hold exactly: all filters should find its slope. Rows run down, v up.
+/// A ramp whose steps floats hold exactly: all filters should find its slope. Rows run down, v up.
 Image ramp() {
     Image heights(side, side, 1);
     for (int y = 0; y < side; ++y)
@@ -26,7 +26,7 @@ Image ramp() {
     return heights;
 }
 
-/// Waves of 16 texels with slopes up to 1, whose heights are multiples of a step; of any height with a step of 0.
+/// Waves of 16 texels with slopes up to 1, quantised to multiples of `step`. Step 0: not quantised.
 Image stepped_waves(double step) {
     constexpr double w = 2 * glm::pi<double>() / 16, amplitude = 1 / w;
     Image heights(side, side, 1);
@@ -45,7 +45,7 @@ glm::dvec3 vector_of(const Image& normals, int x, int y) {
 
 using NormalsOf = std::function<Image(const Image& heights, double texels)>;
 
-/// Angles to the exact normals, which `exact` gives for a texel.
+/// Collects the angles to the exact normals, which `exact` returns for a texel.
 template <class Exact>
 Tally tally_of(const Image& normals, Exact exact) {
     Tally tally;

@@ -1,5 +1,5 @@
-// Where view rays meet a relief: by the shaders' searches, for rays that graze, begin far from the origin, or run
-// through a deep relief or a fine map; and where rays meet a mesh.
+// Intersections of view rays with a relief by the shaders' searches: for rays that graze or begin far from the origin,
+// and for a deep relief or a fine map. Also intersections of rays with a mesh.
 #include <bit>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -27,12 +27,12 @@ constexpr double least_slant = 0.002;
 
 struct Setting {
     double cosine = 0.5;  ///< of the angle between ray and normal
-    double tiles = 0;     ///< whole tiles between the rays and the origin of uv
-    double depth = 0.08;  ///< tiles
-    int size = 256;       ///< of the map
+    double tiles = 0;     ///< number of tiles between the rays and the origin of uv
+    double depth = 0.08;  ///< in tiles
+    int size = 256;       ///< side of the map, in texels
 };
 
-/// The rays of one place of a sweep, with the map that they meet and where they do, in double precision.
+/// The rays of one point of a sweep, the map, and the exact hits in double precision.
 class Rays {
 public:
     Rays(const Setting& setting, int side, HeightMap map)
@@ -54,7 +54,7 @@ public:
     float sine() const { return float(std::sqrt(1 - setting_.cosine * setting_.cosine)); }
     float cosine() const { return float(setting_.cosine); }
 
-    /// As the shader gets them: at their place, or without the whole tiles.
+    /// Returns the rays as the shader gets them: at their position, or relative to their tile.
     Image uploaded(bool without_tiles) const {
         Image rays = rays_;
         if (!without_tiles)
@@ -63,7 +63,8 @@ public:
         return rays;
     }
 
-    /// In texels from the origin of the tile that ray `i` begins in. `held`: no flatter than the course's rays.
+    /// Returns the hit of ray `i`, in texels from the origin of the tile in which the ray begins. `held` clamps the
+    /// slant as the course's rays do.
     glm::dvec2 hit(size_t i, bool held) const {
         const float* const ray = &rays_.values[4 * i];
         const double slant = held ? std::max(double(cosine()), least_slant) : double(cosine());
@@ -94,7 +95,7 @@ private:
 struct Search {
     const char* name;
     std::vector<std::string> defines;
-    double stated;  ///< texels, for 99 of 100 rays
+    double stated;  ///< in texels, for 99 of 100 rays
     const char* why;
     bool peer = false;
 };
@@ -127,7 +128,7 @@ const std::vector<Search>& searches() {
     return all;
 }
 
-/// Draws one search over all rays; 4 floats a ray.
+/// Draws one search over all rays. Returns 4 floats per ray.
 Image search(const Search& method, const Rays& rays) {
     const auto folder = course_root() / "framework" / "staff" / "measure";
     const Program program({folder / "rays.vert", folder / "rays.frag"}, method.defines);
@@ -175,7 +176,7 @@ BenchSweep::Place place_of(const Search& method, Rays& rays, double hardness) {
     const int side = rays.side();
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
-            const size_t i = size_t(y) * size_t(side) + size_t(x);  // both images have row 0 at the top
+            const size_t i = size_t(y) * size_t(side) + size_t(x);  // row 0 is the top in both images
             const float* const hit = found.pixel(x, y);
             if (hit[2] > 0)
                 tally.endless();
@@ -187,7 +188,7 @@ BenchSweep::Place place_of(const Search& method, Rays& rays, double hardness) {
 
 BenchScene hits_scene(const char* input, const char* axis, const std::vector<double>& hardness, int side, HeightMap map,
                       const std::function<Setting(double)>& setting) {
-    // The rays of a place are the same for all methods, and so are their exact hits.
+    // All methods share the rays of a point and their exact hits.
     const auto made = std::make_shared<std::map<double, std::unique_ptr<Rays>>>();
     std::vector<SweptMethod> methods;
     for (const Search& method : searches())
@@ -201,7 +202,7 @@ BenchScene hits_scene(const char* input, const char* axis, const std::vector<dou
     return sweep_scene(input, axis, "texel", hardness, methods);
 }
 
-/// The first hit of a mesh, as a bake looks for it: ever farther from the origin, where places are rounded.
+/// The first hit of a mesh, as in a bake, with increasing distance from the origin, where positions are rounded.
 BenchScene mesh_scene(const BenchSettings& settings) {
     using HitsOf = std::function<std::vector<double>(const RaysThroughEdges&)>;
     const auto method = [quick = settings.quick](const char* name, const char* why, const HitsOf& search, bool peer) {

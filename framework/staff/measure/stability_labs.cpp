@@ -1,6 +1,6 @@
-// Labs drawn ever further from where they are easy: displacement by segments, by pixels and far from the world's
-// origin, the planet from near the ground, the sea after years, shadows of a low sun, maps baked ever smaller, a skin
-// bent ever more.
+// Labs under increasingly hard conditions: displacement by segments, by pixels and far from the world's origin, the
+// planet from near the ground, the sea after years, shadows of a low sun, baked maps of decreasing size, and a skin
+// under increasing bends.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace relief {
 namespace {
 
-/// The mean error of a shot's probe. `seen`, if it is another one, is what the method draws; the truth is of `shot`.
+/// Returns the mean error of a shot's probe. The exact values are for `shot`. The method draws `seen` if it is given.
 BenchSweep::Place place_of(const char* number, const Shot& shot, ErrorMetric metric, double hardness,
                            const std::optional<Shot>& seen = {}) {
     const std::shared_ptr<Lab> lab = make_lab(find_lab(number), shot);
@@ -28,7 +28,7 @@ BenchSweep::Place place_of(const char* number, const Shot& shot, ErrorMetric met
     return tally.mean(hardness);
 }
 
-/// Knobs of a method.
+/// A method, given by knobs.
 struct Way {
     const char* name;
     BenchKnobs set;
@@ -66,7 +66,7 @@ BenchScene displacement(const BenchSettings& settings, bool by_patches) {
         Shot seen;
         seen.size = {96, 96}, seen.probe = {"depth"};
         seen.camera = {.yaw = 30, .pitch = 20, .distance = 2.2};
-        // 256 segments along a side of the wall are the easiest.
+        // The easiest case has 256 segments along a side of the wall.
         const int segments = int(std::lround(256 / hard));
         const int patches = by_patches ? std::max(1, segments / 16) : 4;
         seen.set = {{"view", "one"},
@@ -92,8 +92,8 @@ BenchScene displacement(const BenchSettings& settings, bool by_patches) {
         shot);
 }
 
-/// A displaced ground seen from 3 metres, that far from the world's origin: how many pixels of a picture of 1000 each
-/// vertex is off, computed in floats as a vertex shader does.
+/// A displaced ground seen from 3 metres, at a distance from the world's origin. Measures the error of each vertex in
+/// pixels of a picture of 1000 pixels. Uses float arithmetic, like a vertex shader.
 BenchScene far_displacement(const BenchSettings& settings) {
     using Project = std::function<glm::vec4(const Camera&, const glm::dvec3& origin, const glm::vec3& vertex)>;
     const Project ours = [](const Camera& camera, const glm::dvec3& origin, const glm::vec3& vertex) {
@@ -129,7 +129,7 @@ BenchScene far_displacement(const BenchSettings& settings) {
                        some_of(decades(0, 8, 0.5), settings), methods);
 }
 
-/// Lab 14's levels: how far 99 of 100 pixels of a ground are off, in units of the error that is tolerated.
+/// Lab 14's levels: the 99th percentile of the screen error of a ground, in units of the tolerated error.
 BenchScene adaptive_displacement(const BenchSettings& settings) {
     std::vector<SweptMethod> methods;
     for (const auto& [name, knobs, why, peer] :
@@ -150,7 +150,7 @@ BenchScene adaptive_displacement(const BenchSettings& settings) {
                        some_of({0.125, 0.25, 0.5, 1, 2, 4, 8}, settings), methods);
 }
 
-/// Places that a pixel shows, relative to how far away they are: a thousandth is a pixel of a picture of 1000.
+/// Positions shown by pixels, relative to their distance: 0.001 is one pixel of a picture of 1000 pixels.
 BenchScene planet(const BenchSettings& settings) {
     std::vector<SweptMethod> methods;
     for (const auto& [name, why, peer] :
@@ -212,7 +212,7 @@ BenchScene sea(const BenchSettings& settings) {
 
 double pitch_of(double hard) { return glm::degrees(std::asin(1 / hard)); }
 
-/// 1 / sine of the sun's elevation: from 64 to 1 degrees.
+/// Returns 1 / sine of the sun's elevation, for elevations from 64 down to 1 degree.
 std::vector<double> low_suns(const BenchSettings& settings) {
     std::vector<double> all;
     for (const double degrees : {64, 45, 30, 20, 12, 7, 4, 2, 1}) all.push_back(1 / std::sin(glm::radians(degrees)));

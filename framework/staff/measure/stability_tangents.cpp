@@ -1,4 +1,4 @@
-// Tangents under extreme scales, slivers, normals along the tangent, and meshes jittered until they fold.
+// Tangents under extreme scales, for slivers, for normals along the tangent, and for meshes jittered until they fold.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <limits>
@@ -16,13 +16,14 @@ namespace {
 constexpr unsigned seed = 1;
 using Exact = glm::vec<3, long double>;
 
-/// Triangles that share nothing: so every method should give each its own dP/du.
+/// Separate triangles: every method should give each triangle its own dP/du.
 struct Soup {
     Mesh mesh;
-    std::vector<glm::dvec3> tangents;  ///< of each corner; zero where the triangle has none
+    std::vector<glm::dvec3> tangents;  ///< of each corner; zero if the triangle has none
 };
 
-/// Where dP/du is, in the tangent plane, from the floats of the mesh. 64 digits tell the area of a sliver's uv.
+/// Adds the exact direction of dP/du in the tangent plane, from the mesh's floats. long double has 64 bits of mantissa,
+/// enough for the area of a sliver's uv.
 void add_truth(Soup& soup) {
     for (size_t i = 0; i < soup.mesh.indices.size(); i += 3) {
         const Vertex* const corner = &soup.mesh.vertices[i];
@@ -46,9 +47,9 @@ void add_truth(Soup& soup) {
 
 struct SoupShape {
     double position_scale = 1, uv_scale = 1;
-    double sliver = 1;     ///< how many times a triangle is longer than high
+    double sliver = 1;     ///< length of a triangle divided by its height
     double uv_sliver = 1;  ///< the same in uv
-    double tilt = 1;       ///< the angle between normal and dP/du, radians; 1: the triangle's own normal
+    double tilt = 1;       ///< the angle between normal and dP/du, in radians; 1: the triangle's own normal
 };
 
 Soup make_soup(size_t count, const SoupShape& shape) {
@@ -68,7 +69,7 @@ Soup make_soup(size_t count, const SoupShape& shape) {
         const double place[3][2] = {{0, 0}, {1, 0.2 * around(random)}, {0.2 + 0.6 * share(random), 1}};
         const double hand = random() % 2 ? 1 : -1;
         const glm::dvec2 uv_middle(around(random), around(random));
-        // uv = a rotation of the place in the triangle, flattened across: u and v both grow along it.
+        // uv = a rotation of the position in the triangle, flattened across, so that u and v both grow along it.
         glm::dvec2 uv[3];
         for (int k = 0; k < 3; ++k) {
             const double x = place[k][0], y = hand * place[k][1] / shape.uv_sliver;
@@ -88,12 +89,12 @@ Soup make_soup(size_t count, const SoupShape& shape) {
     return soup;
 }
 
-/// An angle whose bits are right however small it is; acos(dot) is not.
+/// Returns an angle that stays accurate when it is small; acos(dot) does not.
 double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-/// Not of unit length or not finite is no tangent: a shader makes NaN or black of it.
+/// Returns whether a tangent is finite and of unit length. A shader turns any other tangent into NaN or black.
 bool is_usable(const glm::vec4& tangent) {
     return std::abs(glm::length(glm::dvec3(tangent)) - 1) < 1e-3 && std::abs(tangent.w) == 1;
 }
@@ -111,8 +112,8 @@ Tally tally_of(const Soup& soup, const TangentsOf& method) {
     return tally;
 }
 
-/// The published semantics (Mikkelsen 2008) in single precision, for triangles that share nothing: the direction is
-/// solved without a division, and a number no larger than FLT_MIN counts as 0.
+/// The published semantics (Mikkelsen 2008) in single precision, for separate triangles. The direction is solved
+/// without a division, and a number of at most FLT_MIN counts as 0.
 std::vector<glm::vec4> published_tangents(const Mesh& mesh) {
     constexpr float least = std::numeric_limits<float>::min();
     const auto unit = [](glm::vec3 v) { return glm::length(v) > least ? v / glm::length(v) : v; };
@@ -167,7 +168,8 @@ std::vector<Method> methods() {
     return all;
 }
 
-/// A scene of soups. `why`: of the course's methods, of the usual code, of the published one, of Assimp.
+/// Returns a scene of soups. `why` explains, in this order, the course's methods, the usual code, the published code,
+/// and Assimp.
 BenchScene soup_scene(const char* input, const char* axis, const std::vector<double>& hardness, size_t count,
                       double stated, const std::array<const char*, 4>& why,
                       const std::function<SoupShape(double)>& shape) {
@@ -186,7 +188,7 @@ BenchScene soup_scene(const char* input, const char* axis, const std::vector<dou
     return sweep_scene(input, axis, "degree", hardness, result);
 }
 
-/// The mean angle to dP/du, on a torus whose vertices are moved ever further: from half a cell on triangles fold.
+/// The mean angle to dP/du, on a torus with increasing jitter. From half a cell on, triangles fold.
 BenchScene jitter_scene(const BenchSettings& settings) {
     std::vector<SweptMethod> result;
     for (const Method& method : methods())
@@ -215,7 +217,7 @@ BenchScene jitter_scene(const BenchSettings& settings) {
 
 std::vector<BenchScene> tangent_sweeps(const BenchSettings& settings) {
     const size_t count = settings.quick ? 200 : 2000;
-    const double step = settings.quick ? 12 : 2;  // a float reaches from 1e-38 to 1e38
+    const double step = settings.quick ? 12 : 2;  // a float ranges from 1e-38 to 1e38
     const char* const squares =
         "Single precision: the square of a length, or a product of two, leaves the range of a float.";
     const char* const products = "The area in uv is a difference of two products: 24 digits do not tell it from 0.";

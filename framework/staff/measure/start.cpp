@@ -1,4 +1,4 @@
-// The time of one picture from the start of the process: lab 01 as PNG and as PPM, compared with the minimum for both
+// The time from the start of the process to one picture: lab 01 as PNG and as PPM, compared with the minimum for both
 // (tests/start/floor.cpp). The work of a shot is the time of each of its phases.
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ using Environment = std::map<std::string, std::string>;
 
 constexpr const char* texture = "bricks_albedo.png";
 
-/// The renderer's cache of compiled shaders lies where the user's does. Without it each run is a first one.
+/// Keeps the user's folders, where the renderer caches compiled shaders. Without the cache, each run is like the first.
 Environment environment(bool with_cache) {
     Environment result = {{"LC_ALL", "C.UTF-8"}};
     for (const char* name : {"HOME", "XDG_CACHE_HOME"})
@@ -40,7 +40,7 @@ ProcessResult run(const Words& command, bool with_cache = true) {
                                       .environment = environment(with_cache),
                                       .limits = {.wall = 60, .cpu = 60, .memory = size_t{8} << 30}});
     if (done.succeeded()) return done;
-    // The reason, without the events that --verbose tells before it.
+    // The reason, without the events of --verbose before it.
     std::string reason;
     for (const std::string& line : split(done.errors, '\n'))
         if (!line.empty() && !line.starts_with('[')) reason += (reason.empty() ? "" : "; ") + line;
@@ -55,7 +55,7 @@ constexpr std::array phases = {"linking_ms", "manifest_ms",     "context_ms", "t
                                "drawing_ms", "reading_back_ms", "writing_ms", "ending_ms"};
 using Milliseconds = std::array<double, phases.size()>;
 
-/// From what --verbose says: "[  12.3 ms] drawn", "[  9.1 ms] texture: assets/x.png, 64x64, 1.2 ms".
+/// Parses the output of --verbose: "[  12.3 ms] drawn", "[  9.1 ms] texture: assets/x.png, 64x64, 1.2 ms".
 Milliseconds phases_of(Words command, bool with_cache) {
     command.emplace_back("--verbose");
     const ProcessResult done = run(command, with_cache);
@@ -83,10 +83,10 @@ Milliseconds phases_of(Words command, bool with_cache) {
             1e3 * done.wall - at["written"]};
 }
 
-/// Where the milliseconds of a command go: medians.
+/// Returns the median time of each phase of a command, in milliseconds.
 BenchWork parts_of(const Words& command, bool with_cache, int repeats) {
     std::array<std::vector<double>, phases.size()> samples;
-    phases_of(command, with_cache);  // to warm up
+    phases_of(command, with_cache);  // warm-up
     for (int repeat = 0; repeat < std::max(1, repeats); ++repeat) {
         const Milliseconds took = phases_of(command, with_cache);
         for (size_t p = 0; p < phases.size(); ++p) samples[p].push_back(took[p]);

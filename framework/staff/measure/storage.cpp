@@ -18,7 +18,7 @@ struct Vectors {
     std::vector<NormalCode> codes;
 };
 
-/// Evenly on the upper hemisphere, where tangent-space maps live.
+/// Returns uniform random directions on the upper hemisphere, the range of tangent-space maps.
 std::vector<glm::dvec3> hemisphere(size_t count) {
     std::mt19937 random(1);
     std::uniform_real_distribution<> z_of(0, 1), turn_of(0, 2 * 3.14159265358979);
@@ -30,7 +30,7 @@ std::vector<glm::dvec3> hemisphere(size_t count) {
     return normals;
 }
 
-/// A format's vectors, encoded and decoded once; its scenes share them.
+/// Returns a format's vectors, encoded and decoded once; its scenes share them.
 std::shared_ptr<Vectors> vectors_of(NormalFormat format, size_t count) {
     const auto data = std::make_shared<Vectors>();
     data->normals = hemisphere(count);

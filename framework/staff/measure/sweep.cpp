@@ -17,7 +17,7 @@ using Place = BenchSweep::Place;
 
 std::string amount(double hardness) { return plain(with_digits(hardness, 4)); }
 
-/// "from 10 on", "up to 0.1 and at 8", for the places where `is` is true; nothing if there is none.
+/// Returns a text such as "from 10 on" or "up to 0.1 and at 8" for the points where `is` is true; "" if there is none.
 template <class Is>
 std::string where(std::span<const Place> places, Is is) {
     std::vector<std::string> parts;
@@ -42,7 +42,7 @@ constexpr std::array peer_colors = {"#23629b", "#3fa0c9", "#6a5acd", "#1d8a7a"};
 constexpr std::array our_points = {7, 5, 9, 11, 13, 15, 7};
 constexpr std::array peer_points = {6, 4, 8, 10};
 
-/// One scene's curves.
+/// The curves of one scene.
 class Panel {
 public:
     Panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, size_t number, const PanelStyle& style)
@@ -79,7 +79,7 @@ public:
         if (any_lost_) text += fmt::format("set ytics add ('none' {})\n", ceiling_);
         text += stated();
         std::vector<std::string> plots;
-        for (const bool peer : {true, false}) {  // ours before the others
+        for (const bool peer : {true, false}) {  // the course's methods are drawn last, on top
             size_t count = 0;
             for (const size_t row : places_)
                 if (rows_[row].peer == peer) curve(row, count++, text, plots);
@@ -88,7 +88,7 @@ public:
     }
 
 private:
-    /// "hits angle": the values of the scene's knobs.
+    /// Returns a title such as "hits angle": the values of the scene's knobs.
     static std::string title(const BenchRow& row) {
         std::string text;
         for (const auto& [knob, value] : row.scene) text += (text.empty() ? "" : ", ") + value;
@@ -96,9 +96,9 @@ private:
         return text;
     }
 
-    static constexpr double smallest = 1e-9;  ///< what is less counts as 0
+    static constexpr double smallest = 1e-9;  ///< smaller values count as 0
 
-    /// A line at the promise, where it is the same for all methods of the course.
+    /// Returns a line at the stated error if it is the same for all methods of the course.
     std::string stated() const {
         std::optional<double> limit;
         for (const size_t row : places_) {
@@ -186,12 +186,13 @@ std::string verdict_of(const BenchSweep& sweep, const std::string& unit) {
 
 std::string sweep_panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PanelStyle& style) {
     const std::string panel = Panel(rows, scene, 0, style).script();
-    return panel.empty() ? "" : "set rmargin 5\n" + panel;  // the axis' last number, which is turned, ends beyond it
+    return panel.empty() ? "" : "set rmargin 5\n" + panel;  // room for the axis' last number, which is rotated and
+                                                            // extends past the axis
 }
 
 std::string sweep_script(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine) {
     const std::vector<std::vector<size_t>> scenes = scenes_of(rows);
-    // One panel alone is read from afar, on a slide.
+    // A single panel is for a slide and needs large letters.
     const PanelStyle style =
         scenes.size() == 1 ? PanelStyle{.title = 15, .axes = 13, .names = 12} : PanelStyle{.axes = 10};
     std::vector<std::string> panels;

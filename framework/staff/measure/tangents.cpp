@@ -1,4 +1,4 @@
-// Tangents of a million triangles: time by method and threads, error against dP/du.
+// Tangents of a million triangles: time by method and threads, and the error against dP/du.
 #include <cmath>
 #include <memory>
 
@@ -15,10 +15,10 @@ Mesh bench_torus(int columns, int rows) { return jittered_torus(columns, rows, 1
 
 namespace {
 
-/// A coarse mesh, on which errors show: 4096 triangles.
+/// A coarse mesh of 4096 triangles, on which errors are large enough to measure.
 Mesh error_mesh() { return bench_torus(64, 32); }
 
-/// Of a tangent for each corner of error_mesh().
+/// Returns the error of a tangent for each corner of error_mesh().
 BenchError error_of(const std::vector<glm::vec4>& tangents) {
     const Mesh mesh = error_mesh();
     std::vector<double> errors;
