@@ -1,27 +1,27 @@
-// From cell to cell along a ray over a height map, so that it cannot stall.
+// Walks from cell to cell along a ray over a height map, without stalling.
 //
-// Cells are counted, in whole numbers along the ray's way from the one that it starts in: cell `passed` of the count
-// lies way * passed cells from there. A float holds whole numbers exactly up to 2^24, so a cell's walls stay where
-// they are however far the ray has come; its t may be rounded, and each iteration still goes on by a cell at least.
+// Cells are counted along the ray's direction from the cell in which it starts. Cell `passed` lies way * passed cells
+// from there. A float holds integers exactly up to 2^24, so the positions of a cell's walls stay exact however far the
+// ray has come. Its t may be rounded, but each iteration advances by at least one cell.
 
-// A pixel gets no more, whatever it looks for: Mesa 22.3's software renderer ends its loops after 65,535 in all.
+// Maximum iterations of a pixel in any search: Mesa 22.3's software renderer ends loops after 65,535 iterations in all.
 const int max_iterations = 65000;
 
-// As many as a ray needs from t0 to t1 without a skip: one for each wall, and one for each end.
+// Returns the number of iterations from t0 to t1 without a skip: one for each wall, and one for each end.
 int iterations_between(vec2 along, float t0, float t1) {
     return int(min((abs(along.x) + abs(along.y)) * (t1 - t0), float(max_iterations))) + 4;
 }
 
-// 1 or -1 along each axis.
+// Returns 1 or -1 along each axis.
 vec2 way_of(vec2 along) { return mix(vec2(-1.0), vec2(1.0), greaterThanEqual(along, vec2(0.0))); }
 
-// Where a ray starts in its cell, counted along its way.
+// Returns the start position within its cell, measured along the ray's direction.
 vec2 start_along(vec2 start, vec2 way) { return mix(1.0 - start, start, greaterThan(way, vec2(0.0))); }
 
-// The cell after `passed`, whose walls ahead the ray reaches at leaves.x and leaves.y: through the one that it
-// reaches first. Or a later cell, where it has skipped to `place`; on a line between two that is the one it enters.
-// The ten-thousandth of a cell is for speed: without it a ray that was rounded to just before a line looks at the
-// cell behind once more.
+// Returns the cell after `passed`. The ray reaches the walls ahead at leaves.x and leaves.y and goes through the nearer
+// one. If the ray has skipped to `place`, returns a later cell; on a line between two cells, the one that it enters.
+// The offset 1e-4 is for speed: without it, a ray that is rounded to just before a line visits the cell behind it
+// again.
 //(next
 vec2 next_cell(vec2 passed, vec2 leaves, vec2 place) {
     return max(passed + vec2(lessThanEqual(leaves, leaves.yx)), floor(place + 1e-4));

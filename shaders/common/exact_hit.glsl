@@ -1,17 +1,17 @@
-// The exact first hit of a view ray and a relief: a picture compares its method with it.
+// The exact first hit of a view ray and a relief. Pictures compare their method with it.
 
 #include "common/cell_walk.glsl"
 #include "common/height_cell.glsl"
 
-// A ray goes from `uv` at height 1, t = 0, to uv + along at height 0, t = 1. The first t from between.x to between.y at
-// which it is not above the bilinear surface: from cell to cell (Amanatides and Woo 1987).
+// Returns the first t in [between.x, between.y] at which the ray is on or below the bilinear surface. Returns between.y
+// if there is none, or if max_iterations are not enough. The ray goes from `uv` at height 1, t = 0, to uv + along at
+// height 0, t = 1. The search walks from cell to cell (Amanatides and Woo 1987).
 //[solution
-// And at once past what lies below it: `windows` and `extent` are height_windows() of the heights. Students get a walk
-// that skips nothing, as how to skip is what lab 12 asks for.
+// It skips cells that lie below the ray: `windows` and `extent` are height_windows() of the heights. The students'
+// version skips nothing, because skipping is the task of lab 12.
 //]starter
-//| // It skips nothing, so `windows` and `extent` are not read: how to skip is for lab 12.
+//| // It skips nothing, so `windows` and `extent` are not read: skipping is the task of lab 12.
 //]
-// between.y where there is none, or not in max_iterations.
 float exact_hit(sampler2D heights, sampler2DArray windows, vec4 extent, vec2 uv, vec2 along, vec2 between) {
     vec2 size = vec2(textureSize(heights, 0)), from = fract(uv) * size - 0.5, march = along * size;
     int last = iterations_between(march, between.x, between.y);

@@ -1,5 +1,5 @@
-// Errors as colours, sRGB-encoded: black at 0 over purple and orange to pale yellow at 1. Lightness rises steadily, so
-// that the scale can be read without colour too.
+// Errors as colours, sRGB-encoded: black at 0, then purple and orange, pale yellow at 1. Lightness increases
+// monotonically, so the scale is readable without colour.
 
 vec3 heat(float share) {
     float place = clamp(share, 0.0, 1.0) * 5.0;

@@ -1,5 +1,5 @@
 #version 410 core
-// v below 0 is a plain rectangle, v above 1 a heat scale along u; else a letter.
+// v < 0: a plain rectangle. v > 1: a heat scale along u. Otherwise a letter.
 
 #include "common/heat.glsl"
 

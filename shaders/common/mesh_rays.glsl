@@ -1,15 +1,15 @@
-// Rays against triangles and boxes, watertight (Woop, Benthin and Wald 2013): two triangles that share an edge leave no
-// gap between them, whatever is rounded.
+// Watertight intersection of rays with triangles and boxes (Woop, Benthin and Wald 2013): two triangles with a shared
+// edge leave no gap under any rounding.
 
-// 1 / direction, large in place of infinite.
+// Returns 1 / direction, with components clamped to [-1e18, 1e18].
 vec3 inverse_direction(vec3 direction) {
     bvec3 is_small = lessThanEqual(abs(direction), vec3(1e-18));
     vec3 large = mix(vec3(1e18), vec3(-1e18), lessThan(direction, vec3(0.0)));
     return mix(1.0 / mix(direction, vec3(1.0), is_small), large, is_small);
 }
 
-// Whether a part of the ray between t = 0 and `end` is in the box. The box is a little larger than what is in it, and
-// `leaves` is by what three roundings can bring the two past each other (Ize 2013).
+// Returns whether the ray overlaps the box between t = 0 and `end`. The box is slightly larger than its contents. `leaves`
+// is enlarged, because three roundings may reverse the order of `enters` and `leaves` (Ize 2013).
 bool meets_box(vec3 origin, vec3 inverse, float end, vec3 low, vec3 high) {
     vec3 a = (low - origin) * inverse, b = (high - origin) * inverse;
     vec3 near = min(a, b), far = max(a, b);
@@ -17,22 +17,23 @@ bool meets_box(vec3 origin, vec3 inverse, float end, vec3 low, vec3 high) {
     return enters <= leaves * 1.0000004;
 }
 
-// A permutation of the axes that keeps their sense: the largest of `direction` becomes z.
+// Returns v with its axes permuted so that the largest component of `direction` becomes z. The permutation keeps the
+// handedness.
 vec3 in_ray_order(vec3 v, vec3 direction) {
     vec3 size = abs(direction);
     return size.x >= size.y && size.x >= size.z ? v.yzx : size.y >= size.z ? v.zxy : v;
 }
 
-// What takes the direction to (0, 0, 1), once its axes are in order.
+// Returns the shear that maps the direction to (0, 0, 1), after in_ray_order().
 vec3 ray_shear(vec3 direction) {
     vec3 d = in_ray_order(direction, direction);
     return vec3(d.x / d.z, d.y / d.z, 1.0 / d.z);
 }
 
-// (t, weights of a and b, facing), t in lengths of the direction: facing is 1 where the ray meets the side from which
-// a, b, c run counter-clockwise, -1 on the other side, and 0 where it misses. On an edge it may hit both neighbours.
-// Without `precise` a compiler may round one product of a difference and not the other: then neighbours could both say
-// no.
+// Returns (t, weight of a, weight of b, facing), with t in multiples of the direction. `facing` is 1 for the front,
+// where a, b, c run counter-clockwise, -1 for the back, and 0 for a miss. A ray through an edge may hit both
+// neighbours. Without `precise` a compiler may round only one product of a difference. Then both neighbours could
+// report a miss.
 vec4 triangle_hit(vec3 origin, vec3 direction, vec3 shear, vec3 a, vec3 b, vec3 c) {
     precise vec3 p = in_ray_order(a - origin, direction), q = in_ray_order(b - origin, direction);
     precise vec3 r = in_ray_order(c - origin, direction);

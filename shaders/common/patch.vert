@@ -1,5 +1,5 @@
 #version 410 core
-// The corners of patches, as they are.
+// Passes on the corners of patches unchanged.
 
 #include "common/patch_corner.glsl"
 

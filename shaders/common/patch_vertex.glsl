@@ -1,4 +1,5 @@
-// For the evaluation shader: the undisplaced surface at gl_TessCoord. CORNERS is 3 or 4, SPACING an argument of layout().
+// For the evaluation shader: the undisplaced surface at gl_TessCoord. CORNERS is 3 or 4; SPACING is an argument of
+// layout().
 
 #include "common/patch.glsl"
 #include "common/patch_corner.glsl"
@@ -14,10 +15,10 @@ in PatchCorner c_corner[];
 struct PatchVertex {
     vec3 position;
     vec3 normal;   // for shading; not normalised
-    vec4 tangent;  // the same
+    vec4 tangent;  // not normalised
     vec2 uv;
-    vec3 direction;  // of the relief; not normalised
-    vec2 height_uv;  // where the height is read
+    vec3 direction;  // of displacement; not normalised
+    vec2 height_uv;  // uv for the height
     vec2 spacing;
 };
 
@@ -41,7 +42,7 @@ PatchVertex patch_vertex() {
     vertex.spacing = BLEND(spacing);
     vertex.height_uv = vertex.uv;
     if (edge >= 0) {
-        // llvmpipe reads the corners of every vertex, also where there is no edge.
+        // llvmpipe reads the corners for every vertex, even if edge is -1, so clamp the index.
         int first = max(edge, 0), next = (first + 1) % CORNERS;
         vertex.height_uv = uv_on_edge(weights[first], weights[next], c_corner[first].edge_uv, c_corner[first].height_uv,
                                       c_corner[next].height_uv);

@@ -1,5 +1,5 @@
 #version 410 core
-// A surface that a relief is pressed into. Frames go to the fragment stage as they are interpolated.
+// A surface with a relief below it. Tangent frames go to the fragment stage as interpolated.
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
@@ -7,9 +7,9 @@ layout(location = 2) in vec4 a_tangent;
 layout(location = 3) in vec2 a_uv;
 
 uniform mat4 u_clip_from_world;
-uniform mat4 u_world_from_model;  // a motion, without scale
-uniform vec2 u_repeat;            // tiles per unit of uv; x is negative where the relief is mirrored
-uniform vec2 u_shift;             // tiles
+uniform mat4 u_world_from_model;  // a rigid motion, without scale
+uniform vec2 u_repeat;            // tiles per unit of uv; x is negative if the relief is mirrored
+uniform vec2 u_shift;             // in tiles
 
 out vec3 v_position;
 out vec3 v_normal;

@@ -1,5 +1,5 @@
-// The sRGB transfer function (IEC 61966-2-1). The target is encoded here, once, at the end of a shader: an sRGB
-// framebuffer rounds differently from one CPU to the next.
+// The sRGB transfer function (IEC 61966-2-1). Shaders encode their output themselves, once, at their end: an sRGB
+// framebuffer rounds differently on different CPUs.
 
 vec3 srgb_from_linear(vec3 light) {
     vec3 positive = max(light, vec3(0.0));

@@ -1,5 +1,5 @@
-// The result of a student's function before it is written: `return unfinished(vec3(0.0));`. The stage that calls
-// finished() last then paints a magenta chequer, so that the missing task is visible.
+// The placeholder result of a student's unwritten function: `return unfinished(vec3(0.0));`. The stage that calls
+// finished() last then paints a magenta chequerboard, so that the missing task is visible.
 
 bool is_unfinished = false;
 
@@ -13,10 +13,11 @@ mat2x4 unfinished(mat2x4 placeholder) { is_unfinished = true; return placeholder
 int unfinished(int placeholder) { is_unfinished = true; return placeholder; }
 ivec2 unfinished(ivec2 placeholder) { is_unfinished = true; return placeholder; }
 
-// Numbers that a lab measures, or -infinity, which is no number: they come from a task that is missing.
+// Returns measured numbers, or -infinity if they depend on a missing task.
 vec4 measured(vec4 numbers) { return is_unfinished ? vec4(uintBitsToFloat(0xff800000u)) : numbers; }
 
-// What a probe holds. A person is told of a missing task; a check of another one can do with what stands in for it.
+// Returns the value of a probe. With TELL_MISSING, for people, a missing task gives -infinity. Without it, checks of
+// other tasks get the placeholder's value.
 vec4 probed(vec4 value) {
 #ifdef TELL_MISSING
     return measured(value);
