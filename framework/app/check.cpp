@@ -1,4 +1,4 @@
-// relief check: a student's own work against the lab's checks.
+// relief check: runs a lab's checks on a student's own work.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -37,7 +37,7 @@ std::string colored(Outcome outcome, const std::string& word) {
                        word);
 }
 
-/// Prints results, each hint once in a task, and each message of a compiler once in all.
+/// Prints results. Prints each hint once per task, and each compiler message once.
 class Printer {
 public:
     Printer(const LabEntry& lab, const Manifest& manifest) : lab_(lab), manifest_(manifest) {}
@@ -71,7 +71,7 @@ private:
                        lab_.two_digits(), name, worst->x, worst->y);
     }
 
-    /// Where the check's picture differs most, from the upper left corner; nothing if no pixel can be compared.
+    /// Returns the pixel with the largest error, from the upper left corner; nothing if no pixel can be compared.
     std::optional<glm::ivec2> worst_pixel(const CheckResult& result) const {
         const Image &drawn = result.drawn, &expected = result.expected;
         if (drawn.values.empty() || drawn.width != expected.width || drawn.height != expected.height ||
@@ -106,8 +106,8 @@ nlohmann::ordered_json as_json(const TaskResult& task) {
             {"checks", checks}};
 }
 
-/// Runs a lab's checks on the course's files. Returns 1 if one did not pass. With `open` or a page name also writes a
-/// page with the pictures, below the course's build folder unless it is named.
+/// Runs a lab's checks on the course's files. Returns 1 if one did not pass. With `open` or `page` it also writes a
+/// page with the pictures. The default place of the page is below the course's build folder.
 int check_own_work(const std::string& lab_text, bool json, bool open, fs::path page) {
     if (!page.empty() && page.extension() != ".html")
         throw UsageError(fmt::format("-o takes the name of an HTML file, like checks.html, not '{}'", page.string()));

@@ -41,7 +41,7 @@ int open_menu_or_gallery(const std::string& lab_folder) {
     return make_gallery({}, {}, {});
 }
 
-/// The argument that CLI11 could not parse, with the nearest known name.
+/// Returns a message for the argument that CLI11 could not parse, with the nearest known name.
 std::string unexpected(const CLI::App& app) {
     const CLI::App* command = &app;
     for (const CLI::App* chosen : app.get_subcommands()) command = chosen;
@@ -61,10 +61,10 @@ std::string unexpected(const CLI::App& app) {
     return unknown("command", word, known);
 }
 
-/// A command's options, for CLI11.
+/// Declares a command's options in CLI11.
 class OptionsOfCommand final : public CommandOptions {
 public:
-    /// `only_lab`: of an executable with one lab, its folder.
+    /// `only_lab` is the folder of the lab of an executable with one lab, else empty.
     OptionsOfCommand(CLI::App& command, const std::string& only_lab) : command_(command), only_lab_(only_lab) {}
 
     void lab(std::string& value, bool required) override {
@@ -92,7 +92,7 @@ public:
 private:
     template <class Value>
     CLI::Option* add(const char* name, Value& value, const char* help) {
-        // An empty word is usually an unset variable of a script; it must not mean "all" or "the default".
+        // An empty word is usually an unset variable of a script. It must not mean "all" or "the default".
         static const CLI::Validator not_empty([](std::string& word) { return word.empty() ? "must not be empty" : ""; },
                                               "");
         return command_.add_option(name, value, help)->check(not_empty);
@@ -119,7 +119,7 @@ public:
         if (!check_.empty()) shot = manifest.check(check_).shot;
         shot_.apply(shot);
         if (!probe_.empty()) shot.probe.name = manifest.probe(probe_).name;
-        make_lab(lab, shot);  // refuses a knob or a value before a window opens
+        make_lab(lab, shot);  // rejects a wrong knob or value before a window opens
         return run_menu({lab.folder, shot, error_map_, check_});
     }
 
@@ -184,11 +184,11 @@ int run_command_line(int argc, char** argv) {
     os::take_large_pages();
     clean_up_when_interrupted();
     try {
-        // How `grade` starts itself in a sandbox: an internal command, so not in --help.
+        // An internal command by which `grade` starts itself in a sandbox. It is not in --help.
         if (argc == 4 && std::string_view(argv[1]) == "draw-checks") draw_request(argv[3]);
         const std::string program = std::filesystem::path(argc > 0 ? argv[0] : "").filename().string();
         const int code = CommandLine(program).run(argc, argv);
-        // A script must not mistake a truncated or missing answer for a complete one.
+        // A script must not mistake truncated or missing output for a complete answer.
         if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw Error("cannot write to standard output");
         return code;
     } catch (const UsageError& error) {

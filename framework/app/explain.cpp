@@ -1,4 +1,4 @@
-// relief explain: one pixel of a lab, through the functions of its shader task files.
+// relief explain: follows one pixel of a lab through the functions of its shader task files.
 #include "framework/app/explain.h"
 
 #include <fmt/format.h>
@@ -80,7 +80,7 @@ void print_json(const PixelReport& report) {
     json["with_twins"] = explanation.with_twins;
     json["first"] = explanation.first ? Json(explanation.functions[*explanation.first].function.name) : Json();
     json["functions"] = functions;
-    // What a student's shader computes may be no number.
+    // Invalid UTF-8 in a path is replaced. `value` may be NaN or infinite, which dump() prints as null.
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -101,12 +101,12 @@ struct ExplainArguments {
     bool json = false;
 };
 
-/// What should be at the pixel: where a check draws this very shot, what it compares with, else the probe's exact
-/// value.
+/// Returns the expected value at the pixel. If a check draws this very shot, it is the check's expected value, else the
+/// probe's exact value.
 ExpectedValue expected_at(const LabEntry& lab, const Manifest& manifest, const Shot& shot, glm::ivec2 pixel) {
     std::optional<Image> image;
     std::string from;
-    const auto text = [&](Shot any) {  // whatever the order of its knobs
+    const auto text = [&](Shot any) {  // sorted, so that the order of knobs does not matter
         std::sort(any.set.begin(), any.set.end());
         return shot_text(any, manifest.camera);
     };
@@ -125,7 +125,7 @@ ExpectedValue expected_at(const LabEntry& lab, const Manifest& manifest, const S
     return {{value, value + image->channels}, from};
 }
 
-/// The first check of this probe, else the first of all.
+/// Returns the first check of this probe, else the first check of all.
 const CheckInfo& check_near(const Manifest& manifest, const std::string& probe) {
     const auto same = std::find_if(manifest.checks.begin(), manifest.checks.end(),
                                    [&](const CheckInfo& one) { return one.shot.probe.name == probe; });
@@ -139,7 +139,7 @@ int explain_pixel(const ExplainArguments& arguments) {
                      [](const TaskInfo& task) { return is_shader(task.file); }))
         throw UsageError(fmt::format("no task of lab {} is in a shader: look at its probes with relief shot {} --help",
                                      lab.two_digits(), lab.two_digits()));
-    if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // that there is one, before anything else
+    if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // throws first if there is no such mistake
     if (!arguments.mistake.empty() && !arguments.submission.empty())
         throw UsageError("give only one of --mistake and --submission");
     Shot shot;

@@ -9,8 +9,8 @@
 
 namespace relief {
 
-/// While the result lives, the course has other task files: those of a known mistake, or those found in a submission
-/// (a folder, an archive). One of the two is empty.
+/// Replaces task files of the course for the lifetime of the result: by a known mistake, or by a submission (a folder
+/// or an archive). Exactly one of `mistake` and `submission` is not empty.
 inline FromStaff<std::shared_ptr<void>(const Manifest&, const std::string& mistake, const std::string& submission)>
     course_with;
 

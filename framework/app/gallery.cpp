@@ -1,5 +1,5 @@
-// relief gallery: the course as a web site: every lab with its methods side by side, its handout, slides and
-// measurements. It needs no network and no server: all that it links to lies in its folder.
+// relief gallery: the course as a web site, with every lab's methods side by side, its handout, slides and
+// measurements. It needs no network and no server: all links stay in its folder.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ Fields card(const LabPage& page) {
         {"links", link_row({{"Lab", file}, {"Handout", page.handout}, {"Slides", page.slides}})}};
 }
 
-/// What the course page says of the labs from a number on.
+/// A section of the course page: the labs from number `first` up to the next section.
 struct Group {
     int first;
     const char *name, *title, *about;
@@ -49,14 +49,14 @@ constexpr Group groups[] = {
     {13, "shape", "Shape: triangles, and all of it together",
      "Displaced triangles, moving surfaces, whole scenes, and the cheapest method for each place."}};
 
-/// A knob's value as a part of a file's name.
+/// Converts a knob's value to a part of a file name.
 std::string as_file_name(const std::string& value) {
     std::string name;
     for (const char c : value) name += std::isalnum(static_cast<unsigned char>(c)) || c == '.' ? c : '-';
     return name;
 }
 
-/// What a command has made below the build folder, if anything: copied into the site.
+/// The output of another command below the build folder, if any, to be copied into the site.
 class Others {
 public:
     Others(const char* name, const fs::path& site) : name_(name), to_(site / name) {
@@ -69,7 +69,7 @@ public:
     }
 
     bool has(const std::string& file) const { return std::find(files_.begin(), files_.end(), file) != files_.end(); }
-    /// Where it is in the site, or nothing.
+    /// Returns the path of a file in the site, or "" if it does not exist.
     std::string place(const std::string& file) const { return has(file) ? name_ + "/" + file : ""; }
     void copy() const {
         for (const fs::path& file : files_) {
@@ -89,7 +89,7 @@ public:
     Site(fs::path folder, std::vector<const LabEntry*> labs)
         : folder_(std::move(folder)), labs_(std::move(labs)), slides_("slides", folder_), bench_("bench", folder_) {}
 
-    /// How many labs are broken.
+    /// Returns the number of broken labs.
     int make() {
         List cards;
         int failures = 0;
@@ -142,7 +142,7 @@ private:
         pages_.push_back(std::move(page));
     }
 
-    /// One scene by the last of the compared methods: many labs open with all methods at once.
+    /// Draws one scene with the last of the compared methods, because many labs open with all methods at once.
     static Image card_picture(const LabEntry& entry, const Manifest& manifest, const Comparison* comparison) {
         Shot shot;
         shot.camera = manifest.camera;
@@ -153,7 +153,7 @@ private:
         return render_shot(*make_lab(entry, shot), shot);
     }
 
-    /// The picture of the first page: the course's richest scene, or else the last lab's.
+    /// Draws the picture of the first page: the course's richest scene, or else the last lab's.
     void draw_hero() {
         constexpr int richest = 16;
         if (pages_.empty()) return;
@@ -226,7 +226,7 @@ private:
                        {"driver", describe_context().driver()}});
     }
 
-    /// `cards` are in the order of the labs.
+    /// Groups `cards`, which are in the order of the labs.
     List in_groups(List cards) const {
         List all;
         for (const Group& group : groups) {
@@ -258,7 +258,7 @@ private:
     std::vector<const LabEntry*> labs_;
     Others slides_, bench_;
     Value hero_;
-    std::list<Manifest> manifests_;  ///< pages point at them, and at each other
+    std::list<Manifest> manifests_;  ///< pages point to these and to each other
     std::list<LabPage> pages_;
 };
 

@@ -8,8 +8,8 @@
 
 namespace relief {
 
-/// Into `folder`, or below the course's build folder when it is empty; of `labs` (see find_labs()) or of all. 1 when a
-/// lab is broken: the others are there.
+/// Writes the site of `labs` (see find_labs(); empty: all) into `folder`, or below the course's build folder if
+/// `folder` is empty. Returns 1 if a lab is broken; the others are still written.
 int make_gallery(std::filesystem::path folder, const std::string& labs, ContextChoice context);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// relief golden: the reference screenshots, compared or renewed.
+// relief golden: compares or renews the reference screenshots.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// On the pinned software renderer of one Mesa two machines agree to the last step of 8 bits.
+// With one Mesa version and the pinned software renderer, any two machines agree to 1/255.
 constexpr double allowed = 1.0 / 255 + 1e-6;
 constexpr const char* driver_note = "driver";
 
@@ -33,13 +33,13 @@ std::string driver_of(const Notes& notes) {
     return "an unknown driver";
 }
 
-/// As its PNG has it: a probe's colours lie between the steps of 8 bits.
+/// Rounds a picture to 8 bits, like its PNG: the colours of a probe lie between these steps.
 Image stored(Image picture) {
     for (float& value : picture.values) value = float(std::round(255.0 * std::clamp(value, 0.0f, 1.0f)) / 255);
     return picture;
 }
 
-/// The upstream version of the Mesa whose pinned llvmpipe has drawn; nothing for any other driver.
+/// Returns the upstream Mesa version of a pinned llvmpipe; nothing for any other driver.
 std::optional<std::string> pinned_mesa(const std::string& driver) {
     static const std::regex form("llvmpipe .*Mesa ([0-9.]+).*, pinned to sse4\\.1");
     std::smatch found;
@@ -47,12 +47,13 @@ std::optional<std::string> pinned_mesa(const std::string& driver) {
     return found[1].str();
 }
 
-/// Which shares of its pixels may be off by more than 1/255 and by more than 4/255.
+/// Shares of pixels that may differ by more than 1/255 and by more than 4/255.
 struct Shares {
     double over_1 = 0, over_4 = 0;
 };
 
-/// None, but where reference and picture are of two versions of Mesa: then what labs/another_mesa.txt has.
+/// Returns the allowed shares: zero, unless reference and picture are from two versions of Mesa. Then they come from
+/// labs/another_mesa.txt.
 Shares shares_allowed(const std::string& picture, const std::string& reference_driver, const std::string& driver) {
     const auto theirs = pinned_mesa(reference_driver), ours = pinned_mesa(driver);
     if (!theirs || !ours || *theirs == *ours) return {};
@@ -126,7 +127,7 @@ private:
                 throw Error({file}, fmt::format("not renewed: it was made by {}, this is {}; remove the file first if "
                                                 "you mean to change the driver",
                                                 driver_of(notes), driver_));
-            // What passes stays: renewed each time, it could go anywhere step by step.
+            // Keep a picture that passes. If it were renewed each time, it could drift away step by step.
             if (const Difference off = difference(picture, reference, allowed); off.pixels_over == 0)
                 return same_within(off);
         }
@@ -135,7 +136,7 @@ private:
         return "renewed";
     }
 
-    /// "01_specular_highlights/close"
+    /// Returns a name such as "01_specular_highlights/close".
     static std::string name_of(const fs::path& file) {
         return (file.parent_path().parent_path().filename() / file.stem()).string();
     }
@@ -156,7 +157,7 @@ private:
     std::string driver_ = describe_context().driver();
 };
 
-/// All labs when `lab` is empty. With `output`, what differs is written there.
+/// Checks all labs if `lab` is empty. Writes the differences into `output` if it is given.
 int check_golden(const std::string& lab, bool update, const fs::path& output, ContextChoice choice) {
     std::vector<const LabEntry*> labs;
     if (lab.empty())

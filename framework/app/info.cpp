@@ -1,4 +1,4 @@
-// relief info: what a bug report needs to say about the machine.
+// relief info: prints the facts about the machine that a bug report needs.
 #include <fmt/format.h>
 
 #include <thread>
@@ -29,7 +29,7 @@ void print_context(ContextKind kind) {
     }
 }
 
-/// In a process of its own: a driver that crashes takes that with it, and no more.
+/// Prints in a child process, so that a crashing driver ends only that process.
 void print_context_apart(ContextKind kind) {
     const ChildEnd end = ChildProcess([kind] { print_context(kind); }).wait();
     if (!end.crash.empty())

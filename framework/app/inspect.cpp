@@ -1,4 +1,4 @@
-// relief inspect: what a map from elsewhere is.
+// relief inspect: analyses a map from another source.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ void print_json(const std::string& file, const Image& map, const Inspection& fou
                                    {"reason", one.reason},
                                    {"numbers", numbers}});
     }
-    // A file's name can have any bytes.
+    // A file name can contain bytes that are not valid UTF-8.
     fmt::print("{}\n", all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 

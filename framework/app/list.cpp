@@ -1,4 +1,4 @@
-// relief list
+// relief list: lists the labs.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// relief new-lab: a lab that builds, runs and is tested, from the templates in framework/app/new_lab/.
+// relief new-lab: creates a lab that builds, runs and is tested, from the templates in framework/app/new_lab/.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The course's own labs are 01 to 17, and their numbers are fixed.
+// The course's own labs are 01 to 18, and their numbers are fixed.
 constexpr int first_free_number = 20, last_number = 99;
 
-/// Folder name to number, of everything in labs/, whether it has been built yet or not.
+/// Returns the numbers and folder names of everything in labs/, built or not.
 std::map<int, std::string> taken_numbers() {
     std::map<int, std::string> taken;
     for (const auto& entry : fs::directory_iterator(course_root() / "labs")) {
@@ -90,10 +90,10 @@ int make_new_lab(const std::string& text) {
                                                            {"README.md", lab / "README.md"},
                                                            {"truth.h", lab / "truth.h"},
                                                            {"lab.cpp", lab / "lab.cpp"}};
-    // A students' course has no exact values and no slides.
+    // The students' course has no exact values and no slides.
     if (has_command("handout")) files.emplace_back("truth.cpp", lab / "staff" / "truth.cpp");
     if (fs::exists(root / "slides")) files.emplace_back("deck.md", root / "slides" / (name.folder() + ".md"));
-    // The manifest last: a lab is a folder that has one, so a half-made folder is no lab.
+    // Write the manifest last: a folder is a lab if it has one, so a half-made folder does not count.
     files.emplace_back("lab.toml", lab / "lab.toml");
     for (const auto& [from, file] : files) {
         std::string content = read_file(templates / (std::string(from) + ".in"));

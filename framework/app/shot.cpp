@@ -1,4 +1,4 @@
-// relief shot: one picture, probe, truth or error map into a file or to standard output.
+// relief shot: writes one picture, probe, exact value or error map to a file or to standard output.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -54,7 +54,7 @@ int take_shot(const ShotArguments& arguments) {
     if (!arguments.check.empty()) shot = manifest.check(arguments.check).shot;
     Show show = what_to_show(arguments, shot.probe);
     if (show == Show::picture && shot.probe) show = Show::probe;
-    if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // that there is one, before anything else
+    if (!arguments.mistake.empty()) manifest.mistake(arguments.mistake);  // throws first if there is no such mistake
     const ErrorMetric metric = shot.probe ? manifest.probe(shot.probe.name).error : ErrorMetric::distance;
     if (!arguments.size.empty()) shot.size = parse_size(arguments.size);
     if (!arguments.time.empty()) shot.time = parse_time(arguments.time);
@@ -66,7 +66,7 @@ int take_shot(const ShotArguments& arguments) {
         to_standard_output ? (shot.probe ? ImageFormat::pfm : ImageFormat::ppm) : format_of(output);
     const bool floats = format == ImageFormat::exr || format == ImageFormat::pfm;
     const ContextChoice choice = context_kind(arguments.context);
-    std::unique_ptr<Context> context;  // outlives the lab, whose GL objects it holds
+    std::unique_ptr<Context> context;  // must outlive the lab, which owns GL objects
     const std::unique_ptr<Lab> lab = make_lab(entry, shot);
     print_event("lab: " + entry.folder);
     const auto draw = [&](bool light) {

@@ -10,7 +10,7 @@
 
 namespace relief {
 
-/// The lab with the known mistake of that id in place of its solution; see draw_shot() for `light`.
+/// Draws the lab with the known mistake `id` in place of its solution; see draw_shot() for `light`.
 inline FromStaff<Image(const LabEntry&, const std::string& id, const Shot&, bool light, ContextChoice)>
     draw_with_mistake;
 

@@ -9,13 +9,13 @@
 
 namespace relief {
 
-/// What --size takes, "640x360", in pixels. Throws UsageError.
+/// Parses the value of --size, such as "640x360", in pixels. Throws UsageError.
 glm::ivec2 parse_size(const std::string& text);
 
 class ShotOptions {
 public:
     void options(CommandOptions& options);
-    /// Sets in the shot what was given. Throws UsageError.
+    /// Applies the given options to the shot. Throws UsageError.
     void apply(Shot& shot) const;
 
 private:

@@ -1,4 +1,4 @@
-// What this build was made of; framework/cmake/versions.cpp.in fills it in.
+// Versions of this build's components, filled in by framework/cmake/versions.cpp.in.
 #pragma once
 
 namespace relief::versions {
