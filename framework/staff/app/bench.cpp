@@ -1,4 +1,4 @@
-// relief bench: run time against error, topic by topic.
+// relief bench: measures run time against error, topic by topic.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ BenchSettings settings_of(const BenchArguments& arguments) {
     return settings;
 }
 
-/// Measures a topic's scenes one after the other; the rows are a complete table at any time.
+/// Measures a topic's scenes in sequence. The rows are a complete table at any time.
 class TopicRun {
 public:
     TopicRun(const BenchTopic& topic, std::vector<BenchScene> scenes, BenchRun run)
@@ -78,7 +78,7 @@ public:
 
     BenchMachine machine{.cpu = cpu_name(), .compiler = versions::compiler, .commit = versions::commit};
 
-    /// `changed` is called whenever a new result is known.
+    /// Calls `changed` after each new result.
     std::vector<BenchRow> measure(const std::function<void(std::span<const BenchRow>)>& changed) {
         int steps = 0;
         for (const BenchScene& scene : scenes_) steps += steps_of(scene, run_.settings);
@@ -108,7 +108,7 @@ private:
     std::vector<BenchRow> rows_;
 };
 
-/// A file that is a complete table at any time, and at most a second behind.
+/// A CSV file that is always a complete table, and at most a second out of date.
 class GrowingTable {
 public:
     GrowingTable(fs::path file, const BenchMachine& machine) : file_(std::move(file)), machine_(machine) {}
@@ -138,7 +138,7 @@ int hold_to_baseline(const BenchArguments& arguments) {
         TopicRun run(*topic, filter_scenes(*topic, topic->scenes(settings), wanted),
                      {.settings = settings, .context = context_kind(arguments.context), .pinned = true});
         for (BenchRow& row : run.measure([](auto) {})) rows.push_back(std::move(row));
-        // The file must not depend on the machine.
+        // Keep only the renderer's first word, so that the file does not depend on the machine.
         if (topic->draws) machine.renderer = run.machine.renderer.substr(0, run.machine.renderer.find(' '));
     }
     if (arguments.update) {
@@ -153,7 +153,7 @@ int hold_to_baseline(const BenchArguments& arguments) {
     } catch (const Error& error) {
         throw Error({file, error.place().line}, error.what());
     }
-    // A partial run is compared with its part of the baseline only.
+    // Compare a partial run only with its part of the baseline.
     if (!arguments.topics.empty() || !wanted.empty())
         std::erase_if(baseline, [&](const BenchRow& old) {
             return std::none_of(rows.begin(), rows.end(),
@@ -172,7 +172,7 @@ int hold_to_baseline(const BenchArguments& arguments) {
     return report.worse.empty() ? 0 : 1;
 }
 
-/// A line for each topic, for --help.
+/// Returns a line for each topic, for --help.
 std::string bench_topics_text() {
     std::string text = "Topics (if none is named: all):\n";
     for (const BenchTopic& topic : bench_topics()) text += fmt::format("  {:<14} {}\n", topic.name, topic.help);
@@ -186,7 +186,7 @@ int run_bench(const BenchArguments& arguments) {
     const BenchSettings settings = settings_of(arguments);
     const Wanted wanted = wanted_of(arguments.set);
     const std::vector<const BenchTopic*> topics = chosen(arguments.topics);
-    // Wrong arguments are reported before anything is measured.
+    // Wrong arguments must be reported before anything is measured.
     std::vector<std::vector<BenchScene>> scenes;
     for (const BenchTopic* topic : topics) scenes.push_back(filter_scenes(*topic, topic->scenes(settings), wanted));
     const fs::path folder = arguments.output.empty() ? course_root() / "build" / "bench" : fs::path(arguments.output);

@@ -1,4 +1,4 @@
-// The staff's part of relief explain: known mistakes and submissions in place of the course's own task files.
+// The staff's part of relief explain: replaces the course's task files by known mistakes or submissions.
 #include "framework/app/explain.h"
 
 #include <fmt/format.h>

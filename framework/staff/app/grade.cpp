@@ -47,7 +47,8 @@ ClassOptions options_of(const GradeArguments& arguments) {
                                           : whole_number(arguments.jobs, "--jobs", 1, 256);
     GradeSetup& setup = options.setup;
     if (!arguments.seconds.empty()) setup.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
-    const char* const seed = std::getenv("RELIEF_SEED");  // every user of the machine can read a command line
+    const char* const seed = std::getenv("RELIEF_SEED");  // not in an argument: any user of the machine can read a
+                                                          // command line
     setup.seed = arguments.seed.empty() && seed ? seed : arguments.seed;
     setup.renderer = {context_kind(arguments.context), whole_number(arguments.threads, "--threads", 0, 16),
                       !arguments.unpinned};
@@ -151,7 +152,7 @@ void print_mutants_json(const LabEntry& lab, const MutationTest& test) {
     fmt::print("{}\n", all.dump(2));
 }
 
-/// Returns 1 if the lab's checks notice too few.
+/// Returns 1 if the lab's checks detect too few mutants.
 int mutate(const GradeArguments& arguments, ClassOptions& options, int sample) {
     if (!arguments.output.empty() || !arguments.labs.empty())
         throw UsageError("--mutate takes neither -o nor --lab: it names its lab, and prints what it finds");
@@ -184,7 +185,7 @@ int make_gradescope(const ClassOptions& options) {
     return 0;
 }
 
-/// The submissions asked for, or those of the last run into the folder.
+/// Sets the requested submissions. With --resume they are the submissions of the last run into the folder.
 void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
     if (arguments.resume) {
         if (!arguments.paths.empty() || !arguments.labs.empty())
@@ -234,7 +235,7 @@ SubmissionDone pages_into(const fs::path& folder) {
 
 namespace {
 
-/// The options that each job of a class needs, too.
+/// Returns the options that every job of a class needs.
 std::vector<std::string> words_for_jobs(const GradeArguments& arguments) {
     std::vector<std::string> words;
     if (arguments.context != "auto") words = {"--context", arguments.context};
@@ -245,7 +246,7 @@ std::vector<std::string> words_for_jobs(const GradeArguments& arguments) {
     return words;
 }
 
-/// Copies the pages of parts that were graded into folders of their own inside `folder`.
+/// Copies the pages of graded parts from their own folders into `folder`.
 void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
     for (const fs::path& part : class_parts(folder))
         if (part != folder)
@@ -256,8 +257,8 @@ void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
                         write_page(folder / page, read_file(part / page));
 }
 
-/// Keeps the class file of the command line, or of a part, for write_summaries(). Reads it first: so a mistake in it
-/// shows before hours of grading.
+/// Keeps the class file of the command line, or of a part, for write_summaries(). Reads it first, so that a mistake in
+/// it is reported before hours of grading.
 void prepare_class_file(const GradeArguments& arguments, const fs::path& folder, const std::vector<fs::path>& parts,
                         const std::vector<const LabEntry*>& labs) {
     const bool is_given = !arguments.class_file.empty();
@@ -274,7 +275,7 @@ void prepare_class_file(const GradeArguments& arguments, const fs::path& folder,
     keep_class_file(file, folder);
 }
 
-/// Marks are for nobody but who grades. A folder that is there keeps its rights.
+/// Creates the folder for marks, which only its owner may read. An existing folder keeps its permissions.
 void make_results_folder(const fs::path& folder) {
     const bool is_new = !fs::exists(folder);
     make_folder(folder);

@@ -1,4 +1,4 @@
-// What the ways to grade a class have in common: on this machine, and on a cluster by Slurm.
+// Shared by both ways to grade a class: on this machine, and on a cluster with Slurm.
 #pragma once
 
 #include <filesystem>
@@ -11,24 +11,25 @@
 
 namespace relief {
 
-/// The table of marks. Returns the exit code: 1 if a submission has no mark.
+/// Prints the table of marks. Returns the exit code: 1 if a submission has no mark.
 int print_report(const ClassReport& report, const ClassStanding& standing, const std::filesystem::path& folder,
                  const Shard& shard);
 
-/// Writes a submission's pages. A result is written after its pages, so a run that is killed leaves none without.
+/// Returns a callback that writes a submission's pages. It runs before the result is written, so every result of a
+/// killed run has its pages.
 SubmissionDone pages_into(const std::filesystem::path& folder);
 
-/// Throws Error that says how to grade `parts` parts by hand if there is no Slurm here.
+/// If there is no Slurm here, throws Error that explains how to grade `parts` parts by hand.
 void require_slurm(int parts);
 
-/// Writes class.json and sends the class to Slurm; `processors` for each part, 0 for what Slurm gives. Throws Error if
-/// jobs of an earlier start are still at work.
+/// Writes class.json and sends the class to Slurm. `processors` is the number for each part, 0 for Slurm's default.
+/// Throws Error if jobs of an earlier start are still running.
 int start_class(const ClassOptions& options, int parts, int processors, const std::vector<std::string>& words);
 
-/// In the last job: sends parts again, or grades those that lack a result and writes the report.
+/// Runs in the last job: sends parts again, or grades submissions without a result and writes the report.
 int end_class(const ClassOptions& options, const LastJob& now);
 
-/// How far the class in `folder` is, for a person or a script.
+/// Prints the progress of the class in `folder`, for a person or, as JSON, for a script.
 int print_status(const std::filesystem::path& folder, bool json);
 
 }  // namespace relief

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* report_file = "report.html";
 
-/// Of the submissions that have a result.
+/// Returns the report of the submissions that have a result.
 ClassReport report_so_far(const fs::path& folder) {
     ClassProgress progress = read_progress(folder);
     std::vector<std::string> lost = progress.without_result();
@@ -96,15 +96,15 @@ int end_class(const ClassOptions& options, const LastJob& now) {
             print_note(fmt::format("{} of {} submissions have no result: their parts are sent again ({} of {} times)",
                                    lacking.size(), progress.marks.size(), now.sent, times_sent_again));
             return 0;
-        } catch (const Error& error) {  // a cluster may let no job send jobs
+        } catch (const Error& error) {  // on some clusters no job may send jobs
             print_note(fmt::format("{}; so this job grades the rest", error.what()));
         }
     if (!lacking.empty()) {
-        // First, since what has ended other jobs may end this one, too.
+        // Write the summaries first: the cause that ended other jobs may end this one, too.
         try {
             const ClassReport so_far = report_so_far(folder);
             write_summaries(so_far, folder);
-        } catch (const Error& error) {  // such as an adjustment for one who has no result yet
+        } catch (const Error& error) {  // for example an adjustment for a student without a result
             print_note(error.what());
         }
         grade_class(options, pages_into(folder));

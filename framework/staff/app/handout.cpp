@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `labs`: see write_handout(); empty for nothing.
+/// `labs` is the argument of write_handout(); empty: none is passed.
 int make_handout(const std::string& folder, const std::string& labs) {
     if (folder.empty()) throw UsageError("handout needs a folder for the students' course: -o FOLDER");
     pin_software_renderer();
@@ -19,7 +19,7 @@ int make_handout(const std::string& folder, const std::string& labs) {
     const HandoutReport report =
         write_handout(folder, labs.empty() ? std::optional<std::string>() : std::optional(labs));
     const Delivery& done = report.delivery;
-    if (!report.is_new) {  // of a new folder everything is new
+    if (!report.is_new) {  // in a new folder everything is new
         for (const std::string& file : done.added) fmt::print("new      {}\n", file);
         for (const std::string& file : done.updated) fmt::print("updated  {}\n", file);
         for (const std::string& file : done.removed) fmt::print("removed  {}, which the course no longer has\n", file);

@@ -1,5 +1,5 @@
-// relief mistakes: makes a page of all known mistakes, each with the picture that shows it best and the correct one; or
-// the fingerprints by which `relief check` names them.
+// relief mistakes: makes a page of all known mistakes, each with its clearest picture and the correct one. Or writes
+// the fingerprints by which `relief check` names mistakes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The longer side of a picture, in pixels: two of them fill a line of the page.
+/// The longer side of a picture, in pixels: two pictures fill a line of the page.
 constexpr int large = 480;
 
 /// Draws a mistake's pictures and describes it: an article of the page.
@@ -33,7 +33,7 @@ public:
     MistakeArticle(const fs::path& folder, const LabEntry& lab, MistakePictures& pictures, const MistakeInfo& mistake)
         : folder_(folder), lab_(lab), pictures_(pictures), manifest_(pictures.manifest()), mistake_(mistake) {}
 
-    /// Why there is no picture, once it was made.
+    /// The reason if no picture could be made. Valid after text().
     const std::string& problem() const { return problem_; }
 
     std::string text() {
@@ -60,7 +60,7 @@ public:
     }
 
 private:
-    /// Everything but the pictures.
+    /// Returns all fields except the pictures.
     Fields described() const {
         List others, edits;
         for (const MistakeInfo& other : manifest_.mistakes)
@@ -86,7 +86,8 @@ private:
                                                     picture.wrong, picture.right);
         const std::string what = picture.is_probe ? ", “" + check.shot.probe.name + "” as colours" : "";
         const std::string number = fmt::format("{}", &mistake_ - manifest_.mistakes.data());
-        // Mistakes that are shown by one check share its right picture, unless its colours are chosen for both.
+        // Mistakes shown by the same check share its correct picture, unless it is a probe: then its colour scale
+        // depends on the mistake.
         const std::string right =
             picture.is_probe ? number + "-right" : fmt::format("check-{}", &check - manifest_.checks.data());
         List all;
@@ -112,14 +113,14 @@ private:
     std::string problem_;
 };
 
-/// The mistakes of one task, which share what the solution draws: one process draws them all.
+/// The mistakes of one task. One process draws them all, because they share the solution's pictures.
 struct Part {
     const LabEntry* lab;
     std::string task;
-    size_t work;  ///< roughly
+    size_t work;  ///< rough estimate
 };
 
-/// Lab by lab, in each the longest first.
+/// Returns the parts lab by lab, in each lab the longest first.
 std::vector<Part> parts_of(const std::vector<const LabEntry*>& labs) {
     std::vector<Part> parts;
     for (const LabEntry* lab : labs) {
@@ -137,12 +138,12 @@ std::vector<Part> parts_of(const std::vector<const LabEntry*>& labs) {
     return parts;
 }
 
-/// What processes that draw say: an article, or before each that it begins.
+/// Messages from drawing processes: an article, or the name of a mistake before it is drawn.
 using nlohmann::json;
 
 std::string text_of(const json& message) { return message.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-/// Draws mistakes in a process of its own.
+/// Draws mistakes in a child process.
 void draw_parts(const std::vector<Part>& parts, const fs::path& folder, ContextChoice choice, const NextPart& next,
                 const Say& say) {
     const auto context = open_context(choice);
@@ -165,9 +166,9 @@ void draw_parts(const std::vector<Part>& parts, const fs::path& folder, ContextC
     }
 }
 
-/// What has been drawn of a page.
+/// The drawn articles of a page.
 struct Drawn {
-    std::map<std::string, std::string> articles;  ///< by "10 towards-the-eye"
+    std::map<std::string, std::string> articles;  ///< by lab and mistake: "10 towards-the-eye"
     std::string driver;
     int failures = 0;
 };
@@ -220,7 +221,7 @@ std::string page_of(const std::vector<const LabEntry*>& labs, int count, const D
                   {{"count", count}, {"labs", std::move(all)}, {"driver", drawn.driver}});
 }
 
-/// That lab, or all if `lab` is empty, where there are known mistakes; and how many there are.
+/// Returns the labs with known mistakes, and the number of mistakes. Only that lab if `lab` is not empty.
 std::pair<std::vector<const LabEntry*>, int> with_mistakes(const std::string& lab) {
     std::vector<const LabEntry*> labs;
     int count = 0;
@@ -234,8 +235,8 @@ std::pair<std::vector<const LabEntry*>, int> with_mistakes(const std::string& la
     return {labs, count};
 }
 
-/// Writes a page of the known mistakes of one lab, or of all if `lab` is empty, to `folder`, or to the course's build
-/// folder if that is empty. Returns 1 if one of them has no picture.
+/// Writes a page of the known mistakes of one lab, or of all if `lab` is empty. It goes to `folder`, or to the course's
+/// build folder if that is empty. Returns 1 if one of them has no picture.
 int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice) {
     if (folder.empty()) folder = course_root() / "build" / "mistakes";
     const auto [labs, count] = with_mistakes(lab);
@@ -246,7 +247,7 @@ int show_mistakes(const std::string& lab, fs::path folder, ContextChoice choice)
     return drawn.failures == 0 ? 0 : 1;
 }
 
-/// Writes the file by which `relief check` names mistakes, of one lab, or of all if `lab` is empty.
+/// Writes the fingerprint files of one lab, or of all if `lab` is empty, by which `relief check` names mistakes.
 int renew_fingerprints(const std::string& lab, ContextChoice choice) {
     const auto [labs, count] = with_mistakes(lab);
     pin_software_renderer();

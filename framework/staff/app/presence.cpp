@@ -1,4 +1,4 @@
-// Tells the students' library that the staff's library is present, and what `relief info` prints of it.
+// Tells the students' library that the staff's library is present, and provides its lines of `relief info`.
 #include <fmt/format.h>
 
 #include "framework/base/from_staff.h"

@@ -1,4 +1,4 @@
-// relief slides: makes the decks below slides/ as HTML and PDF, with pictures drawn by the labs, by marp-cli.
+// relief slides: makes HTML and PDF from the decks in slides/ with marp-cli. The labs draw the pictures.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,10 +30,10 @@ struct SlidesArguments {
 using Words = std::vector<std::string>;
 
 fs::path source_folder() { return course_root() / "slides"; }
-/// Handouts use them, too.
+/// Handouts use these as well.
 fs::path drawings_folder() { return course_root() / "assets" / "diagrams"; }
 
-/// Names of the requested decks, or of all, without .md.
+/// Returns the names of the requested decks, or of all, without .md.
 Words decks_asked_for(const Words& asked) {
     Words all, chosen;
     if (fs::is_directory(source_folder()))
@@ -44,7 +44,7 @@ Words decks_asked_for(const Words& asked) {
     if (asked.empty()) return all;
     for (const std::string& word : asked) {
         Words found;
-        const auto number = parse_int(word);  // 1 is 01, not part of 10
+        const auto number = parse_int(word);  // 1 means 01, not a part of 10
         const std::string part = number ? fmt::format("{:02}_", *number) : word;
         for (const std::string& name : all)
             if (name.find(part) != std::string::npos) found.push_back(name);
@@ -56,14 +56,14 @@ Words decks_asked_for(const Words& asked) {
     return chosen;
 }
 
-/// Runs a program in a folder and waits for its end.
+/// Runs a program in a folder and waits for it to exit.
 ProcessResult run_tool(Words command, const fs::path& folder, double seconds) {
     Words words = {"/bin/sh", "-c", "cd \"$1\" && shift && exec \"$@\"", "sh", folder.string()};
     words.insert(words.end(), command.begin(), command.end());
     std::map<std::string, std::string> environment;
     for (const char* name : {"PATH", "HOME", "LANG", "TMPDIR", "CHROME_PATH", "LP_NUM_THREADS"})
         if (const char* value = std::getenv(name)) environment[name] = value;
-    // Decks are our own, and a browser that root starts does not run otherwise.
+    // The decks are trusted, and a browser started by root does not run in its sandbox.
     environment["CHROME_NO_SANDBOX"] = "1";
     return run_process(
         {.command = words,
@@ -71,7 +71,7 @@ ProcessResult run_tool(Words command, const fs::path& folder, double seconds) {
          .limits = {.wall = seconds, .cpu = 4 * seconds, .memory = ~size_t{0}, .file = size_t{1} << 32}});
 }
 
-/// The last line of its output, which names the error.
+/// Returns the last line of its error output, which names the error.
 std::string last_words(const ProcessResult& done) {
     if (done.ending != Ending::exited) return name_of(done.ending);
     Words lines = split(done.errors, '\n');
@@ -82,14 +82,14 @@ std::string last_words(const ProcessResult& done) {
     return said;
 }
 
-/// One command of `relief`, and the file for its picture.
+/// One command of `relief`, and the files for its picture.
 struct Drawing {
     Words command;
     std::vector<fs::path> files;
-    std::string asked_by;  ///< deck and line, of the first that asks
+    std::string asked_by;  ///< deck and line of the first request
 };
 
-/// The error, or an empty text.
+/// Returns the error, or "" on success.
 std::string draw(const Drawing& drawing, const fs::path& folder) {
     constexpr double patience = 1200;
     const fs::path& file = drawing.files.front();
@@ -139,7 +139,7 @@ void convert(const Words& decks, const fs::path& folder, bool as_pdf) {
             throw Error({folder / (name + ".md")}, "marp-cli made no file from it");
 }
 
-/// The folder for the decks. The gallery includes build/slides and may be published: so no solutions go there.
+/// Returns the folder for the decks. The gallery includes build/slides and may be published, so solutions go elsewhere.
 fs::path folder_for(const SlidesArguments& arguments) {
     const fs::path usual = course_root() / "build" / (arguments.solutions ? "slides-with-solutions" : "slides");
     const fs::path folder = fs::absolute(arguments.output.empty() ? usual : fs::path(arguments.output));
@@ -170,7 +170,7 @@ std::vector<Drawing> write_decks(const Words& names, const fs::path& folder, boo
     return drawings;
 }
 
-/// Returns whether all could be drawn; prints an error for each that could not.
+/// Returns whether all figures could be drawn. Prints an error for each failure.
 bool draw_all(std::vector<Drawing> drawings, const fs::path& folder, Progress& progress) {
     Words problems(drawings.size());
     std::mutex mutex;
@@ -181,7 +181,7 @@ bool draw_all(std::vector<Drawing> drawings, const fs::path& folder, Progress& p
         }
         problems[i] = draw(drawings[i], folder);
     };
-    // Plots measure time: they run alone, before the pictures.
+    // Plots measure time, so they run alone, before the pictures.
     const auto pictures = std::stable_partition(drawings.begin(), drawings.end(),
                                                 [](const Drawing& one) { return one.command.front() == "bench"; });
     const size_t plots = size_t(pictures - drawings.begin());
@@ -197,7 +197,7 @@ bool draw_all(std::vector<Drawing> drawings, const fs::path& folder, Progress& p
 /// Returns 1 if a figure of a deck cannot be drawn.
 int make_slides(const SlidesArguments& arguments) {
     const Words names = decks_asked_for(arguments.decks);
-    marp();  // or pictures would be drawn for nothing
+    marp();  // checks that Marp exists before pictures are drawn
     const fs::path folder = folder_for(arguments);
     const std::vector<Drawing> drawings = write_decks(names, folder, arguments.solutions);
     {

@@ -1,4 +1,4 @@
-// relief synctest: does a renderer read normal maps in the frame in which they were baked?
+// relief synctest: tests whether a renderer reads normal maps in the frame in which they were baked.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -52,7 +52,7 @@ void print_json(const std::string& file, const SyncJudgement& judgement) {
         all["frame"] = renderer->text(), all["in_sync"] = renderer->is_in_sync();
     for (const auto& [renderer, degrees] : judgement.likenesses)
         all["likenesses"].push_back({{"frame", renderer.text()}, {"degrees", degrees}});
-    // A file's name can have any bytes.
+    // A file name can contain bytes that are not valid UTF-8.
     fmt::print("{}\n", all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
