@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// One at a time (see the lock), so that what an interrupted run has left is simply written over.
+// A fixed name is safe, because the lock allows one process at a time. A leftover of an interrupted run is overwritten.
 constexpr const char* unfinished_name = ".relief-unfinished";
 constexpr int folder_flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 

@@ -22,14 +22,14 @@ constexpr const char* record_head =
     "keeps\n"
     "# all others. Leave this file where it is.\n";
 
-/// Tells a text from another one that nobody has made to deceive (FNV-1a, Fowler, Noll and Vo).
+/// Returns a hash that distinguishes texts, but not against deliberate collisions (FNV-1a, Fowler, Noll and Vo).
 std::string fingerprint(std::string_view bytes) {
     uint64_t hash = 0xcbf29ce484222325u;
     for (const char byte : bytes) hash = (hash ^ uint8_t(byte)) * 0x100000001b3u;
     return fmt::format("{:016x}", hash);
 }
 
-/// What was handed out. While a folder is being brought up to date a file has two fingerprints, before and after.
+/// The record of delivered files. During an update a file has two fingerprints, before and after.
 struct Record {
     std::string choice;
     std::map<std::string, std::set<std::string>> files;
@@ -79,7 +79,7 @@ std::optional<Record> read_record(const fs::path& folder) {
     throw Error({folder}, "is there already, not empty and not a handout: name a new folder");
 }
 
-/// Compares what is to be in a folder with what is, writes nothing, and knows then what has to be done.
+/// Compares the wanted files with a folder and decides on the changes. Writes nothing until carry_out().
 class Plan {
 public:
     Plan(const HandedFiles& files, const Record& before, const ConfinedFolder& folder)
@@ -89,7 +89,7 @@ public:
             if (!files.contains(path) && !after.files.contains(path)) clear(path);
     }
 
-    /// In an order in which an interrupted run leaves nothing that the next one would take for its owner's work.
+    /// Writes in an order in which an interrupted run leaves nothing that the next run would take for the owner's work.
     void carry_out(const std::string& choice) {
         after.choice = choice;
         Record both = after;
@@ -130,7 +130,8 @@ private:
         return path + ".new" + (number == 1 ? "" : std::to_string(number));
     }
 
-    /// Its owner has changed it. A new text that they have not taken over yet stays where it lies.
+    /// Puts a new version beside a file that its owner has changed. An earlier version that they have not taken over
+    /// yet stays where it is.
     void put_beside(const std::string& path, const HandedFile& file, bool is_news) {
         for (int i = 1;; ++i) {
             const std::string name = beside(path, i);
@@ -148,7 +149,7 @@ private:
         }
     }
 
-    /// It was handed out once, and is not any more.
+    /// Handles a file that was delivered once and is no longer in the course.
     void clear(const std::string& path) {
         const ConfinedFolder::Found found = folder_.look(path);
         if (found.kind == Kind::behind)
@@ -159,7 +160,7 @@ private:
             done.kept.push_back({path, ""});
     }
 
-    /// Nothing is handed out there, so what the record says of it stays as it was.
+    /// Nothing is delivered there, so its record stays unchanged.
     void note_behind(const std::string& path, const ConfinedFolder::Found& found) {
         const auto known = before_.files.find(path);
         if (known != before_.files.end())
@@ -195,7 +196,7 @@ std::optional<std::string> delivered_choice(const fs::path& folder) {
 
 Delivery deliver(const HandedFiles& files, const std::string& choice, const fs::path& folder) {
     if (const std::optional<Record> before = read_record(folder)) return update(files, choice, *before, folder);
-    // Beside it until it is whole: half a course must never be taken for one.
+    // Written beside the folder until complete: half a course must never look like a course.
     fs::path whole = fs::absolute(folder).lexically_normal();
     if (!whole.has_filename()) whole = whole.parent_path();
     const fs::path part = fs::path(whole) += ".part";

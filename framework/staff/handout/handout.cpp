@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The rooms and files of a course. Whatever else lies in its folder, such as marks, is nobody's to have.
+/// The folders and files of a course. Anything else in its folder, such as marks, must not be handed out.
 constexpr const char* course_parts[] = {"CMakeLists.txt", "CMakePresets.json", "LICENSE",       "relief",
                                         ".gitignore",     ".clang-format",     ".editorconfig", "framework",
                                         "labs",           "shaders",           "assets"};
@@ -31,7 +31,7 @@ bool is_text(const fs::path& path) {
     return kinds.contains(path.extension().string());
 }
 
-/// The folder of a lab that a path belongs to, or "": what lies below labs and shaders, but for shaders/common.
+/// Returns the lab folder of a path below labs or shaders; "" for other paths and for shaders/common.
 std::string lab_of(const fs::path& path) {
     for (const char* folder : {"labs", "shaders"}) {
         const fs::path inside = path.lexically_relative(folder);
@@ -82,7 +82,8 @@ HandedFiles students_course(const std::set<std::string>& labs) {
     return files;
 }
 
-/// "all" for all labs, future ones too; else the numbers of the requested labs and of those that the folder has.
+/// Returns "all" for all labs, including future ones. Otherwise returns the numbers of the requested labs and of the
+/// labs in the folder.
 std::string choice_of(const std::optional<std::string>& asked, const std::optional<std::string>& before) {
     if (!asked) return before.value_or("all");
     if (*asked == "all" || before == "all") return "all";
@@ -96,7 +97,7 @@ std::string choice_of(const std::optional<std::string>& asked, const std::option
 std::vector<const LabEntry*> labs_of(const std::string& choice) {
     const std::vector<std::string> numbers = split(choice, ',');
     std::vector<const LabEntry*> labs;
-    for (const LabEntry& lab : registry())  // a lab that was handed out may be gone since
+    for (const LabEntry& lab : registry())  // a delivered lab may no longer exist
         if (choice == "all" || std::find(numbers.begin(), numbers.end(), std::to_string(lab.number)) != numbers.end())
             labs.push_back(&lab);
     if (labs.empty()) throw Error("there is no lab to hand out");
@@ -127,7 +128,7 @@ void refuse_unsolved(const LabEntry& lab, const Manifest& manifest, const CheckI
                                 lab.two_digits(), check.name, name_of(result.outcome), result.found));
 }
 
-/// The picture that the check compares with. Throws Error if it cannot be made.
+/// Returns the expected picture of the check. Throws Error if it cannot be made.
 std::optional<Image> expected_of(const LabEntry& lab, const CheckInfo& check) {
     try {
         return expectation(lab, check);
@@ -137,7 +138,7 @@ std::optional<Image> expected_of(const LabEntry& lab, const CheckInfo& check) {
     }
 }
 
-/// Adds the pictures that public checks compare with. Returns their number.
+/// Adds the expected pictures of public checks. Returns their number.
 int add_expected(const std::vector<const LabEntry*>& labs, HandedFiles& files) {
     Progress progress(int(labs.size()));
     int count = 0;

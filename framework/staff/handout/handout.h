@@ -17,13 +17,13 @@ struct HandoutReport {
     Delivery delivery = {};
 };
 
-/// Writes the students' course into `folder`, or updates it there: see deliver(). `labs`: as find_labs() takes them, or
-/// "all"; they are added to the labs that the folder has. Without `labs`: the labs that the folder has, or all for a
-/// new folder.
+/// Writes the students' course into `folder`, or updates it there: see deliver(). `labs` is "all" or an argument for
+/// find_labs(); these labs are added to the labs in the folder. Without `labs`, the choice is the labs in the folder,
+/// or all labs for a new folder.
 ///
-/// Everything is handed out except folders named `staff`, the tests and the slides; starters replace solutions. The
-/// pictures that public checks compare with are put into the lab's folder `expected`. Needs a context. Throws Error if
-/// the folder cannot be written, or if a lab's own solution fails one of its checks.
+/// Hands out everything except folders named `staff`, the tests and the slides; starters replace solutions. The
+/// expected pictures of public checks go into the lab's folder `expected`. Needs a context. Throws Error if the folder
+/// cannot be written, or if a lab's own solution fails one of its checks.
 HandoutReport write_handout(const std::filesystem::path& folder, const std::optional<std::string>& labs = {});
 
 }  // namespace relief
