@@ -13,16 +13,16 @@
 namespace relief {
 namespace {
 
-/// In the order of their squares on the map: +x, +y, +z, -x, -y, -z.
+/// Faces in the order of their squares on the map: +x, +y, +z, -x, -y, -z.
 const CubeFace& face_on_map(uint32_t f) { return cube_face(int(f < 3 ? 2 * f : 2 * f - 5)); }
-// Squares of 4 / 16, with gaps of 1 / 16: all borders lie between texels.
+// Squares of side 4 / 16 with gaps of 1 / 16: all borders lie between texels.
 constexpr double square = 4.0 / 16, gap = 1.0 / 16;
 
 glm::dvec2 corner_of(size_t face) {
     return {gap + double(face % 3) * (square + gap), gap + double(face / 3) * (square + gap)};
 }
 
-/// What is interpolated at a place.
+/// The values interpolated at a point.
 struct Place {
     glm::dvec3 normal{}, bitangent{};
     glm::dvec4 tangent{};
@@ -43,13 +43,13 @@ Place place_at(const Mesh& mesh, size_t triangle, const glm::dvec3& weights) {
     return place;
 }
 
-/// At a place of a face, each coordinate in [0, 1], cut from (0, 0) to (1, 1).
+/// Returns the values at a point of a face, with coordinates in [0, 1]. The diagonal runs from (0, 0) to (1, 1).
 Place place_on(const Mesh& mesh, size_t face, const glm::dvec2& at) {
     return at.x >= at.y ? place_at(mesh, 2 * face, {1 - at.x, at.x - at.y, at.y})
                         : place_at(mesh, 2 * face + 1, {1 - at.y, at.x, at.y - at.x});
 }
 
-/// Linear filtering of three channels at level 0; the border repeats.
+/// Returns three channels at level 0 with linear filtering; coordinates are clamped to the border.
 glm::dvec3 texel_at(const Image& map, const glm::dvec2& uv, bool as_srgb) {
     const double x = uv.x * map.width - 0.5, y = (1 - uv.y) * map.height - 0.5;
     const int left = int(std::floor(x)), top = int(std::floor(y));
@@ -116,7 +116,7 @@ Image bake_synctest_map(int size, int bits) {
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const glm::dvec2 uv((x + 0.5) / size, 1 - (y + 0.5) / size);
-            // A gap is shared by the squares on both sides; beyond the last of them is theirs.
+            // The squares on both sides share a gap. The outer border belongs to the last squares.
             const auto cell = [](double at, int count) {
                 return std::clamp(int((at - gap / 2) / (square + gap)), 0, count - 1);
             };

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int map_side = 512, picture_side = 512;
 
-/// The picture that a renderer in the map's frame makes.
+/// Returns the picture of a renderer that uses the map's frame.
 Image expected_picture() {
     const Image normals = render_synctest({}, bake_synctest_map(map_side, 8), picture_side, picture_side);
     Image picture(picture_side, picture_side, 3, 8);
@@ -87,7 +87,7 @@ GltfFiles synctest_gltf(const Mesh& mesh, const std::string& buffer_file, const 
         accessors.push_back(
             {{"bufferView", views.size() - 1}, {"componentType", component}, {"count", items}, {"type", type}});
     };
-    constexpr int floats = 5126, shorts = 5123, vertices = 34962, indices = 34963;  // GL's numbers
+    constexpr int floats = 5126, shorts = 5123, vertices = 34962, indices = 34963;  // numeric values of GL's enums
     const auto each = [&](const auto& value) {
         return [&, value](std::string& bytes) {
             for (const Vertex& vertex : mesh.vertices) append(bytes, value(vertex));

@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-/// 0 to 5: +x, +y, +z, -x, -y, -z; -1 for what is no normal.
+/// Returns 0 to 5 for +x, +y, +z, -x, -y, -z, and -1 for NaN.
 int nearest_axis(const glm::dvec3& n) {
     if (std::isnan(n.x)) return -1;
     const glm::dvec3 size = glm::abs(n);
@@ -23,7 +23,7 @@ glm::dvec3 direction_of(int axis) {
     return direction;
 }
 
-/// The reading by which most pixels are unit vectors.
+/// Returns the reading under which most pixels are unit vectors.
 Reading reading_of(const Image& picture) {
     Reading best;
     size_t most = 0;
@@ -38,7 +38,7 @@ Reading reading_of(const Image& picture) {
     return best;
 }
 
-/// The picture's normals; NaN in the background, which has the colour of all four corners.
+/// Returns the picture's normals. The background is NaN: it has the colour of all four corners.
 std::vector<glm::dvec3> normals_in(const Image& picture, SyncJudgement& result) {
     const Reading reading = reading_of(picture);
     result.was_srgb = reading.curve == StoredCurve::srgb_added;
@@ -63,7 +63,7 @@ std::vector<glm::dvec3> normals_in(const Image& picture, SyncJudgement& result) 
     return normals;
 }
 
-/// Whether a pixel and its eight neighbours have the same number, and that is not -1.
+/// Returns whether a pixel and its eight neighbours have the same number, other than -1.
 bool is_inside(const std::vector<int>& axes, int width, int height, int x, int y) {
     if (x < 1 || y < 1 || x + 1 >= width || y + 1 >= height) return false;
     const auto at = [&](int i, int j) { return axes[size_t(j) * size_t(width) + size_t(i)]; };
@@ -73,8 +73,8 @@ bool is_inside(const std::vector<int>& axes, int width, int height, int x, int y
     return at(x, y) >= 0;
 }
 
-/// The picture's axes for the cube's x, y and z, by its mean normal on each of the faces +x, +y and +z, which the
-/// camera sees: what bulges does so to all sides. Nothing when two are one axis.
+/// Returns the picture's axes for the cube's x, y and z, from the mean normals of the visible faces +x, +y and +z. A
+/// bulge is symmetric, so it does not change the mean's nearest axis. Nothing if two faces give the same axis.
 std::optional<std::array<int, 3>> axes_of_faces(const std::array<glm::dvec3, 3>& means) {
     std::array<int, 3> axes{};
     for (size_t face = 0; face < 3; ++face) {
@@ -88,7 +88,7 @@ std::optional<std::array<int, 3>> axes_of_faces(const std::array<glm::dvec3, 3>&
 /// Compares with each renderer, from the documented camera.
 void compare(const Image& picture, const std::vector<glm::dvec3>& normals, const std::vector<int>& axes,
              SyncJudgement& result) {
-    // Few enough rays for any picture.
+    // Bounds the number of rays for large pictures.
     const int step = std::max(1, (std::max(picture.width, picture.height) + 399) / 400);
     const Image map = bake_synctest_map(512, 8);
     const auto shown_by = [&](const SyncRenderer& renderer) {
@@ -96,8 +96,8 @@ void compare(const Image& picture, const std::vector<glm::dvec3>& normals, const
     };
     const Image right = shown_by({});
     struct Sample {
-        size_t shown, pixel;  ///< indices of the rendered and of the judged picture
-        int face;             ///< by the camera; -1: none
+        size_t shown, pixel;  ///< pixel indices in the rendered and in the judged picture
+        int face;             ///< seen from the camera; -1: none
     };
     std::vector<Sample> samples;
     std::array<glm::dvec3, 3> means{};

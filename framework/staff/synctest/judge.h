@@ -1,4 +1,4 @@
-// How far a picture of the cube's normals is from flat, and which renderer makes such a picture.
+// Measures how far a picture of the cube's normals is from flat, and finds the renderer that made it.
 #pragma once
 
 #include <optional>
@@ -9,27 +9,28 @@
 namespace relief {
 
 struct SyncJudgement {
-    size_t pixels = 0;                    ///< that show a face, without those beside an edge
-    bool shows_normals = false;           ///< of these there are enough to judge
-    double mean = 0, p99 = 0, worst = 0;  ///< degrees from the axis that is nearest
-    bool was_srgb = false;                ///< the picture holds its numbers as sRGB stores light
-    /// How much of the cube's outline by synctest_camera and of the picture's is both: 1 where the camera was that.
+    size_t pixels = 0;                    ///< pixels on a face, without pixels beside an edge
+    bool shows_normals = false;           ///< there are enough of these pixels to judge
+    double mean = 0, p99 = 0, worst = 0;  ///< degrees from the nearest axis
+    bool was_srgb = false;                ///< the picture stores its values with the sRGB curve
+    /// Overlap (intersection over union) of the picture's outline and the cube's outline from synctest_camera: 1 if the
+    /// camera was the same.
     double overlap = 0;
 
     struct Likeness {
         SyncRenderer renderer;
-        double degrees;  ///< mean angle between the picture and what that renderer shows
+        double degrees;  ///< mean angle between the picture and that renderer's result
     };
-    /// The nearest first; empty where the camera was another.
+    /// The nearest first; empty if the camera was a different one.
     std::vector<Likeness> likenesses = {};
 
     bool is_flat() const { return shows_normals && mean < 0.5; }
-    /// The renderer that made such a picture; none where none is near, or two are as near.
+    /// Returns the renderer that made the picture; nothing if none is close, or if two are equally close.
     std::optional<SyncRenderer> renderer() const;
 };
 
-/// A picture of the cube's normals as 0.5 n + 0.5 (or n itself, in floats), in the space of the world or the object,
-/// before a background of one colour that is no normal. The world's axes may be named in any order and direction.
+/// Judges a picture of the cube's normals as 0.5 n + 0.5 (or n itself, in floats), in world or object space. The
+/// background must have one colour that is not a normal. The world's axes may have any order and direction.
 SyncJudgement judge_synctest(const Image& picture);
 
 }  // namespace relief
