@@ -48,7 +48,7 @@ private:
         ++at_;
     }
 
-    /// Up to and with the --- that ends it.
+    /// Reads a slide up to and including the --- that ends it.
     void slide() {
         const std::string before = deck_.text;
         const size_t figures = deck_.figures.size();
@@ -63,7 +63,7 @@ private:
         if (hidden && !solutions_) {
             deck_.text = before;
             deck_.figures.resize(figures);
-            // The rule before it is now the rule before what follows.
+            // The rule before the hidden slide now precedes the next slide. If there is none, remove it.
             if (!more && deck_.text.ends_with("---\n")) deck_.text.erase(deck_.text.size() - 4);
         } else if (more) {
             deck_.text += "---\n";
@@ -76,7 +76,7 @@ private:
         return false;
     }
 
-    /// From its opening fence to its closing one.
+    /// Reads a block from its opening fence to its closing one.
     void block(bool hidden) {
         const size_t opened = at_;
         const std::vector<std::string> words = words_of(line().substr(3));
@@ -87,7 +87,7 @@ private:
             fail("this ``` is never closed");
         }
         const size_t closed = at_;
-        at_ = opened;  // for what fails
+        at_ = opened;  // place of errors
         if (!words.empty() && words[0] == "mistakes")
             mistakes({words.begin() + 1, words.end()}, inside);
         else if (words == std::vector<std::string>{"measured"})
