@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array normals_defines = {"", "RIGHT_ANGLED", "B_BY_CROSS", "ONE_SCALE"};
 constexpr std::array strength_defines = {"", "STRENGTH_PLUS_1", "STRENGTH_NONE"};
-constexpr int batch_columns = 8;  // tiles of heights at a time: 8 x 8
+constexpr int batch_columns = 8;  // heights are computed for 8 x 8 tiles at a time
 
 glm::ivec2 tile(int index, int columns, int size) { return glm::ivec2(index % columns, index / columns) * size; }
 
@@ -73,7 +73,7 @@ void Globe::make_vertices(const Shape& shape, const std::vector<PatchId>& fresh)
             for (int x = 0; x < side; ++x) {
                 const glm::dvec2 local = glm::dvec2(x, y) / double(shape.quads);
                 const glm::dvec3 r = direction_at(shape.mapping, id.face, id.on_face(local));
-                // Subtracted in double: what is left is small, and a float holds it to a millionth.
+                // Subtracted in double: the small difference fits a float, which is exact to a millionth of it.
                 vertices.push_back({(1 + height(shape.ground, r)) * r - middle, 0, local});
             }
         for (int edge = 0; edge < 4; ++edge)
@@ -145,7 +145,7 @@ void Globe::make_maps(const MapRecipe& recipe, const std::vector<PatchId>& fresh
 
 void Globe::prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, bool maps) {
     if (!buffers_) buffers_.emplace(), nothing_.emplace();
-    // A program that was saved and compiled anew has another name.
+    // A program gets another name when its shaders are saved and compiled again.
     std::array<GLuint, 2> programs = programs_;
     if (maps) {
         const auto [heights, normals] = programs_of(recipe);
@@ -213,7 +213,7 @@ glm::ivec2 Globe::map_corner(size_t i) const {
 
 void Globe::draw(const Program& program, const Plan& plan, size_t i, bool precise) const {
     const Slot& slot = slots_.at(drawn_[i]);
-    // Either the difference of two places far from the centre, rounded once; or both rounded, and then subtracted.
+    // Precise: subtracts in double and rounds the difference. Otherwise rounds both, and the shader subtracts.
     const glm::dvec3 middle = slot.middle * plan.radius, eye = plan.eye.place * plan.radius;
     program.set("u_middle", precise ? glm::vec3(middle - eye) : glm::vec3(middle));
     program.set("u_minus", precise ? glm::vec3(0) : glm::vec3(eye));

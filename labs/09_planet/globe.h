@@ -1,5 +1,5 @@
-// What the graphics card has of lab 09's planet: for each patch that is drawn its vertices, and its map of normals,
-// which the card makes itself.
+// Lab 09's planet on the graphics card: the vertices of each patch that is drawn, and its normal map, which a shader
+// computes.
 #pragma once
 
 #include <map>
@@ -11,35 +11,35 @@
 
 namespace relief::planet {
 
-/// How heights become normals: by the metric (tasks 9.2 and 9.3), or by what is commonly written.
+/// The formula for normals from heights: by the metric (tasks 9.2 and 9.3), or by common approximations.
 enum class Normals : int { metric, right_angled, b_by_cross, one_scale };
 
-/// All that a map depends on.
+/// Everything that a normal map depends on.
 struct MapRecipe {
     Shape shape;
     Normals normals = Normals::metric;
     int texels = 64;  ///< along a patch's side, without the gutter
     bool gutter = true;
-    int strength = 0;     ///< of the slopes at level l: 2^l, 1 + 2^l, 1
-    bool slopes = false;  ///< in place of normals: what the probe `slope` shows
+    int strength = 0;     ///< choice of a factor on the slopes of level l: 2^l, (1 + 2^l) / 2, or 1
+    bool slopes = false;  ///< the map holds slopes in place of normals, for the probe `slope`
     bool operator==(const MapRecipe&) const = default;
 };
 
-/// The definitions of shaders/09_planet/grid.glsl.
+/// Returns the definition that chooses a mapping in shaders/09_planet/grid.glsl.
 Define mapping_define(Mapping mapping);
 
 class Globe {
 public:
-    /// Vertices and, with `maps`, maps of these patches, and of no others. Leaves another framebuffer and viewport when
-    /// it has made maps.
+    /// Makes the vertices and, with `maps`, the maps of these patches, and drops all others. May change the framebuffer
+    /// and the viewport.
     void prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, bool maps);
-    /// Draws patch `i` of those; the program is in use. Sets what is its own: u_middle, u_minus, u_centre,
-    /// u_map_corner.
+    /// Draws patch `i` of the prepared ones. Sets its uniforms: u_middle, u_minus, u_centre, u_map_corner. Without
+    /// `precise` floats are subtracted in the shader, which shows their rounding. Precondition: the program is in use.
     void draw(const Program& program, const Plan& plan, size_t i, bool precise) const;
     void bind_maps(int unit) const {
         if (map_) map_->bind(unit);
     }
-    /// Lower left texel of a patch's tile in the map.
+    /// Returns the lower left texel of the tile of patch `i` in the map.
     glm::ivec2 map_corner(size_t i) const;
     int triangles_of_patch() const { return index_count_ / 3; }
     int skirt_triangles() const { return 8 * quads_; }
@@ -61,7 +61,7 @@ private:
     };
     void make_buffers(int quads);
     void make_vertices(const Shape& shape, const std::vector<PatchId>& fresh);
-    /// Those that fill the maps: heights, then normals.
+    /// Returns the programs that fill the maps: of heights, then of normals.
     std::pair<const Program&, const Program&> programs_of(const MapRecipe& recipe) const;
     void make_maps(const MapRecipe& recipe, const std::vector<PatchId>& fresh);
     void set_patch(const Program& program, const MapRecipe& recipe, const PatchId& id) const;
@@ -79,7 +79,7 @@ private:
     int capacity_ = 0, quads_ = 0, index_count_ = 0;
 };
 
-/// The uniforms of shaders/09_planet/heights.glsl.
+/// Sets the uniforms of shaders/09_planet/heights.glsl. Precondition: the program is in use.
 void set_ground(const Program& program, const Ground& ground);
 
 }  // namespace relief::planet

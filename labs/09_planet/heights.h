@@ -1,6 +1,6 @@
 // The heights of lab 09's planet, in closed form: noise for continents and ridges, craters, a calm sea. The twin of
-// shaders/09_planet/heights.glsl. `Number` is double, or a type with its functions (staff/truth.cpp has one that
-// carries the gradient along).
+// shaders/09_planet/heights.glsl. `Number` is double or a type with the same operations, such as Dual in
+// staff/dual.h, which carries the gradient along.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@ namespace relief::planet {
 template <class Number>
 using Place = std::array<Number, 3>;
 
-/// What the heights depend on.
+/// The parameters of the heights.
 struct Ground {
     int seed = 0;
     int detail = 4;    ///< octaves of ridges, 0 to 5
-    float height = 1;  ///< of the relief; 0 is a smooth ball
+    float height = 1;  ///< factor on the relief; 0 is a smooth sphere
     bool operator==(const Ground&) const = default;
 };
 
-/// PCG, in three dimensions (Jarzynski and Olano 2020).
+/// Returns the hash PCG3D of three integers (Jarzynski and Olano 2020).
 inline glm::uvec3 scrambled(glm::uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v.x += v.y * v.z, v.y += v.z * v.x, v.z += v.x * v.y;
@@ -32,7 +32,7 @@ inline glm::uvec3 scrambled(glm::uvec3 v) {
 
 inline double value_of(double x) { return x; }
 
-/// Perlin's noise with a fifth-degree blend (2002): its gradient has no jumps. About -1 to 1, 0 on average.
+/// Returns Perlin's noise with a fifth-degree blend (2002), whose gradient is continuous. About -1 to 1, mean 0.
 template <class Number>
 Number noise(const Place<Number>& p) {
     const std::array<double, 3> low = {std::floor(value_of(p[0])), std::floor(value_of(p[1])),
@@ -56,7 +56,8 @@ Number noise(const Place<Number>& p) {
     return sum;
 }
 
-/// Never negative, `x` well above 0, and 0 well below: a shore without an edge.
+/// Returns a smooth maximum of x and 0, for a shore without a crease. Positive; close to x far above 0, and close to 0
+/// far below. `softness` is the width of the transition.
 template <class Number>
 Number above_sea(const Number& x, double softness) {
     using std::sqrt;
@@ -77,7 +78,7 @@ inline Crater crater(int seed, int i) {
     return {at / std::max(1e-3, glm::length(at)), 0.0016 + 0.014 * x * x * x};
 }
 
-/// Above the sea, in radii of the planet, at a unit vector; negative below it.
+/// Returns the elevation of the ground at the unit vector r, in radii of the planet. Negative below the sea.
 template <class Number>
 Number elevation(const Ground& ground, const Place<Number>& r) {
     using std::exp, std::sqrt;
@@ -100,14 +101,15 @@ Number elevation(const Ground& ground, const Place<Number>& r) {
         const Crater c = crater(ground.seed, i);
         // 0 in the middle, 1 on the rim.
         const Number d = (1.0 - (r[0] * c.middle.x + r[1] * c.middle.y + r[2] * c.middle.z)) * (1 / c.size);
-        if (value_of(d) > 4) continue;  // less than 1e-13 is left
+        if (value_of(d) > 4) continue;  // contributes less than 1e-13
         const double deep = 0.14 * std::sqrt(c.size);
         sum = sum + (exp((d - 1.0) * (d - 1.0) * -5.0) * 0.6 - exp(d * d * -2.0) * 1.0) * deep;
     }
     return sum;
 }
 
-/// Of the ground or of the sea, in radii above the lowest place there can be.
+/// Returns the height of the ground or of the sea at the unit vector r. It is at least 0, in radii of the planet above
+/// its sphere of radius 1.
 template <class Number>
 Number height(const Ground& ground, const Place<Number>& r) {
     return above_sea(elevation(ground, r), 0.002) * double(ground.height);

@@ -1,7 +1,9 @@
 // Lab 09: a planet.
 //
-// Six faces without poles; heights become normals by the metric of a grid that is bent and skewed; patches of several
-// levels that meet, as many as the picture needs. Your tasks: shaders/09_planet/task.glsl, labs/09_planet/task.cpp
+// A cube sphere has no poles. Its grid is bent and skewed, so heights become normals by its metric. Patches of several
+// levels meet without gaps, as many as the picture needs.
+//
+// Your tasks: shaders/09_planet/task.glsl, labs/09_planet/task.cpp
 #include <fmt/format.h>
 
 #include "framework/gl/texel_target.h"
@@ -20,7 +22,7 @@ class PlanetLab final : public Lab {
 public:
     void draw(const Frame& frame) override {
         std::vector<View> views = views_of(frame);
-        // Maps first: they draw elsewhere.
+        // Maps first: making them changes the framebuffer.
         for (size_t i = 0; i < views.size(); ++i) prepare(views[i], globes_[i], frame.probe);
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glViewport(0, 0, frame.size.x, frame.size.y);
@@ -132,7 +134,7 @@ private:
                             std::cos(rise) * up - std::sin(rise) * ahead, field_of_view, aspect);
     }
 
-    /// Beside the planet, so that what the eye does not see comes into sight.
+    /// Returns a second eye at the side, which sees ground that is hidden from `eye`.
     static Eye beside(const Eye& eye, double aspect) {
         const double away = glm::length(eye.place);
         const glm::dvec3 towards = away > 0 ? eye.place / away : glm::dvec3(0, 0, 1);
@@ -143,7 +145,7 @@ private:
         return Eye::looking(3.1 * from, -from, glm::normalize(up - glm::dot(up, from) * from), field_of_view, aspect);
     }
 
-    /// Above a place, with `up` towards the picture's upper edge.
+    /// Returns an eye above a place, `distance` radii from the centre, with `up` upwards in the picture.
     static Eye above(const glm::dvec3& place, double distance, const glm::dvec3& up, double aspect) {
         const glm::dvec3 from = glm::normalize(place);
         return Eye::looking(distance * from, -from, glm::normalize(up - glm::dot(up, from) * from),
@@ -152,7 +154,7 @@ private:
 
     static Eye above_pole(double aspect) { return above({0, 1, 0.32}, 1.75, {0, 0, -1}, aspect); }
 
-    /// What is drawn where.
+    /// Returns the views of the picture, each in its tile.
     std::vector<View> views_of(const Frame& frame) const {
         const std::string& probe = frame.probe.name;
         const bool of_grid = probe == "direction" || probe == "stretch" || probe == "corner" || probe == "gradient" ||
@@ -216,11 +218,11 @@ private:
         if (view_ == patches) {
             for (const Tile& tile : tiles_of(frame.size, 2)) views.push_back(view(tile, ""));
             as_patches(views[1]);
-            // What the eye's picture needs, whatever the shape of the tile beside it.
+            // Both tiles show the same patches: the patches that the eye's picture needs.
             views[1].plan = views[0].plan;
             return views;
         }
-        // The planet large, the others beside it, or below it.
+        // The planet is large, the other two views are beside or below it.
         const bool is_wide = frame.size.x >= frame.size.y;
         const int along = is_wide ? frame.size.x : frame.size.y, part = along * 2 / 3;
         const glm::ivec2 size = frame.size;
@@ -241,7 +243,7 @@ private:
         return views;
     }
 
-    /// As planets are commonly made.
+    /// Switches a view to the common way of making planets.
     static void as_usual(View& view) {
         view.plan.shape.mapping = view.recipe.shape.mapping = Mapping::lat_long;
         view.recipe.normals = Normals::one_scale;
@@ -249,7 +251,7 @@ private:
 
     void prepare(View& view, Globe& globe, const Probe& probe) const {
         view.leaves = leaves(view.plan);
-        // What is only seen from beside is drawn there.
+        // Culled patches are only drawn in the view from the side.
         if (!view.shows_patches) std::erase_if(view.leaves, [](const Leaf& leaf) { return leaf.state != Leaf::drawn; });
         const bool maps = view.is_flat
                               ? !probe || probe.name == "slope" || (probe.name == "normal" && slopes_from_ == 0)
@@ -277,7 +279,7 @@ private:
         for (size_t i = 0; i < view.leaves.size(); ++i) {
             const PatchId& id = view.leaves[i].id;
             const Tile& tile = tiles[size_t(id.face)];
-            // A patch has whole pixels; a pixel between two belongs to one.
+            // Borders are rounded to pixels, so that each pixel belongs to exactly one patch.
             const glm::dvec2 size = glm::dvec2(tile.size) / double(1 << id.level);
             const glm::dvec2 low = glm::dvec2(tile.corner) + glm::dvec2(id.x, id.y) * size;
             const glm::ivec2 begin(glm::ceil(low - 0.5)), end(glm::ceil(low + size - 0.5));
@@ -338,7 +340,7 @@ private:
             sky.set("u_window", glm::vec4(view.tile.corner, view.tile.size));
             sky.set("u_eye", eye.place);
             if (!nothing_) nothing_.emplace();
-            glDepthFunc(GL_LEQUAL);  // where nothing stands before it
+            glDepthFunc(GL_LEQUAL);  // passes at the far plane, where nothing was drawn
             glBindVertexArray(*nothing_);
             glDrawArrays(GL_TRIANGLES, 0, 3);
             glDepthFunc(GL_LESS);

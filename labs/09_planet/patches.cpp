@@ -19,7 +19,7 @@ glm::dmat3 face_axes(Mapping mapping, int face) {
 
 glm::dvec3 direction_at(Mapping mapping, int face, glm::dvec2 st) {
     if (mapping == Mapping::lat_long) {
-        // Whole quarters are exact, so that both halves meet.
+        // Multiples of a quarter turn are exact, so that both halves meet.
         const auto turn = [](double quarters) {
             const double whole = std::round(quarters), rest = glm::half_pi<double>() * (quarters - whole);
             const double c = std::cos(rest), s = std::sin(rest);
@@ -40,7 +40,7 @@ glm::dvec3 direction_at(Mapping mapping, int face, glm::dvec2 st) {
 
 namespace {
 
-/// How far the ground's triangles of a level are off at places thrown by chance, ascending.
+/// Returns the errors of a level's triangles at random places, in radii, ascending. `samples` is the number of cells.
 std::vector<double> errors_of(const Shape& shape, int level, int samples) {
     constexpr int places = 5;
     std::vector<double> errors(size_t(samples) * places);
@@ -74,7 +74,7 @@ Measured measure(const Shape& shape) {
         if (level < measured_levels) {
             const std::vector<double> errors = errors_of(shape, int(level), 700);
             usual = errors[errors.size() * 9 / 10], largest = 1.5 * errors.back();
-        } else {  // triangles are smaller than all that is on the ground: half the side is a quarter of the error
+        } else {  // triangles are smaller than all details, so half the side means a quarter of the error
             usual = result.usual_errors[level - 1] / 4, largest = result.errors[level - 1] / 4;
         }
         if (level > 0) {
@@ -99,7 +99,7 @@ struct Survey {
 };
 std::mutex survey_lock;
 
-/// It takes longer than a frame, and is the same for every planet of this shape. The lock is held.
+/// Returns the survey of a shape, cached because it takes longer than a frame. Precondition: survey_lock is held.
 Survey& survey(const Shape& shape) {
     static std::map<std::tuple<int, int, float, int, int>, Survey> known;
     const auto key =
@@ -121,12 +121,12 @@ Bounds enclose(const Shape& shape, const Measured& measured, const PatchId& id) 
             low = std::min(low, h), high = std::max(high, h);
             bounds.angle = std::max(bounds.angle, 2 * std::asin(std::min(1.0, glm::length(r - bounds.direction) / 2)));
         }
-    // Four segments across are the segments of two levels before, if a patch has sixteen.
+    // The 4 x 4 segments are quads of two levels above, if a patch has 16 x 16 quads. So is the error between them.
     const double between = id.level < 2 ? measured.highest : measured.errors[size_t(id.level) - 2];
     low = 1 + std::max(0.0, low - between), bounds.highest = std::min(measured.highest, high + between);
     const double middle = (low + 1 + bounds.highest) / 2;
     bounds.middle = middle * bounds.direction;
-    const double c = 1 - std::cos(bounds.angle);  // of the law of cosines, without a difference of squares
+    const double c = 1 - std::cos(bounds.angle);  // for the law of cosines without cancellation
     for (const double radius : {low, 1 + bounds.highest})
         bounds.radius =
             std::max(bounds.radius, std::sqrt((radius - middle) * (radius - middle) + 2 * radius * middle * c));
@@ -184,7 +184,7 @@ Ray Eye::ray(glm::dvec2 clip) const {
 bool is_outside(const Eye& eye, const glm::dvec3& middle, double radius) {
     const glm::dvec3 seen = eye.view_from_world * (middle - eye.place);
     const double y = std::tan(eye.field_of_view_rad / 2), x = y * eye.aspect;
-    // Distances in front of the planes through the eye.
+    // Signed distances to the side planes of the view frustum, positive inside.
     const double sideways = (-seen.z * x - std::abs(seen.x)) / std::sqrt(1 + x * x);
     const double upwards = (-seen.z * y - std::abs(seen.y)) / std::sqrt(1 + y * y);
     return seen.z > radius || sideways < -radius || upwards < -radius;
@@ -192,7 +192,7 @@ bool is_outside(const Eye& eye, const glm::dvec3& middle, double radius) {
 
 namespace {
 
-/// Splits what is drawn until neighbours differ by one level at most.
+/// Splits drawn patches until drawn neighbours differ by one level at most.
 void balance(const Shape& shape, std::vector<Leaf>& all) {
     std::map<PatchId, size_t> places;
     for (size_t i = 0; i < all.size(); ++i) places[all[i].id] = i;
@@ -203,7 +203,7 @@ void balance(const Shape& shape, std::vector<Leaf>& all) {
             const auto found = places.find({face, level, at.x, at.y});
             if (found != places.end()) return &all[found->second];
         }
-        return nullptr;  // finer
+        return nullptr;  // the patch there is finer
     };
     for (size_t i = 0; i < all.size(); ++i) {
         const Leaf leaf = all[i];
@@ -221,7 +221,7 @@ void balance(const Shape& shape, std::vector<Leaf>& all) {
                     else
                         places[part] = all.size(), all.push_back({part, Leaf::drawn});
                 }
-                // The first of them stands where the whole was looked at already, or will be.
+                // Child 0 has its parent's place. If that was visited already, the child moves to the end.
                 if (place < i)
                     places[all[place].id] = all.size(), all.push_back(all[place]), all[place].state = Leaf::gone;
             }

@@ -1,4 +1,4 @@
-// The patches of lab 09's planet: where their grids lie, what encloses them, and which of them a picture needs.
+// The patches of lab 09's planet: their grids, their bounds, and the patches that a picture needs.
 #pragma once
 
 #include <span>
@@ -13,25 +13,26 @@ enum class Mapping : int { equal_angle, gnomonic, lat_long };
 
 constexpr int deepest_level = 12;
 
-/// A patch of a level: one of 2^level x 2^level on its face.
+/// A patch: one of 2^level x 2^level on its face.
 struct PatchId {
     int face = 0, level = 0, x = 0, y = 0;
     auto operator<=>(const PatchId&) const = default;
-    /// (0, 0) to (1, 1) on the patch; -1 to 1 on its face.
+    /// Returns the place on the face, each coordinate in [-1, 1], of a place on the patch from (0, 0) to (1, 1).
     glm::dvec2 on_face(glm::dvec2 local) const {
         const double width = 2.0 / (1 << level);  // a power of 2: neighbours agree to the last bit
         return width * (glm::dvec2(x, y) + local) - 1.0;
     }
 };
 
-/// A cube has six faces, latitude and longitude two halves.
+/// Returns 6 for the faces of a cube, or 2 for the halves of latitude and longitude.
 inline int face_count(Mapping mapping) { return mapping == Mapping::lat_long ? 2 : 6; }
-/// Columns: right, up, out.
+/// Returns the axes of a face as columns: right, up, out.
 glm::dmat3 face_axes(Mapping mapping, int face);
-/// Of unit length; places on the border of two faces agree to the last bit.
+/// Returns the unit direction of the place `st` on a face, each coordinate in [-1, 1] or somewhat beyond. Two faces
+/// agree on their common border to the last bit.
 glm::dvec3 direction_at(Mapping mapping, int face, glm::dvec2 st);
 
-/// The planet's shape: all that the patches' vertices depend on.
+/// The shape of the planet: everything that the vertices of patches depend on.
 struct Shape {
     Ground ground;
     Mapping mapping = Mapping::equal_angle;
@@ -39,44 +40,48 @@ struct Shape {
     bool operator==(const Shape&) const = default;
 };
 
-/// How far the triangles of each level are from the ground, and how high that is: in radii, from some thousand places.
+/// The errors of the triangles of each level, and the highest ground, in radii. Estimated from some thousand samples.
 struct Measured {
-    std::array<double, deepest_level + 1> errors{};        ///< at most, with a margin
-    std::array<double, deepest_level + 1> usual_errors{};  ///< at nine of ten places
-    double highest = 0;                                    ///< of the ground, above the radius; the lowest is 0
+    std::array<double, deepest_level + 1> errors{};        ///< the largest error, with a margin
+    std::array<double, deepest_level + 1> usual_errors{};  ///< upper bound at nine of ten places
+    double highest = 0;                                    ///< the highest ground, with a margin; the lowest is 0
 };
+/// Returns the measured errors, cached by shape. Thread-safe. The first call for a shape takes longer than a frame.
 const Measured& measured(const Shape& shape);
 
-/// What encloses a patch, in radii: a ball around its ground, and the widest angle from its middle's direction.
+/// Bounds of the ground of a patch, in radii of the planet. `direction` is the unit direction of the patch's middle,
+/// and `angle` the largest angle in radians between it and the direction of a place on the patch. `middle` and `radius`
+/// are a bounding sphere. `highest` is an upper bound of the heights.
 struct Bounds {
     glm::dvec3 direction, middle;
     double angle, radius, highest;
 };
+/// Returns the bounds of a patch, cached. Thread-safe.
 Bounds bounds_of(const Shape& shape, const PatchId& id);
 
 /// An eye near a planet of radius 1 at the origin.
 struct Eye {
     glm::dvec3 place{0, 0, 3};
-    glm::dmat3 view_from_world{1};  ///< turns only
+    glm::dmat3 view_from_world{1};  ///< a rotation
     double field_of_view_rad = 0.7, aspect = 1;
 
     static Eye of(const Camera& camera, double aspect);
-    /// Upright at `place` with a direction of sight.
+    /// Returns an eye at `place` that looks along the unit vector `along`, with `up` upwards in the picture.
     static Eye looking(const glm::dvec3& place, const glm::dvec3& along, const glm::dvec3& up, double field_of_view_rad,
                        double aspect);
-    /// x and y in [-1, 1]; of unit length.
+    /// Returns the ray of unit direction through a place of the picture, with x and y in [-1, 1].
     Ray ray(glm::dvec2 clip) const;
 };
 
 enum class Levels : int { uniform, distance, error };
 enum class Cull : int { none, outside, horizon };
 
-/// What decides which patches a picture needs.
+/// The input of leaves(): everything that decides which patches a picture needs.
 struct Plan {
     Shape shape;
     Levels levels = Levels::error;
-    int level = 3;      ///< of every patch, for Levels::uniform
-    double budget = 1;  ///< pixels
+    int level = 3;      ///< for Levels::uniform: level of all patches
+    double budget = 1;  ///< tolerated error, pixels
     Cull cull = Cull::horizon;
     double radius = 1;  ///< metres
     bool skirts = true;
@@ -85,12 +90,12 @@ struct Plan {
 };
 
 struct Leaf {
-    enum State { drawn, outside, hidden, gone };
+    enum State { drawn, outside, hidden, gone };  // `gone` is internal to leaves()
     PatchId id;
     State state = drawn;
 };
 
-/// What students write in task.cpp.
+/// The functions of task.h, which students write.
 struct Rules {
     double (*split_distance)(double, double, double, double);
     double (*skirt_depth)(std::span<const double>, int);
@@ -98,13 +103,13 @@ struct Rules {
 };
 Rules students_rules();
 
-/// Whether a ball lies wholly beside the picture, or behind the eye.
+/// Returns whether a sphere is wholly outside of the picture or behind the eye. Conservative: may return false.
 bool is_outside(const Eye& eye, const glm::dvec3& middle, double radius);
 
-/// All of the planet in patches; those that need not be drawn as large as possible. Neighbours that are drawn differ by
-/// one level at most.
+/// Returns patches that cover the whole planet. A culled patch is as large as possible. Drawn neighbours differ by one
+/// level at most.
 std::vector<Leaf> leaves(const Plan& plan, const Rules& rules = students_rules());
-/// The place of a direction: its face, and s and t there.
+/// Returns the face of a unit direction, and s and t on it. The inverse of direction_at().
 std::pair<int, glm::dvec2> face_place(Mapping mapping, const glm::dvec3& direction);
 
 }  // namespace relief::planet

@@ -10,8 +10,8 @@ namespace relief::planet {
 
 // TASK 9.6 (3 points): a patch is split in four while the eye is nearer than split_distance(): there its error, which
 // is known for each level, is as high as the budget. In the middle of the picture a length of 2 d tan(fov / 2) at the
-// distance d is as high as the whole picture. skirt_depth() is the most that two borders can be apart: the errors of
-// both, where the neighbour is as coarse as it may be. (At level 0 the neighbour has level 0.)
+// distance d is as high as the whole picture. skirt_depth() returns the largest gap between two borders: the sum of
+// both errors, where the neighbour is as coarse as it may be. (At level 0 the neighbour has level 0.)
 //(level
 double split_distance(double error, double budget, double pixels, double field_of_view_rad) {
     //[solution

@@ -6,16 +6,17 @@
 
 namespace relief::planet {
 
-/// What a probe is seen as: from an eye, or as faces spread out flat.
+/// The view of a probe: from an eye, or as faces spread out flat.
 struct Sight {
     Plan plan;
-    Eye seen_from;    ///< the plan's own eye, or one that looks at what that needs
-    int texels = 64;  ///< of a patch's map
+    Eye seen_from;    ///< the plan's eye, or another one that looks at the plan's patches
+    int texels = 64;  ///< along the side of a patch's map
 };
 
-/// From an eye: `normal`, `seen`, `place`, `level`, `skirt`.
+/// Returns the exact values of the probes `normal`, `seen`, `place`, `level` and `skirt`, as seen from an eye.
 inline FromStaff<std::optional<Image>(glm::ivec2 size, const Probe& probe, const Sight& sight)> globe_truth;
-/// Spread out: `direction`, `stretch`, `corner`, `gradient`, `texel`, `slope`, `normal`, over a picture of all faces.
+/// Returns the exact values of the probes `direction`, `stretch`, `corner`, `gradient`, `texel`, `slope` and `normal`,
+/// over a picture of all faces spread out.
 inline FromStaff<std::optional<Image>(glm::ivec2 size, const Probe& probe, const Sight& sight)> flat_truth;
 
 }  // namespace relief::planet

@@ -1,18 +1,19 @@
-// Air around a planet of radius 1, for the picture alone: what a ray gathers of the sun's light, in a few steps.
+// Air around a planet of radius 1, for the picture only: the sunlight that is scattered into a ray, by a few samples.
 
 uniform vec3 u_to_sun;
 
-const float air_top = 1.16;       // where it is cut off
-const float air_scale = 0.030;    // height at which a third is left
+const float air_top = 1.16;       // radius at which the air ends
+const float air_scale = 0.030;    // height at which the density falls to a third
 const vec3 air_blue = vec3(0.9, 2.1, 5.0);
 
-// What is left of the sun's light after its way through the air to a place; mu is the cosine to the zenith.
+// Returns the share of sunlight that reaches a place through the air. mu is the cosine of its angle to the zenith.
 vec3 sunlight(float height, float mu) {
     float way = exp(-max(height, 0.0) / air_scale) / (max(mu, 0.0) + 0.12);
     return exp(-air_blue * (0.055 * way)) * smoothstep(-0.22, 0.10, mu);
 }
 
-// Light gathered on the way from `eye` to `end`, in radii.
+// Returns the light scattered into a ray between the eye and the distance `end`, in radii. `steps` is the number of
+// samples.
 vec3 air_light(vec3 eye, vec3 along, float end, int steps, out float opacity) {
     float b = dot(eye, along), c = dot(eye, eye) - air_top * air_top, root = b * b - c;
     opacity = 0.0;
@@ -29,7 +30,7 @@ vec3 air_light(vec3 eye, vec3 along, float end, int steps, out float opacity) {
         float from_centre = length(at), height = from_centre - 1.0;
         float density = exp(-max(height, 0.0) / air_scale), mu = dot(at, u_to_sun) / from_centre;
         sum += density * size;
-        // To the place from the sun, and from there to the eye.
+        // The amount of air on the way from the sun to the place, and from there to the eye.
         float way = 0.055 * density / (max(mu, 0.0) + 0.12) + 0.35 * sum;
         light += density * size * smoothstep(-0.22, 0.10, mu) * exp(-air_blue * way);
     }
@@ -37,5 +38,5 @@ vec3 air_light(vec3 eye, vec3 along, float end, int steps, out float opacity) {
     return 0.9 * light * (air_blue * forward + vec3(6.0, 4.5, 3.0) * haze);
 }
 
-// Light from 0 on, without end, to a colour below 1.
+// Maps unbounded light, 0 or more, to a colour below 1.
 vec3 exposed(vec3 light) { return 1.0 - exp(-1.35 * light); }

@@ -1,4 +1,4 @@
-// Depth by a logarithm, so that each length is resolved to the same share, however far away it is.
+// Logarithmic depth: its resolution is the same share of the distance everywhere.
 
 in float v_away;
 

@@ -1,5 +1,5 @@
 #version 410 core
-// A patch spread out flat: its map, or what the tasks make of a place.
+// A patch spread out flat: its map, or the results of tasks at each place.
 
 #include "09_planet/air.glsl"
 #include "09_planet/grid.glsl"
@@ -66,7 +66,7 @@ void main() {
     vec3 r = grid_direction(u_face, st), albedo;
     float gloss;
     ground(texel.w, r, texel.xyz, r, albedo, gloss);
-    // Each face in a light of its own, from the upper left.
+    // Each face has its own light, from the upper left.
     vec3 to_light = normalize(u_face * vec3(-0.8, 0.6, 0.55));
     vec3 light = albedo * (0.35 + 2.0 * max(dot(texel.xyz, to_light), 0.0));
     o_color = finished(vec4(srgb_from_linear(exposed(light)), 1.0), gl_FragCoord.xy);

@@ -1,6 +1,6 @@
 #version 410 core
-// The frames of a patch as lines two pixels wide: the grid's tangents along s red and along t green, the map's normal
-// blue. Eighteen vertices for each place.
+// The frames of a patch as lines two pixels wide. The grid's tangents are red along s and green along t, and the map's
+// normal is blue. Each place has eighteen vertices.
 
 #include "09_planet/grid.glsl"
 #include "09_planet/heights.glsl"
@@ -31,7 +31,7 @@ void main() {
     vec3 r = grid_direction(u_face, st), u, v;
     grid_tangents(u_face, st, u, v);
     vec4 texel = map_at(local);
-    // A little above the ground, so that it hides no line along it.
+    // Starts a little above the ground, which would hide lines along it.
     vec3 from = r * (1.0 + height_of_elevation(texel.w) + 0.12 * u_length);
     vec4 a = clip_of(from);
     vec4 b = clip_of(from + u_length * (line == 0 ? normalize(u) : line == 1 ? normalize(v) : texel.xyz));

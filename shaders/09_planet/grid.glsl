@@ -1,4 +1,4 @@
-// Where the grids of the planet lie: by equal angles (task 9.1), gnomonic, or by latitude and longitude.
+// The grids of the planet: by equal angles (task 9.1), gnomonic, or by latitude and longitude.
 
 #include "09_planet/task.glsl"
 
@@ -13,7 +13,7 @@ vec3 grid_direction(mat3 face, vec2 st) { return direction(face, atan(st) / radi
 vec3 grid_direction(mat3 face, vec2 st) { return direction(face, st); }
 #endif
 
-// The grid's tangents, dr/ds and dr/dt.
+// Returns the grid's tangents dr/ds and dr/dt in u and v, by central differences.
 void grid_tangents(mat3 face, vec2 st, out vec3 u, out vec3 v) {
     const float e = 1.0 / 256.0;
     u = (grid_direction(face, st + vec2(e, 0.0)) - grid_direction(face, st - vec2(e, 0.0))) / (2.0 * e);

@@ -1,9 +1,9 @@
-// What grows where: sea, sand, forest, rock and snow. For the picture alone.
+// The colours of the ground: sea, sand, forest, rock and snow. For the picture only.
 
-// `elevation_` in radii, negative in the sea; `up` and `normal` of unit length.
+// Returns colour and gloss. `elevation_` is in radii, negative in the sea; `up` and `normal` have unit length.
 void ground(float elevation_, vec3 up, vec3 normal, vec3 place, out vec3 albedo, out float gloss) {
     float steep = 1.0 - clamp(dot(up, normal), 0.0, 1.0), cold = abs(up.y);
-    // Patches without a pattern.
+    // Irregular spots.
     vec3 waves = sin(37.0 * place + 3.0 * sin(19.0 * place.yzx));
     float wild = waves.x * waves.y * waves.z;
     float h = elevation_ + 0.0025 * wild;

@@ -1,5 +1,5 @@
 #version 410 core
-// The heights of a patch's texels, of its gutter, and of one row of texels more all around.
+// The heights of a patch's texels, of its gutter, and of one more texel on each side.
 
 #include "09_planet/grid.glsl"
 #include "09_planet/heights.glsl"

@@ -1,5 +1,5 @@
 // The heights of the planet, in closed form: noise for continents and ridges, craters, a calm sea. The twin of
-// labs/09_planet/heights.h. Everything in radii of the planet.
+// labs/09_planet/heights.h. Lengths are in radii of the planet.
 
 uniform int u_seed;
 uniform int u_detail;
@@ -7,7 +7,7 @@ uniform float u_height;
 const int crater_count = 14;
 uniform vec4 u_craters[crater_count];  // middle, and 1 - cos of the rim's angle
 
-// PCG, in three dimensions (Jarzynski and Olano 2020).
+// Returns the hash PCG3D of three integers (Jarzynski and Olano 2020).
 uvec3 scrambled(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v.x += v.y * v.z;
@@ -20,7 +20,7 @@ uvec3 scrambled(uvec3 v) {
     return v;
 }
 
-// Perlin's noise with a fifth-degree blend (2002): its gradient has no jumps.
+// Returns Perlin's noise with a fifth-degree blend (2002), whose gradient is continuous.
 float noise(vec3 p) {
     vec3 low = floor(p), f = p - low;
     vec3 w = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
@@ -35,7 +35,7 @@ float noise(vec3 p) {
     return sum;
 }
 
-// Above the sea at a unit vector; negative below it.
+// Returns the elevation of the ground at the unit vector r. Negative below the sea.
 float elevation(vec3 r) {
     float shift = 19.7 * float(u_seed);
     vec3 turned = vec3(shift, -shift, 0.5 * shift);
@@ -51,7 +51,7 @@ float elevation(vec3 r) {
     }
     float sum = 0.05 * land + 0.045 * inland * (ridges + 0.35);
     for (int i = 0; i < crater_count; ++i) {
-        // 1 - cos of an angle, from the chord: nothing cancels near the middle.
+        // 1 - cos of an angle is half the square of its chord, without cancellation near the middle.
         vec3 chord = r - u_craters[i].xyz;
         float d = 0.5 * dot(chord, chord) / u_craters[i].w;
         if (d > 4.0) continue;
@@ -60,5 +60,5 @@ float elevation(vec3 r) {
     return sum;
 }
 
-// Of the ground or of the sea: a shore without an edge.
+// Returns the height of the ground or of the sea, with a shore without a crease.
 float height_of_elevation(float x) { return 0.5 * u_height * (x + sqrt(x * x + 0.002 * 0.002)); }

@@ -1,10 +1,11 @@
-// The map of a patch: bilinear between its texels and those of its gutter.
+// The map of a patch, filtered bilinearly, up to the texels of its gutter.
 
 uniform sampler2D s_map;
 uniform ivec2 u_map_corner;
 uniform int u_texels;
 
-// xyz: as it was stored; w: elevation, or -9 where a task is unfinished.
+// Returns the filtered map: normal (not of unit length) or slope in xyz; in w the elevation, or -9 where a task is
+// unfinished.
 vec4 map_mean(vec2 local) {
     vec2 texel = vec2(u_map_corner) + 1.0 + clamp(local, 0.0, 1.0) * float(u_texels);
     return textureLod(s_map, texel / vec2(textureSize(s_map, 0)), 0.0);

@@ -1,6 +1,6 @@
 #version 410 core
-// The normals of a patch's texels and of its gutter: slopes of the heights, gradient, normal. In w the elevation, or -9
-// where a task is unfinished.
+// The normals of a patch's texels and of its gutter, from slopes of the heights and their gradient. w is the elevation,
+// or -9 where a task is unfinished.
 
 #include "09_planet/grid.glsl"
 
@@ -10,7 +10,7 @@ uniform ivec2 u_patch;
 uniform int u_level;
 uniform int u_texels;
 uniform ivec2 u_corner;          // of the patch's tile in the map, pixels
-uniform ivec2 u_heights_corner;  // and in the heights
+uniform ivec2 u_heights_corner;  // of the patch's tile in the heights, pixels
 
 layout(location = 0) out vec4 o_normal;
 
@@ -26,7 +26,7 @@ void main() {
     if (here.w == 0.0) is_unfinished = true;
     vec2 slope = slopes(h, u_texels, u_level);
 #if defined STRENGTH_PLUS_1
-    // Right at level 0 only: 3/4, 5/8, 9/16 of what it should be from there on.
+    // Correct at level 0 only. At levels 1, 2 and 3 slopes are 3/4, 5/8 and 9/16 of the correct ones.
     slope *= 0.5 * (1.0 + exp2(float(u_level))) / exp2(float(u_level));
 #elif defined STRENGTH_NONE
     slope /= exp2(float(u_level));
@@ -43,7 +43,7 @@ void main() {
     vec3 t = normalize(u), b = cross(r, t);
     vec3 normal = normalize((1.0 + here.x) * r - slope.x / length(u) * t - slope.y / length(v) * b);
 #elif defined ONE_SCALE
-    // The same for all texels, as for a flat map.
+    // One scale of slopes for all texels, as on a flat map.
     vec3 t = normalize(u), b = cross(r, t);
 #ifdef LAT_LONG
     const float angle_of_unit = radians(90.0);

@@ -5,7 +5,7 @@
 #include "common/srgb.glsl"
 
 uniform mat3 u_world_from_view;
-uniform vec2 u_tangents;  // of half the angles of sight
+uniform vec2 u_tangents;  // of half the field of view, along x and y
 uniform vec4 u_window;    // lower left corner and size, pixels
 uniform vec3 u_eye;       // radii
 

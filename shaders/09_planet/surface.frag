@@ -1,5 +1,5 @@
 #version 410 core
-// The planet: its map's normal in the light of the sun, its colours by height, slope and latitude, the air in front.
+// The planet, lit by the sun by the normals of its map. Colours depend on height, slope and latitude. Air is in front.
 
 #include "09_planet/air.glsl"
 #include "09_planet/depth.glsl"
@@ -18,7 +18,7 @@ in vec3 v_normal;
 
 uniform float u_radius;
 uniform vec3 u_eye;        // radii
-uniform float u_level;     // of the patch; below 0 it is not drawn from the eye
+uniform float u_level;     // of the patch; -1 hidden, -2 outside of the picture
 uniform float u_skirt;
 uniform float u_quads;
 

@@ -1,5 +1,5 @@
 #version 410 core
-// One triangle over the whole viewport, as far away as can be.
+// One triangle over the whole viewport, at the far plane.
 
 void main() {
     gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0);

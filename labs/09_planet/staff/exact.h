@@ -6,16 +6,17 @@
 
 namespace relief::planet {
 
-/// In radii, with its gradient on the unit sphere: tangent to it.
+/// Returns the height at the unit vector r, in radii, with its gradient on the unit sphere, a tangent vector.
 Dual exact_height(const Ground& ground, const glm::dvec3& r);
-/// Of the displaced ground, of unit length.
+/// Returns the unit normal of the displaced ground at the unit vector r.
 glm::dvec3 exact_normal(const Ground& ground, const glm::dvec3& r);
 glm::dvec3 exact_direction(Mapping mapping, int face, const glm::dvec2& st);
-/// Its derivatives by s and by t.
+/// Returns the derivatives of exact_direction() by s and by t.
 std::pair<glm::dvec3, glm::dvec3> exact_tangents(Mapping mapping, int face, const glm::dvec2& st);
-/// Split distance, skirts and horizon.
+/// Returns the correct rules for splits, skirts and the horizon.
 Rules exact_rules();
-/// The first t at which a ray (of unit length) from above the ground meets it, radii. Nothing from below it.
+/// Returns the t in radii at which a ray of unit direction first meets the ground. Returns nothing if it misses, or if
+/// it begins below the ground.
 std::optional<double> exact_hit(const Shape& shape, const Ray& ray);
 
 }  // namespace relief::planet

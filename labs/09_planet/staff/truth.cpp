@@ -1,4 +1,4 @@
-// What only the staff has of lab 09: see ../truth.h.
+// The staff's part of lab 09: see ../truth.h.
 #include "truth.h"
 
 #include <glm/gtc/constants.hpp>
@@ -58,7 +58,7 @@ Rules exact_rules() {
 
 namespace {
 
-/// How much higher than wide the ground's steepest place is, at most.
+/// Returns an upper bound of the ground's slope, rise over run: the largest of 4000 samples, with a margin.
 double steepest(const Ground& ground) {
     static std::mutex lock;
     static std::map<std::tuple<int, int, float>, double> known;
