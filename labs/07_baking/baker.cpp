@@ -7,7 +7,7 @@ namespace {
 
 constexpr int row = 1024;  // texels of a data texture, as in shaders/07_baking/walk.glsl
 
-/// `count` texels in rows of 1024 from the lowest one on; `texel(i)` is a vec4.
+/// Returns an image of `count` texels in rows of 1024, the lowest row first. `texel(i)` returns a vec4.
 template <class Source>
 Image data_image(size_t count, const Source& texel) {
     Image image(row, int(std::max<size_t>(1, (count + row - 1) / row)), 4);
@@ -25,7 +25,7 @@ Texture data_texture(const char* title, std::function<Image()> make) {
 Image node_image(const TriangleTree& tree) {
     return data_image(tree.nodes.size() * 2, [&](size_t i) {
         const TreeNode& node = tree.nodes[i / 2];
-        // Whole numbers up to 2^24 are floats.
+        // Floats represent whole numbers up to 2^24 exactly.
         return i % 2 == 0 ? glm::vec4(node.low, float(node.skip))
                           : glm::vec4(node.high, float(node.first * 8 + node.count));
     });
@@ -83,7 +83,7 @@ const Baked& Baker::bake(const Recipe& recipe) {
             : bake_.with({frame_defines[size_t(recipe.frame)], recipe.rays_of_face ? "RAYS_OF_FACE" : ""});
     const Program& pad = pad_.with();
     const Program& store = store_.with();
-    // A program that was saved and compiled anew has another name.
+    // A program gets another name when its shaders are saved and compiled again.
     const std::array<GLuint, 3> programs = {bake, pad, store};
     OfShape& kept = of_shape(recipe);
     if (kept.baked && kept.baked->recipe == recipe && kept.baked->programs == programs) return *kept.baked;
@@ -111,7 +111,7 @@ const Baked& Baker::bake(const Recipe& recipe) {
     glBindVertexArray(coarse.layout());
     glDrawElements(GL_TRIANGLES, coarse.count(), GL_UNSIGNED_INT, nullptr);
 
-    // Padding goes to and fro between two textures.
+    // Padding alternates between two textures.
     const TexelTarget* texels = &baked->texels;
     std::optional<TexelTarget> padded[2];
     for (int step = 0; step < recipe.padding; ++step) {

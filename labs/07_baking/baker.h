@@ -1,4 +1,4 @@
-// Bakes on the graphics card: the coarse model is drawn into its map, and a ray at each texel finds the fine one.
+// Bakes on the graphics card: draws the coarse model into its map, and finds the fine one by a ray from each texel.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 
 namespace relief::baking {
 
-/// What makes a program use a frame: the first three also store in it.
+/// The definitions that choose a program's frame. A bake can store in the first three.
 inline constexpr std::array frame_defines = {"", "EACH_UNIT", "GRAM_SCHMIDT", "VERTEX_BITANGENT"};
 
-/// All that a bake depends on. Numbers are places among a knob's choices.
+/// Everything that a bake depends on. `high`, `low`, `frame`, `take` and `bits` are indices into a knob's choices.
 struct Recipe {
     Model model;
     int high = 0, low = 1;
@@ -26,11 +26,11 @@ struct Recipe {
     int size = 256, bits = 0, padding = 8;
     bool operator==(const Recipe&) const = default;
 
-    /// In metres at a place of the map: `reach` is in radii of the tube, or halves of the cube's side.
+    /// Returns the reach in metres at a place of the map. `reach` itself is in Model::unit().
     double reach_at(const glm::dvec2& uv) const { return double(reach) * model.unit(uv); }
 };
 
-/// The fine model: its mesh, and what the walk through its tree reads.
+/// The fine model: its mesh, and the textures that walk.glsl reads.
 struct HighModel {
     HighModel(const Model& model, int fineness, bool cord);
     Mesh mesh;
@@ -41,29 +41,30 @@ struct HighModel {
 
 struct Baked {
     Recipe recipe;
-    std::array<GLuint, 3> programs;  ///< that made it
-    TexelTarget texels, map;         ///< texels: normals before padding, and hits; map: as it is stored, with levels
+    std::array<GLuint, 3> programs;  ///< the programs that made it
+    TexelTarget texels, map;  ///< `texels`: normals before padding, and hits; `map`: the stored map, with mip levels
 
-    /// Shares of the covered texels, and how many are covered twice.
+    /// The results of the rays, as shares of the covered texels, and the number of texels that are covered twice.
     struct Report {
-        double missed = 0, wrong = 0;
+        double missed = 0, wrong = 0;  ///< met nothing; met another part of the model
         int covered_twice = 0;
-        int unwritten = 0;  ///< without task 7.1 or 7.2 nothing is known of rays: 1 or 2, else 0
+        int unwritten = 0;  ///< 1 or 2 if task 7.1 or 7.2 is unfinished, so that the rays are unknown; else 0
     };
 };
 
 class Baker {
 public:
-    /// The high model of a recipe; made when it changes.
+    /// Returns the high model of a recipe, made again if it has changed.
     const HighModel& high(const Recipe& recipe);
-    /// The low one, cut along the diagonals that it was baked with, or the other ones.
+    /// Returns the low model of a recipe. Its quads are cut along the diagonals of the bake, or along the other ones.
     const GpuMesh& low(const Recipe& recipe, bool other_diagonal);
-    /// The map of a recipe: baked when the recipe or a shader has changed. There is one for the ammonite and one for
-    /// the cube. Leaves another framebuffer and viewport.
+    /// Returns the map of a recipe, baked again if the recipe or a shader has changed. Keeps one map for the ammonite
+    /// and one for the cube, so the reference is valid until the next bake of that shape. May change the framebuffer
+    /// and the viewport.
     const Baked& bake(const Recipe& recipe);
-    /// Reads a bake back, once.
+    /// Returns the report of the shape's latest bake. Reads its textures back at the first call.
     Baked::Report report(const Baked& baked);
-    /// Draws the cover of the map into the bound viewport, added up.
+    /// Draws the number of triangles that cover each texel into the bound framebuffer.
     void draw_cover(const Recipe& recipe);
 
 private:
@@ -72,10 +73,10 @@ private:
     Programs store_{"07_baking/window.vert", "07_baking/store.frag"};
     Programs clear_{"07_baking/window.vert", "07_baking/cover.frag"};
     Programs cover_{"07_baking/bake.vert", "07_baking/cover.frag"};
-    // 0 the ammonite's, 1 the cube's.
+    // Index 0 of of_shape_ is the ammonite, 1 the cube.
     struct OfShape {
-        Kept<std::unique_ptr<HighModel>, Model, int, bool> high;  ///< its fineness, and whether it has the cord
-        /// By fineness, and whether islands overlap; cut along the same diagonals, and along the others.
+        Kept<std::unique_ptr<HighModel>, Model, int, bool> high;  ///< by fineness and cord
+        /// By fineness and overlapping islands. Index 1 has the other diagonals than the bake.
         std::array<Kept<std::unique_ptr<GpuMesh>, Model, int, bool>, 2> low;
         std::unique_ptr<Baked> baked;
         std::optional<Baked::Report> report;

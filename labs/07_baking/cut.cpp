@@ -5,7 +5,7 @@
 namespace relief::baking {
 namespace {
 
-/// Where the half plane around the z axis, through the direction `outwards`, cuts the triangles of a mesh.
+/// Calls draw(from, to) for the section of each triangle by a half plane: from the z axis towards `outwards`.
 template <class Draw>
 void cut_mesh(const Mesh& mesh, const glm::dvec3& outwards, const Draw& draw) {
     const glm::dvec3 across(-outwards.y, outwards.x, 0);
@@ -30,7 +30,7 @@ std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Ima
         cage_color{0.36f, 0.40f, 0.46f};
     std::vector<CutLine> lines;
     if (recipe.model.shape == Shape::cube) return lines;
-    // The middle of a column of texels.
+    // The section goes through the centres of a column of texels.
     const int column = std::clamp(int((1.0f / 16 + 14.0f / 16 * share) * float(recipe.size)), 0, recipe.size - 1);
     const double u = (column + 0.5) / recipe.size;
     const double angle = 2 * glm::pi<double>() * turn_at({u, 0.0});
@@ -40,7 +40,7 @@ std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Ima
     const auto add = [&](const glm::dvec3& a, const glm::dvec3& b, glm::vec3 color, float width) {
         lines.push_back({flat(a), flat(b), color, width});
     };
-    // Where the coarse model is at a texel's middle: two triangles of a quad, cut as it was baked.
+    // Finds the place on the coarse model of a texel's centre. Quads are cut along the diagonals of the bake.
     const Fineness fineness = low_finenesses[size_t(recipe.low)];
     const Mesh low = make_low(recipe.model, fineness, false, false);
     struct Place {

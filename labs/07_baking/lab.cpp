@@ -1,7 +1,7 @@
 // Lab 07: baking.
 //
-// Normals of a fine model in a map for a coarse one: the ray of a texel, what it meets, the frame in which the normal
-// is stored, and the padding around it. Your tasks: shaders/07_baking/task.glsl
+// Normals of a fine model in a map for a coarse one: the ray of a texel, its hit, the frame in which the normal is
+// stored, and the padding around it. Your tasks: shaders/07_baking/task.glsl
 #include <fmt/format.h>
 
 #include "cut.h"
@@ -17,7 +17,7 @@ class Baking final : public Lab {
 public:
     void draw(const Frame& frame) override {
         const std::vector<View> views = views_of(frame);
-        // Bakes first: they draw elsewhere.
+        // Bakes first: they change the framebuffer.
         std::vector<const Baked*> baked;
         for (const View& view : views)
             baked.push_back(view.sight.shown == Shown::mapped || view.draws != Draws::model
@@ -123,7 +123,7 @@ private:
         recipe.overlapping = islands_ == 1, recipe.object_space = space_ == 1, recipe.rays_of_face = ray_normals_ == 1;
         recipe.frame = bake_frame_, recipe.take = take_, recipe.reach = reach_;
         recipe.size = 64 << size_, recipe.bits = bits_, recipe.padding = padding_;
-        if (shape == Shape::cube) {  // what makes no difference there
+        if (shape == Shape::cube) {  // resets settings without effect on the cube, so that they do not cause a bake
             recipe.high = 0, recipe.low = 0, recipe.cord = recipe.overlapping = false, recipe.model.gap = 0;
         }
         return recipe;
@@ -133,7 +133,7 @@ private:
     int low_triangles() const { return triangles_of(low_finenesses[size_t(low_)], whorls); }
     int high_triangles() const { return triangles_of(high_finenesses[size_t(high_)], 1); }
 
-    /// What is drawn where; the first is what a probe of the map is of.
+    /// Returns the views of the picture, each in its tile. A probe of the map has one view.
     std::vector<View> views_of(const Frame& frame) const {
         const Shape chosen = Shape(shape_);
         const Tile whole{{0, 0}, frame.size};
@@ -188,7 +188,7 @@ private:
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
     }
 
-    /// A probe has the map over all of the frame, a picture in a square.
+    /// Draws the map: over the whole frame for a probe, and otherwise in the largest square of the tile.
     void draw_map(const Frame& frame, const Tile& tile, const Baked& baked) {
         if (frame.probe.name == "normal") return;
         glm::vec4 window(0, 0, frame.size);
@@ -230,7 +230,7 @@ private:
             glm::vec2 place;
             glm::vec4 color;
         };
-        // All of the cut, in the middle of the tile.
+        // Centres the whole section in the tile.
         glm::vec2 low(INFINITY), high(-INFINITY);
         for (const CutLine& line : lines)
             low = glm::min(low, glm::min(line.from, line.to)), high = glm::max(high, glm::max(line.from, line.to));
@@ -266,7 +266,7 @@ private:
         glEnable(GL_DEPTH_TEST);
     }
 
-    /// What became of the rays, and what of them cannot be right.
+    /// Writes the results of the rays, and which settings make them wrong.
     void describe(glm::ivec2 size, const Tile& tile, const Baked::Report& report) {
         const Recipe recipe = this->recipe(Shape(shape_));
         labels_.caption(size, tile, 0,

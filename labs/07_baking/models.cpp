@@ -6,11 +6,12 @@ namespace relief::baking {
 namespace {
 
 constexpr double two_pi = 2 * glm::pi<double>();
-constexpr int ribs = 15;      // a turn
-constexpr double seam = 0.9;  // where the map's strips are cut open, radians from the outermost line
+constexpr int ribs = 15;      // per turn
+constexpr double seam = 0.9;  // of the map's strips: angle around the tube from the outermost line, radians
 constexpr double border = 1.0 / 16, strip = 1.0 / 4, step = strip + border;
 
-/// Heights of the ribs, in radii of the tube: they bend forwards, and fade where the next whorl lies on them.
+/// Returns the height of the ribs, in radii of the tube. They bend forwards, and fade where the next whorl lies on
+/// them.
 double relief_height(double turn, double around, bool with_growth_lines) {
     const double phase = two_pi * (ribs * turn - 0.45 * (1 - std::cos(around)) + 0.1 * std::sin(2 * around));
     const double free = 0.5 + 0.5 * std::cos(around);
@@ -19,7 +20,7 @@ double relief_height(double turn, double around, bool with_growth_lines) {
     return rib_height * rib + growth_line_height * line;
 }
 
-/// A place `height` above the tube, in radii of it.
+/// Returns the place at `height` above the tube, in radii of the tube.
 glm::dvec3 place(const Model& model, double turn, double around, double height) {
     const double angle = two_pi * turn;
     const glm::dvec3 outwards(std::cos(angle), std::sin(angle), 0);
@@ -28,7 +29,8 @@ glm::dvec3 place(const Model& model, double turn, double around, double height) 
            glm::dvec3(0, 0, radius * std::sin(around));
 }
 
-/// Position, normal and dP/dturn of a surface P(turn, around), by differences that double precision does not notice.
+/// Returns position, normal and dP/dturn of a surface P(turn, around). Derivatives are central differences, whose error
+/// is negligible in floats.
 template <class Surface>
 Vertex vertex_of(const Surface& at, double turn, double around) {
     constexpr double h = 1e-5;
@@ -45,7 +47,7 @@ void add_quad(Mesh& mesh, uint32_t a, uint32_t b, uint32_t c, uint32_t d, bool o
         mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
 }
 
-/// A tube that is closed around; its vertices know their turn.
+/// Adds a tube that is closed around its centre line. uv.x of a vertex is its turn plus `mark`.
 template <class Surface>
 void add_tube(Mesh& mesh, Fineness fineness, double begin, double end, float mark, const Surface& at) {
     const uint32_t first = uint32_t(mesh.vertices.size()), sides = uint32_t(fineness.sides);
@@ -62,14 +64,14 @@ void add_tube(Mesh& mesh, Fineness fineness, double begin, double end, float mar
         }
 }
 
-/// In a mirror: left becomes right, the frames left-handed.
+/// Mirrors the mesh: left becomes right, and frames change their handedness.
 void mirror(Mesh& mesh) {
     for (Vertex& vertex : mesh.vertices)
         vertex.position.x *= -1, vertex.normal.x *= -1, vertex.tangent.x *= -1, vertex.tangent.w *= -1;
     for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
 }
 
-/// In the order of their squares on the map: +x, +y, +z, -x, -y, -z.
+/// Returns the face of square f on the map. The order is +x, +y, +z, -x, -y, -z.
 const CubeFace& face_on_map(uint32_t f) { return cube_face(int(f < 3 ? 2 * f : 2 * f - 5)); }
 
 Mesh make_cube(bool averaged, bool other_diagonal) {
@@ -113,7 +115,7 @@ Mesh make_high(const Model& model, Fineness fineness, bool cord) {
              [&](double turn, double around) { return place(model, turn, around, relief_height(turn, around, fine)); });
     if (cord)
         add_tube(mesh, {96, 10}, 2.1, 2.9, 100, [&](double turn, double around) {
-            // Around a line above the tube, which wanders.
+            // The cord's centre line is above the tube and meanders.
             const double at = 0.9 + 0.5 * std::sin(two_pi * 2.3 * turn);
             const double aside = cord_radius / (1 + cord_height);
             return place(model, turn, at + aside * std::sin(around), cord_height + cord_radius * std::cos(around));

@@ -6,20 +6,23 @@
 
 namespace relief::baking {
 
-/// What a tile of the picture shows.
+/// The content of a tile of the picture.
 enum class Shown { high, low, mapped, nothing };
 struct Sight {
     Recipe recipe;
     Shown shown = Shown::mapped;
-    bool other_diagonal = false;  ///< of the model on the screen
+    bool other_diagonal = false;  ///< the model on the screen has the other diagonals than the bake
 };
 
-/// Of `normal`: what a bake without a map would show at each pixel: from the place on the coarse model that the pixel
-/// sees, by the ray of a perfect bake, to the fine one. Of the cube the normal of its face. Where nothing is met, the
-/// coarse model's own normal. Of the high model its own.
+/// Returns the exact normals of the probe `normal`, as of a bake of infinite resolution. From the place on the
+/// coarse model at a pixel a ray finds the fine one, whose normal is the result. If the ray hits nothing, it is the
+/// coarse model's normal. The cube has the normals of its faces, and the high model has its own.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Sight& sight)> normal_truth;
-/// Of `stored`, `hit` and `cover`, over a picture of the whole map: in its frame the normal at each texel of the
-/// recipe's map; metres above the coarse model; how many triangles cover the pixel.
+/// Returns the exact values of the map's probes, over a picture of the whole map:
+///  - `stored`: the normal of each texel of the recipe's map, in its frame
+///  - `hit`: height of the hit above the coarse model, metres
+///  - `cover`: number of triangles that cover the pixel
+/// Returns nothing for `stored` and `hit` if islands overlap.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Recipe& recipe)> map_truth;
 
 }  // namespace relief::baking

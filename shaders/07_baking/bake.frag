@@ -1,5 +1,5 @@
 #version 410 core
-// A texel of the map: the ray from its place, what it meets, and the normal there in the coarse model's frame.
+// A texel of the map: the ray from its place, its hit, and the normal there in the coarse model's frame.
 
 #include "07_baking/frames.glsl"
 #include "07_baking/walk.glsl"
@@ -13,8 +13,8 @@ uniform vec4 u_layout;  // of the map: lowest v of a strip, distance of strips, 
 uniform float u_reach;  // metres at turn 3
 uniform float u_growth;
 
-layout(location = 0) out vec4 o_texel;  // the normal, from -1 to 1; w: covered, 2 where a task is missing
-layout(location = 1) out vec4 o_hit;    // height, metres; 0 a miss, 1 a hit, 2 another part of the model; 1 or 2 without task 7.1 or 7.2
+layout(location = 0) out vec4 o_texel;  // the normal, from -1 to 1; w: 1 covered, 2 a task is unfinished
+layout(location = 1) out vec4 o_hit;    // height, metres; 0 miss, 1 hit, 2 other part; unfinished task 7.1 or 7.2
 
 float turn_here() {
     float whorl = clamp(floor((v_uv.y - 0.5 * u_layout.x) / u_layout.y), 0.0, 2.0);
@@ -33,7 +33,7 @@ void main() {
     float unwritten = is_unfinished ? 1.0 : 0.0;
     Found found = walk(ray, reach);
     if (is_unfinished && unwritten == 0.0) unwritten = 2.0;
-    vec3 normal = outwards;  // where nothing is met, the coarse model's own
+    vec3 normal = outwards;  // the coarse model's own, unless the ray hits
     o_hit = vec4(0.0, 0.0, unwritten, 1.0);
     if (found.height < 1e29) {
         vec4 a = vertex_of(found.triangle, 0), b = vertex_of(found.triangle, 1), c = vertex_of(found.triangle, 2);

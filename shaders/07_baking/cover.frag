@@ -1,5 +1,5 @@
 #version 410 core
-// Added up: how many triangles cover a texel.
+// Counts the triangles that cover a texel, by additive blending.
 
 uniform float u_value;
 

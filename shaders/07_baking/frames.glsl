@@ -1,4 +1,4 @@
-// Which frame is made of the interpolated normal and tangent: what a baker and a renderer must agree on.
+// The frame that is made of the interpolated normal and tangent. A baker and a renderer must use the same one.
 
 #if defined EACH_UNIT || defined GRAM_SCHMIDT
 vec3 frame_normal(vec3 n) { return normalize(n); }
@@ -17,5 +17,5 @@ vec4 frame_tangent(vec3 normal, vec4 tangent) {
 #endif
 }
 
-// Of a vector that should have unit length: itself, or `otherwise` where a normal or a frame of length 0 left no number.
+// Returns `unit`, or `otherwise` if a degenerate normal or frame has made it NaN or infinite.
 vec3 finite_or(vec3 unit, vec3 otherwise) { return dot(unit, unit) < 1.5 ? unit : otherwise; }

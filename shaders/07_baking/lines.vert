@@ -1,5 +1,5 @@
 #version 410 core
-// Lines of a drawing, made of triangles; places are in clip coordinates.
+// Lines of a drawing, made of triangles in clip coordinates.
 
 layout(location = 0) in vec2 a_place;
 layout(location = 1) in vec4 a_color;

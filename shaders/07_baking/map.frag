@@ -1,10 +1,10 @@
 #version 410 core
-// The map over a square of the picture: as it is stored, with padding and misses in other tints; or its probes.
+// The stored map over a square of the picture, with padding and misses tinted; or its probes.
 
 #include "07_baking/task.glsl"
 
 uniform sampler2D s_map;
-uniform sampler2D s_texels;  // as they were baked, before padding
+uniform sampler2D s_texels;  // baked normals, before padding
 uniform sampler2D s_hits;
 uniform vec4 u_window;  // lower left corner and size, pixels
 uniform float u_level;
@@ -14,7 +14,7 @@ layout(location = 0) out vec4 o_color;
 void main() {
     vec2 uv = (gl_FragCoord.xy - u_window.xy) / u_window.zw;
     ivec2 size = textureSize(s_texels, 0);
-    ivec2 texel = clamp(ivec2(uv * vec2(size) + 0.001), ivec2(0), size - 1);  // between two texels the upper one
+    ivec2 texel = clamp(ivec2(uv * vec2(size) + 0.001), ivec2(0), size - 1);  // on a border, the upper or right one
     bool is_covered = texelFetch(s_texels, texel, 0).w > 0.0;
     vec4 hit = texelFetch(s_hits, texel, 0);
     int level = int(u_level);

@@ -1,5 +1,5 @@
 #version 410 core
-// One step of padding: texels that no triangle covers, from their neighbours.
+// One step of padding: fills texels that no triangle covers from their neighbours.
 
 #include "07_baking/task.glsl"
 

@@ -1,6 +1,6 @@
 #version 410 core
-// The finished texels as a picture: from [-1, 1] to [0, 1], black where nothing was baked. Alpha is 0 where a task is
-// missing.
+// The finished texels as a picture: maps [-1, 1] to [0, 1], black where nothing was baked. Alpha is 0 where a task is
+// unfinished.
 
 uniform sampler2D s_texels;
 

@@ -1,5 +1,5 @@
 #version 410 core
-// A model under a raking light, or as a mirror of strips: by its vertices' normals, or by its map.
+// A model under a raking light, or as a mirror of long lamps, by the normals of its vertices or of its map.
 
 #include "07_baking/frames.glsl"
 #include "07_baking/task.glsl"
@@ -40,7 +40,8 @@ vec3 mapped_normal() {
 }
 #endif
 
-// Long lamps on all sides, each between two planes through the model: what a flat mirror shows of them is straight.
+// Returns the light of long lamps on all sides. A flat mirror shows them straight: each lies between two planes through
+// the model.
 vec3 strips(vec3 direction) {
     float across = abs(fract(2.8648 * atan(direction.x + 0.35 * direction.y, direction.z)) - 0.5);
     float lamp = smoothstep(0.36, 0.16, across);

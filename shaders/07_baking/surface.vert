@@ -1,5 +1,5 @@
 #version 410 core
-// A model to the screen: it stands in the world as it was made.
+// A model on the screen. Its coordinates are world coordinates.
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;

@@ -1,11 +1,11 @@
-// The fine model's triangles, and the way of a ray through the tree over them. All are textures 1024 texels wide.
+// The triangles of the fine model, and the walk of a ray through their tree. All textures are 1024 texels wide.
 
 #include "common/mesh_rays.glsl"
 #include "07_baking/task.glsl"
 
-uniform sampler2D s_nodes;    // two texels a node: low, where to go on after a miss; high, a leaf's triangles
-uniform sampler2D s_corners;  // three texels a triangle: position, and which vertex it is
-uniform sampler2D s_normals;  // a texel a vertex: normal and turn
+uniform sampler2D s_nodes;    // two texels per node: low, next node after a miss; high, 8 first + count of triangles
+uniform sampler2D s_corners;  // three texels per triangle: position, number of the vertex
+uniform sampler2D s_normals;  // one texel per vertex: normal, turn
 uniform int u_nodes;
 uniform int u_take;           // the nearest hit, the first, or the last
 
@@ -23,14 +23,15 @@ bool is_better(float height, bool is_front, float best) {
     return takes(height, is_front, best);
 }
 
-// What `ray` meets within 2 * reach of its origin. Heights are measured along it, so its direction must be unit.
+// Returns the hit that is_better() prefers, within 2 * reach of the ray's origin. Precondition: the direction has unit
+// length, since heights are measured along the ray.
 Found walk(BakeRay ray, float reach) {
     Found found = Found(1e30, vec3(0.0), 0);
     vec3 inverse = inverse_direction(ray.direction), shear = ray_shear(ray.direction);
     float end = 2.0 * reach;
     int node = 0;
     //(walk
-    // No ray that leads somewhere looks at so many boxes; one that is not a number might look at all.
+    // The limit is for rays with NaN, which might visit all boxes. No valid ray visits that many.
     for (int visited = 0; visited < 4096 && node < u_nodes; ++visited) {
         vec4 low = row_texel(s_nodes, 2 * node), high = row_texel(s_nodes, 2 * node + 1);
         if (!meets_box(ray.origin, inverse, end, low.xyz, high.xyz)) {

@@ -1,4 +1,4 @@
-// What only the staff has of lab 07: see ../truth.h.
+// The staff's part of lab 07: see ../truth.h.
 #include "truth.h"
 
 #include <cmath>
@@ -10,12 +10,12 @@
 namespace relief::baking {
 namespace {
 
-/// A place on the coarse model, as it is interpolated there.
+/// A place on the coarse model, interpolated between the corners of its triangle.
 struct Place {
     glm::dvec3 position{}, normal{};
     glm::dvec4 tangent{};
     glm::dvec2 uv{};
-    double cover = 0;  ///< how many triangles of the map there are
+    double cover = 0;  ///< number of triangles that cover it on the map
 };
 
 Place place_at(const Mesh& mesh, size_t triangle, const glm::dvec3& weights) {
@@ -40,7 +40,8 @@ struct Scene {
     Mesh high, low;
     TriangleTree high_tree;
 
-    /// Of the hits from the cage inwards that face the ray, the nearest to the place: its height, and the normal there.
+    /// Returns the height and the normal of the hit that is nearest to the place. Only front faces count, on the ray
+    /// from the cage inwards. Returns nothing if there is none.
     std::optional<std::pair<double, glm::dvec3>> met_from(const Place& place) const {
         const glm::dvec3 outwards = glm::normalize(place.normal);
         const double reach = recipe.reach_at(place.uv);
@@ -58,8 +59,8 @@ struct Scene {
     }
 };
 
-/// The places of a map's texels, row 0 at the top: each belongs to the triangle that covers its middle, and what lies
-/// on an edge between two to one of them.
+/// Returns the places of a map's texels, row 0 at the top. A texel belongs to the triangle that covers its centre, or
+/// to one of two triangles if its centre is on their common edge.
 std::vector<Place> texel_places(const Mesh& mesh, glm::ivec2 size) {
     std::vector<Place> places(size_t(size.x) * size_t(size.y));
     for (size_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle) {
@@ -94,7 +95,7 @@ std::vector<Place> texel_places(const Mesh& mesh, glm::ivec2 size) {
     return places;
 }
 
-/// In the recipe's frame, of unit length.
+/// Returns the normal n in the recipe's frame, of unit length.
 glm::dvec3 stored(const Recipe& recipe, const Place& place, const glm::dvec3& n) {
     if (recipe.object_space) return n;
     const glm::dvec3 tangent(place.tangent);
@@ -119,7 +120,7 @@ std::optional<Image> exact_normals(const Frame& frame, const Sight& sight) {
         if (!hit) return nothing;
         const Place place = place_at(scene.low, hit->triangle, hit->weights);
         if (sight.recipe.model.shape != Shape::cube) return glm::dvec4(scene.baked_normal(place), 0);
-        // Of the face: the longest coordinate.
+        // The face is that of the longest coordinate.
         const glm::dvec3 p = place.position - glm::dvec3(cube_centre), size = glm::abs(p);
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         glm::dvec4 face(0);
@@ -136,10 +137,10 @@ std::optional<Image> exact_map(const Frame& frame, const Probe& probe, const Rec
             return glm::dvec4(places[size_t(y) * size_t(frame.size.x) + size_t(x)].cover, 0, 0, 0);
         });
     }
-    if (recipe.overlapping) return {};  // one of two triangles has the texel
+    if (recipe.overlapping) return {};  // either of two triangles may have the texel
     const std::vector<Place> places = texel_places(scene.low, glm::ivec2(recipe.size));
     return image_of_values(frame.size, [&](int x, int y) {
-        // A pixel between two texels shows the upper one, and the one on the right.
+        // A pixel centre on the border of texels belongs to the upper and right one.
         const auto texel_of = [&](int i, int count) {
             return std::min(recipe.size - 1, int((i + 0.5) / count * recipe.size + 0.001));
         };
