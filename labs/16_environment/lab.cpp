@@ -1,7 +1,7 @@
 // Lab 16: environment.
 //
-// One bumped normal serves every light: that of the sky, of lamps, and the mirrored sky; each has its own way of being
-// hidden. Your tasks: shaders/16_environment/task.glsl
+// One bumped normal serves all lights: the light of the sky, the lamps, and the mirrored sky. Each of them is hidden in
+// its own way. Your tasks: shaders/16_environment/task.glsl
 #include <fmt/format.h>
 
 #include <cmath>
@@ -75,7 +75,7 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        if (displace_ && place() == Place::court) return {};  // its triangles are nobody's formula
+        if (displace_ && place() == Place::court) return {};  // displaced triangles have no exact intersection here
         return court::truth(frame, probe, lighting());
     }
 
@@ -98,7 +98,7 @@ private:
 
     Place place() const { return Place(scene_); }
     bool is_displaced() const { return displace_ && place() == Place::court; }
-    /// What a place in the depth map may be off by, in depths: some units in the last place of a float.
+    /// Upper bound of the rounding error in the depth map, in depths: a few units in the last place of a float.
     static constexpr double rounding = 1e-6;
 
     Lighting lighting() const {
@@ -114,7 +114,7 @@ private:
         return all;
     }
 
-    // ---- what stands there
+    // ---- the scene's meshes
 
     struct Stage {
         Scene scene;
@@ -139,7 +139,8 @@ private:
                (Material(material) == Material::marble && !scene.columns.empty());
     }
 
-    /// Each material's triangles, by `program_of(material)`. What hides much of the others comes first, the floor last.
+    /// Draws the triangles of each material by the program that program_of(material) returns. Occluders come first, the
+    /// floor last.
     template <class ProgramOf>
     void draw_meshes(const glm::dmat4& clip_from_world, ProgramOf program_of) {
         for (int i = materials - 1; i >= 0; --i) {
@@ -172,7 +173,7 @@ private:
     };
     SunView sun_view() {
         const glm::dvec3 to_sun = light_.direction<double>();
-        const Axes axes = axes_of(to_sun);  // also straight down
+        const Axes axes = axes_of(to_sun);  // valid for a sun at the zenith, too
         SunView view;
         view.light_from_world = glm::transpose(glm::dmat3(axes.right, axes.up, to_sun));
         const Scene& scene = stage().scene;
@@ -209,14 +210,14 @@ private:
         });
     }
 
-    // ---- how open the places of the picture are
+    // ---- ambient occlusion
 
     static double half_height(const Frame& frame) {
         return std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2);
     }
 
     const TexelTarget& openness(const Frame& frame) {
-        // A picture is looked at in half as many texels along each side.
+        // A picture gets its occlusion at half the resolution, a probe at the full one.
         const glm::ivec2 size = frame.probe ? frame.size : glm::max((frame.size + 1) / 2, 1);
         Nearby& near = *nearby_.get({size}, [&] { return std::make_unique<Nearby>(size); });
         near.surfaces.begin();
@@ -297,7 +298,7 @@ private:
         program.set("u_right", row(frame, 0) * right);
         program.set("u_up", row(frame, 1) * up);
         set_sky(program);
-        glDepthFunc(GL_LEQUAL);  // it is as far as can be: only where nothing stands
+        glDepthFunc(GL_LEQUAL);  // the sky is at the far plane, so it shows where nothing was drawn
         glBindVertexArray(nothing_.layout());
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glDepthFunc(GL_LESS);
@@ -376,7 +377,7 @@ private:
         for (size_t i = 0; i < lines.size(); ++i) labels_.text(lines[i], {wide, top + float(i) * line}, line);
     }
 
-    /// The terms that the shader computes at a pixel; none where there is no surface.
+    /// Returns the terms that the shader computes at a pixel, or default ones if there is no surface.
     Terms terms_at(const Frame& frame, glm::ivec2 at) {
         if (!pixel_target_)
             pixel_target_.emplace(glm::ivec2(1),

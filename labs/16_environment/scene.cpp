@@ -9,7 +9,7 @@
 namespace relief::court {
 namespace {
 
-constexpr double half = 7;  // of the court, metres
+constexpr double half = 7;  // half of the court's width, metres
 
 Scene make_court() {
     using enum Material;
@@ -23,7 +23,7 @@ Scene make_court() {
         {{7, 0, -7.3}, {7.4, 0.42, 6}, brick},            // and on the right
         {{6.92, 0.42, -7.38}, {7.48, 0.52, 6.1}, stone},  //
         {{-6.4, 0, -5.9}, {6.4, 0.16, -4.3}, stone},      // the step under the columns
-        {{-6, 3.74, -5.42}, {6, 4.2, -4.78}, stone},      // what they carry
+        {{-6, 3.74, -5.42}, {6, 4.2, -4.78}, stone},      // the beam on the columns
         {{-6.1, 4.2, -5.52}, {6.1, 4.32, -4.68}, stone},  //
         {{-7, 0, -3.2}, {-6.35, 0.46, 1.2}, stone},       // a bench
         {{1.35, 0, -1.65}, {2.45, 0.16, -0.55}, stone},   // the ball's foot
@@ -40,7 +40,7 @@ Scene make_court() {
     return scene;
 }
 
-// Two walls that meet along the z axis, as good as endless.
+// Two walls that meet along the z axis, long enough to count as infinite.
 Scene make_groove(double tilt) {
     const double steep = std::tan(glm::radians(std::clamp(tilt, 0.0, 80.0)));
     constexpr double length = 60;
@@ -52,7 +52,7 @@ Scene make_groove(double tilt) {
     return scene;
 }
 
-// A plane, and perhaps a board over it that casts a shadow.
+// A plane, optionally under a board that casts a shadow.
 Scene make_plane(double tilt, bool has_board) {
     const double angle = glm::radians(tilt), side = 6;
     const glm::dvec3 right(side * std::cos(angle), side * std::sin(angle), 0), up(0, 0, -side);
@@ -64,7 +64,7 @@ Scene make_plane(double tilt, bool has_board) {
     return scene;
 }
 
-/// A plane's part, uv in tiles of its material.
+/// Adds a quad as a grid of cells x cells. uv are in tiles of its material.
 void add_quad(Mesh& mesh, const Quad& quad, int cells) {
     const auto first = uint32_t(mesh.vertices.size());
     const glm::dvec3 normal = glm::normalize(glm::cross(quad.right, quad.up));

@@ -1,4 +1,4 @@
-// What stands in lab 16's scenes, in shapes that a ray meets exactly, and as triangles.
+// The scenes of lab 16, as shapes with exact ray intersections, and as triangles.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace relief::court {
 
-/// By which maps a thing is covered: what is drawn together.
+/// The texture set of a surface. Each is drawn by one call.
 enum class Material { floor, brick, stone, marble };
 constexpr int materials = 4;
 constexpr double marble_gloss = 0.9;
-/// Metres that a tile of its maps covers. On marble columns and balls a tile goes once around.
+/// Width in metres of a tile of each material's maps. On columns and balls of marble a tile goes once around.
 constexpr std::array<double, materials> tile_of = {2, 1, 2, 1.9};
 
 /// Axis-aligned.
@@ -41,41 +41,41 @@ struct Scene {
     std::vector<Column> columns;
     std::vector<Ball> balls;
     std::vector<Quad> quads;
-    glm::dvec3 low, high;  ///< of all of it
-    double reach;          ///< how far occlusion looks, metres
+    glm::dvec3 low, high;  ///< bounding box of the scene
+    double reach;          ///< largest distance of an occluder, metres
 };
 
 enum class Place { court, groove, plane, board };
-/// `tilt` in degrees: how steep the walls of the groove are, and how far the plane is turned about the z axis; it lies
-/// alone, or under a board.
+/// Returns a scene. `tilt` in degrees is the slope of the groove's walls, clamped to [0, 80], or the plane's rotation
+/// about the z axis. The board lies above the plane and casts a shadow on it. The court has no tilt.
 Scene make_scene(Place place, double tilt);
 
-/// The directions of u and v on a plane that faces `normal`: u to the right seen from outside, v up.
+/// The unit directions of u and v on a plane, as seen from its front: u to the right, v up.
 struct Axes {
     glm::dvec3 right, up;
 };
+/// Returns the axes of a plane with a unit normal. On a horizontal plane u is +x.
 Axes axes_of(const glm::dvec3& normal);
 
-/// Triangles of one material. The court's floor is a grid where it is to be displaced.
+/// Returns the triangles of one material. With `displaced` the court's floor is a grid.
 Mesh mesh_of(const Scene& scene, Material material, bool displaced);
 
-/// The ground of the court, about -1 to 1, and how it changes along x and z. Where it lies below the water there is a
-/// puddle.
+/// The ground of the court: its height, about -1 to 1, and the derivatives along x and z. Below `water` it is a puddle.
 struct Ground {
     double height;
     glm::dvec2 slope;
 };
 Ground ground_at(const glm::dvec2& place);
-/// The waves of the ground: how many radians a metre along x and z, amplitude, phase.
+/// The waves of the ground: radians per metre along x and z, amplitude, phase in radians.
 constexpr int ground_waves = 6;
 extern const std::array<glm::dvec4, ground_waves> ground_terms;
 constexpr double water = -0.06;
-constexpr double rise = 0.075;  ///< metres: the displaced floor stands rise * (ground - water)^2 above its puddles
+constexpr double rise = 0.075;  ///< metres: the displaced floor is rise * (ground - water)^2 above its puddles
 double floor_height(const glm::dvec2& place);
 
-/// The evening sky in a direction of unit length, in linear light; the sun stands over +z.
+/// Returns the linear light of the evening sky in a unit direction. The sun is above +z.
 glm::dvec3 sky(const glm::dvec3& direction);
-/// The sky is a sum of these: color exp(sharpness (dot(direction, middle) - 1)).
+/// A spherical Gaussian: color exp(sharpness (dot(direction, middle) - 1)). The sky is a sum of lobes.
 struct Lobe {
     glm::dvec3 color;
     double sharpness;

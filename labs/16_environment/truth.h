@@ -10,31 +10,39 @@ namespace relief::court {
 enum class Fresnel { whole, schlick, exact };
 enum class Gloss { map, even, mirror };
 
-/// A scene with its lights, and which of their terms count.
+/// A scene, its lights, and the terms of the lighting that are switched on.
 struct Lighting {
     Scene scene;
     bool has_puddles = false;
     glm::dvec3 to_sun{0, 1, 0};
     double sun_yaw_rad = 0;
     int lamps = 1;                           ///< the first is the sun
-    std::array<glm::dvec3, 3> lamp_color{};  ///< of the others: a metre away
+    std::array<glm::dvec3, 3> lamp_color{};  ///< that of the sun; of the others at a distance of one metre
     std::array<glm::dvec3, 3> lamp_place{};
-    std::array<glm::dvec3, 2> ambient{};  ///< from below, from above
+    std::array<glm::dvec3, 2> ambient{};  ///< light from below, and from above
     double exponent = 256, roughness = 0;
     Fresnel fresnel = Fresnel::schlick;
     Gloss gloss = Gloss::map;
     bool reflection = true, shadow = true, ao = true, occlusion = true, light_only = false;
 };
 
-/// What makes up the light that leaves a place.
+/// The terms of the light that leaves a place. `occlusion` and `shadow` are 1 where nothing hides the sky or the sun;
+/// `share` is the share of light that is mirrored.
 struct Terms {
     glm::dvec3 ambient{0}, lamps{0}, mirror{0}, light{0};
     double occlusion = 1, shadow = 1, share = 0;
 };
 
-/// At the place that the ray of each pixel meets: `normal`; `reflection`, the light that is mirrored there; `fresnel`
-/// (share); `exponent`; `shadow`, 1 where the sun is seen; `occlusion`, how open it is by 1024 rays; `light`.
+/// Returns the exact values of a probe at the place that the ray of each pixel hits:
+///  - `normal`: the bumped normal
+///  - `reflection`: light of the mirrored sky
+///  - `fresnel`: share of the light that is mirrored
+///  - `exponent`: exponent of the highlight
+///  - `shadow`: 1 where the sun is visible, else 0
+///  - `occlusion`: share of the sky that is visible, by 1024 rays
+///  - `light`: linear light that leaves the place
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Lighting& lighting)> truth;
+/// Returns the exact terms at the place that a ray hits, or nothing if it hits no surface.
 inline FromStaff<std::optional<Terms>(const Ray& ray, const Lighting& lighting)> exact_terms;
 
 }  // namespace relief::court

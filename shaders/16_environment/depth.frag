@@ -1,4 +1,4 @@
 #version 410 core
-// The sun's depth map: depth alone.
+// The sun's depth map: writes depth only.
 
 void main() {}

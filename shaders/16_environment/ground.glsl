@@ -1,12 +1,12 @@
-// The ground of the court: where it lies below the water there is a puddle, and where the floor is displaced it rises
-// above.
+// The ground of the court. Below the water it is a puddle. A displaced floor rises above the water.
 
-uniform vec4 u_ground[6];  // radians a metre along x and z, amplitude, phase
+uniform vec4 u_ground[6];  // radians per metre along x and z, amplitude, phase
 uniform float u_water;
 uniform float u_rise;  // metres; 0 is flat
 
-// Cosine and sine of an angle, within 1e-6 and 2e-5: polynomials of the turn's part in [-1/2, 1/2], through Chebyshev's
-// nodes. On a processor the two of the language take a quarter of the frame, since each reduces the angle anew.
+// Returns cosine and sine of an angle, with errors below 1e-6 and 2e-5. They are polynomials through Chebyshev nodes,
+// after a range reduction to [-1/2, 1/2] turns. On a CPU the built-in functions take a quarter of the frame's time,
+// since each reduces the angle for itself.
 vec2 cosine_and_sine(float angle) {
     float turn = angle / 6.28318531;
     turn -= floor(turn + 0.5);
@@ -15,7 +15,7 @@ vec2 cosine_and_sine(float angle) {
                 ((((33.5357062 * t - 74.9030857) * t + 81.4467145) * t - 41.3367821) * t + 6.2831607) * turn);
 }
 
-// Its height and its slopes along x and z.
+// Returns the height of the ground and its slopes along x and z.
 vec3 ground_at(vec2 place) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 6; ++i) {
@@ -26,7 +26,7 @@ vec3 ground_at(vec2 place) {
     return sum;
 }
 
-// The floor's height and slopes, metres.
+// Returns the height of the displaced floor in metres, and its slopes along x and z.
 vec3 floor_at(vec3 ground) {
     float above = max(0.0, ground.x - u_water);
     return u_rise * above * vec3(above, 2.0 * ground.yz);

@@ -1,5 +1,5 @@
 #version 410 core
-// What occlusion looks at: the normal of the surface in the camera's space, and how far ahead it lies.
+// The input of occlusion: the surface's normal in the camera's space, and its distance ahead.
 
 in vec3 v_normal;
 in vec4 v_clip;

@@ -1,5 +1,5 @@
 #version 410 core
-// Everything in the scene: the same triangles for the picture, for the sun's depth map and for occlusion.
+// All surfaces of the scene: the same triangles for the picture, the sun's depth map and occlusion.
 
 #ifdef DISPLACED
 #include "16_environment/ground.glsl"

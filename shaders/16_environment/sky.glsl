@@ -1,4 +1,4 @@
-// The sky's cube map: the sun stands over its +z, and turns with the light.
+// The sky's cube map. The sun is above its +z, so the map turns with the light.
 
 uniform samplerCube s_sky;
 uniform vec2 u_sun;  // sine and cosine of the sun's yaw
@@ -9,5 +9,5 @@ vec3 sky_at(vec3 direction, float level) {
     return textureLod(s_sky, turned, level).rgb;
 }
 
-// The eye's response: bright light is compressed, and keeps its colour a little.
+// Compresses bright light to values below 1. It keeps some of its colour.
 vec3 exposed(vec3 light) { return 1.0 - exp(-1.5 * light); }

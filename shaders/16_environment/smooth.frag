@@ -1,5 +1,6 @@
 #version 410 core
-// The mean over neighbours at about the same distance: 1 2 1 along both axes takes each of four patterns alike.
+// The mean of neighbours at about the same distance. The weights 1 2 1 along both axes give all four patterns of
+// occlusion.frag the same weight.
 
 uniform sampler2D s_open;
 

@@ -1,5 +1,5 @@
 #version 410 core
-// The court's surfaces: light of the sky, of lamps and of the mirrored sky, each with what hides it.
+// The surfaces of the court: the light of the sky, of the lamps and of the mirrored sky, each with its occlusion.
 
 #include "16_environment/ground.glsl"
 #include "16_environment/sky.glsl"
@@ -31,14 +31,14 @@ uniform sampler2DShadow s_shadow;
 
 uniform vec3 u_eye;
 uniform float u_roughness;
-uniform float u_exponent;     // of the glossiest
-uniform float u_side;         // texels along an edge of the sky
+uniform float u_exponent;     // of a gloss of 1
+uniform float u_side;         // texels along an edge of the sky's cube map
 uniform vec3 u_ambient[2];    // from below, from above
 uniform vec3 u_lamp_color[3];
-uniform vec3 u_lamp_place[3]; // of the first: its direction
+uniform vec3 u_lamp_place[3]; // position; of the first, the sun, the direction to it
 uniform mat3 u_light_from_world;
 uniform mat4 u_light_clip_from_world;
-uniform vec3 u_shadow;        // metres: a texel's width, all depths; rounding, in depths
+uniform vec3 u_shadow;        // metres: a texel's width, range of depths; rounding, in depths
 uniform int u_pcf;
 
 #ifdef TERMS
@@ -52,7 +52,7 @@ layout(location = 0) out vec4 o_color;
 
 vec4 read_map(sampler2D map, vec2 uv) {
 #ifdef LEVEL_0
-    // The filter of level 0 in floats: a driver may take weights of 8 bits.
+    // Filters level 0 in floats, since a driver's filter may have weights of 8 bits.
     ivec2 size = textureSize(map, 0);
     vec2 place = fract(uv) * vec2(size) - 0.5, low = floor(place), part = place - low;
     ivec2 a = (ivec2(low) + size) % size, b = (a + 1) % size;
@@ -63,7 +63,7 @@ vec4 read_map(sampler2D map, vec2 uv) {
 #endif
 }
 
-// What is known of a place before it is lit.
+// The inputs of the lighting at a place. `straight` is the mirrored share at normal incidence.
 struct Surface {
     vec3 face, normal, albedo;
     float gloss, occlusion, straight, exponent;
@@ -83,7 +83,7 @@ Surface surface_at() {
     vec3 bump = read_map(s_normals, v_uv).xyz * 2.0 - 1.0, maps = read_map(s_packed, v_uv).rgb;
     surface.albedo = read_map(s_albedo, v_uv).rgb;
 #ifdef FLOOR
-    // Water over the lowest ground: smooth, and what is below it is darker. Joints fill first.
+    // Water covers the lowest ground, joints first. Its surface is smooth, and the ground below it is darker.
     float depth = u_water - ground.x + 0.5 * (0.6 - maps.g);
     float wet = smoothstep(0.0, 0.12, depth), damp = smoothstep(-0.35, 0.05, depth);
     bump = mix(bump, vec3(0.0, 0.0, 1.0), wet);
@@ -120,7 +120,7 @@ float mirrored_share(float straight, float cosine) {
 #endif
 }
 
-// ---- what hides
+// ---- shadow and occlusion
 
 float shadow_at(Surface surface) {
 #ifdef SHADOW
@@ -130,7 +130,7 @@ float shadow_at(Surface surface) {
 #if BIAS == CONSTANT
     bias = u_shadow.x;
 #elif BIAS == PLANE
-    // The plane is that of the triangle: of a round thing it is another than the normal says.
+    // The plane is that of the triangle, which on a round shape differs from the plane of the interpolated normal.
     vec3 plane = u_light_from_world * cross(dFdx(v_position), dFdy(v_position));
     plane *= inversesqrt(max(dot(plane, plane), 1e-24));
     bias = shadow_bias(plane.z < 0.0 ? -plane : plane, u_shadow.x, u_pcf);
@@ -141,13 +141,14 @@ float shadow_at(Surface surface) {
 #endif
 }
 
-// What the smaller picture says here, from those of its four texels that lie at about this distance.
+// Returns the occlusion from the four nearest texels of the smaller picture. Texels at about this distance ahead have
+// most of the weight.
 float open_at() {
 #ifdef AO
     vec2 size = vec2(textureSize(s_open, 0)), place = (v_clip.xy / v_clip.w * 0.5 + 0.5) * size - 0.5;
-    vec2 corner = floor(place) + 1.0, part = place - floor(place);  // where the four meet
+    vec2 corner = floor(place) + 1.0, part = place - floor(place);  // common corner of the four texels
     vec4 shares = textureGather(s_open, corner / size, 0), ahead = textureGather(s_open, corner / size, 1);
-    // A gather's order: above left, above right, below right, below left.
+    // The order of textureGather(): above left, above right, below right, below left.
     vec4 near = vec4(1.0 - part.x, part.x, part.x, 1.0 - part.x) * vec4(part.y, part.y, 1.0 - part.y, 1.0 - part.y);
     vec4 weights = (near + 1e-3) * (clamp(1.0 - 20.0 * abs(ahead - v_clip.w) / v_clip.w, 0.0, 1.0) + 1e-4);
     if (any(lessThan(shares, vec4(0.0)))) is_unfinished = true;
@@ -161,7 +162,7 @@ float open_at() {
 
 vec3 ambient_at(Surface surface) { return surface.albedo * mix(u_ambient[0], u_ambient[1], 0.5 + 0.5 * surface.normal.y); }
 
-// Of a lamp of strength 1. A half vector's exponent is four times that of a mirrored one.
+// Returns the light of a lamp of strength 1. A half vector's exponent is four times that of a mirrored direction.
 vec3 lamp_at(Surface surface, vec3 to_light, vec3 to_eye) {
     float facing = max(dot(surface.normal, to_light), 0.0), exponent = 4.0 * surface.exponent;
     vec3 between = to_light + to_eye;

@@ -20,8 +20,7 @@ vec3 mirrored(vec3 to_eye, vec3 normal, vec3 face) {
 // TASK 16.2 (3 points): fresnel() is the share of the light that is mirrored, by Schlick's approximation, where
 // `straight` is mirrored head-on. `cosine` is that between direction and normal; below 0 count it as 0.
 // sharpness() is the exponent of a surface: `largest` times its gloss. `maps` is a texel of the packed map: gloss is
-// red, height green, occlusion blue. Of rough things, `roughness` from 0 to 1, only the rest counts: gloss
-// (1 - roughness).
+// red, height green, occlusion blue. `roughness`, from 0 to 1, reduces the gloss: it becomes gloss (1 - roughness).
 //(fresnel
 float fresnel(float straight, float cosine) {
     //[solution
@@ -56,10 +55,10 @@ float blur_level(float exponent, float side) {
 }
 //)
 
-// TASK 16.4 (4 points): shadow_bias() is how much nearer to the sun a place must count, metres, so that no plane hides
-// itself. The shadow map looks along -z of the light's space; `normal` is the plane's there, its z is above 0 and may be
-// tiny: count it as at least 0.001. A texel is `texel` metres wide and holds the depth of its middle. It is compared
-// with places up to (radius + 1/2) texels away, along x and along y.
+// TASK 16.4 (4 points): shadow_bias() returns by how many metres a place has to move towards the sun, so that no plane
+// hides itself. The shadow map looks along -z of the light's space; `normal` is the plane's there, its z is above 0 and
+// may be tiny: count it as at least 0.001. A texel is `texel` metres wide and holds the depth of its middle. It is
+// compared with places up to (radius + 1/2) texels away, along x and along y.
 // lit() is the share of (2 radius + 1)^2 texels around a place that do not hide it. `place` is in the light's clip
 // space; a texture's coordinates and depths are from 0 to 1. texture(map, vec3(uv, depth)) is 1 where depth is at most
 // that of the nearest texel. `bias` is in the map's depths.

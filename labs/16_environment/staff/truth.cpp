@@ -1,4 +1,4 @@
-// What only the staff has of lab 16: see ../truth.h.
+// The staff's part of lab 16: see ../truth.h.
 #include "truth.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct Hit {
     Material material{};
 };
 
-/// A picture whose values are numbers, or light; read as GL does it on level 0.
+/// A picture of numbers or of light (decoded from sRGB), read by GL's bilinear filter on level 0.
 class Map {
 public:
     Map(const char* asset, bool is_light) : image_(read_asset(asset)) {
@@ -138,7 +138,7 @@ private:
         }
     }
 
-    /// Of a t^2 + 2 b t + c; not numbers where there are none.
+    /// Returns the roots of a t^2 + 2 b t + c, NaN if there are none.
     static std::array<double, 2> roots(double a, double b, double c) {
         const double root = std::sqrt(b * b - a * c);
         return {(-b - root) / a, (-b + root) / a};
@@ -161,7 +161,7 @@ private:
         return first;
     }
 
-    /// A tile goes once around columns and balls.
+    /// Returns the uv of a place on a column or ball. A tile goes once around.
     glm::dvec2 around(const glm::dvec3& place) const {
         for (const Column& column : lighting_.scene.columns) {
             const glm::dvec3 from = place - column.foot;
@@ -218,15 +218,15 @@ private:
         return (s * s + p * p) / 2;
     }
 
-    /// The sky's direction of one of the world.
+    /// Returns a direction of the world in the coordinates of the sky, which turns with the sun.
     glm::dvec3 turned(const glm::dvec3& direction) const {
         const double s = std::sin(lighting_.sun_yaw_rad), c = std::cos(lighting_.sun_yaw_rad);
         return {c * direction.x - s * direction.z, direction.y, s * direction.x + c * direction.z};
     }
 
-    /// Blurred by the cosine to the power of the exponent m, which falls off as exp(-m a^2 / 2) over an angle a, and a
-    /// lobe of sharpness k of the sky as exp(-k a^2 / 2): the wider of the two is read at places of the narrower one,
-    /// each of which stands for as much of it.
+    /// Returns the light of the mirrored sky, blurred by cos^m, where m is the surface's exponent. At an angle a the
+    /// blur falls off as exp(-m a^2 / 2), and a lobe of the sky of sharpness k as exp(-k a^2 / 2). The wider of the two
+    /// is sampled at places of the narrower one, which have equal weights.
     glm::dvec3 mirrored_sky(const Surface& surface, const glm::dvec3& to_eye, const glm::dvec3& normal) const {
         glm::dvec3 from = 2 * glm::dot(normal, to_eye) * normal - to_eye;
         from -= 2 * std::min(0.0, glm::dot(from, surface.face)) * surface.face;
@@ -235,7 +235,7 @@ private:
         const double m = surface.exponent;
         glm::dvec3 sum(0);
         const std::vector<Lobe>& lobes = sky_lobes();
-        const double least = std::exp(-20 / std::max(m, 1e-9));  // beyond it the cosine's power is below 2e-9
+        const double least = std::exp(-20 / std::max(m, 1e-9));  // a smaller cosine has a power below 2.1e-9
         for (size_t i = 0; i < lobes.size(); ++i) {
             const double k = lobes[i].sharpness;
             if (k <= m) continue;
@@ -244,7 +244,7 @@ private:
                 const double cosine = glm::dot(place, from);
                 if (cosine > least) seen += std::pow(cosine, m);
             }
-            // Of all its light exp(-2 k) is on the other side.
+            // The integral of the lobe over the sphere is 2 pi / k (1 - exp(-2 k)).
             sum += lobes[i].color * ((m + 1) / k * (1 - std::exp(-2 * k)) * seen / places);
         }
         for (const glm::dvec3& place : places_around(from, [m](double u) { return std::pow(u, 1 / (m + 1)); }))
@@ -256,7 +256,8 @@ private:
 
     static constexpr int rings = 8, spokes = 11, places = rings * spokes;
     using Places = std::array<glm::dvec3, size_t(places)>;
-    /// Places around a direction, in rings that hold equal parts of a lobe; `cosine_of` is from its share within.
+    /// Returns places around a direction, in rings with equal shares of a lobe. cosine_of(share) returns the cosine of
+    /// the angle that bounds a share of the lobe.
     template <class CosineOf>
     static Places places_around(const glm::dvec3& middle, CosineOf cosine_of) {
         const Axes axes = axes_of(middle);
@@ -289,7 +290,7 @@ private:
         return is_free({surface.place + 1e-7 * surface.face, lighting_.to_sun}, INFINITY) ? 1 : 0;
     }
 
-    /// 1024 rays, by the cosine (Hammersley's points).
+    /// Returns the share of 1024 cosine-distributed rays (Hammersley points) that meet no occluder.
     double openness(const Surface& surface) const {
         constexpr int rays = 1024;
         const Axes axes = axes_of(surface.face);
