@@ -1,8 +1,7 @@
 // Lab 12: the exact hit.
 //
-// The exact first hit of the view ray and the relief: five ways to skip what it cannot hit, the shadow, depth and
-// outline that follow from the hit.
-// Your tasks: shaders/12_relief_exact/task.glsl
+// The exact first hit of the view ray and the relief, with five ways to skip places that it cannot hit. Shadow, depth
+// and outline follow from the hit. Your tasks: shaders/12_relief_exact/task.glsl
 #include <fmt/format.h>
 
 #include <glm/gtc/constants.hpp>
@@ -142,7 +141,7 @@ private:
         glDrawElements(GL_TRIANGLES, ball_.count(), GL_UNSIGNED_INT, nullptr);
     }
 
-    /// Mean iterations over a small copy of the picture; infinity before the tasks are written.
+    /// Returns the mean number of iterations over a small copy of the picture. Infinity before the tasks are written.
     double measure(Frame frame, Method method) {
         frame.probe = {"steps"};
         frame.size = {64, 64};

@@ -1,4 +1,4 @@
-// The scene of lab 12: reliefs at their places, and a ball among them.
+// The scene of lab 12: reliefs, and a ball among them.
 #pragma once
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -8,24 +8,26 @@
 
 namespace relief::exact {
 
-/// One relief. On a cylinder the relief's own outline is that of a base which bends; a wall ends where its uv do.
+/// One relief of the scene. With `outline` a relief has an exact outline: a column's base bends, and surfaces end at
+/// the border of their uv.
 struct Object {
     const ReliefSurface* surface;
     glm::dmat4 world_from_model{1};
 
-    /// From the front alone: a far half's base is nearer than some of what the near half's view rays hit.
+    /// Returns whether the shape is closed. Then cull back faces: their base would hide valid hits on the near half.
     bool is_closed() const { return surface->shape != ReliefSurface::wall; }
+    /// Returns the radius of the cylinder that the base is, in metres; 0 for a flat base.
     double radius(bool outline) const {
         return outline && surface->shape == ReliefSurface::column ? double(ReliefSurface::column_radius) : 0;
     }
-    /// Between which uv there is a surface.
+    /// Returns the lowest and the highest uv of the surface; +-1e30 without a border.
     std::pair<glm::vec2, glm::vec2> border(bool outline) const {
         const glm::vec2 far(1e30f);
         if (!outline || surface->shape == ReliefSurface::urn) return {-far, far};
         const ReliefMapping mapping = surface->mapping();
         glm::vec2 low = glm::min(mapping.shift, mapping.shift + mapping.repeat),
                   high = glm::max(mapping.shift, mapping.shift + mapping.repeat);
-        if (surface->shape == ReliefSurface::column) {  // it closes around
+        if (surface->shape == ReliefSurface::column) {  // it has no border along u
             low.x = -far.x;
             high.x = far.x;
         }

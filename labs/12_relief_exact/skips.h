@@ -1,5 +1,4 @@
-// The maps that each search of lab 12 uses: computed when first needed, on the GPU from then
-// on.
+// The maps that the searches of lab 12 read. A map is made and uploaded when it is first needed.
 #pragma once
 
 #include <algorithm>
@@ -23,13 +22,14 @@ public:
           highest_(heights.values.empty() ? 0 : *std::max_element(heights.values.begin(), heights.values.end())) {}
     Skips(const Skips&) = delete;
 
-    /// Uniforms, and a texture on unit 3, for shaders/12_relief_exact/search.glsl; the program is in use.
+    /// Sets the uniforms of shaders/12_relief_exact/search.glsl, and binds a texture to unit 3. Precondition: the
+    /// program is in use.
     void set(const Program& program, Method method);
 
     struct Costs {
-        double megabytes = 0, milliseconds = 0;  ///< memory of the textures; time to make and to upload them
+        double megabytes = 0, milliseconds = 0;  ///< memory of the textures; time of making and uploading them
     };
-    /// Of what set() has made for the method.
+    /// Returns the costs of the maps that set() has made for the method; 0 before.
     Costs costs(Method method) const { return costs_[size_t(method)]; }
 
 private:

@@ -13,10 +13,11 @@ namespace relief::exact {
 struct Sight {
     std::vector<Object> objects;
     std::optional<Ball> ball;
-    bool outline;         ///< reliefs end where they end, and bend with their base
+    bool outline;         ///< see Object in scene.h
     glm::dvec3 to_light;  ///< unit, in the world
 };
 
+/// Returns the exact values of the probes at the first hit of each pixel's ray.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Sight& sight)> truth;
 
 }  // namespace relief::exact

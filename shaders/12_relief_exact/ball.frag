@@ -1,5 +1,5 @@
 #version 410 core
-// A ball, to see where it goes through a relief.
+// A ball that intersects a relief, which shows the relief's depth.
 
 #include "common/light.glsl"
 #include "common/srgb.glsl"
@@ -9,7 +9,7 @@ in vec3 v_normal;
 
 uniform vec3 u_eye;
 uniform vec3 u_to_light;
-uniform float u_nothing;  // +infinity: what a probe holds where it has no surface
+uniform float u_nothing;  // +infinity, the value of a probe without a surface
 
 layout(location = 0) out vec4 o_color;
 

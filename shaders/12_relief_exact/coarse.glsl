@@ -1,6 +1,6 @@
-// Two cells at a time, while nothing in the 5 x 5 cells around is as high as the ray.
+// Skips two cells at a time, as long as the ray is above all of the 5 x 5 cells around it.
 
-uniform sampler2D s_around;  // the highest in 5 x 5 cells
+uniform sampler2D s_around;  // maximum of 5 x 5 cells
 
 float next_t(Look at) {
     vec2 size = vec2(textureSize(s_heights, 0));

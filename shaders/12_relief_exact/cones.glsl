@@ -1,6 +1,7 @@
-// Along an empty cone that stands on the cell (Dummer 2006): along the way its wall rises and the ray falls.
+// Skips to the wall of an empty cone that stands on the cell (Dummer 2006). Along the ray the wall rises and the ray
+// falls.
 
-uniform sampler2D s_cones;  // over a cell's highest corner, texels of free radius per unit of height
+uniform sampler2D s_cones;  // free radius of the cone above a cell's highest corner, texels per unit of height
 
 float next_t(Look at) {
     vec2 size = vec2(textureSize(s_heights, 0));

@@ -1,7 +1,7 @@
-// Over squares of 2, 4, 8 and 16 cells: a larger one after each that the ray passes over, else a smaller one (after
-// Tevs, Ihrke and Seidel 2008).
+// Skips squares of 2, 4, 8 and 16 cells. After a square that the ray passes over it tries a larger one, and otherwise a
+// smaller one (after Tevs, Ihrke and Seidel 2008).
 
-uniform sampler2D s_bounds;  // the lowest and the highest in 2^k x 2^k cells, see min_max_atlas()
+uniform sampler2D s_bounds;  // minimum and maximum of 2^k x 2^k cells, see min_max_atlas()
 uniform int u_top_level;
 
 int level = 0;

@@ -1,34 +1,34 @@
-// The first hit of a ray and a height map, exactly: one test of what can be hit, and five ways to skip what cannot.
+// The exact first hit of a ray and a height map: one test of a cell, and five methods to skip cells without a hit.
 //
-// Every iteration of the loop looks at one cell, the bilinear surface between four texel centres, and then goes on to a
-// place that the ray reaches without a hit: at least to the next cell. So the ways differ in their number of
-// iterations and in what one costs, and not in their result. Each is a file of its own, with one function: next_t().
+// Each iteration tests one cell, the bilinear surface between four texel centres. Then it advances to a place that the
+// ray reaches without a hit, at least to the next cell. So the methods have the same result. They differ in the number
+// and the cost of their iterations. Each is a file with one function, next_t().
 
 #include "common/cell_walk.glsl"
 #include "common/height_cell.glsl"
 #include "12_relief_exact/task.glsl"
 
 uniform sampler2D s_heights;
-uniform float u_highest;  // of all heights
+uniform float u_highest;  // maximum of all heights
 
 struct ReliefHit {
     float t;
-    bool missed;   // came to the ray's end
-    bool stopped;  // had no iterations left, and ends in the air
+    bool missed;   // reached the end of the ray
+    bool stopped;  // ran out of iterations above the surface
     int iterations;
 };
 
-// What an iteration knows of a ray that did not hit its cell. Places are in texels from the cell that the ray starts
-// in, and so is `cell`; in the map that one is cell `first`.
+// The input of next_t(): a ray that did not hit its cell. Places and `cell` are in texels from the cell in which the
+// ray starts. That one is cell `first` of the map.
 struct Look {
     ReliefRay ray;
     vec2 inverse, per_cell;  // 1 / ray.along, finite, and its absolute
-    float quadrant;  // that the ray runs to: 1 for -u, 2 for -v, 3 for both
-    bool plain;      // a view ray on a flat base: it is 1 - t high
-    vec2 texel;      // in uv
+    float quadrant;  // of the ray's direction: 1 for -u, 2 for -v, 3 for both, else 0
+    bool plain;      // a view ray on a flat base: its height is 1 - t
+    vec2 texel;      // size of a texel, in uv
     vec2 first, cell;
-    float t, leaves;   // when the ray comes into the cell, and when it leaves it
-    vec2 out_of_cell;  // when it is at the wall ahead, along u and along v
+    float t, leaves;   // t at which the ray enters the cell, and leaves it
+    vec2 out_of_cell;  // t at which it is at the wall ahead, along u and along v
     vec4 corners;      // see cell_corners()
 };
 
@@ -36,7 +36,7 @@ float height_of(ReliefRay ray, float t) {
     return ray.height.x + t * (ray.height.y + t * ray.height.z);
 }
 
-// Until which t the ray stays above 1 - clearance. A ray that bends runs above its tangent, so that is never too late.
+// Returns the t until which the ray is above 1 - clearance. Conservative for a ray that bends: it is above its tangent.
 vec4 above_until(Look at, vec4 clearance) {
     if (at.plain) return clearance;
     float falls = -(at.ray.height.y + 2.0 * at.t * at.ray.height.z);
@@ -56,29 +56,29 @@ float next_t(Look at) { return at.leaves; }  // cell by cell
 #endif
 
 #ifndef WINDOWS
-void prepare(vec2 per_cell) {}  // what a way needs once a ray
+void prepare(vec2 per_cell) {}  // computes constants of a method, once per ray
 #endif
 
-// gap_above_cell() for a ray that may bend: its middle coefficient is the blossom of both.
+// As gap_above_cell(), for a ray that may bend. The middle Bernstein coefficient is the difference of their blossoms.
 vec3 gap_between(vec4 corners, ReliefRay ray, float t0, float t1, vec2 cell) {
     vec2 a = ray.start + t0 * ray.along - cell, b = ray.start + t1 * ray.along - cell;
     float along_u = corners.z - corners.w, along_v = corners.x - corners.w;
     float twist = corners.y - corners.x - along_u;
-    vec4 u = vec4(a.x, b.x, a.x, b.x), v = vec4(a.y, a.y, b.y, b.y);  // the square that the two ends span
+    vec4 u = vec4(a.x, b.x, a.x, b.x), v = vec4(a.y, a.y, b.y, b.y);  // corners of the square between the two ends
     vec4 heights = corners.w + along_u * u + v * (along_v + twist * u);
     float middle = ray.height.x + 0.5 * (ray.height.y * (t0 + t1) - heights.y - heights.z) + ray.height.z * t0 * t1;
     return vec3(height_of(ray, t0) - heights.x, middle, height_of(ray, t1) - heights.w);
 }
 
 //(search
-// From t to t_end; at t the ray is not below the surface. `before` counts the iterations that the pixel has had.
+// Searches from t, where the ray is not below the surface, to t_end. `before`: iterations used by the pixel so far.
 ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int before) {
     vec2 size = vec2(textureSize(s_heights, 0)), texel = 1.0 / size, first = floor(mod(ray.start, size));
     ray.start = fract(ray.start);
     vec2 way = way_of(ray.along), per_cell = 1.0 / max(abs(ray.along), vec2(1e-9)), inverse = way * per_cell;
     float quadrant = dot(vec2(1.0, 2.0), max(-way, 0.0));
     vec2 ahead = start_along(ray.start, way), by = abs(ray.along), passed = floor(ahead + t * by);
-    // A software renderer computes again in each iteration what does not change in it: so it is done before.
+    // Computed before the loop: a software renderer would compute it in each iteration.
     vec2 out_of_first = leave_square(ray, inverse, vec2(0.0), 1.0);
     prepare(per_cell);
     vec3 gap = vec3(0.0);

@@ -1,5 +1,5 @@
 #version 410 core
-// A relief, hit exactly: in its own shadow, at its own depth, with its own outline.
+// A relief by the exact hit, with shadows on itself, and with exact depth and outline.
 
 #ifdef GL_ARB_conservative_depth
 #extension GL_ARB_conservative_depth : enable
@@ -17,28 +17,28 @@ in vec2 v_uv;
 
 uniform mat4 u_clip_from_world;
 uniform vec3 u_eye;
-uniform vec3 u_to_light;       // unit: the light is far away
-uniform vec2 u_depth;          // tiles along u and v that height 1 is worth
+uniform vec3 u_to_light;       // unit: the direction to a distant light
+uniform vec2 u_depth;          // a height of 1, in tiles along u and v
 uniform float u_depth_metres;
 uniform vec2 u_normal_strength;
-uniform float u_radius;        // of the cylinder that the base is, metres
+uniform float u_radius;        // of a cylindrical base, metres
 uniform vec4 u_border;         // lowest u and v, highest u and v
 uniform int u_soft_samples;
-uniform float u_turns_from;    // pixels: to the right of it the picture shows how many iterations were taken
+uniform float u_turns_from;    // x in pixels: to its right the picture shows the number of iterations
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 
 layout(location = 0) out vec4 o_color;
 #if defined WRITE_DEPTH && defined GL_ARB_conservative_depth
-layout(depth_greater) out float gl_FragDepth;  // a relief lies behind its base: what is hidden already stays so
+layout(depth_greater) out float gl_FragDepth;  // a relief is behind its base, so early depth tests stay valid
 #endif
 
-const float least_slant = 0.002;  // a flatter view ray counts as no flatter: a float could not follow it
+const float least_slant = 0.002;  // lower bound: floats could not follow a flatter view ray
 
-// 1 in the light, 0 in the shadow.
+// Returns 1 in the light and 0 in shadow, or a share for a soft shadow.
 float light_at(ReliefRay ray, int iterations) {
 #if defined SOFT_SHADOW
-    // How far the relief reaches above the ray, against how far away: what covers more of a light that has a size.
+    // The relief's height above the ray, divided by its distance, estimates the covered share of a light with a size.
     const float hardness = 3.0;
     vec2 size = vec2(textureSize(s_heights, 0));
     float covered = 0.0;
@@ -53,13 +53,13 @@ float light_at(ReliefRay ray, int iterations) {
 #endif
 }
 
-// The same for a hit, whose place is in tiles and whose height in heights; the light's direction in tangent space; the
-// iterations that the pixel has had.
+// Returns light_at() for a hit, at `uv` in tiles and at a height in [0, 1]. `to_light` is in tangent space, and
+// `iterations` is the number that the pixel has used so far.
 float lit_at(vec2 uv, float height, vec3 to_light, int iterations) {
 #if defined HARD_SHADOW || defined SOFT_SHADOW || defined PROBE_shadow
     if (to_light.z <= 0.0) return 0.0;
     if (height >= u_highest - 1e-4) return 1.0;
-    // From a little above the relief, so that a hit does not shade itself.
+    // Starts a little above the relief, so that a hit does not shade itself.
     vec2 size = vec2(textureSize(s_heights, 0));
     return light_at(shadow_ray(vec3(uv * size - 0.5, height + 1e-4), to_light, u_depth * size), iterations);
 #else
@@ -75,7 +75,7 @@ void main() {
     bool faces = dot(to_eye, normal) > 0.0;
     float slant = max(dot(to_eye, normal), least_slant);
     vec2 size = vec2(textureSize(s_heights, 0));
-    vec2 dx = dFdx(v_uv), dy = dFdy(v_uv);  // of the base: neighbours may hit far apart
+    vec2 dx = dFdx(v_uv), dy = dFdy(v_uv);  // of the base, since the hits of neighbours may be far from each other
 
     vec2 across = -vec2(dot(to_eye, tangent), dot(to_eye, bitangent)) / slant;  // per depth
     ReliefRay view = ReliefRay(v_uv * size - 0.5, across * u_depth * size, vec3(1.0, -1.0, 0.0));
@@ -119,7 +119,7 @@ void main() {
     vec3 mapped = textureGrad(s_normals, uv, dx, dy).xyz * 2.0 - 1.0;
     vec3 n = normalize(frame * vec3(mapped.xy * u_normal_strength, mapped.z));
     vec3 light = albedo * mix(vec3(0.1, 0.09, 0.08), vec3(0.25, 0.28, 0.34), 0.5 + 0.5 * n.y);
-    // What is turned away from the light needs no search to be dark.
+    // A place that faces away from the light is dark, without a search.
     if (dot(n, u_to_light) > 0.0)
         light += lit_at(uv, height, u_to_light * frame, hit.iterations) * vec3(1.35, 1.22, 1.02)
                * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);

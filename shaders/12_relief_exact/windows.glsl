@@ -1,10 +1,10 @@
-// To where the ray leaves, or comes down to, the best of four windows ahead of its block.
+// Skips to the place where the ray leaves the best of four windows ahead of its block, or comes down to its maximum.
 
-uniform sampler2DArray s_windows;  // see height_windows(): a layer a quadrant, a texel a block, a channel a window
+uniform sampler2DArray s_windows;  // see height_windows(): layer = quadrant, texel = block, channel = window
 uniform vec4 u_window_extent;        // cells that each window reaches beyond the block
-uniform float u_block, u_per_block;  // cells along a block's side, and 1 over it
+uniform float u_block, u_per_block;  // cells along a block's side, and its reciprocal
 
-vec4 beyond_u, beyond_v;  // the time in which the ray crosses those cells, along u and along v
+vec4 beyond_u, beyond_v;  // the change of t across these cells, along u and along v
 void prepare(vec2 per_cell) { beyond_u = u_window_extent * per_cell.x, beyond_v = u_window_extent * per_cell.y; }
 
 //(windows
