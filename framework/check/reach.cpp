@@ -82,24 +82,43 @@ bool is_built_in(const std::string& name) {
 struct Found {
     std::set<std::string> words, called, defined;  ///< `called` includes what is defined
     std::set<std::string> macros;                  ///< that it defines, or takes away
+    std::set<std::string> tested;                  ///< in conditions of the preprocessor
+    std::set<std::string> handed;                  ///< to a macro, or by one, without a "(": they may get one elsewhere
     std::string interface_word;                    ///< the first that stands not before an argument, or empty
+    bool joins_words = false;
 };
 
 Found look(const std::string& text) {
     Found found;
     std::string before, before_that;  // tokens
+    int in_macro = 0;                 // brackets around the arguments of one
     for (const std::string& line : split(without_comments(text), '\n')) {
         const std::vector<std::string> tokens = tokens_of(line);
-        if (tokens.size() > 2 && tokens[0] == "#" && (tokens[1] == "define" || tokens[1] == "undef"))
-            found.macros.insert(tokens[2]);
-        for (const std::string& token : tokens) {
+        const bool is_directive = tokens.size() > 1 && tokens[0] == "#";
+        const bool is_definition = is_directive && tokens.size() > 2 && (tokens[1] == "define" || tokens[1] == "undef");
+        if (is_definition) found.macros.insert(tokens[2]);
+        found.joins_words |= line.find("##") != std::string::npos;
+        if (is_directive && (tokens[1].starts_with("if") || tokens[1] == "elif")) {
+            for (size_t i = 2; i < tokens.size(); ++i)
+                if (is_of_a_word(tokens[i][0]) && !std::isdigit(static_cast<unsigned char>(tokens[i][0])) &&
+                    tokens[i] != "defined")
+                    found.tested.insert(tokens[i]);
+            found.words.insert(found.tested.begin(), found.tested.end());
+            continue;
+        }
+        for (size_t i = 0; i < tokens.size(); ++i) {
+            const std::string& token = tokens[i];
             const bool is_argument =
                 before == "(" || before == "," || (before == "const" && (before_that == "(" || before_that == ","));
             if (found.interface_word.empty() &&
                 std::find(interface_words.begin(), interface_words.end(), token) != interface_words.end() &&
                 (!is_argument || (token != "in" && token != "out" && token != "inout")))
                 found.interface_word = token;
-            if (is_of_a_word(token[0])) found.words.insert(token);
+            const bool is_word = is_of_a_word(token[0]), is_called = i + 1 < tokens.size() && tokens[i + 1] == "(";
+            if (is_word) found.words.insert(token);
+            if (is_word && !is_called && (in_macro > 0 || (is_definition && i > 2))) found.handed.insert(token);
+            if (token == "(" && (in_macro > 0 || (!is_directive && found.macros.contains(before)))) ++in_macro;
+            if (token == ")" && in_macro > 0) --in_macro;
             if (token == "(" && !before.empty() && is_of_a_word(before[0])) {
                 found.called.insert(before);
                 // "float f(" and "float[2] f(", but not "return f(".
@@ -118,13 +137,21 @@ Found look(const std::string& text) {
 }  // namespace
 
 OtherShaders::OtherShaders(const LabEntry& lab, const Manifest& manifest) {
-    std::set<std::filesystem::path> tasks;
-    for (const TaskInfo& task : manifest.tasks) tasks.insert(course_root() / task.file);
+    std::set<std::filesystem::path> taken;  // a task's own shader is none of them
+    for (const TaskInfo& task : manifest.tasks) taken.insert(course_root() / task.file);
     lent_.insert(manifest.task_includes.begin(), manifest.task_includes.end());
-    for (const std::string& folder : {lab.folder, std::string("common")}) {
-        std::error_code ignored;  // a lab may have no shaders of its own
-        for (const auto& entry : std::filesystem::directory_iterator(course_root() / "shaders" / folder, ignored))
-            if (entry.is_regular_file() && !tasks.contains(entry.path())) add(read_file(entry.path()));
+    std::vector<std::filesystem::path> waiting;
+    std::error_code ignored;  // a lab may have no shaders of its own
+    for (const auto& entry : std::filesystem::directory_iterator(course_root() / "shaders" / lab.folder, ignored))
+        if (entry.is_regular_file()) waiting.push_back(entry.path());
+    for (const std::string& name : lent_) waiting.push_back(course_root() / "shaders" / name);
+    while (!waiting.empty()) {
+        const std::filesystem::path file = waiting.back();
+        waiting.pop_back();
+        if (!std::filesystem::is_regular_file(file, ignored) || !taken.insert(file).second) continue;
+        const std::string text = read_file(file);
+        add(text);
+        for (const std::string& name : included_by(text)) waiting.push_back(course_root() / "shaders" / name);
     }
 }
 
@@ -133,17 +160,27 @@ void OtherShaders::add(const std::string& text) {
     words_.merge(found.words);
     called_.merge(found.called);
     defined_.merge(found.defined);
+    tested_.merge(found.tested);
+    macros_.merge(found.macros);
 }
 
 std::string reaches_beyond(const std::string& task_file, const OtherShaders& others) {
     for (const std::string& name : included_by(task_file))
         if (!others.lend(name)) return fmt::format("includes {}, which is not part of this task", name);
     const Found found = look(task_file);
+    if (found.joins_words) return "has '##': write each name as a whole";
+    for (const std::string& word : found.words)
+        if (others.switch_by(word) || word.starts_with("PROBE_") || word.starts_with("__"))
+            return fmt::format("has '{}', by which the lab tells its programs apart: a task is the same in all of them",
+                               word);
     for (const std::string& macro : found.macros)
         if (others.use(macro)) return fmt::format("defines '{}', which the lab's shaders use", macro);
     for (const std::string& name : found.defined)
         if (is_built_in(name) && others.call(name))
             return fmt::format("defines '{}', a function of the language that the lab's shaders call", name);
+    for (const std::string& name : found.handed)
+        if (is_built_in(name) && others.call(name))
+            return fmt::format("has '{}' in a macro, without a '(' after it: that may define the function anew", name);
     if (!found.interface_word.empty())
         return fmt::format("has '{}' outside of a function: what a shader reads and writes is the lab's",
                            found.interface_word);

@@ -1,6 +1,7 @@
 #version 410 core
 // One light and a highlight, by the vertex normal or by the normal map; or the lamp itself.
 
+#include "common/unfinished.glsl"
 #include "01_specular_highlights/task.glsl"
 #include "common/light.glsl"
 #include "common/srgb.glsl"

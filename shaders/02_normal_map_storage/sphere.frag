@@ -2,6 +2,7 @@
 // A sphere of directions: each is stored in FORMAT, read back, and lit or compared with the original. Codes are written to
 // a texture by one pass (STORE) and read by the next, as those of a normal map are: nothing else reaches the decoder.
 
+#include "common/unfinished.glsl"
 #include "02_normal_map_storage/task.glsl"
 #include "common/heat.glsl"
 #include "common/srgb.glsl"

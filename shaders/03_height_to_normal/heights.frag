@@ -1,6 +1,7 @@
 #version 410 core
 // A height map from a picture. Alpha is 0 if the task is not written yet.
 
+#include "common/unfinished.glsl"
 #include "03_height_to_normal/task.glsl"
 
 uniform sampler2D s_picture;  // stored values (sRGB), not decoded to light

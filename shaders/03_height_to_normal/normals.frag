@@ -5,6 +5,7 @@
 // definition. They are a table with a row for each texel of a line, since the weights differ at a border that does not
 // wrap.
 
+#include "common/unfinished.glsl"
 #include "03_height_to_normal/task.glsl"
 
 uniform sampler2D s_heights;

@@ -1,6 +1,7 @@
 #version 410 core
 // Lit by one of three maps: WORLD_MAP, OBJECT_MAP or TANGENT_MAP.
 
+#include "common/unfinished.glsl"
 #include "04_object_space/task.glsl"
 #include "common/light.glsl"
 #include "common/srgb.glsl"

@@ -1,6 +1,7 @@
 #version 410 core
 // Bricks on a surface by its tangents: lit, or the angle between the tangent and dP/du.
 
+#include "common/unfinished.glsl"
 #include "05_tangent_basis/task.glsl"
 #include "common/heat.glsl"
 #include "common/light.glsl"

@@ -1,6 +1,7 @@
 #version 410 core
 // One light, in world space or in tangent space, by the vertex normal or by the normal map.
 
+#include "common/unfinished.glsl"
 #include "06_tangent_space/task.glsl"
 #include "common/light.glsl"
 #include "common/srgb.glsl"

@@ -1,6 +1,7 @@
 #version 410 core
 // The stored map over a square of the picture, with padding and misses tinted; or its probes.
 
+#include "common/unfinished.glsl"
 #include "07_baking/task.glsl"
 
 uniform sampler2D s_map;

@@ -1,6 +1,7 @@
 #version 410 core
 // One step of padding: fills texels that no triangle covers from their neighbours.
 
+#include "common/unfinished.glsl"
 #include "07_baking/task.glsl"
 
 uniform sampler2D s_texels;

@@ -2,6 +2,7 @@
 // A model under a raking light, or as a mirror of long lamps, by the normals of its vertices or of its map.
 
 #include "07_baking/frames.glsl"
+#include "common/unfinished.glsl"
 #include "07_baking/task.glsl"
 #include "common/light.glsl"
 #include "common/srgb.glsl"

@@ -1,6 +1,7 @@
 // The triangles of the fine model, and the walk of a ray through their tree. All textures are 1024 texels wide.
 
 #include "common/mesh_rays.glsl"
+#include "common/unfinished.glsl"
 #include "07_baking/task.glsl"
 
 uniform sampler2D s_nodes;    // two texels per node: low, next node after a miss; high, 8 first + count of triangles

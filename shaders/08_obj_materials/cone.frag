@@ -1,6 +1,7 @@
 #version 410 core
 // A vertical section through the lamp's light, across the view: the share that would reach a surface at each place.
 
+#include "common/unfinished.glsl"
 #include "08_obj_materials/task.glsl"
 #include "08_obj_materials/lamp.glsl"
 #include "common/srgb.glsl"

@@ -1,6 +1,7 @@
 #version 410 core
 // One mip level of a mask, drawn at one pixel per texel and magnified; or its coverage.
 
+#include "common/unfinished.glsl"
 #include "08_obj_materials/task.glsl"
 #include "common/srgb.glsl"
 

@@ -2,6 +2,7 @@
 // A surface with the features that its material names.
 
 #include "08_obj_materials/features.glsl"
+#include "common/unfinished.glsl"
 #include "08_obj_materials/task.glsl"
 #include "08_obj_materials/maps.glsl"
 #if LAMP != 2

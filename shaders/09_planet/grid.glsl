@@ -1,5 +1,6 @@
 // The grids of the planet: by equal angles (task 9.1), gnomonic, or by latitude and longitude.
 
+#include "common/unfinished.glsl"
 #include "09_planet/task.glsl"
 
 #if defined LAT_LONG

@@ -1,6 +1,7 @@
 #version 410 core
 // A relief that is guessed by METHOD: lit, or as the ERROR of the guess.
 
+#include "common/unfinished.glsl"
 #include "10_parallax_offset/task.glsl"
 #if defined ERROR || defined MEASURE
 #include "common/exact_hit.glsl"

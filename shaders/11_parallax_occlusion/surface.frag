@@ -16,6 +16,7 @@ vec4 height_texel(sampler2D heights, vec2 uv, float level) {
 #endif
 }
 #define textureLod height_texel
+#include "common/unfinished.glsl"
 #include "11_parallax_occlusion/task.glsl"
 #undef textureLod
 

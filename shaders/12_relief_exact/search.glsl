@@ -6,6 +6,7 @@
 
 #include "common/cell_walk.glsl"
 #include "common/height_cell.glsl"
+#include "common/unfinished.glsl"
 #include "12_relief_exact/task.glsl"
 
 uniform sampler2D s_heights;

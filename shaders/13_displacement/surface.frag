@@ -1,6 +1,7 @@
 #version 410 core
 // A displaced surface, lit with normals from one of four sources.
 
+#include "common/unfinished.glsl"
 #include "13_displacement/task.glsl"
 #include "common/light.glsl"
 #include "common/patch.glsl"

@@ -1,6 +1,7 @@
 #version 410 core
 // The vertices that the tessellator makes, displaced by the height map.
 
+#include "common/unfinished.glsl"
 #include "13_displacement/task.glsl"
 #include "common/patch_vertex.glsl"
 

@@ -1,6 +1,7 @@
 #version 410 core
 // The level of each edge of a patch, and whether the patch is culled.
 
+#include "common/unfinished.glsl"
 #include "14_adaptive_displacement/task.glsl"
 #include "common/patch_corner.glsl"
 

@@ -1,6 +1,7 @@
 #version 410 core
 // A displaced surface with a normal map, or the state of its patches in colours.
 
+#include "common/unfinished.glsl"
 #include "14_adaptive_displacement/task.glsl"
 #include "common/heat.glsl"
 #include "common/light.glsl"

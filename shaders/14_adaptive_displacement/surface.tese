@@ -1,6 +1,7 @@
 #version 410 core
 // The vertices that the tessellator makes, displaced by the part of the relief that is left at their distance.
 
+#include "common/unfinished.glsl"
 #include "14_adaptive_displacement/task.glsl"
 #include "common/patch_vertex.glsl"
 

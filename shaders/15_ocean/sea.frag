@@ -4,6 +4,7 @@
 
 #include "15_ocean/maps.glsl"
 #include "15_ocean/sky.glsl"
+#include "common/unfinished.glsl"
 #include "15_ocean/task.glsl"
 #include "common/heat.glsl"
 #include "common/srgb.glsl"

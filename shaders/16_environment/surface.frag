@@ -3,6 +3,7 @@
 
 #include "16_environment/ground.glsl"
 #include "16_environment/sky.glsl"
+#include "common/unfinished.glsl"
 #include "16_environment/task.glsl"
 #include "common/srgb.glsl"
 

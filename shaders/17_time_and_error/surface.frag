@@ -2,6 +2,7 @@
 // A wall within the budget. METHODS has a bit for each method that is compiled in. If there are several, each pixel
 // chooses the cheapest one that keeps the budget.
 
+#include "common/unfinished.glsl"
 #include "17_time_and_error/task.glsl"
 
 // A search reads heights by these two functions only, which count the reads.

@@ -2,6 +2,7 @@
 // The levels of the edges of a displaced cell: the lowest that keep the budget. An edge is a whole number of texels or
 // half texels long. Both its neighbours cut it in the same places.
 
+#include "common/unfinished.glsl"
 #include "17_time_and_error/task.glsl"
 
 layout(vertices = 4) out;

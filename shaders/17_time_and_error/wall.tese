@@ -1,6 +1,7 @@
 #version 410 core
 // The wall, displaced by its thinned relief.
 
+#include "common/unfinished.glsl"
 #include "17_time_and_error/task.glsl"
 
 layout(quads, equal_spacing, ccw) in;

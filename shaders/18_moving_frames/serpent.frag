@@ -4,6 +4,7 @@
 #include "18_moving_frames/passed.glsl"
 #include "18_moving_frames/skin.glsl"
 #include "18_moving_frames/sky.glsl"
+#include "common/unfinished.glsl"
 #include "18_moving_frames/task.glsl"
 #include "common/heat.glsl"
 #include "common/light.glsl"

@@ -4,6 +4,7 @@
 #define VERTEX_STAGE
 #include "18_moving_frames/passed.glsl"
 #include "18_moving_frames/skin.glsl"
+#include "common/unfinished.glsl"
 #include "18_moving_frames/task.glsl"
 
 layout(location = 0) in vec3 a_position;

@@ -1,8 +1,12 @@
 // A task's shader is its functions: what would change the lab's other shaders is refused, and nothing else.
 #include "framework/check/reach.h"
 
+#include <optional>
+#include <set>
+
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
+#include "framework/gl/shader_source.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -34,6 +38,55 @@ TEST(Reach, IsRefusedWhereAShaderWouldChangeOrReadTheRest) {
         EXPECT_EQ(said("#define mine " + word + "\nmine vec3 u_other;"), refused);
         EXPECT_EQ(said("\n#if 0\n(\n#endif\n" + word + " vec3 u_other;"), refused) << "brackets hide nothing";
     }
+}
+
+TEST(Reach, IsRefusedWhereATaskWouldTellOneProgramFromAnother) {
+    OtherShaders others;
+    others.add(
+        "#define SIZE 3\n#if defined PROBE_uv || METHOD == 2\n#endif\n#ifdef SIZE\n#elif WIRE\n#endif\nvoid main() {}");
+    const auto said = [&](const std::string& text) { return reaches_beyond(text, others); };
+    const auto refused = [](const std::string& word) {
+        return "has '" + word + "', by which the lab tells its programs apart: a task is the same in all of them";
+    };
+    EXPECT_EQ(said("#ifdef PROBE_uv\n#endif\n"), refused("PROBE_uv"));
+    EXPECT_EQ(said("#if 1 && !defined(WIRE)\n#endif\n"), refused("WIRE"));
+    EXPECT_EQ(said("struct METHOD { float x; };\n"), refused("METHOD")) << "defined, it would be another struct";
+    EXPECT_EQ(said("#ifdef PROBE_guessed\n#endif\n"), refused("PROBE_guessed"));
+    EXPECT_EQ(said("#if __LINE__ > 9\n#endif\n"), refused("__LINE__")) << "it counts what is defined before";
+    EXPECT_EQ(said("#ifdef SIZE\n#endif\n#ifdef MINE\n#endif\n// PROBE_uv\n"), "")
+        << "the shaders' own, and a student's";
+}
+
+TEST(Reach, IsRefusedWhereAMacroMakesANameOrAFunctionOfTheLanguage) {
+    OtherShaders others;
+    others.add("void main() { o_color = vec4(max(u_x, 0.0)); }");
+    const auto said = [&](const std::string& text) { return reaches_beyond(text, others); };
+    EXPECT_EQ(said("#define J(a, b) a##b\nJ(uni, form) vec3 x;\n"), "has '##': write each name as a whole");
+    const std::string refused = "has 'max' in a macro, without a '(' after it: that may define the function anew";
+    EXPECT_EQ(said("#define J(f) float f(float a, float b) { return a; }\nJ(max)\n"), refused);
+    EXPECT_EQ(said("#define J(t, f, a) t f(a)\nJ(float, max, float a) { return a; }\n"), refused);
+    EXPECT_EQ(said("#define J max\nfloat J(float a, float b) { return a; }\n"), refused);
+    EXPECT_EQ(said("#define POSITIVE(x) max((x), 0.0)\nfloat f(float max) { return g(max, POSITIVE(1.0)); }\n"), "");
+}
+
+TEST(Reach, EveryStageHasTheHarnessBeforeTheTask) {
+    size_t stages = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(course_root() / "shaders")) {
+        const std::string kind = entry.path().extension();
+        if (!std::set<std::string>{".vert", ".tesc", ".tese", ".geom", ".frag"}.contains(kind)) continue;
+        std::optional<size_t> task, harness;
+        const ShaderSource source = load_shader(entry.path(), {});
+        for (size_t i = source.lines.size(); i > 0; --i) {
+            const std::filesystem::path& file = source.lines[i - 1].file;
+            if (file.filename() == "task.glsl") task = i;
+            if (file.filename() == "unfinished.glsl") harness = i;
+        }
+        if (!task) continue;
+        ++stages;
+        // A function of the same name in the task is then a second one, which the compiler refuses.
+        EXPECT_LT(harness.value_or(*task), *task) << entry.path();
+    }
+    EXPECT_GE(stages, 30u);
 }
 
 TEST(Reach, IsRefusedWhereAShaderIncludesWhatItsTaskHasNot) {

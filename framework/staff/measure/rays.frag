@@ -9,6 +9,7 @@
 #elif defined EXACT_COMMON
 #include "common/exact_hit.glsl"
 #elif defined STEEP
+#include "common/unfinished.glsl"
 #include "10_parallax_offset/task.glsl"
 #elif defined MARCH
 #include "11_parallax_occlusion/task.glsl"
