@@ -1,4 +1,4 @@
-// How a file is opened in an editor.
+// The commands that open a file in an editor.
 #include "framework/base/editor.h"
 
 #include "tests/support.h"

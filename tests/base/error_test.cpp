@@ -1,4 +1,4 @@
-// What an error says about its place.
+// The place in an error's message.
 #include "framework/base/error.h"
 
 #include "framework/base/paths.h"

@@ -1,4 +1,4 @@
-// Files are read whole, and written whole or not at all.
+// Files are read as a whole, and written as a whole or not at all.
 #include "framework/base/file.h"
 
 #include <fcntl.h>
@@ -23,7 +23,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
     return names;
 }
 
-/// No file may grow beyond so many bytes while this lives: a disk that is full, for root as well.
+/// Limits the size of files while it lives. This simulates a full disk, for root as well.
 class FullDisk {
 public:
     explicit FullDisk(rlim_t bytes) {
@@ -73,7 +73,7 @@ TEST(Files, AFolderIsNoTarget) {
 TEST(Files, AnUnwritablePlaceIsNamedAndLeftAlone) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.txt", "x");
-    // Not even root may write into /proc, below a file, or below a folder that is not there.
+    // Not even root can write into /proc, below a file, or below a folder that does not exist.
     for (const fs::path& target : {fs::path("/proc/relief.txt"), file / "b.txt", folder.path() / "no" / "b.txt"}) {
         const std::string message = message_of([&] { write_file(target, "y"); });
         EXPECT_TRUE(message.starts_with(target.string() + ": cannot write: ")) << message;
@@ -99,7 +99,7 @@ TEST(Files, ATerminatedWriteLeavesTheOldFileAndNothingBesideIt) {
     const auto terminated = [&] {
         clean_up_when_interrupted();
         const FullDisk disk(1000);
-        std::signal(SIGXFSZ, [](int) { std::raise(SIGTERM); });  // comes in the middle of the write
+        std::signal(SIGXFSZ, [](int) { std::raise(SIGTERM); });  // arrives during the write
         write_file(file, std::string(5000, 'n'));
     };
     EXPECT_EXIT(terminated(), testing::ExitedWithCode(128 + SIGTERM), "");
@@ -107,7 +107,7 @@ TEST(Files, ATerminatedWriteLeavesTheOldFileAndNothingBesideIt) {
     EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"a.txt"});
 }
 
-// As processes of one number in namespaces of their own do, or on several machines.
+// Processes in different PID namespaces, or on different machines, can have the same process id.
 TEST(Files, WritersOfOneNumberAndOneFileDoNotMeet) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "a.txt";
@@ -122,7 +122,7 @@ TEST(Files, WhatAKilledWriterLeavesCanBeRemoved) {
     const TemporaryFolder folder;
     const auto killed = [&] {
         const FullDisk disk(1000);
-        std::signal(SIGXFSZ, [](int) { std::raise(SIGKILL); });  // comes in the middle of the write
+        std::signal(SIGXFSZ, [](int) { std::raise(SIGKILL); });  // arrives during the write
         write_file(folder.path() / "a.txt", std::string(5000, 'n'));
     };
     EXPECT_EXIT(killed(), testing::KilledBySignal(SIGKILL), "");
@@ -153,7 +153,7 @@ TEST(Files, APipeOrADeviceIsWrittenIntoNotReplaced) {
     EXPECT_EQ(got, 'x');
     EXPECT_TRUE(fs::is_fifo(pipe));
     close(reader);
-    fs::create_symlink("/dev/full", full);  // a link, so that a mistake replaces no device
+    fs::create_symlink("/dev/full", full);  // through a link, so that a bug cannot replace the device
     EXPECT_EQ(message_of([&] { write_file(full, "x"); }), full.string() + ": cannot write: No space left on device");
     EXPECT_TRUE(fs::is_symlink(full));
 }

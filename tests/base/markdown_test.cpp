@@ -14,7 +14,7 @@ Spans spans_of(std::string_view text) {
     return blocks.empty() ? Spans{} : blocks.front().spans;
 }
 
-/// Styles as letters before the text: "b:bold", "bi:both", "plain".
+/// Returns a span as text with its styles as letters in front: "b:bold", "bi:both", "plain".
 std::string shown_as(const Span& span) {
     std::string style;
     if (span.bold) style += 'b';
@@ -29,7 +29,7 @@ std::string line_of(std::string_view text) {
     for (const Span& span : spans_of(text)) line += (line.empty() ? "" : "|") + shown_as(span);
     return line;
 }
-/// Blocks as "kind+level marker text", a line each.
+/// Returns blocks as "kind+level marker text", one line each.
 std::string outline(std::string_view text) {
     static constexpr const char* kinds[] = {"text", "heading", "item", "quote", "code", "table", "rule"};
     std::string result;
@@ -140,7 +140,7 @@ TEST(Markdown, NothingIsNothing) {
     for (const char* text : {"", "\n", " \n\t\n", "\xef\xbb\xbf"}) EXPECT_TRUE(parse_markdown(text).empty());
 }
 
-// What a person forgot to close, and bytes that no person wrote: all of it comes back, in some block, and in time.
+// Unclosed syntax and random bytes: all text comes back in some block, in bounded time.
 TEST(Markdown, AnyTextIsTaken) {
     std::mt19937 random(1);
     const std::string alphabet = "**__``~~[]()!<>|-:#\\ \n\n\tab1.+\xc3\xb6";

@@ -1,4 +1,4 @@
-// Work in pieces: each part once, and failures that are heard.
+// Work in pieces: each part runs once, and failures are reported.
 #include "framework/base/parallel.h"
 
 #include <gtest/gtest.h>

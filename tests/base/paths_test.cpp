@@ -1,4 +1,4 @@
-// Where the course lies, and how its paths are shown.
+// The course's place on disk, and how its paths are shown.
 #include "framework/base/paths.h"
 
 #include "tests/support.h"

@@ -1,5 +1,5 @@
-// Programs that are started with limits, and functions that run where a crash is not ours. More of what limits do is
-// told by the sandbox's tests.
+// Programs that are started with limits, and functions whose crash does not end this process. The sandbox's tests cover
+// more of the limits.
 #include "framework/base/process.h"
 
 #include <fmt/format.h>
@@ -53,8 +53,8 @@ TEST(Processes, SayWhyAProgramCannotBeStarted) {
     EXPECT_EQ(none.errors, "cannot start /nowhere/at/all: No such file or directory");
 }
 
-// The system counts a user's processes on the whole machine, those of other containers included: a limit would fail an
-// honest command for what others do.
+// The system counts a user's processes on the whole machine, including other containers. So a limit could fail an
+// honest command because of other processes.
 TEST(Processes, AreNotCounted) {
     std::ifstream file("/proc/self/limits");
     std::string line;
@@ -91,7 +91,7 @@ TEST(Processes, AChildEndsWithItsOwner) {
         char first = 0;
         EXPECT_TRUE(read_all(pipe.read, &first, 1));
     }
-    std::string rest(1 << 20, ' ');  // more than a pipe holds: only an end ends this
+    std::string rest(1 << 20, ' ');  // more than a pipe holds: only the child's end can end this
     EXPECT_FALSE(read_all(pipe.read, rest.data(), rest.size()));
 }
 

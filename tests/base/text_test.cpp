@@ -1,4 +1,4 @@
-// Numbers from text, and the word that a mistyped one stands for.
+// Numbers from text, and the nearest word to a mistyped one.
 #include "framework/base/text.h"
 
 #include <cmath>
