@@ -1,4 +1,4 @@
-// The orbit camera: where it is, and what its rays hit.
+// The orbit camera: its position and its rays.
 #include "framework/lab/camera.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(Camera, StandsOnTheSphereAroundItsTarget) {
 
 TEST(Camera, HasXToTheRightYUpAndItsFieldOfViewUpright) {
     const Orbit orbit{.yaw = 0, .pitch = 0, .distance = 3, .field_of_view = 40};
-    // At the target's distance the picture's upper edge is 3 tan(20 degrees) above the centre.
+    // At the target's distance, the picture's upper edge is 3 tan(20 degrees) above the centre.
     const double top = 3 * std::tan(glm::radians(20.0));
     for (const double aspect : {0.5, 1.0, 16.0 / 9}) {
         const Camera camera(orbit, aspect);

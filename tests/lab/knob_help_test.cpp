@@ -1,4 +1,4 @@
-// What is read in a knob's help.
+// The parts of a knob's help.
 #include "framework/lab/knob_help.h"
 
 #include "tests/support.h"

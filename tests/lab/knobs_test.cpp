@@ -116,7 +116,7 @@ TEST(Knobs, MayBeNone) {
               "unknown knob 'steps'; there is no knob here");
 }
 
-/// Takes pictures that are a pixel wide.
+/// Accepts pictures that are one pixel wide.
 class Canvas final : public Lab {
 public:
     int map = 1;
@@ -145,7 +145,7 @@ TEST(Knobs, TakeAPictureBesideTheNamesOfAChoice) {
     EXPECT_EQ(canvas.map, 2);
     EXPECT_EQ(describe_knobs(canvas)[0].value, file.string()) << "as --set takes it";
 
-    // What is refused changes nothing, and says what would be right.
+    // A rejected value changes nothing, and the message says which values are accepted.
     EXPECT_EQ(message_of<Error>([&] { set_knob(canvas, "map", wide.string()); }),
               wide.string() + ": is wider than a pixel");
     EXPECT_THROW(set_knob(canvas, "map", (folder.path() / "missing.png").string()), Error);

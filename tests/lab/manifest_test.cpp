@@ -1,4 +1,4 @@
-// lab.toml and staff/grading.toml: read whole, and each mistake named with its line.
+// lab.toml and staff/grading.toml: all keys are read, and each mistake is reported with its line.
 #include "framework/lab/manifest.h"
 
 #include <set>
@@ -12,14 +12,14 @@ namespace {
 namespace fs = std::filesystem;
 using Set = std::vector<std::pair<std::string, std::string>>;
 
-/// `grading`: what stands in staff/grading.toml; where it is empty there is none.
+/// Loads a lab.toml of this text, and a staff/grading.toml unless `grading` is empty.
 Manifest load(const std::string& text, const std::string& grading = "") {
     const TemporaryFolder folder;
     if (!grading.empty()) folder.write("staff/grading.toml", grading);
     return load_manifest(folder.write("lab.toml", text));
 }
 
-/// What loading these fails with, without the folder: "lab.toml:2: ...".
+/// Returns the error of loading these texts, without the folder: "lab.toml:2: ...".
 std::string refusal(const std::string& text, const std::string& grading = "") {
     const std::string message = message_of([&] { load(text, grading); });
     return message.substr(std::min(message.size(), message.rfind(grading.empty() ? "lab.toml:" : "staff/grading.toml:")));

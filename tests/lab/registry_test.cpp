@@ -1,4 +1,4 @@
-// Labs by their numbers and names.
+// Finding labs by number and name.
 #include "framework/lab/registry.h"
 
 #include "framework/lab/lab.h"

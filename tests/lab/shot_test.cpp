@@ -1,4 +1,4 @@
-// What the runner promises to a lab, and what it demands.
+// The state that a lab gets for a shot, and the requirements on its picture.
 #include "framework/lab/shot.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ private:
     glm::vec4 value_;
 };
 
-/// Draws nothing, and leaves as bad a state as it can.
+/// Draws nothing, and leaves GL in as bad a state as possible.
 class BadNeighbour final : public Lab {
 public:
     void draw(const Frame& frame) override {
@@ -139,7 +139,7 @@ TEST(Shot, ALabThatGivesUpHalfwayLeavesACleanState) {
     EXPECT_TRUE(mask[0] && mask[3]);
 }
 
-/// Its picture is the time.
+/// Its picture shows the time.
 class Clock final : public Lab {
 public:
     void draw(const Frame& frame) override {
