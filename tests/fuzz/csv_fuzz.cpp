@@ -1,4 +1,4 @@
-// Tables that people and their spreadsheets write; and what is written comes back, harmless.
+// CSV tables, as people and spreadsheets write them. Cells survive a round trip, and defusing never shortens them.
 #include "framework/staff/grade/csv.h"
 #include "framework/staff/grade/moment.h"
 #include "tests/fuzz/fuzz.h"

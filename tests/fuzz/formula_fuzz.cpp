@@ -1,4 +1,4 @@
-// Formulas of handouts, whatever is in them: what is read can be shown.
+// Arbitrary formulas of handouts. Every formula that parses can be displayed.
 #include "framework/base/formula.h"
 #include "tests/fuzz/fuzz.h"
 

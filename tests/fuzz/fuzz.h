@@ -1,4 +1,4 @@
-// What every fuzz target does: an Error is an answer, anything else that leaves a parser is a crash.
+// The frame of every fuzz target: an Error is a valid result; any other exception of a parser is a crash.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The gate in front of OpenImageIO: format by content, size, channels, memory.
+// The checks in front of OpenImageIO: format by content, size, channels, memory.
 #include "framework/image/file.h"
 #include "tests/fuzz/fuzz.h"
 

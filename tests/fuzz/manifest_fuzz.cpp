@@ -1,4 +1,4 @@
-// lab.toml and staff/grading.toml, whatever they say.
+// Arbitrary texts of lab.toml and staff/grading.toml.
 #include "framework/lab/manifest.h"
 #include "tests/fuzz/fuzz.h"
 

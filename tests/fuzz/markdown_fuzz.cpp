@@ -1,4 +1,5 @@
-// Handouts, whatever is in them: no table's rows differ in length, and no list is deeper than its text.
+// Arbitrary handouts. All rows of a table have the same number of cells, and no list is nested deeper than the text's
+// length.
 #include "framework/base/markdown.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -1,4 +1,4 @@
-// PPM, PGM and PFM, whatever the bytes.
+// Arbitrary bytes of PPM, PGM and PFM.
 #include "framework/image/netpbm.h"
 #include "tests/fuzz/fuzz.h"
 

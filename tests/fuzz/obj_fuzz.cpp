@@ -1,5 +1,5 @@
-// OBJ models and MTL materials: what is before the first NUL is the model, what follows its material file. A mesh that
-// comes out must be one that tangents can be solved for.
+// OBJ models and MTL materials: the model is the text before the first NUL, and its material file the text after it.
+// Tangents must be computable for every mesh that is read.
 #include <algorithm>
 
 #include "framework/mesh/obj.h"

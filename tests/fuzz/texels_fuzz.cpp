@@ -1,4 +1,4 @@
-// Converted pictures, whatever the bytes: of a chain that is taken, each level is read.
+// Arbitrary bytes of converted pictures. All levels of an accepted chain can be read.
 #include "framework/image/texels.h"
 
 #include "tests/fuzz/fuzz.h"
