@@ -1,4 +1,4 @@
-// The arrows of the house: which part may include which; and what is done in one place only.
+// The arrows of the house: which room may include which, and which calls and libraries only one file may use.
 #include <fmt/format.h>
 
 #include <map>
@@ -12,14 +12,14 @@ namespace {
 namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
 
-// From the ground up. Rooms on one floor do not include each other.
+// The floors, from the ground up. Rooms on one floor do not include each other.
 const std::map<std::string, int> floors = {
     {"base", 0},          {"image", 1},        {"mesh", 1},           {"height", 2}, {"inspect", 2}, {"staff/reference", 3},
     {"gl", 4},            {"context", 5},      {"lab", 6},            {"kit", 7},    {"check", 8},
     {"staff/handout", 9}, {"staff/grade", 9},  {"staff/measure", 10}, {"staff/synctest", 10}, {"pages", 10}, {"staff/pages", 11},
     {"window", 11},       {"staff/slides", 11}, {"app", 12},           {"staff/app", 13}};
 
-/// What a file includes, by "" or <>.
+/// Returns the files and headers that a text includes, by "" or <>.
 Lines includes_of(const std::string& text) {
     static const std::regex form("(^|\n)[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"\n]+)");
     Lines found;
@@ -28,7 +28,7 @@ Lines includes_of(const std::string& text) {
     return found;
 }
 
-/// The room of a file: "gl", "staff/grade", or "labs", "labs/staff", "assets", "assets/staff".
+/// Returns the room of a file: "gl", "staff/grade", or "labs", "labs/staff", "assets", "assets/staff".
 std::string part_of(const std::string& path) {
     static const std::regex room("(?:framework/((?:staff/)?[^/]+)/.*|(labs)/[^/]+/(?:(staff)/)?.*|(assets)/(?:(staff)/)?.*)");
     std::smatch match;
@@ -40,7 +40,7 @@ std::string part_of(const std::string& path) {
 
 bool is_the_staffs(const std::string& part) { return part.starts_with("staff/") || part.ends_with("/staff"); }
 
-/// What is wrong with an include; "" when nothing is.
+/// Returns the fault of an include, or "".
 std::string mistake(const std::string& file, const std::string& include) {
     if (include.starts_with("..") || include.find("/../") != std::string::npos) return "climbs out of its folder";
     for (const std::string folder : {"labs/", "assets/", "tests/"})
@@ -62,7 +62,7 @@ std::string mistake(const std::string& file, const std::string& include) {
     return "points up, or across";
 }
 
-/// The arrows of one file that point up, "file includes X: why".
+/// Returns the faulty includes of a file, as "file includes X: why".
 Lines wrong_arrows(const std::string& file, const std::string& text) {
     Lines wrong;
     for (const std::string& include : includes_of(text))
@@ -71,7 +71,7 @@ Lines wrong_arrows(const std::string& file, const std::string& text) {
     return wrong;
 }
 
-/// The libraries that one file alone may know; where `file` is not that file.
+/// Returns the includes of libraries that only one other file may include.
 Lines wrong_libraries(const std::string& file, const std::string& text) {
     static const std::regex window_file("framework/(context/[a-z]+_window|window/menu[a-z_]*)\\.(cpp|h)");
     const bool cpu =
@@ -97,7 +97,7 @@ Lines wrong_libraries(const std::string& file, const std::string& text) {
     return wrong;
 }
 
-/// Calls `check` with every source file of the course, its path relative to the top folder.
+/// Calls `check` with the path, relative to the top folder, and the text of every source file of the course.
 template <class Check>
 int each_source(Check check) {
     const fs::path root = RELIEF_SOURCE_FOLDER;
@@ -132,7 +132,7 @@ TEST(Arrows, AForeignLibraryIsKnownWhereItBelongs) {
 }
 
 TEST(Sources, RoundNumbersForPeopleInOnePlace) {
-    // g writes 1000 as 1e+03 when asked for three digits: rounded() in framework/base/text.h does not.
+    // The format g writes 1000 as 1e+03 when asked for three digits. rounded() in framework/base/text.h does not.
     const std::regex general("[:0-9}]g\\}");
     EXPECT_TRUE(std::regex_search(R"(fmt::format("{:>{}.4g}", 1000, 9))", general));
     int places = 0;
@@ -144,7 +144,7 @@ TEST(Sources, RoundNumbersForPeopleInOnePlace) {
     EXPECT_EQ(places, 1);
 }
 
-/// Calls by which a file starts processes, bounds them or waits for them, without comments and texts.
+/// Returns whether code starts processes, limits them or waits for them. Ignores comments and strings.
 bool handles_processes(const std::string& text) {
     static const std::regex dropped("//[^\n]*|\"(\\\\.|[^\"\\\\\n])*\"");
     static const std::regex call(

@@ -15,14 +15,14 @@ namespace {
 
 using nlohmann::json;
 
-/// A browser that shares two cores with other tests takes its time to start.
+/// A browser that shares two cores with other tests starts slowly.
 constexpr int patience_ms = 120'000;
 
 void set_up_and_become_chromium(int reads, int writes, const std::string& profile) {
-    setpgid(0, 0);  // its many processes end together
+    setpgid(0, 0);  // so that all its processes can be killed together
     const int null = open("/dev/null", O_RDWR);
     for (const int descriptor : {0, 1, 2}) dup2(null, descriptor);
-    // Away from 3 and 4 first: they may be the very ones.
+    // Move them away from 3 and 4 first, which they may be themselves.
     const int in = fcntl(reads, F_DUPFD, 10), out = fcntl(writes, F_DUPFD, 10);
     dup2(in, 3), dup2(out, 4);
     const std::string folder = "--user-data-dir=" + profile;
@@ -81,7 +81,7 @@ json Browser::call(const std::string& method, const json& parameters) {
     const std::string text = request.dump() + '\0';
     for (size_t sent = 0; sent < text.size();) {
         const ssize_t count = write(to_, text.data() + sent, text.size() - sent);
-        if (count <= 0) break;  // the answer that does not come says it
+        if (count <= 0) break;  // the missing answer reports it
         sent += size_t(count);
     }
     for (;;) {

@@ -1,4 +1,4 @@
-// A real browser without a window, Chromium, driven through its debugging pipe: pages as their readers have them.
+// A headless browser, Chromium, driven through its debugging pipe: shows pages as readers see them.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace relief {
 
 class Browser {
 public:
-    /// Throws where there is none; see framework/cmake/packages.txt.
+    /// Throws when there is no browser; see framework/cmake/packages.txt.
     Browser();
     ~Browser();
     Browser(const Browser&) = delete;
@@ -20,33 +20,34 @@ public:
 
     /// Waits until the page is loaded and its scripts have run.
     void open(const std::filesystem::path& page);
-    /// The value of a JavaScript expression. Throws what it throws.
+    /// Returns the value of a JavaScript expression. Throws when the expression throws.
     nlohmann::json eval(const std::string& expression);
-    /// A key on a keyboard, as often: Tab, Enter, Escape, Space, ArrowLeft, ArrowRight, Home, End.
+    /// Presses a key `times` times: Tab, Enter, Escape, Space, ArrowLeft, ArrowRight, Home, End.
     void press(const std::string& key, int times = 1);
-    /// Tab until what has the focus matches a CSS selector. False when nothing does.
+    /// Presses Tab until the focused element matches a CSS selector. Returns false when no element does.
     bool tab_to(const std::string& selector);
     void type(const std::string& text);
     void dark(bool on);
-    /// As it is printed, on a sheet 720 pixels wide.
+    /// Switches to print style on a sheet 720 pixels wide, or back.
     void paper(bool on);
     void scripts(bool on);
-    /// As on a screen of so many pixels across; 0: the window's own.
+    /// Emulates a screen of this width; 0 restores the window's own.
     void width(int pixels);
-    /// All pictures of the page, also those that are loaded when they are seen. False when one cannot be shown.
+    /// Loads all pictures of the page, including lazy ones. Returns false when one cannot be shown.
     bool load_images();
 
     struct Control {
         std::string role, name;
     };
-    /// Everything that takes the focus, as a screen reader is told of it.
+    /// Returns all focusable elements, as a screen reader presents them.
     std::vector<Control> controls();
-    /// Texts whose colour is too near to what lies behind: AA asks for 4.5.
+    /// Returns texts whose contrast with their background is below 4.5, the minimum of WCAG AA.
     std::vector<std::string> faint_texts();
-    /// What the browser complained of since the page was opened: errors of scripts, and what the page's policy forbade.
+    /// Returns the browser's complaints since the page was opened: errors of scripts, and violations of the page's
+    /// policy.
     std::vector<std::string> complaints();
 
-    /// A command of the DevTools protocol.
+    /// Calls a command of the DevTools protocol and returns its result. Throws when the command fails.
     nlohmann::json call(const std::string& method, const nlohmann::json& parameters = nlohmann::json::object());
 
 private:

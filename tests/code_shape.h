@@ -1,4 +1,4 @@
-// Code whatever its names are, to find a solution that was copied and renamed.
+// Compares code regardless of its names, to find a solution that was copied and renamed.
 #pragma once
 
 #include <string>
@@ -6,17 +6,17 @@
 
 namespace relief {
 
-/// What stands in code whatever its names are: words that are neither called nor members become '@'; comments, blanks,
-/// namespaces and the suffixes of numbers are gone.
+/// Returns code in a form that does not depend on its names. Words that are neither called nor members become '@'.
+/// Comments, blanks, namespaces and the suffixes of numbers are dropped.
 std::string shape_of(const std::string& text);
 
-/// The expressions of a solution that are long enough to say something, as shapes: what is returned or assigned.
+/// Returns the shapes of the returned or assigned expressions of a solution that have at least 14 words.
 std::vector<std::string> expressions_of(const std::vector<std::string>& solution);
 
-/// What stands between fences, one after the other.
+/// Returns the text between fences, concatenated.
 std::string code_in_markdown(const std::string& text);
 
-/// Arithmetic that nobody can do without: how far something is between two others.
+/// Returns whether a shape is arithmetic that any code may need: the position of a value between two others.
 bool is_common(const std::string& shape);
 
 }  // namespace relief

@@ -42,7 +42,7 @@ Process::Process(const std::vector<std::string>& command, const Circumstances& w
     pid_ = fork();
     if (pid_ < 0) throw std::runtime_error("fork failed");
     if (pid_ > 0) return;
-    std::signal(SIGINT, SIG_DFL);  // what a shell starts in the background would have it ignored
+    std::signal(SIGINT, SIG_DFL);  // a shell starts background programs with SIGINT ignored
     redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
     redirect(STDOUT_FILENO, out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
     redirect(STDERR_FILENO, err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC);

@@ -1,4 +1,4 @@
-// Programs run by the tests as a user runs them.
+// Runs programs as a user does.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,11 @@ struct Result {
 };
 
 struct Circumstances {
-    std::filesystem::path folder;                    ///< working directory, this one's when empty
-    std::map<std::string, std::string> environment;  ///< added to this one's; an empty value takes one away
+    std::filesystem::path folder;                    ///< working directory; empty: that of the test
+    std::map<std::string, std::string> environment;  ///< added to the test's; an empty value removes a variable
 };
 
-/// A program that runs beside the test; killed when the object goes, unless it has ended.
+/// A program that runs beside the test. The destructor kills it if it still runs.
 class Process {
 public:
     Process(const std::vector<std::string>& command, const Circumstances& where = {});
@@ -27,11 +27,11 @@ public:
     Process& operator=(const Process&) = delete;
 
     void signal(int number) const;
-    /// What it has written to standard error so far.
+    /// Returns its standard error so far.
     std::string err() const;
     bool running();
-    /// Waits for the end. What has not ended after 20 minutes hangs: no test asks for as much on the slowest machine.
-    /// It is killed, and `err` says so.
+    /// Waits for the end. Kills the program after 20 minutes, which no test needs on the slowest machine, and says so
+    /// in `err`.
     Result wait();
 
 private:
@@ -44,7 +44,7 @@ inline Result run(const std::vector<std::string>& command, const Circumstances& 
     return Process(command, where).wait();
 }
 
-/// The executable of this build.
+/// Returns the path of this build's executable.
 std::string relief_program();
 
 }  // namespace relief

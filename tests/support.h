@@ -1,4 +1,4 @@
-// What several tests share.
+// Helpers that several tests share.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace relief {
 
-/// A folder of its own, gone with the object.
+/// A temporary folder, removed by the destructor.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -32,7 +32,7 @@ public:
 
     const std::filesystem::path& path() const { return path_; }
 
-    /// Writes a file below the folder, with the folders on its way; gives its path.
+    /// Writes a file below the folder, and makes its parent folders. Returns its path.
     std::filesystem::path write(const std::string& name, std::string_view text) const {
         const std::filesystem::path file = path_ / name;
         std::filesystem::create_directories(file.parent_path());
@@ -44,7 +44,8 @@ private:
     std::filesystem::path path_;
 };
 
-/// What a call that must fail said; "" and a failed test when it did not throw an `Expected`.
+/// Returns the message of an exception that a call must throw. Fails the test and returns "" when it throws no
+/// `Expected`.
 template <class Expected = Error, class Call>
 std::string message_of(Call call) {
     try {
