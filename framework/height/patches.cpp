@@ -79,7 +79,7 @@ public:
     }
 
     /// Returns bounds over a box. Heights are exact for a box of up to 8 cells along a side. A longer box is covered
-    /// with blocks, at most 9 in a row, which adds up to a quarter.
+    /// with blocks, at most 9 in a row, which lengthens it by up to a quarter.
     Range within(const Box& box) const {
         const Cells across = cells_between(box.low.x, box.high.x, level_.width),
                     up = cells_between(box.low.y, box.high.y, level_.height);
@@ -181,7 +181,8 @@ double steepest_slope(std::span<const HeightCorner> patch, glm::dvec2 slope) {
     return largest;
 }
 
-/// Returns the number of samples along a side, a power of two: at least `density` per texel of the longer side of `uv`.
+/// Returns the number of samples along a side, a power of two: at least `density` per texel of the longer side of `uv`,
+/// where this side counts as fewest_texels to most_texels.
 int cuts_for(glm::dvec2 uv, const Image& heights, int density) {
     const double texels = std::max(std::abs(uv.x) * heights.width, std::abs(uv.y) * heights.height);
     if (!(texels < most_texels)) return density * most_texels;

@@ -41,8 +41,9 @@ struct PatchHeights {
 };
 
 /// Measures patches of `corners` points each, counter-clockwise: 3, or 4 at (0, 0), (1, 0), (1, 1), (0, 1) of the
-/// domain. `heights` has one channel and repeats; its surface is bilinear between texel centres. NaN heights are
-/// ignored. Most of the time goes into errors: without `with_errors` they are 0.
+/// domain. `heights` has one channel and repeats; its surface is bilinear between texel centres. Heights should be
+/// finite; NaN heights are ignored. Most of the time goes into errors: without `with_errors` they are 0.
+///
 /// Errors are for mip level 0, and are sampled: 2 samples per texel inside and 8 on edges, at least 16 (64 on edges)
 /// and at most 128 (512) along a side. So a relief with sharp features can have larger errors between samples. A level
 /// with at most one sample between two vertices gets at least half the error of the level before.

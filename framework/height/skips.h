@@ -22,9 +22,9 @@ struct HeightWindows {
     Image clearance;              ///< a texel per block, an 8-bit channel per window; quadrants stacked, 0 lowest
 };
 
-/// Returns the windows for which rays of all slants take the fewest iterations on this map. Blocks are 2 x 2 cells, or
-/// 1 where a side is below 512, or more where there would be over 512 blocks along the shorter side. Throws Error when
-/// a side is not a power of two or the map has more than one channel.
+/// Returns the windows for which rays of all slants take the fewest iterations on this map. Blocks are 1 cell where a
+/// side is below 512 cells, else 2 x 2. Larger maps have larger blocks, so that the shorter side has at most 512
+/// blocks. Throws Error when a side is not a power of two or the map has more than one channel.
 HeightWindows height_windows(const Image& heights);
 
 /// Returns the maximum height in the 5 x 5 cells around each cell. Throws Error as height_windows() does.
