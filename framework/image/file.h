@@ -1,5 +1,5 @@
-// Images in files: PNG by libpng; OpenEXR and JPEG through OpenImageIO, which is opened at first use (it brings 260
-// libraries and costs a sixth of a second); PPM and PFM by ourselves.
+// Images in files. PNG is handled by libpng, PPM and PFM by our own code, OpenEXR and JPEG by OpenImageIO. OpenImageIO
+// is opened at first use, because it loads 260 libraries and takes a sixth of a second.
 #pragma once
 
 #include <filesystem>

@@ -22,13 +22,14 @@ struct ProbeColors {
 
 /// Returns a probe as an 8-bit picture. Values can be anything. The colours depend on `colors.error`:
 /// - angle: directions, as 0.5 v + 0.5.
-/// - distance: vectors, in bands of a power of two. Each channel rises from 0 to 1 in every band, like texture
-/// coordinates that repeat. A signed channel has no steps: above 0 it rises from 0.5 to 1 in one band and falls back in
-/// the next; below 0 it falls from 0.5 to 0 and rises back.
+/// - distance: vectors, in bands whose width is a power of two. Each channel rises from 0 to 1 in every band, like
+///   texture coordinates that repeat. A signed channel has no steps. Above 0 it rises from 0.5 to 1 in one band and
+///   falls back in the next. Below 0 it falls from 0.5 to 0 and rises back.
 /// - absolute: single numbers, on a heat scale that ends at the largest magnitude. Signed numbers below 0 go from black
-/// over blue to pale cyan, on the same scale.
-/// A pixel is dark grey where there is no surface (a value is infinite), and magenta where a task is not written or a
-/// value is NaN.
+///   over blue to pale cyan, on the same scale.
+///
+/// A pixel without a surface (a value is infinite) is dark grey. A pixel of a task that is not written, or with a NaN,
+/// is magenta.
 Image visualize_probe(const Image& probe, ProbeColors colors);
 /// Returns two probes of the same shape in the same colours: both determine the bands and the scale.
 std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ProbeColors colors);
