@@ -125,9 +125,9 @@ struct Manifest {
     const MistakeInfo& mistake(const std::string& id) const;
 };
 
-/// Reads a lab.toml, and staff/grading.toml beside it if it exists. Throws Error with file and line for a missing file,
-/// a syntax error, an unknown or missing key, or a value of another type or out of range. Also throws for a duplicate
-/// name, or for a reference to a missing probe, task, check or mistake.
+/// Reads a lab.toml, and staff/grading.toml beside it if it exists. Throws Error with file and line for a missing file
+/// or a syntax error, for an unknown or missing key, and for a value of another type or out of range. Also throws for a
+/// duplicate name, and for a reference to a missing probe, task, check or mistake.
 Manifest load_manifest(const std::filesystem::path& file);
 /// Parses the text of a lab.toml alone. `file` appears in messages only.
 Manifest parse_manifest(const std::string& text, const std::filesystem::path& file);

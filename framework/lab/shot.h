@@ -41,7 +41,8 @@ Image read_picture(const Target& target);
 
 /// Calls draw_lab() with a new target and reads the pixels: 8-bit sRGB (3 channels) for a picture, linear floats (3
 /// channels) if `light`, and floats (4 channels) for a probe. Throws Error when nothing was drawn (a picture of one
-/// colour, a probe without a surface), or when a pixel of a probe is neither finite nor background nor not_written.
+/// colour, a probe without a surface). Also throws when a pixel of a probe is neither finite nor background nor
+/// not_written.
 Image render_shot(Lab& lab, const Shot& shot, bool light = false);
 
 /// The two halves of render_shot(), for callers that draw and validate in different processes. draw_shot() throws only
