@@ -74,9 +74,11 @@ struct ObjOptions {
     bool left_handed = false;
 };
 
-/// Reads a model, and the material files that it names, from its folder. Throws Error with file and line for a number
-/// that is unreadable or not finite, an index out of range, a face of fewer than 3 or more than 1024 corners, a file
-/// without faces, or a file beyond `limits`. A fault in a material file gives a note.
+/// Reads a model, and the material files that it names, from its folder. A fault in a material file gives a note.
+/// Throws Error with file and line for:
+/// - a number that is unreadable or not finite, or an index out of range;
+/// - a face of fewer than 3 or more than 1024 corners;
+/// - a file without faces, or beyond `limits`.
 ObjModel read_obj(const std::filesystem::path& file, const ObjLimits& limits = {}, const ObjOptions& options = {});
 
 /// Parses texts in memory likewise, and opens no files. `name` replaces the file's name in messages, and its folder is

@@ -70,7 +70,7 @@ bool Statements::next() {
         if (line_ == 1 && (rest_.starts_with("\xff\xfe") || rest_.starts_with("\xfe\xff")))
             fail("this is text in UTF-16: save it as UTF-8");
         if (rest_.find('\0') != std::string_view::npos) fail("this is not text: it has a byte 0");
-        if (trimmed(rest_).starts_with('#')) continue;  // and a path that ends in a backslash does not go on
+        if (trimmed(rest_).starts_with('#')) continue;  // a backslash does not continue a comment
         if (rest_.ends_with('\\')) {
             const int first_line = line_;
             joined_.clear();

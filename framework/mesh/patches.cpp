@@ -220,7 +220,7 @@ bool share_edges(const Meeting& meeting, const CornerLists& corners) {
     bool is_closed = true;
     struct Edge {
         uint32_t other;  ///< the place at its other end
-        uint32_t from;   ///< the corner
+        uint32_t from;   ///< the corner where it begins
         auto operator<=>(const Edge&) const = default;
     };
     std::vector<Edge> edges;  // of one place; after sorting, uses of the same edge are adjacent

@@ -32,12 +32,14 @@ struct PatchMesh {
 };
 
 /// Cuts a mesh into patches of `corners` points, 3 or 4.
+///
 /// Corners of equal position meet in a place; before that, coordinates up to 1e-12 of the mesh's extent are rounded to
 /// 0. The direction of a place is the mean of its normals, weighted by the patches' angles. Where they cancel out, each
 /// corner keeps its own normal.
-/// With four corners, two consecutive triangles form a patch if they share an edge, with its uv and normals, and if
-/// together they are convex (a fold of up to 60 degrees counts as flat). If any pair does not, every triangle is cut
-/// into three quads instead, at its centre and the midpoints of its sides. Drops triangles with two corners in one
+///
+/// With four corners, two consecutive triangles form a patch if they share an edge, with its uv and normals, and are
+/// convex together. They may be folded by up to 60 degrees. If any pair forms no patch, every triangle is cut into
+/// three quads instead, at its centre and the midpoints of its sides. Drops triangles with two corners in one
 /// place, and quads of two such triangles. Throws Error when an index has no vertex, the number of indices is not a
 /// multiple of 3, or `corners` is neither 3 nor 4.
 PatchMesh make_patches(const Mesh& mesh, int corners);

@@ -66,7 +66,7 @@ struct SphereShape {
 Mesh make_sphere(const SphereShape& shape);
 
 /// A sphere without poles: the faces of a cube, with `cells` along each edge, projected to the sphere. A face's lines
-/// of constant u, and of constant v, lie at equal angles (Ronchi, Iacono and Paolucci 1996), so the areas of cells
+/// of constant u, and of constant v, lie at equal angles (Ronchi, Iacono and Paolucci 1996). So the areas of cells
 /// differ by at most a factor of sqrt(2). dP/du is discontinuous where two faces meet; each face has its own vertices
 /// there.
 struct CubeSphereShape {
