@@ -1,4 +1,4 @@
-// The GPU's own clock, which relief bench takes where there is a GPU.
+// The GPU clock, which relief bench uses if there is a GPU.
 #include <gtest/gtest.h>
 
 #include "framework/gl/gl.h"

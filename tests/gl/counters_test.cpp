@@ -41,7 +41,7 @@ TEST(Counters, CountEachDrawOnce) {
     glDrawElements(GL_TRIANGLES, 0, GL_UNSIGNED_INT, nullptr);
     glDrawElementsInstanced(GL_TRIANGLES, 0, GL_UNSIGNED_INT, nullptr, 3);
     EXPECT_EQ(counters().draw_calls, before + 4);
-    take_gl_errors();  // without a program the draws are refused, but they were made
+    take_gl_errors();  // without a program the draws fail, but they count as calls
 }
 
 TEST(Counters, OwnersGiveBackEveryObjectAndByte) {

@@ -1,4 +1,4 @@
-// Cube maps: which texel a direction reads, levels, edges, and what they count.
+// Cube maps: the texel for a direction, levels, edges, and counters.
 #include "framework/gl/cube_texture.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ ShaderSource source(const char* stage, const char* text) {
     return made;
 }
 
-/// What a shader reads in a direction, whose fourth component is the level.
+/// Returns the shader's sample in a direction. The fourth component is the level.
 glm::vec3 sampled(const CubeTexture& texture, const glm::vec4& direction) {
     const Program program({source("a.vert",
                                   "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
@@ -55,7 +55,7 @@ TEST(CubeTexture, ADirectionReadsTheLightThatComesFromThere) {
                                    {0.4f, -1, -0.3f},
                                    {-0.3f, 0.5f, 1},
                                    {0.2f, 0.6f, -1}}) {
-        // Between texels 1/32 apart the chord of a circle is off by less than 1/32^2 / 8.
+        // Between texels 1/32 apart the chord of a circle has an error below 1/32^2 / 8.
         const glm::vec3 off = sampled(cube, glm::vec4(toward, 0)) - glm::normalize(toward);
         EXPECT_LT(glm::length(off), 2e-4f) << toward.x << " " << toward.y << " " << toward.z;
     }

@@ -1,4 +1,4 @@
-// Depth maps: what is drawn into them, what a comparison says, and what they count.
+// Depth maps: drawing into them, comparisons, and counters.
 #include "framework/gl/depth_target.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ constexpr const char* whole =
     "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, "
     "0.0, 1.0); }\n";
 
-/// One pixel of a shader that compares.
+/// Returns one pixel of a shader with a depth comparison.
 float compared(const DepthTarget& depth, const glm::vec3& place) {
     const Program program({source("a.vert", whole),
                            source("a.frag",
@@ -41,7 +41,7 @@ float compared(const DepthTarget& depth, const glm::vec3& place) {
     return target.read().values[0];
 }
 
-/// The left half at 0.25, the right half at 0.75.
+/// Sets the left half to 0.25 and the right half to 0.75.
 void draw_halves(const DepthTarget& depth) {
     depth.begin();
     glEnable(GL_SCISSOR_TEST);

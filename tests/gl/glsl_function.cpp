@@ -64,7 +64,7 @@ std::vector<glm::vec4> evaluate_glsl(const std::string& file, const std::string&
     if (other) bind(1, *other);
     glUniform1i(glGetUniformLocation(program, "s_other"), 1);
 
-    // Nothing is drawn, but a draw wants a framebuffer, and a context without a surface has none of its own.
+    // A draw call needs a framebuffer even if nothing is rasterised. A context without a surface has no default one.
     const Target target(TargetKind::probe, {1, 1});
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
     const VertexArrayName layout;

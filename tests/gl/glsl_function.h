@@ -1,4 +1,4 @@
-// One function of a shader file, run over many inputs: transform feedback, since GL 4.1 has no compute shader.
+// Runs one function of a shader file over many inputs, by transform feedback: GL 4.1 has no compute shaders.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@
 
 namespace relief {
 
-/// The arguments of one call, as vectors named a, b, ... h in the expression.
+/// The arguments of one call, named a, b, ... h (vec4) in the expression.
 using GlslInput = std::array<glm::vec4, 8>;
 
-/// A change of a shader file's text; `find` must be there exactly once. An empty one changes nothing.
+/// A change of a shader file's text. `find` must occur exactly once. An empty `find` changes nothing.
 struct PlantedMistake {
     std::string find, replace;
 };
 
-/// `expression` (a vec4 of GLSL, over a to h and the samplers s_map and s_other) for every input, with
-/// shaders/`file` included. `map` and `other` are what they read.
+/// Evaluates `expression` for every input, with shaders/`file` included. It is a GLSL vec4 over a to h and the samplers
+/// s_map and s_other, which sample `map` and `other`.
 std::vector<glm::vec4> evaluate_glsl(const std::string& file, const std::string& expression,
                                      std::span<const GlslInput> inputs, const PlantedMistake& mistake = {},
                                      const Texture* map = nullptr, const Texture* other = nullptr);

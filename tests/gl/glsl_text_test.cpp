@@ -1,4 +1,4 @@
-// What a GLSL text defines.
+// Functions and structs found in a GLSL text.
 #include "framework/gl/glsl_text.h"
 
 #include "tests/support.h"

@@ -1,4 +1,4 @@
-// Light in floats: what is blended into it, sample by sample, and what it counts.
+// Light in floats: blending, samples, and counters.
 #include "framework/gl/light_target.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-/// One triangle over the whole target, or a half of it, that writes `color` at a depth.
+/// Draws one triangle over the whole target, or over half of it, that writes `color` at a depth.
 void paint(const char* color, float depth, bool is_half = false) {
     ShaderSource vertex, fragment;
     vertex.stage = "paint.vert";
@@ -31,7 +31,7 @@ void paint(const char* color, float depth, bool is_half = false) {
     glUseProgram(0);
 }
 
-/// The mean of the samples at the four texels of the lowest row.
+/// Returns the mean of the samples at the four texels of the lowest row.
 std::vector<glm::vec4> read(const LightTarget& target, int attachment = 0) {
     ShaderSource vertex, fragment;
     vertex.stage = "read.vert";

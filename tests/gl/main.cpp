@@ -1,5 +1,5 @@
 // Runs a program of GL tests in one context: `--context osmesa` or `--context egl`. The renderer is pinned, so that
-// every machine sees the same bits.
+// every machine produces the same bits.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -11,7 +11,7 @@
 
 namespace {
 
-/// No test may leave an OpenGL error behind.
+/// Fails each test that leaves an OpenGL error behind.
 class NoErrorLeft final : public testing::EmptyTestEventListener {
     void OnTestEnd(const testing::TestInfo&) override {
         const std::string errors = relief::take_gl_errors();

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int columns = 16, patch_count = columns * columns;
 
-/// 16 x 16 quad patches over the whole picture, bent by a wave. What is drawn is where each fragment lies on its patch
-/// and how high: any vertex out of place shows.
+/// 16 x 16 quad patches over the whole picture, bent by a wave. The output is each fragment's position on its patch and
+/// its height, so any misplaced vertex is visible.
 class Patches : public testing::Test {
 protected:
     Patches() {

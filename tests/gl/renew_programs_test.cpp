@@ -1,4 +1,4 @@
-// Programs that follow their files while something is drawn with them.
+// Programs that follow changes of their files while in use.
 #include <gtest/gtest.h>
 
 #include "framework/base/error.h"
@@ -25,7 +25,7 @@ protected:
         return folder_.write("light.glsl", "float light() { return " + value + "; }\n");
     }
     Programs programs() const { return Programs(vert_.c_str(), frag_.c_str()); }
-    /// What the second of two looks says: the first sees that a text is new, the second that it has settled.
+    /// Returns the result of the second of two looks: the first sees a new text, the second sees that it has settled.
     static ShaderNews look_twice() {
         EXPECT_FALSE(renew_programs().changed);
         return renew_programs();
@@ -45,7 +45,7 @@ TEST_F(RenewPrograms, NothingIsNewWhileTheFilesAreAsTheyWere) {
     const GLuint before = programs_.with();
     for (int i = 0; i < 3; ++i) {
         EXPECT_FALSE(renew_programs().changed);
-        light("1.0");  // saved, and the same
+        light("1.0");  // saved without a change
     }
     EXPECT_EQ(GLuint(programs_.with()), before);
 }

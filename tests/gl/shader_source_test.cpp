@@ -1,4 +1,4 @@
-// Shader text from files, and the way back from a compiler's line to a person's.
+// Shader text from files, and the mapping from a compiler's line to a source line.
 #include "framework/gl/shader_source.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ int count(const std::string& text, const std::string& part) {
     return found;
 }
 
-/// The lines of a text, from 1.
+/// Returns the lines of a text, indexed from 1.
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines = {""};
     std::istringstream stream(text);
@@ -32,7 +32,7 @@ protected:
     ShaderSource load(const std::string& text, const std::vector<std::string>& defines = {}) const {
         return load_shader(folder_.write("stage.frag", text), defines);
     }
-    /// The files that a source is made of, in the order of their first lines.
+    /// Returns the files of a source, in the order of their first lines.
     std::vector<std::string> files_of(const ShaderSource& source) const {
         std::vector<std::string> files;
         for (const Place& place : source.lines) {
@@ -99,7 +99,7 @@ TEST_F(Shaders, EveryLineLeadsBackToTheLineThatAPersonWrote) {
     ASSERT_EQ(lines.size(), source.lines.size() + 1);
     std::string places;
     for (size_t i = 1; i < lines.size(); ++i) {
-        // As a compiler would complain of this line of the text.
+        // Like a compiler's error about this line of the text.
         const Place place = explain_log("0:" + std::to_string(i) + "(5): error: x", source.lines).first;
         if (place.file.empty()) {
             EXPECT_TRUE(lines[i].starts_with("#define ")) << lines[i];

@@ -25,7 +25,7 @@ TEST(Target, RowZeroOfAPictureIsTheTop) {
     for (const TargetKind kind : {TargetKind::picture, TargetKind::light, TargetKind::probe}) {
         const Target target(kind, {3, 2});
         fill(target, {0, 0}, {3, 2}, {0, 0, 0, 1});
-        fill(target, {2, 1}, {1, 1}, {1, 0, 0, 1});  // GL's upper right
+        fill(target, {2, 1}, {1, 1}, {1, 0, 0, 1});  // upper right in GL's coordinates
         const Image image = target.read();
         EXPECT_EQ(image.pixel(2, 0)[0], 1.0f);
         EXPECT_EQ(image.pixel(2, 1)[0], 0.0f);

@@ -1,4 +1,4 @@
-// Framebuffers of textures: what is drawn into each attachment, levels, and what they count.
+// Framebuffers of textures: drawing into each attachment, levels, and counters.
 #include "framework/gl/texel_target.h"
 
 #include <gtest/gtest.h>

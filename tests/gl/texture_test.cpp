@@ -16,7 +16,7 @@
 namespace relief {
 namespace {
 
-/// What a shader reads from the texture at (u, v) on a level.
+/// Returns the shader's sample of the texture at (u, v) on a level.
 glm::vec4 sampled(const Texture& texture, float u, float v, float level = 0) {
     TemporaryFolder folder;
     folder.write("a.vert",
@@ -56,7 +56,7 @@ TEST(Texture, EveryPrecisionKeepsItsValues) {
     for (const int bits : {8, 16, 32}) {
         const float value = bits == 8 ? 77.0f / 255 : bits == 16 ? 12345.0f / 65535 : -3.25f;
         const Texture texture("value", [&] { return grey({value}, 1, bits); });
-        // The filter's weights add up to 1 within two units in the last place of a float.
+        // The filter's weights add up to 1 within two ulps of a float.
         EXPECT_NEAR(sampled(texture, 0.5f, 0.5f).r, value, 3e-7 * std::abs(value)) << bits << " bits";
     }
 }
@@ -66,7 +66,7 @@ TEST(Texture, SrgbColourIsReadAsLight) {
     image.values = {188.0f / 255, 0, 1};
     const Texture texture("colour", [&] { return image; }, {.space = ColorSpace::srgb});
     const glm::vec4 light = sampled(texture, 0.5f, 0.5f);
-    // The renderer approximates the curve; half a step of 8 bits is the tolerance that its specification allows.
+    // The renderer approximates the curve. Its specification allows an error of half an 8-bit step.
     EXPECT_NEAR(light.r, linear_from_srgb(188.0 / 255), 0.5 / 255);
     EXPECT_EQ(light.g, 0.0f);
     EXPECT_NEAR(light.b, 1.0f, 1e-6);

@@ -1,5 +1,5 @@
-// Every function of shaders/common and shaders/staff against its twin in double precision, over thousands of inputs;
-// and the same with a mistake planted in the shader, which must be seen.
+// Compares every function of shaders/common and shaders/staff with its twin in double precision, over thousands of
+// inputs. Repeats this with a mistake planted in the shader, which must be detected.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -32,11 +32,11 @@
 namespace relief {
 namespace {
 
-/// Inputs to be used as they come: floats, so that shader and twin begin with the very same numbers.
+/// Random inputs that are exact floats, so that shader and twin start with the same numbers.
 struct Dice {
     std::mt19937 random;
     float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); }
-    /// Both signs, and sizes that differ by powers of ten.
+    /// Both signs, with magnitudes over several powers of ten.
     float any_size(float lowest, float highest) {
         const float size = std::pow(10.0f, between(lowest, highest));
         return random() % 2 ? size : -size;
@@ -69,7 +69,7 @@ GlslInput random_cell(Dice& dice) {
             glm::vec4(dice.inside(0, 1), 0)};
 }
 
-/// Normal and tangent at any angle but nearly along each other, of any length, as interpolation leaves them.
+/// A normal and a tangent that are not nearly parallel, with any length, as after interpolation.
 GlslInput random_frame(Dice& dice) {
     for (;;) {
         const glm::vec3 normal = dice.between(0.3f, 1) * dice.unit(), tangent = dice.between(0.3f, 1) * dice.unit();
@@ -85,7 +85,7 @@ GlslInput random_differences(Dice& dice) {
     for (;;) {
         const glm::vec3 n = dice.unit(), p = dice.inside(-1, 1), q = dice.inside(-1, 1);
         const glm::vec2 u(dice.between(-1, 1), dice.between(-1, 1)), v(dice.between(-1, 1), dice.between(-1, 1));
-        // Neighbours that see the surface neither edge-on nor with uv that hardly change.
+        // Neighbours that see the surface neither edge-on nor with nearly constant uv.
         if (std::abs(glm::dot(n, glm::cross(p, q))) > 0.1f && std::abs(u.x * v.y - u.y * v.x) > 0.1f)
             return {glm::vec4(n, 0), glm::vec4(p, 0), glm::vec4(q, 0), glm::vec4(u, v)};
     }
@@ -97,7 +97,7 @@ std::vector<Twin> light_and_color() {
          "common/light.glsl",
          "vec4(blinn_phong(a.xyz, a.w, b.w, b.xyz, c.xyz, d.xyz), 0.0)",
          [](Dice& dice) {
-             // Within 60 degrees of the normal: at a right angle a relative error of the cosine has no bound.
+             // Within 60 degrees of the normal: at a right angle the relative error of the cosine is unbounded.
              const glm::vec3 n = dice.unit();
              const auto near = [&] { return glm::normalize(n + 0.8f * dice.unit()); };
              return GlslInput{glm::vec4(dice.inside(0, 1), dice.between(0, 1)),
@@ -108,7 +108,8 @@ std::vector<Twin> light_and_color() {
              return glm::dvec4(blinn_phong(xyz(in[0]), in[0].w, in[1].w, xyz(in[1]), xyz(in[2]), xyz(in[3])), 0);
          },
          {"albedo + specular", "albedo - specular"},
-         // A power of 256 multiplies the rounding of its base by 256, and llvmpipe's pow is good to some 1e-5 itself.
+         // A power of 256 multiplies the relative error of its base by 256, and llvmpipe's pow itself is only accurate
+         // to about 1e-5.
          1e-4},
         {"srgb_from_linear",
          "common/srgb.glsl",
@@ -157,7 +158,7 @@ std::vector<Twin> normals_and_frames() {
              return glm::dvec4(decode_normal_xy({in[0].x, in[0].y}), 0);
          },
          {"1.0 - dot(xy, xy)", "1.0 + dot(xy, xy)"},
-         // At the horizon z is the root of what is left of 1, and that has half of its digits.
+         // At the horizon z is the root of a small difference from 1, so half of its digits are lost.
          5e-4},
         {"decode_octahedral",
          "staff/normal_map.glsl",
@@ -209,7 +210,7 @@ std::vector<Twin> normals_and_frames() {
          random_differences,
          [](const GlslInput& in) { return column_of_cotangent_frame(in, 0); },
          {"? -1.0 : 1.0", "? 1.0 : 1.0"},
-         // Sums of two products may nearly cancel, since the longer of the two columns sets the scale.
+         // Sums of two products may nearly cancel, because the longer of the two columns sets the scale.
          1e-5,
          1},
         {"cotangent_frame",
@@ -223,8 +224,8 @@ std::vector<Twin> normals_and_frames() {
     };
 }
 
-/// A cell, when a ray leaves it, where it is a little later, and its direction. Places are not nearer to a line than
-/// next_cell() rounds.
+/// A cell, the t at which a ray leaves it, a slightly later position, and the direction. Positions stay farther from a
+/// line than the rounding of next_cell().
 GlslInput random_walk(Dice& dice) {
     const glm::vec2 cell(std::floor(dice.between(-9, 9)), std::floor(dice.between(-9, 9)));
     const glm::vec2 in_cell(dice.between(0.01f, 0.99f), dice.between(0.01f, 0.99f));
@@ -272,7 +273,7 @@ std::vector<Twin> cell_walks() {
              return glm::dvec4(way * double(in[1].y) + 4, 65004, 0, 0);
          },
          {"abs(along.y)", "along.y"},
-         1e-4},  // whole iterations, of tens of thousands
+         1e-4},  // integers, up to tens of thousands
     };
 }
 
@@ -306,12 +307,12 @@ std::vector<Twin> height_cells() {
          },
          {"from.z + to.z - mixed", "from.z + to.z + mixed"},
          1e-5,
-         1},  // likewise
+         1},  // as above
         {"closes",
          "common/height_cell.glsl",
          "vec4(closes(a.xyz), vec3(0.0))",
          [](Dice& dice) {
-             for (;;) {  // not nearer to touching than floats can tell
+             for (;;) {  // not closer to contact than float precision
                  const glm::dvec3 gap = dice.inside(-1, 1);
                  if (std::abs(gap.y * gap.y - gap.x * gap.z) > 1e-5) return GlslInput{glm::vec4(gap, 0)};
              }
@@ -357,7 +358,7 @@ std::vector<Twin> displacement_and_levels() {
                          glm::vec4(dice.inside(-1, 1), dice.between(0, 0.2f)),
                          glm::vec4(dice.between(-2, 2), dice.between(-2, 2), 0, 0)};
     };
-    // On each edge, at each corner, and within.
+    // On each edge, at each corner, and inside.
     const auto place = [](Dice& dice) {
         const float x = std::array{0.0f, 1.0f, dice.between(0, 1)}[dice.random() % 3];
         const float y = std::array{0.0f, 1.0f, dice.between(0, 1)}[dice.random() % 3];
@@ -448,7 +449,7 @@ std::vector<Twin> displacement_and_levels() {
              return scalar(level_by_error({in[0].x, in[0].y, in[0].z, in[0].w, in[1].x, in[1].y, in[1].z}, in[1].w));
          },
          {"float(octave - 1) + share", "float(octave) - share"},
-         // A difference of two errors that happen to be 1000 times nearer to each other than to 0.
+         // A difference of two errors that may be 1000 times closer to each other than to 0.
          1e-3},
         {"outer_levels_of_triangle",
          "14_adaptive_displacement/task.glsl",
@@ -472,7 +473,7 @@ std::vector<Twin> displacement_and_levels() {
          "14_adaptive_displacement/task.glsl",
          "vec4(is_outside(vec4[](a, b, c, d, e, f), g), vec3(0.0))",
          [](Dice& dice) {
-             for (;;) {  // not nearer to touching than floats can tell
+             for (;;) {  // not closer to contact than float precision
                  GlslInput in;
                  for (int i = 0; i < 6; ++i) in[size_t(i)] = glm::vec4(dice.unit(), dice.between(-0.5f, 2));
                  in[6] = glm::vec4(dice.inside(-1, 1), dice.between(0, 1));
@@ -491,7 +492,7 @@ std::vector<Twin> displacement_and_levels() {
          "14_adaptive_displacement/task.glsl",
          "vec4(faces_away(b.xyz, c.w, a, d.xyz), vec3(0.0))",
          [bounds](Dice& dice) {
-             for (;;) {  // the same
+             for (;;) {  // as above
                  GlslInput in = bounds(dice);
                  in[2].w = std::abs(dice.any_size(-2, 1)), in[3] = glm::vec4(dice.inside(-3, 3), 0);
                  const auto faces = [&](double slope) {
@@ -566,7 +567,7 @@ std::vector<Twin> displacement_and_levels() {
          },
          [](const GlslInput& in) { return scalar(in[1].x * toksvig_factor(glm::length(xyz(in[0])), in[1].x)); },
          {"shininess * (1.0 - l)", "shininess * l"},
-         1e-4},  // what a rounding of the length makes of a sharp highlight
+         1e-4},  // rounding of the length, amplified by a sharp highlight
         {"bumps_left",
          "17_time_and_error/task.glsl",
          "vec4(bumps_left(a.x, a.y, a.z), vec3(0.0))",
@@ -649,7 +650,7 @@ std::vector<Twin> displacement_and_levels() {
 
 Ray ray_of(const GlslInput& in) { return {xyz(in[0]), xyz(in[1])}; }
 
-/// A ray and a triangle that it meets, or misses, by more than a float's rounding can change.
+/// A ray and a triangle, with a hit or a miss by more than float rounding.
 GlslInput random_ray_and_triangle(Dice& dice) {
     for (;;) {
         const GlslInput in{glm::vec4(dice.inside(-1, 1), 0), glm::vec4(dice.inside(-2, 2), 0),
@@ -703,7 +704,7 @@ std::vector<Twin> mesh_rays() {
          "vec4(meets_box(a.xyz, inverse_direction(b.xyz), 1.0, min(c.xyz, d.xyz), max(c.xyz, d.xyz)))",
          [](Dice& dice) {
              const auto grid = [&] { return glm::vec4(glm::round(dice.inside(-8, 8)) / 4.0f, 0); };
-             // Halves beside the planes of the boxes, and parts of them that no rounding reaches.
+             // Boxes on a grid; origins and directions off the grid by more than any rounding.
              return GlslInput{grid() + 0.1f, grid() + glm::vec4(0.03f, 0.07f, 0.013f, 0), grid(), grid()};
          },
          [](const GlslInput& in) {
@@ -720,7 +721,7 @@ std::vector<Twin> mesh_rays() {
              return triangle_hit(ray, axes_of(ray.direction), xyz(in[2]), xyz(in[3]), xyz(in[4]));
          },
          {"(any_below && any_above)", "any_above"},
-         // t is a quotient by a slant of 0.3 and more of lengths of 4.
+         // t is the quotient of lengths up to 4 by a slant of at least 0.3.
          2e-4,
          1},
     };
@@ -743,7 +744,7 @@ std::vector<GlslInput> inputs_of(const Twin& twin) {
     return inputs;
 }
 
-/// The largest error over all inputs; infinite when a result is not a number.
+/// Returns the maximum error over all inputs; infinity if a result is NaN.
 double largest_error(const Twin& twin, const PlantedMistake& mistake) {
     const std::vector<GlslInput> inputs = inputs_of(twin);
     const std::vector<glm::vec4> results = evaluate_glsl(twin.file, twin.expression, inputs, mistake);
@@ -767,14 +768,14 @@ TEST(ShaderFunction, WithAMistakeNoLongerAgrees) {
 }
 
 TEST(ShaderFunction, EachOfThemHasATwinHere) {
-    std::set<std::string> tested = {"cell_corners", "exact_hit"};  // below: they read textures
+    std::set<std::string> tested = {"cell_corners", "exact_hit"};  // tested below, because they sample textures
     for (const Twin& twin : all_twins())
         if (twin.file.starts_with("common/") || twin.file.starts_with("staff/")) tested.insert(twin.function);
     const std::regex definition("(^|\n)(float|bool|int|vec[234]|mat[234]) ([a-z_0-9]+)\\(");
     size_t found = 0;
     for (const char* folder : {"shaders/common", "shaders/staff"})
         for (const auto& file : std::filesystem::directory_iterator(course_root() / folder)) {
-            if (file.path().filename() == "unfinished.glsl") continue;  // holes for students, not mathematics
+            if (file.path().filename() == "unfinished.glsl") continue;  // placeholders for students, no mathematics
             const std::string text = read_file(file.path());
             for (auto match = std::sregex_iterator(text.begin(), text.end(), definition);
                  match != std::sregex_iterator(); ++match, ++found)
@@ -783,7 +784,7 @@ TEST(ShaderFunction, EachOfThemHasATwinHere) {
     EXPECT_GE(found, tested.size());
 }
 
-// Rays at a vertex, at places on the edges around it, and at what rounding makes of them.
+// Rays at a vertex, at points on the edges around it, and at their rounded positions.
 TEST(ShaderFunction, RaysAtTheVertexAndTheEdgesOfAFanPassBetweenNoneOfItsTriangles) {
     Dice dice{std::mt19937(seed)};
     std::vector<GlslInput> inputs(20000);
@@ -870,10 +871,10 @@ TEST(ShaderFunction, ExactHitsAreThoseOfTheHeightField) {
     EXPECT_NE(wrong, found);
 }
 
-/// Rays of one kind, in tiles, by exact_hit() and in double precision.
+/// One kind of rays, in tiles, for exact_hit() and its twin.
 struct FarRays {
-    float start, reach;  ///< the most that they start from the origin, and go to the ground
-    double off;          ///< texels that they may be off
+    float start, reach;  ///< maximum distance of the start from the origin, and length to the ground
+    double off;          ///< tolerance in texels
 };
 
 TEST(ShaderFunction, ExactHitsAreTheHeightFieldsHoweverFarTheRayStartsAndGoes) {
@@ -884,7 +885,7 @@ TEST(ShaderFunction, ExactHitsAreTheHeightFieldsHoweverFarTheRayStartsAndGoes) {
         const HeightWindows windows = height_windows(image);
         const Texture other("windows", [&] { return windows.clearance; }, {.mips = false, .layers = 4});
         const glm::vec4 extent(windows.extent[0], windows.extent[1], windows.extent[2], windows.extent[3]);
-        // A float resolves 6e-8 of what it holds: at the end of 250 tiles, 64,000 texels, 0.004 texels.
+        // A float resolves 6e-8 of its value: at the end of 250 tiles (64,000 texels) that is 0.004 texels.
         for (const FarRays& rays : {FarRays{1, 8, 0.01}, FarRays{512, 30, 0.02}, FarRays{4, 250, 0.1}}) {
             Dice dice{std::mt19937(seed)};
             std::vector<GlslInput> inputs;

@@ -1,4 +1,4 @@
-// Streams beside a mesh: their numbers reach the shader as they are, for each vertex and for each instance.
+// Streams in addition to a mesh: their values reach the shader unchanged, per vertex and per instance.
 #include "framework/gl/vertex_stream.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct Placed {
     int32_t number;
 };
 
-/// A pixel for each vertex of each instance: its last weight, its last bone, its instance's x and number.
+/// One pixel for each vertex of each instance: its last weight, its last bone, its instance's x and number.
 class VertexStreams : public testing::Test {
 protected:
     VertexStreams() {
@@ -40,7 +40,7 @@ protected:
                       "void main() { o_color = v_found; }\n");
     }
 
-    /// 2 vertices, 3 instances; pixel (x, y) is vertex x of instance y.
+    /// Draws 2 vertices and 3 instances; pixel (x, y) is vertex x of instance y.
     Image drawn() {
         const Program program({folder_.path() / "points.vert", folder_.path() / "points.frag"}, {});
         const Target target(TargetKind::probe, {8, 8});
