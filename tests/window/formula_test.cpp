@@ -1,4 +1,4 @@
-// Formulas of handouts, typeset as the window shows them.
+// Formulas of handouts, typeset as in the window.
 #include "framework/window/menu_formula.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ protected:
         ImGui::DestroyContext();
     }
 
-    /// Blocks of formulas, by handout.
+    /// Returns the blocks of formulas of each handout.
     static std::map<std::string, std::vector<Lines>> handouts() {
         std::map<std::string, std::vector<Lines>> all;
         for (const auto& lab : std::filesystem::directory_iterator(course_root() / "labs")) {
@@ -53,7 +53,7 @@ protected:
         EXPECT_GE(all.size(), 18u);
         return all;
     }
-    /// The characters that a font lacks.
+    /// Returns the characters that a font lacks.
     static std::set<unsigned> missing(const std::string& text, const ImFont& face) {
         std::set<unsigned> characters;
         for (const char* at = text.c_str(); *at != 0;) {
@@ -68,13 +68,13 @@ protected:
         for (const FormulaBox::Glyphs& each : box.glyphs) characters.merge(missing(each.text, *each.face));
         return characters;
     }
-    /// The first glyphs with this text, or nothing.
+    /// Returns the first glyphs with this text, or null.
     static const FormulaBox::Glyphs* find(const FormulaBox& box, const std::string& text) {
         for (const FormulaBox::Glyphs& each : box.glyphs)
             if (each.text == text) return &each;
         return nullptr;
     }
-    static constexpr float dock = 444;  ///< what is left of the dock's 480 pixels for a handout
+    static constexpr float dock = 444;  ///< width for a handout: the dock's 480 pixels minus its margins
 };
 
 TEST_F(WindowFormula, EverySymbolOfTheHandoutsHasAGlyph) {
