@@ -1,4 +1,4 @@
-// relief bench as its users run it, and its page in a browser.
+// relief bench from the command line, and its page in a browser.
 #include <algorithm>
 #include <csignal>
 #include <random>
@@ -99,7 +99,7 @@ TEST_F(BenchCommand, ASweepKilledHalfWayLeavesATableThatCanBeRead) {
 }
 
 TEST_F(BenchCommand, BenchHoldsWorkToTheBaseline) {
-    // Storage knows of errors alone: with one that is smaller in the file than it is, the run fails and says so.
+    // The topic storage has only errors. With a smaller error in the file, the run must fail with a message.
     const auto file = course().path() / "tests/staff/measure/baseline.csv";
     make_folder(file.parent_path());
     const std::string baseline =
@@ -180,8 +180,8 @@ TEST_F(BenchCommand, ThePageKeepsTheTopicsOfEarlierRunsAndRenewsThoseOfThisOne) 
 
 // ---- the page ----
 
-/// A topic of two scenes: one of four methods, with a picture and an error map each, and one of times alone with a
-/// method that has crashed.
+/// A topic of two scenes. One has four methods with a picture and an error map each. The other has only times, and one
+/// of its methods has crashed.
 struct Page {
     TemporaryFolder folder;
     std::filesystem::path file = folder.path() / "index.html";
@@ -212,8 +212,7 @@ struct Page {
     }
 };
 
-/// Topics of many methods whose points lie near each other, with long names and short ones, and with times that have no
-/// error.
+/// Topics of many methods with close points, with long and short names, and with times without errors.
 struct CrowdedPage {
     TemporaryFolder folder;
     std::filesystem::path file = folder.path() / "index.html";
@@ -257,7 +256,7 @@ TEST(BenchPage, NoNameLiesOnAnotherOneInWidePlotsAndInNarrowOnes) {
     browser().eval("document.querySelectorAll('details').forEach(one => { one.open = true; })");
     for (const int width : {1440, 390}) {
         browser().width(width);
-        // Of all words in a plot that is shown, those that have more than a letter's edge in common.
+        // Among all words in a visible plot, finds pairs that overlap by more than the edge of a letter.
         const nlohmann::json found = browser().eval(R"((() => {
             const overlaps = [];
             let names = 0;
@@ -288,7 +287,7 @@ TEST(BenchPage, ShowsThePicturesBehindAPointAndBehindItsLine) {
     EXPECT_EQ(browser().eval("document.querySelectorAll('#look img').length"), 2);
     EXPECT_TRUE(contains(words(), "good"));
     EXPECT_EQ(browser().eval("document.querySelectorAll('tr.chosen').length"), 1);
-    // By keyboard, from the table.
+    // With the keyboard, from the table.
     browser().eval("document.querySelector('details').open = true");
     ASSERT_TRUE(browser().tab_to("tr[data-row=\"3\"]"));
     browser().press("Enter");

@@ -1,4 +1,4 @@
-// The other commands, and a course with something missing or damaged, as users meet them.
+// The other commands, and their messages for a course with missing or damaged files.
 #include <OpenImageIO/oiioversion.h>
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ int count(const std::string& text, const std::string& part) {
     return number;
 }
 
-/// One copy for all tests of a program; each undoes what it does, or works on files of its own.
+/// One copy for all tests of a program. Each test undoes its changes, or works on its own files.
 class CourseTest : public testing::Test {
 protected:
     static void SetUpTestSuite() { course_ = std::make_unique<CourseCopy>(); }
@@ -38,7 +38,7 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         return course().relief(arguments);
     }
-    /// Exit code 1, one line with this text, and no picture.
+    /// Expects exit code 1, one line with this text, and no picture.
     static void expect_failure(const Result& result, const std::string& text) {
         EXPECT_EQ(result.code, 1);
         EXPECT_TRUE(contains(result.err, text)) << result.err;
@@ -50,7 +50,7 @@ private:
     static inline std::unique_ptr<CourseCopy> course_;
 };
 
-/// Puts a file back as it was.
+/// Restores a file in its destructor.
 class Restore {
 public:
     Restore(const CourseCopy& course, const char* file)
@@ -210,7 +210,7 @@ TEST_F(CourseTest, ADriverThatIsNotThereIsNamedAndNothingCrashes) {
 }
 
 TEST_F(CourseTest, InfoGoesOnAfterADriverThatCrashes) {
-    // A driver that ends the process as soon as it is asked for anything.
+    // A driver that aborts the process as soon as it is loaded.
     const TemporaryFolder libraries;
     libraries.write("crash.c",
                     "#include <stdlib.h>\n__attribute__((constructor)) static void crash(void) { abort(); }\n");
@@ -364,7 +364,7 @@ TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
           "look at: The code 0 means -1, not 0: every normal leans towards (1, 1, 1).\n"})
         EXPECT_TRUE(contains(wrong.out, part)) << part << "\n" << wrong.out;
     EXPECT_EQ(count(wrong.out, "The code 0 means -1"), 1) << "a hint is said once: " << wrong.out;
-    // What it names as the worst pixel is wrong there.
+    // The pixel reported as the worst must be wrong.
     const std::string begin = "the worst pixel: ./relief explain 02 --check 'three bytes and back' --pixel ";
     const size_t at = wrong.out.find(begin);
     ASSERT_NE(at, std::string::npos) << wrong.out;
@@ -410,7 +410,7 @@ std::string from_base64(const std::string& text) {
     return bytes;
 }
 
-/// What stands between two words after `from`, which moves past it; "" and npos where there is no such.
+/// Returns the text between two words after `from`, and moves `from` past it; "" and npos if there is none.
 std::string between(const std::string& text, const std::string& begin, const std::string& end, size_t& from) {
     const size_t at = text.find(begin, from);
     if (at == std::string::npos) return from = at, "";
@@ -418,7 +418,7 @@ std::string between(const std::string& text, const std::string& begin, const std
     return text.substr(at + begin.size(), from - at - begin.size());
 }
 
-/// Each picture of a page as a check's page has it, by the words that stand in for it.
+/// Returns the pictures of a check's page, by their alternative texts.
 std::map<std::string, Image> pictures_of(const std::string& page) {
     std::map<std::string, Image> pictures;
     for (size_t at = 0;;) {

@@ -1,4 +1,4 @@
-// A copy of the course and of what is built, in a folder with a space in its name, for tests that damage things.
+// A copy of the course and its build, for tests that damage files. Its folder has a space in its name.
 #pragma once
 
 #include "tests/process.h"
@@ -13,7 +13,7 @@ public:
     std::filesystem::path path() const { return folder_.path() / "a course"; }
     /// Runs the copy's executable from its own folder.
     Result relief(std::vector<std::string> arguments, Circumstances where = {}) const;
-    /// Replaces a part of a file that must be there.
+    /// Replaces the first occurrence of `find`, which must exist.
     void edit(const std::string& file, const std::string& find, const std::string& replace) const;
     void overwrite(const std::string& file, const std::string& content) const;
 
@@ -23,7 +23,7 @@ private:
 
 std::string read_all(const std::filesystem::path& file);
 
-/// Names of the files in a folder.
+/// Returns the names of the files in a folder.
 std::vector<std::string> files_in(const std::filesystem::path& folder);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// relief explain as its users run it.
+// relief explain from the command line.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/course_copy.h"
@@ -20,7 +20,7 @@ Result with(std::vector<std::string> more) {
     return explain(more);
 }
 
-/// The functions of a report, by name.
+/// Returns the functions of a report by name.
 std::map<std::string, Json> functions_of(const Json& report) {
     std::map<std::string, Json> functions;
     for (const Json& one : report["functions"]) functions[one["name"]] = one;
@@ -34,15 +34,14 @@ TEST(ExplainCommand, FollowsAPixelThroughTheFunctionsOfTheTask) {
     EXPECT_TRUE(report["first"].is_null());
     const auto functions = functions_of(report);
     ASSERT_TRUE(functions.contains("ray_in_relief") && functions.contains("steep_t") && functions.contains("on_ray"));
-    // The picture's value is what the functions' values give: uv + t along, in texels of the map.
+    // The picture's value must match the functions' values: uv + t along, in texels of the map.
     const Json call = functions.at("steep_t")["calls"][0], inputs = call["inputs"];
     const double t = call["results"]["returns"];
     for (size_t i = 0; i < 2; ++i) {
         const double uv = double(inputs["uv"][i]) + t * double(inputs["along"][i]);
         EXPECT_NEAR(double(report["value"][i]), uv * 1024, 0.01);
     }
-    // Eight layers: t is a whole number of eighths, and each layer before it, and the coordinate at the end, are a
-    // call.
+    // Eight layers: t is a multiple of 1/8. Each layer before it is one call, and so is the coordinate at the end.
     EXPECT_EQ(t * 8, std::round(t * 8));
     EXPECT_EQ(functions.at("on_ray")["call_count"], int(t * 8) + 2);
     EXPECT_EQ(functions.at("on_ray")["calls"].size(), 2U) << "first and last";
@@ -71,7 +70,7 @@ TEST(ExplainCommand, TwinsHaveMoreDigits) {
 }
 
 TEST(ExplainCommand, NamesTheFunctionThatIsWrongAndNotThoseThatUseIt) {
-    // All three tasks of this picture differ from the right one; on_ray() is called by steep_t().
+    // All three tasks of this picture differ from the solution; steep_t() calls on_ray().
     const Result result = with({"--mistake", "against-the-ray"});
     ASSERT_EQ(result.code, 0) << result.err;
     EXPECT_TRUE(contains(result.out,

@@ -1,4 +1,4 @@
-// relief golden: what passes, what fails, and what it refuses to renew.
+// relief golden: passing and failing pictures, and the cases in which it refuses to renew.
 #include <regex>
 
 #include "framework/image/file.h"
@@ -30,7 +30,7 @@ protected:
         ASSERT_EQ(result.code, 0) << result.err;
         ASSERT_EQ(result.out, "01_specular_highlights/close: renewed\n");
     }
-    /// Changes the reference: the red of its first pixels by some steps of 255, and its driver.
+    /// Changes the reference: the red of its first pixels by `steps` / 255, and its driver.
     void change_reference(int steps, const std::string& driver, size_t pixels = 1) const {
         Notes notes;
         Image image = read_image(file_, &notes);
@@ -119,7 +119,7 @@ TEST_F(Golden, OfAnotherMesaAFewPixelsMayDifferOfTheSameOneNone) {
     const std::string here = notes.at(0).second,
                       other = std::regex_replace(here, std::regex("Mesa [0-9.]+"), "Mesa 1.2.3");
     ASSERT_NE(here, other);
-    // By another version of the distribution's package Mesa is the same.
+    // Another version of the distribution's package contains the same Mesa.
     const std::string packaged = std::regex_replace(here, std::regex("Mesa ([0-9.]+)[^,]*"), "Mesa $1-7deb");
     const std::string unpinned = other.substr(0, other.find(", pinned"));
     const auto with = [&](const std::string& driver, size_t pixels, int steps) {

@@ -1,4 +1,4 @@
-// `relief grade --slurm` and `--status` as an instructor runs them, with stand-ins for Slurm's commands: nothing is
+// `relief grade --slurm` and `--status` as an instructor runs them, with stand-ins for Slurm's commands. Nothing is
 // drawn.
 #include <nlohmann/json.hpp>
 
@@ -49,7 +49,7 @@ protected:
         words.insert(words.end(), more.begin(), more.end());
         return grade(words);
     }
-    /// As the script last.sh does.
+    /// Like the script last.sh.
     Result last_job(const std::string& sent) const {
         return grade({"--resume", "-o", "marks", "--slurm", "2"},
                      {{"RELIEF_SENT", sent}, {"RELIEF_ATTEMPT", "1"}, {"SLURM_JOB_ID", "12"}, {"RELIEF_SEED", ""}});
@@ -177,7 +177,7 @@ TEST_F(GradeCommand, WrongUseOfAClusterIsOneClearLine) {
     EXPECT_EQ(calls(), "");
 }
 
-/// Bytes that this process has read; nothing where the system does not say.
+/// Returns the bytes that this process has read; nothing if the system does not count them.
 std::optional<double> bytes_read() {
     std::ifstream counters("/proc/self/io");
     std::string name;
@@ -186,7 +186,7 @@ std::optional<double> bytes_read() {
     return {};
 }
 
-// The work of a merge grows as the class does.
+// The work of a merge must be linear in the size of the class.
 TEST(Merge, ReadsEachResultOnce) {
     if (!bytes_read()) GTEST_SKIP() << "the system does not count what is read";
     const auto read_for = [](int count) {
@@ -205,7 +205,7 @@ TEST(Merge, ReadsEachResultOnce) {
         EXPECT_EQ(merge_class(folder.path()).marks.size(), size_t(count));
         return *bytes_read() - before;
     };
-    // A result is 10,000 bytes and a little; its line of the roster is read twice.
+    // A result has slightly more than 10,000 bytes; its line of the roster is read twice.
     EXPECT_NEAR((read_for(600) - read_for(200)) / 400, 10500, 500);
 }
 

@@ -1,4 +1,4 @@
-// `relief handout` of a course whose labs do not work: nothing may be handed out that nobody can solve.
+// `relief handout` for a course with broken labs: it must not hand out a lab that nobody can solve.
 #include "tests/app/course_copy.h"
 
 namespace relief {

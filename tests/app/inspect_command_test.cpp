@@ -1,4 +1,4 @@
-// relief inspect as its users run it.
+// relief inspect from the command line.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -20,7 +20,7 @@ protected:
         more.insert(more.begin(), {relief_program(), "inspect"});
         return run(more, {folder_.path(), {}});
     }
-    /// One line on standard error with these words, nothing on standard output.
+    /// Expects one line on standard error with these words, and nothing on standard output.
     void expect_refused(const std::vector<std::string>& arguments, int code, const std::string& words) const {
         const Result result = inspect(arguments);
         EXPECT_EQ(result.code, code) << result.err;

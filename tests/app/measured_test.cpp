@@ -1,4 +1,4 @@
-// Each number that a handout or a deck says was measured, measured again. Below the text it stands in a block:
+// Measures again each number that a handout or a deck declares as measured. Below the text stands a block:
 //
 //     ```measured
 //     shot 18 --set view=skin --set shape=tube --size 512x512 --error normal
@@ -8,11 +8,13 @@
 //     0.170 0.387  test NormalFormat.CostsWhatCigolleEtAlPublished
 //     ```
 //
-// The numbers as the text has them; then what of the error they are, with a unit where it is not the one that the
-// command prints; then what measures them, once with each of the words in braces: a command of `relief`; the row of the
-// benchmark that all these words name, from the baseline that the test `baseline` holds; or a test that has the number.
-// A line without numbers is what the sources of the lines below it begin with. A line that begins with a blank goes on
-// with the one before.
+// Each line has three parts. First come the numbers as written in the text. Then come the names of the error's figures,
+// with a unit if it differs from the command's. The rest is the source, once for each of the words in braces. A source
+// is a command of `relief`, or a row of the benchmark that all these words name, or a test that contains the number.
+// Rows come from the baseline that the test `baseline` checks.
+//
+// A line without numbers is the common beginning of the sources of the lines below it. A line that begins with a blank
+// continues the previous line.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +36,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
-using Measured = std::map<std::string, double>;  ///< by its name: mean, largest
+using Measured = std::map<std::string, double>;  ///< by name: mean, largest
 
 Words words_of(const std::string& text) {
     Words words = split(text, ' ');
@@ -42,7 +44,7 @@ Words words_of(const std::string& text) {
     return words;
 }
 
-/// "a {b|c} {d|e}" is "a b d", "a b e", "a c d", "a c e".
+/// Expands "a {b|c} {d|e}" to "a b d", "a b e", "a c d", "a c e".
 Words each_of(const std::string& text) {
     const size_t open = text.find('{'), close = text.find('}', open);
     if (close == text.npos) return {text};
@@ -53,20 +55,21 @@ Words each_of(const std::string& text) {
     return all;
 }
 
-/// A number of a text and what it was measured by.
+/// A number of a text and its source.
 struct Claim {
     std::string place;   ///< "labs/01_specular_highlights/README.md:48"
     std::string number;  ///< as written
     std::string what, unit, source;
 };
 
-/// What one text says, and a line for each block that cannot be read and each number that the text above it has not.
+/// The claims of one text. `faults` has a line for each unreadable block, and for each number that is missing from the
+/// text above its block.
 struct Claims {
     std::vector<Claim> claims;
     Words faults;
 };
 
-/// `text` has the number, and not as a part of a longer one.
+/// Returns whether `text` contains the number, and not as a part of a longer one.
 bool has_number(const std::string& text, const std::string& number) {
     const auto is_digit = [&](size_t at) {
         return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
@@ -90,7 +93,7 @@ bool is_name(const std::string& word) {
 bool is_unit(const std::string& word) { return word == "mm" || word == "%"; }
 bool is_source(const std::string& word) { return word == "shot" || word == "bench" || word == "test"; }
 
-/// The first words of which this is true, taken off.
+/// Removes and returns the leading words for which `is_one` is true.
 Words taken(Words& words, bool (*is_one)(const std::string&)) {
     const auto end = std::find_if_not(words.begin(), words.end(), is_one);
     const Words first(words.begin(), end);
@@ -98,7 +101,8 @@ Words taken(Words& words, bool (*is_one)(const std::string&)) {
     return first;
 }
 
-/// Reads one line of a block. `above` is the text in which its numbers must stand, `common` what sources begin with.
+/// Reads one line of a block. `above` is the text that must contain its numbers; `common` is the common beginning of
+/// sources.
 void read_line(const std::string& line, const std::string& place, const std::string& above, std::string& common,
                Claims& all) {
     Words words = words_of(line);
@@ -140,8 +144,8 @@ void read_text(const std::string& text, const std::string& name, Claims& all) {
     }
 }
 
-/// Half of the last digit that is written, and a little for another Mesa; of more than three digits before the point
-/// those that are 0 at the end are not counted.
+/// Returns half a unit of the last written digit, plus a little for another Mesa version. In an integer of more than
+/// three digits, trailing zeros do not count as digits.
 double tolerance(std::string number) {
     std::erase(number, ',');
     const size_t point = number.find('.');
@@ -157,7 +161,7 @@ bool agrees(const std::string& number, double measured) {
     return number[0] == '<' ? measured < written : std::abs(measured - written) <= tolerance(digits);
 }
 
-/// Of the error that `relief shot ... --error ...` draws.
+/// Returns the figures of the error that `relief shot ... --error ...` draws.
 Measured measured_by_shot(const std::string& command) {
     const TemporaryFolder folder;
     const fs::path picture = folder.path() / "error.pfm";
@@ -170,7 +174,8 @@ Measured measured_by_shot(const std::string& command) {
     return {{"mean", error.mean}, {"p99", error.p99}, {"largest", error.largest}, {"wrong", error.wrong.value()}};
 }
 
-/// The row of the baseline with all these words: a topic first, then what is in its scene, method and knobs.
+/// Returns the figures of the baseline's row with all these words: first the topic, then words of its scene, method and
+/// knobs.
 Measured measured_by_bench(const std::string& command) {
     static const CsvTable table = read_csv(course_root() / "tests/staff/measure/baseline.csv");
     const Words wanted = words_of(command);
@@ -198,7 +203,7 @@ Measured measured_by_bench(const std::string& command) {
     return values;
 }
 
-/// All files of tests, one after another.
+/// Returns the text of all test files, concatenated.
 const std::string& all_tests() {
     static const std::string text = [] {
         std::string all;
@@ -209,7 +214,7 @@ const std::string& all_tests() {
     return text;
 }
 
-/// "test Suite.Name": whether that test has a number that rounds to this one.
+/// "test Suite.Name": returns whether that test contains a number that rounds to this one.
 bool is_in_test(const std::string& number, const std::string& source) {
     const Words name = split(words_of(source).at(1), '.');
     std::smatch begin;
@@ -225,13 +230,13 @@ bool is_in_test(const std::string& number, const std::string& source) {
     return false;
 }
 
-/// A shot that was measured, or why not.
+/// The result of a measured shot, or the reason for its failure.
 struct Shown {
     Measured measured;
     std::string failure;
 };
 
-/// What is false of a claim, or empty.
+/// Returns why a claim is false, or "".
 std::string fault_of(const Claim& claim, const std::map<std::string, Shown>& shots) {
     if (claim.source.starts_with("test "))
         return is_in_test(claim.number, claim.source) ? "" : claim.number + " is not in " + claim.source;
@@ -245,7 +250,7 @@ std::string fault_of(const Claim& claim, const std::map<std::string, Shown>& sho
     return fmt::format("{}, but {:.6g} is measured by {}", claim.number, measured, claim.source);
 }
 
-/// A line for each claim that is false or cannot be measured. Shots are drawn side by side.
+/// Returns a line for each claim that is false or cannot be measured. Draws shots in parallel.
 Words faults_of(const Claims& all) {
     std::map<std::string, Shown> shots;
     for (const Claim& claim : all.claims)

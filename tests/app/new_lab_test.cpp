@@ -1,4 +1,4 @@
-// What `relief new-lab` makes builds, runs and passes, untouched.
+// The lab made by `relief new-lab` builds, runs and passes without changes.
 #include "framework/image/file.h"
 #include "tests/app/course_with_new_lab.h"
 
@@ -51,7 +51,7 @@ TEST_F(NewLab, HasAnExecutableOfItsOwnAndItsErrorMap) {
 }
 
 TEST_F(NewLab, HasADeckOfSlidesWithItsPictures) {
-    // The tool that makes slides is installed in the build's folder, and this course has one of its own.
+    // The slide tool is installed in the build's folder; this course has its own build folder.
     std::filesystem::create_directory_symlink(RELIEF_BUILD_FOLDER "/marp", course_.course.path() / "build/marp");
     const Result result = run({course_.program("relief"), "slides", "test_wall", "--no-pdf"});
     EXPECT_EQ(result.code, 0) << result.err;
@@ -59,7 +59,7 @@ TEST_F(NewLab, HasADeckOfSlidesWithItsPictures) {
     for (const char* part : {"Test wall", "20_test_wall/01.png", "facing", "mjx-container"})
         EXPECT_TRUE(contains(deck, part)) << part;
     EXPECT_GT(read_image(course_.course.path() / "build/slides/20_test_wall/02.png").width, 800);
-    // The gallery may be published and takes along what is in build/slides.
+    // The gallery may be published and includes build/slides.
     const Result solved = run({course_.program("relief"), "slides", "test_wall", "--no-pdf", "--solutions"});
     EXPECT_TRUE(contains(solved.out, "build/slides-with-solutions/20_test_wall.html")) << solved.out << solved.err;
 }

@@ -1,4 +1,4 @@
-// The pages of `relief grade`, in a browser, by keyboard and by what a screen reader is told.
+// The pages of `relief grade` in a browser, used by keyboard and through the screen reader's information.
 #include <cmath>
 #include <regex>
 #include <set>
@@ -54,7 +54,7 @@ SubmissionMark submission(const std::string& name, std::vector<std::pair<const c
 
 constexpr Outcome passed = Outcome::passed, wrong = Outcome::wrong, unfinished = Outcome::unfinished;
 
-/// What a class is made of: points 11, 7, 2, 9 and none; one is not graded, one cannot be read.
+/// A class with 11, 7, 2, 9 and 0 points. One submission is not graded, and one cannot be read.
 ClassReport some_class() {
     ClassReport report;
     report.isolation.level = Isolation::namespaces, report.taken_over = 2, report.seconds = 12.5,
@@ -93,7 +93,7 @@ std::string text_of(const std::string& selector) {
     return browser().eval("document.querySelector(" + json(selector).dump() + ").textContent");
 }
 
-/// A sphere's normals, or those of one that is off by so much.
+/// Returns a sphere's normals, shifted by `tilt`.
 Image sphere(float tilt) {
     Image image(24, 24, 3);
     for (int y = 0; y < 24; ++y)
@@ -114,7 +114,7 @@ const Manifest& manifest() {
     return one;
 }
 
-/// The pictures of checks 1 (a probe) and 2 (a picture) of a submission.
+/// Returns the pictures of checks 1 (a probe) and 2 (a picture) of a submission.
 std::vector<CheckPictures> two_pictures() {
     CheckInfo probe, picture;
     probe.task = picture.task = "2.1", probe.against = "truth", picture.against = "solution";
@@ -122,7 +122,7 @@ std::vector<CheckPictures> two_pictures() {
     probe.shot.probe.name = "normal";
     std::vector<CheckPictures> two{{lab_02, &manifest(), probe, false, sphere(0.2f), sphere(0)},
                                    {lab_02, &manifest(), picture, true, sphere(0.1f), sphere(0)}};
-    // Whatever a submission can send.
+    // Extreme values that a submission can send.
     const float strange[] = {NAN, INFINITY, -INFINITY, 1e38f, -1e38f, 1e-45f};
     for (CheckPictures& one : two) std::copy(std::begin(strange), std::end(strange), one.drawn.pixel(3, 12));
     return two;
@@ -142,7 +142,7 @@ TEST(ClassPage, IsSortedByItsHeadersWithTheKeyboard) {
     browser().press("Space");
     EXPECT_EQ(names_shown(), (Names{"zoe", "s10", "s9", "o'd \"d\"\\x0a<b>", "machine", "empty", "Anna"}));
     EXPECT_EQ(browser().eval("document.activeElement.closest('th').ariaSort"), "descending");
-    // By points: 0, 0, 2, 7, 9, 11, and last, in either order, who has none.
+    // Sorted by points: 0, 0, 2, 7, 9, 11. A submission that is not graded is last in both orders.
     browser().press("Tab");
     browser().press("Enter");
     EXPECT_EQ(names_shown(), (Names{"zoe", "empty", "Anna", "s9", "o'd \"d\"\\x0a<b>", "s10", "machine"}));
@@ -150,7 +150,7 @@ TEST(ClassPage, IsSortedByItsHeadersWithTheKeyboard) {
     EXPECT_EQ(names_shown(), (Names{"s10", "o'd \"d\"\\x0a<b>", "s9", "Anna", "zoe", "empty", "machine"}));
     EXPECT_EQ(browser().eval("[...document.querySelectorAll('[aria-sort]')].map(head => head.ariaSort).join()"),
               "none,descending,none,none");
-    // By lab 05, which two have: 6 and 8.
+    // Sorted by lab 05, for which two submissions have points: 6 and 8.
     ASSERT_TRUE(browser().tab_to("th:nth-child(6) button"));
     browser().press("Enter");
     EXPECT_EQ((Names{names_shown().at(0), names_shown().at(1)}), (Names{"s9", "s10"}));
@@ -175,7 +175,7 @@ TEST(ClassPage, IsFilteredByNameOutcomeAndMistake) {
         EXPECT_EQ(text_of("#shown"), std::to_string(left.size()) + " of 7 shown");
     }
     EXPECT_EQ(browser().eval("told.role || told.localName"), "output") << "a screen reader is told of changes";
-    // A known mistake's button asks for it.
+    // The button of a known mistake filters by it.
     ASSERT_TRUE(browser().tab_to(".pick"));
     browser().press("Enter");
     EXPECT_EQ(names_shown(), (Names{"s9", "Anna"}));
@@ -190,7 +190,7 @@ TEST(ClassPage, CountsTheOutcomesOfEachCheck) {
                              "2.1 check 21 passed · 2 wrong · 1 unfinished · 1 not graded",
                              "2.1 check 3 hidden3 passed · 1 unfinished · 1 not graded"})
         EXPECT_TRUE(contains(list, part)) << part << "\n" << list;
-    // Its bar is as wide as it says: of 6 submissions 3 have passed.
+    // The width of its bar matches its numbers: 3 of 6 submissions have passed.
     EXPECT_NEAR(double(browser().eval("(() => { const bar = document.querySelector('#checks .bar'); return "
                                       "bar.querySelector('.passed').offsetWidth / bar.offsetWidth; })()")),
                 0.5, 0.02);
@@ -201,7 +201,7 @@ TEST(ClassPage, CountsTheOutcomesOfEachCheck) {
 TEST(ClassPage, SaysWhereTheTimeWentAndWhatCameFromBefore) {
     const Graded graded;
     browser().open(graded.page);
-    // 8 labs at 0.5, 1 and 0.25 seconds; 7 submissions at 4 seconds each, less what is named.
+    // 8 labs at 0.5, 1 and 0.25 seconds; 7 submissions at 4 seconds each, minus the named parts.
     const std::string time = text_of("#time");
     for (const char* part : {"compiling 14 % (4.0 s)", "drawing 29 % (8.0 s)", "comparing 7 % (2.0 s)",
                              "waiting, reading and recognising known mistakes 50 % (14.0 s)", "took 12.5 seconds, 3.2"})
@@ -229,7 +229,7 @@ TEST(ClassPage, WithoutScriptsHasNothingThatWouldNotWork) {
 
 TEST(ClassPage, IsMadeOfWhatTheResultsHold) {
     const ClassReport report = some_class();
-    ClassReport read;  // and the run's own numbers
+    ClassReport read;  // gets the run's own numbers below
     read.taken_over = report.taken_over, read.seconds = report.seconds, read.prepared = report.prepared;
     for (const SubmissionMark& mark : report.marks) read.marks.push_back(from_json(to_json(mark)));
     EXPECT_EQ(class_page(read), class_page(report));
@@ -253,13 +253,14 @@ TEST(ClassPage, IsSmallWithAThousandSubmissions) {
     ASSERT_TRUE(browser().tab_to("th:nth-child(1) button"));
     browser().press("Enter", 2);
     EXPECT_EQ(names_shown().at(0), "student-999");
-    // The table does not push the rest of the page out of reach.
+    // The table must not push the rest of the page out of reach.
     EXPECT_LT(int(browser().eval("document.documentElement.scrollHeight")), 4000);
 }
 
 // ---- a submission ----
 
-/// Pages of Anna (wrong, with pictures; in check 2 only from a hidden view) and zoe (unfinished) beside the class's.
+/// Pages of Anna (wrong, with pictures; check 2 is wrong only from a hidden view) and zoe (unfinished), beside the
+/// class's page.
 struct GradedWithPictures : Graded {
     fs::path student(const std::string& name, PageFor reader = PageFor::instructor) const {
         return page.parent_path() / page_file(name, reader);
@@ -337,7 +338,7 @@ TEST(StudentPage, HasAllThatWasFoundAndPicturesOnlyOfWhatDidNotPass) {
 
 TEST(StudentPage, ForItsStudentTellsNothingThatIsHiddenAndLeadsNowhere) {
     GradedWithPictures graded;
-    // A hidden check that is wrong: its name, numbers and pictures stay here, and how it went and the hint do not.
+    // A wrong hidden check: its name, numbers and pictures must not appear, but its outcome and hint do.
     TaskMark& anna = graded.report.marks[2].labs[0].tasks[0];
     anna.checks[2].outcome = wrong, anna.checks[2].name = "from below", anna.checks[2].look_at = "mind the sign";
     std::vector<CheckPictures> pictures = two_pictures();
@@ -397,7 +398,7 @@ TEST(Pages, AStrangersNameIsTextAndNoScriptButOurs) {
         EXPECT_EQ(browser().eval("document.scripts.length"), 1);
         EXPECT_EQ(text_of("bdi"), name);
     }
-    // And were it markup after all, the browser would not run it, nor ask anybody for anything.
+    // Even if it were markup, the browser must neither run it nor send a request.
     folder.write("closed.mustache", name + "<h1>here</h1>");
     folder.write("ours.js", "document.title += '!'");
     const std::string here = folder.path().string() + "/";

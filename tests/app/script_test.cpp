@@ -1,4 +1,4 @@
-// The script `relief`, with stand-ins for the tools that it calls: each writes down how it was called.
+// The script `relief`, with stand-ins for the tools that it calls. Each stand-in records its arguments.
 #include <memory>
 #include <sstream>
 
@@ -32,13 +32,13 @@ protected:
         stand_in("id", "echo 0");
         installed("");
     }
-    /// A tool that notes its arguments in `calls`, then does as told.
+    /// Creates a tool that appends its arguments to `calls`, then runs `body`.
     void stand_in(const std::string& name, const std::string& body) const {
         const auto file = folder_.write("tools/" + name, "#!/bin/bash\ncd '" + folder_.path().string() + "'\necho \"" +
                                                              name + " $*\" >>calls\n" + body + "\n");
         std::filesystem::permissions(file, std::filesystem::perms::owner_all);
     }
-    /// All packages are there but these (a pattern for grep).
+    /// Makes all packages appear installed except `but` (a pattern for grep).
     void installed(const std::string& but) const {
         stand_in("dpkg-query",
                  "awk '!/^#/ { print \"installed \" $2 }' framework/cmake/packages.txt | grep -vxE 'installed (" + but +
@@ -113,7 +113,7 @@ TEST_F(Script, OnceBuiltTheProgramAnswersForItsCommandsAndIsRenewedFirstForTheKn
     EXPECT_TRUE(contains(calls(), "ninja"));
 }
 
-/// The lines of a help that begin with two spaces and a word, as "word: the rest".
+/// Returns the lines of a help that begin with two spaces and a word, as "word: the rest".
 std::set<std::string> commands_in(std::string help, const std::string& heading) {
     std::set<std::string> found;
     std::istringstream lines(help.substr(help.find(heading)));
@@ -128,7 +128,7 @@ std::set<std::string> commands_in(std::string help, const std::string& heading) 
 }
 
 TEST_F(Script, ItsListOfCommandsIsTheProgramsInTheCourseAndInTheStudents) {
-    // The program's own help, without the breaks that its columns make.
+    // The program's own help, without the line breaks of its columns.
     std::string help = run({relief_program(), "--help"}).out;
     for (size_t at; (at = help.find("\n      ")) != std::string::npos;) help.replace(at, 1, " ");
     const std::set<std::string> program = commands_in(help, "Subcommands:");
@@ -168,7 +168,7 @@ TEST_F(Script, ABuildFolderOfAnotherPathIsLeftAlone) {
 }
 
 TEST_F(Script, SimultaneousStartsBuildOneAfterTheOther) {
-    // A build that finds another one in the folder fails.
+    // A build fails if another build is running in the folder.
     stand_in("ninja",
              "mkdir building || exit 1; sleep 0.2; rmdir building\n"
              "mkdir -p build/bin && printf '#!/bin/bash\nflock --nonblock build/lock echo free\n' >build/bin/relief."

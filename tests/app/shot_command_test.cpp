@@ -1,4 +1,4 @@
-// relief shot as its users run it.
+// relief shot from the command line.
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -17,7 +17,7 @@ protected:
     TemporaryFolder folder_;
 
     std::filesystem::path file(const char* name) const { return folder_.path() / name; }
-    /// A small picture of lab 01, from another working directory than the course's.
+    /// Draws a small picture of lab 01, from a working directory outside the course.
     Result shot(std::vector<std::string> more) const {
         std::vector<std::string> command = {relief_program(), "shot", "01", "--size", "96x64"};
         command.insert(command.end(), more.begin(), more.end());
@@ -111,7 +111,7 @@ TEST_F(ShotCommand, DrawsAKnownMistakeAsPictureProbeAndError) {
     const auto mean = [&](const std::string& told) { return std::stod(told.substr(told.find("mean ") + 5)); };
     const double right = mean(of("e.png", {"--error=normal", "--camera=10,60,3"}));
     EXPECT_GT(mean(of("e.png", {"--error=normal", "--camera=10,60,3", mistake})), right + 1) << "degrees";
-    // The light of a mistake in a shader is there, too; and the next run is without it.
+    // The mistake in a shader must also be visible in the light, and the next run must be without it.
     of("light.exr", {mistake}), of("again.png", {});
     EXPECT_EQ(read_all(file("right.png")), read_all(file("again.png")));
 }
@@ -134,7 +134,8 @@ TEST_F(ShotCommand, AnExrHoldsTheLightOfThePng) {
     size_t same = 0;
     for (size_t i = 0; i < encoded.values.size(); ++i)
         same += std::abs(srgb_from_linear(std::min(light.values[i], 1.0f)) - encoded.values[i]) <= 1.01 / 255;
-    // The others lie on edges, where one of the four samples is brighter than 1 and the float target does not clip it.
+    // The other pixels lie on edges, where one of the four samples is brighter than 1. The float target does not clamp
+    // it.
     EXPECT_GT(double(same) / double(encoded.values.size()), 0.95);
 }
 
@@ -202,7 +203,7 @@ TEST_F(ShotCommand, AFullDiskKeepsTheOldFile) {
     const Result result = shot({"-o", "/dev/full"});
     EXPECT_EQ(result.code, 2) << "the ending is asked first";
     folder_.write("a.png", "old");
-    // A limit of 1 KiB on file sizes stands for a full disk.
+    // A limit of 1 KiB on file sizes simulates a full disk.
     const Result full =
         run({"bash", "-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" shot 1 --size 96x64 -o a.png", relief_program()},
             {folder_.path(), {}});
@@ -228,14 +229,14 @@ TEST_F(ShotCommand, CtrlCLeavesNoFile) {
 }
 
 TEST_F(ShotCommand, ACameraThatLooksPastEverythingIsAFailureNotAPicture) {
-    // So far away that the whole scene falls between the samples.
+    // At this distance the whole scene falls between the samples.
     const Result result = shot({"-o", "a.png", "--set", "method=normal-map", "--camera", "0,20,1000000"});
     EXPECT_EQ(result.code, 1);
     EXPECT_TRUE(contains(result.err, "the picture has one colour")) << result.err;
     EXPECT_TRUE(files_in(folder_.path()).empty());
 }
 
-/// The names of the libraries that a run opens, as the dynamic linker tells them.
+/// Returns the names of the libraries that a run opens, from the dynamic linker's log.
 std::string libraries_of(const std::vector<std::string>& arguments) {
     std::vector<std::string> command = {relief_program()};
     command.insert(command.end(), arguments.begin(), arguments.end());
@@ -250,7 +251,7 @@ std::string libraries_of(const std::vector<std::string>& arguments) {
 }
 
 TEST_F(ShotCommand, OpensNoLibraryThatItDoesNotNeed) {
-    // Every lab's pictures are ready: none is read through OpenImageIO. A PNG is libpng's.
+    // All textures of the labs are prepared, so OpenImageIO reads none of them. libpng writes a PNG.
     for (const char* lab : {"01", "03", "04", "05", "06", "10", "11", "12", "13", "14"}) {
         const std::string plain = libraries_of({"shot", lab, "--size", "64x64", "-o", "a.png"});
         EXPECT_TRUE(contains(plain, "libOSMesa")) << lab;
@@ -261,7 +262,7 @@ TEST_F(ShotCommand, OpensNoLibraryThatItDoesNotNeed) {
     const std::string exr = libraries_of({"shot", "01", "--size", "64x64", "-o", "a.exr"});
     EXPECT_TRUE(contains(exr, "OpenImageIO"));
     for (const char* unwanted : {"glfw", "imgui", "relief-window"}) EXPECT_FALSE(contains(exr, unwanted));
-    // A truth is computed without any context, and so is a list.
+    // Exact values need no context, and neither does a list.
     const std::vector<std::vector<std::string>> without_context = {
         {"shot", "01", "--size", "64x64", "--truth", "normal", "-o", "a.pfm"}, {"list"}, {"--help"}};
     for (const auto& arguments : without_context)

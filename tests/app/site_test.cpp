@@ -1,4 +1,4 @@
-// The course's web site as `relief gallery` makes it, and the page of known mistakes, in a browser.
+// The course's web site made by `relief gallery`, and the page of known mistakes, in a browser.
 #include <algorithm>
 #include <set>
 
@@ -23,8 +23,8 @@ Browser& browser() {
 
 constexpr const char* lab_10 = "10_parallax_offset";
 
-/// One copy of the course and one site for all tests, made as for who has no display. There is a deck of lab 01 and a
-/// page of measurements.
+/// One copy of the course and one site for all tests, made without a display. It has a deck of lab 01 and a page of
+/// measurements.
 class Site : public testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -64,7 +64,7 @@ constexpr const char* wider_than_the_screen =
     "document.scrollingElement.scrollWidth > 360 ? [...document.querySelectorAll('body *')].filter(one => "
     "one.getBoundingClientRect().right > 360).map(one => one.outerHTML.slice(0, 90)) : []";
 
-/// What would show a part of what is in it, and a bar beside it.
+/// Elements that clip their content and may show a scroll bar.
 constexpr const char* scrolls =
     "[...document.querySelectorAll('main *')].filter(one => /auto|scroll/.test(getComputedStyle(one).overflowX + "
     "getComputedStyle(one).overflowY)).map(one => one.outerHTML.slice(0, 90))";
@@ -79,14 +79,14 @@ TEST_F(Site, WithoutADisplayTheMenuIsTheGallery) {
     uintmax_t bytes = 0;
     for (const auto& entry : fs::recursive_directory_iterator(site()))
         if (entry.is_regular_file()) bytes += entry.file_size();
-    // A lab's page has its pictures in a folder of its own.
+    // A lab's page has its pictures in its own folder.
     const auto labs = uintmax_t(std::count_if(fs::directory_iterator(site()), fs::directory_iterator(),
                                               [](const auto& entry) { return entry.is_directory(); }));
     EXPECT_LT(bytes, labs * (5u << 20) / 2) << labs << " labs";
 }
 
-// Whoever follows every link from the first page finds everything there, on a screen and on a phone, in light and in
-// dark.
+// Follows every link from the first page, on a screen and on a phone, in light and in dark mode. Every target must
+// exist.
 TEST_F(Site, EveryPageThatIsLinkedIsWholeAndLegibleAndFitsAPhone) {
     std::vector<fs::path> pages = {site() / "index.html"};
     std::set<fs::path> known(pages.begin(), pages.end());
@@ -279,7 +279,7 @@ TEST(MistakesPage, ShowsEveryMistakeOfALabBesideWhatIsRight) {
     Names shown = browser().eval("[...document.querySelectorAll('h4 code')].map(one => one.textContent)");
     std::sort(ids.begin(), ids.end()), std::sort(shown.begin(), shown.end());
     EXPECT_EQ(shown, ids);
-    // One lies upon the other, and what is seen of them differs.
+    // Both pictures are stacked, and they differ visibly.
     const Names files = browser().eval(
         "[...document.querySelectorAll('article')].map(one => [...one.querySelectorAll("
         "'.laid img')].map(image => decodeURI(image.src).slice(7))).flat()");

@@ -1,4 +1,4 @@
-// relief synctest as its users run it; lab 07's cube, drawn on the graphics card, is a renderer to be judged.
+// relief synctest from the command line. Lab 07's cube, drawn on the graphics card, is the renderer under test.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/course_copy.h"
@@ -38,7 +38,7 @@ TEST_F(SynctestCommand, NamesTheFramesOfLab07) {
              {"frame=gram-schmidt", "Gram-Schmidt at each pixel"},
              {"frame=vertex-bitangent", "the bitangent interpolated from the vertices"},
              {"diagonal=other", "as interpolated, quads cut along the other diagonal"}}) {
-        // The lab's cube has a side of 1.05 m and another place.
+        // The lab's cube has a side of 1.05 m and another position.
         const Result drawn =
             relief({"shot", "07", "--set", "view=one", "--set", "shape=cube", "--set", knob, "--probe", "normal",
                     "--camera", "30,25,4.2,0.17,0,0,20", "--size", "192x192", "-o", "cube.png"});

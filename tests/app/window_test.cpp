@@ -1,4 +1,4 @@
-// The menu window, with real key presses on an X server of its own (Xvfb).
+// The menu window, with real key presses on its own X server (Xvfb).
 #include <algorithm>
 #include <chrono>
 #include <regex>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Waits until something holds, ten seconds at the most: a software renderer shares two cores with other tests.
+/// Waits until a condition holds, for at most ten seconds: a software renderer shares two cores with other tests.
 template <class Condition>
 bool eventually(Condition condition) {
     for (int i = 0; i < 200; ++i) {
@@ -23,7 +23,7 @@ bool eventually(Condition condition) {
     return condition();
 }
 
-/// An X server on the first display that is free.
+/// An X server on the first free display.
 class Screen {
 public:
     explicit Screen(const std::string& size) {
@@ -51,7 +51,7 @@ struct FrameLine {
     long long bytes = 0;
 };
 
-/// Where the picture stands, of --verbose.
+/// The picture's position, from --verbose.
 struct Place {
     int width = 0, height = 0, x = 0, y = 0, panel = 0;
     double scale = 0;
@@ -62,7 +62,7 @@ protected:
     explicit Window(const std::string& screen = "1300x800x24") : screen_(screen) {}
     static constexpr int window_width = 1280;
     const CourseWithNewLab& course_ = CourseWithNewLab::get();
-    /// The fragment shader of the new lab, as it was when the test is over.
+    /// The fragment shader of the new lab. Its destructor restores the original text.
     struct Shader {
         const CourseCopy& course;
         const char* file = "shaders/20_test_wall/surface.frag";
@@ -109,7 +109,7 @@ protected:
                     std::stoi((*found)[4]), std::stoi((*found)[5]), std::stod((*found)[6])};
         return last;
     }
-    /// What the screen shows, through xwd, as 3 channels. The window stands in its upper left corner.
+    /// Returns a screenshot by xwd with 3 channels. The window is in the upper left corner.
     Image screen() const {
         const std::filesystem::path file = folder_.path() / "screen.xwd";
         EXPECT_EQ(run({"xwd", "-root", "-silent", "-out", file}, where_).code, 0);
@@ -128,8 +128,7 @@ protected:
                         float(uint8_t(bytes.at(pixels + size_t(y) * line + size_t(x) * step + 2 - c))) / 255;
         return image;
     }
-    /// Whether the screen shows a picture at the right edge of the pictures' place, from row `first` to before row
-    /// `end`.
+    /// Returns whether the screen shows rows [first, end) of a picture at the right edge of the picture's place.
     bool shown(const Image& picture, int first = 0, int end = 1 << 20) const {
         return shown_columns(picture, 0, picture.width, first, end);
     }
@@ -143,13 +142,13 @@ protected:
                     return false;
         return true;
     }
-    /// The message in the alarm's colour at the top of the picture's place.
+    /// Returns whether a message in the alarm colour is at the top of the picture's place.
     bool alarmed() const {
         return has_color(place().x + 20, window_width, place().y, place().y + 100,
                          [](const float* c) { return is_red(c); });
     }
-    /// The word in the header for the shaders on screen, by its colour; the new lab has no tasks, whose signs have such
-    /// colours, too.
+    /// Returns the state of the shaders from the colour of the word in the header. The new lab has no tasks, whose
+    /// signs use the same colours.
     char letter() const {
         const int left = window_width * 6 / 10, bottom = place().y;
         const auto is_green = [](const float* c) { return c[1] > 0.6f && c[0] < 0.6f && c[2] < 0.55f; };
@@ -165,7 +164,7 @@ protected:
                 if (test(all.pixel(x, y))) return true;
         return false;
     }
-    /// How often something stands in what the window wrote.
+    /// Returns how often a text occurs in the window's output.
     size_t count(const std::string& part) const {
         const std::string text = window_->err();
         size_t times = 0;
@@ -185,7 +184,7 @@ protected:
             std::this_thread::sleep_for(300ms);
         }
     }
-    /// Clicks on sliders until one turns; they stand one below the other, and where exactly is the panel's affair.
+    /// Clicks on sliders until one changes. They stand one below the other; the exact positions depend on the panel.
     void turn_a_knob() {
         const size_t frames_before = frames().size();
         for (int y = 90; y < 300 && frames().size() == frames_before; y += 8) {
@@ -199,12 +198,12 @@ protected:
         EXPECT_GT(frames().size(), frames_before);
         rest_the_mouse();
     }
-    /// Where it shows no tooltip.
+    /// Moves the mouse to a place without a tooltip.
     void rest_the_mouse() const {
         run({"xdotool", "mousemove", "20", "700"}, where_);
         std::this_thread::sleep_for(300ms);
     }
-    /// Waits until the screen stays as it is: on a busy machine that takes a while after the last event.
+    /// Waits until the screen no longer changes. On a busy machine that takes a while after the last event.
     void settle() const {
         Image before = screen();
         int times = 0;
@@ -216,7 +215,7 @@ protected:
             return times == 3;
         }));
     }
-    /// The rows of the screen in a box, to be compared.
+    /// Returns the rows of the screen in a box, for comparison.
     std::vector<float> part(int left, int right, int top, int bottom) const {
         const Image all = screen();
         std::vector<float> values;
@@ -231,7 +230,7 @@ protected:
         return saved(name());
     }
     void press(const char* key) const { EXPECT_EQ(run({"xdotool", "key", key}, where_).code, 0); }
-    /// Presses and waits for the frame of that lab.
+    /// Presses a key and waits for a frame of that lab.
     void press_for(const char* key, const std::string& lab) {
         const size_t before = frames().size();
         press(key);
@@ -239,7 +238,7 @@ protected:
             << key << "\n"
             << window_->err();
     }
-    /// Opens the search, types into it, and waits until it has found something. The first time it reads all labs.
+    /// Opens the search, types into it, and waits for results. The first search reads all labs.
     void search_for(const char* letters) {
         press("slash");
         std::this_thread::sleep_for(2s);
@@ -284,7 +283,7 @@ TEST_F(Window, SwitchingThereAndBackGivesTheSamePictureAndLeaksNothing) {
 
 TEST_F(Window, StandsStillWhenNothingChanges) {
     open("20");
-    // The pointer comes and goes: that wakes the menu, not the lab.
+    // A pointer movement wakes the menu, but not the lab.
     run({"xdotool", "mousemove", "700", "400"}, where_);
     std::this_thread::sleep_for(500ms);
     EXPECT_TRUE(eventually([&] { return count("asleep after ") > 0; })) << window_->err();
@@ -388,7 +387,7 @@ TEST_F(Window, AManifestIsReadAgainByR) {
 
 TEST_F(Window, TheErrorMapSaysWhatShotErrorSays) {
     open("20");
-    run({"xdotool", "mousemove", "100", "700"}, where_);  // over the picture it shows the values of a pixel
+    run({"xdotool", "mousemove", "100", "700"}, where_);  // over the picture it would show the values of a pixel
     press("e");
     const std::string size = std::to_string(place().width / 2) + "x" + std::to_string(place().height);
     const Result shot =
@@ -398,7 +397,7 @@ TEST_F(Window, TheErrorMapSaysWhatShotErrorSays) {
     const std::string numbers = shot.out.substr(shot.out.find("mean"));
     EXPECT_TRUE(eventually([&] { return contains(window_->err(), "error map: position, " + numbers); }))
         << numbers << window_->err();
-    // All but the lowest part, where the numbers stand.
+    // All but the lowest part, which the numbers cover.
     const Image map = read_image(folder_.path() / "e.png");
     EXPECT_TRUE(eventually([&] { return shown(map, 0, map.height - 200); }));
     const size_t maps = count("error map: ");
@@ -468,7 +467,7 @@ TEST_F(Window, TheErrorIsComputedWhenADragIsOver) {
         const size_t before = frames().size();
         run({"xdotool", "mousemove", std::to_string(520 + 20 * i), "310"}, where_);
         EXPECT_TRUE(eventually([&] { return frames().size() > before; }));
-        std::this_thread::sleep_for(600ms);  // longer than what counts as still
+        std::this_thread::sleep_for(600ms);  // longer than the time that counts as still
     }
     EXPECT_EQ(count("error map: "), 1u);
     run({"xdotool", "mouseup", "1"}, where_);
@@ -486,7 +485,7 @@ TEST_F(Window, TheHandoutOpensBesideThePictureAndEscapeClosesIt) {
         EXPECT_TRUE(eventually([&] { return shown(picture); })) << close;
     }
     EXPECT_TRUE(window_->running());
-    // A lab without one says so and goes on.
+    // A lab without a handout shows a message and continues.
     const auto file = course_.course.path() / "labs/01_specular_highlights/README.md";
     std::filesystem::rename(file, folder_.path() / "README.md");
     press("F1");
@@ -557,7 +556,7 @@ TEST_F(Window, AIsHeldLeftOfABorderThatCanBeDragged) {
     turn_a_knob();
     const Image b = saved("20_test_wall-2.png");
     ASSERT_NE(a.values, b.values);
-    const int names = 60, reach = 16;  // rows of what tells the two apart; columns of the border and its handle
+    const int names = 60, reach = 16;  // rows of the two labels; columns of the border and its handle
     const auto wiped = [&](int at) {
         return shown_columns(a, 0, at - reach, names) && shown_columns(b, at + reach, b.width, names);
     };
@@ -669,7 +668,7 @@ TEST_F(Window, ACheckShowsYoursAndTheExpectedPictureAndThenThePictureWithItsKnob
     const std::string task = "shaders/01_specular_highlights/task.glsl";
     const std::string good = read_all(course_.course.path() / task);
     course_.course.edit(task, "stored * 2.0 - 1.0", "1.0 - stored * 2.0");
-    // The probe of a direction has the same colours alone as beside another.
+    // The probe of a direction has the same colours alone and beside another one.
     const std::vector<std::string> view = {"--camera", "0,8,0.5,1.4,1.3,1.65,20", "--set", "method=normal-map"};
     const auto shot = [&](const char* size, const char* file, const char* what) {
         std::vector<std::string> command = {
@@ -685,8 +684,8 @@ TEST_F(Window, ACheckShowsYoursAndTheExpectedPictureAndThenThePictureWithItsKnob
         std::vector<std::string>{course_.program("relief"), "run", "01", "--verbose", "--check", name}, where_);
     EXPECT_TRUE(eventually([&] { return count("checks: ") == 1; })) << window_->err();
     run({"xdotool", "search", "--sync", "--onlyvisible", "--name", "^Relief: ", "windowfocus"}, where_);
-    rest_the_mouse();  // over a pane it shows the values of a pixel
-    // Magnified by a whole number: 3 where there is room for two of 384 pixels side by side.
+    rest_the_mouse();  // over a pane it would show the values of a pixel
+    // The magnification is an integer: 3 if there is room for two panes of 384 pixels side by side.
     const auto place_of = [&](const Image& picture, int left, int right) {
         const Image all = screen();
         for (const int factor : {2, 3, 4})
@@ -738,7 +737,7 @@ TEST_F(Window, AKnobsNameInTheHandoutSetsTheValueAfterIt) {
 
 TEST_F(Window, EscapeClosesAListBeforeItEndsTheWindow) {
     open("20");
-    // Where the list of labs opens, below its closed line.
+    // The place where the list of labs opens, below its closed line.
     const auto below = [&] {
         const Image all = screen();
         return std::vector<float>(all.pixel(0, 45), all.pixel(0, 90));
@@ -779,7 +778,7 @@ TEST_F(Window, GivesAContextToShotsToo) {
     EXPECT_EQ(read_all(folder_.path() / "w.png"), read_all(folder_.path() / "o.png")) << "one Mesa, the same bits";
 }
 
-/// On a display of 4K with 192 pixels an inch, of which no desktop has said anything.
+/// A 4K display with 192 pixels per inch, without a scale set by the desktop.
 class WindowOnSmallPixels : public Window {
 protected:
     WindowOnSmallPixels() : Window("3840x2160x24 -dpi 192 -extension RANDR") {}
