@@ -4,7 +4,7 @@
 namespace relief::bricks {
 namespace {
 
-// Iron spots, and crumbs of lime.
+// Adds iron spots and crumbs of lime.
 glm::vec3 with_specks(glm::vec3 color, glm::vec2 p, uint32_t seed) {
     const float bend = noise(p, 8, seed);
     const NearestPoint speck = cellular_noise((p + 3 * bend) / tile, glm::ivec2(102), seed + 1);
@@ -29,7 +29,7 @@ glm::vec3 brick_light(glm::vec2 p, const Texel& texel) {
     color = with_specks(color, p, s + 35);
     color *= 1 - 0.3f * texel.pit;
 
-    // Lime and sand out of the joints, washed over the edges and here and there over the face.
+    // Lime and sand from the joints, washed over the edges and over patches of the face.
     const float patchy = noise(p, 64, 4, 905);
     const float wash = ramp(-0.1f, 0.8f, patchy) * (0.25f + 0.75f * ramp(-26.0f, 0.0f, texel.outside));
     return glm::mix(color, light_of(168, 148, 128), 0.4f * wash);

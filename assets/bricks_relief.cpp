@@ -3,12 +3,12 @@
 namespace relief::bricks {
 namespace {
 
-// Beyond this distance from its foot, a brick no longer matters.
+// Beyond this distance from its foot, a brick has no effect.
 constexpr float reach = 18;
 constexpr float mortar_level = 2.0f, foot_level = -0.2f;
 
-// From 0 at the foot to 1 on the face: a short hollow, a straight flank, a round shoulder. `t` is in bevel
-// widths; the flank is 1.7 times as steep as a straight line from foot to face.
+// From 0 at the foot to 1 on the face: a short hollow, a straight flank, a round shoulder. `t` is in bevel widths. The
+// flank is 1.7 times as steep as a straight line from foot to face.
 float bevel_profile(float t) {
     constexpr float flank_begin = 0.10f, flank_end = 0.28f;
     constexpr float slope = 2 / (1 + flank_end - flank_begin);
@@ -19,8 +19,8 @@ float bevel_profile(float t) {
     return 1;
 }
 
-// Negative inside. Where two edges are about equally near they blend, at any depth: corners are round and
-// bevels meet without a mitre.
+// Returns the signed distance to the foot, negative inside. Two edges at similar distance blend at any depth: corners
+// are round, and bevels meet without a mitre.
 float distance_to_foot(const Brick& brick, glm::vec2 q) {
     const glm::vec2 beyond = glm::abs(q) - brick.half_size;
     return smooth_max(beyond.x, beyond.y, brick.rounding);
@@ -34,11 +34,11 @@ float folds(const Brick& brick, glm::vec2 at) {
     return where * (1 - ramp(0.0f, 0.15f, glm::abs(gradient_noise(bent / tile, {10, 42}, s + 8))));
 }
 
-// How deep into a pit, from 0 to 1, whose places are a lattice of `length` texels.
+// Returns the depth in a pit, from 0 to 1, and lowers `height`. Pits lie on a lattice of `length` texels.
 float pit(uint32_t seed, glm::vec2 at, int length, float share, float& height) {
     const NearestPoint point = cellular_noise(at / tile, glm::ivec2(static_cast<int>(tile) / length), seed + length);
     Dice dice(point.id);
-    // The share changes across a pit: it must fade, or it would be cut in two.
+    // The share varies across a pit, so the pit must fade: a threshold would cut it in two.
     const float open = ramp(0.0f, 0.06f, share - dice.between(0, 1));
     if (open == 0) return 0;
     const float radius = dice.between(0.12f, 0.36f);
@@ -64,7 +64,7 @@ Face face_at(const Brick& brick, glm::vec2 at) {
         if (face.fresh > 0) face.height -= face.fresh * (1.6f + 0.6f * noise(at, 16, 3, s + 11));
     }
 
-    // Pits come in swarms.
+    // Pits come in clusters.
     const float share = 2 * brick.pits * ramp(-0.3f, 0.5f, noise(at, 64, s + 12));
     if (share == 0) return face;
     const glm::vec2 bent = at + 3.2f * glm::vec2(noise(at, 8, s + 13), noise(at, 8, s + 14));
@@ -73,7 +73,7 @@ Face face_at(const Brick& brick, glm::vec2 at) {
     return face;
 }
 
-// The shape of the foot's line, seen from the front.
+// Returns the irregularity of the foot's outline, seen from the front.
 float edge_noise(const Brick& brick, glm::vec2 at) {
     const uint32_t s = brick.seed;
     const float bites = glm::max(0.0f, noise(at, 32, 2, s + 24) - 0.22f);
@@ -103,7 +103,7 @@ void add_brick(Texel& texel, const Brick& brick, glm::vec2 p) {
     q = {q.x + brick.turn * q.y, q.y - brick.turn * q.x};
     float outside = distance_to_foot(brick, q);
     if (outside > reach) return;
-    const glm::vec2 at = q + brick.center;  // the noise turns with the brick
+    const glm::vec2 at = q + brick.center;  // the noise rotates with the brick
     if (outside > -brick.bevel * 2) outside += edge_noise(brick, at);
 
     Face face{};
@@ -125,7 +125,7 @@ void add_brick(Texel& texel, const Brick& brick, glm::vec2 p) {
 }
 
 void add_mortar(Texel& texel, glm::vec2 p) {
-    // The trowel has left more of it against some bricks than against others.
+    // The trowel has left more mortar against some bricks than against others.
     const float rise = glm::max(0.0f, noise(p, 64, 3, 901) + 0.1f) * (1 - ramp(-2.0f, 12.0f, texel.outside));
 
     const NearestPoint grain = cellular_noise(p / tile, glm::ivec2(224), 902);
@@ -143,7 +143,7 @@ void add_mortar(Texel& texel, glm::vec2 p) {
 }  // namespace
 
 Texel relief_at(glm::vec2 p, const Wall& wall) {
-    // Courses are not laid with a ruler.
+    // Courses are not perfectly straight.
     p += glm::vec2(2.0f * noise(p, 128, 801), 2.5f * noise(p, 256, 802));
     Texel texel{};
     texel.height = -3;

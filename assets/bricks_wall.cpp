@@ -35,7 +35,7 @@ Chip break_edge(Dice& dice, glm::vec2 half_size) {
         place.x = glm::sign(place.x);
     if (dice.chance(0.35f)) place = glm::sign(place);  // a corner
     const float size = dice.between(0, 1), radius = glm::mix(10.0f, 34.0f, size * size);
-    // Deeper ones would have flanks too steep for a height field.
+    // Deeper chips would have flanks too steep for a height field.
     return {.center = place * (half_size - 3.0f),
             .radius = radius * glm::vec2{dice.between(0.9f, 1.6f), dice.between(0.7f, 1.1f)},
             .depth = radius * dice.between(0.25f, 0.4f)};

@@ -1,4 +1,4 @@
-// How the bricks of the wall differ from each other, before any texel is made.
+// The individual properties of the wall's bricks, generated before any texel.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace relief::bricks {
 constexpr int columns = 4, courses = 8;
 constexpr glm::vec2 cell(tile / columns, tile / courses);
 
-/// A piece broken out of the edge.
+/// A piece broken out of an edge.
 struct Chip {
     glm::vec2 center, radius;
     float depth;
@@ -21,22 +21,22 @@ struct Chip {
 struct Brick {
     uint32_t seed;
     glm::vec2 center, half_size;  ///< of the foot, where the bevel meets the mortar
-    float turn;                   ///< radians, small enough to stand for its sine
-    float rounding;               ///< how different two edges' distances are where they no longer blend
+    float turn;                   ///< radians; small, so that sin x = x
+    float rounding;               ///< difference of two edges' distances above which they no longer blend
     float bevel;                  ///< width
-    float face;                   ///< height of the middle of the face
-    glm::vec2 slope;              ///< of the whole face
+    float face;                   ///< height of the face's centre
+    glm::vec2 slope;              ///< tilt of the face
     float roughness;              ///< of edge and face, about 1
-    float pits;                   ///< share of the places for pits that have one, on average
-    float folds;                  ///< depth of the folds that hand-made clay takes on in the mould
-    float spall;                  ///< how much of the face has lost its skin: none below -0.2
+    float pits;                   ///< average share of the pit positions that have a pit
+    float folds;                  ///< depth of the folds that hand-made clay gets in the mould
+    float spall;                  ///< amount of the face that has lost its skin; none below -0.2
     int chip_count;
     std::array<Chip, 8> chips;
-    glm::vec3 tone, flash;  ///< light from the body, and from where the fire has changed it
+    glm::vec3 tone, flash;  ///< linear colour of the body; of the parts changed by fire
     float flash_share;      ///< none below about -0.8
 };
 
-/// Row by row from the top; odd courses are half a brick further to the right.
+/// Row by row from the top; odd courses are shifted right by half a brick.
 using Wall = std::array<std::array<Brick, columns>, courses>;
 Wall lay_wall();
 

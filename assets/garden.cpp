@@ -9,7 +9,7 @@ namespace {
 
 using glm::dvec2, glm::dvec3;
 
-/// An OBJ text that grows by flat pieces.
+/// Builds an OBJ text from flat pieces.
 class Model {
 public:
     Model(const char* title, const char* library)
@@ -17,7 +17,7 @@ public:
 
     void material(const char* name) { text_ += fmt::format("usemtl {}\n", name); }
 
-    /// Seen from the side to which cross(right, up) points. uv runs from `low` to `high`.
+    /// Visible from the side to which cross(right, up) points. uv runs from `low` to `high`.
     void quad(const dvec3& corner, const dvec3& right, const dvec3& up, const dvec2& low, const dvec2& high) {
         const dvec3 normal = glm::normalize(glm::cross(right, up));
         const dvec3 places[] = {corner, corner + right, corner + right + up, corner + up};
@@ -31,7 +31,7 @@ public:
         text_ += "\n";
     }
 
-    /// uv in metres, so that a tile of a metre lies true on every side. The bottom is left out.
+    /// Adds a box without its bottom. uv are in metres / `tile`, so that the texture has its true scale on every side.
     void box(const dvec3& low, const dvec3& high, double tile = 1) {
         const dvec3 size = high - low;
         const dvec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
@@ -52,7 +52,7 @@ private:
 
 constexpr double posts[] = {-8.8, -6.2, -3.6, -1.0, 1.0, 3.6, 6.2, 8.8};
 
-/// Calls with the left and the right end of each stretch of wall between two posts; the gate stays open.
+/// Calls `stretch` with the left and right end of each wall between two posts. The gate stays open.
 template <class Stretch>
 void each_stretch(Stretch stretch) {
     for (size_t i = 0; i + 1 < std::size(posts); ++i)
@@ -106,7 +106,7 @@ std::string garden_obj() {
     };
     climb(1.25, 3.4, 0.24), climb(-6, -3.85, 0.24), climb(3.85, 5.2, 0.24);
 
-    // The farthest first, as seen from the path: in this order they blend right from there, and from nowhere else.
+    // Back to front, as seen from the path: this order blends correctly only from there.
     constexpr const char* glasses[] = {"Blue glass", "Amber glass", "Red glass"};
     for (size_t i = 0; i < 3; ++i) {
         model.material(glasses[i]);
@@ -174,7 +174,7 @@ Ns 90
 Tr 0.55
 )";
 
-/// Four plates that differ by what map_bump names.
+/// Four plates that differ in the map named by map_bump.
 std::string ground_obj() {
     Model model("Four plates on a ground", "ground.mtl");
     model.material("Ground");
@@ -212,7 +212,7 @@ map_bump quilt_object.png
 /// Fences one behind the other, and a wet pier; no bump maps.
 std::string fence_obj() {
     Model model("Four fences, a pier and a pane", "fence.mtl");
-    model.material("Pane");  // first in the file, and last to be drawn
+    model.material("Pane");  // first in the file, but must be drawn last
     model.quad({-3.2, 0.3, 0.4}, {1.2, 0, 0}, {0, 1.2, 0}, {0, 0}, {1, 1});
     model.material("Grass");
     model.quad({-36, 0, 10}, {72, 0, 0}, {0, 0, -72}, {0, 0}, {30, 30});
@@ -253,7 +253,7 @@ Kd 0.45 0.46 0.48
 map_d wire_mask.png
 )";
 
-/// What files from elsewhere have: a material under another name, a map that is not there.
+/// Faults of files from other programs: a material with another name, a missing map.
 std::string broken_obj() {
     Model model("A ground whose material has another name", "broken.mtl");
     model.material("Grass");

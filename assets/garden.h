@@ -1,4 +1,4 @@
-// Lab 08's models: a garden, plates on a ground, and a file whose material has another name.
+// Lab 08's models: a garden, plates on a ground, fences, and a file with broken references.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace relief {
 
-/// Names of files, and their texts: Wavefront OBJ and MTL.
+/// Returns names of files and their texts: Wavefront OBJ and MTL.
 std::vector<std::pair<std::string, std::string>> make_garden();
 
 }  // namespace relief

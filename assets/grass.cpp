@@ -18,7 +18,7 @@ Image make_grass() {
         Dice dice(hash(blade, 81));
         const glm::vec2 foot{dice.between(0, n), dice.between(0, n)};
         const float angle = dice.between(0, 6.2832f), length = dice.between(8, 30), bend = dice.between(-0.9f, 0.9f);
-        // Patches of the lawn are fresher than others; later blades lie higher, in more light.
+        // Some patches of the lawn are fresher. Later blades lie higher and get more light.
         const float fresher = 0.5f + 0.9f * noise(foot * (tile / n), 256, 2, 82), high = float(blade) / 16000;
         glm::vec3 color = glm::mix(dark, fresh, glm::clamp(fresher + dice.between(-0.35f, 0.35f), 0.0f, 1.0f));
         if (dice.chance(0.07f)) color = glm::mix(color, dry, 0.7f);

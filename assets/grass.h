@@ -7,7 +7,7 @@ namespace relief {
 
 constexpr int grass_texels = 512;
 
-/// Its diffuse colour: 3 channels, sRGB, 8 bits. Tiles.
+/// Returns its diffuse colour: 3 channels, sRGB, 8 bits. Tiles.
 Image make_grass();
 
 }  // namespace relief

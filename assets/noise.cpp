@@ -6,14 +6,14 @@
 namespace relief {
 namespace {
 
-// Whole part, rounded down: std::floor is a call on a plain x86-64.
+// Rounds down to an integer. std::floor is a function call on baseline x86-64.
 int floor_of(float x) {
     const int toward_zero = static_cast<int>(x);
     return toward_zero - (x < static_cast<float>(toward_zero));
 }
 
-// Along one axis: where in its cell a place lies, and the numbers, on the torus, of that cell and its
-// neighbours. Noise is most of the generator's time, so there is no remainder of a division in it.
+// The position within its cell along one axis, and the wrapped indices of that cell and its neighbours. Noise takes
+// most of the generator's time, so it avoids integer division.
 struct Axis {
     float inside;
     uint32_t before, here, after;
@@ -22,22 +22,23 @@ struct Axis {
         const float x = (p - static_cast<float>(floor_of(p))) * static_cast<float>(cells);
         here = static_cast<uint32_t>(x);
         inside = x - static_cast<float>(here);
-        if (here >= cells) here = 0;  // p, just below a whole number, was rounded up
+        if (here >= cells) here = 0;  // p just below an integer may round up
         before = (here == 0 ? cells : here) - 1;
         after = here + 1 == cells ? 0 : here + 1;
     }
 };
 
-// Bits of a lattice point: the two odd factors keep apart the points of any lattice of fewer than 65536 cells.
+// Returns hash bits of a lattice point. The two odd factors separate all points of lattices with fewer than 65536
+// cells.
 uint32_t point_bits(uint32_t start, uint32_t x, uint32_t y) { return hash(start + x * 0x9e3779b1u + y * 0x85ebca77u); }
 
-// 16 bits each, from -1 to 1.
+// Converts each 16 bits to [-1, 1].
 constexpr glm::vec2 signed_pair(uint32_t bits) {
     return {static_cast<float>(bits & 0xffff) * (2.0f / 65535) - 1,
             static_cast<float>(bits >> 16) * (2.0f / 65535) - 1};
 }
 
-// A table, since making a gradient out of bits at each corner takes longer than all the rest.
+// A table: computing a gradient at each corner would take longer than the rest.
 constexpr std::array<glm::vec2, 256> gradients = [] {
     std::array<glm::vec2, 256> table{};
     for (uint32_t i = 0; i < 256; ++i) table[i] = 1.6f * signed_pair(hash(i, 1));
@@ -59,7 +60,7 @@ float gradient_noise(glm::vec2 p, glm::ivec2 cells, uint32_t seed) {
 }
 
 float turned_noise(glm::vec2 p, int cells, uint32_t seed) {
-    // A turn by whole numbers takes a tile to whole tiles; it also stretches, by the root of 5.
+    // This rotation has integer coefficients, so it maps tiles to whole tiles. It also scales by the square root of 5.
     const int fitting = glm::max(1, static_cast<int>(cells / 2.2360680f + 0.5f));
     return gradient_noise({2 * p.x + p.y, 2 * p.y - p.x}, glm::ivec2(fitting), seed);
 }
@@ -67,7 +68,7 @@ float turned_noise(glm::vec2 p, int cells, uint32_t seed) {
 float fractal_noise(glm::vec2 p, int cells, int octaves, uint32_t seed) {
     float sum = 0, size = 1, power = 0;
     for (int i = 0; i < octaves; ++i, size /= 2, cells *= 2) {
-        // Where the lines of several lattices fall together, the eye finds a weave.
+        // Alternate both lattices: aligned lattice lines of several octaves would form a visible weave.
         sum += size * (i % 2 ? turned_noise(p, cells, seed + i) : gradient_noise(p, glm::ivec2(cells), seed + i));
         power += size * size;
     }
@@ -75,7 +76,7 @@ float fractal_noise(glm::vec2 p, int cells, int octaves, uint32_t seed) {
 }
 
 float grain_noise(glm::vec2 p, uint32_t seed) {
-    // Two lattices, turned apart: a single one would show.
+    // Two lattices at different angles: a single one would be visible.
     return 0.7f * (turned_noise(p / tile, 293, seed) + turned_noise(glm::vec2(p.y, p.x) / tile, 181, seed + 1));
 }
 

@@ -8,8 +8,8 @@ namespace relief {
 namespace {
 
 constexpr int rows = 4, columns = 4;
-// The middles of the joints: of those between rows, and in each row between its slabs; none meets one of the
-// next row. The last slab of a row goes on beyond the border of the tile.
+// The centre lines of the joints between rows, and between the slabs of each row. Joints of adjacent rows never meet.
+// The last slab of a row continues beyond the border of the tile.
 constexpr std::array<float, rows + 1> row_joints{0, 248, 480, 756, tile};
 constexpr float slab_joints[rows][columns] = {
     {40, 316, 540, 800}, {170, 420, 690, 930}, {60, 290, 560, 810}, {150, 440, 640, 905}};
@@ -22,7 +22,7 @@ struct Slab {
     float face;
     glm::vec2 slope;
     float wear;    // width of the rounded edge
-    float ledges;  // about how many layers of the stone lie open
+    float ledges;  // approximate number of exposed layers of the stone
     glm::vec3 tone;
 };
 
@@ -55,13 +55,13 @@ Slab lay_slab(int column, int row) {
 
 struct Texel {
     float height;
-    float joint;       // 0 stone, 1 what fills the joint
-    float outside;     // distance beyond the foot of the nearest slab, negative on the slab
-    float layer;       // of the stone's layers, the height
-    const Slab* slab;  // the nearest one
+    float joint;       // 0 stone, 1 joint filling
+    float outside;     // distance from the foot of the nearest slab; negative on the slab
+    float layer;       // height in layers of the stone
+    const Slab* slab;  // the nearest slab
 };
 
-// The stone splits along its layers: plateaus with low, worn ledges between.
+// The stone splits along its layers: plateaus with low, worn ledges between them.
 float layer_at(const Slab& slab, glm::vec2 at) {
     const float height = slab.ledges * noise(at, 128, 5, slab.seed + 1), whole = glm::floor(height);
     return whole + ramp(0.3f, 0.7f, height - whole);
@@ -124,7 +124,7 @@ glm::vec3 stone_light(glm::vec2 p, const Texel& texel) {
     glm::vec3 color =
         texel.slab->tone * (1 + 0.20f * clouds + 0.10f * noise(p, 8, s + 33) + 0.24f * grain_noise(p, s + 34));
     color *= 1 + 0.05f * texel.layer;
-    // Iron in the stone, here and there.
+    // Iron stains in the stone.
     const float rust = ramp(0.1f, 0.8f, noise(bent, 128, 3, s + 37));
     return color * glm::mix(glm::vec3(1), glm::vec3(1.08f, 0.98f, 0.86f), rust);
 }

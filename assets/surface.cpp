@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-// One box filter along x, by a running sum, in whole numbers: a sum of floats would drift.
+// One box filter along x by a running sum, in integers: a sum of floats would drift.
 Image box_filtered(const Image& image, int radius) {
     constexpr float steps = 1 << 16;
     const int width = image.width;

@@ -1,4 +1,4 @@
-// What a generated surface consists of, and what its generators share.
+// The maps of a generated surface, and functions that its generators share.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,28 +9,28 @@
 
 namespace relief {
 
-/// Two maps that tile in u and v. `albedo`: 3 channels, sRGB, 8 bits. `heights`: 1 channel, 16 bits, every
-/// value already rounded as in a file, so that normals made before and after storing agree.
+/// Two maps that tile in u and v. `albedo`: 3 channels, sRGB, 8 bits. `heights`: 1 channel, 16 bits. All values are
+/// rounded as in a file, so that normals made before and after storing agree.
 struct SurfaceMaps {
     Image albedo;
     Image heights;
 };
 
-/// A colour as painters give it (sRGB, 0..255) as light.
+/// Converts an sRGB colour (0 to 255) to linear light.
 glm::vec3 light_of(int red, int green, int blue);
 
-/// A tiling one-channel image, smoothed with a bell about `radius` texels wide (three box filters).
+/// Returns a tiling one-channel image, smoothed by a bell filter about `radius` texels wide (three box filters).
 Image blurred(const Image& image, int radius);
 
-/// Heights in texels, 0 to `depth`, to [0, 1] in steps of 16 bits.
+/// Converts heights from [0, depth] texels to [0, 1], quantised to 16 bits.
 Image stored_heights(const Image& texels, double depth);
 
-/// Light, 3 channels, to sRGB in steps of 8 bits.
+/// Converts linear light, 3 channels, to sRGB, quantised to 8 bits.
 Image stored_albedo(const Image& light);
 
-/// `size` by `size` texels, first the relief of all, then the light from each. `relief_at(p)` gives a value with a
-/// `height`, in texels; `light_at(p, that value, hollow)` the light, where `hollow` is how much lower the texel lies
-/// than the mean about 4 and 24 texels around it. All lengths are for a map of 1024, also in `p`.
+/// Generates maps of `size` by `size` texels: first the relief of all texels, then their light. `relief_at(p)` returns
+/// a value with a `height` in texels. `light_at(p, that value, hollow)` returns linear light. `hollow` is the texel's
+/// depth below the mean of about 4 and 24 texels around it. All lengths, including `p`, are for a map of 1024 texels.
 template <class Relief, class Light>
 SurfaceMaps make_surface(int size, double depth, Relief relief_at, Light light_at) {
     const auto place = [=](int x, int y) { return (glm::vec2(x, y) + 0.5f) * (tile / size); };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int sides = 28, rows = 22;
 
-/// Radius and height of the outline, from the foot to the lip.
+/// Returns radius and height of the outline; v runs from the foot to the lip.
 glm::dvec2 outline(double v) {
     const double belly = std::sin(glm::pi<double>() * std::pow(std::max(v, 0.0), 0.72)), foot = std::exp(-60 * v * v),
                  lip = std::exp(-70 * (1 - v) * (1 - v));

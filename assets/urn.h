@@ -1,11 +1,11 @@
-// The urn: a model in a file, turned on a lathe.
+// The urn: a model file of a surface of revolution.
 #pragma once
 
 #include <string>
 
 namespace relief {
 
-/// A Wavefront OBJ text: quads around the y axis with u around (from +z towards +x) and v up, and their normals.
+/// Returns a Wavefront OBJ text: quads around the y axis with normals, u around (from +z towards +x) and v up.
 std::string make_urn();
 
 }  // namespace relief

@@ -44,7 +44,7 @@ Image make_leaf_colors() {
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
             const glm::dvec2 uv((x + 0.5) / side, 1 - (y + 0.5) / side);
-            glm::vec3 color = dark;  // beside a leaf as well, or its rim would be of another colour
+            glm::vec3 color = dark;  // also beside a leaf, so that filtering does not tint its rim
             if (const auto leaf = leaf_at(uv)) {
                 Dice dice(hash(uint32_t(leaf->number), 83));
                 color = glm::mix(dark, fresh, dice.between(0.1f, 0.9f));
@@ -69,7 +69,7 @@ Image make_brick_highlights() {
         for (int x = 0; x < side; ++x) {
             const glm::vec2 p = glm::vec2(x, y) * (tile / side);
             const float height = *bricks.heights.pixel(x * step, y * step);
-            // Wet bricks shine where they stand out, in patches; the joints are dull: their exponent is 0.
+            // Wet bricks shine on their raised parts, in patches. The joints are dull: their exponent is 0.
             const float out = ramp(0.45f, 0.8f, height), wet = ramp(-0.3f, 0.5f, noise(p, 128, 3, 84));
             const float shine = out * glm::mix(0.25f, 1.0f, wet) * (1 + 0.3f * grain_noise(p, 85));
             const glm::vec4 texel(0.02f + 0.30f * shine * glm::vec3(1, 0.93f, 0.86f),

@@ -1,16 +1,18 @@
-// Lab 08's masks from their formulas, the ivy's colours, and how the bricks shine.
+// Lab 08's masks from their formulas, the ivy's colours, and the bricks' highlights.
 #pragma once
 
 #include "framework/image/image.h"
 
 namespace relief {
 
-/// Share of each texel that the wires, or the leaves, cover: 1 channel of 8 bits, 512 x 512, from 16 x 16 places.
+/// Returns the coverage of each texel by the wires or the leaves: 1 channel of 8 bits, 512 x 512 texels, 16 x 16
+/// samples each.
 Image make_wire_mask();
 Image make_leaf_mask();
-/// Of the ivy, also where it has no leaf: 3 channels, sRGB, 8 bits.
+/// Returns the ivy's colours, also where it has no leaf: 3 channels, sRGB, 8 bits.
 Image make_leaf_colors();
-/// The colour of the bricks' highlight, and its exponent / 256 in the fourth channel; linear, 8 bits, 512 x 512.
+/// Returns the colour of the bricks' highlight, and its exponent / 256 in the fourth channel; linear, 8 bits, 512 x
+/// 512.
 Image make_brick_highlights();
 
 }  // namespace relief

@@ -5,11 +5,11 @@
 
 namespace relief {
 
-/// Three channels of 8 bits, half as many texels along each side: red is gloss (bright places are worn smooth, and so
-/// are high ones), green the height, blue how open the place is to the sky. `texels` is what a height of 1 is worth.
+/// Returns three channels of 8 bits at half the resolution. Red is gloss: bright and high places are worn smooth. Green
+/// is the height, blue the openness to the sky. `texels` is the size of height 1 in texels.
 Image make_packed(const SurfaceMaps& maps, double texels);
 
-/// Dark polished stone with pale veins: three channels, sRGB, 8 bits. It tiles.
+/// Returns dark polished stone with pale veins: three channels, sRGB, 8 bits. Tiles.
 Image make_marble();
 
 }  // namespace relief

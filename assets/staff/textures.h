@@ -1,4 +1,4 @@
-// The course's own textures, by the names of their files.
+// The course's own textures, by file name.
 #pragma once
 
 #include <string>
@@ -14,8 +14,9 @@ struct NamedTexture {
     Image image;
 };
 
-/// "bricks" or "paving": albedo, height, normal map, and gloss, height and occlusion in one; "marble": albedo; "quilt":
-/// its normals in three spaces; "garden": the grass, the ivy, the masks of lab 08, and how its bricks shine.
+/// Returns the textures of a surface. "bricks" and "paving": albedo, height, normal map, and gloss, height and
+/// occlusion in one. "marble": albedo. "quilt": normals in three spaces. "garden": the grass, the ivy, lab 08's masks,
+/// and its bricks' highlights.
 std::vector<NamedTexture> make_textures(const std::string& surface);
 
 }  // namespace relief
