@@ -180,8 +180,8 @@ public:
         return *program_;
     }
 
-    /// Recompiles if two reads in a row gave the same text and it differs from the last one tried. Returns whether it
-    /// did.
+    /// Returns whether the files have new text: two reads in a row agree, and differ from the last text tried.
+    /// Recompiles the program then, unless it has never compiled.
     bool look() {
         Text text = read();
         const bool settled = text.whole == std::exchange(seen_, text.whole);

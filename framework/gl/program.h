@@ -106,7 +106,7 @@ private:
 
 /// Result of renew_programs().
 struct ShaderNews {
-    bool changed = false;        ///< a program was recompiled since the last call, or may now compile
+    bool changed = false;        ///< a file changed since the last call: its programs were, or will be, recompiled
     std::optional<Error> error;  ///< why a program on screen is older than its files; stays until they compile
 };
 

@@ -28,9 +28,13 @@ ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<s
 std::set<std::string> included_by(const std::string& text);
 
 /// A compiler's log in terms of the source files, and its first error. Each "0:12(5): " or "0(12) : " is replaced by
-/// the file and line that line 12 of the text comes from. (GLSL could do this with a #line number per file, but Mesa
-/// 22.3 drops the file number from some messages, such as "undeclared".) `source` is the compiled text. If given, each
-/// message is followed by the line that it refers to, once, with a mark below the column if the compiler reports one.
+/// the file and line that line 12 of the text comes from.
+///
+/// GLSL could do this with a #line number per file, but Mesa 22.3 drops the file number from some messages, such as
+/// "undeclared".
+///
+/// `source` is the compiled text. If given, each message is followed by the line that it refers to, once. Below it
+/// stands a mark at the column, if the compiler reports one.
 struct ShaderLog {
     Place first;
     std::string first_message;
