@@ -109,8 +109,8 @@ public:
         const TellMissingTasks told;
         GLFWwindow* const window = window_.handle();
         while (!glfwWindowShouldClose(window)) {
-            // Sleep until an event. An event needs up to three turns: Dear ImGui shows its effect in the second, and
-            // measures a new window before it shows it in the third. The sleep ends regularly to look at files;
+            // Sleep until an event. An event needs up to three turns: Dear ImGui shows its effect in the second turn.
+            // It measures a new window before it shows it in the third. The sleep ends regularly to look at files;
             // unchanged files cause no drawing.
             if (moves() || turns_ > 0 || checking()) {
                 glfwPollEvents();
@@ -176,7 +176,7 @@ private:
         opened_ = glfwGetTime(), edits_ = settled_ = stage_.edits();
         history_.begin(stage_.settings());
         error_map_.forget();
-        drawn_ = HUGE_VAL;  // not yet
+        drawn_ = HUGE_VAL;  // not drawn yet
         if (handout_.is_open()) handout_.open(entry);
         begin_ = glfwGetTime(), time_ = 0;
         message_.clear();
