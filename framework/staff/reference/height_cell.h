@@ -28,8 +28,8 @@ inline glm::dvec2 slope_in_cell(const HeightCell& cell, glm::dvec2 at) {
     return {along_u + twist * at.y, along_v + twist * at.x};
 }
 
-/// The height of a straight segment above the cell's surface: begin (1 - s)² + 2 middle s (1 - s) + end s², with s from
-/// 0 to 1 along the segment (a quadratic in Bernstein form).
+/// The height of a straight segment above the cell's surface, as a quadratic in Bernstein form:
+/// begin (1 - s)² + 2 middle s (1 - s) + end s². s runs from 0 to 1 along the segment.
 struct Gap {
     double begin, middle, end;
 };

@@ -38,10 +38,12 @@ public:
         glm::dvec2 texel;  ///< not wrapped: may lie beyond the border
         int64_t cells;     ///< number of visited cells
     };
-    /// Returns the first point with t in [0, t_end] at which the ray (x and y in texels, z a height) is on or below the
-    /// surface. That is the origin if the ray starts there. Returns nothing if there is no such point, or if the ray is
-    /// not finite. The walk from cell to cell (Amanatides and Woo 1987) solves one quadratic per cell; its error is
-    /// about 1e-13 texels. Throws Error if the ray would cross more than max_cells, as a horizontal ray can.
+    /// Returns the first point with t in [0, t_end] at which the ray is on or below the surface. The ray's x and y are
+    /// in texels, z is a height. If the ray starts on or below the surface, the result is its origin. Returns nothing
+    /// if there is no such point, or if the ray is not finite.
+    ///
+    /// The walk from cell to cell (Amanatides and Woo 1987) solves one quadratic per cell; its error is about 1e-13
+    /// texels. Throws Error if the ray would cross more than max_cells, as a horizontal ray can.
     ///
     /// `bend` (at least 0) adds bend t² to the ray's height, as over a base that curves away from its tangent plane.
     /// t_end must then be finite.

@@ -13,11 +13,13 @@ struct ReliefMove {
     double height;  ///< up is positive
 };
 
-/// Returns the error of the claim that the ray (x and y in texels, z a height, going down) first meets the relief at t.
-/// The claim is correct if the relief has the ray's height at t and is nowhere above the ray before t. Otherwise two
-/// moves are compared, and the larger one is returned: the relief's distance from the ray at t, and its maximum height
-/// above the ray before t. So the error of a hidden point is the height of the occluder above the ray. t is clamped to
-/// [0, t_end], where t_end is the point at which the ray reaches the lowest height.
+/// Returns the error of the claim that the ray first meets the relief at t. The ray's x and y are in texels, z is a
+/// height, and the ray goes down. t is clamped to [0, t_end], where t_end is the point at which the ray reaches the
+/// lowest height.
+///
+/// The claim is correct if the relief has the ray's height at t and is nowhere above the ray before t. Otherwise the
+/// error is the larger of two moves. One is the relief's distance from the ray at t. The other is its maximum height
+/// above the ray before t. So the error of a hidden point is the height of the occluder above the ray.
 ///
 /// A method whose heights are wrong by at most e has an error of at most e, regardless of occlusion. This is the
 /// texture deviation of Cohen, Olano and Manocha (1998), measured from the ray.

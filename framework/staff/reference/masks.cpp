@@ -66,7 +66,7 @@ const std::vector<std::vector<int>>& leaves_near() {
         std::vector<std::vector<int>> lists(cells * cells);
         for (int i = int(leaves().size()) - 1; i >= 0; --i) {
             const Placed& leaf = leaves()[size_t(i)];
-            // The lobes end within 1.15 times the leaf's length from its stalk.
+            // All lobes end within the leaf's length from its stalk; 15 % are a margin.
             const double reach = 1.15 * glm::length(leaf.along);
             const glm::ivec2 low(glm::floor((leaf.stalk - reach) * double(cells))),
                 high(glm::floor((leaf.stalk + reach) * double(cells)));

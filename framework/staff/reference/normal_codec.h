@@ -34,8 +34,8 @@ struct NormalFormatInfo {
 std::span<const NormalFormatInfo> normal_formats();
 const NormalFormatInfo& info_of(NormalFormat format);
 
-/// The stored channels, as a texture of the format holds them, in the low bits of each number: snorm in two's
-/// complement, half as its bit pattern. Unused channels are 0.
+/// The stored channels, as in a texture of the format, in the low bits of each number. snorm is in two's complement,
+/// half is a bit pattern. Unused channels are 0.
 struct NormalCode {
     std::array<uint16_t, 3> channel{};
     bool operator==(const NormalCode&) const = default;

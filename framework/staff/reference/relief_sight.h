@@ -1,5 +1,6 @@
-// The view of a ray on a mesh with a relief, in double precision: the fragment that the rasteriser would make, and the
-// ray's path through the relief from there. As in the shaders, parallax is defined in the fragment's tangent plane.
+// The point of a mesh with a relief that a view ray hits, in double precision: the fragment that the rasteriser would
+// make, and the ray's path through the relief from there. As in the shaders, parallax is defined in the fragment's
+// tangent plane.
 #pragma once
 
 #include <optional>

@@ -7,8 +7,8 @@ namespace {
 
 using Corners = std::span<CornerAtVertex>;
 
-/// Calls `visit(i, j)` for corners i and j if the edge that leaves the vertex along i arrives along j: in ascending
-/// order of i, then of j.
+/// Calls `visit(i, j)` for each shared edge: it leaves the vertex at corner i and arrives at corner j. Visits in
+/// ascending order of i, then of j.
 template <class Visit>
 void for_each_shared_edge(Corners corners, std::vector<uint64_t>& scratch, Visit visit) {
     const size_t count = corners.size();

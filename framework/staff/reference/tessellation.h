@@ -48,8 +48,9 @@ glm::dvec4 relief_bounds(const glm::dvec4& flat, const glm::dvec3& axis, double 
 /// frustum.
 bool is_outside(std::span<const glm::dvec4> planes, const glm::dvec4& sphere);
 
-/// Returns whether all triangles in the sphere face away from the eye, if their normals are within atan(slope) of
-/// `axis`: the cone of normals of Shirman and Abi-Ezzi (1993). Never true if the eye is in the sphere.
+/// Returns whether all triangles in the sphere face away from the eye. Precondition: their normals are within
+/// atan(slope) of `axis`. This is the cone of normals of Shirman and Abi-Ezzi (1993). Never true if the eye is in the
+/// sphere.
 bool faces_away(const glm::dvec3& axis, double slope, const glm::dvec4& sphere, const glm::dvec3& eye);
 
 /// Returns the remaining share of the displacement at a distance: 1 up to `begin`, 0 from `end` on, linear between.
