@@ -198,7 +198,7 @@ BenchScene levels(const BenchSettings& settings) {
     return scene;
 }
 
-/// A tenth of the patches is in the picture.
+/// Adds scenes in which a tenth of the patches is in the picture.
 void add_culling(std::vector<BenchScene>& scenes, const BenchSettings& settings) {
     const Orbit camera{.yaw = 45, .pitch = 8, .distance = 3, .target = {-2, 0, -2}, .field_of_view = 27};
     const BenchKnobs set = {{"view", "eye"}, {"surface", "ground"}, {"corners", "4"}, {"patches", "128"},

@@ -2,7 +2,7 @@
 // length 1 / steps until the ray is no longer above the surface.
 // - HALVINGS 0: linear intersection, as in LearnOpenGL (de Vries 2014) and three.js (ParallaxShader, kind "occlusion").
 // - HALVINGS 5: three.js, kind "relief". Both kinds of three.js are after Dyhta 2013.
-// None of them checks whether the ray has left the relief: a step may end past t = 1, and the point before the first
+// None of them checks whether the ray has left the relief. A step may end past t = 1, and the point before the first
 // step may lie before the entry. The linear versions fetch the height before the crossing a second time. texture() can
 // return a different height there, because its derivatives differ. So a few pixels end thousands of texels away.
 Bracket march(sampler2D heights, ReliefRay ray, float steps) {

@@ -15,8 +15,8 @@ double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-/// Returns directions at `angle` from the seams of formats: the ends of the axes (poles), the planes between the axes,
-/// and the edges of an octahedron's faces. At angle 0 they lie on the seams, with components 0 and -0.
+/// Returns directions at `angle` from the seams of formats. These are the ends of the axes (poles), the planes between
+/// the axes, and the edges of an octahedron's faces. At angle 0 they lie on the seams, with components 0 and -0.
 std::vector<glm::dvec3> near_seams(double angle, size_t count) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<> turn(0, 2 * glm::pi<double>());

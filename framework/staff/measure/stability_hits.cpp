@@ -1,5 +1,5 @@
-// Intersections of view rays with a relief by the shaders' searches: for rays that graze or begin far from the origin,
-// and for a deep relief or a fine map. Also intersections of rays with a mesh.
+// Intersections of view rays with a relief, by the shaders' searches. Rays graze the surface or begin far from the
+// origin; the relief is deep or its map fine. Also intersections of rays with a mesh.
 #include <bit>
 #include <cmath>
 #include <glm/gtc/constants.hpp>

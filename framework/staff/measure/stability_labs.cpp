@@ -1,5 +1,5 @@
-// Labs under increasingly hard conditions: displacement by segments, by pixels and far from the world's origin, the
-// planet from near the ground, the sea after years, shadows of a low sun, baked maps of decreasing size, and a skin
+// Labs under increasingly hard conditions. Displacement by segments, by pixels, and far from the world's origin. The
+// planet from near the ground, the sea after years, shadows of a low sun. Baked maps of decreasing size, and a skin
 // under increasing bends.
 #include <fmt/format.h>
 
