@@ -40,7 +40,7 @@ struct Deck {
 };
 
 /// Reads a deck. `name` is the folder of its pictures. Throws Error with the deck's file and line if a file, a region,
-/// a lab or a mistake is missing, or if a slide that is not hidden quotes a solution.
+/// a lab or a mistake is missing. Also throws if a slide that is not hidden quotes a solution.
 Deck read_deck(const std::string& text, const std::filesystem::path& file, const std::string& name, bool solutions);
 
 }  // namespace relief
