@@ -20,8 +20,9 @@ vec2 slope_in_cell(vec4 corners, vec2 at) {
                 mix(corners.x - corners.w, corners.y - corners.z, at.x));
 }
 
-// Returns the height of a straight segment above the surface, as the Bernstein coefficients of x (1 - s)^2 + 2 y s (1 -
-// s) + z s^2, with s from 0 to 1 along the segment. The ends have cell positions in xy and heights in z.
+// Returns the height of a straight segment above the surface, as Bernstein coefficients:
+// x (1 - s)^2 + 2 y s (1 - s) + z s^2. s runs from 0 to 1 along the segment. The ends have cell positions in xy and
+// heights in z.
 vec3 gap_above_cell(vec4 corners, vec3 from, vec3 to) {
     float mixed = height_in_cell(corners, vec2(to.x, from.y)) + height_in_cell(corners, vec2(from.x, to.y));
     return vec3(from.z - height_in_cell(corners, from.xy), 0.5 * (from.z + to.z - mixed),
