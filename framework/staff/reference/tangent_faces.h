@@ -12,7 +12,7 @@ namespace relief {
 /// Normalises a vector whose length is within 1e-6 of 1: one Newton step, without a root.
 inline glm::dvec3 made_unit(const glm::dvec3& v) { return v * (1.5 - 0.5 * glm::dot(v, v)); }
 
-/// Normalises a vector; zero if it is zero or not finite.
+/// Normalises a vector. Returns zero if its squared length is 0 or not finite.
 inline glm::dvec3 direction(const glm::dvec3& v) {
     const double squared = glm::dot(v, v);
     return squared > 0 && std::isfinite(squared) ? v * (1 / std::sqrt(squared)) : glm::dvec3(0);
