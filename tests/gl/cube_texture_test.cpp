@@ -55,7 +55,7 @@ TEST(CubeTexture, ADirectionReadsTheLightThatComesFromThere) {
                                    {0.4f, -1, -0.3f},
                                    {-0.3f, 0.5f, 1},
                                    {0.2f, 0.6f, -1}}) {
-        // Between texels 1/32 apart the chord of a circle has an error below 1/32^2 / 8.
+        // At a texel spacing of 1/32 the chord of a circle has an error below 1/32^2 / 8.
         const glm::vec3 off = sampled(cube, glm::vec4(toward, 0)) - glm::normalize(toward);
         EXPECT_LT(glm::length(off), 2e-4f) << toward.x << " " << toward.y << " " << toward.z;
     }

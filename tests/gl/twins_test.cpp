@@ -49,8 +49,8 @@ struct Dice {
     }
 };
 
-/// A function and its twin. The error is the distance between the two results, relative to the twin's length or to
-/// `scale`, whichever is larger.
+/// A function and its twin. The error is the distance between the two results, relative to the larger of the
+/// twin's length and `scale`.
 struct Twin {
     std::string function, file, expression;
     std::function<GlslInput(Dice&)> input;
