@@ -1,7 +1,8 @@
 // Lab 15: ocean.
 //
-// Two maps of waves scroll over each other. Heights add, so slopes add, and normals do not; far away all that a pixel
-// knows of the waves is their spread. Your tasks: labs/15_ocean/task.cpp and shaders/15_ocean/task.glsl
+// Two maps of waves scroll over each other. Heights add, so slopes add, and normals do not. Far away a pixel covers
+// many waves, of which only the spread of slopes is left. Your tasks: labs/15_ocean/task.cpp and
+// shaders/15_ocean/task.glsl
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,11 +86,11 @@ private:
     static constexpr std::array sample_counts = {"64", "256", "1024"};
     static constexpr std::array fresnels = {"schlick", "exact"};
     static constexpr std::array levels = {"mip", "0", "1", "2", "3", "4", "5", "6", "7", "8"};
-    /// Tiles a second. In binary fractions, so that the sea is the same after 128 seconds, to the bit.
+    /// Tiles per second. They are binary fractions, so that the sea repeats exactly after 128 seconds.
     static constexpr std::array<glm::dvec2, 2> velocities = {{{1.0 / 128, 9.0 / 128}, {-5.0 / 128, 31.0 / 128}}};
     static constexpr int rings = 26, sectors = 48;
-    static constexpr double flat = 20;        ///< exponent of 2: a segment as long as the sea
-    static constexpr float error_scale = 12;  ///< degrees that are pale yellow
+    static constexpr double flat = 20;        ///< exponent of 2 of a segment as long as the sea
+    static constexpr float error_scale = 12;  ///< error of the brightest colour (pale yellow), degrees
 
     struct View {
         Tile tile;
@@ -116,7 +117,7 @@ private:
 
     bool is_used(int map) const { return (waves_ == 0 || waves_ == map + 1) && amplitude_[size_t(map)] > 0; }
 
-    /// Metres of significant wave height, by the wind.
+    /// Returns the significant wave height of a map in metres, scaled so that slopes fit the wind.
     double amplitude(int map) const {
         double square = 0;
         for (int i = 0; i < 2; ++i) {
@@ -142,7 +143,7 @@ private:
         draw_sky(frame);
         glEnable(GL_DEPTH_TEST);
         glPolygonOffset(1, 1);
-        if (wire_) glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines lie in front
+        if (wire_) glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines are in front
         draw_sea(frame, view, view.is_wiped ? "WIPE" : "");
         glDisable(GL_POLYGON_OFFSET_FILL);
         if (!wire_) return;
@@ -151,16 +152,16 @@ private:
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     }
 
-    /// The water before the eye, without waves that hide each other.
+    /// Returns a camera that looks down steeply, so that waves do not hide each other.
     static Camera from_above(const Frame& frame) {
         Orbit orbit = frame.camera.orbit();
         orbit.pitch = 38, orbit.distance = 26, orbit.target = {0, 0, 0}, orbit.field_of_view = 30;
         return Camera(orbit, double(frame.size.x) / std::max(1, frame.size.y));
     }
 
-    /// The longest segment that is off by no more than this, as an exponent of 2, in metres; the error is twice the
-    /// root mean square. A chord of a wave of amplitude a and k radians a metre leaves it by a k^2 l^2 / 8, and never
-    /// by more than a.
+    /// Returns the length of the longest segment whose error is at most `tolerated` metres, as an exponent of 2 of
+    /// metres. The error is twice the root mean square over all waves. A chord of length l of a wave of amplitude a and
+    /// k radians per metre is off by a k^2 l^2 / 8, clamped to a.
     double segment_exponent(double tolerated) const {
         constexpr double first = -10;
         constexpr int steps = 16, count = 20 * steps;  // to an exponent of 10
@@ -187,14 +188,14 @@ private:
         return first + double(std::max<std::ptrdiff_t>(0, place - 1)) / steps;
     }
 
-    /// Metres that are as much as the budget in the picture, seen from this far.
+    /// Returns the error in metres that covers the budget in pixels, at a distance in metres.
     double tolerated(const Frame& frame, double distance) const {
         return double(budget_) * distance * 2 * half_height(frame) / frame.size.y;
     }
 
-    /// Whether any of the water in the picture is near enough to be raised.
+    /// Returns whether some water in the picture is so near that flat water would exceed the budget.
     bool has_waves_above_budget(const Frame& frame) const {
-        double down = 0;  // of unit length, the steepest ray
+        double down = 0;  // largest downward component of a unit ray
         for (const glm::dvec2 clip : {glm::dvec2(0, -1), {-1, -1}, {1, -1}, {0, 0}, {0, 1}})
             down = std::max(down, -frame.camera.ray(clip).direction.y);
         if (down > 0.95) down = 1;
@@ -202,7 +203,7 @@ private:
         return down > 0 && segment_exponent(tolerated(frame, nearest)) < flat;
     }
 
-    /// No wave is higher, metres.
+    /// Returns an upper bound of the height of the sea, metres.
     double highest() const {
         double sum = 0;
         for (int map = 0; map < 2; ++map)
@@ -215,7 +216,7 @@ private:
         return {view[0][i], view[1][i], view[2][i]};
     }
 
-    /// Where a pixel is as wide as many waves.
+    /// Returns a camera so far away that a pixel covers many waves.
     static Camera from_afar(const Frame& frame) {
         Orbit orbit = frame.camera.orbit();
         orbit.distance *= 6;
@@ -250,7 +251,7 @@ private:
              level_ > 0 || view.is_error ? "ONE_LEVEL" : ""});
         glUseProgram(program);
         const glm::dvec3 eye = frame.camera.eye();
-        // What waves do is said from the eye on, in double precision: a sea has no end.
+        // The sea has no end, so places are relative to the eye, in double precision up to here.
         program.set("u_clip_from_eye", frame.camera.clip_from_world() *
                                            glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, eye.x, eye.y, eye.z, 1));
         program.set("u_eye_height", eye.y);
@@ -331,7 +332,7 @@ private:
                              line, Align::centre);
     }
 
-    /// Mean error of a rule in degrees, over the water before the eye; infinity before its task is written.
+    /// Returns the mean error of a rule in degrees, over the water ahead. Infinity before its task is written.
     double measure(const View& view) {
         std::vector<std::string> knobs;
         for (const KnobText& knob : describe_knobs(*this)) knobs.push_back(knob.value);

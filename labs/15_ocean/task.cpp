@@ -12,7 +12,7 @@ namespace relief::ocean {
 glm::dvec2 scroll(const glm::dvec2& velocity, double time) {
     //[solution
     const glm::dvec2 way = velocity * time, rest = way - glm::floor(way);
-    return {rest.x < 1 ? rest.x : 0.0, rest.y < 1 ? rest.y : 0.0};  // -1e-20 is 1 from its floor, when rounded
+    return {rest.x < 1 ? rest.x : 0.0, rest.y < 1 ? rest.y : 0.0};  // -1e-20 minus its floor, -1, rounds to 1
     //]starter
     //| static_cast<void>(velocity), static_cast<void>(time);
     //| unfinished("15.1");

@@ -5,8 +5,8 @@
 
 namespace relief::ocean {
 
-/// How far a map has moved after `time` seconds, in tiles, without the whole ones: from 0 to 1, 1 itself excluded.
-/// `velocity` is in tiles a second. The time may be negative, or years.
+/// Returns how far a map has moved after `time` seconds, in tiles modulo 1: in [0, 1). `velocity` is in tiles per
+/// second. The time may be negative, or years.
 glm::dvec2 scroll(const glm::dvec2& velocity, double time);
 
 }  // namespace relief::ocean

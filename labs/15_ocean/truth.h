@@ -12,8 +12,8 @@ namespace relief::ocean {
 struct Layer {
     int map;
     double amplitude;      ///< metres of significant wave height
-    double tiles;          ///< in tile_metres
-    glm::dvec2 velocity;   ///< tiles a second
+    double tiles;          ///< tiles per tile_metres
+    glm::dvec2 velocity;   ///< tiles per second
     glm::dvec2 offset{0};  ///< tiles, at time 0
 };
 
@@ -22,13 +22,19 @@ struct Sea {
     double shininess = 512;
     glm::dvec3 to_light{0, 1, 0};
     bool displaced = false;     ///< waves rise from the plane y = 0
-    bool whole_spread = false;  ///< `sigma` and `glitter` of the whole sea, not of a pixel's part of it
+    bool whole_spread = false;  ///< `sigma` and `glitter` are for the whole sea, not for a pixel's footprint
     bool exact_fresnel = false;
 };
 
-/// At the place where the ray through the middle of a pixel first meets the sea, by summed cosines: `normal`, `slope`
-/// (along x and z), `height` (metres), `reflection`, `fresnel` (share). `sigma`: variance of the slope along x, along
-/// z, and covariance; `glitter`: share of the light. Both over 32 x 32 places of the pixel's part of the sea.
+/// Returns the exact values of a probe, by sums of cosines, where the ray through a pixel's centre first hits the sea:
+///  - `normal`: unit normal
+///  - `slope`: slope along x and along z
+///  - `height`: metres
+///  - `reflection`: direction from which the mirrored light comes
+///  - `fresnel`: share of the light that is mirrored
+///  - `sigma`: variance of the slope along x, along z, and covariance
+///  - `glitter`: share of the sun's light
+/// `sigma` and `glitter` are means of 32 x 32 places of the pixel's footprint on the sea.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Sea& sea)> truth;
 
 }  // namespace relief::ocean

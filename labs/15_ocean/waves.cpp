@@ -9,14 +9,14 @@ namespace {
 constexpr double two_pi = 2 * glm::pi<double>();
 
 struct Spectrum {
-    double shortest, longest;  ///< wave number, waves a tile
-    double course, spread;     ///< angle to the z axis, and the largest angle to that; radians
+    double shortest, longest;  ///< wave numbers, waves per tile
+    double course, spread;     ///< mean angle to the z axis, and the largest deviation from it; radians
     double fall;               ///< amplitude falls with this power of the wave number
     unsigned seed;
 };
 constexpr std::array<Spectrum, 2> spectra = {{{3, 15, 0.5, 0.9, 1.35, 11}, {2, 17, -0.4, 1.5, 1.25, 5}}};
 
-/// Pseudo-random in [0, 1): the same on every machine (Numerical Recipes' generator).
+/// Returns a pseudo-random number in [0, 1), the same on every machine (generator of Numerical Recipes).
 double next(unsigned& state) {
     state = state * 1664525u + 1013904223u;
     return double(state >> 8) / double(1 << 24);
@@ -61,7 +61,7 @@ glm::dvec3 slope_moments(int map) {
 MapImages make_maps(int map) {
     MapImages images{Image(map_texels, map_texels, 3), Image(map_texels, map_texels, 3),
                      Image(map_texels, map_texels, 3, 8)};
-    // At the middles of texels all angles are multiples of half a texel's, and of the phase: one table a wave.
+    // At texel centres all angles are the phase plus a multiple of half a texel's angle: one table per wave is enough.
     constexpr int halves = 2 * map_texels;
     std::vector<glm::dvec3> sums(size_t(map_texels) * map_texels);
     for (const Wave& wave : waves_of(map)) {

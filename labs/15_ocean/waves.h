@@ -1,4 +1,4 @@
-// The two wave maps of lab 15: sums of cosines, as formulas and as images.
+// The two wave maps of lab 15: sums of cosines, in closed form and as images.
 #pragma once
 
 #include <array>
@@ -9,29 +9,30 @@
 
 namespace relief::ocean {
 
-/// Width of a map that is tiled once, metres.
+/// Width of a tile in metres, at one tile.
 constexpr double tile_metres = 16;
 constexpr int map_texels = 256, waves_a_map = 24;
 
-/// amplitude * cos(2 pi dot(k, uv) + phase): whole wave numbers, so that the map tiles.
+/// A wave amplitude * cos(2 pi dot(k, uv) + phase). Wave numbers are whole, so that the map tiles.
 struct Wave {
     glm::ivec2 k;
     double amplitude, phase;  ///< metres; radians
 };
 
-/// Map 0 has long waves along the wind, map 1 short ones in all directions. Their significant wave height, four times
-/// the root mean square, is one metre; uv.y grows along z.
+/// Returns the waves of a map. Map 0 has long waves along the wind, map 1 short ones in all directions. The significant
+/// wave height of each map, four times the root mean square, is one metre. uv.y grows along z.
 const std::array<Wave, waves_a_map>& waves_of(int map);
 
-/// Mean of the squared slope along x, along z, and of the product of both, of a map that is tiled once.
+/// Returns the means of the squared slopes along x and along z, and of their product, over a map that is tiled once.
 glm::dvec3 slope_moments(int map);
 
-/// What the maps hold at the middle of each texel, row 0 at the top (uv.y = 1), tiled once.
+/// The maps at the centres of texels, for one tile. Row 0 is at the top (uv.y = 1).
 struct MapImages {
     Image waves;    ///< slopes along x and z, height in metres; floats
     Image moments;  ///< squared slope along x, along z, and their product; floats
     Image normals;  ///< unit normal with z upwards, (n + 1) / 2 in 8 bits
 };
+/// Returns the images of map 0 or 1.
 MapImages make_maps(int map);
 
 }  // namespace relief::ocean

@@ -1,6 +1,6 @@
 #version 410 core
-// The sea: its normal by one of several rules, what it mirrors, and the sun's highlight by what a pixel knows of the
-// waves in it.
+// The sea: its normal by one of several rules, the mirrored sky, and the sun's highlight by the distribution of slopes
+// in a pixel.
 
 #include "15_ocean/maps.glsl"
 #include "15_ocean/sky.glsl"
@@ -30,15 +30,15 @@ in vec3 v_place;
 uniform float u_eye_height;
 uniform vec3 u_to_light;
 uniform float u_shininess;
-uniform float u_detail;     // how much finer normals are tiled than heights
-uniform float u_split;      // pixels from the left; beyond it the second rule
+uniform float u_detail;     // tiles of the normals per tile of the heights
+uniform float u_split;      // x in pixels; to its right the second rule is used
 uniform vec3 u_forward;
 uniform vec3 u_pixel_right;  // a pixel's width and height, one metre ahead
 uniform vec3 u_pixel_up;
-uniform float u_steepest;    // no slope is more, nearly
+uniform float u_steepest;    // approximate upper bound of slopes
 uniform vec3 u_wire;
 uniform float u_error_scale;
-uniform vec4 u_waves[48];    // k, amplitude, phase: both maps
+uniform vec4 u_waves[48];    // k, amplitude, phase; first map 0, then map 1
 
 layout(location = 0) out vec4 o_color;
 
@@ -76,7 +76,7 @@ vec2 map_slope(sampler2D waves, sampler2D normals, vec2 place, int map) {
 #endif
 }
 
-// ---- two maps together: z points upwards in both
+// ---- normals of two maps together; z points upwards in both
 
 vec3 with_slope(vec2 slope) { return vec3(-slope, 1.0) * inversesqrt(1.0 + dot(slope, slope)); }
 
@@ -118,14 +118,14 @@ vec3 normal_at(vec2 place, int rule) {
 
 // ---- the sun's light
 
-// The slope that would mirror the sun; `seen` is false where none does.
+// Returns the slope that would mirror the sun. `seen` is false if there is none.
 vec2 sun_slope(vec3 to_eye, out bool seen) {
     vec3 sum = to_eye + u_to_light;
     seen = sum.y > 1e-3 && u_to_light.y >= 0.0;
     return -sum.xz / max(sum.y, 1e-3);
 }
 
-// What a pixel knows of the slopes in it.
+// The distribution of slopes in a pixel.
 struct Water {
     vec2 mean;
     vec3 variance;  // along x, along z, covariance
@@ -138,7 +138,7 @@ void add_map(inout Water water, sampler2D waves, sampler2D moments, vec2 place, 
     water.variance += spread(read_map(moments, uv), mean, amplitude(map), tiles(map));
 }
 #else
-// Averaged unit normals are shorter than 1, the shorter the more they differ: (1 - l) / l is a variance.
+// The mean of unit normals is the shorter the more they differ. With its length l the variance is about (1 - l) / l.
 void add_map(inout Water water, sampler2D normals, vec2 place, int map) {
     float l = min(1.0, length(read_map(normals, map_uv(place, map)) * 2.0 - 1.0)), scale = amplitude(map) * tiles(map);
     water.variance.xy += scale * scale * (1.0 - l) / l;
@@ -170,7 +170,7 @@ Water water_at(vec2 place, vec3 normal, int rule) {
 }
 
 #if FAR == SAMPLES
-// The mean of the light over SIDE x SIDE places of the pixel's part of the sea, from level 0.
+// Returns the mean of the light over SIDE x SIDE places of the pixel's footprint, from level 0.
 float sampled_highlight(vec3 position, vec2 wanted) {
     float reach = max(0.0, length(wanted) - u_steepest);
     if (0.5 * u_shininess * reach * reach > 20.0) return 0.0;
@@ -194,7 +194,7 @@ float sampled_highlight(vec3 position, vec2 wanted) {
 }
 #endif
 
-// `position` is relative to the eye.
+// Returns the share of the sun's light. `position` is relative to the eye.
 float glitter(vec3 position, Water water) {
     bool seen;
     vec2 wanted = sun_slope(-normalize(position), seen);
@@ -223,7 +223,7 @@ float mirrored_share(float cosine) {
 
 vec3 lit(vec3 position, vec3 normal, Water water) {
     vec3 to_eye = -normalize(position);
-    // Of waves within a pixel those that lean towards the eye are seen more: by that much the mean visible one leans.
+    // In a pixel, waves that lean towards the eye cover more of it. So the mean visible normal leans towards the eye.
     vec3 variance = water.variance;
     vec2 way = to_eye.xz / max(length(to_eye.xz), 1e-6);
     float within = way.x * way.x * variance.x + 2.0 * way.x * way.y * variance.z + way.y * way.y * variance.y;
@@ -232,7 +232,7 @@ vec3 lit(vec3 position, vec3 normal, Water water) {
 
     float share = mirrored_share(dot(visible, to_eye));
     vec3 mirror = sky(reflected(to_eye, visible), u_to_light);
-    // What comes out of the water: more through the crests of waves that the sun stands behind.
+    // Light from within the water: more of it comes through the crests of waves in front of the sun.
     float day = 0.2 + 0.8 * clamp(u_to_light.y * 2.0, 0.0, 1.0);
     float crest = clamp(0.35 + 0.9 * v_place.z, 0.0, 1.5);
     float through = pow(max(dot(-to_eye, u_to_light), 0.0), 4.0) * crest;

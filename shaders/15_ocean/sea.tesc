@@ -1,6 +1,6 @@
 #version 410 core
-// Levels of a patch: as many segments as its rings ask for. They depend on the radius alone, so neighbours agree.
-// Patches outside of the picture are culled.
+// The levels of a patch, from the longest segments that its rings allow. They depend on the radius only, so neighbours
+// agree. Patches outside of the picture are culled.
 
 layout(vertices = 4) out;
 
@@ -9,7 +9,7 @@ out vec3 c_polar[];
 
 uniform mat4 u_clip_from_eye;
 uniform float u_eye_height;
-uniform float u_highest;  // of all waves together, metres; 0 for a flat sea
+uniform float u_highest;  // upper bound of the sea's height, metres; 0 for a flat sea
 
 bool is_outside() {
     bvec3 low = bvec3(true);

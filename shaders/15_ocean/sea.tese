@@ -1,6 +1,6 @@
 #version 410 core
-// The water's surface: a vertex reads the level of the height map that fits its segments, so that far away, where
-// these are longer than the waves, the sea becomes flat by itself.
+// The surface of the water. A vertex reads the mip level of the height map that fits its segments. Far away segments
+// are longer than the waves, so the sea becomes flat by itself.
 
 #include "15_ocean/maps.glsl"
 
@@ -35,7 +35,7 @@ void main() {
     precise vec2 place = radius * vec2(sin(angle), cos(angle));
     precise float height = height_at(place, segment);
     v_place = vec3(place, height);
-    // As far away as one likes: without a far plane.
+    // There is no far plane.
     gl_Position = u_clip_from_eye * vec4(place.x, height - u_eye_height, place.y, 1.0);
     gl_Position.z = gl_Position.w - 2.0 * u_near;
 }

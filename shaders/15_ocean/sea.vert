@@ -1,11 +1,11 @@
 #version 410 core
-// The corners of the sea's patches: rings around the point below the eye, each so much wider than the one within, out
-// to the horizon. There are no buffers: the number of a vertex says where it is.
+// The corners of the sea's patches. They form rings around the point below the eye, out to the horizon. Radii grow by a
+// constant ratio. There are no buffers: the position follows from the vertex number.
 
 uniform vec3 u_rings;         // sectors, radius of the first ring, ratio of two radii
-uniform float u_segments[27]; // how long segments may be at each ring: exponents of 2, metres
+uniform float u_segments[27]; // longest segments at each ring: exponents of 2 of metres
 
-out vec3 v_polar;  // radius, angle, exponent
+out vec3 v_polar;  // radius, angle, exponent of the longest segment
 
 void main() {
     int patch_ = gl_VertexID / 4, corner = gl_VertexID % 4, sectors = int(u_rings.x);

@@ -1,4 +1,4 @@
-// An evening sky, in linear light: a formula, so that the sea can mirror it.
+// An evening sky in linear light, in closed form, so that the sea can mirror it.
 
 vec3 sky(vec3 direction, vec3 to_sun) {
     float up = max(direction.y, 0.0);
@@ -19,5 +19,5 @@ vec3 sun_disc(vec3 direction, vec3 to_sun) {
     return vec3(30.0, 22.0, 12.0) * smoothstep(0.99988, 0.99993, dot(direction, to_sun));
 }
 
-// The eye's response: bright light is compressed, and keeps its colour a little.
+// Compresses bright light to values below 1. It keeps some of its colour.
 vec3 exposed(vec3 light) { return 1.0 - exp(-1.25 * light); }

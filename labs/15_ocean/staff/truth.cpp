@@ -1,4 +1,4 @@
-// What only the staff has of lab 15: see ../truth.h.
+// The staff's part of lab 15: see ../truth.h.
 #include "truth.h"
 
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double two_pi = 2 * glm::pi<double>();
 
-/// A cosine on the water: amplitude * cos(dot(number, place) + phase), place in metres.
+/// A cosine on the water: amplitude * cos(dot(number, place) + phase), with the place in metres.
 struct Term {
     glm::dvec2 number;
     double amplitude, phase;
@@ -23,7 +23,7 @@ std::vector<Term> terms_of(const Sea& sea, double time) {
     std::vector<Term> terms;
     for (const Layer& layer : sea.layers)
         for (const Wave& wave : waves_of(layer.map)) {
-            // Whole tiles first: they are whole turns of every wave.
+            // Drops whole tiles, which are whole periods of every wave.
             glm::dvec2 moved = layer.velocity * time;
             moved -= glm::floor(moved);
             terms.push_back({two_pi * layer.tiles / tile_metres * glm::dvec2(wave.k), layer.amplitude * wave.amplitude,
@@ -45,8 +45,9 @@ glm::dvec2 slope(const std::vector<Term>& terms, const glm::dvec2& place) {
     return sum;
 }
 
-/// The largest height and slope of a map that is tiled once. A sum of waves of at most n whole waves along each axis is
-/// nowhere larger than at N x N places, divided by cos(pi n / N) squared (Ehlich and Zeller 1964).
+/// Returns upper bounds of the height and of the slope of a map that is tiled once. A sum of waves with wave numbers up
+/// to n along each axis is bounded by its maximum over N x N places, divided by cos(pi n / N) squared (Ehlich and
+/// Zeller 1964).
 glm::dvec2 bounds_of(int map) {
     static const auto measured = [](int of) {
         const Image waves = make_maps(of).waves;
@@ -72,7 +73,7 @@ public:
             const glm::dvec2 bounds = bounds_of(layer.map);
             highest_ += layer.amplitude * bounds.x, steepest_ += layer.amplitude * layer.tiles * bounds.y;
         }
-        // A pixel's width and height, one metre along the line of sight.
+        // The width and the height of a pixel, one metre ahead.
         const glm::dmat4 view = frame.camera.view_from_world();
         const glm::dvec3 right(view[0][0], view[1][0], view[2][0]), up(view[0][1], view[1][1], view[2][1]);
         forward_ = -glm::dvec3(view[0][2], view[1][2], view[2][2]);
@@ -80,7 +81,8 @@ public:
         right_ = right * pixel, up_ = up * pixel;
     }
 
-    /// Where the ray first meets the sea. With waves steps that cannot pass it: nowhere is it steeper than steepest_.
+    /// Returns the first hit of the ray with the sea. With waves it takes steps that cannot pass the surface, since
+    /// slopes are bounded by steepest_.
     std::optional<glm::dvec3> hit(const Ray& ray) const {
         const double level = ray.direction.y < 0 ? -ray.origin.y / ray.direction.y : INFINITY;
         if (!sea_.displaced) return level > 0 && std::isfinite(level) ? std::optional(at(ray, level)) : std::nullopt;
@@ -129,9 +131,9 @@ private:
         return (s * s + p * p) / 2;
     }
 
-    /// Over the pixel's part of the sea, taken as a parallelogram of the plane at the height of its middle: one call
-    /// for each of 32 x 32 places, with the slope there. From one column to the next the angle of a wave grows by the
-    /// same amount, so it turns by one product of complex numbers; all rows at once.
+    /// Calls `take` with the slope at each of 32 x 32 places of the pixel's footprint: a parallelogram of the plane at
+    /// the height of its middle. From one column to the next the angle of a wave grows by a constant. So a product of
+    /// complex numbers turns it, for all rows at once.
     template <class Take>
     void each_sample(const glm::dvec3& middle, Take take) const {
         const double depth = glm::dot(middle - eye_, forward_);
@@ -143,7 +145,7 @@ private:
         const glm::dvec2 begin = glm::dvec2(middle.x, middle.z) - (side - 1) / 2.0 * (across + along);
         using Rows = std::array<double, side>;
         struct Turning {
-            Rows cosine, sine;  // times the amplitude
+            Rows cosine, sine;  // multiplied by the amplitude
             double turn_cosine, turn_sine;
         };
         std::vector<Turning> terms(terms_.size());
@@ -188,7 +190,8 @@ private:
         return squares - glm::dvec3(mean * mean, mean.x * mean.y);
     }
 
-    /// Of each sample by the angle of its slope to that of the half vector.
+    /// Returns the share of the sun's light: the mean over samples, by their distance from the slope that mirrors the
+    /// sun.
     double glitter(const glm::dvec3& middle) const {
         const glm::dvec3 sum = glm::normalize(eye_ - middle) + sea_.to_light;
         if (sum.y < 1e-3 || sea_.to_light.y < 0) return 0;
