@@ -1,6 +1,6 @@
 // Lab 18: moving frames.
 //
-// A skin over a chain of bones, and a flock of it. A frame moves by the derivative of what moves it, and in a skin the
+// A skin over a chain of bones, and a flock of bodies. A frame moves by the derivative of the motion, and in a skin the
 // weights have a derivative, too. Your tasks: shaders/18_moving_frames/task.glsl
 #include <fmt/format.h>
 
@@ -72,7 +72,7 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        // A bone without length has no normals where it has the skin to itself.
+        // With a stretch of 0 there are no normals where this bone is the only one with a weight.
         if (probe.name == "normal" && stretch_ == 0) return {};
         return moving_frames::truth(frame, probe, scene());
     }
@@ -89,15 +89,15 @@ private:
     static constexpr std::array signs = {"alike", "opposite"};
     static constexpr std::array finenesses = {"288", "3072", "6144", "12288"};
     static constexpr std::array<Fineness, 4> fineness_of = {{{24, 6}, {96, 16}, {128, 24}, {192, 32}}};
-    static constexpr float error_scale = 30;  ///< degrees that are pale yellow
+    static constexpr float error_scale = 30;  ///< error of the brightest colour (pale yellow), degrees
 
-    /// As an instance's attributes have it.
+    /// An instance, in the layout of its vertex attributes.
     struct Placed {
         glm::vec4 rows[3];
         glm::vec3 texture[2];
         int32_t material;
     };
-    /// Triangles, the bones of their vertices, and the instances that are drawn of them.
+    /// Triangles, the bones of their vertices, and the instances to draw.
     struct Skin {
         Mesh mesh;
         GpuMesh uploaded;
@@ -116,12 +116,12 @@ private:
             : mesh(make_skin(body, fineness.rings, fineness.sides)), uploaded([this] { return mesh; }) {}
         Skin(const Skin&) = delete;
     };
-    /// A ball around a posed body, in its own coordinates.
+    /// A bounding sphere of a posed body, in the body's coordinates.
     struct Ball {
         glm::dvec3 centre;
         double radius;
     };
-    /// What a permutation is made for, beside the probe.
+    /// The purpose of a draw call, beside the probe. It selects a permutation of the program.
     struct Purpose {
         const char* name = "";  ///< ERROR, MEASURE or ZEBRA
         int way = gradient;
@@ -143,7 +143,7 @@ private:
     std::array<glm::dmat3, material_count> materials() const {
         std::array<glm::dmat3, material_count> all;
         for (int i = 0; i < material_count; ++i) {
-            // Tiles are as long as they are wide, nearly, and whole ones go around.
+            // Tiles are nearly square, and a whole number of them goes around the body.
             const glm::dvec2 tiles = is_serpent() ? glm::dvec2(7, 31) : glm::dvec2(8, 8);
             all[size_t(i)] = textured_ ? texture_transform(material_turn_,
                                                            tiles * double(material_scale_) * (i % 3 == 2 ? 0.7 : 1.0))
@@ -152,7 +152,7 @@ private:
         return all;
     }
 
-    /// The one that the knobs are for, around the origin.
+    /// Returns the first body, at the origin, with the settings of the knobs.
     Instance first() const {
         Instance instance;
         const double y = scale_y_;
@@ -177,12 +177,12 @@ private:
                 std::accumulate(places.begin(), places.end(), glm::dvec3(0)) / double(places.size());
             double radius = 0;
             for (const glm::dvec3& place : places) radius = std::max(radius, glm::distance(centre, place));
-            // Between those places the skin is never farther away than this.
+            // The margin bounds the skin between the sampled places.
             return Ball{centre, radius + body().length / 48 * std::max(1.0, double(stretch_)) + 0.1 * body().radius};
         });
     }
 
-    /// All bodies of the flock, wherever they are.
+    /// Returns all bodies of the flock, without culling.
     std::vector<Instance> instances() const {
         std::vector<Instance> all = {first()};
         if (view_ != the_flock) return all;
@@ -203,7 +203,7 @@ private:
                 view_ == unrolled_skin};
     }
 
-    /// Whether any of the ball around a body can be in the picture.
+    /// Returns whether a body's bounding sphere may be in the picture. Conservative.
     bool is_in_picture(const Frame& frame, const Instance& instance) const {
         const glm::dmat4& m = instance.world_from_model;
         const double size = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
@@ -248,7 +248,7 @@ private:
 
     using KeptSkin = Kept<std::unique_ptr<Skin>, bool, int>;  ///< by shape and fineness
 
-    /// All of them in one draw.
+    /// Draws all `bodies` with one draw call.
     void draw_bodies(const Frame& frame, const Purpose& purpose, KeptSkin& kept, int fineness,
                      std::span<const Instance> bodies) {
         Skin& drawn = kept_skin(kept, fineness);
@@ -346,7 +346,7 @@ private:
         program.set("u_error_scale", error_scale);
     }
 
-    // ---- four ways beside each other
+    // ---- four ways, side by side
 
     void draw_four(const Frame& frame) {
         const int kept_shape = std::exchange(shape_, int(tube_shape));
@@ -387,8 +387,8 @@ private:
         draw_bodies(part, purpose, fine_skin_, fine_, {&body, 1});
     }
 
-    /// Mean and largest error of a way over the skin, in degrees, beside the normal with the gradient; infinity before
-    /// the tasks are written.
+    /// Returns the mean and the largest error of a way over the skin, in degrees, compared with the normal by the
+    /// gradient. Infinity before the tasks are written.
     std::pair<double, double> measure(int way) {
         std::vector<std::string> knobs;
         for (const KnobText& knob : describe_knobs(*this)) knobs.push_back(knob.value);

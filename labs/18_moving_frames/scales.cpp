@@ -11,8 +11,8 @@ namespace {
 
 constexpr int columns = 2, rows = 4;
 
-/// Of the uppermost scale at a place; x counts scales from side to side, y rows. A scale has its root under the two
-/// above it and rises towards its tip, two rows below.
+/// Returns the height of the uppermost scale at a place. x is in scales from side to side, y in rows. A scale has its
+/// root under the two scales above it, and rises towards its tip, two rows below.
 double height(double x, double y) {
     const int row = int(std::floor(y));
     double highest = 0;
@@ -20,7 +20,7 @@ double height(double x, double y) {
         const double middle = i % 2 == 0 ? 0 : 0.5, aside = x - middle - std::round(x - middle);
         const double along = (i + 1 - y) / 2;  // 0 at the root, 1 at the tip
         if (along < 0 || along > 1) continue;
-        // Half of the width: full to the middle, then round.
+        // Half of the scale's width: constant to about the middle, then round.
         const double rest = std::max(0.0, along - 0.45) / 0.55, half = 0.52 * std::sqrt(std::max(0.0, 1 - rest * rest));
         const double edge = half - std::abs(aside);
         if (edge <= 0) continue;
@@ -35,7 +35,7 @@ double height(double x, double y) {
 
 Image make_scales(int texels) {
     Image image(texels, texels, 4, 8);
-    constexpr double step = 1.0 / 512, deep = 0.16;  // of the tile; the relief's depth in widths of a scale
+    constexpr double step = 1.0 / 512, deep = 0.16;  // in tiles; depth of the relief in widths of a scale
     parallel_pieces(size_t(texels), 8, 0, [&](size_t begin, size_t end) {
         for (int y = int(begin); y < int(end); ++y)
             for (int x = 0; x < texels; ++x) {

@@ -1,12 +1,12 @@
-// The scales of a skin, as a normal map that repeats.
+// The scales of a skin, as a normal map that tiles.
 #pragma once
 
 #include "framework/image/image.h"
 
 namespace relief::moving_frames {
 
-/// Two scales from side to side, four from tip to tip; tips point down. Normals (green up) and, in the fourth channel,
-/// heights, 8 bits.
+/// Returns a tile of texels x texels with two scales from side to side and four rows. Tips point down. The first three
+/// channels are normals (green up), the fourth heights, with 8 bits.
 Image make_scales(int texels);
 
 }  // namespace relief::moving_frames

@@ -9,8 +9,8 @@
 namespace relief::moving_frames {
 namespace {
 
-/// The square of the radius as a share of its largest, and its derivative by v: of squares, so that tips have no
-/// infinite slope.
+/// Returns the square of the radius as a share of its maximum, and the derivative by v. The radius itself would have an
+/// infinite slope at the tips.
 glm::dvec2 squared_profile(double v) {
     const double w = 1 - v, tail = 1 - w * w * w, cap = 1 - std::pow(v, 24);
     const auto bump = [&](double height, double middle, double width) {
@@ -30,14 +30,15 @@ Motion motion_of(const glm::dmat4& rigid) {
     return {as_vector(real), as_vector(glm::dquat(0, moved.x, moved.y, moved.z) * real * 0.5)};
 }
 
-/// Of a joint: what it bends by, about an axis at right angles to the chain, and what it twists by. Radians.
+/// The turn of a joint, in radians: a bend about an axis that is perpendicular to the chain, and a twist about the
+/// chain. `axis` is the angle of the bend's axis around the chain, from z.
 struct Turn {
     double bend, axis, twist;
 };
 Turn turn_of(const Body& body, const Pose& pose, int joint) {
     const double bend = glm::radians(pose.bend), twist = glm::radians(pose.twist);
     if (!body.is_serpent) return {bend, 0, twist};
-    // A wave that swims from side to side, and rises towards the head.
+    // A wave along the body, from side to side, that rises towards the head.
     const double along = double(joint) / (body.joints - 1);
     return {bend * (0.42 * std::cos(2 * glm::pi<double>() * (1.25 * along + 0.1))), 0.9 * std::sin(5 * along),
             twist / 6};
@@ -156,7 +157,7 @@ std::vector<Bound> bind_skin(const Body& body, const Mesh& mesh, double over, bo
     std::vector<Bound> bound;
     bound.reserve(mesh.vertices.size());
     for (const Vertex& vertex : mesh.vertices) {
-        // Of the formula, not of the rounded position: the fragment stage has it by the formula, too.
+        // From uv, not from the rounded position, as in the fragment stage.
         const double x = body.length * (double(vertex.uv.y) - 0.5);
         const Influence influence = influence_at(body, x, over, uneven);
         Bound& last = bound.emplace_back();
@@ -168,16 +169,16 @@ std::vector<Bound> bind_skin(const Body& body, const Mesh& mesh, double over, bo
 
 std::vector<Instance> make_flock(int count) {
     std::vector<Instance> flock;
-    const auto random = [](int i, int which) {  // in [0, 1): whole numbers, mixed
+    const auto random = [](int i, int which) {  // in [0, 1), by a hash of integers
         uint32_t x = uint32_t(8 * i + which + 1) * 0x9e3779b9u;
         x = (x ^ (x >> 16)) * 0x7feb352du;
         x = (x ^ (x >> 15)) * 0x846ca68bu;
         return double(x ^ (x >> 16)) / 4294967296.0;
     };
-    // Behind the first one, seen from where the camera stands at first.
+    // Behind the first one, as seen from the initial camera.
     const glm::dmat4 behind = glm::rotate(glm::dmat4(1), glm::radians(-35.0), glm::dvec3(0, 1, 0));
     for (int i = 0; i < count; ++i) {
-        // Spread evenly over the picture, and over the depth in another order.
+        // Low-discrepancy sequences spread the bodies evenly over the picture, and independently over the depth.
         const double depth = 8 + 30 * std::fmod((i + 0.5) * 0.6180339887, 1.0), size = 0.6 + 0.45 * random(i, 1);
         const double aside = std::fmod((i + 0.5) * 0.7548776662, 1.0) - 0.5 + 0.12 * (random(i, 2) - 0.5),
                      above = std::fmod((i + 0.5) * 0.5698402910, 1.0) - 0.44 + 0.12 * (random(i, 3) - 0.5);

@@ -1,5 +1,5 @@
-// What task 18.5 can hand on from the vertex stage to the fragment stage: a number that is not interpolated, and one
-// that is.
+// The variables by which task 18.5 can pass a number from the vertex stage to the fragment stage. The first one is not
+// interpolated, the second one is.
 
 #ifdef VERTEX_STAGE
 flat out int v_index;

@@ -1,5 +1,5 @@
 #version 410 core
-// A skin's pixel: its frame at rest, moved by the skin and by its instance; then its scales and its light.
+// A pixel of a skin: its frame at rest, moved by the skin and by the instance, then its scales and its light.
 
 #include "18_moving_frames/passed.glsl"
 #include "18_moving_frames/skin.glsl"
@@ -25,13 +25,13 @@ flat in mat3 v_texture;
 uniform mat3 u_materials[8];    // texture transforms
 uniform vec3 u_backs[8];        // colours
 uniform vec3 u_bellies[8];
-uniform sampler2D s_scales;     // normals; in the fourth channel heights
+uniform sampler2D s_scales;     // normals, and heights in the fourth channel
 uniform float u_relief;         // strength of the normals
 uniform vec3 u_eye;
 uniform vec3 u_to_light;
-uniform float u_fog;            // share of light that is lost, a metre
+uniform float u_fog;            // share of light that is lost per metre
 uniform bool u_folds;           // paint the skin where it folds over itself
-uniform float u_error_scale;    // degrees that are pale yellow
+uniform float u_error_scale;    // error of the brightest colour, degrees
 
 layout(location = 0) out vec4 o_color;
 
@@ -40,11 +40,11 @@ vec3 unit_or(vec3 v, vec3 otherwise) {
     return squared > 0.0 ? v * inversesqrt(squared) : otherwise;
 }
 
-// What moves the skin at this place: four bones, or one motion that they are blended to.
+// The motion of the skin at a place, by four bones, or by one motion that is blended from four.
 struct Moves {
     vec3 place;
     mat3 jacobian;
-    mat3 blend;  // as if the weights were the same everywhere
+    mat3 blend;  // the Jacobian without the derivatives of the weights
     Influence influence;
 };
 
@@ -69,7 +69,7 @@ Moves moves_at(vec3 rest) {
     mat2x4 motion = blended_motion(weights, bones);
     moves.place = moved_by(motion, motion, rest);
     moves.blend = moves.jacobian = rotation_of(motion[0]);
-    // The numerator is a square in the blend, and so is the denominator.
+    // The quotient rule. Numerator and denominator are quadratic forms of the blend.
     float square = dot(sum[0], sum[0]);
     vec3 place = moved_by(sum, sum, rest) / square;
     moves.jacobian[0] += 2.0 * (moved_by(sum, change, rest) - place * dot(sum[0], change[0])) / square;
@@ -94,7 +94,7 @@ Moves moves_at(vec3 rest) {
 }
 //)
 
-// By the inverse transpose; by the matrix where there is no inverse.
+// Returns the normal moved by the inverse transpose of m, or by m itself if m is singular.
 vec3 by_inverse(vec3 normal, mat3 m) {
     float size = determinant(m);
     return abs(size) > 1e-12 ? transpose(inverse(m)) * normal : m * normal;
@@ -121,7 +121,8 @@ vec3 skin_normal(vec3 normal, Moves moves, int way) {
 mat3 material_texture() { return u_materials[passed_material()]; }
 #endif
 
-// Where the texture is read, and unit directions of the skin at rest along which its u and v grow.
+// texture_at() returns the coordinates at which the texture is read. directions_at() returns the unit directions of the
+// skin at rest along which they grow.
 vec2 texture_at(vec2 uv) {
 #ifdef TEXTURED
     return texture_place(uv, v_texture, material_texture());
@@ -138,7 +139,7 @@ mat2x3 directions_at(Rest rest) {
 }
 
 #ifdef ZEBRA
-// Lamps side by side in a hall, as coachbuilders look at their work.
+// Parallel lamps, whose mirror images show the smoothness of a surface, as in car design.
 float lamps(vec3 mirrored) {
     float place = atan(mirrored.x, mirrored.y) * 1.9, width = fwidth(place) + 0.02;
     float off = abs(fract(place) - 0.5);

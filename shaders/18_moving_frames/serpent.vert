@@ -1,5 +1,5 @@
 #version 410 core
-// A skin in its pose, as often as there are instances.
+// The instances of a skin in its pose.
 
 #define VERTEX_STAGE
 #include "18_moving_frames/passed.glsl"
@@ -47,8 +47,8 @@ void main() {
     v_world_from_model = transpose(mat3(a_world_x.xyz, a_world_y.xyz, a_world_z.xyz));
     vec3 rest = a_position;
     v_uv = a_uv;
-    // A mirror turns triangles over. A body of revolution has its mirror image among its own vertices, so a mirrored
-    // body takes those: its triangles face outwards, and one draw can leave out what faces away.
+    // Mirroring flips the winding of triangles. But the mirror image of a body of revolution is the body itself, so a
+    // mirrored body takes the vertices of the other side. So its triangles face outwards, and back faces can be culled.
     if (determinant(v_world_from_model) < 0.0) {
         rest.z = -rest.z;
         v_uv.x = 1.0 - v_uv.x;

@@ -1,21 +1,21 @@
-// The skin of lab 18: its place at rest, its weights and its bones. labs/18_moving_frames/skin.cpp has the same in double
-// precision.
+// The skin of lab 18: its shape at rest, its weights and its bones. The twin in double precision is
+// labs/18_moving_frames/skin.cpp.
 
 uniform vec4 u_body;  // length, radius, joints, length of a joint; metres
 uniform mat4 u_bones[16];
 uniform mat3 u_bone_normals[16];  // cofactors of the bones
-uniform vec4 u_rotations[16];     // dual quaternions without a stretch, neighbours with the same sign
+uniform vec4 u_rotations[16];     // dual quaternions without the stretch; neighbours have the same sign
 uniform vec4 u_duals[16];
-uniform float u_odd_sign;         // of every second one, as task 18.3 sees it
+uniform float u_odd_sign;         // factor on every second one in the input of task 18.3
 
 const float turn_rad = 6.28318531;
 
 struct Rest {
     vec3 position, normal;
-    mat2x3 along;  // derivatives by u and v, times the radius: at the tips nothing becomes infinite
+    mat2x3 along;  // derivatives by u and v, times the radius, so that they are finite at the tips
 };
 
-// The square of the radius as a share of its largest, and its derivative by v.
+// Returns the square of the radius as a share of its maximum, and the derivative by v.
 vec2 squared_profile(float v) {
 #ifdef SERPENT
     float w = 1.0 - v, v2 = v * v, v4 = v2 * v2, v8 = v4 * v4, v16 = v8 * v8;
@@ -80,7 +80,8 @@ mat2x4 motion_of(int bone) {
     return side * mat2x4(u_rotations[bone], u_duals[bone]);
 }
 
-// The numerator of a place moved by a dual quaternion, as a form that is linear in each of two.
+// Returns a symmetric bilinear form of two dual quaternions. moved_by(a, a, p) is the place p moved by a, times the
+// squared length of a's real part.
 vec3 moved_by(mat2x4 a, mat2x4 b, vec3 p) {
     vec3 v = a[0].xyz, w = b[0].xyz, d = a[1].xyz, e = b[1].xyz;
     vec3 turned = p * (a[0].w * b[0].w - dot(v, w)) + dot(v, p) * w + dot(w, p) * v + a[0].w * cross(w, p) +

@@ -1,5 +1,5 @@
 #version 410 core
-// One triangle over the whole tile, behind everything.
+// One triangle over the whole tile, at the far plane.
 
 out vec2 v_clip;
 

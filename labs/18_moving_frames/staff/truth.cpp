@@ -1,4 +1,4 @@
-// What only the staff has of lab 18: see ../truth.h.
+// The staff's part of lab 18: see ../truth.h.
 #include "truth.h"
 
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace relief::moving_frames {
 namespace {
 
-/// Of a place moved by a dual quaternion that need not be unit, times its square; and the twin for two of them, so that
-/// it is linear in each.
+/// Returns a symmetric bilinear form of two dual quaternions. moved_by(a, a, p) is the place p moved by a, times the
+/// squared length of a.real, so a need not be unit.
 glm::dvec3 moved_by(const Motion& a, const Motion& b, const glm::dvec3& p) {
     const glm::dvec3 v(a.real), w(b.real), d(a.dual), e(b.dual);
     const double s = a.real.w, t = b.real.w;
@@ -21,7 +21,7 @@ glm::dvec3 moved_by(const Motion& a, const Motion& b, const glm::dvec3& p) {
     return turned + moved;
 }
 
-/// A direction of a surface made unit; any direction where there is none.
+/// Returns v normalized, or some unit vector if v is 0.
 glm::dvec3 unit(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 0 ? v / length : glm::dvec3(0, 0, 1);
@@ -46,15 +46,16 @@ public:
         if (probe == "carried") return glm::dvec4(whole[0], 0);
         const double side = glm::determinant(whole) < 0 ? -1 : 1;
         if (probe == "normal") return glm::dvec4(side * unit(cofactors(whole) * rest.normal), 0);
-        // The texture's u grows, and its v does not, along the combination of the surface's u and v that its linear
-        // part takes to (1, 0).
+        // The tangent is the combination of the surface's u and v that the texture's linear part maps to (1, 0). Along
+        // it the texture's u grows, and its v is constant.
         const glm::dmat2 linear(texture);
         const double turned = glm::determinant(linear) < 0 ? -1 : 1;
         const glm::dvec3 tangent = turned * (linear[1][1] * rest.along_u - linear[0][1] * rest.along_v);
         return glm::dvec4(unit(whole * unit(tangent)), side * turned);
     }
 
-    /// In the pose. A mirrored body is drawn with its vertices in a mirror, so its quads have the other diagonal.
+    /// Returns the triangles in the pose. A mirrored body takes the vertices of its other side, so its quads have the
+    /// other diagonal.
     Mesh triangles(Fineness fineness, bool mirrored) const {
         Mesh mesh = make_skin(body_, fineness.rings, fineness.sides);
         for (Vertex& vertex : mesh.vertices) {
@@ -71,11 +72,11 @@ private:
     std::vector<Bone> bones_;
 };
 
-/// A skin and the instances that are drawn with it.
+/// A mesh and its instances.
 struct Drawn {
     Mesh mesh;
     TriangleTree tree;
-    std::vector<std::pair<const Instance*, glm::dmat4>> instances;  ///< and the model from the world
+    std::vector<std::pair<const Instance*, glm::dmat4>> instances;  ///< with model_from_world
 };
 
 std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Scene& scene) {
@@ -85,11 +86,11 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
             const glm::dvec2 uv((x + 0.5) / frame.size.x, 1 - (y + 0.5) / frame.size.y);
             return exact.value(scene.instances[0], uv, probe.name);
         });
-    std::array<Drawn, 4> drawn;  // fine and coarse; of either kind the mirrored ones behind the others
+    std::array<Drawn, 4> drawn;  // fine, fine mirrored, coarse, coarse mirrored
     for (size_t i = 0; i < scene.instances.size(); ++i) {
         const glm::dmat4& m = scene.instances[i].world_from_model;
         const double size = glm::determinant(glm::dmat3(m));
-        if (std::abs(size) < 1e-12) return {};  // flat: rays do not go back
+        if (std::abs(size) < 1e-12) return {};  // degenerate: no rays in model space
         Drawn& kind = drawn[size_t(2 * (i > 0) + (size < 0))];
         if (kind.instances.empty()) {
             kind.mesh = exact.triangles(i == 0 ? scene.fine : scene.coarse, size < 0);
@@ -153,7 +154,7 @@ glm::dmat3 exact_jacobian(const Body& body, const Pose& pose, const std::vector<
         along[axis] = 1;
         jacobian[axis] = (moved_by(blend, blend, along) - at_origin) / square;
     }
-    // The product rule: the numerator is a square in the blend, and so is the denominator.
+    // The quotient rule. Numerator and denominator are quadratic forms of the blend.
     jacobian[0] += 2.0 * (moved_by(blend, change, rest) - moved / square * glm::dot(blend.real, change.real)) / square;
     return jacobian;
 }
