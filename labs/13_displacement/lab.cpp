@@ -19,7 +19,7 @@ public:
         surface_.density = 4;
         surface_.material.map = ReliefMap::stones;
         surface_.material.size = ReliefMaterial::texels_256;
-        surface_.most_density = 32;  // at level 64 a sphere of as many is 12 million triangles
+        surface_.most_density = 32;  // at level 64 a sphere of this density has 12 million triangles
     }
 
     void draw(const Frame& frame) override {
@@ -37,7 +37,7 @@ public:
                 continue;
             }
             glPolygonOffset(1, 1);
-            glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines lie in front
+            glEnable(GL_POLYGON_OFFSET_FILL);  // so that lines are in front
             const int triangles = draw_surface(part, method, "");
             glDisable(GL_POLYGON_OFFSET_FILL);
             if (show_ != light) draw_wire(part, tiles[i], method, triangles);
@@ -108,7 +108,8 @@ private:
     }
 
     void draw_wire(const Frame& frame, const Tile& tile, const Method& method, int triangles) {
-        // Lines fade where they would hide what they are about: half the triangles face the eye on half of the tile.
+        // Lines fade where triangles are so small that lines would hide them. The side of a triangle is estimated: half
+        // of the triangles face the eye, and cover half of the tile.
         const float side = std::sqrt(2 * float(tile.size.x) * float(tile.size.y) / float(std::max(1, triangles)));
         const float opacity = std::clamp((side - 4) / 10, show_ == wire ? 0.2f : 0.0f, 1.0f);
         if (opacity == 0) return;
@@ -133,7 +134,7 @@ private:
         labels_.caption(size, tile, -1, grouped(triangles) + " triangles", {0.62f, 0.63f, 0.65f});
     }
 
-    /// How many triangles were drawn, for a picture.
+    /// Draws the surface. Returns the number of triangles for a picture, and 0 for a probe or lines.
     int draw_surface(const Frame& frame, const Method& method, const Define& purpose) {
         const Program& program =
             program_.with({purpose, surface_.corners_define(), DisplacedSurface::spacing_define(method.spacing),
@@ -146,7 +147,7 @@ private:
         program.set("u_to_light", light_.direction());
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (surface_.is_one_sided() && purpose.text != "PROBE_winding") glEnable(GL_CULL_FACE);
-        // Counting waits for the GPU. A probe and lines have no caption; a caller that draws a probe may count itself.
+        // Counting waits for the GPU, and only a picture has a caption. The caller of a probe may have a query running.
         int triangles = 0;
         if (purpose.text.empty())
             triangles = surface_.draw_and_count();

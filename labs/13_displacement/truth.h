@@ -8,8 +8,9 @@
 
 namespace relief::displacement {
 
-/// `depth`, `slope` and `normal` of the displaced wall, where each view ray meets the bilinear surface first, from
-/// either side; `winding` of closed surfaces. Empty for other probes.
+/// Returns the exact values of a probe. `depth`, `slope` and `normal` are for the displaced wall, at the first hit of
+/// each view ray with either side of the bilinear surface. `winding` is for closed surfaces. Returns nothing for other
+/// probes.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const DisplacedSurface& surface)> truth;
 
 }  // namespace relief::displacement

@@ -1,5 +1,5 @@
 #version 410 core
-// Passes a patch's corners through, and sets its levels: the same everywhere.
+// Passes on the corners of a patch, and sets its levels, which are the same for all patches.
 
 #include "common/patch_corner.glsl"
 
@@ -12,7 +12,7 @@ out PatchCorner c_corner[];
 patch out int c_patch;
 
 uniform float u_level;   // along the edges
-uniform float u_inside;  // within
+uniform float u_inside;  // of the inside
 
 void main() {
     //(levels

@@ -45,7 +45,7 @@ vec3 surface_normal() {
 #else
     float level = max(textureQueryLod(s_heights, v_uv).y, 0.0);
     vec2 slope = height_slope(s_heights, v_uv, level, vec2(textureSize(s_heights, 0)));
-    // Over a triangle base and direction are straight lines of the uv, also where the eye sees them in perspective.
+    // Over a triangle base and direction are linear functions of the uv, also in perspective.
     vec2 uv_x = dFdx(v_uv), uv_y = dFdy(v_uv);
     mat2x3 base = by_uv(dFdx(v_base), dFdy(v_base), uv_x, uv_y), turn = mat2x3(0.0);
 #if NORMALS == SURFACE

@@ -19,7 +19,7 @@ out vec4 v_tangent;
 out vec2 v_uv;
 out vec3 v_base;       // undisplaced
 out vec3 v_direction;  // of the relief; not normalised
-out vec3 v_place;      // on the patch, and which it is
+out vec3 v_place;      // xy on the patch, z the patch's number
 out float v_mip;
 out float v_unfinished;
 

@@ -1,4 +1,4 @@
-// What only the staff has of lab 13: see ../truth.h.
+// The staff's part of lab 13: see ../truth.h.
 #include "truth.h"
 
 #include "framework/kit/numbers.h"
@@ -9,7 +9,7 @@ namespace relief::displacement {
 
 namespace {
 
-/// The stretch of a ray, in metres, within a box; empty when it begins behind its end.
+/// The part of a ray within a box, in metres along the ray. It is empty if `begin` is greater than `end`.
 struct Stretch {
     double begin = 0, end = std::numeric_limits<double>::infinity();
 };
@@ -28,7 +28,7 @@ Stretch within(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high) {
     return inside;
 }
 
-/// A wall of `metres` x `metres` around the origin of z = 0, pressed in by up to `scale`.
+/// A displaced wall of `metres` x `metres`, centred in the plane z = 0. The relief is `scale` metres deep.
 class Wall {
 public:
     Wall(const Image& heights, double metres, double tiles, double scale)
@@ -50,7 +50,7 @@ public:
         if (stretch.begin > stretch.end) return {};
         if (scale_ == 0) return seen(stretch.begin, at_texel(ray, stretch.begin));
         const glm::dvec3 enters = ray.origin + stretch.begin * ray.direction;
-        const glm::dvec3 unit(texels_, 1 / scale_);  // texels and heights a metre
+        const glm::dvec3 unit(texels_, 1 / scale_);  // texels and heights per metre
         Ray inside{(enters + glm::dvec3(half, half, scale_)) * unit, ray.direction * unit};
         const bool from_below = inside.origin.z < above_.height(inside.origin);
         if (from_below) inside.origin.z = 1 - inside.origin.z, inside.direction.z = -inside.direction.z;
@@ -64,7 +64,7 @@ private:
         return (glm::dvec2(ray.origin + t * ray.direction) + metres_ / 2) * texels_;
     }
     Seen seen(double t, glm::dvec2 texel) const {
-        // What a fragment takes between its texels is the same central difference.
+        // Fragments compute the slope by the same central difference.
         const glm::dvec2 slope = above_.central_slope(texel) * glm::dvec2(above_.size());
         return {t, slope, glm::normalize(glm::dvec3(-slope * tiles_ * scale_, 1))};
     }
@@ -74,8 +74,8 @@ private:
     }
 
     HeightField above_, below_;
-    double metres_, scale_, tiles_;  ///< tiles a metre
-    glm::dvec2 texels_;              ///< a metre
+    double metres_, scale_, tiles_;  ///< metres; metres; tiles per metre
+    glm::dvec2 texels_;              ///< texels per metre
 };
 
 std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const DisplacedSurface& surface) {
