@@ -1,7 +1,7 @@
 // Lab 10: parallax offset.
 //
-// A relief on a flat wall, by three estimates of where the view ray meets it, from straight on to nearly edge-on: lit
-// above, the error in texels below. Your tasks: shaders/10_parallax_offset/task.glsl
+// A relief on a flat wall by three estimates of the hit, at view angles from head-on to nearly edge-on. The lit relief
+// is above, the error in texels below. Your tasks: shaders/10_parallax_offset/task.glsl
 #include <fmt/format.h>
 
 #include "framework/base/text.h"
@@ -18,7 +18,7 @@ namespace relief {
 
 class ParallaxOffset final : public Lab {
 public:
-    ParallaxOffset() { surface_.extent = 16, surface_.depth = 0.06f; }  // a wall that fills a picture from 85 degrees
+    ParallaxOffset() { surface_.extent = 16, surface_.depth = 0.06f; }  // the wall fills the picture even at 85 degrees
 
     void draw(const Frame& frame) override {
         const auto sights = sights_of(frame);
@@ -67,7 +67,7 @@ private:
         int method, degrees;
     };
 
-    /// The angles run along the longer side of the picture.
+    /// Returns a sight for each angle, in tiles along the longer side of the picture.
     std::vector<Sight> sights_of(const Frame& frame) const {
         const int below = frame.probe || show_ == light ? 0 : Labels::scale_height(frame.size);
         if (view_ == one) {
@@ -91,7 +91,7 @@ private:
         return sights;
     }
 
-    /// As much of the wall as the camera shows, but through a long lens, so that the angle is the same all over.
+    /// Returns a frame that shows as much of the wall, but through a long lens, so that the view angle hardly varies.
     static Frame from_afar(Frame frame, double degrees) {
         constexpr double lens = 2;
         Orbit orbit = frame.camera.orbit();
@@ -106,7 +106,8 @@ private:
         if (size.x <= 0 || size.y <= 0) return;
         glViewport(corner.x, corner.y, size.x, size.y);
         if (sight.frame.probe || show_ == light) return draw_relief(sight, "");
-        // One scene twice, each through its own part of the tile: errors on the right, or below where tiles are small.
+        // Draws the scene twice, each time clipped to a part of the tile. Errors are on the right, below in small
+        // tiles.
         glEnable(GL_SCISSOR_TEST);
         const auto through = [&](glm::ivec2 low, glm::ivec2 high, const char* purpose) {
             glScissor(corner.x + low.x, corner.y + low.y, high.x - low.x, high.y - low.y);
@@ -138,8 +139,8 @@ private:
         surface_.draw();
     }
 
-    /// Each sight's error in texels, over 64 x 64 of its rays, by the shader's own functions: of no pixels before they
-    /// are written.
+    /// Returns the error of each sight in texels over 64 x 64 rays, computed by the shader. It has no pixels before the
+    /// tasks are written.
     const std::vector<ErrorSummary>& measure(const std::vector<Sight>& sights) {
         std::vector<GLuint> programs;
         std::vector<glm::dmat4> cameras;

@@ -8,8 +8,8 @@
 
 namespace relief::offsets {
 
-/// Where the view rays of each frame meet the relief, whatever the method guesses; +infinity beside the surface. Empty
-/// for a probe that depends on the method alone.
+/// Returns the exact values at the first hits of the view rays, one image per frame, independent of the method.
+/// +infinity beside the surface. Empty for a probe that depends on the method only.
 inline FromStaff<std::vector<Image>(const std::vector<Frame>& frames, const Probe& probe, const ReliefSurface& surface)>
     truths;
 

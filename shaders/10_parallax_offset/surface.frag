@@ -1,5 +1,5 @@
 #version 410 core
-// A relief that is guessed by METHOD: lit, or as the ERROR of the guess.
+// A relief whose hit is estimated by METHOD: lit, or as the ERROR of the estimate.
 
 #include "common/unfinished.glsl"
 #include "10_parallax_offset/task.glsl"
@@ -46,8 +46,8 @@ float guessed_t(vec2 along, float slant) {
 
 float taps(float t) { return METHOD == STEEP ? round(t * float(u_steps)) + 1.0 : 1.0; }
 
-// The smaller levels by the undisplaced uv: displaced ones jump where one brick hides another. Along a wall seen at a slant
-// four times the blur that it has across will do.
+// Chooses mip levels by the undisplaced uv, since displaced uv jump where one brick hides another. The longer side of
+// the footprint is clamped to four times the shorter one.
 //(smaller-levels
 vec4 seen_in(sampler2D map, vec2 uv) {
     vec2 dx = dFdx(v_uv), dy = dFdy(v_uv);
@@ -66,7 +66,7 @@ vec3 lit(mat3 frame, vec3 to_eye, vec2 uv) {
 }
 
 void main() {
-    // By two cross products: the normal stays, and the others are at right angles.
+    // Two cross products make an orthonormal frame that keeps the normal.
     vec3 normal = normalize(v_normal);
     vec3 bitangent = v_tangent.w * normalize(cross(normal, v_tangent.xyz));
     vec3 tangent = v_tangent.w * cross(bitangent, normal);
@@ -75,7 +75,7 @@ void main() {
 
     //(search
     vec2 along = ray_in_relief(to_eye, tangent, bitangent, normal, u_depth);
-    float t = cosine > 0.0 ? guessed_t(along, slant) : 0.0;  // from behind there is no relief
+    float t = cosine > 0.0 ? guessed_t(along, slant) : 0.0;  // no relief from behind
     vec2 uv = on_ray(v_uv, along, t);
     //)
 #if defined PROBE_ray
