@@ -102,7 +102,7 @@ private:
 
     struct Figures {
         double mean = 0, wrong = 0, heights_read = 0;
-        int pixels = 0;  ///< none before the tasks are written
+        int pixels = 0;  ///< 0 before the tasks are written
     };
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         if (view_ == one) return tiles_of(size, 1);
@@ -124,7 +124,7 @@ private:
         surface_.draw();
     }
 
-    /// The program for one frame and one method, with all that it wants to know.
+    /// Returns the program for a frame and a method, in use and with all uniforms set.
     const Program& use(const Frame& frame, const Method& method, const Define& purpose, float level_bias = 0) {
         const Program& program = program_.with(
             {purpose, mip_ == footprint ? "FOOTPRINT" : "", lookup_ == implicit ? "IMPLICIT" : "", skip_ ? "SKIP" : "",
@@ -145,7 +145,7 @@ private:
         return program;
     }
 
-    /// What a tile's method is off by, seen by the frame's own camera in fewer pixels.
+    /// Returns the error and the work of a tile's method, measured in a smaller picture by the frame's camera.
     const Figures& measure(size_t tile, const Frame& frame) {
         const Program& program =
             use(frame, method_of(tile), "MEASURE", std::log2(float(measured.y) / float(std::max(1, frame.size.y))));
@@ -158,7 +158,7 @@ private:
         Figures figures;
         for (size_t i = 0; i < drawn.pixel_count(); ++i) {
             const float* const pixel = drawn.values.data() + i * 4;
-            if (!std::isfinite(pixel[3])) continue;  // background, or a task is not written
+            if (!std::isfinite(pixel[3])) continue;  // background, or unfinished tasks
             ++figures.pixels;
             figures.mean += double(pixel[0]);
             figures.heights_read += double(pixel[1]);

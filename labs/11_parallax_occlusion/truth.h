@@ -7,8 +7,9 @@
 
 namespace relief::occlusion {
 
-/// For `uv`, the point in texels where the view ray first meets the bilinear relief; for `depth`, how many metres that
-/// is from the eye. A fragment that is seen from behind has no relief. Nothing for `steps`.
+/// Returns the exact values of a probe: for `uv` the first hit of the view ray with the bilinear relief, in texels; for
+/// `depth` its distance from the eye, in metres. A fragment seen from behind has no relief. Returns nothing for
+/// `steps`.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const Mesh& mesh,
                                       const ReliefMapping& mapping, const Image& heights)>
     truth;

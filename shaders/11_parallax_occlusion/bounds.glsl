@@ -1,7 +1,7 @@
-// The lowest and the highest height of each region of the map, level by level: 2^k x 2^k cells are one texel of level k.
+// Minimum and maximum heights of the map. A texel of level k bounds 2^k x 2^k cells.
 
-// All levels in one texture, level 0 on the left and the others one above the other beside it: four neighbouring pixels
-// may want different ones, and of a texture's own levels a renderer may fetch the same for all four.
+// All levels are in one texture: level 0 on the left, the others above each other to its right. Mip levels would not
+// do: a renderer may fetch the same level for four neighbouring pixels, which need different ones.
 uniform sampler2D s_bounds;
 
 int highest_level(sampler2D heights) {

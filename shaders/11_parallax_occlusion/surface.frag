@@ -1,11 +1,12 @@
 #version 410 core
-// A relief by parallax occlusion mapping: lit, or how far the march ends from the exact hit, in texels.
+// A relief by parallax occlusion mapping: lit, or the distance of the march's end from the exact hit, in texels.
 
 #include "common/heat.glsl"
 #include "common/light.glsl"
 #include "common/srgb.glsl"
 
-// What a search reads passes here: to be counted, and read by derivatives where the usual shader's mistake is wanted.
+// A search reads heights by this function only, which counts the reads. IMPLICIT shows the common mistake of letting
+// texture() choose a mip level by derivatives.
 int heights_read = 0;
 vec4 height_texel(sampler2D heights, vec2 uv, float level) {
     ++heights_read;
@@ -46,17 +47,17 @@ uniform float u_steps;
 uniform float u_min_steps;
 uniform float u_texels_per_step;
 uniform int u_rounds;
-uniform float u_level_bias;  // where a pixel stands for a smaller one
-uniform float u_decal;       // how much of the paint on the pane is there
+uniform float u_level_bias;  // added to the level; for measurements with larger pixels
+uniform float u_decal;       // opacity of the paint on the pane
 
 layout(location = 0) out vec4 o_color;
 
-const float least_slant = 0.002;  // a flatter ray would pass more tiles than a float can tell apart
+const float least_slant = 0.002;  // lower bound: a flatter ray would cross more tiles than a float can resolve
 
-// Whether all of the relief below the march has one height: one look, at a level whose texels are as wide as the march, or at
-// the whole map where it runs over the border between two of them.
+// Returns whether all of the relief below the march has one height, by a single fetch. It reads the level whose texels
+// are as wide as the march, or the whole map if the march crosses a border of these texels.
 bool is_flat(ReliefRay ray, vec2 size, out float height) {
-    // Cells begin at texel centres; a smaller level of the map is a mean of what is around.
+    // Cells begin at texel centres. A texel of a coarser mip level averages its neighbourhood.
     float margin = ray.level > 0.0 ? exp2(ceil(ray.level)) : 0.01;
     vec2 from = ray.uv * size - 0.5, to = from + ray.march * size;
     vec2 low = min(from, to) - margin, high = max(from, to) + margin;
@@ -94,13 +95,13 @@ float marched(ReliefRay ray, vec2 size) {
 }
 //)
 
-// How far along the ray the relief is met; at its entry where there is none.
+// Returns the t of the hit; 0, the entry, if there is no relief.
 float seen(ReliefRay ray, bool has_relief) {
     if (!has_relief) return 0.0;
     vec2 size = vec2(textureSize(s_heights, 0));
 #ifdef SKIP
     //(skip
-    // Nothing is marched that cannot be seen: less than half a texel of the level that is read, or level ground.
+    // No march where it would not show: over less than half a texel of the level that is read, or over flat ground.
     float height;
     if (length(ray.march * size) < 0.5 * exp2(ray.level)) return 1.0 - height_texel(s_heights, ray.uv, ray.level).r;
     if (is_flat(ray, size, height)) return 1.0 - height;
@@ -128,7 +129,7 @@ void main() {
     float cosine = dot(to_eye, normal), slant = max(cosine, least_slant);
     bool has_relief = cosine > 0.0 && u_depth_metres > 0.0;
 
-    // From here to where the view ray meets the plane of the ground, as the texture lies there.
+    // The vector from the fragment to the ray's hit with the ground plane, then in uv.
     vec3 to_ground = -to_eye * (u_depth_metres / slant);
     vec2 tiles_per_metre = u_depth_metres > 0.0 ? u_depth / u_depth_metres : vec2(0.0);
     ReliefRay ray = ReliefRay(v_uv, vec2(dot(to_ground, tangent), dot(to_ground, bitangent)) * tiles_per_metre, slant, 0.0);

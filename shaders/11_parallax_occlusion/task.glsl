@@ -20,9 +20,9 @@ struct Bracket {
 const int bisection = 2, secant = 3, illinois = 4;  // methods of task 11.4
 
 // TASK 11.1 (3 points): how many steps a march takes. Do not round, so that no line shows where the number changes. By
-// angle: `most` where the ray is level (slant 0), `least` where it looks straight down (slant 1), linear in between.
-// By texel: one step for every `texels_per_step` texels of the march's length, counted on the level that is read, but
-// at least 1 and at most 1024. `size` is that of level 0; a texel of level k is 2^k times as wide.
+// angle: `max_steps` where the ray is level (slant 0), `min_steps` where it looks straight down (slant 1), linear in
+// between. By texel: one step for every `texels_per_step` texels of the march's length, counted on the level that is
+// read, but at least 1 and at most 1024. `size` is that of level 0; a texel of level k is 2^k times as wide.
 float steps_by_angle(float slant, float min_steps, float max_steps) {
     //[solution
     return mix(max_steps, min_steps, slant);
