@@ -1,6 +1,6 @@
 // Lab 05: the tangent basis.
 //
-// Bricks on a coarse mesh, by the tangents of each method; the angle to dP/du as a heat map; the frames as lines.
+// Bricks on a coarse mesh, by the tangents of each method, with the angle to dP/du as a heat map, and frames as lines.
 // Your tasks: labs/05_tangent_basis/task.cpp and shaders/05_tangent_basis/task.glsl
 #include <fmt/format.h>
 

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double pi = glm::pi<double>();
 
-/// A surface of revolution about y: radius and height, and how both change along v, at an angle from +z towards +x.
+/// Returns the place of a surface of revolution about y, at an angle from +z towards +x. `profile` is the radius and
+/// the height, `slope` their derivatives along v.
 Place revolved(double angle, glm::dvec2 profile, glm::dvec2 slope) {
     const glm::dvec3 out(std::sin(angle), 0, std::cos(angle)), east(std::cos(angle), 0, -std::sin(angle));
     const glm::dvec2 direction = glm::length(slope) > 0 ? glm::normalize(slope) : glm::dvec2(0, 1);
@@ -29,14 +30,14 @@ Place on_box(glm::dvec2 uv) {
     return {0.62 * (normal + s * tangent + t * glm::cross(normal, tangent)), normal, {tangent, 1}};
 }
 
-/// In [-1, 1], always the same.
+/// Returns a pseudo-random number in [-1, 1], a hash of a and b.
 double dice(uint32_t a, uint32_t b) {
     uint32_t bits = a * 2654435769u ^ (b + 0x9e37u) * 2246822519u;
     bits ^= bits >> 15, bits *= 0x85ebca6bu, bits ^= bits >> 13, bits *= 0xc2b2ae35u, bits ^= bits >> 16;
     return double(bits) / 2147483648.0 - 1;
 }
 
-/// The urn is a model in a file: its vertices know their places by their uv.
+/// Returns the urn, read from its file. The places of its vertices are their uv.
 CoarseMesh read_urn() {
     CoarseMesh result{read_obj(course_root() / "assets" / "urn.obj").mesh, {}};
     for (Vertex& vertex : result.mesh.vertices) {
@@ -57,13 +58,13 @@ Place place_on(Shape shape, glm::dvec2 uv, double shear) {
         case Shape::box:
             return on_box(uv);
         case Shape::cylinder:
-        case Shape::urn:  // its tangents are those of any surface of revolution
+        case Shape::urn:  // has the tangents of any surface of revolution
             return revolved(around, {0.6, (uv.y - 0.5) * 1.7}, {0, 1});
         case Shape::sphere:
             return revolved(around, 0.95 * glm::dvec2(std::cos(up), std::sin(up)), {-std::sin(up), std::cos(up)});
         case Shape::mirrored: {
             Place place = place_on(Shape::sphere, uv, 0);
-            if (uv.x < 0.5) place.tangent = -place.tangent;  // u runs to the left there: the frame is left-handed
+            if (uv.x < 0.5) place.tangent = -place.tangent;  // u grows to the left, so the frame is left-handed
             return place;
         }
         case Shape::torus:
@@ -81,13 +82,13 @@ CoarseMesh coarse_mesh(Shape shape, int columns, int rows, double jitter, double
     const auto add = [&](int column, int row, int first) {
         glm::dvec2 place(double(column) / across, double(row) / rows);
         const bool inner = column > first && column < first + part && row > 0 && row < rows;
-        // The mirror's line stays where it is.
+        // Vertices on the mirror line do not move across it.
         const bool on_mirror = shape == Shape::mirrored && 2 * column == across;
         if (inner)
             place += jitter * 0.33 / glm::dvec2(across, rows) *
                      glm::dvec2(on_mirror ? 0 : dice(uint32_t(column), uint32_t(row)),
                                 dice(uint32_t(row), uint32_t(column + 977)));
-        // On the line between two faces of a box the place belongs to this one.
+        // A place on the edge of a box is clamped to this face.
         glm::dvec2 inside = place;
         if (shape == Shape::box)
             inside.x = glm::clamp(place.x, (first + 1e-9) / across, (first + part - 1e-9) / across);

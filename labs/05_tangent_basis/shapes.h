@@ -10,23 +10,25 @@ namespace relief::basis {
 
 enum class Shape { quad, box, cylinder, sphere, torus, mirrored, urn };
 
-/// A place of a surface: unit normal, and unit dP/du with the handedness in w.
+/// A place on a surface. The normal has unit length. `tangent` is dP/du, normalized, with the handedness in w.
 struct Place {
     glm::dvec3 position, normal;
     glm::dvec4 tangent;
 };
 
-/// u and v in [0, 1] over the whole surface (a box has its six faces side by side along u). For `mirrored`, a sphere
-/// whose texture is on its left half what it is on its right one, u is that of the sphere; for `quad`, `shear` is how
-/// much v grows along x.
+/// Returns the place at u and v, each in [0, 1] over the whole surface. A box has its six faces side by side along u.
+/// `mirrored` is a sphere whose left half shows the mirrored texture of the right one; u is that of the sphere. The
+/// texture of a quad is sheared: its v is v + shear * u.
 Place place_on(Shape shape, glm::dvec2 uv, double shear);
 
-/// A mesh with exact normals and tangents. `jitter` moves inner vertices along the surface by up to that share of half
-/// a cell, and then each cell has its diagonal by chance. `places` are the u and v of place_on() at its vertices.
+/// A mesh with exact normals and tangents. `places` are the u and v of place_on() at its vertices.
 struct CoarseMesh {
     Mesh mesh;
     std::vector<glm::dvec2> places;
 };
+/// Returns a mesh of columns x rows cells. `jitter` in [0, 1] moves inner vertices along the surface by up to
+/// 0.33 * jitter cells. If it is above 0, the diagonals of cells are random, too. The urn comes from a file and has no
+/// jitter.
 CoarseMesh coarse_mesh(Shape shape, int columns, int rows, double jitter, double shear);
 
 }  // namespace relief::basis

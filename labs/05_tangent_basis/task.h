@@ -11,23 +11,24 @@ struct Triangle {
     std::array<glm::dvec2, 3> uv;
 };
 
-/// Directions of dP/du and dP/dv, of unit length, and the handedness: 1, or -1 where the uv are mirrored. All zero if
-/// the triangle has no area in uv.
+/// The unit directions of dP/du and dP/dv, and the handedness: 1, or -1 if the uv are mirrored. All are zero if the
+/// triangle is degenerate in uv.
 struct FaceBasis {
     glm::dvec3 tangent{0}, bitangent{0};
     double handedness = 0;
 };
 
+/// Returns the basis of a triangle. All of it is zero if the triangle is degenerate, in uv or in space.
 FaceBasis solve(const Triangle& triangle);
 
 enum class Weight { uniform, area, angle };
 
-/// The weight of a triangle in the mean at one of its corners (0, 1 or 2).
+/// Returns the weight of a triangle in the mean at one of its corners (0, 1 or 2).
 double corner_weight(Weight weight, const Triangle& triangle, int corner);
 
-/// The tangent of a vertex from the weighted sum of its triangles': of unit length, perpendicular to the normal, the
-/// handedness in w. Where the sum has no direction across the normal, any perpendicular will do: framework/mesh/frame.h
-/// has one.
+/// Returns the tangent of a vertex from the weighted sum of its triangles' tangents. It has unit length, is
+/// perpendicular to the unit normal, and has the handedness in w. If the sum is zero or parallel to the normal, it is
+/// any perpendicular, as any_perpendicular() in framework/mesh/frame.h.
 glm::dvec4 vertex_tangent(const glm::dvec3& sum, const glm::dvec3& normal, double handedness);
 
 }  // namespace relief::basis

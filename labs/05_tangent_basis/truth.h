@@ -1,4 +1,4 @@
-// The exact values of lab 05's probes, and the tangents that bakers agree on.
+// The exact values of lab 05's probes, and tangents by MikkTSpace.
 #pragma once
 
 #include "framework/base/from_staff.h"
@@ -7,14 +7,14 @@
 
 namespace relief::basis {
 
-/// dP/du (`tangent`) or dP/dv (`dp_dv`) of the surface at the u and v that the mesh has in each pixel; for `bitangent`,
-/// the direction across the normal and dP/du; for `frame`, the length of a tangent, its cosine with the normal, and the
-/// handedness.
+/// Returns the exact values of a probe at the u and v that the mesh has in each pixel: for `tangent` the unit dP/du,
+/// for `dp_dv` the unit dP/dv, for `bitangent` the unit vector perpendicular to dP/du and to the normal. For `frame`
+/// they are the length of the tangent, its cosine with the normal, and the handedness.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, const CoarseMesh& mesh, Shape shape,
                                       double shear)>
     truth;
 
-/// By the published semantics of MikkTSpace.
+/// Returns the mesh with tangents by MikkTSpace, after its published semantics.
 inline FromStaff<Mesh(const Mesh& mesh)> with_mikktspace;
 
 }  // namespace relief::basis

@@ -26,7 +26,7 @@ Mesh with_faces(const Mesh& mesh, Axis axis) {
         for (size_t i = 0; i < 3; ++i) {
             Vertex vertex = mesh.vertices[mesh.indices[first + i]];
             if (glm::length(up) > 0) vertex.normal = glm::normalize(up);
-            // What lies in the triangle is perpendicular to its normal already.
+            // Both axes lie in the triangle, so they are perpendicular to the normal already.
             const glm::dvec3& solved = axis == Axis::tangent ? face.tangent : face.bitangent;
             vertex.tangent = face.handedness == 0 ? glm::dvec4(any_perpendicular(vertex.normal), 1)
                                                   : glm::dvec4(solved, face.handedness);

@@ -8,10 +8,11 @@ namespace relief::basis {
 
 enum class Axis { tangent, bitangent };
 
-/// Every corner a vertex of its own, with the frame of its triangle: T in `tangent.xyz`, or B.
+/// Returns a mesh with a vertex for each corner, which has the frame of its triangle: T in `tangent.xyz`, or B.
 Mesh with_faces(const Mesh& mesh, Axis axis = Axis::tangent);
 
-/// The weighted mean at each vertex, of mirrored triangles and of the others apart: together they would cancel out.
+/// Returns a mesh with the weighted mean of the triangles' tangents at each vertex. Mirrored triangles have a mean, and
+/// a vertex, of their own, since together with the others they would cancel out.
 Mesh with_means(const Mesh& mesh, Weight weight);
 
 }  // namespace relief::basis

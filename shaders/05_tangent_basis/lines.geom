@@ -1,5 +1,6 @@
 #version 410 core
-// Tangent red, bitangent green, normal blue: `u_length` pixels long where they lie across the view, two pixels wide.
+// Draws tangents red, bitangents green and normals blue, two pixels wide. Lines across the view are `u_length` pixels
+// long.
 
 layout(points) in;
 layout(triangle_strip, max_vertices = 12) out;
@@ -12,7 +13,7 @@ in Frame {
 uniform mat4 u_clip_from_world;
 uniform vec2 u_size;           // of the window, pixels
 uniform float u_length;
-uniform float u_focal_pixels;  // pixels that a metre has at the distance of a metre
+uniform float u_focal_pixels;  // pixels per metre, at a distance of one metre
 
 flat out vec3 v_color;
 

@@ -1,5 +1,5 @@
 #version 410 core
-// A vertex with its frame, for the geometry stage to draw.
+// Passes a vertex and its frame to the geometry stage.
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;

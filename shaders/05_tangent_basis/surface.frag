@@ -1,5 +1,5 @@
 #version 410 core
-// Bricks on a surface by its tangents: lit, or the angle between the tangent and dP/du.
+// Bricks on a surface by its tangents: lit, or as the angle between the tangent and dP/du.
 
 #include "common/unfinished.glsl"
 #include "05_tangent_basis/task.glsl"
@@ -17,23 +17,23 @@ in vec4 v_tangent;
 uniform vec3 u_eye;
 uniform vec3 u_light;
 uniform vec2 u_repeat;
-uniform float u_split;  // lit left of it, the error on its right, in pixels
+uniform float u_split;  // x in pixels: lit to its left, the error to its right
 uniform float u_shear;
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 
 layout(location = 0) out vec4 o_color;
 
-// A probe shows the task's result, and must not be able to call the exact solution.
+// A probe shows the task's result, so the exact solution must not be available to it.
 #if !defined PROBE_tangent && !defined PROBE_bitangent && !defined PROBE_dp_dv && !defined PROBE_frame
-// dP/du of the surface that the mesh stands for.
+// Returns the unit dP/du of the exact surface.
 vec3 exact_tangent() {
 #if defined QUAD
     return normalize(vec3(1.0, -u_shear, 0.0));
 #elif defined BOX
     return abs(v_normal.y) > 0.5 ? vec3(1.0, 0.0, 0.0) : normalize(cross(vec3(0.0, 1.0, 0.0), v_normal));
 #elif defined MIRRORED
-    // |2u - 1| of a turn on both sides of +z, where u grows to the right on the right half only.
+    // v_uv.x is |2 u - 1| with the u of the sphere. It grows to the right on the right half only.
     float turn = 3.14159265 * (1.0 + v_uv.x), side = v_position.x < 0.0 ? 1.0 : -1.0;
     return side * vec3(cos(side * turn), 0.0, -sin(side * turn));
 #else

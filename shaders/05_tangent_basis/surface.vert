@@ -1,5 +1,5 @@
 #version 410 core
-// Transforms to the world, which is object space here.
+// World space is object space here.
 
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;

@@ -1,4 +1,4 @@
-// What only the staff has of lab 05: see ../truth.h.
+// The staff's part of lab 05: see ../truth.h.
 #include "truth.h"
 
 #include "framework/base/error.h"
@@ -8,7 +8,8 @@
 namespace relief::basis {
 namespace {
 
-/// The first triangle that a ray meets from either side, as u and v of the surface (Möller and Trumbore 1997).
+/// Returns the u and v of the surface at the first triangle that a ray hits, from either side (Möller and Trumbore
+/// 1997).
 std::optional<glm::dvec2> place_seen(const CoarseMesh& coarse, const Ray& ray) {
     std::optional<glm::dvec2> seen;
     double nearest = std::numeric_limits<double>::infinity();
@@ -37,7 +38,8 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
         if (!seen) return {};
         const Place place = place_on(shape, *seen, shear);
         glm::dvec3 value(place.tangent);
-        // dP/dv of a surface of revolution is perpendicular to dP/du; a sheared quad's is not, but its frame is.
+        // The bitangent of the frame is perpendicular to dP/du. So is dP/dv on a surface of revolution, but not on a
+        // sheared quad.
         if (probe.name == "dp_dv" && shape == Shape::quad)
             value = {0, 1, 0};
         else if (probe.name == "bitangent" || probe.name == "dp_dv")
