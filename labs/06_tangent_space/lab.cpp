@@ -1,8 +1,7 @@
 // Lab 06: tangent space.
 //
-// A frame at every pixel: light in world space or in tangent space, on models that are scaled and mirrored, with
-// rotated textures.
-// Your tasks: shaders/06_tangent_space/task.glsl
+// A frame at every pixel. Light is computed in world space or in tangent space, on models that are scaled and mirrored,
+// with rotated textures. Your tasks: shaders/06_tangent_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/base/error.h"
@@ -70,7 +69,7 @@ public:
     }
 
 private:
-    /// The defines of each way; empty ones are the right way.
+    /// The definitions of a variant. Empty ones are the correct choice.
     struct Way {
         const char *title, *frame, *normals, *turn;
     };
@@ -138,7 +137,7 @@ private:
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
     }
 
-    /// A picture of the user's, with a green that points up.
+    /// Returns the user's picture as a normal map, whose green points up.
     static Image own_normals(Image picture) {
         if (picture.channels < 3) throw Error("is grey: a normal map has three channels");
         for (float& value : picture.values)
@@ -159,7 +158,7 @@ private:
     Texture bricks_ = load_texture("bricks_normal.png", ColorSpace::linear);
     Texture texel_{"a flat texel", flat_texel};
     OwnPicture own_{own_normals};
-    mutable Kept<Texture, int> own_texture_;  ///< by which picture
+    mutable Kept<Texture, int> own_texture_;  ///< by the picture
     GpuMesh sphere_ = upload([] { return make_sphere(frames::sphere); });
     GpuMesh column_ = upload([] { return make_column(frames::column); });
     GpuMesh wall_ = upload([] { return frames::make_mirrored_wall(); });

@@ -1,4 +1,4 @@
-// The shapes of lab 06 and how deep its bricks are.
+// The shapes of lab 06, and the depth of its bricks.
 #pragma once
 
 #include "framework/mesh/shapes.h"
@@ -11,11 +11,11 @@ enum class Shape { sphere, column, wall };
 constexpr SphereShape sphere{.radius = 1, .sides = 48, .rows = 24, .repeat = {4, 2}};
 constexpr ColumnShape column{
     .bottom_radius = 0.6f, .top_radius = 0.6f, .height = 1.884956f, .sides = 64, .rows = 1, .repeat = {2, 1}};
-/// Its left half is the mirror image of the right one: u falls towards the middle and grows from there.
+/// Its left half is the mirror image of the right one: u decreases towards the middle, then increases.
 constexpr QuadShape wall{.width = 2, .height = 2, .repeat = {2, 2}};
 constexpr double bricks_depth_in_texels = 24;  // assets/SOURCES.md
 
-/// The wall's mesh: two quads, the left one with a left-handed frame.
+/// Returns the wall: two quads, of which the left one has a left-handed frame.
 inline Mesh make_mirrored_wall() {
     Mesh mesh;
     for (const float side : {-1.0f, 1.0f}) {

@@ -7,16 +7,16 @@
 
 namespace relief::frames {
 
-/// How the surface lies in the world, and the map on it.
+/// The position of the surface in the world, and the map on it.
 struct Pose {
     Shape shape;
     glm::dmat4 world_from_model;
-    double strength;  ///< of the map; 0 is flat, or no map
+    double strength;  ///< of the map; 0 is flat, or without a map
     double turn_rad;  ///< of the texture
 };
 
-/// The normal of the bricks' own surface, worked out in the model's space and taken to the world by the inverse
-/// transpose. Nothing where the model is flattened to nothing.
+/// Returns the exact normals of the bricks' surface. They are computed in model space, and moved to the world by the
+/// inverse transpose. Returns nothing if world_from_model is singular.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Pose& pose)> truth;
 
 }  // namespace relief::frames

@@ -17,7 +17,7 @@ uniform float u_turn;  // of the texture, radians
 #endif
 
 uniform mat4 u_world_from_model;
-uniform vec3 u_scaling;  // the two that it is made of, the scaling first
+uniform vec3 u_scaling;  // the factors of u_world_from_model; the scaling is applied first
 uniform mat3 u_rotation;
 uniform vec3 u_eye;
 uniform vec3 u_light;

@@ -1,4 +1,4 @@
-// What only the staff has of lab 06: see ../truth.h.
+// The staff's part of lab 06: see ../truth.h.
 #include "truth.h"
 
 #include "framework/image/asset.h"
@@ -10,7 +10,7 @@ namespace relief::frames {
 namespace {
 
 struct Sight {
-    SurfacePoint point;  ///< du and dv as the map has its u and v, before it is turned
+    SurfacePoint point;  ///< du and dv are along the map's u and v, before it is turned
     glm::dvec2 uv;       ///< in tiles of the map
 };
 
@@ -41,7 +41,7 @@ glm::dvec3 normal_of(const Sight& sight, const Pose& pose, const HeightField& br
         glm::dvec2(c * from_middle.x - s * from_middle.y, s * from_middle.x + c * from_middle.y) + 0.5;
     const glm::dvec2 slope =
         pose.strength * bricks_depth_in_texels * bricks.central_slope(uv * glm::dvec2(bricks.size()));
-    // The map's normal stands on unit axes along the turned u and v.
+    // The frame of the map has unit axes along the turned u and v.
     const auto& [position, normal, du, dv, normal_du, normal_dv] = sight.point;
     const glm::dvec3 along_u = glm::normalize(c * du - s * dv);
     const double side = glm::dot(glm::cross(du, dv), normal) < 0 ? -1 : 1;
