@@ -1,7 +1,7 @@
 // Lab 01: specular highlights.
 //
-// Brick columns around a lamp: with vertex normals the highlight is that of a smooth column; a normal
-// map gives every brick its own highlight.
+// Brick columns around a lamp. With vertex normals the highlight is that of a smooth column. A normal map gives every
+// brick its own highlight.
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -50,7 +50,7 @@ public:
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
     }
 
-    /// Of the bricks themselves, whichever method draws them.
+    /// Returns the exact values for the bricks, independent of the method that draws them.
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
         const auto of = [&](const Frame& view) { return colonnade::truth(view, probe, strength_); };
         if (method_ != side_by_side) return of(frame);
@@ -61,7 +61,8 @@ private:
     enum Method { vertex_normal, normal_map, side_by_side, wipe };
     static constexpr std::array methods = {"vertex-normal", "normal-map", "side-by-side", "wipe"};
 
-    /// `shown`: the columns of pixels that the scissor leaves.
+    /// Draws the scene. `shown` is the range of pixel columns that the scissor leaves; columns and balls outside of it
+    /// are culled.
     void draw_scene(const Frame& frame, glm::ivec2 corner, glm::ivec2 size, bool with_map,
                     std::optional<glm::ivec2> shown = {}) {
         if (size.x <= 0) return;
@@ -86,7 +87,7 @@ private:
                 draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
         surface.set("s_albedo", 0, paving_albedo_);
         surface.set("s_normal", 1, paving_normal_);
-        glEnable(GL_CULL_FACE);  // a ball is closed: its far half costs time and is never visible
+        glEnable(GL_CULL_FACE);  // a ball is closed, so its back faces are never visible
         for (const glm::vec3 place : colonnade::places)
             if (may_be_seen(clip_from_world, place + colonnade::top, colonnade::ball.radius, part))
                 draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + colonnade::top));
@@ -100,8 +101,9 @@ private:
         draw_mesh(lamp, ball_, glm::scale(glm::translate(glm::mat4(1), light), glm::vec3(lamp_scale)));
     }
 
-    /// Whether any of a sphere may lie between two columns of the picture, from -1 at its left to 1 at its right: in
-    /// `wipe` each column of bricks is to be seen in one half only, and a triangle costs the same seen or not.
+    /// Returns whether a sphere may be visible between two x of the picture, from -1 at its left to 1 at its right.
+    /// Culling saves time in `wipe`, where most columns of bricks are in one half only: hidden triangles cost as much
+    /// as visible ones.
     static bool may_be_seen(const glm::mat4& clip_from_world, glm::vec3 centre, float radius, glm::vec2 columns) {
         const glm::mat4 rows = glm::transpose(clip_from_world);
         const auto is_inside = [&](glm::vec4 plane) {
@@ -111,7 +113,7 @@ private:
     }
 
     static void draw_line(const Frame& frame, int x) {
-        if (frame.probe) return;  // neither the line nor the lamp is a surface under study
+        if (frame.probe) return;  // the line and the lamp are no surfaces to probe
         glEnable(GL_SCISSOR_TEST);
         glScissor(x - 1, 0, 2, frame.size.y);
         glClearColor(0.9f, 0.88f, 0.84f, 1);
@@ -133,7 +135,7 @@ private:
     GpuMesh column_ = upload([] { return make_column(colonnade::column); });
     GpuMesh ball_ = upload([] { return make_sphere(colonnade::ball); });
 
-    static constexpr float lamp_scale = 0.15f;  // of a ball
+    static constexpr float lamp_scale = 0.15f;  // relative to a ball
 
     int method_ = wipe;
     float wipe_ = 0.5f, light_yaw_ = 14, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;

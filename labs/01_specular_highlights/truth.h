@@ -6,10 +6,10 @@
 
 namespace relief::colonnade {
 
-/// Of the probe `normal` or `uv` at every pixel of a view, +infinity where it sees nothing. The columns, balls and
-/// floor are round and flat as their formulas say, and their reliefs are the height maps from which the normal maps
-/// were made: the slope at a texel is the central difference, and it is interpolated between texels. Nothing is
-/// averaged over a pixel's footprint: far away a picture cannot have these normals.
+/// Returns the exact values of the probe `direction`, `normal` or `uv` at every pixel of a view; +infinity where there
+/// is no surface. Columns, balls and floor are exact shapes. Their reliefs are the height maps from which the normal
+/// maps were made, with central differences at texels, interpolated between them. Nothing is averaged over a pixel's
+/// footprint, so far away a picture cannot have these normals. `strength` multiplies the slopes.
 inline FromStaff<std::optional<Image>(const Frame& view, const Probe& probe, double strength)> truth;
 
 }  // namespace relief::colonnade

@@ -7,7 +7,7 @@ layout(location = 2) in vec4 a_tangent;
 layout(location = 3) in vec2 a_uv;
 
 uniform mat4 u_clip_from_world;
-uniform mat4 u_world_from_model;  // rotation, translation and even scale: normals turn with it
+uniform mat4 u_world_from_model;  // rotation, translation and uniform scale, so it transforms normals, too
 
 out vec3 v_position;
 out vec3 v_normal;

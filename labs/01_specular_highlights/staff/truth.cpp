@@ -1,4 +1,4 @@
-// What only the staff has of lab 01: see ../truth.h.
+// The staff's part of lab 01: see ../truth.h.
 #include "truth.h"
 
 #include <limits>
@@ -13,7 +13,7 @@
 namespace relief::colonnade {
 namespace {
 
-/// A relief and what height 1 is worth in texels.
+/// A relief, and its depth (a height of 1) in texels.
 struct Relief {
     HeightField heights;
     double depth;
@@ -24,7 +24,7 @@ struct Relief {
     glm::dvec2 slope(glm::dvec2 uv) const { return depth * heights.central_slope(texels(uv)); }
 };
 
-/// What a ray sees: the smooth surface (in the world's directions) and the texture on it.
+/// The hit of a ray: the smooth surface, with directions in the world, and the texture on it.
 struct Sight {
     double t = std::numeric_limits<double>::infinity();
     SurfacePoint point;
@@ -39,7 +39,7 @@ void look_at(const Shape& shape, const Relief& relief, const Ray& ray, Sight& ne
     nearest = {hit->t, point_on(shape, hit->place), hit->place * glm::dvec2(shape.repeat), &relief};
 }
 
-/// The quad of the floor lies in x and y and faces z: the world turned by 90 degrees about x.
+/// The floor's quad lies in the xy plane and faces +z, so its space is the world rotated by 90 degrees about x.
 glm::dvec3 ground_from_world(glm::dvec3 v) { return {v.x, -v.z, v.y}; }
 glm::dvec3 world_from_ground(glm::dvec3 v) { return {v.x, v.z, -v.y}; }
 
@@ -57,7 +57,7 @@ Sight first_sight(const Ray& ray, const Relief& bricks, const Relief& paving) {
     return nearest;
 }
 
-/// In the tangent's space.
+/// Returns the direction of the normal in tangent space, not of unit length.
 glm::dvec3 direction_of(const Sight& sight, double strength) {
     return glm::dvec3(-strength * sight.relief->slope(sight.uv), 1);
 }
