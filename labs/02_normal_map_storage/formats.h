@@ -5,16 +5,16 @@
 
 namespace relief::storage {
 
-/// Mean and largest error in degrees, over the sphere (over the upper hemisphere where z is not stored).
+/// A format with its mean and largest error in degrees, over the sphere, or over the upper hemisphere if z is not
+/// stored.
 struct Format {
     const char* name;
     const char* title;
     double mean, largest;
-    const char*
-        source;  ///< Cigolle et al. 2014; "table" where the figures are this project's, of two million directions
+    const char* source;  ///< Cigolle et al. 2014; "table" for this project's own errors, over two million directions
 };
 
-/// In the order of sphere.frag.
+/// The formats, in the order of sphere.frag.
 constexpr std::array<Format, 8> formats = {{{"unorm8", "unorm 8:8:8", 0.1696, 0.3865, "table"},
                                             {"unorm8-truncated", "8:8:8 truncated", 0.3391, 0.7688, "table"},
                                             {"snorm8", "snorm 8:8:8", 0.17015, 0.38588, "Cigolle"},

@@ -27,7 +27,7 @@ public:
         std::vector<ErrorSummary> errors(tiles.size());
         if (!frame.probe)
             for (size_t i = 0; i < tiles.size(); ++i) errors[i] = measure(format_of(i));
-        // The codes alone go from the encoder to the decoder.
+        // Only codes pass from the encoder to the decoder.
         const bool decodes = frame.probe.name != "stored";
         if (decodes) {
             const TexelTarget& codes = codes_of(frame.size);
@@ -88,7 +88,7 @@ private:
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         const Ray middle = frame.camera.ray({0, 0});
         const glm::dvec3 forward = middle.direction;
-        const auto side = [&](glm::dvec2 clip) {  // a window's edge, as far ahead as the middle is
+        const auto side = [&](glm::dvec2 clip) {  // from the middle of the window to its edge, one unit ahead
             const glm::dvec3 direction = frame.camera.ray(clip).direction;
             return direction / glm::dot(direction, forward) - forward;
         };
@@ -103,8 +103,8 @@ private:
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
-    /// The error over directions that are spread evenly, by the shader's own functions; anew when the program is
-    /// another, as it is when a shader was saved.
+    /// Returns the error over evenly distributed directions, computed by the shader. It is measured again when a
+    /// program changes, that is, when a shader is saved.
     const ErrorSummary& measure(int format) {
         const Program &encoder = program(format, "MEASURE", "STORE"), &decoder = program(format, "MEASURE");
         return measured_[format].get({encoder, decoder}, [&] {

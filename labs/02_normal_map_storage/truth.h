@@ -6,8 +6,8 @@
 
 namespace relief::storage {
 
-/// Of `normal`, the direction before it was stored; of `stored`, the codes that double precision gives. +infinity
-/// beside the sphere, and below it where the format keeps no z.
+/// Returns the exact values of a probe: for `normal` the direction before it is stored; for `stored` its codes,
+/// computed in double precision. +infinity beside the sphere, and on its lower half if the format does not store z.
 inline FromStaff<std::optional<Image>(const Frame& frame, const Probe& probe, int format)> truth;
 
 }  // namespace relief::storage

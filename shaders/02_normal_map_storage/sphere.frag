@@ -1,13 +1,13 @@
 #version 410 core
-// A sphere of directions: each is stored in FORMAT, read back, and lit or compared with the original. Codes are written to
-// a texture by one pass (STORE) and read by the next, as those of a normal map are: nothing else reaches the decoder.
+// A sphere of directions. Each is stored in FORMAT, read back, and lit or compared with the original. One pass (STORE)
+// writes codes to a texture, and the next one reads them, as from a normal map. Nothing else reaches the decoder.
 
 #include "common/unfinished.glsl"
 #include "02_normal_map_storage/task.glsl"
 #include "common/heat.glsl"
 #include "common/srgb.glsl"
 
-// The order of `formats` in lab.cpp.
+// The order of `formats` in formats.h.
 #define UNORM8 0
 #define TRUNCATED 1
 #define SNORM8 2
@@ -20,18 +20,18 @@
 in vec2 v_clip;
 
 uniform vec3 u_eye;
-uniform vec3 u_forward;  // to the middle of the window; the sides of the window are `right` and `up` away from it
+uniform vec3 u_forward;  // to the middle of the window; `right` and `up` lead from there to its edges
 uniform vec3 u_right;
 uniform vec3 u_up;
-uniform float u_split;  // in clip coordinates: lit on the left of it, the error on its right
+uniform float u_split;  // x in clip coordinates: lit to its left, the error to its right
 uniform ivec2 u_measured;
-uniform sampler2D s_codes;  // what STORE wrote
+uniform sampler2D s_codes;  // the codes that STORE wrote
 
 layout(location = 0) out vec4 o_color;
 
 bool keeps_lower_half() { return FORMAT != RG8 && FORMAT != RG16; }
 
-// Eleven significant bits, the nearest with ties to even.
+// Returns x rounded to half precision: eleven significant bits, ties to even.
 float half_of(float x) {
     float exponent = max(floor(log2(max(abs(x), 1e-9))), -14.0), unit = exp2(exponent - 10.0);
     return roundEven(x / unit) * unit;
@@ -57,7 +57,7 @@ vec3 stored(vec3 normal) {
 #endif
 }
 
-// What a texture of as many bits keeps of a code: whole numbers.
+// Returns the code as a texture with the bits of the format stores it: rounded and clamped.
 vec3 whole(vec3 code) {
 #if FORMAT == HALF
     return code;
@@ -70,7 +70,7 @@ vec3 whole(vec3 code) {
 #endif
 }
 
-// A texel's alpha: is there a direction (1), and is the encoder missing (2)?
+// Returns a texel. Its alpha is 1 if there is a direction, plus 2 if the encoder is unfinished.
 vec4 texel_of(vec3 code, bool is_there) {
     return vec4(whole(code), float(is_there) + (is_unfinished ? 2.0 : 0.0));
 }
@@ -111,8 +111,8 @@ vec3 read_back(vec3 code) {
 float angle_degrees(vec3 a, vec3 b) { return degrees(atan(length(cross(a, b)), dot(a, b))); }
 
 #ifdef MEASURE
-// As many directions as there are pixels, spread evenly (Fibonacci): z in equal steps, and around by the golden ratio,
-// whose multiples wrap exactly in 32-bit integers.
+// Returns one of evenly distributed directions, one for each pixel (Fibonacci). z has equal steps, and the angle steps
+// by the golden ratio, whose multiples wrap exactly in 32-bit integers.
 //(spread
 vec3 spread_direction() {
     uint index = uint(gl_FragCoord.y) * uint(u_measured.x) + uint(gl_FragCoord.x);
@@ -153,7 +153,7 @@ void main() {
 #elif defined STORE
     o_color = texel_of(stored(normal), inside >= 0.0 && !missing);
 #else
-    // The outline, one pixel soft.
+    // The outline is antialiased over one pixel.
     float distance_ = sqrt(dot(nearest, nearest));
     float cover = clamp((1.0 - distance_) / max(fwidth(distance_), 1e-6) + 0.5, 0.0, 1.0);
     vec3 back = background(v_clip.y), color = back;
@@ -165,7 +165,7 @@ void main() {
         } else if (v_clip.x > u_split) {
             color = heat((log2(max(angle_degrees(result, normal), 1e-6)) / log2(10.0) + 3.0) / 4.0);
         } else {
-            // A mirror among strips of light: what rounding does to a normal, a reflection shows twice as large.
+            // A mirror among strips of light, since a reflection doubles the angular error of a normal.
             vec3 mirrored = reflect(direction, result), albedo = vec3(0.42, 0.15, 0.08);
             float above = dot(mirrored, normalize(u_up)), strips = sin(22.0 * above) * 6.0;
             float facing = 1.0 + dot(direction, result), shine = 0.06 + 0.94 * facing * facing * facing * facing * facing;

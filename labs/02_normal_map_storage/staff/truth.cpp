@@ -1,4 +1,4 @@
-// What only the staff has of lab 02: see ../truth.h.
+// The staff's part of lab 02: see ../truth.h.
 #include "truth.h"
 
 #include "formats.h"
