@@ -1,7 +1,7 @@
 // Lab 04: object space.
 //
-// One quilted column and three maps of its normals, in world, object and tangent space: twist it,
-// rotate it, move it, and see which map follows. Your tasks: shaders/04_object_space/task.glsl
+// One quilted column and three maps of its normals, in world, object and tangent space. Twist it, rotate it or move it,
+// and see which map follows. Your tasks: shaders/04_object_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "framework/kit/labels.h"

@@ -6,7 +6,8 @@
 
 namespace relief::quilt {
 
-/// The normal of the high-resolution surface after it was twisted (radians a metre) and placed in the world.
+/// Returns the exact normals of the high-resolution surface, twisted by `rate` (radians per metre) and placed in the
+/// world.
 inline FromStaff<std::optional<Image>(const Frame& frame, double rate, const glm::dmat4& world_from_model)> truth;
 
 }  // namespace relief::quilt

@@ -8,10 +8,10 @@ layout(location = 3) in vec2 a_uv;
 
 uniform mat4 u_clip_from_world;
 uniform mat4 u_world_from_model;
-uniform float u_rate;  // of the twist, radians a metre
+uniform float u_rate;  // of the twist, radians per metre
 
 out vec3 v_world;
-out vec3 v_rest;  // where it is before the twist
+out vec3 v_rest;  // position before the twist
 out vec2 v_uv;
 #ifdef TANGENT_MAP
 out vec3 v_tangent;

@@ -1,5 +1,5 @@
 #version 410 core
-// The map itself, as it is stored.
+// The map as it is stored.
 
 in vec2 v_uv;
 

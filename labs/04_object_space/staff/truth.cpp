@@ -1,4 +1,4 @@
-// What only the staff has of lab 04: see ../truth.h.
+// The staff's part of lab 04: see ../truth.h.
 #include "truth.h"
 
 #include "framework/kit/numbers.h"
@@ -13,7 +13,7 @@ std::optional<Image> exact_values(const Frame& frame, double rate, const glm::dm
     return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
         const Ray local{glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1)),
                         glm::dmat3(model_from_world) * ray.direction};
-        // A column that is twisted about its axis keeps its shape: only its uv have turned.
+        // A twist about its axis keeps the column's shape, and only rotates its uv.
         const auto hit = first_hit(column, local);
         if (!hit) return {};
         const double angle = rate * hit->place.y * column.height;
