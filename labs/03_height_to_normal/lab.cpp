@@ -130,7 +130,7 @@ private:
         return strengthened(heights::sample(size(), bits_ == 0 ? 32 : bits_ == 1 ? 16 : 8));
     }
     Image strengthened(Image image) const {
-        image.bits = 32;  // heights are rounded already; the map of strengths is not rounded
+        image.bits = 32;  // stored heights are rounded already; do not round the results
         if (fine_ == 1 && middle_ == 1 && coarse_ == 1) return image;
         return with_level_strengths(image, {fine_, middle_, coarse_}, wrap_, 0);
     }

@@ -12,7 +12,7 @@ enum class Shape { ammonite, mirrored, cube };
 
 constexpr int whorls = 3;
 constexpr double growth = 2.1, outer_radius = 0.74;              ///< of the centre line at turn 3, metres
-constexpr double touching_radius = (growth - 1) / (growth + 1);  ///< of the tube, in radii of the centre line
+constexpr double touching_radius = (growth - 1) / (growth + 1);  ///< of a touching tube, in radii of the centre line
 constexpr double rib_height = 0.15, growth_line_height = 0.012;  ///< in radii of the tube
 constexpr double cord_height = 0.28, cord_radius = 0.08;         ///< of its middle above the tube; in radii of the tube
 constexpr float cube_side = 1.05f;

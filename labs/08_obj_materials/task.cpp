@@ -1,4 +1,4 @@
-// Lab 08, your first tasks: what a bump map holds, and the order of surfaces. The others are in
+// Lab 08, your first tasks: the kind of a bump map, and the order of surfaces. The others are in
 // shaders/08_obj_materials/task.glsl.
 #include "task.h"
 
@@ -36,11 +36,11 @@ MapKind kind_of(const Image& image) {
 }
 //)
 
-// TASK 8.2 (3 points): in which order are surfaces drawn? First the opaque ones: those of program 0, then of program 1
-// and so on, since changing the program costs time; those that share a program from the nearest to the farthest, so
-// that what is hidden is never shaded. Then the transparent ones from the farthest to the nearest, whatever their
-// program, since each is blended over what lies behind it. The distance is that of the centre. Of two surfaces that
-// are equally far, the one with the smaller index comes first.
+// TASK 8.2 (3 points): in which order are surfaces drawn? First the opaque ones: all of program 0, then of program 1
+// and so on, since changing the program costs time. Within a program they go from the nearest to the farthest, so that
+// hidden surfaces are never shaded. Then the transparent ones of all programs follow, from the farthest to the nearest,
+// since each is blended over the surfaces behind it. The distance is that of the centre. Of two surfaces that are
+// equally far, the one with the smaller index comes first.
 //(order
 std::vector<int> draw_order(std::span<const Surface> surfaces, const glm::dvec3& eye) {
     //[solution

@@ -121,7 +121,8 @@ Bounds enclose(const Shape& shape, const Measured& measured, const PatchId& id) 
             low = std::min(low, h), high = std::max(high, h);
             bounds.angle = std::max(bounds.angle, 2 * std::asin(std::min(1.0, glm::length(r - bounds.direction) / 2)));
         }
-    // The 4 x 4 segments are quads of two levels above, if a patch has 16 x 16 quads. So is the error between them.
+    // If patches have 16 x 16 quads, the 4 x 4 segments between the places are quads of a patch two levels coarser. So
+    // the error of that level bounds the ground between the places.
     const double between = id.level < 2 ? measured.highest : measured.errors[size_t(id.level) - 2];
     low = 1 + std::max(0.0, low - between), bounds.highest = std::min(measured.highest, high + between);
     const double middle = (low + 1 + bounds.highest) / 2;

@@ -98,7 +98,7 @@ private:
     static constexpr std::array methods = {"uniform", "distance", "size", "error"};
     static constexpr std::array levels_ofs = {"edge", "patch"};
     static constexpr std::array culls = {"none", "outside", "all"};
-    // As in surface.frag.
+    // The colours of surface.frag.
     static constexpr glm::vec3 outside_color{0.16f, 0.20f, 0.28f}, away_color{0.34f, 0.27f, 0.25f},
         faded_color{0.62f, 0.70f, 0.72f};
 
@@ -122,7 +122,7 @@ private:
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     }
 
-    /// Draws the picture of the camera of `seen` with the levels and the culling of the camera of `eye`. Returns the
+    /// Draws the surface as `seen`'s camera sees it, with the levels and the culling for `eye`'s camera. Returns the
     /// number of triangles drawn, or 0 for a probe.
     int draw_surface(const Frame& eye, const Frame& seen, const Define& purpose) {
         const Program& program = program_.with(

@@ -35,7 +35,7 @@ public:
     glm::dvec3 direction(size_t i) const { return glm::dvec3(patch_[i % patch_.size()].direction); }
     glm::dvec3 before(size_t i) const { return direction(i + patch_.size() - 1); }
 
-    /// Returns the sides at corner i of the patch that lies `depth` metres below, against its directions.
+    /// Returns the sides at corner i of the patch whose corners are moved `depth` metres against their directions.
     Span span(size_t i, double depth) const {
         const auto place = [&](size_t k) {
             return glm::dvec3(patch_[k % patch_.size()].vertex.position) - depth * direction(k);
@@ -81,8 +81,8 @@ Facing folded(std::span<const PatchCorner> patch) {
     return facing;
 }
 
-/// Returns whether an edge or a corner reads heights elsewhere on the map than the inside does, but for whole tiles.
-/// The slope of the inside does not bound the steps between them.
+/// Returns whether an edge or a corner reads heights elsewhere on the map than the inside does. Then the slope of the
+/// inside does not bound the steps between them. Offsets by whole tiles do not count.
 bool has_jump(std::span<const PatchCorner> patch) {
     const auto is_whole = [](glm::vec2 tiles) { return tiles == glm::round(tiles); };
     for (size_t i = 0; i < patch.size(); ++i) {
@@ -162,8 +162,8 @@ Facing facing_of(std::span<const PatchCorner> patch, const PatchHeights& heights
     facing.length = longest / area;
     facing.skew = 1 / std::sqrt(std::max(1 - cosine, 1e-12));
     if (has_jump(patch)) return facing;
-    // The displaced patch is p - depth d with a unit direction d. The smooth patch p - middle D exceeds it by
-    // (depth - middle) d + middle (d - D). The second term is not 0, because D is not of unit length.
+    // The displaced patch is p - depth d with a unit direction d. The smooth patch p - middle D differs from it
+    // by (depth - middle) d + middle (d - D). The second term is not 0, because D is not of unit length.
     const double deeper = scale * double(heights.slope) * stretch;
     const double turned = uneven * turn / shortest +
                           std::abs(middle) * turn * (facing.spread * facing.spread / 2 + 2 * facing.spread) / shortest;

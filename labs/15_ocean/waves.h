@@ -9,7 +9,7 @@
 
 namespace relief::ocean {
 
-/// Width of a tile in metres, at one tile.
+/// Width of a map that is tiled once, metres.
 constexpr double tile_metres = 16;
 constexpr int map_texels = 256, waves_a_map = 24;
 

@@ -73,7 +73,7 @@ constexpr double water = -0.06;
 constexpr double rise = 0.075;  ///< metres: the displaced floor is rise * (ground - water)^2 above its puddles
 double floor_height(const glm::dvec2& place);
 
-/// Returns the linear light of the evening sky in a unit direction. The sun is above +z.
+/// Returns the linear light of the evening sky in a unit direction. The sun's azimuth is +z.
 glm::dvec3 sky(const glm::dvec3& direction);
 /// A spherical Gaussian: color exp(sharpness (dot(direction, middle) - 1)). The sky is a sum of lobes.
 struct Lobe {

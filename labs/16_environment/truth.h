@@ -17,7 +17,7 @@ struct Lighting {
     glm::dvec3 to_sun{0, 1, 0};
     double sun_yaw_rad = 0;
     int lamps = 1;                           ///< the first is the sun
-    std::array<glm::dvec3, 3> lamp_color{};  ///< that of the sun; of the others at a distance of one metre
+    std::array<glm::dvec3, 3> lamp_color{};  ///< of the sun; of the others at a distance of one metre
     std::array<glm::dvec3, 3> lamp_place{};
     std::array<glm::dvec3, 2> ambient{};  ///< light from below, and from above
     double exponent = 256, roughness = 0;

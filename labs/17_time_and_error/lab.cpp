@@ -78,7 +78,7 @@ private:
                                                                     {0.65f, 0.08f, 0.06f}}};
     static constexpr glm::ivec2 measured{96, 96};
 
-    /// Identifies the program that draws some of the vertices.
+    /// The key of a program: its methods, and whether view rays may leave the wall.
     struct Group {
         Methods methods;
         bool may_leave;

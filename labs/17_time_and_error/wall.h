@@ -64,8 +64,8 @@ struct Patch {
 std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps);
 
 /// Returns the patches that are drawn, with neighbours merged if they have the same methods. This saves time: along an
-/// edge the renderer shades blocks of pixels for both triangles. Twenty pieces in place of one take a third of the time
-/// of a grazing search.
+/// edge the renderer shades blocks of pixels for both triangles. With twenty pieces in place of one a grazing search
+/// takes a third longer.
 std::vector<Patch> joined(const std::vector<Patch>& patches);
 
 /// Returns the level of the normal map whose texels have the area of a pixel that shows a place one metre ahead. It may

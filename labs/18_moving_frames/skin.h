@@ -60,7 +60,7 @@ struct Pose {
     bool operator==(const Pose&) const = default;
 };
 constexpr int most_bones = 16;
-/// Returns the bones of a pose. There are at least 4; copies of the last one fill up.
+/// Returns the bones of a pose. There are at least 4: copies of the last one pad the chain.
 std::vector<Bone> bones_of(const Body& body, const Pose& pose);
 
 /// Returns the posed position of a place of the skin, in metres.

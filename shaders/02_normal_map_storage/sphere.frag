@@ -111,8 +111,8 @@ vec3 read_back(vec3 code) {
 float angle_degrees(vec3 a, vec3 b) { return degrees(atan(length(cross(a, b)), dot(a, b))); }
 
 #ifdef MEASURE
-// Returns one of evenly distributed directions, one for each pixel (Fibonacci). z has equal steps, and the angle steps
-// by the golden ratio, whose multiples wrap exactly in 32-bit integers.
+// Returns the direction of this pixel. All pixels together cover the sphere evenly (Fibonacci): z has equal steps, and
+// the angle steps by the golden ratio, whose multiples wrap exactly in 32-bit integers.
 //(spread
 vec3 spread_direction() {
     uint index = uint(gl_FragCoord.y) * uint(u_measured.x) + uint(gl_FragCoord.x);

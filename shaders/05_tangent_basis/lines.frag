@@ -1,4 +1,6 @@
 #version 410 core
+// A line of a frame in its colour.
+
 flat in vec3 v_color;
 
 layout(location = 0) out vec4 o_color;

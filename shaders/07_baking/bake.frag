@@ -13,8 +13,10 @@ uniform vec4 u_layout;  // of the map: lowest v of a strip, distance of strips, 
 uniform float u_reach;  // metres at turn 3
 uniform float u_growth;
 
-layout(location = 0) out vec4 o_texel;  // the normal, from -1 to 1; w: 1 covered, 2 a task is unfinished
-layout(location = 1) out vec4 o_hit;    // height, metres; 0 miss, 1 hit, 2 other part; unfinished task 7.1 or 7.2
+// xyz: the normal, from -1 to 1; w: 1 covered, 2 a task is unfinished
+layout(location = 0) out vec4 o_texel;
+// x: height, metres; y: 0 miss, 1 hit, 2 another part of the model; z: 1 or 2 if task 7.1 or 7.2 is unfinished
+layout(location = 1) out vec4 o_hit;
 
 float turn_here() {
     float whorl = clamp(floor((v_uv.y - 0.5 * u_layout.x) / u_layout.y), 0.0, 2.0);

@@ -1,6 +1,6 @@
 #version 410 core
-// A patch relative to the eye. Fragments write the depth, so the near and far planes of clip space only cut off places
-// behind the eye.
+// A patch relative to the eye. With LOG_DEPTH fragments write the depth. Then the near and far planes of clip space
+// only cut off places behind the eye.
 
 layout(location = 0) in vec4 a_place;  // from the patch's middle, radii; w is 1 at the lower end of a skirt
 layout(location = 1) in vec2 a_local;  // on the patch, 0 to 1

@@ -47,7 +47,7 @@ uniform float u_steps;
 uniform float u_min_steps;
 uniform float u_texels_per_step;
 uniform int u_rounds;
-uniform float u_level_bias;  // added to the level; for measurements with larger pixels
+uniform float u_level_bias;  // added to the mip level when a smaller picture is measured
 uniform float u_decal;       // opacity of the paint on the pane
 
 layout(location = 0) out vec4 o_color;

@@ -88,7 +88,7 @@ float crossing(float gap_before, float gap_after) {
 // ray still goes below the surface between them. Bisection takes the point in the middle, secant the point where the
 // lines of 11.3 cross. Illinois: like secant, but an end that is kept for a second round (a third, ...) counts with
 // half its gap (a quarter, ...) in the next one, and with the whole gap again once it is replaced. That draws the
-// point to the end that stays, which otherwise might stay for ever. Only the weight is halved: the bracket that you
+// point to the end that stays, which otherwise might stay forever. Only the weight is halved: the bracket that you
 // return has the full gaps.
 Bracket refined(sampler2D heights, ReliefRay ray, Bracket b, int rounds, int method) {
     //[solution

@@ -23,7 +23,7 @@ struct ReliefHit {
 // ray starts. That one is cell `first` of the map.
 struct Look {
     ReliefRay ray;
-    vec2 inverse, per_cell;  // 1 / ray.along, finite, and its absolute
+    vec2 inverse, per_cell;  // 1 / ray.along, finite, and its absolute value
     float quadrant;  // of the ray's direction: 1 for -u, 2 for -v, 3 for both, else 0
     bool plain;      // a view ray on a flat base: its height is 1 - t
     vec2 texel;      // size of a texel, in uv

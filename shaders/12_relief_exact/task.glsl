@@ -1,4 +1,4 @@
-// Lab 12, your tasks: how far a ray may go before it must read again, and what follows from the hit.
+// Lab 12, your tasks: how far a ray may go before it must read again, and the results of the hit.
 
 #include "common/unfinished.glsl"
 
@@ -24,8 +24,8 @@ vec2 leave_square(ReliefRay ray, vec2 inverse, vec2 low, float side) {
     //]
 }
 
-// TASK 12.2 (4 points): skip what cannot be hit. The ray is about to leave its cell at `leaves_cell`. Around it are
-// four windows. Nothing in window k is as high as the ray until t = above_until[k], and the ray is in that window
+// TASK 12.2 (4 points): skip cells that cannot be hit. The ray is about to leave its cell at `leaves_cell`. Around it
+// are four windows. Nothing in window k is as high as the ray until t = above_until[k], and the ray is in that window
 // until t = leaves_window[k]: while both hold there is nothing to hit. How far may it go? At least to leaves_cell;
 // each window may allow more.
 //(next-look

@@ -90,10 +90,10 @@ float level_of_inside(vec4 flat_) {
 #endif
 }
 
-// Returns the tangent of the largest angle between a triangle's normal and the patch's axis, an upper bound: see
-// facing_of() in scene.h. A thin triangle is steeper than the relief. If all levels are equal, triangles have right
-// angles in the domain of a quad, and nearly so in that of a triangle. Otherwise the corner that is opposite to an
-// edge may be off by as much as the inside is finer than the edge.
+// Returns the upper bound of the tangent of the angle between a triangle's normal and the patch's axis: see facing_of()
+// in scene.h. A thin triangle is steeper than the relief. If all levels are equal, triangles have right angles in the
+// domain of a quad, and nearly so in that of a triangle. Otherwise the corner opposite to an edge may be off by as much
+// as the inside is finer than the edge.
 float steepest(vec4 flat_, float flat_rise, vec4 facing, float inside, float least, bool is_flat) {
     float off = inside == least ? (CORNERS == 4 ? 0.0 : 0.5) : inside / least, lean = 1.0 + 2.0 * facing.w * off;
     float stretch = facing.z * sqrt(1.0 + lean * lean);

@@ -28,7 +28,7 @@ float height_at(vec2 place, float segment) {
 }
 
 void main() {
-    // Both patches at an edge compute its vertices in the same bits.
+    // `precise` makes both patches at an edge compute the same bits for its vertices.
     precise float radius = mix(c_polar[0].x, c_polar[3].x, gl_TessCoord.y);
     precise float angle = mix(c_polar[0].y, c_polar[1].y, gl_TessCoord.x);
     precise float segment = exp2(mix(c_polar[0].z, c_polar[3].z, gl_TessCoord.y));

@@ -1,10 +1,10 @@
-// Lab 15, your tasks: the slope of a map's texel, the normal of a sea of two maps, what it mirrors and how much, what a
-// pixel has lost of the waves, and the highlight of that. Task 15.1 is in labs/15_ocean/task.cpp.
+// Lab 15, your tasks: the slope of a map's texel, the normal of a sea of two maps, the light that it mirrors, the
+// spread of slopes that a pixel has lost, and its highlight. Task 15.1 is in labs/15_ocean/task.cpp.
 
 #include "common/unfinished.glsl"
 
 // TASK 15.2 (3 points): the slope of the water by one texel of a normal map, dh/dx and dh/dz. `texel` holds a unit
-// normal (n + 1) / 2 whose third component points upwards and whose first two are those along x and z. It was made for
+// normal (n + 1) / 2 whose third component points upwards and whose first two point along x and z. It was made for
 // waves of amplitude 1 that are tiled once. Heights are multiplied by `amplitude`, the place by `tiles`.
 //(slope
 vec2 slope_of(vec3 texel, float amplitude, float tiles) {

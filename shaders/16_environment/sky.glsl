@@ -1,4 +1,4 @@
-// The sky's cube map. The sun is above its +z, so the map turns with the light.
+// The sky's cube map. The sun's azimuth in it is +z, so the map turns with the light.
 
 uniform samplerCube s_sky;
 uniform vec2 u_sun;  // sine and cosine of the sun's yaw

@@ -42,8 +42,8 @@ float sharpness(vec3 maps, float roughness, float largest) {
 
 // TASK 16.3 (3 points): the mip level of a cube map with `side` texels along each edge that is as blurred as a lobe
 // cos^exponent. The lobe covers the solid angle 2 pi / (exponent + 1), a texel of level 0 on average 4 pi / (6 side^2).
-// A level's texels have twice the edge of those before. Trilinear filtering blurs, too: half a level less is enough. No
-// level is below 0.
+// Each level's texels are twice as wide as the previous level's. Trilinear filtering blurs, too: half a level less
+// is enough. No level is below 0.
 //(blur
 float blur_level(float exponent, float side) {
     //[solution
@@ -105,8 +105,8 @@ float open_share(float h1, float h2, float g) {
 }
 //)
 
-// TASK 16.6 (1 point): the light that leaves a place, from that of the sky (`ambient`), of the lamps, and what it mirrors
-// (`mirror`). `occlusion` is how much of the sky is seen from there.
+// TASK 16.6 (1 point): the light that leaves a place, from the light of the sky (`ambient`), of the lamps, and of the
+// mirrored sky (`mirror`). `occlusion` is the share of the sky that is visible from there.
 //(sum
 vec3 sum_of_light(vec3 ambient, vec3 lamps, vec3 mirror, float occlusion) {
     //[solution

@@ -58,7 +58,7 @@ Rules exact_rules() {
 
 namespace {
 
-/// Returns an upper bound of the ground's slope, rise over run: the largest of 4000 samples, with a margin.
+/// Returns an estimated upper bound of the ground's slope, rise over run: the largest of 4000 samples plus a margin.
 double steepest(const Ground& ground) {
     static std::mutex lock;
     static std::map<std::tuple<int, int, float>, double> known;
