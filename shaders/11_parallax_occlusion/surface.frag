@@ -101,7 +101,7 @@ float seen(ReliefRay ray, bool has_relief) {
     vec2 size = vec2(textureSize(s_heights, 0));
 #ifdef SKIP
     //(skip
-    // No march where it would not show: over less than half a texel of the level that is read, or over flat ground.
+    // No march where it would not show: over less than half a texel of the level read, or over flat ground.
     float height;
     if (length(ray.march * size) < 0.5 * exp2(ray.level)) return 1.0 - height_texel(s_heights, ray.uv, ray.level).r;
     if (is_flat(ray, size, height)) return 1.0 - height;

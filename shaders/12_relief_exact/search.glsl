@@ -72,7 +72,7 @@ vec3 gap_between(vec4 corners, ReliefRay ray, float t0, float t1, vec2 cell) {
 }
 
 //(search
-// Searches from t, where the ray is not below the surface, to t_end. `before`: iterations used by the pixel so far.
+// Searches from t, where the ray is not below the surface, to t_end. `before`: iterations used by the pixel.
 ReliefHit first_hit(ReliefRay ray, bool plain, float t, float t_end, int before) {
     vec2 size = vec2(textureSize(s_heights, 0)), texel = 1.0 / size, first = floor(mod(ray.start, size));
     ray.start = fract(ray.start);

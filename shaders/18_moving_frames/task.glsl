@@ -29,9 +29,9 @@ mat3 skin_jacobian(vec3 p, vec4 weights, vec3 gradients[4], mat4 bones[4]) {
 //)
 
 // TASK 18.2 (3 points): move a frame by the Jacobian of a motion: of a skin, of an instance, or of both. Each tangent
-// moves by the Jacobian itself; the normal by its cofactors, cross(j[1], j[2]), cross(j[2], j[0]) and cross(j[0], j[1]),
-// times the sign of the determinant (0 counts as positive). Any length will do, no division is needed, and a scale of 0
-// is no harm. The handedness in w changes where the determinant is negative.
+// moves by the Jacobian itself; the normal by its cofactors, cross(j[1], j[2]), cross(j[2], j[0]) and
+// cross(j[0], j[1]), times the sign of the determinant (0 counts as positive). Any length will do, no division is
+// needed, and a scale of 0 is no harm. The handedness in w changes where the determinant is negative.
 //(frame
 vec3 moved_normal(vec3 normal, mat3 j) {
     //[solution
