@@ -1,5 +1,9 @@
 #include "framework/kit/labels.h"
 
+#include <utility>
+
+#include "framework/lab/shot.h"
+
 namespace relief {
 namespace {
 
@@ -14,7 +18,12 @@ void Labels::quad(glm::vec2 place, glm::vec2 size, glm::vec2 low, glm::vec2 high
     const Corner upper_left{place, {low.x, high.y}, color}, upper_right{{end.x, place.y}, high, color},
         lower_left{{place.x, end.y}, low, color}, lower_right{end, {high.x, low.y}, color};
     for (const Corner& corner : {upper_left, lower_left, upper_right, upper_right, lower_left, lower_right})
-        corners_.push_back(corner);
+        corners_of_this_draw().push_back(corner);
+}
+
+std::vector<Labels::Corner>& Labels::corners_of_this_draw() {
+    if (std::exchange(draw_, draws_begun()) != draws_begun()) corners_.clear();
+    return corners_;
 }
 
 void Labels::rectangle(glm::vec2 place, glm::vec2 size, glm::vec4 color) { quad(place, size, {0, -1}, {0, -1}, color); }
@@ -57,7 +66,7 @@ void Labels::log_scale(glm::ivec2 size, const std::string& low, const std::strin
 
 void Labels::draw(const Frame& frame) {
     std::vector<Corner> corners;
-    corners.swap(corners_);
+    corners.swap(corners_of_this_draw());
     if (frame.probe || corners.empty()) return;
     if (!uploaded_) {
         uploaded_.emplace();

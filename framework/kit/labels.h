@@ -14,7 +14,8 @@ namespace relief {
 enum class Align { left, centre, right };
 
 /// Collects text and shapes, then draws them over the picture in one draw call. Positions and sizes are in pixels of
-/// the frame, from its upper left corner. Colours are in stored sRGB. Draws nothing on a probe.
+/// the frame, from its upper left corner. Colours are in stored sRGB. Draws nothing on a probe. Drops the labels of a
+/// draw that threw.
 class Labels {
 public:
     /// Returns the height of a line of text for a frame of this size: legible, and the same share of any larger
@@ -53,8 +54,10 @@ private:
         BufferName corners;
     };
     void quad(glm::vec2 place, glm::vec2 size, glm::vec2 low, glm::vec2 high, glm::vec4 color);
+    std::vector<Corner>& corners_of_this_draw();
 
     std::vector<Corner> corners_;
+    int64_t draw_ = 0;  ///< whose corners they are: draws_begun()
     std::optional<Uploaded> uploaded_;
     Programs program_{"common/label.vert", "common/label.frag"};
     Texture letters_ = load_texture("labels.png", {.wrap = Wrap::clamp});

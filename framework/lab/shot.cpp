@@ -15,6 +15,8 @@
 namespace relief {
 namespace {
 
+int64_t draws = 0;
+
 // In sRGB encoding, because glClear does not encode.
 constexpr glm::vec3 background{0.11f, 0.12f, 0.14f};
 
@@ -25,7 +27,7 @@ void restore_state() {
     for (const GLenum capability :
          {GL_BLEND, GL_COLOR_LOGIC_OP, GL_CULL_FACE, GL_DEPTH_CLAMP, GL_FRAMEBUFFER_SRGB, GL_POLYGON_OFFSET_FILL,
           GL_PRIMITIVE_RESTART, GL_PROGRAM_POINT_SIZE, GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
-          GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_SCISSOR_TEST, GL_STENCIL_TEST})
+          GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_TEXTURE_CUBE_MAP_SEAMLESS})
         glDisable(capability);
     for (GLenum i = 0; i < 8; ++i) glDisable(GL_CLIP_DISTANCE0 + i);
     glEnable(GL_DEPTH_TEST);
@@ -94,7 +96,10 @@ Frame frame_of(const Shot& shot, const Target& target) {
     return {target.framebuffer(), target.size(), shot.time, Camera(shot.camera, aspect(target.size())), shot.probe};
 }
 
+int64_t draws_begun() { return draws; }
+
 void draw_lab(Lab& lab, const Frame& frame) {
+    ++draws;
     // Before the call for the lab; after it, also on an exception, for the next user of the context.
     struct Restored {
         Restored() { restore_state(); }

@@ -33,7 +33,7 @@ public:
         for (size_t i = 0; i < tiles.size(); ++i) {
             const bool shows_methods = view_ == methods_only || (view_ == both && i == 1);
             glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
-            draw_wall(frame_in(frame, tiles[i]), shows_methods);
+            draw_wall(frame_budget(frame_in(frame, tiles[i])), shows_methods);
             if (shows_methods)
                 describe_methods(frame.size, tiles[i], shares);
             else
@@ -100,7 +100,9 @@ private:
                                [this] { return MapErrors(surface_.heights(), surface_.material.normals()); });
     }
 
-    FrameBudget frame_budget(const Frame& frame) const {
+    /// `smaller`: the height of the frame divided by the height of the picture that it stands for. The budget in pixels
+    /// and the cost of a triangle in taps are scaled down with it.
+    FrameBudget frame_budget(const Frame& frame, double smaller = 1) const {
         // Thinning gets most of the budget, because it saves time in every method. The rest is the largest error of a
         // method on the thinned relief. So where two methods meet, their difference is within the budget, too.
         double thinning = 0.875, precision = 0.125;
@@ -108,8 +110,13 @@ private:
             thinning = 0;
             precision = method_ - 1 == displacement ? 1 : 0;
         }
-        return {frame,     double(budget_),     double(surface_.depth), thinning,
-                precision, double(exact_taps_), double(triangle_taps_)};
+        return {frame,
+                budget_ * smaller,
+                double(surface_.depth),
+                thinning,
+                precision,
+                double(exact_taps_),
+                triangle_taps_ * smaller * smaller};
     }
 
     /// Returns the vertices to draw, by the program that draws them. If `shows_methods`, each pixel chooses its method
@@ -156,9 +163,9 @@ private:
         return groups;
     }
 
-    void draw_wall(const Frame& frame, bool shows_methods) {
+    void draw_wall(const FrameBudget& budget, bool shows_methods) {
+        const Frame& frame = budget.frame;
         const Define purpose = frame.probe ? Define(frame.probe) : shows_methods ? "METHOD_COLORS" : "";
-        const FrameBudget budget = frame_budget(frame);
         if (!uploaded_) {
             uploaded_.emplace();
             glBindVertexArray(uploaded_->layout);
@@ -214,13 +221,10 @@ private:
     /// are scaled down with it, so that each place gets the same method. Returns nothing before the tasks are written.
     Shares shares_of_methods(Frame frame) {
         if (view_ == picture) return {};
-        const float budget = budget_, triangle_taps = triangle_taps_;
-        const float smaller = float(measured.y) / float(std::max(1, frame.size.y));
-        budget_ *= smaller, triangle_taps_ *= smaller * smaller;
+        const double smaller = double(measured.y) / std::max(1, frame.size.y);
         frame.size = measured;
         frame.probe = {"method"};
-        const Image drawn = draw_numbers(measured, [&] { draw_wall(frame, false); });
-        budget_ = budget, triangle_taps_ = triangle_taps;
+        const Image drawn = draw_numbers(measured, [&] { draw_wall(frame_budget(frame, smaller), false); });
         if (std::find(drawn.values.begin(), drawn.values.end(), not_written) != drawn.values.end()) return {};
         std::array<double, method_count> shares{};
         double count = 0;

@@ -123,13 +123,14 @@ private:
     };
     /// The purpose of a draw call, beside the probe. It selects a permutation of the program.
     struct Purpose {
+        const Body& body;
         const char* name = "";  ///< ERROR, MEASURE or ZEBRA
         int way = gradient;
         bool unrolled = false;
     };
 
-    bool is_serpent() const { return shape_ == serpent_shape; }
-    const Body& body() const { return is_serpent() ? serpent : tube; }
+    /// The body of the knob; view = four shows the tube whatever the knob says.
+    const Body& body() const { return shape_ == serpent_shape ? serpent : tube; }
     Pose pose() const {
         return {.bend = double(bend_),
                 .twist = double(twist_),
@@ -140,11 +141,11 @@ private:
                 .opposite = opposite_ == 1};
     }
 
-    std::array<glm::dmat3, material_count> materials() const {
+    std::array<glm::dmat3, material_count> materials(const Body& body) const {
         std::array<glm::dmat3, material_count> all;
         for (int i = 0; i < material_count; ++i) {
             // Tiles are nearly square, and a whole number of them goes around the body.
-            const glm::dvec2 tiles = is_serpent() ? glm::dvec2(7, 31) : glm::dvec2(8, 8);
+            const glm::dvec2 tiles = body.is_serpent ? glm::dvec2(7, 31) : glm::dvec2(8, 8);
             all[size_t(i)] = textured_ ? texture_transform(material_turn_,
                                                            tiles * double(material_scale_) * (i % 3 == 2 ? 0.7 : 1.0))
                                        : glm::dmat3(1);
@@ -153,53 +154,50 @@ private:
     }
 
     /// Returns the first body, at the origin, with the settings of the knobs.
-    Instance first() const {
+    Instance first(const Body& body) const {
         Instance instance;
         const double y = scale_y_;
-        instance.world_from_model = glm::dmat4(1, 0, 0, 0, 0, y, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) * centred();
+        instance.world_from_model = glm::dmat4(1, 0, 0, 0, 0, y, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) * centred(body);
         if (textured_) instance.texture = texture_transform(instance_turn_, {instance_scale_, 1}, {0.25, 0.1});
         instance.material = material_;
         return instance;
     }
-    glm::dmat4 centred() const {
+    glm::dmat4 centred(const Body& body) const {
         glm::dmat4 moved(1);
-        moved[3] = glm::dvec4(-ball().centre, 1);
+        moved[3] = glm::dvec4(-ball(body).centre, 1);
         return moved;
     }
-    const Ball& ball() const {
+    const Ball& ball(const Body& body) const {
         const Pose now = pose();
-        return ball_.get({is_serpent(), now}, [&] {
-            const std::vector<Bone> bones = bones_of(body(), now);
+        return ball_.get({body.is_serpent, now}, [&] {
+            const std::vector<Bone> bones = bones_of(body, now);
             std::vector<glm::dvec3> places;
             for (int i = 0; i <= 48; ++i)
-                for (int j = 0; j < 8; ++j) places.push_back(posed(body(), now, bones, {j / 8.0, i / 48.0}));
+                for (int j = 0; j < 8; ++j) places.push_back(posed(body, now, bones, {j / 8.0, i / 48.0}));
             const glm::dvec3 centre =
                 std::accumulate(places.begin(), places.end(), glm::dvec3(0)) / double(places.size());
             double radius = 0;
             for (const glm::dvec3& place : places) radius = std::max(radius, glm::distance(centre, place));
             // The margin bounds the skin between the sampled places.
-            return Ball{centre, radius + body().length / 48 * std::max(1.0, double(stretch_)) + 0.1 * body().radius};
+            return Ball{centre, radius + body.length / 48 * std::max(1.0, double(stretch_)) + 0.1 * body.radius};
         });
     }
 
     /// Returns all bodies of the flock, without culling.
     std::vector<Instance> instances() const {
-        std::vector<Instance> all = {first()};
+        std::vector<Instance> all = {first(body())};
         if (view_ != the_flock) return all;
         for (Instance instance : make_flock(instances_ - 1)) {
-            instance.world_from_model = instance.world_from_model * centred();
+            instance.world_from_model = instance.world_from_model * centred(body());
             if (!textured_) instance.texture = glm::dmat3(1);
             all.push_back(instance);
         }
         return all;
     }
     Scene scene() const {
-        return {is_serpent(),
-                pose(),
-                materials(),
-                instances(),
-                fineness_of[size_t(fine_)],
-                fineness_of[size_t(coarse_)],
+        return {body().is_serpent,          pose(),
+                materials(body()),          instances(),
+                fineness_of[size_t(fine_)], fineness_of[size_t(coarse_)],
                 view_ == unrolled_skin};
     }
 
@@ -207,12 +205,13 @@ private:
     bool is_in_picture(const Frame& frame, const Instance& instance) const {
         const glm::dmat4& m = instance.world_from_model;
         const double size = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
-        const glm::dvec4 centre = m * glm::dvec4(ball().centre, 1);
+        const glm::dvec4 centre = m * glm::dvec4(ball(body()).centre, 1);
         const glm::dmat4 rows = glm::transpose(frame.camera.clip_from_world());
         for (int axis = 0; axis < 3; ++axis)
             for (const double side : {-1.0, 1.0}) {
                 const glm::dvec4 plane = rows[3] + side * rows[axis];
-                if (glm::dot(plane, centre) < -ball().radius * size * glm::length(glm::dvec3(plane))) return false;
+                if (glm::dot(plane, centre) < -ball(body()).radius * size * glm::length(glm::dvec3(plane)))
+                    return false;
             }
         return true;
     }
@@ -220,7 +219,7 @@ private:
     void draw_scene(const Frame& frame) {
         const bool is_unrolled = view_ == unrolled_skin;
         if (!frame.probe) draw_sky(frame);
-        const Purpose purpose{.way = way_, .unrolled = is_unrolled};
+        const Purpose purpose{.body = body(), .way = way_, .unrolled = is_unrolled};
         std::vector<Instance> all = instances(), seen;
         for (const Instance& body : all)
             if (is_unrolled || is_in_picture(frame, body)) seen.push_back(body);
@@ -251,10 +250,11 @@ private:
     /// Draws all `bodies` with one draw call.
     void draw_bodies(const Frame& frame, const Purpose& purpose, KeptSkin& kept, int fineness,
                      std::span<const Instance> bodies) {
-        Skin& drawn = kept_skin(kept, fineness);
+        const Body& body = purpose.body;
+        Skin& drawn = kept_skin(kept, body, fineness);
         const Pose now = pose();
         drawn.bound_by.get({now.over, now.uneven}, [&] {
-            drawn.bound.fill<Bound>(bind_skin(body(), drawn.mesh, now.over * body().radius, now.uneven));
+            drawn.bound.fill<Bound>(bind_skin(body, drawn.mesh, now.over * body.radius, now.uneven));
             drawn.bound.attach(drawn.uploaded.layout());
             return true;
         });
@@ -271,17 +271,17 @@ private:
         glUseProgram(program);
         program.set("u_clip_from_world", frame.camera.clip_from_world());
         program.set("u_eye", frame.camera.eye());
-        set_pose(program, now);
-        set_look(program);
+        set_pose(program, body, now);
+        set_look(program, body);
         glBindVertexArray(drawn.uploaded.layout());
-        if (is_serpent() && !purpose.unrolled) glEnable(GL_CULL_FACE);  // a tube is open
+        if (body.is_serpent && !purpose.unrolled) glEnable(GL_CULL_FACE);  // a tube is open
         glDrawElementsInstanced(GL_TRIANGLES, drawn.uploaded.count(), GL_UNSIGNED_INT, nullptr,
                                 drawn.instances.count());
         glDisable(GL_CULL_FACE);
     }
-    Skin& kept_skin(KeptSkin& kept, int fineness) {
-        return *kept.get({is_serpent(), fineness},
-                         [&] { return std::make_unique<Skin>(body(), fineness_of[size_t(fineness)]); });
+    static Skin& kept_skin(KeptSkin& kept, const Body& body, int fineness) {
+        return *kept.get({body.is_serpent, fineness},
+                         [&] { return std::make_unique<Skin>(body, fineness_of[size_t(fineness)]); });
     }
 
     const Program& program_for(const Probe& probe, const Purpose& purpose, const Pose& now) const {
@@ -291,7 +291,8 @@ private:
         const bool needs_jacobian = purpose.way == gradient || folds_ || probe.name == "tangent" ||
                                     probe.name == "carried" || probe.name == "fold" || purpose.name[0] == 'E' ||
                                     purpose.name[0] == 'M';
-        return skin_.with({probe, purpose.name, fmt::format("WAY {}", purpose.way), is_serpent() ? "SERPENT" : "",
+        return skin_.with({probe, purpose.name, fmt::format("WAY {}", purpose.way),
+                           purpose.body.is_serpent ? "SERPENT" : "",
                            now.is_rest() ? "RIGID"
                            : now.dual    ? "DUAL"
                                          : "",
@@ -301,10 +302,10 @@ private:
                            purpose.unrolled ? "UNROLLED" : ""});
     }
 
-    void set_pose(const Program& program, const Pose& now) const {
-        const std::vector<Bone> bones = bones_of(body(), now);
-        const double over = std::clamp(now.over * body().radius, 0.001 * body().radius, 3 * body().spacing());
-        program.set("u_body", glm::vec4(body().length, body().radius, body().joints, over));
+    static void set_pose(const Program& program, const Body& body, const Pose& now) {
+        const std::vector<Bone> bones = bones_of(body, now);
+        const double over = std::clamp(now.over * body.radius, 0.001 * body.radius, 3 * body.spacing());
+        program.set("u_body", glm::vec4(body.length, body.radius, body.joints, over));
         program.set("u_odd_sign", now.opposite ? -1.0f : 1.0f);
         for (size_t i = 0; i < bones.size(); ++i) {
             const auto set = [&](const char* name, const auto& value) {
@@ -317,7 +318,7 @@ private:
         }
     }
 
-    void set_look(const Program& program) const {
+    void set_look(const Program& program, const Body& body) const {
         struct Colors {
             glm::vec3 back, belly;
         };
@@ -329,7 +330,7 @@ private:
                                                                        {{0.10f, 0.20f, 0.07f}, {0.58f, 0.60f, 0.36f}},
                                                                        {{0.22f, 0.22f, 0.23f}, {0.62f, 0.60f, 0.56f}},
                                                                        {{0.33f, 0.05f, 0.06f}, {0.64f, 0.40f, 0.28f}}}};
-        const auto transforms = materials();
+        const auto transforms = materials(body);
         for (size_t i = 0; i < colors.size(); ++i) {
             const auto set = [&](const char* name, const auto& value) {
                 program.set(fmt::format("{}[{}]", name, i).c_str(), value);
@@ -349,28 +350,26 @@ private:
     // ---- four ways, side by side
 
     void draw_four(const Frame& frame) {
-        const int kept_shape = std::exchange(shape_, int(tube_shape));
         const auto tiles = tile_grid(frame.size, 2, 2);
         for (int way = 0; way < 4; ++way) {
             const Tile& tile = tiles[size_t(way)];
             const glm::ivec2 half(tile.size.x / 2, tile.size.y);
-            draw_in(frame, {tile.corner, half}, {.name = "ZEBRA", .way = way}, false);
+            draw_in(frame, {tile.corner, half}, {.body = tube, .name = "ZEBRA", .way = way}, false);
             draw_in(frame, {tile.corner + glm::ivec2(half.x, 0), {tile.size.x - half.x, half.y}},
-                    {.name = "ERROR", .way = way}, false);
+                    {.body = tube, .name = "ERROR", .way = way}, false);
             labels_.caption(frame.size, tile, 0, ways[size_t(way)]);
-            describe_error(frame.size, tile, way);
+            describe_error(frame.size, tile, tube, way);
         }
-        shape_ = kept_shape;
     }
 
     void draw_errors(const Frame& frame) {
-        draw_in(frame, {{0, 0}, frame.size}, {.name = "ERROR", .way = way_, .unrolled = true}, false);
+        draw_in(frame, {{0, 0}, frame.size}, {.body = body(), .name = "ERROR", .way = way_, .unrolled = true}, false);
         labels_.caption(frame.size, {{0, 0}, frame.size}, 0, ways[size_t(way_)]);
-        describe_error(frame.size, {{0, 0}, frame.size}, way_);
+        describe_error(frame.size, {{0, 0}, frame.size}, body(), way_);
     }
 
-    void describe_error(glm::ivec2 size, const Tile& tile, int way) {
-        const auto [mean, most] = measure(way);
+    void describe_error(glm::ivec2 size, const Tile& tile, const Body& body, int way) {
+        const auto [mean, most] = measure(body, way);
         if (std::isfinite(mean))
             labels_.caption(size, tile, -1, fmt::format("{:.1f}~ off, {:.0f}~ at most", mean, most));
     }
@@ -383,21 +382,22 @@ private:
         part.camera = Camera(orbit, double(tile.size.x) / tile.size.y);
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         if (with_sky) draw_sky(part);
-        const Instance body = first();
-        draw_bodies(part, purpose, fine_skin_, fine_, {&body, 1});
+        const Instance one = first(purpose.body);
+        draw_bodies(part, purpose, fine_skin_, fine_, {&one, 1});
     }
 
     /// Returns the mean and the largest error of a way over the skin, in degrees, compared with the normal by the
     /// gradient. Infinity before the tasks are written.
-    std::pair<double, double> measure(int way) {
+    std::pair<double, double> measure(const Body& body, int way) {
         std::vector<std::string> knobs;
         for (const KnobText& knob : describe_knobs(*this)) knobs.push_back(knob.value);
-        return measured_[size_t(way)].get({knobs, skin_.renewals()}, [&] {
+        return measured_[size_t(way)].get({knobs, body.is_serpent, skin_.renewals()}, [&] {
             const glm::ivec2 size(64, 128);
             const Image drawn = draw_numbers(size, [&] {
                 const Frame frame{0, size, 0, Camera({}, 1), {}};
-                const Instance body = first();
-                draw_bodies(frame, {.name = "MEASURE", .way = way, .unrolled = true}, fine_skin_, fine_, {&body, 1});
+                const Instance one = first(body);
+                draw_bodies(frame, {.body = body, .name = "MEASURE", .way = way, .unrolled = true}, fine_skin_, fine_,
+                            {&one, 1});
             });
             double sum = 0, most = 0;
             for (size_t i = 0; i < drawn.values.size(); i += 4) {
@@ -413,7 +413,7 @@ private:
     Texture scales_{"scales", [] { return make_scales(256); }};
     KeptSkin fine_skin_, coarse_skin_;
     mutable Kept<Ball, bool, Pose> ball_;
-    std::array<Kept<std::pair<double, double>, std::vector<std::string>, int>, 4> measured_;
+    std::array<Kept<std::pair<double, double>, std::vector<std::string>, bool, int>, 4> measured_;
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;
 

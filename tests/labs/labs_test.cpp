@@ -5,6 +5,7 @@
 
 #include "framework/base/paths.h"
 #include "framework/gl/counters.h"
+#include "framework/gl/program.h"
 #include "framework/image/compare.h"
 #include "framework/lab/knob_help.h"
 #include "framework/lab/manifest.h"
@@ -129,6 +130,43 @@ TEST_P(EveryLab, DrawsTheSameWhateverAKnobIsWhereItsHelpExcludesIt) {
             }
             set_knob(lab, other.name, other.value);
         }
+}
+
+// In the window a shader may not compile while its author types; the frame after the mend is as if it always had.
+TEST_P(EveryLab, ADrawThatThrowsLeavesEveryKnobAndTheNextPictureAsTheyWere) {
+    std::vector<std::string> views = {""};
+    for (const KnobText& knob : describe_knobs(*make_lab(GetParam(), shot())))
+        if (knob.name == "view") views = extremes(knob);
+    for (const std::string& view : views) {
+        Shot wanted = shot();
+        if (!view.empty()) wanted.set = {{"view", view}};
+        const Image expected = SmallLab(GetParam(), wanted).draw();
+        const SmallLab small(GetParam(), wanted);
+        const auto values = [&] {
+            std::vector<std::string> all;
+            for (const KnobText& knob : describe_knobs(small.lab())) all.push_back(knob.name + "=" + knob.value);
+            return all;
+        };
+        const std::vector<std::string> before = values();
+        // Each program of the picture fails in its turn: one more compiles in every frame. That of the labels always
+        // does, or it would be the last, and nothing would be left to fail after a caption.
+        bool is_broken = true;
+        for (int frame = 0; is_broken && frame < 50; ++frame) {
+            is_broken = false;
+            int compiled = 0;
+            const ShaderRewriting fails([&](std::vector<ShaderSource>& stages, GLuint) {
+                if (stages.back().stage.stem() != "label" && compiled++ == (frame == 0 ? 0 : 1))
+                    is_broken = true, throw Error("does not compile");
+            });
+            try {
+                EXPECT_EQ(small.draw().values == expected.values, true) << view << ": after " << frame << " failures";
+            } catch (const Error&) {
+                EXPECT_TRUE(is_broken);
+            }
+            EXPECT_EQ(values(), before) << view << ": frame " << frame;
+        }
+        EXPECT_FALSE(is_broken) << view;
+    }
 }
 
 TEST_P(EveryLab, DrawsInAnyShapeOfPicture) {
