@@ -1,6 +1,7 @@
 #include "framework/kit/relief_surface.h"
 
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "framework/base/paths.h"
 #include "framework/mesh/obj.h"
@@ -17,6 +18,17 @@ constexpr ColumnShape column_shape{.bottom_radius = ReliefSurface::column_radius
                                    .rows = 1};
 constexpr float around_column = 2 * glm::pi<float>() * ReliefSurface::column_radius;
 constexpr float around_urn = 3.2f, up_urn = 2.4f;  // metres per unit of uv, at the urn's middle
+
+/// Takes (x, y, 1) of gl_FragCoord to the direction of that pixel's view ray in the world, of any length.
+glm::dmat3 world_from_pixel(const Camera& camera) {
+    GLint viewport[4];
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    const glm::dvec2 corner(viewport[0], viewport[1]), size(viewport[2], viewport[3]);
+    const glm::dmat4 clip_from_view = camera.clip_from_view();
+    const glm::dvec2 pixel = 2.0 / size / glm::dvec2(clip_from_view[0][0], clip_from_view[1][1]);
+    const glm::dmat3 view_from_pixel({pixel.x, 0, 0}, {0, pixel.y, 0}, {-(corner + 0.5 * size) * pixel, -1});
+    return glm::transpose(glm::dmat3(camera.view_from_world())) * view_from_pixel;
+}
 
 }  // namespace
 
@@ -76,6 +88,24 @@ void ReliefSurface::set(const Program& program, const Frame& frame, const glm::d
     program.set("u_depth_metres", here.metres);
     program.set("u_normal_strength", here.depth / ReliefMaterial::normals_depth);
     material.set(program);
+    set_view_ray(program, frame, world_from_model);
+}
+
+void ReliefSurface::set_view_ray(const Program& program, const Frame& frame, const glm::dmat4& world_from_model) const {
+    program.set("u_is_flat", shape == wall);
+    if (shape != wall || glGetUniformLocation(program, "u_base_from_pixel") < 0) return;
+    const ReliefMapping here = mapping();
+    const glm::dvec2 tiles(here.repeat), tiles_per_metre = glm::abs(tiles) / double(extent);
+    const glm::dmat4 model_from_world = glm::inverse(world_from_model);
+    glm::dvec3 eye(model_from_world * glm::dvec4(frame.camera.eye(), 1));
+    const glm::dvec2 uv = (glm::dvec2(eye) / double(extent) + 0.5) * tiles + glm::dvec2(here.shift);
+    eye = {uv, eye.z};
+    const glm::dmat3 base_from_model({tiles.x < 0 ? -1 : 1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    const glm::dmat3 base_from_pixel = base_from_model * glm::dmat3(model_from_world) * world_from_pixel(frame.camera);
+    glUniformMatrix3dv(glGetUniformLocation(program, "u_base_from_pixel"), 1, GL_FALSE,
+                       glm::value_ptr(base_from_pixel));
+    glUniform3dv(glGetUniformLocation(program, "u_eye_over_base"), 1, glm::value_ptr(eye));
+    glUniform2dv(glGetUniformLocation(program, "u_tiles_per_metre"), 1, glm::value_ptr(tiles_per_metre));
 }
 
 void ReliefSurface::set_exact_hit(const Program& program, int unit) const {

@@ -25,7 +25,7 @@ public:
     int version() const { return material.version(); }
 
     /// Sets the uniforms of shaders/common/relief.vert and the stages after it. Binds s_heights to unit 0, s_albedo to
-    /// 1, s_normals to 2. Precondition: the program is in use.
+    /// 1, s_normals to 2. Preconditions: the program is in use, and the viewport is the frame's.
     void set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model = glm::dmat4(1)) const;
     void draw() const;
     /// Sets the inputs of exact_hit() in shaders/common/exact_hit.glsl: s_windows on `unit`, and u_window_extent. Does
@@ -42,6 +42,9 @@ public:
     int shift = 0;  ///< tiles; mapping() returns the remainder of dividing by 4
 
 private:
+    /// For shaders/common/view_ray.glsl.
+    void set_view_ray(const Program& program, const Frame& frame, const glm::dmat4& world_from_model) const;
+
     struct Shaped {
         Mesh mesh;
         GpuMesh uploaded;

@@ -28,6 +28,15 @@ uniform float u_turns_from;    // x in pixels: to its right the picture shows th
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 
+// On a flat base the view ray comes from the pixel, in double precision. A wall has 10^4 to 10^7 texels, and interpolated
+// uv are off by 0.03 to 10 of them: such a ray misses the post that it should hit. On curved bases uv are small, and the
+// normals are interpolated in any case.
+uniform bool u_is_flat;
+uniform dmat3 u_base_from_pixel;  // takes (x, y, 1) to a direction along tangent, bitangent and normal
+uniform dvec3 u_eye_over_base;    // uv in tiles, and metres above the base
+uniform dvec2 u_tiles_per_metre;
+uniform vec2 u_repeat, u_shift;   // the base has the uv from u_shift to u_shift + u_repeat
+
 layout(location = 0) out vec4 o_color;
 #if defined WRITE_DEPTH && defined GL_ARB_conservative_depth
 layout(depth_greater) out float gl_FragDepth;  // a relief is behind its base, so early depth tests stay valid
@@ -67,18 +76,46 @@ float lit_at(vec2 uv, float height, vec3 to_light, int iterations) {
 #endif
 }
 
+// Where a view ray enters the relief.
+struct Entry {
+    dvec2 uv;     // tiles
+    bool faces;   // the ray comes from the front of the base
+    float slant;  // cosine of its angle with the normal, at least least_slant
+    vec2 across;  // metres along tangent and bitangent for each metre down
+};
+
+Entry entry_at(vec3 to_eye, mat3 frame) {
+    if (!u_is_flat) {
+        vec3 seen = to_eye * frame;
+        float slant = max(seen.z, least_slant);
+        return Entry(dvec2(v_uv), seen.z > 0.0, slant, -seen.xy / slant);
+    }
+    dvec3 way = normalize(u_base_from_pixel * dvec3(gl_FragCoord.xy, 1.0));
+    // The rasteriser rounds outlines: a pixel there may have a ray that misses the base.
+    double side = u_eye_over_base.z > 0.0 ? 1.0 : -1.0, falls = max(-side * way.z, 1e-9lf);
+    dvec2 uv = u_eye_over_base.xy + way.xy * u_tiles_per_metre * (side * u_eye_over_base.z / falls);
+    dvec2 ends = dvec2(u_shift + u_repeat);
+    uv = clamp(uv, min(dvec2(u_shift), ends), max(dvec2(u_shift), ends));
+    double slant = max(falls, double(least_slant));
+    return Entry(uv, side > 0.0, float(slant), vec2(way.xy / slant));
+}
+
 void main() {
     vec3 normal = normalize(v_normal);
     vec3 bitangent = v_tangent.w * normalize(cross(normal, v_tangent.xyz));
     vec3 tangent = v_tangent.w * cross(bitangent, normal);
+    mat3 frame = mat3(tangent, bitangent, normal);
     vec3 to_eye = normalize(u_eye - v_position);
-    bool faces = dot(to_eye, normal) > 0.0;
-    float slant = max(dot(to_eye, normal), least_slant);
-    vec2 size = vec2(textureSize(s_heights, 0));
-    vec2 dx = dFdx(v_uv), dy = dFdy(v_uv);  // of the base, since the hits of neighbours may be far from each other
+    Entry entry = entry_at(to_eye, frame);
+    bool faces = entry.faces;
+    float slant = entry.slant;
+    vec2 size = vec2(textureSize(s_heights, 0)), across = entry.across;
+    vec2 dx = dFdx(v_uv), dy = dFdy(v_uv);  // of the base: neighbours may hit far apart
 
-    vec2 across = -vec2(dot(to_eye, tangent), dot(to_eye, bitangent)) / slant;  // per depth
-    ReliefRay view = ReliefRay(v_uv * size - 0.5, across * u_depth * size, vec3(1.0, -1.0, 0.0));
+    // A float holds the place without its whole tiles.
+    dvec2 tile = floor(entry.uv);
+    vec2 start = vec2(entry.uv - tile);
+    ReliefRay view = ReliefRay(start * size - 0.5, across * u_depth * size, vec3(1.0, -1.0, 0.0));
     ReliefHit hit = ReliefHit(0.0, false, false, 0);
 #ifdef CURVED
     if (!faces) discard;
@@ -91,19 +128,21 @@ void main() {
 #else
     if (faces) hit = first_hit(view, true, 1.0 - u_highest, 1.0, 0);
 #endif
-    vec2 uv = v_uv + hit.t * across * u_depth;
+    vec2 uv = start + hit.t * across * u_depth;  // without whole tiles
     vec3 position = v_position - to_eye * (hit.t * u_depth_metres / slant);
 #ifdef OUTLINE
-    if (any(lessThan(uv, u_border.xy)) || any(greaterThan(uv, u_border.zw))) discard;
+    vec2 on_base = vec2(tile + uv);
+    if (any(lessThan(on_base, u_border.xy)) || any(greaterThan(on_base, u_border.zw))) discard;
 #endif
 #ifdef WRITE_DEPTH
     gl_FragDepth = window_depth(position, u_clip_from_world);
 #endif
 
-    mat3 frame = mat3(tangent, bitangent, normal);
     float height = height_of(view, hit.t);
 #if defined PROBE_uv
-    o_color = probed(vec4(uv * size, 0.0, 0.0));
+    o_color = probed(vec4((tile + uv) * size, 0.0, 0.0));
+#elif defined PROBE_ray
+    o_color = probed(vec4(view.along, start * size));
 #elif defined PROBE_depth
     o_color = probed(vec4(distance(u_eye, position), 0.0, 0.0, 0.0));
 #elif defined PROBE_steps

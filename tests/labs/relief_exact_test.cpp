@@ -1,5 +1,7 @@
 // Lab 12: the exact hit is exact, on every map and from every side, and so is what follows from it.
 #include "framework/gl/counters.h"
+#include "framework/kit/relief_material.h"
+#include "framework/staff/reference/height_field.h"
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -55,6 +57,74 @@ TEST(ReliefExact, OneRayInTenThousandAtMostIsOffByATwentiethOfATexel) {
             EXPECT_GT(tally.pixels, 100'000u);
             EXPECT_LE(tally.share(), 1e-4) << map << ", " << bits << ": " << tally.off << " of " << tally.pixels;
         }
+}
+
+/// The error of a picture in texels, and where it comes from: the probe `ray` gives the ray that the search had, and a
+/// walk in double precision gives the hit of that very ray.
+struct Sources {
+    std::vector<double> total, ray, search;
+};
+
+Sources sources_of(Shot shot, const Image& heights) {
+    const auto lab = make_lab(find_lab("12"), shot);
+    const Image hits = render_shot(*lab, shot), exact = truth_of(*lab, shot);
+    shot.probe = {"ray"};
+    const Image rays = render_shot(*lab, shot);
+    const HeightField field(heights, true);
+    const Frame frame{0, shot.size, 0, Camera(shot.camera, double(shot.size.x) / shot.size.y), {}};
+    Sources found;
+    for (size_t i = 0; i < hits.pixel_count(); ++i) {
+        const float *ray = &rays.values[i * 4], *hit = &hits.values[i * 4], *truth = &exact.values[i * 4];
+        if (!std::isfinite(ray[0]) || !std::isfinite(hit[0]) || !std::isfinite(truth[0])) continue;
+        if (-frame.ray(int(i) % shot.size.x, int(i) / shot.size.x).direction.z < std::cos(glm::radians(89.0))) continue;
+        const glm::dvec2 along(ray[0], ray[1]), start(ray[2], ray[3]);
+        const auto walked = field.first_hit({{start, 1}, {along, -1}}, 1);
+        const glm::dvec2 from_start = start + along * (walked ? walked->t : 1), size(field.size());
+        const auto whole = [&](glm::dvec2 texel) { return glm::round((texel - from_start) / size) * size; };
+        const glm::dvec2 drawn(hit[0], hit[1]), right(truth[0], truth[1]);
+        found.total.push_back(glm::distance(drawn, right));
+        found.ray.push_back(glm::distance(from_start + whole(right), right));
+        found.search.push_back(glm::distance(from_start + whole(drawn), drawn));
+    }
+    return found;
+}
+
+double of_99_percent(std::vector<double> errors) {
+    const auto place = errors.begin() + std::ptrdiff_t(0.99 * double(errors.size()));
+    std::nth_element(errors.begin(), place, errors.end());
+    return *place;
+}
+
+TEST(ReliefExact, OnTheLargestWallsNeitherTheRayNorTheSearchIsATenthOfATexelOff) {
+    struct End {
+        int size;
+        std::vector<Knob> knobs;
+        int pixels;
+    };
+    // The largest map takes seconds to make, and its exact rays a tenth of a second each.
+    const End ends[] = {{ReliefMaterial::texels_512, {{"size", "512"}}, 64},
+                        {ReliefMaterial::texels_512, {{"size", "512"}, {"repeat", "8"}, {"mirror", "on"}}, 64},
+                        {ReliefMaterial::texels_512, {{"size", "512"}, {"repeat", "8"}, {"stretch", "0.25"}}, 48},
+                        {ReliefMaterial::texels_512, {{"size", "512"}, {"repeat", "8"}, {"stretch", "4"}}, 64},
+                        {ReliefMaterial::texels_4096, {{"size", "4096"}, {"repeat", "8"}}, 24}};
+    for (const auto& [size, knobs, pixels] : ends) {
+        ReliefMaterial material;
+        material.map = ReliefMap::posts, material.size = size;
+        for (const double yaw : {60.0, 84.0, -88.0}) {
+            Shot shot = shot_of("12", {{"view", "one"}, {"map", "posts"}, {"depth", "1"}, {"extent", "64"}}, "uv",
+                                {pixels, pixels});
+            shot.set.insert(shot.set.end(), knobs.begin(), knobs.end());
+            shot.camera = {.yaw = yaw, .pitch = 0, .distance = 5};
+            const Sources found = sources_of(shot, material.heights());
+            EXPECT_GT(found.total.size(), size_t(pixels) * size_t(pixels) / 4);
+            const auto where = [&] { return fmt::format("{} at {} degrees", knobs.back().first, yaw); };
+            // Not the ray's alone: along a row of posts, a ray that is 0.03 texels off misses one and lands far behind
+            // it.
+            EXPECT_LE(of_99_percent(found.ray), 0.1) << where();
+            EXPECT_LE(of_99_percent(found.search), 0.1) << where();
+            EXPECT_LE(of_99_percent(found.total), 0.1) << where();
+        }
+    }
 }
 
 TEST(ReliefExact, EverySearchHasTheSameHit) {
@@ -277,16 +347,16 @@ size_t stopped(const Shot& shot) {
 TEST(ReliefExact, AtTheEndsOfTheKnobsNoRayStallsAndWindowsStopNone) {
     struct End {
         std::vector<Knob> knobs;
-        double yaw, wrong;  ///< the share of pixels that may be off
+        double yaw;
     };
-    // What is wrong is the ray's own: a float's uv 64 tiles from the origin, and its slant. A constant that is added to
-    // t left 3 and 10 % of the first and the second, and 11 % of the third.
+    // A constant that is added to t left 3 and 10 % of the first and the second, and 11 % of the third. Rays from
+    // interpolated places left 0.02 to 1.4 %.
     const End ends[] = {
-        {{{"size", "256"}, {"depth", "1"}, {"extent", "3"}}, 86, 0.001},
-        {{{"size", "256"}, {"depth", "1"}, {"extent", "64"}}, 86, 0.02},
-        {{{"size", "256"}, {"depth", "1"}, {"extent", "3"}}, 89, 0.002},
-        {{{"size", "256"}, {"depth", "1"}, {"extent", "3"}, {"mirror", "on"}, {"stretch", "0.25"}}, -86, 0.005},
-        {{{"size", "4096"}, {"depth", "0.08"}, {"extent", "3"}}, 84, 0.01}};
+        {{{"size", "256"}, {"depth", "1"}, {"extent", "3"}}, 86},
+        {{{"size", "256"}, {"depth", "1"}, {"extent", "64"}}, 86},
+        {{{"size", "256"}, {"depth", "1"}, {"extent", "3"}}, 89},
+        {{{"size", "256"}, {"depth", "1"}, {"extent", "3"}, {"mirror", "on"}, {"stretch", "0.25"}}, -86},
+        {{{"size", "4096"}, {"depth", "0.08"}, {"extent", "3"}}, 84}};
     for (const End& end : ends)
         for (const char* method : methods) {
             if (end.knobs[0].second == "4096" && method[0] != 'w') continue;  // seconds to make their maps
@@ -297,7 +367,8 @@ TEST(ReliefExact, AtTheEndsOfTheKnobsNoRayStallsAndWindowsStopNone) {
             const auto lab = make_lab(find_lab("12"), shot);
             Tally tally;
             tally.add(error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance));
-            EXPECT_LE(tally.share(), end.wrong) << method << ", " << end.yaw << ", " << knobs[0].second;
+            // Rays that graze an edge, one or two of 5000: a float's t moves them over it.
+            EXPECT_LE(tally.share(), 0.0005) << method << ", " << end.yaw << ", " << knobs[0].second;
         }
     for (const auto& [yaw, stretch] : {std::pair(84.0, "1"), {89.5, "0.25"}, {89.9, "4"}}) {
         Shot shot = seen({{"map", "posts"}, {"size", "4096"}, {"depth", "1"}, {"stretch", stretch}, {"extent", "64"}},

@@ -46,8 +46,8 @@ std::string of_sweeps(std::span<const BenchRow> rows, const std::vector<size_t>&
             (row.peer ? peers : ours).push_back(short_name(row));
     }
     ours.insert(ours.end(), peers.begin(), peers.end());
-    return ours.empty() ? fmt::format("None of the {} methods keeps its stated error everywhere.", count)
-                        : fmt::format("{} of {} methods {} the stated error everywhere: {}.", ours.size(), count,
+    return ours.empty() ? fmt::format("None of the {} methods keeps its stated error for all inputs.", count)
+                        : fmt::format("{} of {} methods {} the stated error for all inputs: {}.", ours.size(), count,
                                       ours.size() == 1 ? "keeps" : "keep", join(ours, ", "));
 }
 
@@ -86,7 +86,8 @@ std::string answer_of(std::span<const BenchRow> rows, const std::vector<size_t>&
     if (front.size() == 1)
         return fmt::format("Of {} methods {} is the fastest and the most accurate.", timed.size(), with_figures(fast));
     return fmt::format(
-        "Of {} methods {} are beaten by no other in both time and error. The fastest: {}. The most accurate: {}, {} times "
+        "Of {} methods {} are beaten by no other in both time and error. The fastest: {}. The most accurate: {}, {} "
+        "times "
         "as long.",
         timed.size(), front.size(), with_figures(fast), with_figures(accurate),
         rounded(accurate.times.median / fast.times.median, 2));

@@ -17,7 +17,7 @@ std::vector<size_t> chief_scene(std::span<const BenchRow> rows);
 /// mean error 12 texels). The most accurate: exact (1.5 ms, mean error 0.001 texels), 1.7 times as long."
 ///
 /// Without errors it compares the fastest with the slowest. For sweeps it counts the methods that keep their stated error
-/// everywhere.
+/// for all inputs.
 std::string answer_of(std::span<const BenchRow> rows, const std::vector<size_t>& scene);
 
 }  // namespace relief

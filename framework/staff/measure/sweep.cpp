@@ -74,7 +74,8 @@ public:
             "set key at graph 0.5,-0.38 center top horizontal maxcols 3 samplen 1.5 spacing 0.85 font ',{}' "
             "noenhanced\nset xrange [{}:{}]\nset yrange [{}:{}]\n",
             style_.names, style_.axes, gnuplot_text(title(first)), style_.title, gnuplot_text_color,
-            gnuplot_text(first.item), gnuplot_text("error, " + plural(first.error.unit)), style_.names - 1, left_ / 1.3, right_ * 1.3, floor_, ceiling_);
+            gnuplot_text(first.item), gnuplot_text("error, " + plural(first.error.unit)), style_.names - 1, left_ / 1.3,
+            right_ * 1.3, floor_, ceiling_);
         if (any_zero_) text += fmt::format("set ytics add ('0' {})\n", floor_);
         if (any_lost_) text += fmt::format("set ytics add ('none' {})\n", ceiling_);
         text += stated();
@@ -180,7 +181,7 @@ std::string verdict_of(const BenchSweep& sweep, const std::string& unit) {
         where(sweep.places, [&](const Place& place) { return !is_lost(place) && place.error > sweep.stated; }));
     add("not finite", where(sweep.places, [](const Place& place) { return place.not_finite > 0; }));
     add("does not end", where(sweep.places, [](const Place& place) { return place.endless > 0; }));
-    if (parts.empty()) parts.push_back("keeps " + amount_of(sweep.stated, unit) + " everywhere");
+    if (parts.empty()) parts.push_back("keeps " + amount_of(sweep.stated, unit) + " for all inputs of this sweep");
     return join(parts, ", ") + (sweep.why.empty() ? "." : ". " + sweep.why);
 }
 

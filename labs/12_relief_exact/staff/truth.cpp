@@ -12,6 +12,7 @@ namespace {
 struct Seen {
     double distance = std::numeric_limits<double>::infinity();
     glm::dvec2 texel{};
+    glm::dvec4 ray{};  ///< as the probe has it
     double lit = 0;
     bool is_ball = false;
 };
@@ -49,7 +50,8 @@ public:
         const auto [low, high] = border_;
         if (uv.x < double(low.x) || uv.y < double(low.y) || uv.x > double(high.x) || uv.y > double(high.y)) return;
         if (distance >= nearest.distance) return;
-        nearest = {distance, texel, 0, false};
+        const glm::dvec2 entry = sight->ray.texel - glm::floor(sight->uv) * double(mapping_.texels);
+        nearest = {distance, texel, {sight->ray.march, entry}, 0, false};
         if (!wants_light) return;
         const glm::dvec3 light = turn * to_light;
         const glm::dvec2 across(glm::dot(light, sight->tangent), glm::dot(light, sight->bitangent));
@@ -70,12 +72,13 @@ private:
 void look(const Ball& ball, const Ray& ray, Seen& nearest) {
     const SphereShape sphere{.radius = float(ball.radius)};
     const auto hit = first_hit(sphere, {ray.origin - ball.centre, ray.direction});
-    if (hit && hit->t < nearest.distance) nearest = {hit->t, {}, 0, true};
+    if (hit && hit->t < nearest.distance) nearest = {hit->t, {}, {}, 0, true};
 }
 
 std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Sight& sight) {
     const bool uv = probe.name == "uv", depth = probe.name == "depth", shadow = probe.name == "shadow";
-    if (!uv && !depth && !shadow) return {};
+    const bool way = probe.name == "ray";
+    if (!uv && !depth && !shadow && !way) return {};
     std::vector<SeenObject> objects;
     for (const Object& object : sight.objects) objects.emplace_back(object, sight.outline);
     return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
@@ -83,6 +86,7 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
         for (const SeenObject& object : objects) object.look(ray, sight.to_light, shadow, seen);
         if (sight.ball) look(*sight.ball, ray, seen);
         if (std::isinf(seen.distance) || (seen.is_ball && !depth)) return {};
+        if (way) return seen.ray;
         return glm::dvec4(depth ? glm::dvec2(seen.distance, 0) : uv ? seen.texel : glm::dvec2(seen.lit, 0), 0, 0);
     });
 }

@@ -15,7 +15,7 @@ namespace {
 BenchSweep sweep_of(std::vector<BenchSweep::Place> places) { return {0.5, "", std::move(places)}; }
 
 TEST(Verdict, SaysFromWhereOnAMethodIsWrong) {
-    EXPECT_EQ(verdict_of(sweep_of({{1, 0.1}, {10, 0.5}}), "degree"), "keeps 0.5 degrees everywhere.");
+    EXPECT_EQ(verdict_of(sweep_of({{1, 0.1}, {10, 0.5}}), "degree"), "keeps 0.5 degrees for all inputs of this sweep.");
     EXPECT_EQ(verdict_of(sweep_of({{1, 0.1}, {10, 0.6}, {100, 9}}), "degree"),
               "off by more than 0.5 degrees from 10 on.");
     EXPECT_EQ(verdict_of(sweep_of({{1, 2}, {10, 0.1}, {100, 0.1}}), "degree"), "off by more than 0.5 degrees up to 1.");
