@@ -51,8 +51,8 @@ struct TangentReport {
 ///
 /// All corners of a triangle have one handedness. A triangle without area in uv takes that of the first group that
 /// reaches it. For this, triangles with area are visited in index order, and each triangle's corners in order. If no
-/// group reaches it, the handedness is 1. The exception is an invisible triangle, two of whose corners coincide: its
-/// corners may differ.
+/// group reaches it, the handedness is 1. It is also 1 for a triangle with a NaN or an infinity. The exception is an
+/// invisible triangle, two of whose corners coincide: its corners may differ.
 ///
 /// Vertices with equal position, normal and uv count as one, so the result does not depend on how the mesh shares
 /// vertices. `mikktspace` follows the published semantics. A group at a vertex is a set of triangles of one handedness,

@@ -233,6 +233,24 @@ TEST(Tangents, ANanInOneVertexSpoilsNoOther) {
         }
 }
 
+TEST(Tangents, OfATriangleWithABadNumberBesideMirroredOnesAreOfOneHandedness) {
+    const auto number = [](Vertex& vertex, int which) -> float& {
+        return which < 3 ? vertex.position[which] : which < 5 ? vertex.uv[which - 3] : vertex.normal[which - 5];
+    };
+    for (const M method : methods)
+        for (const float bad : {NAN, INFINITY, -INFINITY})
+            for (int which = 0; which < 8; ++which)
+                for (size_t vertex = 0; vertex < 9; ++vertex) {
+                    Mesh mesh = mirrored_grid(2, 2);
+                    number(mesh.vertices[vertex], which) = bad;
+                    const auto tangents = corner_tangents(mesh, method);
+                    for (size_t i = 0; i < tangents.size(); i += 3)
+                        ASSERT_TRUE(tangents[i].w == tangents[i + 1].w && tangents[i].w == tangents[i + 2].w)
+                            << testing::PrintToString(method) << ", " << bad << " as number " << which << " of vertex "
+                            << vertex << ": " << tangents[i].w << tangents[i + 1].w << tangents[i + 2].w;
+                }
+}
+
 TEST(Tangents, DoNotChangeWithTheSizeOfPositionsAndUv) {
     const Mesh torus = jittered_torus(8, 6, 53);
     for (const M method : methods) {
