@@ -31,9 +31,9 @@ std::string colored(Outcome outcome, const std::string& word) {
     static const bool on = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
     if (!on) return word;
     return fmt::format("\x1b[{}m{}\x1b[0m",
-                       outcome == Outcome::passed       ? 32
-                       : outcome == Outcome::unfinished ? 33
-                                                        : 31,
+                       outcome == Outcome::passed                                      ? 32
+                       : outcome == Outcome::unfinished || outcome == Outcome::waiting ? 33
+                                                                                       : 31,
                        word);
 }
 
@@ -43,8 +43,7 @@ public:
     Printer(const LabEntry& lab, const Manifest& manifest) : lab_(lab), manifest_(manifest) {}
 
     void print(const TaskResult& task) {
-        fmt::print("{}  {}: {} of {} points ({})\n", task.task->id, task.task->title, points_text(task.points()),
-                   task.task->points, task.task->file);
+        fmt::print("{}  {}: {} ({})\n", task.task->id, task.task->title, points_text(task), task.task->file);
         hints_.clear();
         for (const CheckResult& result : task.checks) print(result, *task.task);
     }
@@ -55,7 +54,7 @@ private:
         const bool is_repeated = is_broken && !messages_.insert(result.found + result.details).second;
         fmt::print("  {}  {}: {}\n", colored(result.outcome, fmt::format("{:<10}", name_of(result.outcome))),
                    result.check->name, is_repeated ? "the same message as above" : result.found);
-        if (result.outcome == Outcome::passed || result.outcome == Outcome::unfinished || is_repeated) return;
+        if (result.outcome < Outcome::wrong || result.outcome == Outcome::unfinished || is_repeated) return;
         for (const std::string& line : split(result.details, '\n'))
             if (!line.empty()) fmt::print("              {}\n", line);
         if (result.outcome == Outcome::wrong && !result.check->reason.empty())
@@ -100,10 +99,11 @@ nlohmann::ordered_json as_json(const TaskResult& task) {
                           {"outcome", name_of(result.outcome)},
                           {"found", result.found},
                           {"details", result.details},
+                          {"waits_for", result.waits_for},
                           {"look_at", look_at(result)}});
     return {{"id", task.task->id},     {"title", task.task->title}, {"file", task.task->file},
-            {"points", task.points()}, {"of", task.task->points},   {"mistake", task.mistake},
-            {"checks", checks}};
+            {"points", task.points()}, {"of", task.task->points},   {"waiting", task.waiting_points()},
+            {"mistake", task.mistake}, {"checks", checks}};
 }
 
 /// Runs a lab's checks on the course's files. Returns 1 if one did not pass. With `open` or `page` it also writes a
@@ -118,12 +118,13 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
     const auto context = open_any_context();
     const std::vector<TaskResult> tasks = check_lab(lab, manifest);
 
-    double points = 0;
+    double points = 0, waiting = 0;
     bool all = true;
     Printer printer(lab, manifest);
     nlohmann::ordered_json report = {{"lab", lab.folder}, {"tasks", nlohmann::ordered_json::array()}};
     for (const TaskResult& task : tasks) {
         points += task.points();
+        waiting += task.waiting_points();
         for (const CheckResult& result : task.checks) all &= result.outcome == Outcome::passed;
         if (json) {
             report["tasks"].push_back(as_json(task));
@@ -132,10 +133,11 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
         printer.print(task);
     }
     if (json) {
-        report["points"] = points, report["of"] = manifest.points();
+        report["points"] = points, report["of"] = manifest.points(), report["waiting"] = waiting;
         fmt::print("{}\n", report.dump(2));
     } else {
-        fmt::print("{} of {} points\n", points_text(points), manifest.points());
+        fmt::print("{} of {} points{}\n", points_text(points), manifest.points(),
+                   waiting > 0 ? fmt::format(", {} waiting", points_text(waiting)) : "");
     }
     if (open || !page.empty()) {
         if (page.empty()) page = course_root() / "build" / "check" / (lab.folder + ".html");

@@ -29,7 +29,7 @@ constexpr size_t pixels_over_large = 4;
 /// Of a vector that should have unit length. Rounding to 8 bits takes 0.007, and a mean of neighbours some more.
 constexpr double unit_tolerance = 0.05;
 
-constexpr const char* outcome_names[] = {"passed",  "wrong",       "unfinished",    "broken",
+constexpr const char* outcome_names[] = {"passed",  "waiting",     "wrong",         "unfinished", "broken",
                                          "crashed", "out_of_time", "out_of_memory", "machine"};
 
 /// The measured values with their limits, and whether all limits were kept.
@@ -119,43 +119,89 @@ Image draw(const LabEntry& lab, const Shot& shot) {
 }
 
 bool has_failed(Outcome outcome) {
-    return outcome != Outcome::passed && outcome != Outcome::unfinished && outcome != Outcome::machine;
+    return outcome != Outcome::passed && outcome != Outcome::waiting && outcome != Outcome::unfinished &&
+           outcome != Outcome::machine;
 }
 
-/// How many other tasks can make it fail.
-size_t dependences(const CheckInfo& check) { return check.needs.size() + check.leans_on.size(); }
-
-/// Whether `other`'s task, and all that it depends on, are among the tasks that `check` depends on.
-bool is_below(const CheckInfo& other, const CheckInfo& check) {
-    const auto is_needed = [&](const std::string& task) { return check.depends_on(task); };
-    return is_needed(other.task) && std::all_of(other.needs.begin(), other.needs.end(), is_needed) &&
-           std::all_of(other.leans_on.begin(), other.leans_on.end(), is_needed);
+/// Whether a message comes from a compiler: it names the place itself, and all tasks of the file have it.
+bool names_its_place(const Judgement& said) {
+    const auto has = [&](const char* words) { return said.found.find(words) != std::string::npos; };
+    return said.outcome == Outcome::broken && (has("shaders/") || has("labs/") || has("does not compile"));
 }
 
-/// Whether another task has passed none of its checks, on which a failed check depends, while the check's own task has
-/// passed one that does without it.
-bool is_anothers(const Manifest& manifest, const std::vector<Judgement>& said, size_t failed) {
-    const CheckInfo& check = manifest.checks[failed];
-    const auto is_attested = [&](const std::string& other) {
-        for (size_t i = 0; i < said.size(); ++i)
-            if (manifest.checks[i].task == check.task && said[i].outcome == Outcome::passed &&
-                !manifest.checks[i].depends_on(other))
-                return true;
-        return false;
-    };
-    const auto has_only_failed = [&](const std::string& other) {
-        size_t failures = 0;
-        for (size_t i = 0; i < said.size(); ++i) {
-            if (manifest.checks[i].task != other || said[i].outcome == Outcome::unfinished) continue;
-            if (said[i].outcome == Outcome::passed) return false;
-            ++failures;
+/// By check, the tasks that can have made it fail; empty if it did not fail.
+std::vector<std::set<std::string>> suspects_of(const Manifest& manifest, const std::vector<Judgement>& said) {
+    std::vector<std::set<std::string>> suspects(said.size());
+    for (size_t i = 0; i < said.size(); ++i) {
+        if (!has_failed(said[i].outcome)) continue;
+        const CheckInfo& check = manifest.checks[i];
+        if (!said[i].culprit.empty()) {
+            suspects[i] = {said[i].culprit};
+        } else {
+            suspects[i] = {check.task};
+            if (names_its_place(said[i])) continue;
+            suspects[i].insert(check.needs.begin(), check.needs.end());
+            suspects[i].insert(check.leans_on.begin(), check.leans_on.end());
         }
-        return failures > 0;
+    }
+    return suspects;
+}
+
+bool have_common(const std::set<std::string>& some, const TaskIds& others) {
+    return std::any_of(others.begin(), others.end(), [&](const std::string& one) { return some.contains(one); });
+}
+
+/// Calls `take` with each set of `size` of these tasks, in order.
+void for_each_set(const TaskIds& tasks, size_t size, const std::function<void(const TaskIds&)>& take) {
+    std::vector<bool> is_in(tasks.size());
+    std::fill(is_in.begin(), is_in.begin() + std::ptrdiff_t(size), true);
+    do {
+        TaskIds set;
+        for (size_t i = 0; i < tasks.size(); ++i)
+            if (is_in[i]) set.push_back(tasks[i]);
+        take(set);
+    } while (std::prev_permutation(is_in.begin(), is_in.end()));
+}
+
+/// See put_right_first().
+TaskIds wrong_tasks(const Manifest& manifest, const std::vector<Judgement>& said,
+                    const std::vector<std::set<std::string>>& suspects, const std::set<std::string>& recognised) {
+    struct Share {
+        size_t failed = 0, all = 0;
     };
-    return said[failed].outcome != Outcome::passed &&
-           std::any_of(manifest.tasks.begin(), manifest.tasks.end(), [&](const TaskInfo& other) {
-               return check.depends_on(other.id) && has_only_failed(other.id) && is_attested(other.id);
-           });
+    std::map<std::string, Share> shares;
+    for (size_t i = 0; i < said.size(); ++i) {
+        Share& share = shares[manifest.checks[i].task];
+        share.failed += !suspects[i].empty(), ++share.all;
+    }
+    const auto is_culprit = [&](const std::string& task) {
+        return std::any_of(said.begin(), said.end(), [&](const Judgement& one) { return one.culprit == task; });
+    };
+    TaskIds failing;
+    for (const TaskInfo& task : manifest.tasks)
+        if (shares[task.id].failed > 0 || is_culprit(task.id)) failing.push_back(task.id);
+    TaskIds best;
+    for (size_t size = 1; size <= failing.size() && best.empty(); ++size) {
+        std::pair<size_t, double> most;
+        for_each_set(failing, size, [&](const TaskIds& set) {
+            if (!std::all_of(suspects.begin(), suspects.end(),
+                             [&](const auto& one) { return one.empty() || have_common(one, set); }))
+                return;
+            std::pair<size_t, double> worth;
+            for (const std::string& task : set) {
+                worth.first += recognised.contains(task);
+                worth.second += double(shares[task].failed) / double(shares[task].all);
+            }
+            if (best.empty() || worth > most) best = set, most = worth;
+        });
+    }
+    return best;
+}
+
+/// "1.2", "1.2, 1.3 and 1.4"
+std::string names_of(const TaskIds& tasks) {
+    if (tasks.size() < 2) return fmt::format("{}", fmt::join(tasks, ""));
+    return fmt::format("{} and {}", fmt::join(tasks.begin(), tasks.end() - 1, ", "), tasks.back());
 }
 
 }  // namespace
@@ -171,49 +217,67 @@ Outcome outcome_of(const std::string& name) {
 double TaskResult::points() const {
     double passed = 0;
     for (const CheckResult& result : checks) passed += result.outcome == Outcome::passed;
-    return task->points * passed / double(checks.size());
+    return checks.empty() ? 0 : task->points * passed / double(checks.size());
 }
 
-std::string waits_for(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written) {
-    std::vector<std::string> open;
+double TaskResult::waiting_points() const {
+    double waiting = 0;
+    for (const CheckResult& result : checks) waiting += result.outcome == Outcome::waiting;
+    return checks.empty() ? 0 : task->points * waiting / double(checks.size());
+}
+
+std::string points_text(const TaskResult& result) {
+    std::set<std::string> others;
+    for (const CheckResult& check : result.checks) others.insert(check.waits_for.begin(), check.waits_for.end());
+    const std::string points = fmt::format("{} of {} points", points_text(result.points()), result.task->points);
+    if (others.empty()) return points;
+    return fmt::format("{}, {} waiting for {}", points, points_text(result.waiting_points()),
+                       names_of({others.begin(), others.end()}));
+}
+
+TaskIds missing_tasks(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written) {
+    TaskIds missing;
     for (const std::string& task : check.needs)
-        if (!is_written(task)) open.push_back(task);
-    if (open.empty()) return {};
-    if (open.size() == 1) return fmt::format("waits for task {}, which is not written yet", open.front());
-    const std::string last = open.back();
-    open.pop_back();
-    return fmt::format("waits for tasks {} and {}, which are not written yet", fmt::join(open, ", "), last);
+        if (!is_written(task)) missing.push_back(task);
+    return missing;
 }
 
-std::vector<const CheckInfo*> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said) {
-    std::vector<const CheckInfo*> before(said.size());
+std::string waits_text(const TaskIds& tasks, const char* state) {
+    return fmt::format("waits for {} {}, which {} not {} yet", tasks.size() > 1 ? "tasks" : "task", names_of(tasks),
+                       tasks.size() > 1 ? "are" : "is", state);
+}
+
+std::vector<TaskIds> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said,
+                                     const std::set<std::string>& recognised) {
+    const std::vector<std::set<std::string>> suspects = suspects_of(manifest, said);
+    const TaskIds wrong = wrong_tasks(manifest, said, suspects, recognised);
+    const auto is_wrong = [&](const std::string& task) {
+        return std::find(wrong.begin(), wrong.end(), task) != wrong.end();
+    };
+    // Wrong tasks with a failure that no other task explains. Nobody waits for another wrong task but these, which
+    // themselves need not wait: so there is no circle.
+    std::set<std::string> certain;
     for (size_t i = 0; i < said.size(); ++i) {
-        if (!has_failed(said[i].outcome)) continue;
-        const CheckInfo& check = manifest.checks[i];
-        const CheckInfo*& first = before[i];
-        for (size_t j = 0; j < said.size(); ++j) {
-            // The same message twice comes from a compiler, and names the place itself.
-            const bool is_same = said[i].outcome == Outcome::broken && said[i].found == said[j].found;
-            if (!has_failed(said[j].outcome) || is_same || !is_below(manifest.checks[j], check)) continue;
-            if (!first || dependences(manifest.checks[j]) < dependences(*first)) first = &manifest.checks[j];
-        }
+        const std::string& own = manifest.checks[i].task;
+        if (is_wrong(own) && suspects[i].contains(own) &&
+            std::count_if(suspects[i].begin(), suspects[i].end(), is_wrong) == 1)
+            certain.insert(own);
     }
-    return before;
+    std::vector<TaskIds> first(said.size());
+    for (size_t i = 0; i < said.size(); ++i)
+        for (const std::string& task : wrong)
+            if (const std::string& own = manifest.checks[i].task;
+                task != own && suspects[i].contains(task) && (!is_wrong(own) || certain.contains(task)))
+                first[i].push_back(task);
+    return first;
 }
 
-std::vector<bool> blames_another(const Manifest& manifest, const std::vector<Judgement>& said) {
-    const std::vector<const CheckInfo*> first = put_right_first(manifest, said);
-    std::vector<bool> blames;
-    for (size_t i = 0; i < said.size(); ++i) blames.push_back(first[i] || is_anothers(manifest, said, i));
-    return blames;
-}
-
-std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said) {
-    const std::vector<const CheckInfo*> before = put_right_first(manifest, said);
+std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said,
+                               const std::vector<TaskIds>& first) {
     std::vector<std::string> hints(said.size());
     for (size_t i = 0; i < said.size(); ++i)
-        if (before[i])
-            hints[i] = fmt::format("put task {} right first", before[i]->task);
+        if (!first[i].empty())
+            hints[i] = fmt::format("put task {} right first", fmt::join(first[i], " and task "));
         else if (said[i].outcome == Outcome::wrong)
             hints[i] = manifest.checks[i].look_at;
     return hints;
@@ -255,6 +319,14 @@ struct CheckRun {
     bool was_tried = false;
 };
 
+/// The task whose part of a task file has this line; empty if there is none.
+std::string task_at(const Manifest& manifest, const Place& place) {
+    for (const TaskInfo& task : manifest.tasks)
+        if (place.line > 0 && shown(place.file) == task.file)
+            return task_at_line(read_file(place.file), size_t(place.line));
+    return {};
+}
+
 CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                    const std::optional<Image>& expected) {
     CheckRun run{{&check}};
@@ -267,8 +339,8 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
         };
         if (!is_written(check.task)) {
             said = {Outcome::unfinished, "not written yet"};
-        } else if (const std::string waits = waits_for(check, is_written); !waits.empty()) {
-            said = {Outcome::unfinished, waits};
+        } else if (result.waits_for = missing_tasks(check, is_written); !result.waits_for.empty()) {
+            said = {Outcome::waiting, waits_text(result.waits_for, "written")};
         } else {
             run.was_tried = true;
             const TellMissingTasks untold(false);
@@ -279,11 +351,12 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
             said = judge(manifest, check, result.drawn, result.expected);
         }
     } catch (const Error& error) {
-        said = {Outcome::broken, error.what()};
+        said = {Outcome::broken, error.what(), task_at(manifest, error.place())};
         result.details = error.more_details();
     }
     result.outcome = said.outcome;
     result.found = said.found;
+    result.culprit = said.culprit;
     return run;
 }
 
@@ -332,7 +405,7 @@ CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) 
     const std::string beyond = what_reaches_beyond(file, others);
     CheckRun run = beyond.empty() ? try_check(lab, manifest, manifest.checks[check], expected)
                                   : CheckRun{{&manifest.checks[check], Outcome::broken, beyond}};
-    said[check] = {run.result.outcome, run.result.found};
+    said[check] = {run.result.outcome, run.result.found, run.result.culprit};
     drawn.erase(check);
     if (const auto places = fingerprints.checks.find(check); run.was_tried && places != fingerprints.checks.end())
         drawn[check] = sample_at(run.drawn, run.result.found, places->second.values);
@@ -341,15 +414,29 @@ CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) 
 
 Advice LabChecker::advice() const {
     const auto& [lab, manifest, others, fingerprints, said, drawn] = *memory_;
-    Advice advice{hints(manifest, said), {}};
-    for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, drawn))
+    std::set<std::string> recognised;
+    for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, drawn)) recognised.insert(task);
+    const std::vector<TaskIds> first = put_right_first(manifest, said, recognised);
+    Advice advice{first, hints(manifest, said, first), {}};
+    Samples own = drawn;  // what tells of the check's own task
+    for (size_t i = 0; i < said.size(); ++i)
+        if (!first[i].empty()) own.erase(i);
+    for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, own))
         advice.mistakes[task] = mistake->hint;
-    const std::vector<bool> blames = blames_another(manifest, said);
     for (size_t i = 0; i < said.size(); ++i)
         if (const auto mistake = advice.mistakes.find(manifest.checks[i].task);
-            mistake != advice.mistakes.end() && has_failed(said[i].outcome) && !blames[i])
+            mistake != advice.mistakes.end() && has_failed(said[i].outcome) && first[i].empty())
             advice.look_at[i] = mistake->second;
     return advice;
+}
+
+void Advice::apply(size_t check, CheckResult& result) const {
+    result.look_at = look_at[check];
+    if (first[check].empty()) return;
+    result.outcome = Outcome::waiting;
+    result.found = waits_text(first[check], "right");
+    result.details.clear();
+    result.waits_for = first[check];
 }
 
 std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest, const Expected& expected) {
@@ -370,8 +457,7 @@ std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest,
     Advice advice = checker.advice();
     for (TaskResult& task : results) {
         task.mistake = advice.mistakes[task.task->id];
-        for (CheckResult& result : task.checks)
-            result.look_at = advice.look_at[size_t(result.check - manifest.checks.data())];
+        for (CheckResult& result : task.checks) advice.apply(size_t(result.check - manifest.checks.data()), result);
     }
     return results;
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,18 +13,24 @@
 
 namespace relief {
 
-/// `unfinished`: the task, or one that the check needs, still calls unfinished(). `broken`: it does not compile,
-/// throws, or draws nothing. The last four occur only in a separate process. `machine`: the grader or the machine
-/// failed; that costs the student nothing.
-enum class Outcome { passed, wrong, unfinished, broken, crashed, out_of_time, out_of_memory, machine };
+/// `waiting`: a task that the check depends on is not written, or is wrong, so the check says nothing about its own
+/// task yet. `unfinished`: the task still calls unfinished(). `broken`: it does not compile, throws, or draws nothing.
+/// The last four occur only in a separate process. `machine`: the grader or the machine failed; that costs the student
+/// nothing. In the order in which a task's worst is shown.
+enum class Outcome { passed, waiting, wrong, unfinished, broken, crashed, out_of_time, out_of_memory, machine };
 const char* name_of(Outcome outcome);
 /// Throws Error for an unknown word.
 Outcome outcome_of(const std::string& name);
+
+/// The ids of tasks.
+using TaskIds = std::vector<std::string>;
 
 /// The result of a check.
 struct Judgement {
     Outcome outcome = Outcome::broken;
     std::string found = {};  ///< the measured and the allowed value, or the error
+    /// The task in whose part of its file a compiler found the error, which is alone to blame; else empty.
+    std::string culprit = {};
 };
 
 struct CheckResult {
@@ -33,6 +40,8 @@ struct CheckResult {
     std::string details = {};         ///< what a compiler says more than `found`, with its source lines, or empty
     Image drawn = {}, expected = {};  ///< the compared pictures; empty if nothing was compared
     std::string look_at = {};         ///< see Advice; only check_lab() fills it in
+    std::string culprit = {};         ///< see Judgement
+    TaskIds waits_for = {};           ///< the tasks for which it waits; in the manifest's order
 };
 
 struct TaskResult {
@@ -41,29 +50,34 @@ struct TaskResult {
     std::string mistake = {};  ///< see Advice; empty if none is known
     /// Each passed check earns an equal share of the task's points.
     double points() const;
+    /// The share of the checks that wait: how many points are still open.
+    double waiting_points() const;
 };
 
 /// "2", "1.5"
 std::string points_text(double points);
 
-/// "waits for task 1.2, which is not written yet": the tasks that the check needs and that are not written. Empty if
-/// all are written.
-std::string waits_for(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written);
+/// "2.25 of 3 points", and "0.75 waiting for 1.2" if checks wait for other tasks.
+std::string points_text(const TaskResult& result);
 
-/// For each failed check, another failed check that should be put right first, or nullptr. The other check's task, and
-/// all tasks that it depends on, must be among the tasks that this check depends on. So the other check is about fewer
-/// tasks, and hints never form a circle. If there are several, it is the one that depends on the fewest tasks. `said`
-/// is in the manifest's order of checks.
-std::vector<const CheckInfo*> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said);
+/// The tasks that the check needs and that are not written.
+TaskIds missing_tasks(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written);
+/// "waits for task 1.2, which is not written yet"; `state` is "written" or "right".
+std::string waits_text(const TaskIds& tasks, const char* state);
 
-/// For each check, whether it failed and another task may be to blame: one that should be put right first, or one that
-/// this check depends on and that has failed all its own checks, while this check's task passes a check that does
-/// without it. What such a check drew tells nothing about a mistake in its own task.
-std::vector<bool> blames_another(const Manifest& manifest, const std::vector<Judgement>& said);
+/// For each failed check, the wrong tasks that should be put right first; empty for all other checks. Such a check says
+/// nothing about its own task. The wrong tasks are the smallest set of tasks with failed checks that explains all
+/// failures: each failed check is of one of them or depends on one. Of several such sets, that in which more tasks are
+/// in `recognised`, then that which fails the larger share of its checks. Following the tasks that checks wait for ends
+/// at a failed check that waits for none. `said` is in the manifest's order of checks; `recognised`: the tasks whose
+/// pictures show a known mistake.
+std::vector<TaskIds> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said,
+                                     const std::set<std::string>& recognised = {});
 
-/// The hint of each check for the student: the task to put right first (see put_right_first()), else the check's own
-/// hint. Empty if the check passed, or if `found` says enough.
-std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said);
+/// The hint of each check for the student: the tasks to put right first (`first`, see put_right_first()), else the
+/// check's own hint. Empty if the check passed, or if `found` says enough.
+std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said,
+                               const std::vector<TaskIds>& first);
 
 /// The picture that a check compares with: the file in the lab's folder `expected`, if a handout put it there; else the
 /// exact values, or what this course's files draw. Nothing for a check that compares with another check. Drawing needs
@@ -82,8 +96,12 @@ CheckResult run_check(const LabEntry& lab, const Manifest& manifest, const Check
 
 /// What all results together say.
 struct Advice {
+    std::vector<TaskIds> first;                   ///< by check: see put_right_first()
     std::vector<std::string> look_at;             ///< by check: the hint of the known mistake, or see hints()
     std::map<std::string, std::string> mistakes;  ///< by task: the hint of the known mistake that its pictures show
+
+    /// Completes the result of a check: it waits for tasks that should be put right first, or has a hint.
+    void apply(size_t check, CheckResult& result) const;
 };
 
 /// Runs a lab's checks one at a time, in any order and each as often as wanted. Task files are read at each run; the

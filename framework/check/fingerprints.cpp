@@ -130,11 +130,11 @@ void read_mistake(Table& table, const Manifest& manifest, Fingerprints& result) 
 
 /// Of the checks that may be compared: their likeness, or nothing where a failed one is not like the mistake.
 std::optional<Likeness> likeness_of(const Fingerprints& fingerprints, const Fingerprints::Mistake& mistake,
-                                    const Manifest& manifest, const std::vector<Judgement>& said, const Samples& drawn,
-                                    const std::vector<bool>& blames) {
+                                    const Manifest& manifest, const std::vector<Judgement>& said,
+                                    const Samples& drawn) {
     Likeness sum;
     for (const auto& [check, sample] : mistake.draws) {
-        if (!drawn.contains(check) || blames[check]) continue;
+        if (!drawn.contains(check)) continue;
         const Likeness one = likeness(drawn.at(check), sample, fingerprints.checks.at(check).solution,
                                       bool(manifest.checks[check].shot.probe));
         if (said[check].outcome != Outcome::passed && one.share() < min_agreement) return {};
@@ -205,15 +205,14 @@ std::map<std::string, const Fingerprints::Mistake*> name_mistakes(const Fingerpr
                                                                   const Manifest& manifest,
                                                                   const std::vector<Judgement>& said,
                                                                   const Samples& drawn) {
-    const std::vector<bool> blames = blames_another(manifest, said);
     std::map<std::string, const Fingerprints::Mistake*> named;
     std::map<std::string, double> best;
-    for (const auto& [check, sample] : drawn)  // tasks with a failure that may be their own
-        if (said[check].outcome != Outcome::passed && !blames[check]) best[manifest.checks[check].task] = min_agreement;
+    for (const auto& [check, sample] : drawn)
+        if (said[check].outcome != Outcome::passed) best[manifest.checks[check].task] = min_agreement;
     for (const Fingerprints::Mistake& mistake : fingerprints.mistakes) {
         const auto share = best.find(mistake.task);
         if (share == best.end()) continue;
-        const auto like = likeness_of(fingerprints, mistake, manifest, said, drawn, blames);
+        const auto like = likeness_of(fingerprints, mistake, manifest, said, drawn);
         if (!like || like->share() <= share->second) continue;
         share->second = like->share();
         named[mistake.task] = &mistake;

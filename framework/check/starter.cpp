@@ -140,4 +140,40 @@ bool is_unfinished(const std::string& text, const std::string& task) {
     return false;
 }
 
+std::vector<TaskPart> task_parts(const std::string& text) {
+    std::vector<TaskPart> parts = {{"", ""}};
+    for (size_t begin = 0; begin < text.size();) {
+        const size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+        const std::string_view line = std::string_view(text).substr(begin, end - begin);
+        size_t at = std::min(line.find_first_not_of(" \t"), line.size());
+        if (line.substr(at).starts_with("//")) {
+            at = std::min(line.find_first_not_of("/ \t", at), line.size());
+            if (line.substr(at).starts_with("TASK ")) {
+                at += 5;
+                size_t after = at;
+                while (after < line.size() &&
+                       (std::isdigit(static_cast<unsigned char>(line[after])) || line[after] == '.'))
+                    ++after;
+                while (after > at && line[after - 1] == '.') --after;  // the end of a sentence
+                const std::string id(line.substr(at, after - at));
+                if (!id.empty() &&
+                    std::none_of(parts.begin(), parts.end(), [&](const TaskPart& one) { return one.task == id; }))
+                    parts.push_back({id, ""});
+            }
+        }
+        parts.back().text += line;
+        begin = end;
+    }
+    return parts;
+}
+
+std::string task_at_line(const std::string& text, size_t line) {
+    size_t ends = 0;
+    for (const TaskPart& part : task_parts(text)) {
+        ends += size_t(std::count(part.text.begin(), part.text.end(), '\n'));
+        if (line <= ends + (part.text.empty() || part.text.ends_with('\n') ? 0 : 1)) return part.task;
+    }
+    return {};
+}
+
 }  // namespace relief

@@ -42,4 +42,16 @@ Region region_of(const std::string& text, const std::filesystem::path& file, con
 /// the whole file counts.
 bool is_unfinished(const std::string& text, const std::string& task);
 
+/// The part of a task file that is about one task: from its first line "// TASK 11.2" to the next such line of another
+/// task.
+struct TaskPart {
+    std::string task;  ///< its id; empty for what stands before the first task
+    std::string text;
+};
+/// The parts of a task file in order: first what stands before the tasks, which may be empty.
+std::vector<TaskPart> task_parts(const std::string& text);
+
+/// The task whose part has this line, counted from 1; empty if it is no task's.
+std::string task_at_line(const std::string& text, size_t line);
+
 }  // namespace relief

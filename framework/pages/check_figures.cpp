@@ -26,6 +26,7 @@ const char* sign_of(Outcome outcome) {
         case Outcome::wrong:
             return "✗";
         case Outcome::unfinished:
+        case Outcome::waiting:
             return "…";
         case Outcome::machine:
             return "?";

@@ -54,7 +54,7 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
         std::set<std::string> hints;  // each once in a task
         for (const CheckResult& result : task.checks) {
             Fields fields = fields_of(manifest, result);
-            const bool is_told = result.outcome != Outcome::passed && result.outcome != Outcome::unfinished;
+            const bool is_told = result.outcome >= Outcome::wrong && result.outcome != Outcome::unfinished;
             const std::string hint = look_at(result);
             const bool is_new = is_told && !hint.empty() && hints.insert(hint).second;
             fields["look_at"] = is_new ? rows(with_code(hint).list) : Value();
@@ -63,8 +63,7 @@ std::string check_page(const LabEntry& lab, const Manifest& manifest, const std:
         shown.push_back(Fields{{"id", task.task->id},
                                {"title", task.task->title},
                                {"file", task.task->file},
-                               {"points", points_text(task.points())},
-                               {"of", task.task->points},
+                               {"points", points_text(task)},
                                {"worst", badge(worst(task))},
                                {"checks", std::move(checks)}});
     }

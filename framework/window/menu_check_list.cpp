@@ -27,6 +27,7 @@ Sign sign_of(const std::optional<CheckResult>& result) {
         case Outcome::passed:
             return {"\u2713", good};
         case Outcome::unfinished:
+        case Outcome::waiting:
             return {"\u2026", waiting};
         case Outcome::wrong:
             return {"\u2717", alarm};
@@ -93,8 +94,7 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
         wrapped(fmt::format("{}  {}", task.id, task.title));
         ImGui::PopFont();
         const bool is_whole = checks.state(task) == TaskState::passed;
-        colored_text(is_whole ? good : quiet,
-                     fmt::format("{} of {} points", points_text(checks.points(task)), task.points));
+        colored_text(is_whole ? good : quiet, points_text(checks.of(task)));
         ImGui::SameLine();
         ImGui::PushID(task.id.c_str());
         if (ImGui::SmallButton("edit")) wish.edit = {task.file, line_of(task)};

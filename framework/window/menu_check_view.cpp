@@ -79,9 +79,9 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
     if (!result)
         quiet_text("This check has not been run yet.");
     else
-        colored_text(result->outcome == Outcome::passed       ? good
-                     : result->outcome == Outcome::unfinished ? waiting
-                                                              : alarm,
+        colored_text(result->outcome == Outcome::passed                                              ? good
+                     : result->outcome == Outcome::unfinished || result->outcome == Outcome::waiting ? waiting
+                                                                                                     : alarm,
                      outcome_words(result->outcome) + ": " + result->found);
     if (ImGui::Button("yours")) border_ = 1;
     ImGui::SameLine();

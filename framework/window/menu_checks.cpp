@@ -79,9 +79,9 @@ void Checks::run_next(const std::string& first) {
     }
     if (pending()) return;
     Advice advice = checker_->advice();
-    for (size_t k = 0; k < results_.size(); ++k) results_[k]->look_at = advice.look_at[k];
+    for (size_t k = 0; k < results_.size(); ++k) advice.apply(k, *results_[k]);
     mistakes_ = std::move(advice.mistakes);
-    for (const auto& [task, hint] : mistakes_) 
+    for (const auto& [task, hint] : mistakes_)
         print_event(fmt::format("task {}, look at: {}", task, plain_text(line_with_code(hint))));
     print_event(fmt::format("checks: {} of {} points", points_text(points()), manifest_.points()));
 }
@@ -92,32 +92,36 @@ size_t Checks::count() const {
 }
 
 TaskState Checks::state(const TaskInfo& task) const {
-    bool all = true, waiting = false, unfinished = false;
+    bool all = true, waiting = false, unfinished = false, wrong = false;
     for (size_t i = 0; i < results_.size(); ++i) {
         if (manifest_.checks[i].task != task.id) continue;
         waiting |= !results_[i];
         if (!results_[i]) continue;
         unfinished |= results_[i]->outcome == Outcome::unfinished;
+        wrong |= results_[i]->outcome > Outcome::waiting;
         all &= results_[i]->outcome == Outcome::passed;
     }
     return waiting      ? TaskState::waiting
            : all        ? TaskState::passed
            : unfinished ? TaskState::unfinished
-                        : TaskState::wrong;
+           : wrong      ? TaskState::wrong
+                        : TaskState::blocked;
 }
 
-double Checks::points(const TaskInfo& task) const {
+TaskResult Checks::of(const TaskInfo& task) const {
     TaskResult whole{&task, {}};
-    for (size_t i = 0; i < results_.size(); ++i)
-        if (manifest_.checks[i].task == task.id)
-            whole.checks.push_back(
-                {.check = &manifest_.checks[i], .outcome = results_[i] ? results_[i]->outcome : Outcome::unfinished});
-    return whole.checks.empty() ? 0 : whole.points();
+    for (size_t i = 0; i < results_.size(); ++i) {
+        if (manifest_.checks[i].task != task.id) continue;
+        CheckResult& check = whole.checks.emplace_back();
+        check.check = &manifest_.checks[i], check.outcome = Outcome::unfinished;
+        if (results_[i]) check.outcome = results_[i]->outcome, check.waits_for = results_[i]->waits_for;
+    }
+    return whole;
 }
 
 double Checks::points() const {
     double sum = 0;
-    for (const TaskInfo& task : manifest_.tasks) sum += points(task);
+    for (const TaskInfo& task : manifest_.tasks) sum += of(task).points();
     return sum;
 }
 

@@ -11,8 +11,8 @@
 
 namespace relief {
 
-/// Progress of a task.
-enum class TaskState { waiting, passed, wrong, unfinished };
+/// Progress of a task. `waiting`: not all checks have run. `blocked`: none fails, but some wait for other tasks.
+enum class TaskState { waiting, passed, wrong, unfinished, blocked };
 
 class Checks {
 public:
@@ -42,7 +42,8 @@ public:
     size_t count() const;
     bool is_whole() const { return count() == results_.size(); }
     TaskState state(const TaskInfo& task) const;
-    double points(const TaskInfo& task) const;
+    /// Its checks without their pictures; one that has not run yet is unfinished.
+    TaskResult of(const TaskInfo& task) const;
     double points() const;
     /// Returns the hint of the known mistake that the task's pictures show. Empty if none is known, or if some checks
     /// have not run.

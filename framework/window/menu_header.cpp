@@ -26,7 +26,9 @@ Sign sign_of(TaskState state) {
         case TaskState::wrong:
             return {"\u2717", "has a check that fails", alarm};
         case TaskState::unfinished:
-            return {"\u2026", "is not written yet, or waits for one that is not", waiting};
+            return {"\u2026", "is not written yet", waiting};
+        case TaskState::blocked:
+            return {"\u2026", "waits for another task that is not written or not right", waiting};
         case TaskState::waiting:
             break;
     }
@@ -67,8 +69,8 @@ void draw_tasks(const Checks& checks, float right, MenuWish& wish) {
     for (size_t i = 0; all && i < tasks.size(); ++i) {
         const Sign sign = sign_of(checks.state(tasks[i]));
         ImGui::TextColored(sign.color, "%s", lines[i].c_str());
-        tooltip(fmt::format("Task {}, {}, {}: {} of {} points. A click opens its checks.", tasks[i].id, tasks[i].title,
-                            sign.help, points_text(checks.points(tasks[i])), tasks[i].points));
+        tooltip(fmt::format("Task {}, {}, {}: {}. A click opens its checks.", tasks[i].id, tasks[i].title, sign.help,
+                            points_text(checks.of(tasks[i]))));
         if (ImGui::IsItemClicked()) wish.tasks = true;
         ImGui::SameLine(0, ImGui::GetStyle().ItemSpacing.x * 1.5f);
     }

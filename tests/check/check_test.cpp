@@ -21,82 +21,126 @@ Manifest manifest() {
     Manifest manifest;
     manifest.checks = {check("1.1", {}), check("1.1", {"1.2"}), check("1.2", {}), check("1.2", {"1.1"}),
                        check("1.3", {"1.1", "1.2"})};
+    for (const char* id : {"1.1", "1.2", "1.3"}) manifest.tasks.push_back({.id = id, .title = {}, .file = {}});
     return manifest;
 }
 
-TEST(WaitsFor, NamesTheTasksThatAreNotWritten) {
+std::vector<TaskIds> first(const std::vector<Judgement>& said, const std::set<std::string>& recognised = {}) {
+    return put_right_first(manifest(), said, recognised);
+}
+std::vector<std::string> hints_of(const Manifest& manifest, const std::vector<Judgement>& said) {
+    return hints(manifest, said, put_right_first(manifest, said));
+}
+
+TEST(MissingTasks, AreThoseThatTheCheckNeedsAndThatAreNotWritten) {
     const CheckInfo info = check("1.1", {"1.2", "1.3", "1.4"});
     const auto all_but = [](std::set<std::string> open_tasks) {
         return [open_tasks](const std::string& task) { return !open_tasks.contains(task); };
     };
-    EXPECT_EQ(waits_for(info, all_but({})), "");
-    EXPECT_EQ(waits_for(info, all_but({"1.3"})), "waits for task 1.3, which is not written yet");
-    EXPECT_EQ(waits_for(info, all_but({"1.2", "1.4"})), "waits for tasks 1.2 and 1.4, which are not written yet");
-    EXPECT_EQ(waits_for(info, all_but({"1.2", "1.3", "1.4"})),
+    EXPECT_EQ(missing_tasks(info, all_but({})), TaskIds());
+    EXPECT_EQ(missing_tasks(info, all_but({"1.2", "1.4"})), (TaskIds{"1.2", "1.4"}));
+    EXPECT_EQ(missing_tasks(info, all_but({"1.5"})), TaskIds()) << "not needed";
+    EXPECT_EQ(waits_text({"1.3"}, "written"), "waits for task 1.3, which is not written yet");
+    EXPECT_EQ(waits_text({"1.2", "1.4"}, "right"), "waits for tasks 1.2 and 1.4, which are not right yet");
+    EXPECT_EQ(waits_text({"1.2", "1.3", "1.4"}, "written"),
               "waits for tasks 1.2, 1.3 and 1.4, which are not written yet");
-    EXPECT_EQ(waits_for(info, all_but({"1.5"})), "") << "not needed";
 }
 
-TEST(Hints, AreTheChecksOwnWhereNothingThatItNeedsIsWrong) {
-    EXPECT_EQ(hints(manifest(), {right, right, right, right, wrong}),
-              (std::vector<std::string>{"", "", "", "", "own hint of 1.3"}));
-    EXPECT_EQ(hints(manifest(), {right, open, right, {Outcome::machine, "x"}, {Outcome::broken, "x"}}),
-              (std::vector<std::string>(5)))
-        << "what does not draw says itself why";
-}
-
-TEST(Hints, NameTheNeededTaskThatIsWrongByItself) {
-    EXPECT_EQ(hints(manifest(), {right, wrong, wrong, wrong, wrong}),
-              (std::vector<std::string>{"", "put task 1.2 right first", "own hint of 1.2", "own hint of 1.2",
-                                        "put task 1.2 right first"}));
-    const std::vector<std::string> crashed =
-        hints(manifest(), {right, {Outcome::broken, "no number"}, {Outcome::crashed, "signal 11"}, right, right});
-    EXPECT_EQ(crashed[1], "put task 1.2 right first");
-}
-
-TEST(Hints, NameWhatComesFirstHoweverACheckHasFailed) {
-    for (const Outcome outcome : {Outcome::wrong, Outcome::crashed, Outcome::out_of_time, Outcome::out_of_memory}) {
-        const std::vector<Judgement> said = {right, right, wrong, right, {outcome, "off"}};
-        EXPECT_EQ(hints(manifest(), said)[4], "put task 1.2 right first") << name_of(outcome);
-        const Manifest all = manifest();
-        const std::vector<const CheckInfo*> first = put_right_first(all, said);
-        EXPECT_EQ(first, (std::vector<const CheckInfo*>{nullptr, nullptr, nullptr, nullptr, &all.checks[2]}));
-    }
-}
-
-TEST(Hints, NameWhatACheckLeansOnAndDoNotWaitForIt) {
-    Manifest all = manifest();
-    all.checks[4].needs = {"1.1"}, all.checks[4].leans_on = {"1.2"};
-    EXPECT_EQ(hints(all, {right, right, wrong, right, wrong})[4], "put task 1.2 right first");
-    EXPECT_EQ(hints(all, {right, wrong, right, right, wrong})[4], "put task 1.1 right first");
-    EXPECT_EQ(waits_for(all.checks[4], [](const std::string& task) { return task != "1.2"; }), "");
-}
-
-TEST(Hints, SendNobodyInACircle) {
-    // Each of the two is wrong only where the other takes part: nothing says which.
-    EXPECT_EQ(hints(manifest(), {right, wrong, right, wrong, right}),
-              (std::vector<std::string>{"", "own hint of 1.1", "", "own hint of 1.2", ""}));
-    // Of any set of failed checks, one that is about the fewest tasks keeps its own hint, and so does whatever a hint
-    // names.
+TEST(PointsText, TellsWhichPointsWaitForOtherTasks) {
     const Manifest all = manifest();
-    for (unsigned set = 1; set < 32; ++set) {
-        std::vector<Judgement> said;
-        for (unsigned i = 0; i < 5; ++i) said.push_back(set >> i & 1 ? wrong : right);
-        const std::vector<std::string> found = hints(all, said);
-        for (size_t i = 0; i < 5; ++i) {
-            if (said[i].outcome == Outcome::passed || found[i] == all.checks[i].look_at) continue;
-            bool named_has_its_own = false;
-            for (size_t j = 0; j < 5; ++j)
-                named_has_its_own |=
-                    found[i] == "put task " + all.checks[j].task + " right first" && found[j] == all.checks[j].look_at;
-            EXPECT_TRUE(named_has_its_own) << found[i] << " in " << set;
+    const TaskInfo task{.id = "1.2", .title = {}, .file = {}, .points = 3};
+    TaskResult result{
+        &task,
+        {{.check = &all.checks[2], .outcome = Outcome::passed}, {.check = &all.checks[3], .outcome = Outcome::wrong}}};
+    EXPECT_EQ(points_text(result), "1.5 of 3 points");
+    result.checks[1].outcome = Outcome::waiting, result.checks[1].waits_for = {"1.1"};
+    EXPECT_EQ(points_text(result), "1.5 of 3 points, 1.5 waiting for 1.1");
+    result.checks[0].outcome = Outcome::waiting, result.checks[0].waits_for = {"1.1", "1.3"};
+    EXPECT_EQ(points_text(result), "0 of 3 points, 3 waiting for 1.1 and 1.3");
+}
+
+TEST(PutRightFirst, IsTheOneTaskThatExplainsAllFailures) {
+    EXPECT_EQ(first({right, right, right, right, right}), std::vector<TaskIds>(5));
+    EXPECT_EQ(first({right, right, right, right, wrong}), std::vector<TaskIds>(5)) << "1.3 itself";
+    EXPECT_EQ(first({right, right, wrong, right, wrong}), (std::vector<TaskIds>{{}, {}, {}, {}, {"1.2"}}));
+    EXPECT_EQ(first({right, wrong, wrong, wrong, wrong}), (std::vector<TaskIds>{{}, {"1.2"}, {}, {}, {"1.2"}}))
+        << "'1.2' alone explains its own check";
+    EXPECT_EQ(first({wrong, wrong, wrong, wrong, wrong}),
+              (std::vector<TaskIds>{{}, {"1.2"}, {}, {"1.1"}, {"1.1", "1.2"}}))
+        << "each has a failure of its own";
+}
+
+TEST(PutRightFirst, IsATaskThatFailsMoreOfItsChecksWhereTwoExplainAll) {
+    Manifest all = manifest();
+    all.checks[0].needs = {"1.2"};  // 1.1 is seen only through 1.2
+    const std::vector<Judgement> said = {wrong, wrong, right, wrong, right};
+    EXPECT_EQ(put_right_first(all, said), (std::vector<TaskIds>{{}, {}, {}, {"1.1"}, {}}));
+    EXPECT_EQ(put_right_first(all, said, {"1.2"}), (std::vector<TaskIds>{{"1.2"}, {"1.2"}, {}, {}, {}}))
+        << "1.2 draws what a known mistake draws";
+}
+
+TEST(PutRightFirst, IsTheTaskInWhichACompilerFoundTheError) {
+    Judgement message{Outcome::broken, "shaders/01_a/task.glsl:7: syntax error"};
+    EXPECT_EQ(first({message, message, message, message, message}), std::vector<TaskIds>(5))
+        << "the message names the place itself";
+    message.culprit = "1.2";
+    EXPECT_EQ(first({message, message, message, message, message}),
+              (std::vector<TaskIds>{{"1.2"}, {"1.2"}, {}, {}, {"1.2"}}));
+}
+
+TEST(PutRightFirst, IsTheTaskThatDrawsNoNumbersThoughTheOtherSaysTheSame) {
+    const Judgement nothing{Outcome::broken, "probe 'uv': 4 pixels are not finite"};
+    EXPECT_EQ(first({right, right, nothing, right, nothing})[4], TaskIds{"1.2"});
+}
+
+TEST(PutRightFirst, SendsNobodyInACircle) {
+    // In the second manifest no check is about one task alone.
+    Manifest entangled = manifest();
+    entangled.checks[0].leans_on = {"1.3"}, entangled.checks[2].leans_on = {"1.1"};
+    for (const Manifest& all : {manifest(), entangled}) {
+        for (unsigned set = 1; set < 32; ++set) {
+            std::vector<Judgement> said;
+            for (unsigned i = 0; i < 5; ++i) said.push_back(set >> i & 1 ? wrong : right);
+            const std::vector<TaskIds> before = put_right_first(all, said);
+            // From each check to the failed ones of a task that it waits for, until one waits for none.
+            std::set<size_t> ends;
+            for (size_t round = 0; round < 5; ++round)
+                for (size_t i = 0; i < 5; ++i) {
+                    if (said[i].outcome == Outcome::passed) continue;
+                    bool ends_there = before[i].empty();
+                    for (size_t j = 0; j < 5; ++j)
+                        for (const std::string& task : before[i])
+                            ends_there |= all.checks[j].task == task && ends.contains(j);
+                    if (ends_there) ends.insert(i);
+                }
+            for (size_t i = 0; i < 5; ++i)
+                EXPECT_TRUE(said[i].outcome == Outcome::passed || ends.contains(i)) << i << " of " << set;
         }
     }
 }
 
-TEST(Hints, LeaveACompilersMessageToSpeakForItself) {
-    const Judgement message{Outcome::broken, "task.glsl:7: syntax error"};
-    EXPECT_EQ(hints(manifest(), {message, message, message, message, message}), (std::vector<std::string>(5)));
+TEST(Hints, AreTheChecksOwnWhereNothingThatItNeedsIsWrong) {
+    EXPECT_EQ(hints_of(manifest(), {right, right, right, right, wrong}),
+              (std::vector<std::string>{"", "", "", "", "own hint of 1.3"}));
+    EXPECT_EQ(hints_of(manifest(), {right, open, right, {Outcome::machine, "x"}, {Outcome::broken, "x"}}),
+              (std::vector<std::string>(5)))
+        << "what does not draw says itself why";
+}
+
+TEST(Hints, NameTheNeededTaskThatIsWrongByItselfHoweverItFailed) {
+    EXPECT_EQ(hints_of(manifest(), {right, wrong, wrong, wrong, wrong}),
+              (std::vector<std::string>{"", "put task 1.2 right first", "own hint of 1.2", "own hint of 1.2",
+                                        "put task 1.2 right first"}));
+    for (const Outcome outcome : {Outcome::wrong, Outcome::crashed, Outcome::out_of_time, Outcome::out_of_memory})
+        EXPECT_EQ(hints_of(manifest(), {right, right, wrong, right, {outcome, "off"}})[4], "put task 1.2 right first")
+            << name_of(outcome);
+}
+
+TEST(Hints, NameATaskThatACheckLeansOn) {
+    Manifest all = manifest();
+    all.checks[4].needs = {"1.1"}, all.checks[4].leans_on = {"1.2"};
+    EXPECT_EQ(hints_of(all, {right, right, wrong, right, wrong})[4], "put task 1.2 right first");
+    EXPECT_EQ(missing_tasks(all.checks[4], [](const std::string& task) { return task != "1.2"; }), TaskIds());
 }
 
 }  // namespace

@@ -62,10 +62,12 @@ TEST(Fingerprints, NameTheMistakeThatAllFailedChecksAreLike) {
     EXPECT_EQ(named({right, right, {Outcome::broken, "no number"}}, {{2, {.error = "no number"}}}, "1.2"), "");
 }
 
-TEST(Fingerprints, NameNothingWhereAnotherTaskMayBeToBlame) {
+TEST(Fingerprints, NameNothingWhereAllFailedChecksWaitForAnotherTask) {
+    const std::vector<Judgement> said = {wrong, right, {Outcome::broken, "it throws"}};
     const Samples throws = {{0, drawn({9, 9, 9})}, {2, {.error = "it throws"}}};
-    EXPECT_EQ(named({right, right, {Outcome::broken, "it throws"}}, throws, "1.2"), "none");
-    EXPECT_EQ(named({wrong, right, {Outcome::broken, "it throws"}}, throws, "1.2"), "") << "1.1 comes first";
+    EXPECT_EQ(named(said, throws, "1.2"), "none");
+    EXPECT_EQ(put_right_first(manifest(), said)[2], TaskIds{"1.1"});
+    EXPECT_EQ(named(said, {{0, throws.at(0)}}, "1.2"), "");
 }
 
 TEST(Fingerprints, AreReadAsTheyWereWritten) {

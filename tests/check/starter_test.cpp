@@ -105,5 +105,24 @@ TEST(Task, IsUnfinishedWhileItsOwnCodeCallsUnfinished) {
         << "the comment is gone, the call is not";
 }
 
+TEST(TaskParts, ReachFromATasksLineToTheNextTask) {
+    const std::string text =
+        "#include x\n// TASK 1.1 (2 points): a\nint a;\n    //  TASK 1.1 again\n// TASK 1.2.\nint b;";
+    const std::vector<TaskPart> parts = task_parts(text);
+    ASSERT_EQ(parts.size(), 3u);
+    EXPECT_EQ(parts[0].text, "#include x\n");
+    EXPECT_EQ(parts[1].task, "1.1");
+    EXPECT_EQ(parts[1].text, "// TASK 1.1 (2 points): a\nint a;\n    //  TASK 1.1 again\n");
+    EXPECT_EQ(parts[2].task, "1.2");
+    EXPECT_EQ(parts[2].text, "// TASK 1.2.\nint b;");
+    EXPECT_EQ(task_at_line(text, 1), "");
+    EXPECT_EQ(task_at_line(text, 2), "1.1");
+    EXPECT_EQ(task_at_line(text, 4), "1.1");
+    EXPECT_EQ(task_at_line(text, 5), "1.2");
+    EXPECT_EQ(task_at_line(text, 6), "1.2") << "without a line end";
+    EXPECT_EQ(task_at_line(text, 7), "");
+    EXPECT_EQ(task_at_line("", 1), "");
+}
+
 }  // namespace
 }  // namespace relief

@@ -16,6 +16,7 @@
 #include "framework/staff/grade/fingerprint_maker.h"
 #include "framework/staff/grade/mistake_names.h"
 #include "framework/staff/grade/overlay.h"
+#include "framework/staff/grade/transplant.h"
 #include "framework/staff/grade/variation.h"
 #include "tests/labs/task_variant.h"
 #include "tests/support.h"
@@ -195,16 +196,59 @@ std::vector<const Thing*> sample_of(const std::vector<Thing>& things, size_t cou
     return sample_of(std::move(wanted), count);
 }
 
-// Those in shaders; of those in C++ a sample, see above.
-TEST_P(Course, EveryKnownMistakeFailsACheckOfItsTask) {
+/// What the checks of a lab say of a mistake in one task, each drawn once.
+struct Said {
+    std::vector<Judgement> judgements;
+    Samples samples;
+};
+
+/// The tasks that each check waits for, by the checks of `manifest` alone, as `relief check` finds them.
+std::vector<TaskIds> waits(const Manifest& manifest, const Fingerprints& fingerprints, const Said& said) {
+    std::set<std::string> recognised;
+    for (const auto& [task, name] : name_mistakes(fingerprints, manifest, said.judgements, said.samples))
+        recognised.insert(task);
+    return put_right_first(manifest, said.judgements, recognised);
+}
+
+/// What the grader draws of a task whose part has a mistake, and of every other task, is that part among solutions.
+void expect_one_changed_part(const CourseFiles& files, const Manifest& manifest, const MistakeInfo& mistake) {
+    for (const auto& [file, text] : files) {
+        const std::string solution = read_file(course_root() / file);
+        for (const TaskInfo& task : manifest.tasks) {
+            if (task.file != file) continue;
+            EXPECT_EQ(with_one_task(solution, text, task.id), task.id == mistake.task ? text : solution)
+                << mistake.id << " is of task " << mistake.task << ", and changes task " << task.id;
+        }
+    }
+}
+
+// Those in shaders; of those in C++ a sample, see above. Each costs points of its own task alone. So does the grader
+// mark it, which draws a task among the solutions of all others; in `relief check`, which has none, other checks wait.
+TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
     Expectations expected;
     for (const CheckInfo& check : manifest_.checks) expected[check.name] = expectation(GetParam(), check);
+    const Fingerprints fingerprints = load_fingerprints(GetParam(), manifest_);
+    // Public checks come first.
+    Manifest students = manifest_;
+    std::erase_if(students.checks, [](const CheckInfo& check) { return check.hidden; });
+    const auto expect_others_wait = [&](const Manifest& manifest, const Said& said, const MistakeInfo& mistake) {
+        const std::vector<TaskIds> first = waits(manifest, fingerprints, said);
+        for (size_t i = 0; i < manifest.checks.size(); ++i) {
+            const CheckInfo& check = manifest.checks[i];
+            if (said.judgements[i].outcome == Outcome::passed) continue;
+            EXPECT_EQ(first[i], check.task == mistake.task ? TaskIds() : TaskIds{mistake.task})
+                << mistake.id << " in '" << check.name << "' of task " << check.task << ", "
+                << (manifest.checks.size() == manifest_.checks.size() ? "with" : "without")
+                << " hidden checks: " << said.judgements[i].found;
+        }
+    };
     std::vector<const MistakeInfo*> all, in_cpp;
     for (const MistakeInfo& mistake : manifest_.mistakes) (has_cpp(mistake.edits) ? in_cpp : all).push_back(&mistake);
     for (const MistakeInfo* one : sample_of(std::move(in_cpp), 2)) all.push_back(one);
     for (const MistakeInfo* one : all) {
         const MistakeInfo& mistake = *one;
         const CourseFiles files = edited(mistake.edits);
+        expect_one_changed_part(files, manifest_, mistake);
         std::string kept;
         bool caught = false;
         const auto judge = [&](const std::string& name, bool passed, const std::string& found) {
@@ -213,16 +257,26 @@ TEST_P(Course, EveryKnownMistakeFailsACheckOfItsTask) {
         };
         if (!has_cpp(mistake.edits)) {
             const CourseOverlay overlay(files);
-            for (const CheckInfo& check : manifest_.checks)
-                if (check.task == mistake.task && !caught) {
-                    const CheckResult result = run_check(GetParam(), manifest_, check, expected[check.name]);
-                    judge(check.name, result.outcome == Outcome::passed, result.found);
-                    EXPECT_FALSE(result.outcome == Outcome::broken && contains(result.found, "glsl"))
-                        << mistake.id << " does not compile: " << result.found;
-                }
+            Said said;
+            for (size_t i = 0; i < manifest_.checks.size(); ++i) {
+                const CheckInfo& check = manifest_.checks[i];
+                const CheckResult result = run_check(GetParam(), manifest_, check, expected[check.name]);
+                said.judgements.push_back({result.outcome, result.found, result.culprit});
+                if (const auto places = fingerprints.checks.find(i); places != fingerprints.checks.end())
+                    said.samples[i] = sample_at(result.drawn, result.found, places->second.values);
+                EXPECT_FALSE(result.outcome == Outcome::broken && contains(result.found, "glsl"))
+                    << mistake.id << " does not compile: " << result.found;
+                if (check.task == mistake.task) judge(check.name, result.outcome == Outcome::passed, result.found);
+            }
+            expect_others_wait(manifest_, said, mistake);
+            said.judgements.resize(students.checks.size());
+            expect_others_wait(students, said, mistake);
         } else {
-            for (const auto& [task, name, outcome, found, named] : check_variant(GetParam(), files, expected))
+            for (const auto& [task, name, outcome, found, named] : check_variant(GetParam(), files, expected)) {
                 if (task == mistake.task) judge(name, outcome == "passed", found);
+                const bool is_right = outcome == "passed" || (outcome == "waiting") != (task == mistake.task);
+                EXPECT_TRUE(is_right) << mistake.id << " in '" << name << "' of task " << task << ": " << found;
+            }
         }
         EXPECT_FALSE(kept.empty()) << mistake.id << ": nothing was checked";
         EXPECT_TRUE(caught) << mistake.id << " passes every check of task " << mistake.task << kept;

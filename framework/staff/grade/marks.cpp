@@ -49,8 +49,8 @@ std::vector<std::optional<Judgement>> judge_files(const Manifest& manifest, cons
         std::optional<Judgement>& verdict = by_check.emplace_back();
         if (const auto why = given_up.find(check.task); why != given_up.end())
             verdict = why->second;
-        else if (const std::string waits = waits_for(check, is_written); !waits.empty())
-            verdict = Judgement{Outcome::unfinished, waits};
+        else if (const TaskIds missing = missing_tasks(check, is_written); !missing.empty())
+            verdict = Judgement{Outcome::waiting, waits_text(missing, "written")};
     }
     return by_check;
 }
@@ -172,12 +172,12 @@ std::vector<TaskMark> LabGrader::task_marks(const std::vector<CheckMark>& marks)
 }
 
 void LabGrader::name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Verdict>& verdicts,
-                              const std::vector<Judgement>& said, const std::vector<bool>& is_drawn) const {
-    const std::vector<bool> blames = blames_another(manifest(), said);
+                              const std::vector<TaskIds>& first, const std::vector<Judgement>& said,
+                              const std::vector<bool>& is_drawn) const {
     std::vector<bool> compared;
     std::set<std::string> suspects;  // tasks with a failure that may be their own
     for (size_t i = 0; i < said.size(); ++i) {
-        compared.push_back(verdicts[i].is_own || (is_drawn[i] && !blames[i]));
+        compared.push_back(verdicts[i].is_own || (is_drawn[i] && first[i].empty()));
         if (compared[i] && said[i].outcome != Outcome::passed) suspects.insert(manifest().checks[i].task);
     }
     for (TaskMark& task : lab.tasks) {
@@ -221,10 +221,11 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
                          .hidden = checks[i].hidden});
         if (kept && verdict.said.outcome != Outcome::passed) keep_pictures(shown, verdict.in_hidden_view, *kept);
     }
-    const std::vector<std::string> all_hints = hints(manifest(), said);
+    const std::vector<TaskIds> first = put_right_first(manifest(), said);
+    const std::vector<std::string> all_hints = hints(manifest(), said, first);
     for (size_t i = 0; i < marks.size(); ++i) marks[i].look_at = verdicts[i].is_own ? checks[i].look_at : all_hints[i];
     lab.tasks = task_marks(marks);
-    if (with_names && lab.graded()) name_mistakes(lab, drawn, verdicts, said, is_drawn);
+    if (with_names && lab.graded()) name_mistakes(lab, drawn, verdicts, first, said, is_drawn);
     return lab;
 }
 

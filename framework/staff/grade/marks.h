@@ -87,7 +87,8 @@ private:
     void keep_pictures(const Comparison& shown, bool is_hidden, std::vector<CheckPictures>& kept) const;
     std::vector<TaskMark> task_marks(const std::vector<CheckMark>& marks) const;
     void name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Verdict>& verdicts,
-                       const std::vector<Judgement>& said, const std::vector<bool>& is_drawn) const;
+                       const std::vector<TaskIds>& first, const std::vector<Judgement>& said,
+                       const std::vector<bool>& is_drawn) const;
 
     LabViews views_;
     MistakeNames mistakes_;
