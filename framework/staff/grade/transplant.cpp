@@ -2,52 +2,211 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "framework/check/starter.h"
+
 namespace relief {
 namespace {
 
-/// The text before the first task, with an empty id, and the tasks' parts. What names a task again belongs to the part
-/// that it stands in.
-std::vector<std::pair<std::string, std::string>> parts_of(const std::string& text) {
-    std::vector<std::pair<std::string, std::string>> parts = {{"", ""}};
-    for (size_t begin = 0; begin < text.size();) {
-        const size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
-        const std::string_view line = std::string_view(text).substr(begin, end - begin);
-        size_t at = std::min(line.find_first_not_of(" \t"), line.size());
-        if (line.substr(at).starts_with("//")) {
-            at = std::min(line.find_first_not_of("/ \t", at), line.size());
-            if (line.substr(at).starts_with("TASK ")) {
-                at += 5;
-                size_t after = at;
-                while (after < line.size() &&
-                       (std::isdigit(static_cast<unsigned char>(line[after])) || line[after] == '.'))
-                    ++after;
-                while (after > at && line[after - 1] == '.') --after;  // the end of a sentence
-                const std::string id(line.substr(at, after - at));
-                if (!id.empty() &&
-                    std::none_of(parts.begin(), parts.end(), [&](const auto& one) { return one.first == id; }))
-                    parts.emplace_back(id, "");
-            }
+using Names = std::set<std::string>;
+
+bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// One definition of GLSL or C++ outside of any other: a function, a constant, a type, a macro, or an unnamed
+/// namespace with all that is in it.
+struct Definition {
+    std::string text;
+    Names defines;  ///< the names that it gives; empty if they are not known
+    Names uses;     ///< all words in it
+};
+
+/// The definitions in one part of a task file. A part may close a bracket that an earlier one has opened; what follows
+/// that is passed over.
+class Definitions {
+public:
+    explicit Definitions(std::string_view text) : text_(text) {
+        while (step()) {
         }
-        parts.back().second += line;
-        begin = end;
     }
-    return parts;
+    const std::vector<Definition>& list() const { return list_; }
+    /// Where the part ends, or closes a bracket of an earlier part.
+    size_t end() const { return at_; }
+    /// Whether parts of it are for some compilers only: then no definition can be taken out of it.
+    bool has_conditions() const { return has_conditions_; }
+
+private:
+    bool here(std::string_view word) const { return text_.substr(at_).starts_with(word); }
+    void skip_to(std::string_view end) {
+        const size_t found = text_.find(end, at_);
+        at_ = found == std::string_view::npos ? text_.size() : found + end.size();
+    }
+
+    /// Takes a token, a comment or a preprocessor line. False at the end.
+    bool step() {
+        if (at_ >= text_.size()) return false;
+        const char c = text_[at_];
+        if (here("//")) {
+            skip_to("\n");
+        } else if (here("/*")) {
+            skip_to("*/");
+        } else if (c == '#' && depth_ == 0 && words_.empty()) {
+            directive();
+        } else if (c == '"' || c == '\'') {
+            for (++at_; at_ < text_.size() && text_[at_] != c; ++at_) at_ += text_[at_] == '\\';
+            at_ = std::min(at_ + 1, text_.size());
+        } else if (is_of_a_word(c)) {
+            const size_t begin = begin_word();
+            while (at_ < text_.size() && is_of_a_word(text_[at_])) ++at_;
+            word(std::string(text_.substr(begin, at_ - begin)));
+        } else if (c == '}' && depth_ == 0) {
+            return false;
+        } else {
+            sign(c);
+        }
+        return true;
+    }
+
+    size_t begin_word() {
+        if (words_.empty() && depth_ == 0) begin_ = at_;
+        return at_;
+    }
+
+    void directive() {
+        const size_t begin = at_;
+        do {
+            skip_to("\n");
+        } while (at_ >= 2 && at_ < text_.size() && text_[at_ - 2] == '\\');
+        const std::string_view line = text_.substr(begin, at_ - begin);
+        Words words;
+        for (size_t i = 0; i < line.size(); ++i) {
+            if (!is_of_a_word(line[i])) continue;
+            size_t end = i;
+            while (end < line.size() && is_of_a_word(line[end])) ++end;
+            words.emplace_back(line.substr(i, end - i));
+            i = end;
+        }
+        has_conditions_ |= words.empty() || words.front() != "define";
+        if (words.size() > 1 && words.front() == "define")
+            list_.push_back({std::string(line), {words[1]}, Names(words.begin(), words.end())});
+    }
+
+    void word(const std::string& name) {
+        words_.push_back(name);
+        if (!is_named_) last_ = name;
+        is_type_ |= depth_ == 0 && (name == "struct" || name == "class" || name == "enum" || name == "union");
+        is_namespace_ |= depth_ == 0 && name == "namespace";
+    }
+
+    void sign(char c) {
+        ++at_;
+        const bool opens = c == '(' || c == '[' || c == '{', closes = c == ')' || c == ']' || c == '}';
+        // A name comes before the first of these signs, in a namespace as well.
+        if ((opens || c == '=' || c == ';') && !is_named_ && depth_ == (is_namespace_ ? 1 : 0) && !last_.empty()) {
+            if (!(is_namespace_ && depth_ == 0)) names_.insert(last_), is_named_ = true;
+        }
+        depth_ += opens, depth_ -= closes;
+        if (is_namespace_ && depth_ == 1 && (c == ';' || c == '}')) is_named_ = false;
+        if (depth_ == 0 && (c == ';' || (c == '}' && !is_type_ && !ends_later()))) finish();
+    }
+
+    /// Whether a semicolon belongs to the definition that this brace closes.
+    bool ends_later() const {
+        const size_t next = text_.find_first_not_of(" \t\r\n", at_);
+        return next != std::string_view::npos && (text_[next] == ';' || text_[next] == ',');
+    }
+
+    void finish() {
+        if (!words_.empty())
+            list_.push_back({std::string(text_.substr(begin_, at_ - begin_)) + '\n', std::move(names_),
+                             Names(words_.begin(), words_.end())});
+        words_.clear(), names_ = {}, last_.clear();
+        is_named_ = is_type_ = is_namespace_ = false;
+    }
+
+    using Words = std::vector<std::string>;
+    std::string_view text_;
+    size_t at_ = 0, begin_ = 0;
+    int depth_ = 0;
+    Words words_;
+    Names names_;
+    std::string last_;
+    bool is_named_ = false, is_type_ = false, is_namespace_ = false, has_conditions_ = false;
+    std::vector<Definition> list_;
+};
+
+bool have_common(const Names& some, const Names& others) {
+    return std::any_of(some.begin(), some.end(), [&](const std::string& one) { return others.contains(one); });
+}
+
+Names words_of(std::string_view text) {
+    Names words;
+    for (size_t i = 0; i < text.size(); ++i) {
+        size_t end = i;
+        while (end < text.size() && is_of_a_word(text[end])) ++end;
+        if (end > i) words.emplace(text.substr(i, end - i));
+        i = end;
+    }
+    return words;
+}
+
+/// The definitions of other parts that this part uses, directly or through one another, and that the solution does not
+/// have: by part, their text.
+std::vector<std::string> helpers(const std::vector<TaskPart>& submitted, const std::string& task,
+                                 const std::vector<TaskPart>& solution) {
+    Names known, wanted;
+    for (const TaskPart& part : solution) {
+        const Definitions definitions(part.text);
+        for (const Definition& one : definitions.list()) known.insert(one.defines.begin(), one.defines.end());
+    }
+    std::vector<std::vector<Definition>> candidates;
+    for (const TaskPart& part : submitted) {
+        std::vector<Definition>& own = candidates.emplace_back();
+        if (part.task == task) wanted = words_of(part.text);
+        if (part.task.empty() || part.task == task) continue;
+        const Definitions definitions(part.text);
+        if (!definitions.has_conditions()) own = definitions.list();
+        std::erase_if(own, [&](const Definition& one) { return have_common(one.defines, known); });
+    }
+    for (size_t before = 0; before != wanted.size();) {
+        before = wanted.size();
+        for (const std::vector<Definition>& part : candidates)
+            for (const Definition& one : part)
+                if (have_common(one.defines, wanted)) wanted.insert(one.uses.begin(), one.uses.end());
+    }
+    std::vector<std::string> texts;
+    for (const std::vector<Definition>& part : candidates) {
+        std::string& text = texts.emplace_back();
+        for (const Definition& one : part)
+            if (have_common(one.defines, wanted)) text += one.text;
+    }
+    return texts;
 }
 
 }  // namespace
 
 std::optional<std::string> with_one_task(const std::string& solution, const std::string& submitted,
                                          const std::string& task) {
-    const auto own = parts_of(submitted);
-    const auto part = std::find_if(own.begin() + 1, own.end(), [&](const auto& one) { return one.first == task; });
-    if (part == own.end()) return {};
+    const std::vector<TaskPart> own = task_parts(submitted), others = task_parts(solution);
+    const auto part_of = [&](const std::string& id) {
+        return std::find_if(own.begin(), own.end(), [&](const TaskPart& one) { return one.task == id; });
+    };
+    if (task.empty() || part_of(task) == own.end()) return {};
+    const std::vector<std::string> used = helpers(own, task, others);
     std::string text;
-    for (const auto& [id, lines] : parts_of(solution))
-        text += id.empty() ? own.front().second : id == task ? part->second : lines;
+    for (const TaskPart& part : others) {
+        const auto mine = part_of(part.task);
+        if (part.task.empty() || part.task == task) {
+            text += mine->text;
+            continue;
+        }
+        const std::string& more = mine == own.end() ? std::string() : used[size_t(mine - own.begin())];
+        const size_t end = more.empty() ? part.text.size() : Definitions(part.text).end();
+        text += part.text.substr(0, end) + more + part.text.substr(end);
+    }
     return text;
 }
 
