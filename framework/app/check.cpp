@@ -17,6 +17,7 @@
 #include "framework/base/process.h"
 #include "framework/base/text.h"
 #include "framework/check/check.h"
+#include "framework/check/patience.h"
 #include "framework/image/compare.h"
 #include "framework/pages/check_page.h"
 #include "framework/pages/page.h"
@@ -116,7 +117,13 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
     if (manifest.tasks.empty()) throw Error(fmt::format("lab {} has no tasks", lab.two_digits()));
     pin_software_renderer();
     const auto context = open_any_context();
-    const std::vector<TaskResult> tasks = check_lab(lab, manifest);
+    Patience patience([&](const std::string& why) {
+        print_error(fmt::format("lab {}, {}: does a loop in the task not end?", lab.two_digits(), why));
+        _exit(1);
+    });
+    const std::vector<TaskResult> tasks = check_lab(lab, manifest, {}, [&](const CheckInfo& check) {
+        patience.next(fmt::format("task {}: {}", check.task, check.name));
+    });
 
     double points = 0, waiting = 0;
     bool all = true;

@@ -439,7 +439,8 @@ void Advice::apply(size_t check, CheckResult& result) const {
     result.waits_for = first[check];
 }
 
-std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest, const Expected& expected) {
+std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest, const Expected& expected,
+                                  const std::function<void(const CheckInfo& check)>& begins) {
     LabChecker checker(lab, manifest);
     std::vector<TaskResult> results;
     Progress progress(int(manifest.checks.size()));
@@ -449,6 +450,7 @@ std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest,
             const CheckInfo& check = manifest.checks[i];
             if (check.task != task.id) continue;
             progress.next(check.name);
+            if (begins) begins(check);
             result.checks.push_back(checker.run(i, expected ? expected(check) : expectation(lab, check)));
         }
         if (result.checks.empty())

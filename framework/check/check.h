@@ -125,7 +125,9 @@ private:
 /// What a check compares with; see expectation(), which is used where this is empty.
 using Expected = std::function<std::optional<Image>(const CheckInfo& check)>;
 
-/// Runs all checks of a lab, task by task, and names known mistakes. Throws Error if a task has no check.
-std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest, const Expected& expected = {});
+/// Runs all checks of a lab, task by task, and names known mistakes. `begins` is called before each check. Throws Error
+/// if a task has no check.
+std::vector<TaskResult> check_lab(const LabEntry& lab, const Manifest& manifest, const Expected& expected = {},
+                                  const std::function<void(const CheckInfo& check)>& begins = {});
 
 }  // namespace relief

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "framework/base/error.h"
 #include "framework/base/paths.h"
@@ -33,6 +34,7 @@ struct Header {
     Kind kind = Kind::ask;
     uint32_t shot = 0;
     uint32_t size = 0;  ///< bytes that follow
+    float cpu = 0;      ///< of an image or an error: seconds of processor time since the message before it
 };
 
 size_t pixel_bytes(const Shot& shot) {
@@ -83,13 +85,22 @@ Image image_of(const char* bytes, const Shot& shot) {
     return image;
 }
 
+/// Of this process and its threads so far.
+double processor_seconds() {
+    timespec spent{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
+    return double(spent.tv_sec) + double(spent.tv_nsec) * 1e-9;
+}
+
 /// The stream, kept from whatever a student's code prints: that goes to standard error.
 class Stream {
 public:
     Stream() : descriptor_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
 
-    void send(Kind kind, size_t shot, const std::string& bytes) const {
-        const Header header{.kind = kind, .shot = uint32_t(shot), .size = uint32_t(bytes.size())};
+    void send(Kind kind, size_t shot, const std::string& bytes) {
+        const double before = std::exchange(cpu_, processor_seconds());
+        const Header header{
+            .kind = kind, .shot = uint32_t(shot), .size = uint32_t(bytes.size()), .cpu = float(cpu_ - before)};
         if (!write_all(descriptor_, {reinterpret_cast<const char*>(&header), sizeof header}) ||
             !write_all(descriptor_, bytes))
             _exit(1);  // nobody reads any more
@@ -97,13 +108,12 @@ public:
 
 private:
     int descriptor_;
+    double cpu_ = 0;  ///< at the last message
 };
 
 /// Of this process and its threads so far, as bytes.
 std::string processor_time() {
-    timespec spent{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
-    const double seconds = double(spent.tv_sec) + double(spent.tv_nsec) * 1e-9;
+    const double seconds = processor_seconds();
     return {reinterpret_cast<const char*>(&seconds), sizeof seconds};
 }
 
@@ -177,7 +187,7 @@ std::string drawing_asks() {
 }
 
 void draw_request(const char* course) {
-    const Stream stream;
+    Stream stream;
     std::set_new_handler([] { _exit(out_of_memory_code); });
     const CourseElsewhere elsewhere(course);
     stream.send(Kind::ask, 0, {});
@@ -225,10 +235,10 @@ DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& sho
                 drawn.phase = DrawingPhase::ready;
                 break;
             case Kind::image:
-                drawn.shots.push_back({image_of(stream.data() + at, shots[next]), {}});
+                drawn.shots.push_back({image_of(stream.data() + at, shots[next]), {}, header.cpu});
                 break;
             case Kind::error:
-                drawn.shots.push_back({{}, stream.substr(at, header.size)});
+                drawn.shots.push_back({{}, stream.substr(at, header.size), header.cpu});
                 break;
             case Kind::done:
                 if (next == shots.size()) drawn.phase = DrawingPhase::done;

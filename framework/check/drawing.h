@@ -37,6 +37,7 @@ std::string drawing_asks();
 struct Drawn {
     std::optional<Image> image;  ///< of the shot's size and as draw_shot() makes it, but its values can be anything
     std::string error;           ///< the process's error message if there is no image
+    double cpu = 0;              ///< seconds of processor time, as the process says: see DrawnShots
 };
 
 /// How far the process came: it asked for its request, it had a context, it sent all shots.

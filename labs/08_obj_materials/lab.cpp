@@ -10,6 +10,7 @@
 #include <memory>
 #include <numeric>
 
+#include "framework/base/error.h"
 #include "framework/base/paths.h"
 #include "framework/gl/light_target.h"
 #include "framework/image/asset.h"
@@ -241,7 +242,15 @@ private:
         if (order_ != sorted) return order;
         std::vector<Surface> surfaces;
         for (const Piece& piece : scene.pieces) surfaces.push_back({piece.program, piece.is_glass(), piece.centre});
-        return draw_order(surfaces, eye);
+        order = draw_order(surfaces, eye);
+        if (order.size() > surfaces.size())
+            throw Error(fmt::format("draw_order() returns {} indices for {} surfaces: each of them once", order.size(),
+                                    surfaces.size()));
+        for (const int i : order)
+            if (i < 0 || size_t(i) >= surfaces.size())
+                throw Error(
+                    fmt::format("draw_order() returns the index {}: the surfaces are 0 to {}", i, surfaces.size() - 1));
+        return order;
     }
 
     /// Draws all pieces. `purpose` is empty for light, or FLAT, MEASURE, or the name of a probe.

@@ -72,7 +72,7 @@ public:
     void draw(size_t from, size_t end) {
         bool tried_again = false;
         while (from < end) {
-            if (stalls_) return fail(from, end, {stalls_->outcome, "not started again: " + stalls_->found});
+            if (ended_) return fail(from, end, *ended_);
             if (wall_left_ <= 0 || cpu_left_ <= 0)
                 return fail(from, end, {Outcome::out_of_time, "the checks before it used up the time"});
             const std::vector<Shot> rest(shots_.begin() + std::ptrdiff_t(from), shots_.begin() + std::ptrdiff_t(end));
@@ -98,7 +98,9 @@ public:
                 tried_again = true;
                 continue;
             }
-            if (drawn.phase == DrawingPhase::started && why.outcome == Outcome::out_of_time) stalls_ = why;
+            // Whoever waits for a loop without an end waits once, and not for each check.
+            if (why.outcome == Outcome::out_of_time)
+                ended_ = {why.outcome, "not drawn, since a check before it is out of time: " + why.found};
             if (!has_context || !drawn.problem.empty()) return fail(from, end, why);
             fail(from, from + 1, why);
             ++from;
@@ -125,6 +127,7 @@ private:
         place.image = std::move(shot.image);
         place.error = message(shot.error);
         place.told = true;
+        place.cpu = shot.cpu;
         if (shot.error != place.error && attempt_.log.empty()) attempt_.log = shot.error;
     }
 
@@ -142,8 +145,8 @@ private:
     const Renderer& renderer_;
     const AttemptLimits& limits_;
     Attempt& attempt_;
-    double wall_left_, cpu_left_;      ///< seconds
-    std::optional<Judgement> stalls_;  ///< why the program never asks what to draw
+    double wall_left_, cpu_left_;     ///< seconds
+    std::optional<Judgement> ended_;  ///< why nothing more is drawn
 };
 
 /// The verdict about a C++ task that was not compiled.

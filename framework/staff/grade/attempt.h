@@ -17,6 +17,7 @@ struct DrawnAttempt {
     Outcome outcome = Outcome::broken;  ///< only if there is no image
     std::string error;                  ///< one line, see printable()
     bool told = false;                  ///< the lab itself sent the image or the error
+    double cpu = 0;                     ///< seconds of processor time if it did, as the process says
 };
 
 struct Attempt {
@@ -35,8 +36,9 @@ struct AttemptLimits {
 };
 
 /// Draws `shots` of a lab that was added to the stage. If a process dies, the shot that it was drawing fails, and
-/// another process draws the rest. A C++ task could reveal what it was asked to draw: so the shots from `apart` on are
-/// requested from a process of their own, and its log is not kept. Never throws because of what the files do.
+/// another process draws the rest; but if it ran out of time, the rest is out of time, too. A C++ task could reveal
+/// what it was asked to draw: so the shots from `apart` on are requested from a process of their own, and its log is
+/// not kept. Never throws because of what the files do.
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
                 const Renderer& renderer, const AttemptLimits& limits, size_t apart = size_t(-1));
 

@@ -18,11 +18,19 @@ std::optional<Image> expected_in(const LabEntry& lab, const CheckInfo& check, co
     return {};
 }
 
+constexpr double least_limit = 10;  ///< seconds
+
 size_t count_hidden(const std::vector<CheckViews>& views) {
     return size_t(std::count_if(views.begin(), views.end(), [](const CheckViews& one) { return one.hidden; }));
 }
 
 }  // namespace
+
+std::string slowness(double cpu, double solution_cpu) {
+    const double times = cpu / std::max(solution_cpu, 0.05);
+    if (!(times > 20)) return {};
+    return fmt::format("it takes {:.0f} times the processor time of the solution, {:.1f} seconds", times, cpu);
+}
 
 LabViews::LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup)
     : lab_(lab),
@@ -39,6 +47,7 @@ LabViews::LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup)
     for (size_t i = 0; i < count; ++i) {
         const CheckInfo& check = manifest_.checks[i];
         views_[i].own.expected = expected_in(lab, check, check.shot, solution_.checks[i].own);
+        views_[i].own.solution_cpu = solution_.checks[i].own.cpu;
         if (const Judgement said = judge(own(i, solution_)); said.outcome != Outcome::passed)
             throw Error(fmt::format("lab {}: nothing can be graded here: its own solution does not pass '{}' ({}: {})",
                                     lab.two_digits(), check.name, name_of(said.outcome), said.found));
@@ -50,7 +59,7 @@ LabViews::LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup)
 
 void LabViews::bound_by(double solution_cpu) {
     if (!derives_limit_) return;
-    setup_.seconds = std::max(10.0, 10 * solution_cpu);
+    setup_.seconds = std::max(least_limit, 10 * solution_cpu);
     if (solution_cpu_ > setup_.seconds)
         throw Error(fmt::format(
             "lab {}: its solution takes {:.1f} seconds of processor time here, and {:.1f} where the class was started: "
@@ -84,6 +93,7 @@ void LabViews::keep_passing_views(const DrawnChecks& solution) {
         View& view = *views_[i].hidden;
         try {
             view.expected = expected_in(lab_, manifest_.checks[i], view.shot, solution.checks[i].hidden);
+            view.solution_cpu = solution.checks[i].hidden.cpu;
             passes[i] = judge(hidden(i, solution)).outcome == Outcome::passed;
         } catch (const Error&) {
             passes[i] = false;  // this view has no exact values
@@ -121,9 +131,11 @@ DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& ch
     result.checks.resize(views_.size());
     std::vector<Shot> shots;
     std::vector<DrawnAttempt*> places;
+    double cpu = 0;  // of the solution for these shots
     const auto add = [&](const View& view, DrawnAttempt& place) {
         shots.push_back(view.shot);
         places.push_back(&place);
+        cpu += view.solution_cpu;
     };
     const auto add_own = [&](bool of_hidden_checks) {
         const std::vector<bool> wanted = with_compared(checks);
@@ -142,7 +154,10 @@ DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& ch
     if (which != WhichViews::hidden) add_own(true);
     if (which != WhichViews::own) add_hidden();
     if (shots.empty()) return result;
-    Attempt drawn = attempt(stage_, lab_, files, shots, setup_.renderer, {setup_.seconds, setup_.memory}, public_count);
+    const double seconds = derives_limit_ && solution_cpu_ > 0
+                               ? std::max(least_limit, setup_.seconds * std::min(1.0, cpu / solution_cpu_))
+                               : setup_.seconds;
+    Attempt drawn = attempt(stage_, lab_, files, shots, setup_.renderer, {seconds, setup_.memory}, public_count);
     for (size_t i = 0; i < places.size(); ++i) *places[i] = std::move(drawn.shots[i]);
     result.compile = drawn.compile;
     result.draw = drawn.draw;
@@ -173,6 +188,14 @@ Judgement LabViews::judge(const Comparison& one) const {
         return {Outcome::broken, fmt::format("'{}': {}", one.check.against, error.what())};
     }
     return relief::judge(manifest_, one.check, *one.drawn.image, *one.other.image);
+}
+
+std::string LabViews::slowness(size_t check, const DrawnChecks& drawn) const {
+    const CheckViews& views = views_[check];
+    std::string said = relief::slowness(drawn.checks[check].own.cpu, views.own.solution_cpu);
+    if (said.empty() && views.hidden)
+        said = relief::slowness(drawn.checks[check].hidden.cpu, views.hidden->solution_cpu);
+    return said;
 }
 
 }  // namespace relief

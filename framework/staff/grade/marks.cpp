@@ -214,9 +214,10 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
         const Verdict& verdict = verdicts[i];
         const Comparison shown = verdict.in_hidden_view ? views_.hidden(i, drawn) : views_.own(i, drawn);
         said.push_back(verdict.said);
+        const std::string slow = views_.slowness(i, drawn);
         marks.push_back({.name = checks[i].name,
                          .outcome = verdict.said.outcome,
-                         .found = verdict.said.found,
+                         .found = verdict.said.found + (slow.empty() ? "" : "; " + slow),
                          .view = verdict.in_hidden_view ? view_text(shown.view.shot) : "",
                          .hidden = checks[i].hidden});
         if (kept && verdict.said.outcome != Outcome::passed) keep_pictures(shown, verdict.in_hidden_view, *kept);

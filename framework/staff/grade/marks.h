@@ -14,7 +14,7 @@ namespace relief {
 struct CheckMark {
     std::string name;
     Outcome outcome = Outcome::machine;
-    std::string found;         ///< the measured values, or the error
+    std::string found;         ///< the measured values, or the error; and what takes too long, see slowness()
     std::string look_at = {};  ///< the hint; empty if the check passed
     std::string view = {};     ///< the hidden view, if the check failed only there; never shown to students
     bool hidden = false;

@@ -170,6 +170,7 @@ Words Stage::compiler(const LabEntry& lab) const {
             "-ffp-contract=off",
             "-fno-math-errno",
             "-fno-trapping-math",
+            "-fmax-errors=20",  // ten thousand of them take minutes, and nobody reads them
             "-DFMT_SHARED",
             "-DRELIEF_LAB_FOLDER=\"" + lab.folder + "\"",
             "-I" + include,

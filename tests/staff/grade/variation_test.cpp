@@ -1,9 +1,11 @@
 // Hidden views, and the parts that a class is graded in.
 #include "framework/staff/grade/variation.h"
 
+#include <cmath>
 #include <cstdlib>
 
 #include "framework/base/error.h"
+#include "framework/staff/grade/check_views.h"
 #include "framework/staff/grade/roster.h"
 #include "tests/support.h"
 
@@ -15,6 +17,13 @@ Manifest varied() {
     add_grading(manifest, "[vary]\nlight_yaw = [-60, 60]\nmap = [\"a\", \"b\", \"c\"]\npicture_size = [0.75, 0.95]\n",
                 "grading.toml");
     return manifest;
+}
+
+TEST(Slowness, IsToldAboveTwentyTimesTheSolutionWithItsFigure) {
+    EXPECT_EQ(slowness(2.0, 0.1), "");
+    EXPECT_EQ(slowness(6.9, 0.2), "it takes 34 times the processor time of the solution, 6.9 seconds");
+    EXPECT_EQ(slowness(0.9, 0.001), "") << "the first picture of a process may take so long";
+    EXPECT_EQ(slowness(std::nan(""), 0.001), "") << "a program may say anything";
 }
 
 TEST(Variation, IsDecidedBySeedLabAndAttemptAlone) {

@@ -1,0 +1,40 @@
+// Whoever waits for a check is told which, and a check that does not end is given up.
+#include "framework/check/patience.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+namespace relief {
+namespace {
+
+constexpr double never = 1e6;
+
+TEST(Patience, GivesUpWhatDoesNotEndAndSaysItsName) {
+    std::promise<std::string> why;
+    Patience patience([&](const std::string& said) { why.set_value(said); }, {.remind = 0.001, .wall = 0, .cpu = 0});
+    patience.next("a loop");
+    EXPECT_EQ(why.get_future().get(), "'a loop' is not finished after 0 seconds");
+}
+
+TEST(Patience, GivesUpNothingThatHasTimeLeft) {
+    bool gave_up = false;
+    {
+        Patience patience([&](const std::string&) { gave_up = true; }, {.remind = 0.001, .wall = never, .cpu = 0});
+        patience.next("one");
+        patience.next("another");
+    }
+    EXPECT_FALSE(gave_up);
+}
+
+TEST(Patience, SaysWhatItWaitsFor) {
+    testing::internal::CaptureStderr();
+    std::promise<void> over;
+    Patience patience([&](const std::string&) { over.set_value(); }, {.remind = 0.001, .wall = 0, .cpu = 0});
+    patience.next("a loop");
+    over.get_future().wait();
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("waiting for 'a loop', 0 seconds so far"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace relief
