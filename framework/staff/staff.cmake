@@ -11,7 +11,7 @@ set_source_files_properties(framework/staff/reference/normals_row.cpp framework/
 
 file(GLOB staff_sources CONFIGURE_DEPENDS framework/staff/measure/*.cpp framework/staff/grade/*.cpp
   framework/staff/handout/*.cpp framework/staff/slides/*.cpp framework/staff/pages/*.cpp framework/staff/synctest/*.cpp framework/staff/app/*.cpp)
-list(FILTER staff_sources EXCLUDE REGEX "(grade/libarchive|measure/peers_module)\\.cpp$")
+list(FILTER staff_sources EXCLUDE REGEX "(grade/(libarchive|glib)|measure/peers_module)\\.cpp$")
 pkg_check_modules(libseccomp REQUIRED IMPORTED_TARGET libseccomp)
 add_library(relief_staff SHARED ${staff_sources} $<TARGET_OBJECTS:relief_reference>)
 set_target_properties(relief_staff PROPERTIES OUTPUT_NAME relief-staff)
@@ -29,6 +29,12 @@ add_library(relief_archive MODULE framework/staff/grade/libarchive.cpp)
 target_link_libraries(relief_archive PRIVATE relief_staff PkgConfig::libarchive relief_warnings)
 set_target_properties(relief_archive PROPERTIES PREFIX "" OUTPUT_NAME relief-archive)
 add_dependencies(relief_modules relief_archive)
+# Opened when a name is not ASCII. GLib is there, since librsvg needs it.
+pkg_check_modules(glib REQUIRED IMPORTED_TARGET glib-2.0)
+add_library(relief_unicode MODULE framework/staff/grade/glib.cpp)
+target_link_libraries(relief_unicode PRIVATE relief_staff PkgConfig::glib relief_warnings)
+set_target_properties(relief_unicode PROPERTIES PREFIX "" OUTPUT_NAME relief-unicode)
+add_dependencies(relief_modules relief_unicode)
 # Opened when `relief bench` measures what others do of the same; where they are not installed it does without.
 pkg_check_modules(assimp IMPORTED_TARGET assimp)
 find_package(embree 4 QUIET)  # Debian 13

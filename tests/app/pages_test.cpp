@@ -206,11 +206,10 @@ TEST(ClassPage, SaysWhereTheTimeWentAndWhatCameFromBefore) {
     for (const char* part : {"compiling 14 % (4.0 s)", "drawing 29 % (8.0 s)", "comparing 7 % (2.0 s)",
                              "waiting, reading and recognising known mistakes 50 % (14.0 s)", "took 12.5 seconds, 3.2"})
         EXPECT_TRUE(contains(time, part)) << part << "\n" << time;
-    EXPECT_EQ(
-        browser().eval("[...document.querySelectorAll('.numbers div')].map(card => "
-                       "[...card.children].map(part => part.textContent).join(': ')).join('; ')"),
-        "submissions: 7; median: 4.5 points; not graded: grade again: 1; unchanged, not graded again: 2; isolation: "
-        "namespaces");
+    EXPECT_EQ(browser().eval("[...document.querySelectorAll('.numbers div')].map(card => "
+                             "[...card.children].map(part => part.textContent).join(': ')).join('; ')"),
+              "submissions: 7; median: 4.5 points; not graded: grade again: 1; unchanged, not graded again: 2");
+    EXPECT_EQ(text_of("footer"), "Made by ./relief grade. Isolation: namespaces.") << "in small print";
 }
 
 TEST(ClassPage, WithoutScriptsHasNothingThatWouldNotWork) {

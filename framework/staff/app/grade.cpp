@@ -207,23 +207,26 @@ void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
 }  // namespace
 
 int print_report(const ClassReport& report, const ClassStanding& standing, const fs::path& folder, const Shard& shard) {
-    print_isolation(report.isolation);
     fmt::print("{}", to_table(standing));
     for (const std::string& note : standing.notes) print_note(note);
     size_t failed = 0;
     for (const SubmissionMark& mark : report.marks) failed += !mark.graded();
     fmt::print("{}: {} graded, {} unchanged, {} not graded; {:.1f} s, of them {:.1f} for the solutions\n",
                folder.string(), report.marks.size() - report.taken_over - failed, report.taken_over,
-               failed + report.lost.size(), report.seconds, report.prepared);
+               failed + report.lost.size() + report.doubled.size(), report.seconds, report.prepared);
     fmt::print("all jobs together: {:.1f} s compiling, {:.1f} s drawing, {:.1f} s comparing\n", report.times.compile,
                report.times.draw, report.times.compare);
+    std::fflush(stdout);
+    print_isolation(report.isolation);
     if (!shard.whole())
         print_note(fmt::format("part {} of {} ({}); when all parts are done: relief grade --merge {}", shard.index + 1,
                                shard.count, shard.from, folder.string()));
     if (!report.lost.empty()) print_error("cannot be read any more, so without a mark: " + some_of(report.lost));
     if (failed > 0)
         print_error("the machine failed on some submissions: run the same command again, it repeats only those");
-    return failed == 0 && report.lost.empty() ? 0 : 1;
+    if (!report.doubled.empty())
+        print_error("without a mark, since their names are not unique: " + some_of(report.doubled));
+    return failed == 0 && report.lost.empty() && report.doubled.empty() ? 0 : 1;
 }
 
 SubmissionDone pages_into(const fs::path& folder) {

@@ -110,7 +110,9 @@ private:
     }
 
     void look_through() {
-        std::set<std::string> names;
+        std::map<std::string, std::vector<std::string>> paths;  // by name
+        for (const fs::path& path : options_.submissions)
+            paths[file_name_of(submission_name(path))].push_back(printable(path.string()));
         Roster roster{.course = course_, .seed = setup_.seed, .labs = {}, .submissions = {}};
         for (const LabEntry* lab : options_.labs) roster.labs.push_back(lab->folder);
         if (course_before_ == course_) roster.solution_cpu = figures_before_;
@@ -118,12 +120,12 @@ private:
         Progress progress(int(options_.submissions.size()));
         for (const fs::path& path : options_.submissions) {
             progress.next("reading");
+            const std::string name = submission_name(path);
+            if (const auto& same = paths.at(file_name_of(name)); same.size() > 1) {
+                if (same.front() == printable(path.string())) report_.doubled.push_back(name);
+                continue;
+            }
             const Submission submission = read_submission(path, files);
-            if (!names.insert(file_name_of(submission.name)).second)
-                throw UsageError(
-                    fmt::format("two submissions are named '{}': rename one, or grade them into folders of "
-                                "their own",
-                                printable(submission.name)));
             if (!submission.doubt.empty())
                 print_note(fmt::format("{}: {}", printable(submission.name), submission.doubt));
             const int place = int(roster.submissions.size());
@@ -137,6 +139,10 @@ private:
             entry.done = take_over(entry);
             report_.taken_over += entry.done;
         }
+        for (const std::string& name : report_.doubled)
+            print_error(fmt::format("{} submissions are named '{}', so none of them is graded: {}; keep one, or rename",
+                                    paths.at(file_name_of(name)).size(), printable(name),
+                                    join(paths.at(file_name_of(name)), ", ")));
         write_roster(options_.output, roster);
     }
 
@@ -188,8 +194,7 @@ private:
         if (options_.fresh || entry.hash.empty()) return false;
         auto mark = result_of(options_.output, entry.name, course_);
         const auto is_same = [](const LabMark& one, const LabEntry* lab) { return one.lab == lab->folder; };
-        if (!mark || mark->hash != entry.hash ||
-            (!options_.trust && mark->isolation == name_of(Isolation::limits)) ||
+        if (!mark || mark->hash != entry.hash || (!options_.trust && mark->isolation == name_of(Isolation::limits)) ||
             !std::equal(mark->labs.begin(), mark->labs.end(), entry.labs.begin(), entry.labs.end(), is_same))
             return false;
         entry.mark = std::move(*mark);

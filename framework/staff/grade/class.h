@@ -31,6 +31,8 @@ struct ClassReport {
     std::vector<SubmissionMark> marks;  ///< in the order of the submissions
     /// Submissions that class.json names and that cannot be read here. They have no mark.
     std::vector<std::string> lost;
+    /// Names that several submissions have. None of those is graded, and a message has named them.
+    std::vector<std::string> doubled;
     IsolationReport isolation;
     std::string seed;
     size_t taken_over = 0;             ///< unchanged since an earlier run, so not graded again
@@ -61,7 +63,7 @@ using SubmissionDone = std::function<void(const SubmissionMark&, const std::vect
 void enlist_class(const ClassOptions& options);
 
 /// Writes class.json into `output`, and results/NAME.json of each submission after `done` has returned for it. Throws
-/// UsageError if there are no submissions, if two have one name, or for a shard without a seed. Throws Error if a lab's
+/// UsageError if there are no submissions, or for a shard without a seed. Throws Error if a lab's
 /// own solution does not pass on this machine, or if class.json is to be kept and is not of this course. Passes on what
 /// `done` throws.
 ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done = {});

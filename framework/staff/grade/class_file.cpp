@@ -138,7 +138,7 @@ private:
 
     void read_student(Table& table) {
         Student student;
-        student.student = table.text("student");
+        student.student = composed(table.text("student"));
         table.read("name", student.name);
         table.read("email", student.email);
         table.read("login", student.login);
@@ -156,8 +156,8 @@ private:
         if (table.rows.empty()) throw Error({file}, "names no student");
         for (const CsvRow& row : table.rows) {
             const auto cell = [&](const char* name) { return table.cell(row, name); };
-            add({cell("student"), cell("name"), cell("email"), cell("login"), cell("canvas_id"), cell("sis_id"),
-                 cell("section")},
+            add({composed(cell("student")), cell("name"), cell("email"), cell("login"), cell("canvas_id"),
+                 cell("sis_id"), cell("section")},
                 {file, row.line});
         }
     }
@@ -171,7 +171,7 @@ private:
     }
 
     void read_extension(Table& table) {
-        Extension extension{.student = table.text("student"), .lab = {}, .days = 0, .note = {}};
+        Extension extension{.student = composed(table.text("student")), .lab = {}, .days = 0, .note = {}};
         refuse_stranger(extension.student, {file_, table.line("student")});
         if (table.has("lab")) extension.lab = assigned({file_, table.line("lab")}, lab_of(table));
         if (!table.has("days")) table.fail("[[extension]] must have 'days'");
@@ -196,8 +196,8 @@ private:
         std::map<std::pair<std::string, std::string>, int> lines;
         for (const CsvRow& row : table.rows) {
             const Place place{file, row.line};
-            const std::string &student = table.cell(row, "student"), &lab = table.cell(row, "lab"),
-                              &time = table.cell(row, "handed_in");
+            const std::string student = composed(table.cell(row, "student"));
+            const std::string &lab = table.cell(row, "lab"), &time = table.cell(row, "handed_in");
             refuse_stranger(student, place);
             if (time.size() <= std::string("2027-03-01").size())
                 throw Error(place,
@@ -231,7 +231,7 @@ std::vector<Adjustment> read_adjustments(const fs::path& file) {
             throw Error(place, fmt::format("'{}' is no number of points from -1000 to 1000, such as 1 or -0.5",
                                            printable(table.cell(row, "points"))));
         adjustments.push_back(
-            {table.cell(row, "student"), table.cell(row, "task"), *number, table.cell(row, "note"), place});
+            {composed(table.cell(row, "student")), table.cell(row, "task"), *number, table.cell(row, "note"), place});
         if (adjustments.back().note.empty()) throw Error(place, "an adjustment needs a note: its student reads why");
     }
     return adjustments;

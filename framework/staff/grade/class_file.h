@@ -14,7 +14,7 @@
 namespace relief {
 
 struct Student {
-    std::string student;  ///< the name of the submission, as results.csv shows it
+    std::string student;  ///< the name of the submission, as results.csv shows it, composed()
     std::string name, email, login, canvas_id, sis_id, section;  ///< each may be empty
 };
 

@@ -29,8 +29,8 @@ std::string shown_name(const Student& student) { return student.name.empty() ? s
 
 std::string cell(const std::string& text) { return defused(printable(text, 2000)); }
 
-/// Points for other systems: two decimals, which is what Canvas and Moodle keep.
-std::string decimal(double points) { return fmt::format("{:.2f}", points); }
+/// Points for other systems, which round as they like: the sum of shares, without what binary fractions add.
+std::string decimal(double points) { return fmt::format("{:.10g}", points); }
 
 // ---- XML ----
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <utility>
 
 #include "framework/base/text.h"
 #include "framework/staff/grade/strangers_text.h"
@@ -78,8 +79,9 @@ public:
     }
 
 private:
+    /// The points of each adjustment become those that it adds.
     LabStanding of(const CountedLab& counted, const std::string& student, const SubmissionMark* mark,
-                   const std::vector<Adjustment>& adjustments) const {
+                   std::vector<Adjustment>& adjustments) const {
         const LabMark* const graded = mark ? mark->lab(counted.folder) : nullptr;
         LabStanding lab{.lab = counted.folder,
                         .handed_in = graded != nullptr,
@@ -94,9 +96,13 @@ private:
                 for (const TaskMark& one : graded->tasks)
                     if (one.id == info.id) task.graded = one.points, task.of = one.of;
             task.adjusted = task.graded;
-            for (const Adjustment& one : adjustments)
-                if (one.task == info.id) task.adjusted += one.points;
-            task.adjusted = std::clamp(task.adjusted, 0.0, double(task.of));
+            double asked = task.graded;
+            for (Adjustment& one : adjustments) {
+                if (one.task != info.id) continue;
+                asked += one.points;
+                const double before = std::exchange(task.adjusted, std::clamp(asked, 0.0, double(task.of)));
+                one.points = task.adjusted - before;
+            }
             lab.tasks.push_back(std::move(task));
         }
         add_lateness(lab, student);
@@ -153,28 +159,14 @@ std::string lab_number(const std::string& folder) { return folder.substr(0, fold
 
 }  // namespace
 
-int LabStanding::of() const {
-    return int(sum_of(tasks, &TaskStanding::of));
-}
-double LabStanding::graded() const {
-    return sum_of(tasks, &TaskStanding::graded);
-}
-double LabStanding::adjusted() const {
-    return sum_of(tasks, &TaskStanding::adjusted);
-}
+int LabStanding::of() const { return int(sum_of(tasks, &TaskStanding::of)); }
+double LabStanding::graded() const { return sum_of(tasks, &TaskStanding::graded); }
+double LabStanding::adjusted() const { return sum_of(tasks, &TaskStanding::adjusted); }
 
-int Standing::of() const {
-    return int(sum_of(labs, &LabStanding::of));
-}
-double Standing::graded() const {
-    return sum_of(labs, &LabStanding::graded);
-}
-double Standing::adjusted() const {
-    return sum_of(labs, &LabStanding::adjusted);
-}
-double Standing::points() const {
-    return sum_of(labs, &LabStanding::points);
-}
+int Standing::of() const { return int(sum_of(labs, &LabStanding::of)); }
+double Standing::graded() const { return sum_of(labs, &LabStanding::graded); }
+double Standing::adjusted() const { return sum_of(labs, &LabStanding::adjusted); }
+double Standing::points() const { return sum_of(labs, &LabStanding::points); }
 bool Standing::is_marked() const {
     return !is_waiting && (!mark || mark->graded()) &&
            std::all_of(labs.begin(), labs.end(), [](const LabStanding& lab) { return lab.marked; });

@@ -70,7 +70,8 @@ struct ClassStanding {
 ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile policy,
                              const std::vector<std::string>& only, const std::set<std::string>& handed_in = {});
 ClassStanding class_standing(const std::vector<SubmissionMark>&& temporary, ClassFile policy,
-                             const std::vector<std::string>& only, const std::set<std::string>& handed_in = {}) = delete;
+                             const std::vector<std::string>& only,
+                             const std::set<std::string>& handed_in = {}) = delete;
 
 /// Of a submission alone, before the class is known.
 Standing standing_of(const SubmissionMark& mark);

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "framework/base/module.h"
+
 namespace relief {
 namespace {
 
@@ -64,6 +68,14 @@ constexpr char32_t first_private = 0xf780, last_private = 0xf7ff;
 std::string printable(std::string_view text, size_t max_length) { return shown(text, max_length, false); }
 
 std::string printable_lines(std::string_view text, size_t max_length) { return shown(text, max_length, true); }
+
+std::string composed(std::string text) {
+    const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+    if (std::all_of(text.begin(), text.end(), is_ascii) || text.find('\0') != std::string::npos) return text;
+    static const Module module = open_own_module("relief-unicode.so", "libglib2.0-dev");
+    module.function<decltype(relief_compose)>("relief_compose")(text);
+    return text;
+}
 
 std::string utf8_of_bytes(std::string_view bytes) {
     std::string result;

@@ -179,12 +179,12 @@ std::string submission_name(const fs::path& path) {
     std::string name = (plain.has_filename() ? plain : plain.parent_path()).filename().string();
     if (name.empty() || name == "." || name == "..") name = fs::absolute(path).lexically_normal().filename().string();
     std::error_code unknown;
-    if (fs::is_directory(path, unknown)) return name;
+    if (fs::is_directory(path, unknown)) return composed(name);
     for (const char* ending : {".zip", ".tar", ".tgz", ".gz", ".bz2", ".xz", ".zst", ".tar"})
         if (const size_t length = std::strlen(ending);
             name.size() > length && strcasecmp(name.c_str() + name.size() - length, ending) == 0)
             name.resize(name.size() - length);
-    return name;
+    return composed(name);
 }
 
 std::vector<ArchiveEntry> read_archive(const fs::path& path, size_t largest,

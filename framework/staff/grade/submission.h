@@ -15,7 +15,7 @@ namespace relief {
 constexpr size_t max_task_bytes = size_t{1} << 20;
 
 struct Submission {
-    std::string name;                            ///< of the folder, or of the archive without its extension
+    std::string name;                            ///< see submission_name()
     std::map<std::string, std::string> files;    ///< the text of task files, by their paths in the course
     std::map<std::string, std::string> refused;  ///< the reasons why task files were not taken, by their paths
     std::vector<std::string> ignored;            ///< printable names of all other files; at most a hundred
@@ -26,7 +26,7 @@ struct Submission {
     std::string hash;                ///< SHA-256 of everything that decides a mark; empty if nothing could be read
 };
 
-/// The name of the submission at `path`: "jane" for "a/b/jane.tar.gz".
+/// The name of the submission at `path`, composed(): "jane" for "a/b/jane.tar.gz".
 std::string submission_name(const std::filesystem::path& path);
 
 /// Takes the files whose paths end in one of `wanted` ("shaders/02_x/task.glsl"), in any folder. If several match, it

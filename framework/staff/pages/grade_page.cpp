@@ -107,8 +107,6 @@ List number_cards(const ClassReport& report, const ClassCounts& counts) {
     if (counts.absent > 0) add("nothing handed in", std::to_string(counts.absent));
     if (counts.strangers > 0) add("not on the roster", std::to_string(counts.strangers), "bad");
     add("unchanged, not graded again", std::to_string(report.taken_over));
-    const std::vector<std::string> isolations(counts.isolations.begin(), counts.isolations.end());
-    add("isolation", isolations.empty() ? "none needed" : join(isolations, ", "));
     return cards;
 }
 
@@ -245,21 +243,23 @@ std::string class_page(const ClassReport& report, const ClassStanding& standing)
             columns.push_back(Fields{{"number", number_of(lab.lab)}, {"title", lab_title(lab.lab)}});
     const Fields run{{"seconds", fmt::format("{:.1f}", report.seconds)},
                      {"prepared", fmt::format("{:.1f}", report.prepared)}};
-    return render({.title = "Marks: " + count_of(report.marks.size(), "submission"),
-                   .body = "framework/staff/pages/class",
-                   .styles = {"badge", "framework/staff/pages/class"},
-                   .scripts = {"framework/staff/pages/class"}},
-                  {{"numbers", number_cards(report, counts)},
-                   {"isolation", report.isolation.level == Isolation::limits ? report.isolation.reason : ""},
-                   {"is_long", standing.students.size() > 50},
-                   {"columns", std::move(columns)},
-                   {"has_remarks", has_remarks},
-                   {"labs", labs_with_checks(counts)},
-                   {"submissions", std::move(submissions)},
-                   {"hardest", hardest_checks(counts)},
-                   {"mistakes", known_mistakes(counts)},
-                   {"run", report.prepared > 0 ? Value(run) : Value()},
-                   {"times", times(counts)}});
+    return render(
+        {.title = "Marks: " + count_of(report.marks.size(), "submission"),
+         .body = "framework/staff/pages/class",
+         .styles = {"badge", "framework/staff/pages/class"},
+         .scripts = {"framework/staff/pages/class"}},
+        {{"numbers", number_cards(report, counts)},
+         {"isolated_by", join(std::vector<std::string>(counts.isolations.begin(), counts.isolations.end()), ", ")},
+         {"isolation", report.isolation.level == Isolation::limits ? report.isolation.reason : ""},
+         {"is_long", standing.students.size() > 50},
+         {"columns", std::move(columns)},
+         {"has_remarks", has_remarks},
+         {"labs", labs_with_checks(counts)},
+         {"submissions", std::move(submissions)},
+         {"hardest", hardest_checks(counts)},
+         {"mistakes", known_mistakes(counts)},
+         {"run", report.prepared > 0 ? Value(run) : Value()},
+         {"times", times(counts)}});
 }
 
 }  // namespace relief

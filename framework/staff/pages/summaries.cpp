@@ -73,6 +73,7 @@ ClassStanding write_summaries(const ClassReport& report, const fs::path& folder)
     for (const char* name : {"gradescope", "prairielearn", "surefire"}) make_folder(folder / name);
     const ClassFile policy = read_class_file(class_file_of(folder), folder);
     std::set<std::string> names = handed_in(folder);
+    for (const std::string& name : report.doubled) names.insert(printable(name));
     for (const SubmissionMark& mark : report.marks) names.insert(printable(mark.name));
     const std::vector<std::string> absent = left_out(policy, names, folder);
     names.insert(absent.begin(), absent.end());  // no points at all, rather than 0

@@ -301,6 +301,22 @@ TEST_F(ClassFiles, TheDenominatorIsTheSameForAll) {
                          "assigns none of the labs"));
 }
 
+TEST_F(ClassFiles, ANameIsTheSameHoweverItsAccentsAreWritten) {
+    const std::string apart = "Zoe\u0308", composed = "Zo\u00eb";
+    folder.write("roster.csv", "student,email\n" + apart + ",zoe@x.org\n");
+    folder.write("times.csv", "student,handed_in\n" + apart + ",2027-03-03 10:00\n");
+    folder.write("marks/adjustments.csv", "student,task,points,note\n" + apart + ",13.1,1,fair\n");
+    const ClassFile policy =
+        read("roster = \"roster.csv\"\nhand_ins = \"times.csv\"\n" + some_labs +
+             "[late]\npercent_per_day = 10\n[[extension]]\nstudent = \"" + apart + "\"\ndays = 1\n");
+    const std::vector<SubmissionMark> marks = {submission(composed, {{"13.1", 1}})};
+    const ClassStanding standing = class_standing(marks, policy, {});
+    ASSERT_EQ(standing.students.size(), 1u);
+    EXPECT_EQ(standing.students[0].student.email, "zoe@x.org");
+    EXPECT_EQ(standing.students[0].adjusted(), 2);
+    EXPECT_EQ(standing.students[0].labs[0].days_late, 1) << "with its time, and with its extension";
+}
+
 TEST_F(ClassFiles, AdjustmentsComeBeforeLatenessAndStayWithinTheTask) {
     folder.write("times.csv",
                  "student,lab,handed_in\njane,13,2027-03-03 10:00\njane,,2027-02-28 10:00\njoe,,2027-03-03 10:00\n"
@@ -331,6 +347,8 @@ TEST_F(ClassFiles, AdjustmentsComeBeforeLatenessAndStayWithinTheTask) {
     EXPECT_EQ(lab(1, 0).days_late, 0) << "the longer extension counts";
     EXPECT_EQ(lab(1, 0).extension_days, 5);
     EXPECT_DOUBLE_EQ(lab(1, 0).points(), 3 + 0) << "a task has at most its points and at least none";
+    EXPECT_EQ(standing.students[1].remarks(), (Cells{"13.1: +2 points: all", "13.2: -3 points: copied"}))
+        << "as many as they change: 5 were asked for, and 9";
     EXPECT_EQ(lab(2, 0).late_share, 0.5);
     EXPECT_FALSE(standing.students[3].on_roster);
     EXPECT_EQ(lab(3, 0).days_late, 0) << "without a time nobody is late";
@@ -362,8 +380,7 @@ TEST_F(ClassFiles, AdjustmentsOfNobodyAndOfNoTaskAreRefused) {
 TEST_F(ClassFiles, WithoutARosterAnExtensionForNobodyIsReported) {
     const ClassFile policy = read(some_labs + "[[extension]]\nstudent = \"jnae\"\ndays = 3\n");
     const std::vector marks = {submission("jane", {{"13.1", 1}})};
-    EXPECT_EQ(class_standing(marks, policy, {}).notes,
-              Cells{"1 extension is for nobody who handed in: jnae"});
+    EXPECT_EQ(class_standing(marks, policy, {}).notes, Cells{"1 extension is for nobody who handed in: jnae"});
 }
 
 TEST_F(ClassFiles, WhoWaitsForAGradeHasNotForgottenToHandIn) {

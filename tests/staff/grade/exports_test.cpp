@@ -133,7 +133,7 @@ TEST(Canvas, TakesTheGradebook) {
     expect_harmless(text);
     const std::vector<Cells> rows = strict_rows(text);
     EXPECT_EQ(rows.at(0), (Cells{"Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Lab 2 (4711)"}));
-    EXPECT_EQ(rows.at(1), (Cells{"    Points Possible", "", "", "", "", "4.00"}));
+    EXPECT_EQ(rows.at(1), (Cells{"    Points Possible", "", "", "", "", "4"}));
     ASSERT_EQ(rows.size(), hostile.size() + 3);
     std::set<std::string> ids;
     for (size_t i = 2; i < rows.size(); ++i) {
@@ -143,8 +143,18 @@ TEST(Canvas, TakesTheGradebook) {
         const auto grade = parse_number(rows[i][5]);
         EXPECT_TRUE(grade && *grade >= 0 && *grade <= 4) << rows[i][5];
     }
-    EXPECT_EQ(rows[2][5], "2.70");
-    EXPECT_EQ(rows.back(), (Cells{"Not There", "99", "sis99", "away", "", "0.00"}));
+    EXPECT_EQ(rows[2][5], "2.7");
+    EXPECT_EQ(rows.back(), (Cells{"Not There", "99", "sis99", "away", "", "0"}));
+}
+
+TEST(Canvas, GetsEveryShareOfAPoint) {
+    HostileClass some;
+    LabStanding& lab = some.standing.students[0].labs[0];
+    lab.late_share = 1;
+    for (const auto& [points, text] : {std::pair(2.3125, "2.3125"), {7.0 / 9 * 3, "2.333333333"}, {0.1 + 0.2, "0.3"}}) {
+        lab.tasks[0].adjusted = points;
+        EXPECT_EQ(strict_rows(to_canvas(some.standing))[2][5], text);
+    }
 }
 
 // The importer of Moodle: Identifier, Grade and Last modified (grade) are found by their names; the rest may not
@@ -174,11 +184,11 @@ TEST(Moodle, TakesItsOwnWorksheetBack) {
             if (before[0][column] != "Grade" && before[0][column] != "Feedback comments") {
                 EXPECT_EQ(after[i][column], before[i][column]);
             }
-    EXPECT_EQ(after[1][4], "67.50") << "2.7 of 4 points, of 100";
+    EXPECT_EQ(after[1][4], "67.5") << "2.7 of 4 points, of 100";
     EXPECT_TRUE(contains(after[1][9], "2.7 of 4 points; 2.1: +1 point: Doe, \"Jane\"; lab 02: 1 day late"))
         << after[1][9];
     EXPECT_EQ(after[2], before[2]) << "locked";
-    EXPECT_EQ(after[3][4], "0.00");
+    EXPECT_EQ(after[3][4], "0");
     EXPECT_EQ(after[3][9], "0 of 4 points; nothing handed in");
     EXPECT_EQ(after[4], before[4]) << "nobody of the roster";
     EXPECT_EQ(

@@ -337,7 +337,7 @@ TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsStartedOnce) {
     const std::vector<Shot> shots(2, manifest.checks.front().shot);
     const Attempt stalled = attempt(stage, lab, files, shots, {}, {.cpu = 2}, 1);
     for (const DrawnAttempt& shot : stalled.shots) EXPECT_EQ(shot.outcome, Outcome::out_of_time) << shot.error;
-    EXPECT_EQ(stalled.shots[1].error, "not started again: " + stalled.shots[0].error);
+    EXPECT_EQ(stalled.shots[1].error, "not drawn, since a check before it is out of time: " + stalled.shots[0].error);
 }
 
 // Otherwise a busy machine would let a submission compute for longer than an idle one does.
@@ -691,6 +691,23 @@ TEST(Grade, ANameOfAnyBytesIsGradedShownAndResumed) {
     EXPECT_TRUE(contains(resumed.out, "0 graded, 2 unchanged")) << resumed.out;
 }
 
+TEST(Grade, SubmissionsOfOneNameAreLeftOutAndTheClassGoesOn) {
+    const TemporaryFolder folder;
+    const std::string output = (folder.path() / "out").string();
+    folder.write("a/jane\u0301/notes.txt", "");  // two characters, and one
+    folder.write("b/jan\u00e9/notes.txt", "");
+    folder.write("c/joe/notes.txt", "");
+    std::vector<std::string> words;
+    for (const char* one : {"a/jane\u0301", "c/joe", "b/jan\u00e9"}) words.push_back((folder.path() / one).string());
+    words.insert(words.end(), {"-o", output});
+    const Result graded = run(grade(words));
+    EXPECT_EQ(graded.code, 1);
+    EXPECT_TRUE(contains(graded.err, "2 submissions are named 'jan\u00e9', so none of them is graded: ")) << graded.err;
+    EXPECT_TRUE(contains(graded.out, "1 graded, 0 unchanged, 1 not graded")) << graded.out;
+    EXPECT_TRUE(fs::exists(output + "/results/joe.json"));
+    EXPECT_FALSE(fs::exists(output + "/results/jan\u00e9.json"));
+}
+
 TEST(Grade, ALinkInATaskFilesPlaceIsCalledALink) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
@@ -809,7 +826,6 @@ TEST(Grade, WrongUseIsOneClearLine) {
                  {{a, "-o", output, "--jobs", "0"}, "--jobs takes a whole number from 1 to 256, not '0'"},
                  {{a, "-o", output, "--lab", "99"}, "unknown lab"},
                  {{a + "x", "-o", output}, "there is no '"},
-                 {{a, b, "-o", output}, "two submissions are named 'jane'"},
                  {{a, "-o", output, "--shard", "3/2"}, "--shard asks for part 3 of 2"},
                  {{a, "-o", output, "--shard", "2"}, "--shard takes i/n, like 2/8, not '2'"},
                  {{"--resume", "-o", output + "/nowhere"}, "there is nothing to resume"},

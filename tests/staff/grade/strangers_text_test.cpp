@@ -29,6 +29,15 @@ TEST(StrangersText, IsUtf8WhateverItsBytes) {
     EXPECT_EQ(printable(std::string(1000, 'x')).size(), 203u);
 }
 
+TEST(StrangersText, HasOneFormForALetterWithAnAccent) {
+    EXPECT_EQ(composed("Zoe\u0308 Nguye\u0302\u0303n"), "Zo\u00eb Nguy\u1ec5n") << "Annex 15: composed twice";
+    EXPECT_EQ(composed("\u212bke"), "\u00c5ke") << "a sign for a letter is the letter";
+    EXPECT_EQ(composed("\ufb01"), "\ufb01") << "a ligature stays: names that look alike are not all the same";
+    EXPECT_EQ(composed("m\xfcller"), "m\xfcller") << "not UTF-8";
+    EXPECT_EQ(composed(std::string("\u0301\0e\u0301", 6)), std::string("\u0301\0e\u0301", 6));
+    EXPECT_EQ(composed("jane"), "jane");
+}
+
 TEST(StrangersText, GoesThroughJsonAndComesBackAsItWas) {
     std::string all;
     for (int i = 0; i < 256; ++i) all += char(i);

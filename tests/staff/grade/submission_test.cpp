@@ -67,6 +67,7 @@ with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as z:
     z.writestr("jane\\shaders\\01_a\\task.glsl", "mine"))");
     EXPECT_EQ(read_submission(zip, wanted).hash, plain.hash);
     EXPECT_EQ(submission_name("a/JANE.ZIP"), "JANE") << "as some systems write it";
+    EXPECT_EQ(submission_name("a/Zoe\u0308.zip"), "Zo\u00eb") << "as macOS writes it";
     folder.write("jane/shaders/01_a/task.glsl", "mine!");
     EXPECT_NE(read_submission(folder.path() / "jane", wanted).hash, plain.hash);
 }
