@@ -23,7 +23,10 @@ public:
     void draw(const Frame& frame) override {
         std::vector<View> views = views_of(frame);
         // Maps first: making them changes the framebuffer.
-        for (size_t i = 0; i < views.size(); ++i) prepare(views[i], globes_[i], frame.probe);
+        for (size_t i = 0; i < views.size(); ++i) {
+            cover_with_patches(views[i], views.size());
+            prepare(views[i], globes_[i], frame.probe);
+        }
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glViewport(0, 0, frame.size.x, frame.size.y);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -80,7 +83,11 @@ public:
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
         Frame asked = frame;
         asked.probe = probe;
-        const std::vector<View> views = views_of(asked);
+        std::vector<View> views = views_of(asked);
+        for (View& view : views) {
+            view.plan.most_patches = most_patches(view, views.size());
+            if (view.is_flat) cover_with_patches(view, views.size());  // for the texels of its maps
+        }
         std::vector<Tile> tiles;
         for (const View& view : views) tiles.push_back(view.tile);
         return truth_in_tiles(frame, tiles, [&](const Frame& part, size_t i) -> std::optional<Image> {
@@ -114,7 +121,7 @@ private:
         Eye seen_from;
         MapRecipe recipe;
         std::vector<Leaf> leaves;
-        std::string title;
+        std::string title, bounded;  ///< the second: of which there would be more
     };
 
     Shape shape() const { return {{seed_, detail_, height_}, Mapping(mapping_), 8 << quads_}; }
@@ -249,10 +256,27 @@ private:
         view.recipe.normals = Normals::one_scale;
     }
 
-    void prepare(View& view, Globe& globe, const Probe& probe) const {
-        view.leaves = leaves(view.plan);
+    /// Returns the largest number of patches that one of `views` may have.
+    static size_t most_patches(const View& view, size_t views) {
+        return size_t(most_vertices) / views / size_t(vertices_of_patch(view.plan.shape.quads));
+    }
+
+    /// Covers the planet with at most as many patches, and texels in their maps, as one of `views` may have.
+    static void cover_with_patches(View& view, size_t views) {
+        view.plan.most_patches = most_patches(view, views);
+        Cover all = cover(view.plan);
+        view.leaves = std::move(all.leaves);
         // Culled patches are only drawn in the view from the side.
         if (!view.shows_patches) std::erase_if(view.leaves, [](const Leaf& leaf) { return leaf.state != Leaf::drawn; });
+        if (all.is_bounded) view.bounded = fmt::format("at most {} patches", view.plan.most_patches);
+        const int wanted = view.recipe.texels;
+        view.recipe.texels = texels_that_fit(wanted, view.leaves.size(), most_texels / int(views));
+        if (view.recipe.texels < wanted)
+            view.bounded +=
+                fmt::format("{}maps of {} texels at most", view.bounded.empty() ? "" : ", ", view.recipe.texels);
+    }
+
+    void prepare(const View& view, Globe& globe, const Probe& probe) const {
         const bool maps = view.is_flat
                               ? !probe || probe.name == "slope" || (probe.name == "normal" && slopes_from_ == 0)
                               : !probe || probe.name == "normal";
@@ -378,6 +402,7 @@ private:
 
     void describe(glm::ivec2 size, const View& view, const Globe& globe) {
         if (!view.title.empty()) labels_.caption(size, view.tile, 0, view.title);
+        if (!view.bounded.empty()) labels_.caption(size, view.tile, 1, view.bounded);
         if (view_ != patches) return;
         const size_t count = size_t(std::count_if(view.leaves.begin(), view.leaves.end(),
                                                   [](const Leaf& leaf) { return leaf.state == Leaf::drawn; }));

@@ -4,7 +4,9 @@
 #include <glm/gtc/constants.hpp>
 #include <map>
 #include <mutex>
+#include <queue>
 #include <random>
+#include <tuple>
 
 #include "framework/base/parallel.h"
 #include "task.h"
@@ -233,7 +235,18 @@ void balance(const Shape& shape, std::vector<Leaf>& all) {
 
 }  // namespace
 
-std::vector<Leaf> leaves(const Plan& plan, const Rules& rules) {
+namespace {
+
+/// The place of a patch among all leaves: a quarter after the other, and so on within each.
+std::pair<int, uint64_t> order_of(const PatchId& id) {
+    uint64_t code = 0;
+    for (int bit = id.level; bit-- > 0;) code = code << 2 | uint64_t(id.y >> bit & 1) << 1 | uint64_t(id.x >> bit & 1);
+    return {id.face, code << 2 * (deepest_level - id.level)};
+}
+
+}  // namespace
+
+Cover cover(const Plan& plan, const Rules& rules) {
     const Measured& known = measured(plan.shape);
     std::array<double, deepest_level + 1> within{};
     for (int level = 0; level < deepest_level; ++level)
@@ -244,29 +257,59 @@ std::vector<Leaf> leaves(const Plan& plan, const Rules& rules) {
                                                            plan.pixels, plan.eye.field_of_view_rad) /
                                           plan.radius;
     const double from_centre = glm::length(plan.eye.place);
-    std::vector<Leaf> all;
-    const auto add = [&](const auto& self, const PatchId& id) -> void {
-        const Bounds bounds = bounds_of(plan.shape, id);
-        Leaf::State state = Leaf::drawn;
-        if (plan.cull != Cull::none && is_outside(plan.eye, bounds.middle, bounds.radius)) state = Leaf::outside;
-        if (plan.cull == Cull::horizon && from_centre > 0) {
-            const double apart =
-                std::acos(std::clamp(glm::dot(plan.eye.place, bounds.direction) / from_centre, -1.0, 1.0));
-            if (rules.behind_horizon(from_centre * plan.radius, std::max(0.0, apart - bounds.angle), plan.radius,
-                                     plan.radius * (1 + bounds.highest)))
-                state = Leaf::hidden;
+    /// A leaf that should be split, the more urgently the nearer it is for its level.
+    struct Split {
+        double need;
+        size_t leaf;
+        int level;
+        bool operator<(const Split& other) const {
+            return std::tuple(need, -level, other.leaf) < std::tuple(other.need, -other.level, leaf);
         }
-        const double away = std::max(0.0, glm::distance(plan.eye.place, bounds.middle) - bounds.radius);
-        if (state != Leaf::drawn || id.level == deepest_level || away > within[size_t(id.level)]) {
-            all.push_back({id, state});
-            return;
-        }
-        for (int child = 0; child < 4; ++child)
-            self(self, PatchId{id.face, id.level + 1, 2 * id.x + child % 2, 2 * id.y + child / 2});
     };
-    for (int face = 0; face < face_count(plan.shape.mapping); ++face) add(add, PatchId{.face = face});
-    balance(plan.shape, all);
-    return all;
+    const auto grown_to = [&](size_t most) {
+        Cover result;
+        std::vector<Leaf>& all = result.leaves;
+        std::priority_queue<Split> splits;
+        const auto put = [&](size_t at, const PatchId& id) {
+            const Bounds bounds = bounds_of(plan.shape, id);
+            Leaf::State state = Leaf::drawn;
+            if (plan.cull != Cull::none && is_outside(plan.eye, bounds.middle, bounds.radius)) state = Leaf::outside;
+            if (plan.cull == Cull::horizon && from_centre > 0) {
+                const double apart =
+                    std::acos(std::clamp(glm::dot(plan.eye.place, bounds.direction) / from_centre, -1.0, 1.0));
+                if (rules.behind_horizon(from_centre * plan.radius, std::max(0.0, apart - bounds.angle), plan.radius,
+                                         plan.radius * (1 + bounds.highest)))
+                    state = Leaf::hidden;
+            }
+            if (at == all.size()) all.emplace_back();
+            all[at] = {id, state};
+            const double away = std::max(0.0, glm::distance(plan.eye.place, bounds.middle) - bounds.radius);
+            if (state != Leaf::drawn || id.level == deepest_level || away > within[size_t(id.level)]) return;
+            const double need = within[size_t(id.level)] / away;
+            splits.push({std::isnan(need) ? INFINITY : need, at, id.level});
+        };
+        for (int face = 0; face < face_count(plan.shape.mapping); ++face) put(all.size(), PatchId{.face = face});
+        for (; !splits.empty() && all.size() + 3 <= most;) {
+            const size_t at = splits.top().leaf;
+            const PatchId id = all[at].id;
+            splits.pop();
+            for (int child = 0; child < 4; ++child)
+                put(child == 0 ? at : all.size(),
+                    PatchId{id.face, id.level + 1, 2 * id.x + child % 2, 2 * id.y + child / 2});
+        }
+        result.is_bounded = !splits.empty();
+        std::sort(all.begin(), all.end(), [](const Leaf& a, const Leaf& b) { return order_of(a.id) < order_of(b.id); });
+        balance(plan.shape, all);
+        return result;
+    };
+    Cover result = grown_to(plan.most_patches);
+    // Neighbours of two levels were split once more.
+    for (size_t most = plan.most_patches; result.leaves.size() > plan.most_patches && most > 6;) {
+        most = most * 3 / 4;
+        result = grown_to(most);
+        result.is_bounded = true;
+    }
+    return result;
 }
 
 }  // namespace relief::planet

@@ -87,6 +87,7 @@ struct Plan {
     bool skirts = true;
     double pixels = 512;  ///< height of the picture
     Eye eye;
+    size_t most_patches = 6144;  ///< at least 6, the faces; the patches that need it most are split first
 };
 
 struct Leaf {
@@ -106,9 +107,16 @@ Rules students_rules();
 /// Returns whether a sphere is wholly outside of the picture or behind the eye. Conservative: may return false.
 bool is_outside(const Eye& eye, const glm::dvec3& middle, double radius);
 
-/// Returns patches that cover the whole planet. A culled patch is as large as possible. Drawn neighbours differ by one
-/// level at most.
-std::vector<Leaf> leaves(const Plan& plan, const Rules& rules = students_rules());
+/// Patches that cover the whole planet. A culled patch is as large as possible. Drawn neighbours differ by one level at
+/// most.
+struct Cover {
+    std::vector<Leaf> leaves;
+    bool is_bounded = false;  ///< the plan asks for more patches than its most_patches
+};
+Cover cover(const Plan& plan, const Rules& rules = students_rules());
+inline std::vector<Leaf> leaves(const Plan& plan, const Rules& rules = students_rules()) {
+    return cover(plan, rules).leaves;
+}
 /// Returns the face of a unit direction, and s and t on it. The inverse of direction_at().
 std::pair<int, glm::dvec2> face_place(Mapping mapping, const glm::dvec3& direction);
 

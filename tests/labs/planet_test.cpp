@@ -5,6 +5,7 @@
 
 #include "framework/gl/counters.h"
 #include "framework/gl/program.h"
+#include "labs/09_planet/globe.h"
 #include "labs/09_planet/staff/exact.h"
 #include "labs/09_planet/task.h"
 #include "tests/labs/shots.h"
@@ -177,6 +178,51 @@ Plan near_ground(Dice& dice, double altitude) {
         Eye::looking((1 + height(plan.shape.ground, up) + altitude) * up, std::cos(tilt) * side + std::sin(tilt) * up,
                      std::cos(tilt) * up - std::sin(tilt) * side, 1, 1);
     return plan;
+}
+
+TEST(Planet, ACoverKeepsToItsNumberOfPatchesAndSplitsWhatIsNear) {
+    Plan plan;
+    plan.levels = Levels::uniform, plan.level = 5, plan.cull = Cull::none;
+    EXPECT_FALSE(cover(plan).is_bounded);
+    EXPECT_EQ(cover(plan).leaves.size(), 6u << 10);
+    Dice dice;
+    for (const size_t most : {size_t(100), size_t(500), size_t(3000)})
+        for (const Levels levels : {Levels::uniform, Levels::distance, Levels::error}) {
+            plan.most_patches = most, plan.levels = levels, plan.budget = 0.001;
+            plan.eye.place = 1.01 * dice.direction();
+            const Cover bounded = cover(plan);
+            EXPECT_TRUE(bounded.is_bounded);
+            EXPECT_LE(bounded.leaves.size(), most);
+            EXPECT_GE(bounded.leaves.size(), most / 4);
+            double area = 0, near = INFINITY;
+            int level_near = 0, lowest = deepest_level;
+            for (const Leaf& leaf : bounded.leaves) {
+                area += std::pow(0.25, leaf.id.level);
+                lowest = std::min(lowest, leaf.id.level);
+                const double away = glm::distance(plan.eye.place, bounds_of(plan.shape, leaf.id).middle);
+                if (away < near) near = away, level_near = leaf.id.level;
+            }
+            EXPECT_EQ(area, 6) << "faces";
+            EXPECT_GE(level_near, lowest);
+        }
+}
+
+TEST(Planet, DrawsWithinItsBoundsAtTheEndsOfItsKnobs) {
+    const std::vector<std::vector<Knob>> ends = {
+        {{"levels", "uniform"}, {"level", "5"}, {"cull", "none"}},
+        {{"levels", "uniform"}, {"level", "5"}, {"cull", "none"}, {"quads", "32"}, {"texels", "256"}},
+        {{"budget", "0.25"}, {"cull", "none"}, {"quads", "8"}, {"texels", "256"}}};
+    for (const char* view : {"compare", "planet", "pole", "patches", "faces", "mountains", "frames"})
+        for (std::vector<Knob> set : ends) {
+            if (view != std::string("compare") && set != ends[0]) continue;  // the others have other maps only
+            set.emplace_back("view", view);
+            const Shot shot = shot_of("09", set, "", {160, 120});
+            const int64_t before = counters().texture_bytes;
+            const auto lab = make_lab(find_lab("09"), shot);
+            EXPECT_NO_THROW(draw_shot(*lab, shot)) << view;
+            // 16 bytes a texel. A map has places for up to 64 patches more, which may be twice as many.
+            EXPECT_LE(counters().texture_bytes - before, 2 * 16 * int64_t(most_texels)) << view;
+        }
 }
 
 TEST(Planet, NeighboursDifferByOneLevelAndAllOfTheGroundHasOnePatch) {
