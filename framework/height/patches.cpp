@@ -182,10 +182,10 @@ double steepest_slope(std::span<const HeightCorner> patch, glm::dvec2 slope) {
 }
 
 /// Returns the number of samples along a side, a power of two: at least `density` per texel of the longer side of `uv`,
-/// where this side counts as fewest_texels to most_texels.
-int cuts_for(glm::dvec2 uv, const Image& heights, int density) {
+/// where this side counts as fewest_texels to `most` texels.
+int cuts_for(glm::dvec2 uv, const Image& heights, int density, int most) {
     const double texels = std::max(std::abs(uv.x) * heights.width, std::abs(uv.y) * heights.height);
-    if (!(texels < most_texels)) return density * most_texels;
+    if (!(texels < most)) return density * most;
     return int(std::bit_ceil(unsigned(std::ceil(density * std::max<double>(texels, fewest_texels)))));
 }
 
@@ -224,9 +224,9 @@ LevelErrors level_errors(int cuts, const Error& error) {
 /// Gives the same bits from either end of the edge. Products of floats and dyadic weights are exact in double
 /// precision, and a sum of two terms commutes. (The sum of squares may depend on the order in its last bits, which
 /// rounding to float hides.)
-LevelErrors edge_errors(const Image& heights, glm::vec4 uv, float& middle) {
+LevelErrors edge_errors(const Image& heights, glm::vec4 uv, int most, float& middle) {
     const glm::dvec2 begin(uv.x, uv.y), end(uv.z, uv.w);
-    const int cuts = cuts_for(end - begin, heights, dense_on_edges);
+    const int cuts = cuts_for(end - begin, heights, dense_on_edges, most);
     std::array<float, dense_on_edges * most_texels + 1> samples{};
     for (int i = 0; i <= cuts; ++i) {
         const double t = double(i) / cuts;
@@ -250,13 +250,14 @@ LevelErrors edge_errors(const Image& heights, glm::vec4 uv, float& middle) {
 /// The heights inside a patch, on a grid that contains the vertices of each level.
 class Samples {
 public:
-    LevelErrors errors(const Image& heights, std::span<const HeightCorner> patch) {
+    LevelErrors errors(const Image& heights, std::span<const HeightCorner> patch, int most) {
         const size_t n = patch.size();
         const auto uv = [&](size_t i) { return glm::dvec2(patch[i % n].uv); };
         const glm::dvec2 a = uv(1) - uv(0), b = uv(n - 1) - uv(0), twist = n == 4 ? uv(2) - uv(1) - b : glm::dvec2(0);
         is_triangle_ = n == 3;
         cuts_ = 0;
-        for (size_t i = 0; i < n; ++i) cuts_ = std::max(cuts_, cuts_for(uv(i + 1) - uv(i), heights, dense_inside));
+        for (size_t i = 0; i < n; ++i)
+            cuts_ = std::max(cuts_, cuts_for(uv(i + 1) - uv(i), heights, dense_inside, most));
         for (int j = 0; j <= cuts_; ++j)
             for (int i = 0; i <= (is_triangle_ ? cuts_ - j : cuts_); ++i) {
                 const double s = double(i) / cuts_, t = double(j) / cuts_;
@@ -298,6 +299,14 @@ private:
 
 }  // namespace
 
+int densest_samples(size_t patches) {
+    constexpr double most_samples = 64e6;
+    int densest = dense_inside * most_texels;
+    const auto samples = [](double side) { return (side + 1) * (side + 1) + 4 * (4 * side + 1); };
+    while (densest > dense_inside * fewest_texels && double(patches) * samples(densest) > most_samples) densest /= 2;
+    return densest;
+}
+
 std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, int corners, const Image& heights,
                                           bool with_errors) {
     std::vector<Ranges> levels;
@@ -309,6 +318,7 @@ std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, 
     };
 
     std::vector<PatchHeights> result(points.size() / size_t(corners));
+    const int most = densest_samples(result.size()) / dense_inside;
     parallel_pieces(result.size(), 8, 0, [&](size_t begin, size_t end) {
         Samples samples;
         for (size_t i = begin; i < end; ++i) {
@@ -319,10 +329,11 @@ std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, 
 
             PatchHeights& measured = result[i];
             measured.slope = float(steepest_slope(patch, range.slope));
-            if (with_errors) measured.inside = samples.errors(heights, patch);
+            if (with_errors) measured.inside = samples.errors(heights, patch, most);
             for (size_t k = 0; k < patch.size(); ++k) {
                 const HeightCorner& corner = patch[k];
-                if (with_errors) measured.edges[k] = edge_errors(heights, corner.edge_uv, measured.edge_heights[k]);
+                if (with_errors)
+                    measured.edges[k] = edge_errors(heights, corner.edge_uv, most, measured.edge_heights[k]);
                 const glm::vec2 here(corner.edge_uv), there(corner.edge_uv.z, corner.edge_uv.w);
                 for (const Box& box : {Box(here, there), Box(corner.height_uv, corner.height_uv)})
                     if (!inside.holds(box)) range.take_in(range_within(box));

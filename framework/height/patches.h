@@ -45,9 +45,14 @@ struct PatchHeights {
 /// finite; NaN heights are ignored. Most of the time goes into errors: without `with_errors` they are 0.
 ///
 /// Errors are for mip level 0, and are sampled: 2 samples per texel inside and 8 on edges, at least 16 (64 on edges)
-/// and at most 128 (512) along a side. So a relief with sharp features can have larger errors between samples. A level
-/// with at most one sample between two vertices gets at least half the error of the level before.
+/// and at most densest_samples() (four times as many) along a side. So a relief with sharp features can have larger
+/// errors between samples. A level with at most one sample between two vertices gets at least half the error of the
+/// level before.
 std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, int corners, const Image& heights,
                                           bool with_errors = true);
+
+/// Places along a side at which the errors of each of so many patches are measured at most: 128, or fewer so that all
+/// together stay below 64 million, which takes seconds.
+int densest_samples(size_t patches);
 
 }  // namespace relief

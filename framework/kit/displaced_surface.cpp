@@ -113,6 +113,25 @@ int DisplacedSurface::draw_and_count() const {
     return triangles;
 }
 
+float DisplacedSurface::most_level(int draws) const {
+    // A quad of level l becomes 2 l² triangles, a triangle 1.5 l².
+    const double of_one = (corners() == 4 ? 2.0 : 1.5) * double(std::max<size_t>(1, patches().patches()));
+    return std::clamp(float(std::floor(std::sqrt(most_triangles / (of_one * draws)))), 1.0f, finest_level);
+}
+
+float DisplacedSurface::most_level(const Program& program, float wanted, int draws) const {
+    const float certain = most_level(draws);
+    if (wanted <= certain) return finest_level;
+    // Patches that are culled or far away need few; each of the others grows with the square of its level at most.
+    const float coarse = std::min(8.0f, certain);
+    program.set("u_most_level", coarse);
+    glEnable(GL_RASTERIZER_DISCARD);
+    const int counted = draw_and_count();
+    glDisable(GL_RASTERIZER_DISCARD);
+    const double larger = std::sqrt(most_triangles / (std::max(1.0, double(counted)) * draws));
+    return std::clamp(std::floor(coarse * float(larger)), certain, finest_level);
+}
+
 void DisplacedSurface::begin_winding() {
     constexpr float zero[4] = {};
     glClearBufferfv(GL_COLOR, 0, zero);

@@ -46,11 +46,13 @@ void Labels::text(const std::string& text, glm::vec2 place, float height, Align 
 
 void Labels::caption(glm::ivec2 size, const Tile& tile, int line, const std::string& text, glm::vec3 color) {
     // Line spacing does not depend on the text. A long text is drawn smaller.
-    const float high = std::min(line_height(size), 0.075f * float(tile.size.y)) * (line == 0 ? 1.0f : 0.8f);
+    const float first = std::min(line_height(size), 0.075f * float(tile.size.y)),
+                high = first * (line == 0 ? 1.0f : 0.8f);
     const float height = std::min(high, 0.94f * float(tile.size.x) / ((float(text.size()) + 1) * letter_aspect));
     const float top = float(size.y - tile.corner.y - tile.size.y);
-    const float y =
-        line >= 0 ? top + high * (float(line) + 0.3f) : top + float(tile.size.y) + high * (float(line) * 1.05f - 0.7f);
+    const float y = line == 0  ? top + high * 0.3f
+                    : line > 0 ? top + first * 1.4f + high * 1.05f * float(line - 1)
+                               : top + float(tile.size.y) + high * (float(line) * 1.05f - 0.7f);
     this->text(text, {float(tile.corner.x) + float(tile.size.x) / 2, y}, height, Align::centre, color);
 }
 

@@ -42,6 +42,8 @@ public:
             glDisable(GL_POLYGON_OFFSET_FILL);
             if (show_ != light) draw_wire(part, tiles[i], method, triangles);
             if (view_ != one) describe(frame.size, tiles[i], method, triangles);
+            if (const float most = std::max(method.level, inside_of(method)); bounded(most) < most)
+                labels_.caption(frame.size, tiles[i], 1, fmt::format("levels up to {:.0f}", bounded(most)));
         }
         if (is_count) DisplacedSurface::end_winding();
         labels_.draw(frame);
@@ -107,6 +109,10 @@ private:
         return method;
     }
 
+    float inside_of(const Method& method) const {
+        return inside_ > 0 && view_ != compare && !method.is_flat ? inside_ : method.level;
+    }
+
     void draw_wire(const Frame& frame, const Tile& tile, const Method& method, int triangles) {
         // Lines fade where triangles are so small that lines would hide them. The side of a triangle is estimated: half
         // of the triangles face the eye, and cover half of the tile.
@@ -134,6 +140,12 @@ private:
         labels_.caption(size, tile, -1, grouped(triangles) + " triangles", {0.62f, 0.63f, 0.65f});
     }
 
+    /// Clamps a level to the finest that the whole picture can take.
+    float bounded(float level) const {
+        const int tiles = int(tiles_of_view({1, 1}).size()), passes = show_ == light ? 1 : 2;
+        return std::min(level, surface_.most_level(tiles * passes));
+    }
+
     /// Draws the surface. Returns the number of triangles for a picture, and 0 for a probe or lines.
     int draw_surface(const Frame& frame, const Method& method, const Define& purpose) {
         const Program& program =
@@ -142,8 +154,8 @@ private:
         glUseProgram(program);
         surface_.set(program, frame);
         if (method.is_flat) program.set("u_scale", 0.0f);
-        program.set("u_level", method.level);
-        program.set("u_inside", inside_ > 0 && view_ != compare && !method.is_flat ? inside_ : method.level);
+        program.set("u_level", bounded(method.level));
+        program.set("u_inside", bounded(inside_of(method)));
         program.set("u_to_light", light_.direction());
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
         if (surface_.is_one_sided() && purpose.text != "PROBE_winding") glEnable(GL_CULL_FACE);

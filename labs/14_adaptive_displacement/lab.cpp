@@ -32,6 +32,7 @@ public:
         if (is_count) DisplacedSurface::begin_winding();
         const auto tiles = tiles_of(frame.size, view_ == both ? 2 : 1);
         int by_eye = 0;
+        most_level_ = DisplacedSurface::finest_level;
         for (size_t i = 0; i < tiles.size(); ++i) {
             const Frame eye = frame_in(frame, tiles[i]);
             const bool is_above = view_ == above || (view_ == both && i == 1);
@@ -53,6 +54,12 @@ public:
                 describe_picture(frame.size, tiles[i], eye, by_eye = triangles);
         }
         if (is_count) DisplacedSurface::end_winding();
+        std::string bounded;
+        if (most_level_ < DisplacedSurface::finest_level) bounded = fmt::format("levels up to {:.0f}", most_level_);
+        if (const int samples = densest_samples(surface_.patches().patches());
+            method_ == by_error && samples < densest_samples(1))
+            bounded += fmt::format("{}errors from {} places a side", bounded.empty() ? "" : ", ", samples);
+        if (!bounded.empty() && !frame.probe) labels_.caption(frame.size, tiles[0], 1, bounded);
         labels_.draw(frame);
     }
 
@@ -116,6 +123,17 @@ private:
         return Camera(orbit, double(eye.size.x) / std::max(1, eye.size.y));
     }
 
+    /// How often a picture draws the surface: for each view its triangles and their edges; holes are counted once.
+    int draws_of_picture() const {
+        return (view_ == both ? 2 : 1) * (wire_ ? 2 : 1) + (view_ != above && levels_of_ == patches ? 1 : 0);
+    }
+    /// That an edge can have, with a little of what fractions round up to.
+    float highest_level() const {
+        return method_ == uniform       ? level_
+               : method_ == by_distance ? std::exp2(std::max(finest_, coarsest_))
+                                        : DisplacedSurface::finest_level;
+    }
+
     void draw_wire(const Frame& eye, const Frame& seen) {
         glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
         draw_surface(eye, seen, "WIRE");
@@ -146,6 +164,10 @@ private:
         program.set("u_fade", glm::vec2(fade_begin_, std::max(fade_end_, fade_begin_ + 1e-3f)));
         program.set("u_to_light", light_.direction());
         program.set("u_wire", glm::vec3(0.93f, 0.86f, 0.62f));
+        const float most =
+            surface_.most_level(program, highest_level(), purpose.text.starts_with("PROBE_") ? 1 : draws_of_picture());
+        most_level_ = std::min(most_level_, most);
+        program.set("u_most_level", most);
         if (one_sided) glEnable(GL_CULL_FACE);
         // A probe has no caption for the count. Its caller may have a query of its own running.
         int triangles = 0;
@@ -257,6 +279,7 @@ private:
 
     int view_ = both, method_ = by_error, levels_of_ = edges, spacing_ = 1, cull_ = cull_all;
     float level_ = 8, nearest_ = 1, farthest_ = 16, finest_ = 5, coarsest_ = 0, segment_ = 8, budget_ = 4;
+    float most_level_ = DisplacedSurface::finest_level;  ///< that this draw may use
     bool fade_ = false, wire_ = false;
     float fade_begin_ = 6, fade_end_ = 12;
     DistantLight light_{-60, 30};

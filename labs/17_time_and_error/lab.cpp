@@ -33,7 +33,10 @@ public:
         for (size_t i = 0; i < tiles.size(); ++i) {
             const bool shows_methods = view_ == methods_only || (view_ == both && i == 1);
             glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
-            draw_wall(frame_budget(frame_in(frame, tiles[i])), shows_methods);
+            const double reach = draw_wall(frame_budget(frame_in(frame, tiles[i])), shows_methods);
+            if (std::isfinite(reach))
+                labels_.caption(frame.size, tiles[i], 1,
+                                fmt::format("triangles coarser beyond {}", amount_of(reach, "metre", 2)));
             if (shows_methods)
                 describe_methods(frame.size, tiles[i], shares);
             else
@@ -163,7 +166,8 @@ private:
         return groups;
     }
 
-    void draw_wall(const FrameBudget& budget, bool shows_methods) {
+    /// Returns from where on its displaced cells are cut less finely than the budget asks, metres; else infinity.
+    double draw_wall(const FrameBudget& budget, bool shows_methods) {
         const Frame& frame = budget.frame;
         const Define purpose = frame.probe ? Define(frame.probe) : shows_methods ? "METHOD_COLORS" : "";
         if (!uploaded_) {
@@ -175,17 +179,25 @@ private:
         }
         glBindVertexArray(uploaded_->layout);
         glBindBuffer(GL_ARRAY_BUFFER, uploaded_->places);
+        double reach = INFINITY;
         for (const auto& [group, places] : groups_of(budget, frame.probe.name, shows_methods)) {
             const bool displaced = group.methods == bit(displacement);
             glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(places.size() * sizeof(glm::vec2)), places.data(), GL_STREAM_DRAW);
-            set((displaced ? displaced_ : flat_)
-                    .with({purpose, fmt::format("METHODS {}", group.methods), group.may_leave ? "MAY_LEAVE" : ""}),
-                budget, displaced ? map_errors().pieces() : map_errors().levels);
-            if (displaced)
+            const Program& program =
+                (displaced ? displaced_ : flat_)
+                    .with({purpose, fmt::format("METHODS {}", group.methods), group.may_leave ? "MAY_LEAVE" : ""});
+            set(program, budget, displaced ? map_errors().pieces() : map_errors().levels);
+            if (displaced) {
+                std::vector<glm::dvec2> cells;
+                for (size_t i = 0; i < places.size(); i += 4) cells.emplace_back(places[i]);
+                reach = finest_reach(budget, map_errors(), cells);
+                program.set("u_reach", reach);
                 draw_patches(int(places.size()) / 4, 4);
-            else
+            } else {
                 glDrawArrays(GL_TRIANGLES, 0, GLsizei(places.size()));
+            }
         }
+        return reach;
     }
 
     /// Sets the uniforms. `errors` are piece_errors() if the program displaces, and otherwise level_errors().

@@ -213,6 +213,53 @@ std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps)
     return patches;
 }
 
+double finest_reach(const FrameBudget& budget, const MapErrors& maps, const std::vector<glm::dvec2>& cells) {
+    if (2 * 64.0 * 64.0 * double(cells.size()) <= most_triangles) return INFINITY;
+    const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
+    const glm::dvec3 eye = budget.frame.camera.eye();
+    const glm::dvec4 along = clip_from_world * glm::dvec4(0, 0, 1, 0);
+    struct Cell {
+        double level, away;
+    };
+    // As shaders/17_time_and_error/wall.tesc has it at the corner of the cell that needs most.
+    std::vector<Cell> all;
+    for (const glm::dvec2& low : cells) {
+        double pixels = 0, away = INFINITY;
+        bool is_before = false, is_behind = false;
+        for (const glm::dvec2 corner :
+             {glm::dvec2(0, 0), {cell_metres, 0}, {cell_metres, cell_metres}, {0, cell_metres}}) {
+            const glm::dvec4 clip = clip_from_world * glm::dvec4(low + corner, 0, 1);
+            away = std::min(away, glm::distance(eye, glm::dvec3(low + corner, 0)));
+            (clip.w > 0 ? is_before : is_behind) = true;
+            if (clip.w <= 0) continue;
+            const glm::dvec2 run =
+                glm::dvec2(budget.frame.size) / 2.0 * (glm::dvec2(along) - glm::dvec2(clip) / clip.w * along.w);
+            pixels = std::max(pixels, glm::length(run) / clip.w);
+        }
+        double level = is_before ? 64 : 1;
+        if (is_before && !is_behind) {
+            const double tolerance = budget.pixels / std::max(pixels * budget.scale, 1e-30);
+            const double side = std::exp2(whole_level(maps.pieces(), budget.precision * tolerance)) / maps.texels;
+            level = 2 * budget.thinning * tolerance >= double(maps.range.y - maps.range.x)
+                        ? 1
+                        : std::exp2(std::ceil(std::log2(std::clamp(cell_metres / side, 1.0, 64.0))));
+        }
+        all.push_back({level, away});
+    }
+    const auto triangles = [&](double reach) {
+        double sum = 0;
+        for (const auto& [level, away] : all) {
+            const double cut = std::min(level, std::max(1.0, 64 * reach / std::max(away, 1e-9)));
+            sum += 2 * cut * cut;
+        }
+        return sum;
+    };
+    if (triangles(INFINITY) <= most_triangles) return INFINITY;
+    double reach = 1024;  // beyond all that the wall has
+    while (reach > 1e-3 && triangles(reach) > most_triangles) reach /= 1.25;
+    return reach;
+}
+
 std::vector<Patch> joined(const std::vector<Patch>& patches) {
     std::vector<Patch> joined;
     for (const Patch& patch : patches) {

@@ -63,6 +63,13 @@ struct Patch {
 /// of the picture has no methods. Returns no patches if the eye is not in front of the wall.
 std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps);
 
+/// Maximum number of triangles of a picture.
+constexpr double most_triangles = 6e6;
+/// Returns the distance from the eye up to which displaced cells get the level that the budget asks for, at most 64.
+/// Farther cells get a level that falls with distance, so that all cells together have at most most_triangles. Infinity
+/// if no cell has to be coarser. `cells` are lower corners.
+double finest_reach(const FrameBudget& budget, const MapErrors& maps, const std::vector<glm::dvec2>& cells);
+
 /// Returns the patches that are drawn, with neighbours merged if they have the same methods. This saves time: along an
 /// edge the renderer shades blocks of pixels for both triangles. With twenty pieces in place of one a grazing search
 /// takes a third longer.

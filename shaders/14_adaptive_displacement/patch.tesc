@@ -25,6 +25,7 @@ patch out float c_unfinished;
 uniform vec3 u_eye;
 uniform vec4 u_planes[6];
 uniform float u_scale;              // of the relief, metres
+uniform float u_most_level;         // that the picture can take
 uniform float u_level;              // for UNIFORM
 uniform vec4 u_by_distance;         // nearest, farthest, exponents there
 uniform float u_pixels_per_radian;
@@ -156,6 +157,9 @@ void main() {
         }
         //)
 #endif
+        // Neighbours clamp the edge between them alike.
+        edges = min(edges, u_most_level);
+        inside = min(inside, u_most_level);
         for (int i = 0; i < CORNERS; ++i) {
             // An inside that is coarser than its edges would be joined to them by slivers as steep as walls.
             inside = max(inside, edges[i]);

@@ -20,18 +20,25 @@ uniform float u_shares[2];   // of the budget: for thinning the relief; for the 
 uniform vec2 u_range;        // the lowest and the highest height
 uniform float u_errors[12];  // of squares of 1, 2, 4, ... texels of the height map
 uniform int u_levels;
-uniform float u_texels;      // of the height map, per metre
+uniform float u_texels;      // of the height map, a metre
+uniform vec3 u_eye;
+uniform float u_reach;       // from where on cells are cut less finely than the budget asks, metres
 
 float level_of(vec2 a, vec2 b) {
     vec4 from = u_clip_from_world * vec4(a, 0.0, 1.0), to = u_clip_from_world * vec4(b, 0.0, 1.0);
     if (max(from.w, to.w) <= 0.0) return 1.0;
-    if (min(from.w, to.w) <= 0.0) return 64.0;
-    float pixels = max(pixels_per_metre(from, u_clip_along, u_size), pixels_per_metre(to, u_clip_along, u_size));
-    float tolerance = tolerated(u_budget, pixels, u_scale);
-    vec2 left = thinned(u_range.x, u_range.y, u_shares[0] * tolerance);
-    if (left.x >= left.y) return 1.0;
-    float side = exp2(floor(coarsest_level(u_errors, u_levels, u_shares[1] * tolerance))) / u_texels;
-    return exp2(ceil(log2(clamp(distance(a, b) / side, 1.0, 64.0))));
+    float level = 64.0;
+    if (min(from.w, to.w) > 0.0) {
+        float pixels = max(pixels_per_metre(from, u_clip_along, u_size), pixels_per_metre(to, u_clip_along, u_size));
+        float tolerance = tolerated(u_budget, pixels, u_scale);
+        vec2 left = thinned(u_range.x, u_range.y, u_shares[0] * tolerance);
+        if (left.x >= left.y) return 1.0;
+        float side = exp2(floor(coarsest_level(u_errors, u_levels, u_shares[1] * tolerance))) / u_texels;
+        level = exp2(ceil(log2(clamp(distance(a, b) / side, 1.0, 64.0))));
+    }
+    // What the picture can take; a power of two, so that vertices stay on the lattice.
+    float away = distance(vec3(0.5 * (a + b), 0.0), u_eye);
+    return u_reach > away ? level : min(level, exp2(floor(log2(max(64.0 * u_reach / away, 1.0)))));
 }
 
 void main() {

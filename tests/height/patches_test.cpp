@@ -359,6 +359,16 @@ TEST(PatchHeights, ADegeneratePatchIsFinite) {
     EXPECT_TRUE(measure_patches({}, 4, heights).empty());
 }
 
+TEST(PatchHeights, AreMeasuredAtFewerPlacesWhereThereAreManyPatches) {
+    EXPECT_EQ(densest_samples(1), 128);
+    EXPECT_EQ(densest_samples(1296), 128) << "the ground of lab 14";
+    for (const size_t patches : {size_t(5000), size_t(49152), size_t(150000)}) {
+        const double side = densest_samples(patches);
+        EXPECT_GE(side, 16);  // where the errors of a level can be told from those of the next
+        EXPECT_LE(double(patches) * side * side, 64e6);
+    }
+}
+
 TEST(PatchHeights, WhatIsNotANumberDoesNotCount) {
     Image heights = noise(16, 16);
     heights.values[40] = NAN;

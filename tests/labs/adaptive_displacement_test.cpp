@@ -6,6 +6,7 @@
 #include <set>
 
 #include "framework/kit/displaced_surface.h"
+#include "framework/staff/measure/drawing.h"
 #include "framework/staff/reference/tessellation.h"
 #include "labs/14_adaptive_displacement/scene.h"
 #include "tests/labs/feedback.h"
@@ -403,6 +404,29 @@ TEST(AdaptiveDisplacement, EveryPixelIsFiniteWhateverTheMapTheSurfaceAndTheView)
             }
             for (const KnobText& knob : before) set_knob(*lab, knob.name, knob.value);
         }
+    }
+}
+
+// Labs 13, 14 and 17. Patches are counted where they were hit by the time that a picture took.
+TEST(Displacement, MakesNoMoreTrianglesThanAPictureCanTakeAtTheEndsOfItsKnobs) {
+    const std::vector<std::pair<const char*, std::vector<Knob>>> ends = {
+        {"13", {{"view", "one"}, {"surface", "globe"}, {"patches", "32"}, {"level", "64"}}},
+        {"13", {{"view", "spacings"}, {"surface", "sphere"}, {"patches", "32"}, {"level", "64"}, {"show", "wire"}}},
+        {"14", {{"surface", "globe"}, {"patches", "128"}, {"repeat", "8"}, {"budget", "0.125"}, {"depth", "0.5"}}},
+        {"14", {{"surface", "torus"}, {"patches", "128"}, {"method", "uniform"}, {"level", "64"}, {"cull", "none"}}},
+        {"14", {{"method", "size"}, {"segment", "1"}, {"cull", "none"}, {"wire", "on"}, {"levels_of", "patch"}}},
+        {"14", {{"method", "distance"}, {"nearest", "32"}, {"farthest", "64"}, {"finest", "6"}, {"corners", "3"}}},
+        {"17",
+         {{"budget", "0.25"}, {"method", "displacement"}, {"map", "posts"}, {"depth", "0.25"}, {"view", "picture"}}}};
+    for (const auto& [lab, set] : ends) {
+        const Shot shot = shot_of(lab, set, "", {117, 77});
+        const BenchSubject subject = drawn(std::shared_ptr<Lab>(make_lab(find_lab(lab), shot)), shot);
+        const auto triangles = std::find_if(subject.work.begin(), subject.work.end(),
+                                            [](const auto& one) { return one.first == "triangles"; });
+        ASSERT_NE(triangles, subject.work.end());
+        EXPECT_GT(triangles->second, 1e5) << lab;
+        // A fractional level is cut up to two times more often: half as many more of level 8. A count comes before.
+        EXPECT_LT(triangles->second, 1.6 * DisplacedSurface::most_triangles) << lab << " " << set[1].second;
     }
 }
 

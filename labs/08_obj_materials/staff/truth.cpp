@@ -97,13 +97,16 @@ public:
             if (!piece.bumps.empty()) bumps_[&piece] = &exact_map(piece.bumps, false);
         }
         order();
+        find_blocks();
     }
 
     glm::dvec4 value(int x, int y, const std::string& probe) const {
         std::vector<const Triangle*> near;
-        for (const Triangle& triangle : triangles_)
+        for (const int i : blocks_[size_t(y / block_side * columns() + x / block_side)]) {
+            const Triangle& triangle = triangles_[size_t(i)];
             if (x + 1 >= triangle.low.x && x <= triangle.high.x && y + 1 >= triangle.low.y && y <= triangle.high.y)
                 near.push_back(&triangle);
+        }
         const glm::dvec2 middle(x + 0.5, y + 0.5);
         if (probe == "color") return glm::dvec4(mean_color(near, {x, y}), 0);
         if (probe == "coverage") return coverage(near, {x, y});
@@ -147,6 +150,27 @@ private:
             low = glm::min(low, pixel), high = glm::max(high, pixel);
         }
         triangle.low = low, triangle.high = high;
+    }
+
+    int columns() const { return (frame_.size.x + block_side - 1) / block_side; }
+
+    /// Lists the triangles of each block of pixels, so that a pixel looks at few of them.
+    void find_blocks() {
+        const int rows = (frame_.size.y + block_side - 1) / block_side;
+        blocks_.resize(size_t(columns() * rows));
+        const auto block = [](double pixel, int count) {
+            return int(std::clamp(std::floor(pixel / block_side), 0.0, double(count - 1)));
+        };
+        for (size_t i = 0; i < triangles_.size(); ++i) {
+            const Triangle& triangle = triangles_[i];
+            if (!(triangle.high.x >= 0 && triangle.high.y >= 0 && triangle.low.x <= frame_.size.x &&
+                  triangle.low.y <= frame_.size.y))
+                continue;
+            for (int row = block(triangle.low.y - 1, rows); row <= block(triangle.high.y + 1, rows); ++row)
+                for (int column = block(triangle.low.x - 1, columns()); column <= block(triangle.high.x + 1, columns());
+                     ++column)
+                    blocks_[size_t(row * columns() + column)].push_back(int(i));
+        }
     }
 
     /// Finds the rank of each piece in the order of task 8.2: opaque ones by program and from near to far, then glass
@@ -288,22 +312,29 @@ private:
         return sum + passed * sky(ray.direction);
     }
 
-    template <int side, class Each>
-    void each_ray(const glm::dvec2& corner, Each each) const {
+    /// Rays along the side of a pixel: `most`, or fewer where the whole picture would need too many.
+    int rays_along(int most) const {
+        constexpr double most_rays = 1 << 24;  // some seconds
+        const double pixels = double(frame_.size.x) * frame_.size.y;
+        return std::clamp(int(std::sqrt(most_rays / std::max(1.0, pixels))), 1, most);
+    }
+
+    template <class Each>
+    void each_ray(const glm::dvec2& corner, int side, Each each) const {
         for (int i = 0; i < side * side; ++i)
             each(ray_at(corner + (glm::dvec2(i % side, i / side) + 0.5) / double(side)));
     }
 
     glm::dvec3 mean_color(const std::vector<const Triangle*>& near, const glm::dvec2& corner) const {
         if (!setting_.has_maps) return color(near, ray_at(corner + 0.5));
-        constexpr int side = 32;
+        const int side = rays_along(32);
         glm::dvec3 sum(0);
-        each_ray<side>(corner, [&](const Ray& ray) { sum += color(near, ray); });
+        each_ray(corner, side, [&](const Ray& ray) { sum += color(near, ray); });
         return sum / double(side * side);
     }
 
     glm::dvec4 coverage(const std::vector<const Triangle*>& near, const glm::dvec2& corner) const {
-        constexpr int side = 64;
+        const int side = rays_along(64);
         const auto masked = [&](const Ray& ray, bool is_solid) {
             std::optional<Hit> nearest;
             for (const Triangle* triangle : near) {
@@ -318,14 +349,16 @@ private:
         };
         if (!masked(ray_at(corner + 0.5), true)) return glm::dvec4(no_surface);
         int inside = 0;
-        each_ray<side>(corner, [&](const Ray& ray) { inside += masked(ray, false); });
+        each_ray(corner, side, [&](const Ray& ray) { inside += masked(ray, false); });
         return glm::dvec4(double(inside) / (side * side), 0, 0, 0);
     }
 
     const Setting& setting_;
     const Frame& frame_;
+    static constexpr int block_side = 16;  // pixels
     std::vector<Triangle> triangles_;
-    std::vector<MapKind> kinds_;  ///< by piece
+    std::vector<std::vector<int>> blocks_;  ///< of pixels, row by row: the triangles that may cover some of them
+    std::vector<MapKind> kinds_;            ///< by piece
     std::vector<int> ranks_;
     std::map<const Piece*, const ExactMap*> colors_, highlights_, bumps_;
 };
