@@ -98,9 +98,11 @@ public:
     Stream() : descriptor_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
 
     void send(Kind kind, size_t shot, const std::string& bytes) {
-        const double before = std::exchange(cpu_, processor_seconds());
+        const double now = processor_seconds(), spent = now - std::exchange(cpu_, now);
+        // The message that asks has the same bytes from every process.
+        const bool is_drawn = kind == Kind::image || kind == Kind::error;
         const Header header{
-            .kind = kind, .shot = uint32_t(shot), .size = uint32_t(bytes.size()), .cpu = float(cpu_ - before)};
+            .kind = kind, .shot = uint32_t(shot), .size = uint32_t(bytes.size()), .cpu = is_drawn ? float(spent) : 0};
         if (!write_all(descriptor_, {reinterpret_cast<const char*>(&header), sizeof header}) ||
             !write_all(descriptor_, bytes))
             _exit(1);  // nobody reads any more
