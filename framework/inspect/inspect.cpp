@@ -16,7 +16,7 @@ namespace relief {
 namespace {
 
 std::string percent(double share) {
-    // 99.99 % is not all of them.
+    // Rounding must not turn 99.99 % into "100 %".
     if (share < 1 && share > 0.999) return "over 99.9 %";
     if (share > 0 && share < 0.001) return "under 0.1 %";
     return rounded(100 * share) + " %";
@@ -24,7 +24,7 @@ std::string percent(double share) {
 
 std::string texels(size_t count) { return fmt::format("{} texel{}", count, count == 1 ? "" : "s"); }
 
-/// Whether an image of 16 bits or floats holds no more than 256 steps of [0, 1].
+/// Returns whether all values are multiples of 1/255 in [0, 1], in 16-bit and float images too.
 bool has_8_bit_steps(const Image& map) {
     if (map.bits == 8) return true;
     return std::all_of(map.values.begin(), map.values.end(), [](float v) {
@@ -252,7 +252,7 @@ private:
             ++count;
             const double z = vectors_[i].z / std::max(1e-9f, glm::length(vectors_[i]));
             lowest = std::min(lowest, z);
-            // A normal along the surface, z = 0, is -0.004 in 8 bits.
+            // A tangential normal, z = 0, is stored as -0.004 in 8 bits.
             if (z >= -0.01) continue;
             ++away;
             if (!as_.blue_down) mark(i, mark_side);
@@ -318,7 +318,7 @@ private:
         squares(up);
     }
 
-    /// Parts in which green points the other way, as where another map was pasted.
+    /// Finds squares in which green points the opposite way, for example where another map was pasted in.
     void squares(bool up) {
         const double noise = eight_bits_ ? 1 / 127.5 / std::sqrt(12.0) : 1e-5;
         const SquareTests tests = test_squares(slopes_, noise);
@@ -367,8 +367,8 @@ private:
         judge_seam(sides, top, " degrees", 1);
     }
 
-    /// A relief that repeats may have an edge along its border, if it has such edges elsewhere; but it has the same
-    /// slope along the border on both sides.
+    /// A repeating relief may have a step along its border if it has such steps elsewhere. Still, its slope along the
+    /// border is the same on both sides.
     void hold_to_slopes(const Slopes& slopes, BorderSteps& sides, BorderSteps& top) const {
         const auto judge = [&](BorderSteps& steps, int component, auto steps_across) {
             std::vector<float> along(slopes.of.size());
@@ -552,7 +552,7 @@ private:
     const Image* heights_;
     Recognition as_;
     bool eight_bits_ = false;
-    bool axes_swapped_ = false;  ///< red is along v
+    bool axes_swapped_ = false;  ///< red holds the slope along v
     std::vector<glm::vec3> vectors_;
     Slopes slopes_;
     Inspection result_;

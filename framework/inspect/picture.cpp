@@ -7,7 +7,7 @@
 namespace relief {
 namespace {
 
-/// Lit from above left; what holds no normals keeps the grey of its channels.
+/// Returns the grey of a texel: its normal lit from the upper left, or the mean of its channels in other kinds of map.
 float grey_of(const Image& map, const Recognition& as, const float* texel) {
     if (as.kind == MapKind::normals) {
         const glm::dvec3 n = as.reading.vector(texel);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int grid_side = 128;
 
-/// Calls `visit(texel)` for texels on a grid over the map, whose rows are shifted: a pattern must not fall between.
+/// Calls `visit(texel)` for texels on a grid over the map. Rows are shifted so that a regular pattern cannot fall
+/// between the samples.
 template <class Visit>
 void each_sample(const Image& map, Visit visit) {
     const int columns = std::min(map.width, grid_side), rows = std::min(map.height, grid_side);
@@ -40,7 +41,7 @@ std::array<Range, 4> ranges_of(const Image& map) {
     return ranges;
 }
 
-/// Whether colours are shades of grey: what differs between the channels is little beside what differs between texels.
+/// Returns whether all colours are grey: channels differ by little compared to the differences between texels.
 bool is_grey(const Image& map) {
     double spread = 0, sum = 0, squares = 0, count = 0;
     each_sample(map, [&](const float* texel) {
@@ -89,7 +90,8 @@ VectorStatistics statistics_of(const Image& map, const Recognition& as) {
 
 double lean(const VectorStatistics& statistics) { return std::hypot(statistics.mean.x, statistics.mean.y); }
 
-/// A colour that is no normal, covers 2 % of the map or more, and leaves hardly another texel that is none.
+/// Returns the colour that is no normal and covers 2 % of the map or more. Nothing if many other texels are no normals
+/// either, or if under 5 % are normals.
 std::optional<std::array<float, 3>> background_of(const Image& map, const Reading& reading) {
     std::map<std::array<float, 3>, size_t> colors;
     size_t not_unit = 0, count = 0;
@@ -107,14 +109,15 @@ std::optional<std::array<float, 3>> background_of(const Image& map, const Readin
     return most->first;
 }
 
-/// Whether (x, y) of a map without a z of its own may be those of normals. Where all of them are short, z is 1 in
-/// each, so a constant blue says nothing.
+/// Returns whether the (x, y) of a map without z may belong to normals. A constant blue proves nothing: if all (x, y)
+/// are short, z is close to 1 everywhere.
 bool may_be_two_channels(const VectorStatistics& statistics) {
     return statistics.long_xy <= 1.02 && statistics.longest_xy > 0.15 && lean(statistics) < 0.25 &&
            std::abs(statistics.red_green) < 0.9;
 }
 
-/// Whether one colour fills half of the map, as that of a sign: its length can be near 1 by any reading.
+/// Returns whether one colour fills over half of the map, as in a picture of a sign. Its length can be near 1 under any
+/// reading.
 bool is_mostly_one_color(const Image& map) {
     std::map<std::array<float, 3>, size_t> colors;
     size_t most = 0, count = 0;
@@ -126,8 +129,8 @@ bool is_mostly_one_color(const Image& map) {
     return 2 * most > count;
 }
 
-/// The reading of three channels under which lengths are nearest to 1 and vectors lean least. It has to be far better
-/// than the plain one to be taken instead.
+/// Returns the reading of three channels whose lengths are closest to 1 and whose vectors lean least. Another reading
+/// must score far better than the plain one to replace it.
 Reading best_reading(const Image& map, const std::array<Range, 4>& ranges) {
     const auto judge = [&](const Reading& reading, VectorStatistics& statistics) {
         Recognition as{.kind = MapKind::normals, .reading = reading};
@@ -152,14 +155,14 @@ Reading best_reading(const Image& map, const std::array<Range, 4>& ranges) {
     consider({.curve = StoredCurve::srgb_added}, 0.15);
     if (best.curve == StoredCurve::none && plain.median_off > 0.05 &&
         std::hypot(plain.mean.x - 0.39, plain.mean.y - 0.39) < 0.12 && lean(other) < 0.08 && other.mean.z > 0.5)
-        best.curve = StoredCurve::srgb_added;  // wrong lengths too, but flat is where sRGB has its middle
+        best.curve = StoredCurve::srgb_added;  // lengths are wrong here too, but flat is in the middle of sRGB
     return best;
 }
 
 bool recognize_two_channels(const Image& map, const std::array<Range, 4>& ranges, Recognition& as) {
     const auto is_constant = [&](int channel) { return ranges[size_t(channel)].width() < 1.5 / 255; };
     Reading reading{.is_signed = map.bits == 32 && ranges[1].low < -0.01, .z = -1};
-    // DXT5 has x in alpha and y in green; red is full or empty then.
+    // DXT5 stores x in alpha and y in green; red is then constant, 0 or 1.
     if (map.channels == 4 && is_constant(0) && !is_constant(3) && std::abs(ranges[0].low - 0.5) > 0.49)
         reading.x = 3;
     else if (map.channels > 2 && !is_constant(2))
@@ -213,7 +216,7 @@ Recognition recognize(const Image& map) {
         return as;
     }
     if (map.channels == 2) {
-        if (!recognize_two_channels(map, ranges, as)) as.kind = MapKind::heights;  // grey and opacity
+        if (!recognize_two_channels(map, ranges, as)) as.kind = MapKind::heights;  // grey and alpha
         return as;
     }
     if (recognize_two_channels(map, ranges, as)) return as;

@@ -1,4 +1,4 @@
-// How the numbers of a map become vectors, found out from the numbers alone.
+// Recognises how the numbers of a map encode vectors, from the numbers alone.
 #pragma once
 
 #include <array>
@@ -12,45 +12,45 @@ namespace relief {
 
 enum class MapKind { one_color, heights, normals, neither };
 
-/// What was done to the numbers after they were 0.5 n + 0.5.
+/// The colour conversion that was applied to the numbers after they were 0.5 n + 0.5.
 enum class StoredCurve { none, srgb_added, srgb_removed };
 
 struct Reading {
     StoredCurve curve = StoredCurve::none;
     bool is_signed = false;   ///< floats that hold n itself
-    int x = 0, y = 1, z = 2;  ///< channels; z -1: rebuilt from x and y
+    int x = 0, y = 1, z = 2;  ///< channel indices; z = -1: rebuilt from x and y
 
-    /// Any length. NaN where a value is not finite; values beyond a million count as a million.
+    /// Returns the decoded vector, not normalised. NaN if a value is not finite. Values are clamped to [-1e6, 1e6].
     glm::dvec3 vector(const float* texel) const;
 };
 
-/// Statistics of a map's vectors by one reading, from at most some 16,000 texels that are spread over it.
+/// Statistics of a map's vectors under one reading, from at most about 16,000 texels on a grid over the map.
 struct VectorStatistics {
-    size_t count = 0;       ///< finite texels, without those of the background
-    double median_off = 0;  ///< of | |n| - 1 |
+    size_t count = 0;       ///< finite texels outside the background
+    double median_off = 0;  ///< median of | |n| - 1 |
     double unit = 0;        ///< share with a length from 0.9 to 1.1
     double away = 0;        ///< share whose unit vector has z < -0.05
-    double longest_xy = 0;  ///< length of (x, y)
+    double longest_xy = 0;  ///< maximum length of (x, y)
     double long_xy = 0;     ///< its 99.5 % quantile
     double red_green = 0;   ///< correlation of x and y
-    glm::dvec3 mean{0};     ///< of the unit vectors
+    glm::dvec3 mean{0};     ///< mean of the unit vectors
 };
 
 struct Recognition {
     MapKind kind = MapKind::neither;
     Reading reading;
-    VectorStatistics statistics = {};  ///< by that reading
-    VectorStatistics as_it_is = {};    ///< without a curve
-    bool object_space = false;         ///< vectors of all directions: the object's or the world's space
-    bool blue_down = false;            ///< every vector points into the surface
-    std::optional<std::array<float, 3>> background = {};  ///< a colour that is no normal and fills what is not covered
+    VectorStatistics statistics = {};                     ///< under `reading`
+    VectorStatistics as_it_is = {};                       ///< under the plain reading, without a curve
+    bool object_space = false;                            ///< vectors in all directions: object or world space
+    bool blue_down = false;                               ///< every vector points into the surface
+    std::optional<std::array<float, 3>> background = {};  ///< a colour that is no normal and fills uncovered texels
 
     bool is_background(const float* texel) const;
 };
 
 Recognition recognize(const Image& map);
 
-/// The vectors by that reading; NaN where a value is not finite, and in the background.
+/// Returns the vectors under `as.reading`. NaN if a value is not finite, and in the background.
 std::vector<glm::vec3> vectors_of(const Image& map, const Recognition& as);
 
 }  // namespace relief

@@ -9,14 +9,14 @@ namespace {
 double step(float a, float b) { return std::abs(double(a) - b); }
 double step(glm::vec3 a, glm::vec3 b) { return angle_between(a, b); }
 
-/// Lines of `length` texels, `count` of them; texel j of line i is at i * line + j * texel.
+/// Measures `count` lines of `length` texels; texel j of line i is at i * line + j * texel.
 template <class Value>
 BorderSteps steps(std::span<const Value> values, int count, int length, size_t line, size_t texel) {
     BorderSteps result;
     if (count < 4 || length < 4) return result;
     double sum = 0;
     int lines = 0;
-    std::vector<double> some;  // steps of single texels within
+    std::vector<double> some;  // single-texel steps within the map
     const size_t stride = std::max<size_t>(1, values.size() / 50000);
     for (int i = 0; i < count; ++i) {
         const int next = (i + 1) % count;
@@ -45,7 +45,7 @@ BorderSteps steps(std::span<const Value> values, int count, int length, size_t l
         std::nth_element(some.begin(), at, some.end());
         result.sharp = *at;
     }
-    // A border that continues is a line like the others, so its step is hardly above the largest of theirs.
+    // A border that continues is like any other line, so its step hardly exceeds the largest step elsewhere.
     result.fits = !result.tells || result.across <= 2 * result.within || result.across <= 1.1 * result.largest;
     return result;
 }

@@ -10,7 +10,7 @@ constexpr size_t fewest_texels = 36;
 
 bool is_none(glm::vec2 slope) { return std::isnan(slope.x); }
 
-/// Sums over places: a, b are both derivatives that must be equal, c, d the other two.
+/// Sums over texels. a and b are the two mixed derivatives, equal in a height field; c and d are the other two.
 struct Sums {
     size_t count = 0;
     double ab = 0, squares_ab = 0, cd = 0, squares_cd = 0;
@@ -22,7 +22,7 @@ struct Sums {
         const glm::dvec2 along_u = (glm::dvec2(right) - glm::dvec2(left)) / 2.0,
                          along_v = (glm::dvec2(above) - glm::dvec2(below)) / 2.0;
         const double a = along_v.x, b = along_u.y, c = along_v.y, d = along_u.x;
-        // Few steep texels must not decide for all the others.
+        // Keeps a few steep texels from outweighing all others.
         const double weight = 1 / (1 + glm::dot(along_u, along_u) + glm::dot(along_v, along_v));
         ab += weight * a * b, squares_ab += weight * (a * a + b * b);
         cd += weight * c * d, squares_cd += weight * (c * c + d * d);
@@ -39,7 +39,7 @@ Sums sums_of(const Slopes& slopes, int left, int top, int right, int bottom) {
     return sums;
 }
 
-/// The two principal rms slopes.
+/// Returns the rms slopes along the two principal directions, the larger one first.
 glm::dvec2 principal(const Slopes& slopes) {
     double xx = 0, xy = 0, yy = 0, count = 0;
     for (const glm::vec2 s : slopes.of) {
@@ -62,7 +62,8 @@ std::vector<float> one_channel(const Image& heights, int first, int channels) {
     return result;
 }
 
-/// Correlations of the two fields' components, weighted against steep texels, whose slopes are the least exact.
+/// Weighted products of the two fields' components. Steep texels get small weights because their slopes are
+/// inexact.
 struct Products {
     double xx = 0, xy = 0, yx = 0, yy = 0, normals = 0, heights = 0;
 
@@ -94,7 +95,7 @@ struct Products {
     }
 };
 
-/// The best over three sizes of the slopes: rounding to 8 bits hides what is small and shallow.
+/// Returns the best agreement over three resolutions of the slopes: rounding to 8 bits hides small, shallow detail.
 Agreement best_agreement(Slopes normals, const Image& heights, int first, int channels) {
     Slopes theirs = slopes_of_heights(heights, first, channels);
     double texels = 1;
@@ -171,14 +172,14 @@ SquareTests test_squares(const Slopes& slopes, double noise) {
     tests.columns = (slopes.width + tests.side - 1) / tests.side;
     tests.rows = (slopes.height + tests.side - 1) / tests.side;
     tests.up.resize(size_t(tests.columns) * size_t(tests.rows));
-    // Halved slopes see what is shallow: they have half the noise, and change twice as much from texel to texel.
+    // Halving the slopes reveals shallow detail: the noise halves, and the change from texel to texel doubles.
     Slopes level = slopes;
     for (int side = tests.side; side >= tests.side / 4; side /= 2, noise /= 2, level = halved(level))
         for (size_t i = 0; i < tests.up.size(); ++i) {
             if (tests.up[i] != 0) continue;
             const int left = int(i) % tests.columns * side, top = int(i) / tests.columns * side;
             const Sums sums = sums_of(level, left, top, left + side, top + side);
-            // A central difference of slopes has half their squared noise, and there are two of them.
+            // A central difference has half of the slopes' squared noise, and squares_ab sums two of them.
             if (sums.count >= size_t(side * side / 2) && sums.squares_ab > 25 * double(sums.count) * noise * noise)
                 tests.up[i] = sums.up();
         }

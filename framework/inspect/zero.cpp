@@ -23,7 +23,7 @@ double length_off(const glm::dvec3& code, StoredZero zero) {
 }  // namespace
 
 ZeroTest test_zero(const Image& normals) {
-    // Each colour counts once: texels of one colour are rounded alike, so a thousand of them say no more than one.
+    // Counts each colour once: texels of one colour have the same rounding error, so they add no evidence.
     std::vector<uint64_t> seen(size_t{1} << 18);  // a bit for each colour
     for (size_t i = 0; i < normals.pixel_count(); ++i) {
         size_t index = 0;
@@ -34,7 +34,7 @@ ZeroTest test_zero(const Image& normals) {
     }
     ZeroTest result;
     std::array<double, 3> squares{};
-    std::array<std::array<double, 3>, 3> apart{}, apart_squares{};  // of two zeros' squares, their difference
+    std::array<std::array<double, 3>, 3> apart{}, apart_squares{};  // difference of the squared errors of two zeros
     for (size_t index = 0; index < seen.size() * 64; ++index) {
         if (seen[index / 64] == 0) index |= 63;
         if ((seen[index / 64] >> index % 64 & 1) == 0) continue;

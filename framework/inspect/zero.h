@@ -1,4 +1,4 @@
-// Which number of 8 bits stands for 0 in a normal map.
+// Finds the 8-bit code that stands for 0 in a normal map.
 #pragma once
 
 #include <array>
@@ -17,14 +17,14 @@ enum class StoredZero {
 inline constexpr std::array zero_names = {"127.5", "128", "127"};
 
 struct ZeroTest {
-    size_t colors = 0;            ///< different ones, that are not straight up
-    std::array<double, 3> rms{};  ///< of the length less 1, by each StoredZero
-    std::optional<size_t> best;   ///< the StoredZero that fits; none when two fit alike, or none does
-    std::string why;              ///< there is none
+    size_t colors = 0;            ///< distinct colours of normals that do not point straight up
+    std::array<double, 3> rms{};  ///< rms of the length minus 1, under each StoredZero
+    std::optional<size_t> best;   ///< the StoredZero that fits; empty if two fit equally well, or none fits
+    std::string why;              ///< why `best` is empty
 };
 
-/// A normal's length is 1, so the zero with which the lengths of the map's different colours are off least is the one
-/// that it was stored with. 3 or 4 channels with values of 8 bits.
+/// Finds the zero by length: normals have length 1, so the right zero gives the smallest error over the map's distinct
+/// colours. `normals` has 3 or 4 channels with 8-bit values.
 ZeroTest test_zero(const Image& normals);
 
 }  // namespace relief
