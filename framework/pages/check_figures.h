@@ -1,4 +1,4 @@
-// A check's pictures in a page: what was drawn, what is expected with a wipe between the two, and where they differ.
+// A check's pictures in a page: the drawn and the expected one with a wipe between them, and a map of their difference.
 #pragma once
 
 #include <string>
@@ -8,32 +8,33 @@
 
 namespace relief {
 
-/// In words: "out of time".
+/// Returns the outcome in words: "out of time".
 std::string outcome_words(Outcome outcome);
-/// The same for {{> badge}}, with a sign and a colour of its own; with `count`, of so many.
+/// Returns the fields of {{> badge}}: the outcome in words, with a sign and a colour of its own. Shows `count` if it is
+/// not 0.
 Fields badge(Outcome outcome, size_t count = 0);
 
-/// Whose picture it is, as the page calls it: the reader's own, or that of somebody's submission.
+/// The owner of a drawn picture, as the page names it: the reader, or somebody's submission.
 enum class DrawnBy { reader, submission };
 
-/// Two images of a check as pictures, in the same colours, and where both are, a map of where they differ.
+/// Two images of a check as pictures in the same colours. If their shapes agree, there is a map of their difference.
 struct ComparedImages {
     Image drawn, expected, difference;  ///< 8-bit RGB, or empty
-    std::string differs;                ///< how much they do, in words
-    std::string largest;                ///< what the map's last colour stands for
-    Value scale;                        ///< of the map
+    std::string differs;                ///< the size of the difference, in words
+    std::string largest;                ///< the error of the map's last colour
+    Value scale;                        ///< the scale below the map
 };
-/// `probe`: what the images hold; nullptr where they are a lab's pictures. Their values can be anything. The map's last
-/// colour stands for what 99 % of the pixels keep, and for no less than `allowed`, in the probe's unit; pixels that have a
-/// surface in one image only have that colour, too.
+/// Compares two images. `probe` describes their values, which can be anything; nullptr if they are a lab's pictures.
+/// The map's last colour stands for the 99 % quantile of the errors, but at least for `allowed`, in the probe's unit.
+/// Pixels with a surface in only one of the images get that colour, too.
 ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const Image& expected, double allowed = 0);
 
-/// The largest of a check's limits: differences up to it need not be seen.
+/// Returns the largest of a check's limits. Differences up to it need not be visible.
 double largest_limit(const Limits& limits);
 
-/// For {{> check_figures}}: where both pictures are, they are shown alike and with a map of the difference; an empty
-/// picture is left out. What was drawn need not be trusted: values may be anything. Without scripts the pictures lie
-/// side by side.
+/// Returns the fields of {{> check_figures}}. If both pictures exist, they have the same colours, and there is a map of
+/// their difference; an empty picture is omitted. `drawn` is untrusted: its values can be anything. Without scripts the
+/// pictures are side by side.
 Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
                      DrawnBy who);
 

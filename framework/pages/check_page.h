@@ -1,4 +1,4 @@
-// A lab's checks as one web page: what was found, what is allowed and why, and the pictures that were compared.
+// A lab's checks as one web page: results, limits with their reasons, and the compared pictures.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@
 
 namespace relief {
 
-/// The hint for the student. If nothing was drawn, nothing was measured, and the check's own hint would
-/// mislead.
+/// Returns the hint for the student. If nothing was drawn, nothing was measured, and the check's own hint would
+/// mislead; then the hint is about that.
 std::string look_at(const CheckResult& result);
 
-/// The page, with its pictures in it: it opens from disk and needs no network. Needs a context, to name its driver.
+/// Returns the page with its pictures embedded: it opens from disk, without a network. Needs a current context, to name
+/// its driver.
 std::string check_page(const LabEntry& lab, const Manifest& manifest, const std::vector<TaskResult>& tasks);
 
 }  // namespace relief

@@ -1,4 +1,4 @@
-// What templates of pages with pictures are given: a figure, the scale of an error map.
+// Values for the templates of pictures in pages: a figure, and the scale of an error map.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace relief {
 
-/// For {{> figure}}: a picture that the page has at `src`; `scale` stands below it.
+/// Returns the fields of {{> figure}}, for a picture at `src` in the page. `scale` goes below it.
 Fields figure(const Image& image, const std::string& src, const char* kind, const std::string& caption,
               const std::string& alt, Value scale = {});
 
-/// For {{> scale}} below an error map: the colours of visualize_error() with marks at even distances, the last one "and
-/// more".
+/// Returns the value of {{> scale}} below an error map: the colours of visualize_error() with evenly spaced marks. The
+/// last mark reads "and more".
 Value error_scale(std::vector<std::string> marks);
 
 }  // namespace relief

@@ -28,7 +28,7 @@ std::string scripts_of(const Formula& part) {
 
 std::string bracket_of(const Formula& part) {
     const std::string inside = row_of(part.parts[0]);
-    // Without a mathematical font a bracket that may grow does so around anything.
+    // Without a mathematical font, a stretchy bracket grows around any content.
     const bool grows =
         part.text == "|" || inside.find("<mfrac>") != std::string::npos || inside.find("<mtable>") != std::string::npos;
     return fmt::format("<mrow><mo{0}>{1}</mo>{2}<mo{0}>{3}</mo></mrow>", grows ? "" : " stretchy=\"false\"", part.text,

@@ -1,4 +1,4 @@
-// Formulas of a handout as MathML: no scripts, prints, fits a phone.
+// Formulas of a handout as MathML, which needs no scripts, prints well, and fits a phone.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace relief {
 
-/// One formula as a <math> element.
+/// Returns a formula as a <math> element.
 std::string formula_mathml(const Formula& formula);
 
 }  // namespace relief

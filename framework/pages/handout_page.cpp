@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    /// The course's file that a handout means, as a path inside the course.
+    /// Returns the path inside the course of a target in the handout.
     fs::path inside(const std::string& target) const {
         return (home_ / target.substr(0, target.find('#'))).lexically_normal();
     }
@@ -86,7 +86,7 @@ private:
         return shown;
     }
 
-    /// Draws that reference screenshot of this lab.
+    /// Returns the command that draws this reference screenshot of the lab; empty for other pictures.
     std::string command_of(const fs::path& file) const {
         if (file.parent_path() != home_ / "golden") return {};
         const auto golden = std::find_if(manifest_.goldens.begin(), manifest_.goldens.end(),

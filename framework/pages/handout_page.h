@@ -1,4 +1,5 @@
-// A lab's handout as a page of the course's web site: contents, figures with the command that draws them, neighbours.
+// A lab's handout as a page of the course's web site: contents, figures with the command that draws them, and links to
+// the next and previous handout.
 #pragma once
 
 #include <functional>
@@ -9,11 +10,11 @@
 
 namespace relief {
 
-/// "05_tangent_basis-handout.html"
+/// Returns the page's file name, such as "05_tangent_basis-handout.html".
 std::string handout_file(const LabEntry& lab);
 
-/// `labs`: all that have a page, in order. `put` writes a file of that name beside the page. Throws Error for a picture
-/// that is not there and for a formula that cannot be read.
+/// Returns the page. `labs` are all labs with a page, in order. `put` writes a file of that name beside the page.
+/// Throws Error for a missing picture and for an invalid formula.
 std::string handout_page(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
                          const std::function<void(const std::string& name, const std::string& bytes)>& put);
 

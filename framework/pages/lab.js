@@ -1,4 +1,4 @@
-// What the two boxes say is laid on each other. Without it all pictures lie side by side below.
+// Lays the methods of the two boxes on each other. Without this script all pictures are side by side below.
 const stage = document.querySelector(".stage");
 if (stage) {
   const methods = [...document.querySelectorAll(".methods figure")], [left, right] = stage.querySelectorAll("select");

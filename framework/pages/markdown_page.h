@@ -1,4 +1,4 @@
-// A handout's Markdown as a part of a web page: the same text as the menu's help panel shows.
+// A handout's Markdown as a part of a web page, with the same text as in the menu's help panel.
 #pragma once
 
 #include <functional>
@@ -11,23 +11,23 @@
 
 namespace relief {
 
-/// A picture that a page may name, in pixels.
+/// A picture for a page; its size is in pixels.
 struct PagePicture {
     std::string file = {};
     int width = 0, height = 0;
-    bool is_drawing = false;   ///< dark lines, for a white ground
-    std::string command = {};  ///< what draws it, or empty
+    bool is_drawing = false;   ///< dark lines, which need a white ground
+    std::string command = {};  ///< the command that draws it, or empty
 };
 
-/// Where in the page's world the targets of links and pictures are; for whatever is not there the words stay.
+/// Resolve the targets of links and pictures for the page. Without a result only the words of the link stay.
 struct PagePlaces {
     std::function<std::optional<std::string>(const std::string& target)> link;
     std::function<std::optional<PagePicture>(const std::string& target)> picture;
 };
 
-/// For {{#name}}{{> block}}{{/name}}: headings have ids; a picture that is a whole paragraph is a figure with its text
-/// as caption; wide tables and code scroll in themselves; a block of the language `measured` is folded. Throws Error
-/// for a formula that cannot be read.
+/// Returns the blocks for {{#name}}{{> block}}{{/name}}. Headings have ids. A picture that is a whole paragraph becomes
+/// a figure, with its text as the caption. Wide tables and code scroll on their own. A block of the language `measured`
+/// is folded. Throws Error for an invalid formula.
 List markdown_blocks(std::span<const Block> blocks, const PagePlaces& places);
 
 }  // namespace relief

@@ -22,7 +22,7 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-/// As a content security policy names a script.
+/// Returns the SHA-256 of a script in base64, for the content security policy.
 std::string fingerprint(const std::string& script) {
     const std::string digits = sha256(script);
     std::string bytes;

@@ -35,7 +35,7 @@ Data as_data(const Value& value) {
     }
 }
 
-/// The values by their names, and templates by theirs. A name that is misspelt is an error, not an empty place.
+/// Looks up values and templates by name. A misspelt name is an error, not an empty text.
 class Names final : public kainjow::mustache::context<std::string> {
 public:
     Names(const Data* values, const std::string& page) : context(values), page_(page) {}

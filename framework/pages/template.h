@@ -1,12 +1,12 @@
-// Pages as files: mustache templates beside the code that fills them. A value is text, and escaped where it is shown.
+// Pages from mustache templates: files beside the code that fills them. Values are text, and escaped when shown.
 //
 //     {{name}}    the value, escaped
-//     {{#name}} ... {{/name}}  for each of a list; once for anything else that there is
-//     {{^name}} ... {{/name}}  if there is nothing
-//     {{> name}}  another template; {{> *name}}: the one that this value names
-//     {{{name}}}  not escaped: only what the course itself says; tests/pages/template_test.cpp knows all of them
+//     {{#name}} ... {{/name}}  for each element of a list; once for any other value that is not empty
+//     {{^name}} ... {{/name}}  if the value is empty
+//     {{> name}}  another template; {{> *name}}: the template that the value names
+//     {{{name}}}  not escaped: only for the course's own text; tests/pages/template_test.cpp lists all of them
 //
-// A file's name without a folder means framework/pages, one with folders goes from the course's top folder.
+// A file's name without a folder means framework/pages; one with folders is relative to the course's top folder.
 #pragma once
 
 #include <concepts>
@@ -20,7 +20,7 @@ class Value;
 using Fields = std::map<std::string, Value>;
 using List = std::vector<Value>;
 
-/// What a template's name stands for. An empty text and an empty list are nothing, as false is.
+/// The value of a name in a template. An empty text and an empty list count as nothing, like false.
 class Value {
 public:
     Value() = default;
@@ -38,20 +38,21 @@ public:
     List list;
 };
 
-/// For what stands around a list, and not without it: {{#name}}<ul>{{#rows}}<li>{{.}}</li>{{/rows}}</ul>{{/name}}.
+/// Return a value for markup around a list, which is omitted with an empty list:
+/// {{#name}}<ul>{{#rows}}<li>{{.}}</li>{{/rows}}</ul>{{/name}}.
 Value rows(List list);
 Value rows(const std::vector<std::string>& texts);
-/// A hint: `code` between backticks is set as code by {{#name}}{{> with_code}}{{/name}}.
+/// Returns a hint; {{#name}}{{> with_code}}{{/name}} shows `code` between backticks as code.
 Value with_code(const std::string& text);
 
-/// A text as it may stand in a page, between tags or in a quoted attribute.
+/// Returns a text escaped for a page, between tags or in a quoted attribute.
 std::string html(const std::string& text);
 
-/// The template with these values. Throws Error for a file that is not there, a template that is not well formed, and a
-/// name that has no value.
+/// Returns the template filled with these values. Throws Error for a missing file, a malformed template, and a name
+/// without a value.
 std::string render(const std::string& name, const Fields& values);
 
-/// A file of a page, without its last line's end: `kind` is ".css", ".js", ".mustache".
+/// Returns a file of a page without its final line break. `kind` is ".css", ".js" or ".mustache".
 std::string page_file(const std::string& name, const char* kind);
 
 }  // namespace relief

@@ -1,6 +1,6 @@
-// wipe() lays one image upon the other and gives the slider between them with its `words`, to be put where it belongs,
-// and slide(), for when anything has changed. `name` is the slider's for a screen reader, `told(value)` what it says
-// there. At 0 only `under` is seen, at 100 only `over`.
+// wipe() lays `over` on `under` with a slider between them. It returns the slider's `label`, with `words`, for the
+// caller to insert, and slide(), to call after a change. Screen readers get the slider's `name`, and told(value) as its
+// text. At 0 only `under` is visible, at 100 only `over`.
 const wipe = (under, over, words, name, value, told) => {
   const make = (tag, kind = "") => Object.assign(document.createElement(tag), {className: kind});
   const laid = make("div", "laid"), edge = make("i"), label = make("label", "wipe");
