@@ -1,4 +1,4 @@
-// A point and its row in the table are one: to rest on either, or to click it, shows its pictures. A click keeps them.
+// Hovering over a point of a plot, or over its row in the table, shows its pictures. A click keeps them in view.
 const look = document.getElementById('look'), words = look.querySelector('p'), images = look.querySelector('.looks');
 let kept = null;
 function all(key) { return document.querySelectorAll('[data-key="' + key + '"]'); }

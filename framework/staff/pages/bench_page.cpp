@@ -29,13 +29,13 @@ std::string spaced(std::string name) {
     return name;
 }
 
-/// A column of a table, but for the first two and the pictures.
+/// A column of a table, other than the first two and the pictures.
 struct Column {
     std::string heading;
     std::function<std::string(const BenchRow&)> cell;
 };
 
-/// The names of all work that a scene's methods count, in order.
+/// Returns the names of all work that a scene's methods count, in order.
 std::vector<std::string> works_of(std::span<const BenchRow> rows, const std::vector<size_t>& scene) {
     std::vector<std::string> works;
     for (const size_t place : scene)
@@ -44,7 +44,7 @@ std::vector<std::string> works_of(std::span<const BenchRow> rows, const std::vec
     return works;
 }
 
-/// Takes out the work that is the same for all, and says it once.
+/// Removes the work that is the same for all methods from `works`, and returns one text about it.
 std::string take_same(std::span<const BenchRow> rows, const std::vector<size_t>& scene,
                       std::vector<std::string>& works) {
     std::string same;
@@ -60,7 +60,7 @@ std::string take_same(std::span<const BenchRow> rows, const std::vector<size_t>&
 
 using PutPicture = std::function<void(const std::string& name, const Image& picture)>;
 
-/// SVG as it may stand in a page: without the first line that a file has.
+/// Returns the SVG without the XML declaration of a file, for use in a page.
 std::string drawing(const std::string& svg) {
     const size_t begin = svg.find("<svg");
     return begin == std::string::npos ? "" : svg.substr(begin);
@@ -122,9 +122,9 @@ private:
                 {"verdicts", std::move(says)}};
     }
 
-    /// What a scene's sweeps say; methods of which the same is true share a line.
+    /// Returns the verdict on each sweep of a scene; methods with the same verdict share a line.
     List verdicts(const std::vector<size_t>& scene) const {
-        std::vector<std::pair<std::string, const BenchRow*>> lines;  // a verdict, and the first row that has it
+        std::vector<std::pair<std::string, const BenchRow*>> lines;  // a verdict and the first row with it
         std::map<std::string, std::string> names;
         for (const size_t place : scene) {
             const BenchRow& row = result_.rows[place];
@@ -200,7 +200,7 @@ private:
                 {"pictures", pictures(row, place)}};
     }
 
-    /// What stands over the pictures of a point.
+    /// Returns the text above the pictures of a point.
     std::string words(const BenchRow& row) const {
         std::string text = row_name(row);
         if (row.repeats > 0) text += fmt::format(": {} {} a {}", rounded(row.times.median * scale_), unit_, row.item);
@@ -234,7 +234,7 @@ struct Section {
     std::string name, text;
 };
 
-/// Those of a page that bench_page() has made, in its order; what it has escaped cannot look like the marks of one.
+/// Returns the sections of a page by bench_page(), in order. Escaped text cannot contain a section's tags.
 std::vector<Section> sections_of(const std::string& page) {
     constexpr std::string_view opening = "<section id=\"", closing = "</section>";
     std::vector<Section> sections;

@@ -1,5 +1,5 @@
-// The results of relief bench as a page: a question, its answer and its plot for each topic, and behind it all scenes,
-// tables, and the pictures of the points.
+// The page of `relief bench`: the question, answer and plot of each topic, then all scenes, tables, and pictures of
+// measured points.
 #pragma once
 
 #include <functional>
@@ -15,15 +15,15 @@ struct TopicResult {
     const BenchTopic* topic = nullptr;
     std::vector<BenchRow> rows;
     BenchMachine machine;
-    std::string plot;                 ///< all scenes, small, as SVG; empty where there is no gnuplot
-    std::string chief, chief_narrow;  ///< the scene that answers the topic's question, for a screen and for a phone
+    std::string plot;                 ///< all scenes, small, as SVG; empty without gnuplot
+    std::string chief, chief_narrow;  ///< the scene that answers the topic's question, for wide and for narrow screens
 };
 
-/// Draws the topic's plots. False without gnuplot.
+/// Draws the topic's plots. Returns false without gnuplot.
 bool draw_plots(TopicResult& result);
 
-/// `before` is the page that stands there, or nothing: what it has of other topics stays, as it was drawn then. `put`
-/// writes a picture under that name beside the page.
+/// Returns the page. `before` is the previous page, or empty: its sections of other topics are kept unchanged. `put`
+/// writes a picture under the given name beside the page.
 std::string bench_page(std::span<const TopicResult> results,
                        const std::function<void(const std::string& name, const Image& picture)>& put,
                        const std::string& before = {});

@@ -1,4 +1,4 @@
-// Sorts and filters the class. Without it the table stands as it was graded and everything can be read.
+// Sorts and filters the class. Without this script the table keeps the order of grading, and shows everything.
 const table = document.querySelector("#marks"), body = table.tBodies[0], rows = [...body.rows];
 const sorters = [...table.tHead.rows[0].cells].filter(cell => cell.querySelector("button"));
 const order = new Intl.Collator(undefined, {numeric: true, sensitivity: "base"});

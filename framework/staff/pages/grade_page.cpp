@@ -19,10 +19,10 @@ namespace {
 constexpr int outcomes = int(Outcome::machine) + 1;
 using Counts = std::array<size_t, outcomes>;
 
-/// A known mistake, as one word to the filter: ids are told apart only within a lab.
+/// Returns a known mistake as one word for the filter. It starts with the task, since ids are unique only within a lab.
 std::string named(const TaskMark& task) { return task.id + "\u00a0" + task.mistake; }
 
-/// Everything that is counted over a class.
+/// All counts over a class.
 class ClassCounts {
 public:
     struct OfCheck {
@@ -46,8 +46,8 @@ public:
     MarkTimes times;
     double waiting = 0;
     size_t not_graded = 0;
-    size_t absent = 0, strangers = 0;  ///< of the roster, but without a submission; and the other way round
-    std::vector<double> points;        ///< of those who handed something in
+    size_t absent = 0, strangers = 0;  ///< without a submission; and with one, but not in the roster
+    std::vector<double> points;        ///< of students with a submission
 
     explicit ClassCounts(const ClassStanding& standing) {
         for (const Standing& one : standing.students) {
@@ -110,7 +110,7 @@ List number_cards(const ClassReport& report, const ClassCounts& counts) {
     return cards;
 }
 
-/// How often each outcome was, for {{> badge}} and its like.
+/// Returns the count of each outcome from `first` on, for {{> badge}} and similar templates. Omits counts of 0.
 List outcome_counts(const Counts& of, Outcome first) {
     List list;
     for (int i = int(first); i < outcomes; ++i)
@@ -134,8 +134,8 @@ Fields cell_of(const LabStanding& lab) {
     return points_cell(lab.points(), lab.of(), is_missing ? "–" : lab.marked ? "" : "not graded");
 }
 
-/// A line of the class: points by lab, what became of the checks, the mistakes that were recognised, and what people
-/// and rules did to the points.
+/// Returns a row of the class table: points by lab, counts of check outcomes, recognised mistakes, and adjustments by
+/// people and rules.
 Fields line_of(const Standing& standing) {
     List cells;
     for (const LabStanding& lab : standing.labs) cells.push_back(cell_of(lab));
@@ -177,7 +177,7 @@ List labs_with_checks(const ClassCounts& counts) {
     return labs;
 }
 
-/// The three checks that the smallest share has passed.
+/// Returns the three checks with the smallest share of passes.
 Value hardest_checks(const ClassCounts& counts) {
     std::vector<const ClassCounts::OfCheck*> hardest;
     for (const auto& [lab, checks] : counts.checks)

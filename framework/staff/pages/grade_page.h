@@ -1,4 +1,4 @@
-// The instructor's page: the class in one table, check by check, and the time.
+// The instructor's page: the class in one table, then results by check, and times.
 #pragma once
 
 #include <string>
@@ -8,10 +8,11 @@
 
 namespace relief {
 
-/// Needs nothing else and has no pictures, some 600 bytes a submission; links to students/NAME.html. From the marks
-/// alone, but for the run's own numbers. What strangers wrote is text in it, never markup.
+/// Returns a page that needs no other files and has no pictures, about 600 bytes per submission. It links to
+/// students/NAME.html. Counts come from `standing`; `report` gives the numbers of the run. Students' text is escaped,
+/// never markup.
 std::string class_page(const ClassReport& report, const ClassStanding& standing);
-/// Without a class file.
+/// The same without a class file.
 std::string class_page(const ClassReport& report);
 
 }  // namespace relief

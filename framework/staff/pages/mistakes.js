@@ -1,4 +1,4 @@
-// Shows the mistakes whose words, and whose lab, are asked for.
+// Shows the mistakes that match the words in the filter and the chosen lab.
 const filter = document.querySelector(".filter");
 const words = filter.querySelector("input"), lab = filter.querySelector("select");
 const all = [...document.querySelectorAll("article")];
@@ -17,7 +17,7 @@ const show = () => {
 };
 words.addEventListener("input", show);
 lab.addEventListener("change", show);
-// On paper nothing can be opened.
+// Opens all differences for printing: nobody can open them on paper.
 const differences = [...document.querySelectorAll("details.difference:not([open])")];
 addEventListener("beforeprint", () => differences.forEach(one => one.open = true));
 addEventListener("afterprint", () => differences.forEach(one => one.open = false));

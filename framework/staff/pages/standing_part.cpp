@@ -10,10 +10,10 @@
 namespace relief {
 namespace {
 
-// No stranger's text can have these: on a page it is escaped.
+// A student's text cannot contain these marks: pages escape it.
 constexpr std::string_view begin_mark = "<!--standing-->", end_mark = "<!--/standing-->";
 
-/// What made the points of a lab, a sentence each.
+/// Returns the reasons for the points of a lab, one sentence each.
 List reasons(const LabStanding& lab, UtcOffset offset, PageFor reader) {
     List list;
     if (!lab.marked) list.push_back("not graded yet");

@@ -1,4 +1,4 @@
-// Where a student stands, at the head of a submission's page: points, what people and rules changed, what is missing.
+// The standing at the top of a submission's page: points, adjustments by people and rules, and missing labs.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace relief {
 
-/// The page with this standing in place of the one that it has. A page keeps pictures that are not stored elsewhere, so
-/// this alone of it can be made anew. A page without such a part stays as it is.
+/// Returns the page with its standing replaced. The rest of a page cannot be regenerated, since its pictures are stored
+/// nowhere else. A page without a standing is returned unchanged.
 std::string with_standing(const std::string& page, const Standing& standing, UtcOffset offset, PageFor reader);
 
 }  // namespace relief

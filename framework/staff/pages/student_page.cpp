@@ -87,14 +87,14 @@ private:
                                            : Value()}};
     }
 
-    /// Its hint, unless a check of the task has told it already.
+    /// Returns the check's hint, unless an earlier failed check of the task has shown the same one.
     static std::string first_hint(const TaskMark& task, const CheckMark& check) {
         for (const CheckMark* other = &task.checks.front(); other != &check; ++other)
             if (other->outcome != Outcome::passed && other->look_at == check.look_at) return {};
         return check.look_at;
     }
 
-    /// What a student may know of what he cannot look at.
+    /// Returns the fields of a check that a student may see without its views.
     static Fields secret(const TaskMark& task, const CheckMark& check) {
         return {{"open", check.outcome != Outcome::passed},
                 {"badge", badge(check.outcome)},
@@ -106,7 +106,7 @@ private:
                 {"pictures", Value()}};
     }
 
-    /// Texts, and one with code in it; those that are empty are left out.
+    /// Returns the texts as facts, one of which can contain code; empty ones are omitted.
     static List facts(const std::vector<std::pair<const char*, Value>>& all) {
         List facts;
         for (const auto& [name, value] : all) {
@@ -123,7 +123,7 @@ private:
         return nullptr;
     }
 
-    /// The tasks that lost points, with what is known of them.
+    /// Returns the tasks that lost points, with all known details.
     Value lost() const {
         List tasks;
         for (const LabMark& lab : mark_.labs) {
@@ -161,7 +161,7 @@ std::string lab_title(const std::string& folder) {
         std::map<std::string, std::string> all;
         for (const LabEntry& lab : registry()) try {
                 all[lab.folder] = load_manifest(lab).title;
-            } catch (const Error&) {  // marks that are there can be shown without that lab
+            } catch (const Error&) {  // existing marks can be shown without that lab
             }
         return all;
     }();

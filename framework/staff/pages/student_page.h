@@ -1,4 +1,4 @@
-// A submission's page: its tasks and checks, and the pictures of what did not pass.
+// A submission's page: its tasks and checks, with pictures of failed checks.
 #pragma once
 
 #include <string>
@@ -8,15 +8,16 @@
 
 namespace relief {
 
-/// Who reads a page. A student's can be given away: it says nothing of a hidden view, of a hidden check only how it
-/// went and what to look at, and it leads nowhere.
+/// The reader of a page. The student's page is safe to give away. It omits hidden views, tells only the outcome and the
+/// hint of a hidden check, and has no links to other pages.
 enum class PageFor { instructor, student };
 
-/// Needs nothing else. A check has its figures where `pictures` has it. It stands as the submission alone:
-/// with_standing() puts in what the class adds. What strangers wrote is text in it, never markup.
+/// Returns a page that needs no other files. A check has figures if `pictures` contains it. The page shows the
+/// submission alone; with_standing() adds the data of the class. Students' text is escaped, never markup.
 std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures, PageFor reader);
 
-/// The number of a lab, "02", and its title; for a lab that this course does not have, its name in words.
+/// Return the number of a lab, "02", and its title. The title of a lab that this course lacks is its folder's name in
+/// words.
 std::string number_of(const std::string& folder);
 std::string lab_title(const std::string& folder);
 /// "1 file", "2 files"

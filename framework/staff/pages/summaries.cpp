@@ -19,13 +19,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Puts the standing into a student's page; makes the page if it is not there. Who handed nothing in has only that.
+/// Writes the standing into a student's page, and creates the page if it does not exist. The page of a student without
+/// a submission has nothing else.
 void write_standing(const Standing& standing, UtcOffset offset, const fs::path& folder, PageFor reader) {
     const fs::path file = folder / page_file(standing.name, reader);
     SubmissionMark nothing;
     nothing.name = standing.name;
     nothing.problem = standing.is_waiting ? "This is not graded yet." : "Nothing was handed in.";
-    // A run into the folder that does not name a graded submission leaves its result, and so its page.
+    // A run that does not name a graded submission keeps its result, and so its page.
     const bool is_kept = fs::exists(file) && (standing.mark || fs::exists(result_file(folder, standing.name)));
     const std::string page =
         is_kept ? read_file(file) : student_page(standing.mark ? *standing.mark : nothing, {}, reader);
@@ -33,7 +34,7 @@ void write_standing(const Standing& standing, UtcOffset offset, const fs::path& 
     if (!is_kept || now != page) write_page(file, now);
 }
 
-/// The labs that a folder's class, or a part of it in there, was graded for; empty: all.
+/// Returns the labs for which the folder's class, or a part of it in a subfolder, was graded; empty: all.
 std::vector<std::string> labs_of(const fs::path& folder) {
     if (const auto roster = read_roster(folder)) return roster->labs;
     for (const auto& part : fs::directory_iterator(folder))
@@ -42,7 +43,7 @@ std::vector<std::string> labs_of(const fs::path& folder) {
     return {};
 }
 
-/// The names of all submissions of the class, graded or not.
+/// Returns the names of all submissions of the class, graded or not.
 std::set<std::string> handed_in(const fs::path& folder) {
     std::set<std::string> names;
     if (const auto roster = read_roster(folder))
@@ -50,7 +51,7 @@ std::set<std::string> handed_in(const fs::path& folder) {
     return names;
 }
 
-/// Students of the roster with a result in the folder, whom this run does not name.
+/// Returns the students of the roster with a result in the folder whom this run does not name.
 std::vector<std::string> left_out(const ClassFile& policy, const std::set<std::string>& named, const fs::path& folder) {
     std::vector<std::string> names;
     for (const Student& one : policy.students)
@@ -76,7 +77,7 @@ ClassStanding write_summaries(const ClassReport& report, const fs::path& folder)
     for (const std::string& name : report.doubled) names.insert(printable(name));
     for (const SubmissionMark& mark : report.marks) names.insert(printable(mark.name));
     const std::vector<std::string> absent = left_out(policy, names, folder);
-    names.insert(absent.begin(), absent.end());  // no points at all, rather than 0
+    names.insert(absent.begin(), absent.end());  // waiting for a mark, not 0 points
     ClassStanding standing = class_standing(report.marks, policy, labs_of(folder), names);
     if (!absent.empty())
         standing.notes.push_back(fmt::format(
@@ -97,7 +98,7 @@ ClassStanding write_summaries(const ClassReport& report, const fs::path& folder)
     if (!standing.policy.students.empty())
         write_file(folder / "canvas.csv", to_canvas(standing));
     else
-        fs::remove(folder / "canvas.csv");  // nobody is to upload that of a roster which no longer counts
+        fs::remove(folder / "canvas.csv");  // a stale file must not be uploaded
     for (const AssignedLab& lab : standing.policy.labs)
         if (!lab.moodle.empty() && !standing.students.empty() && standing.students.front().lab(lab.folder)) {
             make_folder(folder / "moodle");

@@ -1,4 +1,4 @@
-// What grading leaves in its folder besides a result for each submission.
+// Writes the summaries of a grading run into its folder, beside the result of each submission.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,17 @@ namespace relief {
 
 inline constexpr PageFor page_readers[] = {PageFor::instructor, PageFor::student};
 
-/// The page of a submission, relative to the folder of all results: students/NAME.html can be given to its student,
-/// submissions/NAME.html has all that is known.
+/// Returns the path of a submission's page, relative to the folder of all results. students/NAME.html can be given to
+/// the student; submissions/NAME.html shows everything.
 std::filesystem::path page_file(const std::string& name, PageFor reader);
 
-/// With the folder that it lies in.
+/// Writes a page, and makes its folder if necessary.
 void write_page(const std::filesystem::path& file, const std::string& text);
 
-/// All other files, from the results, the folder's class file and its adjustments alone: report.html, results.csv,
-/// junit.xml, and a file for each submission in surefire, gradescope and prairielearn; with a roster canvas.csv, and
-/// moodle/LAB.csv for each worksheet. Pages get their standing; a submission that has no pages yet gets them without
-/// pictures. The report must outlive the result.
+/// Writes all other files, from the results, the folder's class file and its adjustments alone. These are report.html,
+/// results.csv and junit.xml, and a file per submission in surefire, gradescope and prairielearn. With a roster there
+/// are also canvas.csv, and moodle/LAB.csv for each worksheet. Puts the standing into all pages; a submission without
+/// pages gets them without pictures. `report` must outlive the result.
 ClassStanding write_summaries(const ClassReport& report, const std::filesystem::path& folder);
 
 }  // namespace relief
