@@ -1,5 +1,5 @@
-// Lab 14: levels are those of the twins, at every place and from everywhere; edges agree where patches do not; nothing
-// that is seen is culled; and nothing is left that is not a number.
+// Lab 14: levels match their twins, from every camera. Both sides of an edge agree on its level, while patches need
+// not. No visible triangle is culled, and every pixel is finite.
 #include <cmath>
 #include <map>
 #include <random>
@@ -24,7 +24,7 @@ struct Dice {
     const char* one_of(const char* const (&names)[count]) {
         return names[random() % count];
     }
-    /// At a place where it sees the surface, or a part of it, or nothing.
+    /// Returns a random camera. It may see the surface, a part of it, or nothing.
     Orbit view(double nearest, double farthest) {
         return {.yaw = between(0, 360),
                 .pitch = between(-89, 89),
@@ -53,13 +53,13 @@ std::multiset<Triangle> triangles(Lab& lab, const Shot& shot, const char* cull) 
     return result;
 }
 
-/// Whether it is nowhere in front of one of the planes of the picture, or seen from behind.
+/// Returns whether a triangle lies wholly outside one of the view's clip planes, or faces away from the eye.
 bool is_rightly_culled(const Triangle& triangle, const Camera& camera) {
     std::array<glm::dvec3, 3> place;
     for (int i = 0; i < 3; ++i)
         place[size_t(i)] = {triangle[size_t(3 * i)], triangle[size_t(3 * i + 1)], triangle[size_t(3 * i + 2)]};
     const glm::dvec3 across = glm::cross(place[1] - place[0], place[2] - place[0]);
-    // What has no area but that of rounding, some 1e-7 of a metre across, has no side.
+    // A triangle whose area is within rounding, some 1e-7 of a metre across, faces neither way.
     const double longest = std::max(
         {glm::distance(place[0], place[1]), glm::distance(place[1], place[2]), glm::distance(place[2], place[0])});
     if (glm::dot(across, camera.eye() - place[0]) <= 3e-7 * longest * glm::distance(camera.eye(), place[0]))
@@ -122,7 +122,7 @@ TEST(AdaptiveDisplacement, OnlyTrianglesThatNobodySeesAreCulled) {
     EXPECT_GT(culled, all / 4) << culled << " of " << all;
 }
 
-/// The level that each patch should have, with the figures that the lab is given.
+/// Computes the level of each patch in double precision, from the same settings as the lab.
 class Twin {
 public:
     Twin(DisplacedSurface& surface, const Shot& shot, bool by_error)
@@ -180,7 +180,7 @@ TEST(AdaptiveDisplacement, LevelsAreThoseOfTheTwins) {
         DisplacedSurface::Shape shape;
         int patches, corners;
     };
-    // One patch, more than a line of the texture holds, and more than two.
+    // One patch, more patches than one row of the texture holds, and more than two rows hold.
     for (const auto& [name, shape, patches, corners] : {Scene{"ground", DisplacedSurface::ground, 1, 4},
                                                         {"ground", DisplacedSurface::ground, 9, 4},
                                                         {"ground", DisplacedSurface::ground, 7, 3},
@@ -247,7 +247,7 @@ TEST(AdaptiveDisplacement, AnEdgeIsAsUnevenFromBothSides) {
         }
 }
 
-/// Over the picture: the least and the most of a probe's first channel, where there is surface.
+/// Returns the minimum and maximum of a probe's first channel over the pixels that show a surface.
 std::pair<float, float> range_of(const Image& probe) {
     std::pair<float, float> range{no_surface, -no_surface};
     for (size_t i = 0; i < probe.values.size(); i += 4)
@@ -257,7 +257,7 @@ std::pair<float, float> range_of(const Image& probe) {
 }
 
 TEST(AdaptiveDisplacement, LevelsAreWithinWhatGlTakesFromAnywhere) {
-    // In the middle of a patch, of an edge, on a vertex; below the ground, far away, straight from above.
+    // In the middle of a patch, of an edge, and on a vertex; below the ground, far away, and straight from above.
     const std::vector<Orbit> cameras = {{.yaw = 0, .pitch = 0, .distance = 1, .target = {0.5, 0, -0.5}},
                                         {.yaw = 0, .pitch = 0, .distance = 1, .target = {2, 0, 0}},
                                         {.yaw = 0, .pitch = 0, .distance = 1, .target = {0, 0, -1}},
@@ -265,7 +265,7 @@ TEST(AdaptiveDisplacement, LevelsAreWithinWhatGlTakesFromAnywhere) {
                                         {.yaw = 10, .pitch = 30, .distance = 500},
                                         {.yaw = 0, .pitch = 89, .distance = 9}};
     for (const char* method : {"distance", "size", "error"}) {
-        // From above all patches are drawn, with the levels that they have for the eye.
+        // From above, all patches are drawn with the levels that they have for the eye.
         Shot shot = shot_of("14",
                             {{"view", "above"},
                              {"patches", "8"},
@@ -328,7 +328,7 @@ TEST(AdaptiveDisplacement, LevelsOfPatchesCrackAndThoseOfEdgesDoNot) {
 }
 
 TEST(AdaptiveDisplacement, ASmoothShallowGlobeShowsLittleOfItsBack) {
-    // A sphere is seen from 4 radii to a cosine of 1/4: five eighths of it face away.
+    // Seen from a distance of 4 radii, a sphere is visible down to a cosine of 1/4. Five eighths of it face away.
     Shot shot = eye({{"surface", "sphere"},
                      {"patches", "32"},
                      {"map", "smooth"},
@@ -358,7 +358,7 @@ TEST(AdaptiveDisplacement, WithoutDepthOrBeyondTheFadeItIsTheFlatMesh) {
                  {{"depth", "0"}, {"method", "error"}},
                  {{"fade", "true"}, {"fade_begin", "0"}, {"fade_end", "0.5"}, {"method", "size"}},
                  {{"fade", "true"}, {"fade_begin", "0.5"}, {"fade_end", "0"}, {"method", "error"}}}) {
-            // Metres, in floats of up to 16.
+            // The tolerance is in metres. The probe stores floats of up to 16.
             EXPECT_EQ(difference(depths(knobs), flat, 2e-5).pixels_over, 0u) << surface << " " << knobs[0].second;
         }
         EXPECT_GT(difference(depths({{"method", "size"}}), flat, 1e-3).pixels_over, 1000u);
@@ -377,7 +377,7 @@ TEST(AdaptiveDisplacement, EveryPixelIsFiniteWhateverTheMapTheSurfaceAndTheView)
     for (const char* surface : {"globe", "urn", "column", "wall"})
         for (const double pitch : {89.0, -89.0})
             scenes.push_back({{{"surface", surface}, {"depth", "0.5"}}, {.yaw = 0, .pitch = pitch, .distance = 2.5}});
-    // In the relief, below it, in a sphere, on a pole.
+    // Inside the relief, below it, inside a sphere, and on a pole.
     scenes.push_back({{{"depth", "0.5"}}, {.yaw = 0, .pitch = 0, .distance = 0.5, .target = {0, -1, 0}}});
     scenes.push_back({{{"depth", "0.5"}}, {.yaw = 0, .pitch = -30, .distance = 12}});
     scenes.push_back({{{"surface", "globe"}}, {.yaw = 0, .pitch = 10, .distance = 0.01}});

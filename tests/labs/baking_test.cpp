@@ -1,4 +1,4 @@
-// Lab 07: a bake is right only together with its renderer; what is baked, and when.
+// Lab 07: a baked map is right only with the renderer that it was baked for. A bake runs only when an input changes.
 #include "framework/base/file.h"
 #include "framework/base/paths.h"
 #include "framework/gl/counters.h"
@@ -14,7 +14,7 @@ std::vector<Knob> one(std::vector<Knob> knobs) {
     return knobs;
 }
 
-/// Mean degrees over a face of the cube: as much of it as has no edge and no other face.
+/// Returns the mean error in degrees over one face of the cube, without the cube's edges and other faces.
 double degrees_on_the_cube(std::vector<Knob> knobs) {
     knobs.insert(knobs.end(), {{"shape", "cube"}, {"level", "0"}});
     Shot shot = shot_of("07", one(std::move(knobs)), "normal", {96, 96});
@@ -24,10 +24,10 @@ double degrees_on_the_cube(std::vector<Knob> knobs) {
 
 TEST(Baking, ACubeStaysFlatInTheFrameThatItWasBakedInAndBulgesInAnyOther) {
     EXPECT_LT(degrees_on_the_cube({}), 0.04);
-    EXPECT_LT(degrees_on_the_cube({{"bits", "8"}}), 0.35);  // half a step of 255 is 0.22 degrees of z, and more of F
+    EXPECT_LT(degrees_on_the_cube({{"bits", "8"}}), 0.35);  // half a step of 255 tilts z by 0.22 degrees, and F by more
     EXPECT_LT(degrees_on_the_cube({{"bake_frame", "gram-schmidt"}, {"frame", "gram-schmidt"}}), 0.04);
     EXPECT_LT(degrees_on_the_cube({{"bake_frame", "each-unit"}, {"frame", "each-unit"}}), 0.04);
-    // Measured with a program of its own in double precision, over all faces: 5.0, 4.5, 6.2, 7.6.
+    // Measured by a separate program in double precision, over all faces: 5.0, 4.5, 6.2, 7.6.
     EXPECT_NEAR(degrees_on_the_cube({{"frame", "gram-schmidt"}}), 5.0, 0.2);
     EXPECT_NEAR(degrees_on_the_cube({{"frame", "each-unit"}}), 4.5, 0.2);
     EXPECT_NEAR(degrees_on_the_cube({{"frame", "vertex-bitangent"}}), 6.2, 0.3);
@@ -51,13 +51,13 @@ TEST(Baking, HitsAreThoseOfDoublePrecisionAndNoRayIsLost) {
             covered += is_there, outline += is_found != is_there;
         }
         EXPECT_GT(covered, 3000u) << knobs[0].first;
-        // At the very end of a ray rounding decides.
+        // At the very end of a ray, rounding decides.
         EXPECT_LE(outline, 2u) << knobs[0].first;
         EXPECT_LT(summarize(error_image(found, truth, ErrorMetric::absolute)).mean, 1e-6) << knobs[0].first;
     }
 }
 
-/// Of the map's covered texels, those whose ray meets nothing.
+/// Counts the covered texels of the map whose ray hits nothing.
 size_t missed(const std::vector<Knob>& knobs) {
     std::vector<Knob> small = knobs;
     small.emplace_back("map_size", "128");
@@ -71,7 +71,8 @@ size_t missed(const std::vector<Knob>& knobs) {
     return count;
 }
 
-// 504 triangles: relief 0.162, sagittas 0.105 along and 0.134 around. 2016: 0.026 and 0.034.
+// 504 triangles: the relief is 0.162, the sagittas are 0.105 along and 0.134 around. 2016 triangles: sagittas 0.026 and
+// 0.034.
 TEST(Baking, AReachOfReliefAndBothSagittasMissesNothing) {
     EXPECT_EQ(missed({{"reach", "0.402"}}), 0u);
     EXPECT_EQ(missed({{"reach", "0.223"}, {"low", "2000"}}), 0u);
@@ -141,7 +142,7 @@ TEST(Baking, WithoutReachEveryTexelIsFiniteAndTheCoarseModelsOwn) {
     for (const char* shape : {"ammonite", "mirrored", "cube"}) {
         const Shot shot =
             shot_of("07", one({{"reach", "0"}, {"shape", shape}, {"map_size", "64"}}), "normal", {64, 64});
-        const Image normals = drawn("07", shot);  // throws where one is not a number
+        const Image normals = drawn("07", shot);  // throws if a pixel is not finite
         if (shape == std::string("cube")) continue;
         Shot bare = shot;
         bare.set.emplace_back("wears", "nothing");

@@ -1,5 +1,5 @@
-// Lab 13: what the tessellator makes approaches the exact surface, reads the mip level and has the normals that
-// mathematics says, wherever it stands; and nothing is left that is not a number.
+// Lab 13: tessellation converges to the exact surface, reads the expected mip level and has the exact normals, at any
+// distance from the origin. Every pixel is finite.
 #include "framework/kit/displaced_surface.h"
 #include "framework/staff/reference/patches.h"
 #include "tests/labs/feedback.h"
@@ -22,7 +22,7 @@ std::vector<Knob> with(std::vector<Knob> knobs, std::vector<Knob> more) {
     return knobs;
 }
 
-/// One lab for many shots, so that its programs are compiled once. Knobs stay as they are left.
+/// One lab for many shots, so that its programs are compiled once. Knobs keep their values between shots.
 class Kept {
 public:
     explicit Kept(Shot shot) : shot_(std::move(shot)), lab_(make_lab(find_lab("13"), shot_)) {}
@@ -37,7 +37,7 @@ private:
     std::unique_ptr<Lab> lab_;
 };
 
-/// A metre of wall a tile, the relief 0.1 m deep: four patches, each a tile.
+/// One metre of wall per tile, a relief 0.1 m deep, and four patches of one tile each.
 const std::vector<Knob> smooth_wall = {{"surface", "wall"}, {"patches", "2"}, {"map", "smooth"},
                                        {"size", "256"},     {"depth", "0.1"}, {"mip", "base"}};
 const Orbit before_the_wall{.yaw = 25, .pitch = 20, .distance = 1.8};
@@ -63,7 +63,7 @@ TEST(Displacement, IsTheSameWallFromBehindAndAtItsEdge) {
     for (const double yaw : {155.0, 80.0}) {
         Shot shot = one(with(smooth_wall, {{"level", "64"}}), "depth");
         shot.camera = before_the_wall, shot.camera.yaw = yaw;
-        // Where hills hide each other a pixel may see one or the next.
+        // Where hills overlap in the picture, a pixel may show either of them.
         EXPECT_LT(error_of("13", shot).mean, 0.001) << yaw;
         EXPECT_LT(error_of("13", shot).p99, 0.01) << yaw;
     }
@@ -97,9 +97,10 @@ TEST(Displacement, FractionalSpacingsMoveWithTheLevelAndEqualOnesJump) {
 TEST(Displacement, CutsAPatchIntoTheTrianglesThatItsLevelSays) {
     struct Cut {
         const char *level, *spacing;
-        int quads, triangles;  ///< of a patch of four, of three corners
+        int quads, triangles;  ///< of a patch with four and with three corners
     };
-    // Four corners: two triangles a cell. Three: rings of which each has six (or so) fewer than the one around it.
+    // A patch of four corners has two triangles per cell. A patch of three corners consists of rings, each with about
+    // six triangles fewer than the next outer one.
     for (const Cut& cut : std::vector<Cut>{{"1", "equal", 2, 1},
                                            {"2", "equal", 8, 6},
                                            {"3", "equal", 18, 13},
@@ -130,7 +131,7 @@ TEST(Displacement, ReadsTheMipLevelWhoseTexelsAreAsWideAsASegment) {
         for (const int patches : {1, 4, 32})
             for (const double level : {1.0, 3.5, 16.0, 64.0}) {
                 if (patches * level > 256) continue;  // too many triangles
-                // Two tiles a side. Of triangles the diagonals count, too: up to sqrt(2) as long.
+                // Two tiles per side. In triangles the diagonals count as well. They are up to sqrt(2) times as long.
                 const double wanted = std::log2(2 * 512 / double(patches) / level), slack = *corners == '3' ? 0.5 : 0;
                 const Image mip =
                     kept.drawn({{"patches", std::to_string(patches)}, {"level", std::to_string(level)}}, "mip");
@@ -141,12 +142,12 @@ TEST(Displacement, ReadsTheMipLevelWhoseTexelsAreAsWideAsASegment) {
                         << patches << ", level " << level;
                 }
             }
-        // Two texels on the whole wall: there is nothing above level 0.
+        // The whole wall has two texels, so there is nothing above level 0.
         EXPECT_EQ(kept.drawn({{"size", "1"}, {"patches", "4"}, {"level", "4"}}, "mip").values[0], 0.0f);
     }
 }
 
-/// A surface as the lab draws it, where a test has more to say than knobs can.
+/// A displaced surface drawn with the lab's shaders, for settings that the knobs do not offer.
 class Rig {
 public:
     Rig() {
@@ -155,9 +156,9 @@ public:
     }
     DisplacedSurface surface;
     float level = 12;
-    int normals = 3;  ///< as the knob has them: of the surface
+    int normals = 3;  ///< value of the knob: normals of the surface
 
-    /// Seen by an orbit around the surface, wherever that stands.
+    /// Draws a probe. The orbit is relative to the surface's origin.
     Image probe(const char* name, Orbit orbit, glm::ivec2 size = {64, 64}) {
         orbit.target += surface.origin;
         const Target target(TargetKind::probe, size);
@@ -203,7 +204,7 @@ TEST(Displacement, IsTheSameAMillionMetresAway) {
         }
         EXPECT_GT(pixels, 1000u);
         EXPECT_EQ(outline, 0u);
-        // Nine digits of the camera's sixteen are before the point, and a float has seven after that.
+        // Nine of the camera's sixteen decimal digits are before the point. The float result keeps seven.
         EXPECT_LT(largest, 1e-4f) << probe;
     }
 }
@@ -212,7 +213,8 @@ double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-/// The normal of the surface that all levels approach, from four of its places a texel apart: nothing is derived.
+/// Returns the normal of the surface to which all levels converge. Uses central differences of four positions at a
+/// spacing of one texel, and no derivatives.
 glm::dvec3 normal_from_places(const DisplacedSurface& surface, const HeightField& heights, size_t patch,
                               glm::dvec2 place) {
     const double step = 0.5 * surface.density / (double(surface.tiles().x) * heights.size().x);
@@ -224,7 +226,7 @@ glm::dvec3 normal_from_places(const DisplacedSurface& surface, const HeightField
     return glm::normalize(glm::cross(at(1, 0) - at(-1, 0), at(0, 1) - at(0, -1)));
 }
 
-/// Near enough that a pixel is less than a texel everywhere, so that the fragments read level 0.
+/// So close that a pixel is smaller than a texel everywhere. The fragment shader then reads level 0.
 Orbit close_up(int shape) {
     return {.yaw = 20,
             .pitch = 15,
@@ -238,7 +240,7 @@ TEST(Displacement, HasTheNormalsOfTheExactSurface) {
         Rig rig;
         rig.surface.shape = shape, rig.surface.material.map = 0, rig.level = 64;
         rig.surface.density = shape == DisplacedSurface::torus ? 5 : 4;
-        // Near enough that a pixel is less than a texel, so that the fragments read level 0.
+        // So close that a pixel is smaller than a texel. The fragment shader then reads level 0.
         const Orbit orbit = close_up(shape);
         const Image normals = rig.probe("normal", orbit), places = rig.probe("place", orbit);
         const HeightField heights(rig.surface.heights(), true);
@@ -252,15 +254,16 @@ TEST(Displacement, HasTheNormalsOfTheExactSurface) {
             sum += off, largest = std::max(largest, off), ++count;
         }
         EXPECT_GT(count, 1000);
-        // The map's slope is a central difference at the fragment's own level, the places stand on the bilinear map.
+        // The slope of the map is a central difference at the fragment's own level. The positions lie on the bilinear
+        // map.
         EXPECT_LT(sum / count, 0.25) << shape;
         EXPECT_LT(largest, 1) << shape;
     }
 }
 
 TEST(Displacement, IsSteeperThanItsHeightsAreWhereTheBaseHasShrunk) {
-    // Pressed in by d, a sphere is 1 + d / radius as wide, and each slope 1 / (1 + d / radius) as steep (d is
-    // negative). Blinn's normals of 1978 leave that out: 1.47 degrees at slope 1 and d = -0.05 radii.
+    // A sphere displaced by d (negative means inwards) scales lengths on it by 1 + d / radius, and each slope by 1 / (1
+    // + d / radius). Blinn's normals (1978) ignore that: an error of 1.47 degrees at slope 1 and d = -0.05 radii.
     Rig rig;
     rig.surface.shape = DisplacedSurface::sphere, rig.surface.material.map = 0, rig.surface.density = 32, rig.level = 4;
     const Orbit orbit = close_up(DisplacedSurface::sphere);
@@ -284,7 +287,7 @@ TEST(Displacement, IsSteeperThanItsHeightsAreWhereTheBaseHasShrunk) {
         ++count;
     }
     EXPECT_NEAR(difference / count, 1.09, 0.01);
-    // A patch is flat: 3 degrees of the sphere, whose middle lies 0.0004 radii inside.
+    // A patch is flat. It spans 3 degrees of the sphere, and its middle lies 0.0004 radii inside.
     EXPECT_LT(off, 0.1);
 }
 
@@ -374,7 +377,7 @@ TEST(Displacement, EveryPixelIsFiniteWhateverTheDepthAndTheMap) {
 }
 
 TEST(Displacement, EveryPixelIsFiniteWhereverTheEyeIs) {
-    // On a vertex of the flat wall, in its plane, edge-on, behind it, in the relief.
+    // On a vertex of the flat wall, in its plane, edge-on, behind it, and inside the relief.
     std::vector<std::pair<const char*, Orbit>> views;
     for (const double yaw : {0.0, 90.0, 180.0})
         for (const double z : {0.0, -0.05, -0.3})
@@ -400,7 +403,8 @@ TEST(Displacement, EveryPixelIsFiniteWhereverTheEyeIs) {
 }
 
 TEST(Displacement, TheTruthOfAPlateauIsAPlane) {
-    // Half of 0.1 m below the wall: seen through z = -0.05 where the ray passes it within the wall.
+    // The plateau is half of 0.1 m below the wall. A pixel shows it if its ray crosses z = -0.05 within the wall's
+    // outline.
     Shot shot = one(with(smooth_wall, {{"map", "plateau"}}), "depth");
     shot.camera = {.yaw = 35, .pitch = 20, .distance = 4};
     const Image truth = truth_of(*make_lab(find_lab("13"), shot), shot);

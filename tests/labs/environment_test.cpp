@@ -1,4 +1,4 @@
-// Lab 16: what each light is hidden by, and how near its exact value it comes.
+// Lab 16: the occlusion of each light, and its error against the exact value.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-/// Of the court with a flat floor, its maps without minification; `more` after that.
+/// Returns a shot of the court with a flat floor and with its maps at mip level 0. `more` overrides these knobs.
 Shot court_shot(const char* probe, std::vector<Knob> more = {}, glm::ivec2 size = {96, 96}) {
     std::vector<Knob> knobs = {{"level", "0"}, {"displace", "false"}};
     knobs.insert(knobs.end(), more.begin(), more.end());
@@ -26,7 +26,7 @@ TEST(Environment, TheCubeMapHoldsTheSky) {
     EXPECT_LT(error.mean, 0.01);
 }
 
-/// Mean error of the mirrored light as a share of it.
+/// Returns the mean error of the reflected light, relative to that light.
 double blur_error(const char* gloss, const char* exponent) {
     Shot shot = court_shot("reflection", {{"gloss", "even"}, {"exponent", exponent}}, {48, 48});
     shot.camera = ball;
@@ -69,7 +69,7 @@ Shot plane_shot(const char* scene, double tilt, double yaw, double pitch, const 
     return shot;
 }
 
-/// Of a plane that faces the sun, how many pixels, and how many of them hide themselves.
+/// Counts the pixels of a plane that faces the sun, and its falsely shadowed pixels.
 struct Shadows {
     int pixels = 0, false_ones = 0;
 };
@@ -106,8 +106,8 @@ TEST(Environment, AShadowsEdgeIsWithinRadiusAndATexel) {
         shot.camera = {.yaw = 0, .pitch = 89, .distance = 3, .target = {-0.35, 0, -0.6}};
         const auto lab = make_lab(find_lab("16"), shot);
         const Image drawn = render_shot(*lab, shot), exact = truth_of(*lab, shot);
-        // A texel in metres (the scene's box is seen along its diagonal at most), in pixels of the ground, and where
-        // the light falls slantwise as much longer.
+        // The size of a texel in metres (at most the diagonal of the scene's box), converted to pixels of the ground.
+        // Light at a slant stretches it.
         const double texel = 10.6 / 256, pixel = 2 * 3 * std::tan(glm::radians(20.0)) / 96;
         const int wide = int(std::ceil((radius + 1) * texel / pixel / std::sin(glm::radians(60.0)))) + 1;
         int seen = 0;
@@ -136,7 +136,7 @@ TEST(Environment, ADisplacedFloorCastsAndReceivesShadows) {
     shot.camera = {.yaw = 0, .pitch = 85, .distance = 9, .target = {0, 0, 4}, .field_of_view = 40};
     const auto lab = make_lab(find_lab("16"), shot);
     const Image drawn = render_shot(*lab, shot);
-    // The same by steps of a centimetre over the formula, from where the eye's ray meets it.
+    // The reference marches the height formula in steps of a centimetre, from the hit of the eye's ray.
     const Frame frame = {0, shot.size, 0, Camera(shot.camera, 1), {}};
     const glm::dvec3 to_sun(0, std::sin(glm::radians(2.0)), std::cos(glm::radians(2.0)));
     int hidden = 0, wrong = 0, count = 0;
@@ -147,7 +147,7 @@ TEST(Environment, ADisplacedFloorCastsAndReceivesShadows) {
             const auto above = [&](const glm::dvec3& p) { return p.y - court::floor_height({p.x, p.z}); };
             while (above(ray.at(t)) > 0) t += 0.002;
             const glm::dvec3 from = ray.at(t);
-            if (std::abs(from.x) > 6.2 || from.z < 1.6 || from.z > 6.5) continue;  // nothing else casts there
+            if (std::abs(from.x) > 6.2 || from.z < 1.6 || from.z > 6.5) continue;  // no other object casts shadows here
             bool is_lit = true;
             for (double s = 0.05; s < 5 && from.z + s < 7; s += 0.01)
                 is_lit = is_lit && above(from + s * to_sun) > -1e-3;
@@ -155,7 +155,7 @@ TEST(Environment, ADisplacedFloorCastsAndReceivesShadows) {
             wrong += std::abs(double(*drawn.pixel(x, y)) - is_lit) > 0.5;
         }
     EXPECT_GT(hidden, count / 20) << "humps hide what lies behind them";
-    // Triangles of a third of a metre are chords of the humps.
+    // Triangles with sides of a third of a metre are chords of the humps.
     EXPECT_LT(wrong, count / 12) << "of " << count << ", " << hidden << " hidden";
     shot.set.emplace_back("displace", "false");
     const Image flat = relief::drawn("16", shot);
@@ -168,14 +168,14 @@ TEST(Environment, ADisplacedFloorCastsAndReceivesShadows) {
 
 TEST(Environment, TheIntegralGivesTheCosineOfASlopeBetweenTwoEndlessWalls) {
     for (const double slope : {10.0, 30.0, 45.0, 60.0}) {
-        // At the bottom, with an upright normal; a slice at an angle to the walls sees them less steep.
+        // At the bottom, with a vertical normal. A slice that is not perpendicular to the walls sees a smaller slope.
         constexpr int slices = 64;
         double sum = 0, older = 0;
         for (int i = 0; i < slices; ++i) {
             const double angle = glm::pi<double>() * (i + 0.5) / slices;
             const double horizon = std::atan2(1, std::tan(glm::radians(slope)) * std::abs(std::cos(angle)));
             sum += open_share(-horizon, horizon, 0) / slices;
-            older += (1 - std::cos(horizon)) / slices;  // less the sine of the elevation
+            older += (1 - std::cos(horizon)) / slices;  // 1 minus the sine of the elevation
         }
         EXPECT_NEAR(sum, std::cos(glm::radians(slope)), 1e-3) << slope;
         if (slope == 30) {
@@ -211,7 +211,7 @@ TEST(Environment, APlaneIsWhollyOpen) {
     Shot shot = shot_of("16", {{"scene", "plane"}, {"tilt", "0"}}, "occlusion", {128, 128});
     shot.camera = {.yaw = 30, .pitch = 40, .distance = 1.2, .target = {2.2, 0, 2.2}};
     const Image image = drawn("16", shot);
-    // Two slices, each at four angles, which are equal ones in the picture only.
+    // Two slices, each at four angles. The angles are evenly spaced in the picture only.
     for (size_t i = 0; i < image.values.size(); i += 4) ASSERT_NEAR(image.values[i], 1, 0.05);
 }
 
@@ -224,7 +224,7 @@ TEST(Environment, LightIsWithinAThousandthOfDoublePrecisionWhereNothingIsSearche
         knobs.insert(knobs.end(), more.begin(), more.end());
         Shot shot = court_shot("light", knobs);
         shot.camera = {
-            .yaw = 60, .pitch = 30, .distance = 5, .target = {-5, 0.6, 2.5}};  // no columns: theirs are triangles
+            .yaw = 60, .pitch = 30, .distance = 5, .target = {-5, 0.6, 2.5}};  // no columns: they are polygons
         const ErrorSummary error = error_of("16", shot);
         EXPECT_LT(error.mean, 0.001);
         std::printf("light: mean %.5f, 99 %% %.5f\n", error.mean, error.p99);
@@ -232,7 +232,7 @@ TEST(Environment, LightIsWithinAThousandthOfDoublePrecisionWhereNothingIsSearche
 }
 
 TEST(Environment, ThePixelOfTheTableIsThatOfThePicture) {
-    // A picture with the cross is the court's, but for the cross and the table.
+    // Except for the cross and the table, the picture equals the court.
     Shot shot = court_shot("", {{"view", "one-pixel"}, {"pixel_x", "0.25"}, {"pixel_y", "0.25"}}, {64, 64});
     const Image table = drawn("16", shot);
     shot.set[2].second = "court";
@@ -243,7 +243,7 @@ TEST(Environment, ThePixelOfTheTableIsThatOfThePicture) {
     EXPECT_LT(same, plain.pixel_count() - 20);
 }
 
-// ---- what may happen
+// ---- degenerate input
 
 TEST(Environment, IsFiniteWhereverTheSunAndTheEyeAre) {
     const std::vector<std::vector<Knob>> settings = {{{"light_pitch", "90"}},
@@ -259,7 +259,7 @@ TEST(Environment, IsFiniteWhereverTheSunAndTheEyeAre) {
                                                      {{"scene", "groove"}, {"tilt", "0"}},
                                                      {{"scene", "plane"}, {"tilt", "89"}, {"light_yaw", "0"}},
                                                      {{"slices", "1"}, {"taps", "1"}}};
-    // The second stands on the floor and looks along it; the third stands in the lantern.
+    // The second camera stands on the floor and looks along it. The third stands inside the lantern.
     const std::vector<Orbit> eyes = {{.yaw = 18, .pitch = 5.5, .distance = 11, .target = {-0.9, 1.6, -2.0}},
                                      {.yaw = 10, .pitch = 0, .distance = 3, .target = {0, 0, 0}},
                                      {.yaw = 90, .pitch = 0, .distance = 0.5, .target = {-6.6, 2.1, -1.0}}};
@@ -275,7 +275,7 @@ TEST(Environment, IsFiniteWhereverTheSunAndTheEyeAre) {
             }
 }
 
-// ---- what is not done
+// ---- skipped work
 
 TEST(Environment, TermsThatAreOffLoadNoMapAndDrawNothing) {
     const auto work = [](std::vector<Knob> knobs) {

@@ -20,7 +20,7 @@ bool in_shaders(const std::vector<Edit>& edits) {
     return std::all_of(edits.begin(), edits.end(), [](const Edit& edit) { return is_shader(edit.file); });
 }
 
-/// The functions of task files that the edits change.
+/// Returns the names of the functions in task files that the edits change.
 std::set<std::string> edited_functions(const std::vector<Edit>& edits) {
     std::set<std::string> names;
     for (const Edit& edit : edits) {
@@ -34,7 +34,7 @@ std::set<std::string> edited_functions(const std::vector<Edit>& edits) {
 
 Image draw(const LabEntry& lab, const Shot& shot) { return draw_shot(*make_lab(lab, shot), shot); }
 
-/// The pixel in which two pictures differ most, and by how much.
+/// Returns the pixel at which two pictures differ most, and the difference.
 std::pair<glm::ivec2, double> worst_pixel(const Image& a, const Image& b) {
     glm::ivec2 worst{0};
     double most = 0;
@@ -59,8 +59,8 @@ protected:
         std::string named = {};
     };
 
-    /// What is said about the first check of the task that fails with these edits, at the pixel that is furthest off;
-    /// of a correct variant, about the check whose picture is furthest off.
+    /// Explains a check of the task with these edits, at its worst pixel. For a mistake this is the first check that
+    /// fails. For a correct variant it is the check with the largest difference.
     Said said_of(const std::vector<Edit>& edits, const std::string& task, bool is_mistake) {
         Said said;
         double most = -1;
@@ -98,7 +98,7 @@ protected:
     std::map<std::string, Image> right_;
 };
 
-/// All of them with RELIEF_ALL_MISTAKES, else so many, always the same.
+/// Returns all things with edits in shaders if RELIEF_ALL_MISTAKES is set, otherwise a fixed sample of `count` of them.
 template <class Thing>
 std::vector<const Thing*> sample_of(const std::vector<Thing>& things, size_t count) {
     std::vector<const Thing*> wanted;
@@ -110,7 +110,7 @@ std::vector<const Thing*> sample_of(const std::vector<Thing>& things, size_t cou
     return sample;
 }
 
-/// What went otherwise, a line each.
+/// Collects the unexpected results, one line each.
 class Misses {
 public:
     template <class Thing>
@@ -127,7 +127,7 @@ private:
     size_t count_ = 0;
 };
 
-// The goal is 95 % over all labs; a lab alone may miss one of ten.
+// The goal is 95 % over all labs. A single lab may miss one of ten.
 TEST_P(Explained, TheFirstFunctionNamedIsTheEditedOne) {
     Misses misses;
     const auto mistakes = sample_of(manifest_.mistakes, 2);
@@ -143,7 +143,8 @@ TEST_P(Explained, TheFirstFunctionNamedIsTheEditedOne) {
 }
 
 TEST_P(Explained, NoFunctionOfACorrectVariantIsNamed) {
-    // Its task takes any perpendicular, and the probe shows which one it is: this difference is real, and right.
+    // This task accepts any perpendicular, and the probe shows which one was chosen. The difference is real, and the
+    // variant is correct.
     const std::string free_choice = "another-perpendicular-in-the-shader";
     Misses misses;
     const auto variants = sample_of(manifest_.equivalents, 2);
@@ -156,7 +157,7 @@ TEST_P(Explained, NoFunctionOfACorrectVariantIsNamed) {
     EXPECT_EQ(misses.count(), 0U) << misses.lines();
 }
 
-// As in a students' course.
+// A student's course has no twins.
 TEST(Explain, WithoutTwinsThereAreValuesAndNoNames) {
     const LabEntry& lab = find_lab("10");
     const Manifest manifest = load_manifest(lab);
@@ -176,7 +177,7 @@ TEST(Explain, WithoutTwinsThereAreValuesAndNoNames) {
     }
 }
 
-// Lab 15 measures the sea's slopes in a small picture, once for each of its two views.
+// Lab 15 measures the slopes of the sea in a small picture, once for each of its two views.
 TEST(Explain, PassesThatDrawTheSameAreListedOnce) {
     const LabEntry& lab = find_lab("15");
     const Manifest manifest = load_manifest(lab);

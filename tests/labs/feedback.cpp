@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-// Labs call GL through glad's pointers, so that a test can stand in between without their knowing.
+// Labs call GL through glad's function pointers. A test can therefore intercept calls without changes to the lab.
 PFNGLLINKPROGRAMPROC link_program;
 PFNGLDRAWARRAYSPROC draw_arrays;
 GLuint captured;
@@ -78,7 +78,7 @@ size_t open_edges(const std::vector<glm::vec3>& triangles) {
         }
     };
     std::unordered_map<glm::vec3, uint32_t, Bits> numbers;
-    std::unordered_map<uint64_t, int> passes;  // one way counts 1, the other -1
+    std::unordered_map<uint64_t, int> passes;  // +1 for one direction, -1 for the other
     for (size_t i = 0; i < triangles.size(); i += 3) {
         uint64_t corner[3];
         for (size_t c = 0; c < 3; ++c)

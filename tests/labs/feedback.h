@@ -1,4 +1,4 @@
-// The triangles that a lab's patches become, as the rasteriser gets them.
+// Captures the triangles that a lab's patches become, as the rasteriser receives them.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,12 +8,12 @@
 
 namespace relief {
 
-/// Three places a triangle, in the model. The lab is drawn once; its evaluation shader writes `v_position`. It must not
-/// have compiled a program yet.
+/// Returns three positions per triangle, in model space. Draws the lab once, and its evaluation shader must write
+/// `v_position`. Precondition: the lab has not compiled a program yet.
 std::vector<glm::vec3> triangles_of(Lab& lab, const Shot& shot);
 
-/// Edges that are not passed once each way by triangles that share the bits of both ends; edges without length do not
-/// count. 0 for a closed surface.
+/// Counts the open edges: edges that triangles do not traverse equally often in both directions. Positions are equal if
+/// their bits are equal. Edges of zero length are ignored. Returns 0 for a closed surface.
 size_t open_edges(const std::vector<glm::vec3>& triangles);
 
 }  // namespace relief

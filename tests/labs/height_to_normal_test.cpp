@@ -1,4 +1,4 @@
-// Lab 03: the same filters on both processors, and when which is the better one.
+// Lab 03: the shader and the CPU compute the same filters. Also tests which filter is better in which case.
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -21,7 +21,7 @@ TEST(HeightToNormal, TheShaderAndTheCpuMakeTheSameMap) {
                 knobs.back().second = "cpu";
                 const Image by_cpu = drawn("03", shot_of("03", knobs, "normal"));
                 const ErrorSummary off = summarize(error_image(by_shader, by_cpu, ErrorMetric::angle));
-                // Single precision on the one side, and a sum in another order.
+                // One side uses single precision, and sums in another order.
                 EXPECT_LT(off.largest, 2e-4) << filter << ", wrap " << wrap << ", bits " << bits;
             }
 }
@@ -35,7 +35,7 @@ TEST(HeightToNormal, SobelLosesOnCleanHeightsAndWinsOnEightBits) {
 }
 
 TEST(HeightToNormal, ABorderThatDoesNotWrapKeepsTheOrderOfTheFilter) {
-    // The border is a thirtieth of the map: a slope that were halved there would add degrees to the mean.
+    // The border is a thirtieth of the map. Halved slopes there would add degrees to the mean.
     for (const char* filter : {"central", "sobel", "scharr"})
         EXPECT_LT(mean_error(filter, {{"wrap", "off"}}), 1.15 * mean_error(filter, {})) << filter;
 }

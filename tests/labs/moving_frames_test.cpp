@@ -1,4 +1,4 @@
-// Lab 18: a frame moves by the derivative of what moves it; and what of a flock is drawn.
+// Lab 18: a frame is transformed by the derivative of the motion. Also tests which bodies of a flock are drawn.
 #include <glm/gtc/constants.hpp>
 #include <random>
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace moving_frames;
 
-/// The first body's skin, unrolled: every place of it, seen or not.
+/// Returns a shot of the first body's skin, unrolled. It shows every point of the skin, hidden ones included.
 Shot skin(std::vector<Knob> knobs, const char* probe, glm::ivec2 size = {96, 96}) {
     knobs.emplace_back("view", "skin");
     return shot_of("18", std::move(knobs), probe, size);
@@ -42,7 +42,7 @@ TEST(MovingFrames, TheJacobianIsTheDerivativeOfThePoseAndItsCofactorsKeepTheNorm
                          along_v = (at(0, step) - at(0, -step)) / (2 * step);
         const glm::dmat3 jacobian = exact_jacobian(body, pose, bones, uv);
         const Rest rest = rest_at(body, uv);
-        // What differences over 1e-6 leave of lengths of metres.
+        // The error of differences over 1e-6, for lengths of metres.
         EXPECT_LT(glm::distance(jacobian * rest.along_u, along_u), 1e-6 * body.length * (1 + glm::length(along_u)))
             << i;
         EXPECT_LT(glm::distance(jacobian * rest.along_v, along_v), 1e-6 * body.length * (1 + glm::length(along_v)))
@@ -74,15 +74,14 @@ TEST(MovingFrames, WeightsSumTo1AndAVertexHasThoseOfTheFormula) {
         }
 }
 
-/// Mean and largest error in degrees, over the tube.
+/// Mean and largest error in degrees over the tube.
 struct WayError {
     const char *bend, *twist;
     double mean, most, transposed_mean;
 };
 
 TEST(MovingFrames, WhatEnginesDoIsOffByWhatTheHandoutSays) {
-    // Measured before, in double precision, by a program of its own: weights over four radii of a tube that is 20/3
-    // long.
+    // Measured in double precision by a separate program. The weights span four radii of a tube of length 20/3.
     for (const auto& [bend, twist, mean, most, transposed] :
          {WayError{"30", "0", 2.24, 11.1, 2.13}, WayError{"60", "0", 4.81, 26.1, 4.19},
           WayError{"90", "0", 7.91, 47.9, 6.14}, WayError{"0", "60", 2.30, 5.9, 2.30},
@@ -91,7 +90,7 @@ TEST(MovingFrames, WhatEnginesDoIsOffByWhatTheHandoutSays) {
             return error_of("18",
                             skin({{"shape", "tube"}, {"bend", bend}, {"twist", twist}, {"normal_by", way}}, "normal"));
         };
-        // 96 places along the tube do not meet the worst one.
+        // The 96 positions along the tube miss the worst one.
         for (const char* way : {"matrix", "unit-cofactors"}) {
             EXPECT_NEAR(off(way).mean, mean, 0.02) << way << ' ' << bend << ' ' << twist;
             EXPECT_NEAR(off(way).largest, most, 0.2) << way << ' ' << bend << ' ' << twist;
@@ -107,7 +106,7 @@ TEST(MovingFrames, WithTheGradientNormalsAreRightToARounding) {
         for (const char* blend : {"linear", "dual-quaternion"})
             for (const char* weights : {"even", "uneven"})
                 for (const char* twist : {"-40", "70"})
-                    // A thousandth of a degree is 2^-16 radians: some roundings of lengths of metres.
+                    // A thousandth of a degree is 2^-16 radians: a few roundings of lengths of metres.
                     EXPECT_LT(error_of("18", skin({{"shape", shape},
                                                    {"blend", blend},
                                                    {"weights", weights},
@@ -127,7 +126,7 @@ TEST(MovingFrames, ATwistThinsALinearSkinAndNotOneOfDualQuaternions) {
         const glm::dvec3 place = posed(tube, pose, bones, {0.3, 0.5});
         return glm::length(glm::dvec2(place.y, place.z)) / tube.radius;
     };
-    // The middle of a chord: cos(twist / 2) of the radius.
+    // The middle of a chord is at cos(twist / 2) of the radius.
     EXPECT_NEAR(thinnest(120, false), 0.5, 1e-12);
     EXPECT_NEAR(thinnest(180, false), 0, 1e-12);
     EXPECT_NEAR(thinnest(120, true), 1, 1e-12);
@@ -135,7 +134,7 @@ TEST(MovingFrames, ATwistThinsALinearSkinAndNotOneOfDualQuaternions) {
 }
 
 TEST(MovingFrames, DualQuaternionsHaveAGradientToo) {
-    // What engines do: the blended rotation alone.
+    // Engines use only the blended rotation.
     const auto off = [](const char* bend, const char* twist, const char* way) {
         return error_of(
             "18",
@@ -145,7 +144,7 @@ TEST(MovingFrames, DualQuaternionsHaveAGradientToo) {
     };
     EXPECT_GT(off("90", "0", "matrix").mean, 3);
     EXPECT_LT(off("90", "0", "gradient").largest, 2e-4);
-    // A twist turns each ring about the axis, and shears the skin along itself: the normal stays.
+    // A twist turns each ring about the axis and shears the skin within itself, so the normal does not change.
     EXPECT_LT(off("0", "120", "matrix").largest, 1e-3);
 }
 
@@ -174,8 +173,8 @@ TEST(MovingFrames, AFoldedSkinIsToldByItsDeterminant) {
     EXPECT_EQ(share("90", "4"), 0);
     EXPECT_GT(share("90", "2"), 0.01);
     EXPECT_GT(share("120", "4"), 0.001);
-    // First in the middle of the inner side: the skin is as long there as cos(bend / 2) - 3 radius / length sin(bend /
-    // 2).
+    // The skin folds first in the middle of the inner side. There it is scaled along its length by cos(bend / 2) - 3
+    // radius / length sin(bend / 2).
     for (const double over : {2.0, 4.0, 6.0})
         for (const double bend : {40.0, 90.0, 130.0}) {
             const Pose pose{.bend = bend, .over = over};
@@ -199,7 +198,7 @@ TEST(MovingFrames, IsFiniteWhateverBonesWeightsAndScalesAre) {
         for (const char* shape : {"tube", "serpent"}) {
             Shot shot = skin(knobs, "", {12, 24});
             shot.set.emplace_back("shape", shape), shot.set.emplace_back("signs", "opposite");
-            const auto lab = make_lab(find_lab("18"), shot);  // one, so that nothing is compiled twice
+            const auto lab = make_lab(find_lab("18"), shot);  // one lab, so that nothing is compiled twice
             for (const char* blend : {"linear", "dual-quaternion"})
                 for (const char* way : {"gradient", "matrix", "inverse-transpose", "unit-cofactors"})
                     for (const char* probe : {"normal", "tangent", "carried", "fold", "place", "uv"}) {
@@ -220,7 +219,7 @@ TEST(MovingFrames, TheTextureOfEveryBodyGoesThroughBothTransforms) {
     EXPECT_EQ(error_of("18", shot).largest, 0);
 }
 
-/// Drawn triangles and draw calls of a shot.
+/// Returns the number of drawn triangles and of draw calls.
 std::pair<int64_t, int64_t> work_of(const std::vector<Knob>& knobs, const Orbit& camera, glm::ivec2 size = {48, 48}) {
     Shot shot = shot_of("18", knobs, "", size);
     shot.camera = camera;
@@ -240,7 +239,7 @@ std::pair<int64_t, int64_t> work_of(const std::vector<Knob>& knobs, const Orbit&
 const Orbit far_away{.yaw = -35, .pitch = 5, .distance = 150, .target = {10, 0, -16}, .field_of_view = 40};
 
 TEST(MovingFrames, TwoHundredBodiesAreOneDraw) {
-    // The mist's triangle, the first body, the flock.
+    // Three draws: the triangle of the mist, the first body, and the flock.
     EXPECT_EQ(work_of({{"instances", "200"}}, far_away), std::pair(int64_t(1 + 6144 + 199 * 288), int64_t(3)));
     EXPECT_EQ(work_of({{"instances", "200"}, {"triangles", "12288"}, {"flock_triangles", "12288"}}, far_away),
               std::pair(int64_t(1 + 200 * 12288), int64_t(3)));
@@ -250,7 +249,7 @@ TEST(MovingFrames, BodiesOutsideOfThePictureAreNotDrawnAndNoOtherIsMissing) {
     const Orbit camera = load_manifest(find_lab("18")).camera;
     const int64_t all = work_of({}, far_away).first;
     Orbit away = camera;
-    away.yaw += 180;  // all but the nearest of the flock are behind the eye
+    away.yaw += 180;  // only the nearest bodies of the flock are not behind the eye
     EXPECT_LT(work_of({}, away).first, 1 + 6144 + 5 * 288);
     Orbit beside = camera;
     beside.target = {40, 0, 40};
@@ -258,7 +257,7 @@ TEST(MovingFrames, BodiesOutsideOfThePictureAreNotDrawnAndNoOtherIsMissing) {
     Orbit nothing = away;
     nothing.target = {-40, 0, 60};
     EXPECT_EQ(work_of({}, nothing), std::pair(int64_t(1), int64_t(1)));
-    // The truth looks for every body: its pixels and the drawn ones differ at most along the outlines.
+    // The truth tests every body. Its pixels and the drawn ones differ at most along outlines.
     std::mt19937 random(18);
     for (int i = 0; i < 8; ++i) {
         const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
@@ -284,7 +283,7 @@ TEST(MovingFrames, ASkinAtRestReadsNoBones) {
     };
     EXPECT_EQ(active({"WAY 3", "SERPENT", "RIGID"}), std::pair(false, false));
     EXPECT_EQ(active({"WAY 3", "SERPENT", "NEEDS_JACOBIAN"}), std::pair(true, true));
-    // And the lab takes the first one where nothing bends, twists or stretches.
+    // The lab selects the first program if nothing bends, twists or stretches.
     const auto links = [](const char* bend, const char* blend) {
         const int64_t before = counters().links;
         const auto shot = shot_of("18", {{"view", "one"}, {"bend", bend}}, "normal", {16, 16});

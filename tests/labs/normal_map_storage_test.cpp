@@ -1,4 +1,4 @@
-// Lab 02: each format against its codec in double precision, and against what is published.
+// Lab 02: each format against its codec in double precision, and against published errors.
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -11,14 +11,14 @@ TEST(NormalMapStorage, EveryFormatStoresWhatDoublePrecisionStores) {
     for (const char* format : formats) {
         const ErrorSummary off = error_of("02", shot_of("02", one(format), "stored"));
         EXPECT_GT(off.count, 4000u) << format;
-        // A direction of single precision falls on the other side of a tie now and then; 16 bits are a tenth of its
-        // digits away.
+        // A direction in single precision sometimes falls on the other side of a tie. With 16-bit codes this is more
+        // frequent, because their steps are closer to the rounding of floats.
         EXPECT_LT(off.mean, std::string(format) == "rg16" ? 0.05 : 0.01) << format;
     }
 }
 
-/// Over the whole sphere, as seen from six sides: many pixels to a code, so that their raster does not fall in with its
-/// own.
+/// Returns the mean error over the whole sphere, seen from six sides. Many pixels share a code, so that the pixel grid
+/// does not align with the grid of codes.
 double mean_error(std::vector<Knob> knobs) {
     double sum = 0;
     for (const auto& [yaw, pitch] : {std::pair(0, 0), {90, 0}, {180, 0}, {270, 0}, {0, 89}, {0, -89}}) {

@@ -1,4 +1,4 @@
-// Lab 08: programs for what materials name, glass in its order, masks that keep what they cover.
+// Lab 08: one program per set of material features, sorted glass, and masks that keep their coverage.
 #include <cmath>
 
 #include "framework/gl/counters.h"
@@ -60,7 +60,7 @@ TEST(ObjMaterials, ProgramsAreSetsOfFeaturesAndNotMaterials) {
 TEST(ObjMaterials, AMapThatNoMaterialNamesIsNotLoaded) {
     const int64_t light = 32 * 32 * 4 * 16, level = 4 * 512 * 512 / 3;
     EXPECT_EQ(work_of({{"view", "one"}, {"maps", "off"}}).bytes, light);
-    // Grass and highlights are 512 wide, bricks 1024, the mask has one channel.
+    // The maps of grass and highlights are 512 wide, the map of bricks 1024. The mask has one channel.
     const int64_t fence = work_of({{"view", "one"}, {"file", "fence"}}).bytes - light;
     EXPECT_NEAR(double(fence), double(level) * (3 + 4 + 4 * 3 + 1), 100);
 }
@@ -107,14 +107,14 @@ TEST(ObjMaterials, HashedAlphaLeavesAsMuchOfAFarFenceAsItCovers) {
     const Image hashed = drawn("08", shot);
     for (auto& [knob, value] : shot.set)
         if (knob == "alpha") value = "test";
-    // A threshold of 1/2 leaves nothing: what is brighter is wire.
+    // A threshold of 1/2 removes the whole fence, so brighter pixels show wire.
     const Image without = drawn("08", shot);
     double share = 0;
     for (size_t i = 0; i < hashed.values.size(); i += 3) share += hashed.values[i] - without.values[i] > 0.004f;
     EXPECT_GT(share, 0.1 * double(hashed.pixel_count()));
 }
 
-/// The pieces of a square with a material.
+/// Returns the pieces of a square with one material.
 Scene scene_of(const std::string& lines, const char* use = "a") {
     const std::string obj =
         std::string("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl ") + use + "\nf 1/1 2/2 3/3\n";
@@ -135,7 +135,7 @@ TEST(ObjMaterials, WhatIsMissingIsGreyOrLeftOutWithANoteOfItsFileAndLine) {
     const Scene no_map = scene_of("Kd 1 0 0\nmap_Kd none.png\n");
     EXPECT_EQ(no_map.pieces.at(0).features, 0u);
     EXPECT_EQ(no_map.notes.at(0), "model.mtl:1: map_Kd of 'a' is left out: none.png is not there");
-    // It shows, and it is not black.
+    // The piece is visible and not black.
     const Shot shot =
         shot_of("08", {{"view", "one"}, {"file", "broken"}, {"lamp", "sun"}, {"light_pitch", "60"}}, "color");
     const Image light = drawn("08", shot);
@@ -190,7 +190,7 @@ TEST(ObjMaterials, TheLampIsFiniteAtItselfAndOnItsAxisWhateverItsConeAndRange) {
     for (const char* cone : {"0", "0.5", "64"})
         for (const char* range : {"0", "0.01", "20"}) {
             const Shot shot = shot_of("08", {{"view", "lamp"}, {"cone", cone}, {"range", range}}, "lamp", {33, 33});
-            const Image share = drawn("08", shot);  // throws where a pixel is not a number
+            const Image share = drawn("08", shot);  // throws if a pixel is not finite
             EXPECT_EQ(share.pixel(16, 16)[0], std::string(range) == "0" ? 0.0f : 1.0f) << cone << ", " << range;
         }
 }

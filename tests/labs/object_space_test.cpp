@@ -1,4 +1,4 @@
-// Lab 04: which map survives what.
+// Lab 04: which map stays valid under which motion.
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -30,8 +30,8 @@ TEST(ObjectSpace, AtRestTheThreeMapsAgree) {
     for (const char* map : {"object", "tangent"}) {
         shot.set.back().second = map;
         const ErrorSummary off = summarize(error_image(drawn("04", shot), world, ErrorMetric::angle));
-        // Each is rounded to 8 bits: 0.17 degrees on average for one, the root of two times that for the difference;
-        // and the filter mixes unit vectors of other spaces.
+        // Each map is rounded to 8 bits: 0.17 degrees on average for one map, sqrt(2) times that for the difference.
+        // Also, the filter mixes unit vectors of different spaces.
         EXPECT_LT(off.mean, 0.35) << map;
         EXPECT_GT(off.mean, 0.05) << map << ": is it the same map?";
     }

@@ -1,4 +1,4 @@
-// Lab 15: slopes add and normals do not; the light of a far sea; a sea that runs for years.
+// Lab 15: slopes can be added but normals cannot. Also tests the light of a distant sea, and a sea that runs for years.
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <numeric>
@@ -13,7 +13,7 @@ namespace {
 
 using ocean::make_maps, ocean::map_texels, ocean::slope_moments, ocean::tile_metres, ocean::waves_of;
 
-/// On the plane, without minification; `more` after that.
+/// Returns knobs for a flat sea at mip level 0. `more` overrides them.
 std::vector<Knob> near_sea(std::vector<Knob> more = {}) {
     std::vector<Knob> knobs = {{"view", "one"}, {"displace", "false"}, {"level", "0"}};
     knobs.insert(knobs.end(), more.begin(), more.end());
@@ -54,7 +54,7 @@ TEST(Ocean, MapsAreTheirCosines) {
             }
         const double count = double(map_texels) * map_texels;
         EXPECT_NEAR(square / count, 1.0 / 16, 1e-6) << "four times the root is a metre";
-        // Different whole waves are orthogonal: what is left is half of each one's square.
+        // Different waves with whole numbers of periods are orthogonal. Half of the square of each one remains.
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(moments[c] / count, slope_moments(map)[c], 1e-6);
     }
 }
@@ -71,8 +71,8 @@ TEST(Ocean, TheNormalsOfTheMapsAreWithin03Degrees) {
     EXPECT_LT(error_of("15", from_above(near_sea({{"normals", "analytic"}}), "normal")).mean, 0.002);
 }
 
-/// Degrees, where each of two maps has this root mean square slope; and how steep the rule's sea
-/// is as a share of the right one.
+/// The error of a rule that combines two normals: mean error in degrees, and the steepness of its sea relative to the
+/// exact one. Each of the two maps is scaled to the root mean square slope `rms`.
 struct RuleError {
     double degrees, steepness;
 };
@@ -87,7 +87,7 @@ RuleError error_of_rule(double rms, Rule rule) {
             for (int map = 0; map < 2; ++map) {
                 const glm::dvec3 moments = slope_moments(map);
                 const Image& waves = maps[size_t(map)];
-                // Unlike places of both, so that they have nothing to do with each other.
+                // Samples the two maps at different positions, so that they are uncorrelated.
                 const float* at = waves.pixel(map == 0 ? x : (5 * x + 3 * y) % map_texels,
                                               map == 0 ? y : (3 * x + 2 * y) % map_texels);
                 s[map] = glm::dvec2(at[0], at[1]) * rms / std::sqrt(moments.x + moments.y);
@@ -103,8 +103,8 @@ RuleError error_of_rule(double rms, Rule rule) {
 
 TEST(Ocean, TheMeanOfNormalsHasHalfOfTheSlope) {
     const auto mean = [](const glm::dvec3& a, const glm::dvec3& b) { return a + b; };
-    // Measured with a program of its own, over random waves: 3.4, 7.3, 10.5 degrees. Of the lab's waves as its handout
-    // says.
+    // Measured by a separate program over random waves: 3.4, 7.3, 10.5 degrees. For the lab's waves, the handout states
+    // these values.
     EXPECT_NEAR(error_of_rule(0.1, mean).degrees, 3.5, 0.05);
     EXPECT_NEAR(error_of_rule(0.2, mean).degrees, 6.8, 0.05);
     EXPECT_NEAR(error_of_rule(0.35, mean).degrees, 10.9, 0.05);
@@ -124,7 +124,8 @@ TEST(Ocean, TheWindMakesTheSlopesOfCoxAndMunk) {
     }
 }
 
-/// The light in the middle of the path on a far sea, against 1024 places of each pixel in double precision.
+/// Returns the relative error of the light in the middle of the sun's path on a distant sea. The reference takes 1024
+/// samples per pixel in double precision.
 double light_off(const char* far_rule, const char* wind) {
     Shot shot = shot_of(
         "15", {{"view", "one"}, {"displace", "false"}, {"far", far_rule}, {"wind", wind}, {"light_pitch", "20"}},
@@ -141,7 +142,7 @@ TEST(Ocean, TheLightOfAFarSeaIsRightByLeanAndTooMuchByPlainMips) {
         EXPECT_GT(std::abs(light_off("plain", wind)), 4) << wind;
         EXPECT_LT(std::abs(light_off("samples", wind)), 0.02) << wind;
     }
-    // Toksvig takes the spread for round, and reads it from the lengths of 8-bit normals.
+    // Toksvig assumes an isotropic spread, and derives it from the lengths of 8-bit normals.
     EXPECT_GT(std::abs(light_off("toksvig", "8")), 1.5 * std::abs(light_off("lean", "8")));
 }
 
@@ -174,7 +175,7 @@ TEST(Ocean, IsFiniteWhateverSunEyeAndHighlightAre) {
                 all.insert(all.end(), knobs.begin(), knobs.end());
                 Shot shot = shot_of("15", all, probe, {16, 16});
                 shot.camera = {.yaw = 180, .pitch = 0, .distance = 5, .target = {0, height, 0}};
-                // Throws where a pixel is not a number.
+                // Throws if a pixel is not finite.
                 const auto lab = make_lab(find_lab("15"), shot);
                 const Image image = draw_shot(*lab, shot);
                 for (const float value : image.values) ASSERT_FALSE(std::isnan(value)) << probe << " at " << height;
@@ -182,7 +183,7 @@ TEST(Ocean, IsFiniteWhateverSunEyeAndHighlightAre) {
 }
 
 TEST(Ocean, AWholeSpreadWithoutCovarianceOrWavesIsASingleSlope) {
-    // Determinant 0: no waves at all, so that only the highlight's own spread is left.
+    // Determinant 0: there are no waves, so only the highlight's own spread is left.
     Shot shot = shot_of("15", near_sea({{"amplitude_1", "0"}, {"amplitude_2", "0"}, {"shininess", "4096"}}), "glitter",
                         {32, 32});
     shot.set.emplace_back("light_pitch", "20");
@@ -199,7 +200,7 @@ TEST(Ocean, RaisedWavesKeepTheBudgetAndLeaveNoHole) {
     shot.camera = {.yaw = 200, .pitch = 40, .distance = 20, .target = {0, 0, 0}};
     const Image found = drawn("15", shot);
     EXPECT_TRUE(std::all_of(found.values.begin(), found.values.end(), [](float v) { return std::isfinite(v); }));
-    // 96 pixels over 2 x 20 m x tan(20 degrees): half a pixel is 0.08 m, which is twice the root mean square.
+    // 96 pixels over 2 x 20 m x tan(20 degrees): half a pixel is 0.08 m, twice the root mean square.
     EXPECT_LT(error_of("15", shot).mean, 0.04);
     EXPECT_LT(error_of("15", shot).p99, 0.16);
 }

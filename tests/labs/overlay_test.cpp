@@ -1,4 +1,4 @@
-// A course with other files in it, and a handout that must not be written.
+// A course with replaced files, and handouts that must be refused.
 #include "framework/staff/grade/overlay.h"
 
 #include "framework/base/file.h"

@@ -1,5 +1,5 @@
-// Lab 11: the shader marches as its twin in double precision does, and misses what was published for such maps; what
-// must not change the picture does not, and nothing is left that is not a number.
+// Lab 11: the shader's march matches its double-precision twin and the published errors for such maps. Optimisations do
+// not change the picture, and every pixel is finite.
 #include "framework/base/parallel.h"
 #include "framework/height/maps.h"
 #include "framework/staff/reference/relief_sight.h"
@@ -18,11 +18,12 @@ std::vector<Knob> with(std::vector<Knob> knobs, std::vector<Knob> more) {
     return knobs;
 }
 
-/// The map of the table that is compared with: 256² texels, 20 deep, on a wall that any view fits on.
+/// The map of the published table: 256² texels, 20 deep, on a wall that fills the picture from any camera.
 const std::vector<Knob> table_map = {{"map", "fbm"}, {"size", "256"}, {"depth", "0.078125"}, {"extent", "64"}};
 constexpr double table_depth = 20.0 / 256;
 
-/// Almost parallel rays that meet the wall at an angle from its normal, in a direction around it; about a tile of it.
+/// Returns a camera whose rays are almost parallel. They hit the wall at `degrees` from its normal, in the direction
+/// `around` it. The picture covers about one tile.
 Orbit slanted(double degrees, double around) {
     const double slant = glm::radians(degrees), turn = glm::radians(around);
     const glm::dvec3 from(std::sin(slant) * std::cos(turn), std::sin(slant) * std::sin(turn), std::cos(slant));
@@ -33,7 +34,7 @@ Orbit slanted(double degrees, double around) {
             .field_of_view = 2};
 }
 
-/// The same rays as the lab's frame has them: exact hits, and what `march` finds of them.
+/// The rays of the lab's frame in double precision: the exact hits, and the hits of `march`.
 class Rays {
 public:
     Rays(const Shot& shot, HeightMap map, bool is_8_bit, double depth) {
@@ -53,9 +54,9 @@ public:
     }
 
     struct Figures {
-        double mean = 0, wrong = 0;  ///< texels; share off by more than one
+        double mean = 0, wrong = 0;  ///< texels; share of pixels off by more than one texel
     };
-    /// Of the places that `found(i)` gives for pixel i.
+    /// Returns the error of the hits that `found(i)` gives for pixel i.
     template <class Found>
     Figures figures(const Found& found) const {
         Figures sum;
@@ -103,9 +104,10 @@ void expect_like_the_twin(const char* bits) {
         Shot shot = one({});
         shot.camera = slanted(angle, 25);
         const Rays rays(shot, HeightMap::fbm, *bits == '8', table_depth);
-        // A ray that grazes an edge falls on one side in floats and on the other in double precision: four of 16,384 at
-        // the most, which may be off by a quarter of the march. Of 8 bits a filter makes 8 bits again: more rays pass
-        // an edge nearer than such a step (41 at 80 degrees), and the others are off by a quarter of it.
+        // A ray that grazes an edge may fall on different sides in floats and in double precision. That affects at most
+        // four of 16,384 rays, which may be off by a quarter of the march. A filter of 8-bit heights returns 8-bit
+        // heights again. More rays then pass an edge within one such step (41 at 80 degrees), and the others are off by
+        // a quarter of a step.
         const bool is_8_bit = *bits == '8';
         const double reach = 20 * std::tan(glm::radians(angle));
         const double lone = (is_8_bit ? 60 : 4) / double(rays.count());
@@ -127,7 +129,8 @@ TEST(ParallaxOcclusion, MissesWhatItsTwinMissesOnFloatHeights) { expect_like_the
 TEST(ParallaxOcclusion, MissesWhatItsTwinMissesOn8BitHeights) { expect_like_the_twin("8"); }
 
 TEST(ParallaxOcclusion, MissesWhatWasMeasuredOnSuchAMapWithinAFactorOfTwo) {
-    // Linear steps on 256² texels of fBm, 20 deep, at 30, 60, 75 and 85 degrees: share off by more than a texel.
+    // Linear steps on 256² texels of fBm, 20 deep, at 30, 60, 75 and 85 degrees: the share of rays off by more than a
+    // texel.
     const std::vector<std::pair<int, double>> table = {{8, .242},   {16, .145},   {32, .0577},
                                                        {64, .0097}, {128, .0017}, {256, .0005}};
     std::vector<double> wrong(table.size());
@@ -159,7 +162,7 @@ TEST(ParallaxOcclusion, TwiceAsManyStepsAreNeverWorse) {
         for (const char* steps : {"8", "16", "32", "64", "128", "256"}) {
             shot.set = with(with(one({}).set, table_map), {{"map", height_map_names[size_t(map)]}, {"steps", steps}});
             const double wrong = rays.of(drawn("11", shot)).wrong;
-            // A handful of 16,384 rays may land well by chance.
+            // A handful of the 16,384 rays may hit correctly by chance.
             EXPECT_LE(wrong, before + 8.0 / double(rays.count())) << height_map_names[size_t(map)] << ", " << steps;
             before = wrong;
         }
@@ -177,7 +180,7 @@ TEST(ParallaxOcclusion, WhatIsSkippedMovesNothingByHalfATexelAndReadsFewerHeight
         std::vector<Knob> knobs;
         Orbit camera;
     };
-    // Level tops of bricks; a plateau, whose every march has one height; a shallow relief looked straight at.
+    // The flat tops of bricks; a plateau, where every march has one height; a shallow relief seen from straight ahead.
     const std::vector<Scene> scenes = {
         {{{"map", "bricks"}, {"size", "256"}, {"steps", "64"}}, {.yaw = 40, .pitch = 15, .distance = 0.6}},
         {{{"map", "bricks"}, {"size", "256"}, {"steps", "64"}, {"surface", "column"}},
@@ -198,7 +201,7 @@ TEST(ParallaxOcclusion, WhatIsSkippedMovesNothingByHalfATexelAndReadsFewerHeight
 }
 
 TEST(ParallaxOcclusion, WhatIsSkippedOnASmallerLevelIsHalfOneOfItsTexels) {
-    // From here one of them is 16 to 32 of the map's.
+    // From here a texel of that level spans 16 to 32 texels of the map.
     const auto probe = [&](const char* name, const char* skip) {
         Shot shot = one({{"map", "stones"},
                          {"size", "1024"},
@@ -219,7 +222,7 @@ TEST(ParallaxOcclusion, WithoutDepthItIsThePlainPicture) {
         std::vector<Knob> flat = {{"surface", surface}, {"map", "stones"}, {"size", "256"}, {"depth", "0"}};
         Shot shot = one(flat);
         shot.camera = {.yaw = 30, .pitch = 20, .distance = 2.5};
-        // Nowhere but where it entered, to the rounding of coordinates of some thousand texels.
+        // The hit is the entry point, up to the rounding of coordinates of some thousand texels.
         EXPECT_LT(error_of("11", shot).largest, 0.02) << surface;
         shot.probe = {};
         const Image plain = drawn("11", shot);
@@ -242,7 +245,7 @@ TEST(ParallaxOcclusion, EveryPixelIsFiniteWhateverTheViewTheMapAndTheDepth) {
     const Orbit near{.yaw = 40, .pitch = 20, .distance = 1};
     std::vector<Scene> scenes;
     for (const double yaw : {0.0, 89.9, 90.0, 90.1, 180.0})
-        // Before the wall, on it, within the relief and beyond it.
+        // In front of the wall, on it, inside the relief and behind it.
         for (const double z : {0.05, 0.0, -0.02, -0.3})
             scenes.push_back({{{"count", "texel"}}, {.yaw = yaw, .pitch = 0, .distance = 0.5, .target = {0, 0, z}}});
     for (const char* map : {"low", "high", "plateau", "damaged"})
@@ -254,8 +257,8 @@ TEST(ParallaxOcclusion, EveryPixelIsFiniteWhateverTheViewTheMapAndTheDepth) {
     scenes.push_back({{{"steps", "1"}, {"least_steps", "512"}, {"count", "angle"}}, near});
     scenes.push_back({{{"shift", "10000"}}, near});
     scenes.push_back({{{"surface", "urn"}, {"depth", "1"}}, {.yaw = 0, .pitch = 89, .distance = 2}});
-    const Scene largest{{{"map", "stones"}, {"size", "4096"}}, near};  // a second and a half to make
-    // One lab for each, so that its programs are compiled once.
+    const Scene largest{{{"map", "stones"}, {"size", "4096"}}, near};  // takes 1.5 seconds to generate
+    // One lab per scene, so that its programs are compiled once.
     for (const std::vector<Knob>& search : std::vector<std::vector<Knob>>{
              {{"view", "one"}, {"refine", "none"}},
              {{"view", "one"}, {"refine", "illinois"}, {"skip", "false"}, {"mip", "footprint"}},
@@ -280,7 +283,8 @@ TEST(ParallaxOcclusion, EveryPixelIsFiniteWhateverTheViewTheMapAndTheDepth) {
     }
 }
 
-/// Mean distance, and share further than a texel, of two `uv` probes after a shift of the second.
+/// Returns the mean distance of two `uv` probes after a shift of the second, and the share of pixels further off than a
+/// texel.
 std::pair<double, double> apart(const Image& a, const Image& b, glm::vec2 shift, bool in_a_mirror = false) {
     double sum = 0, wrong = 0;
     for (int y = 0; y < a.height; ++y)
@@ -301,7 +305,7 @@ TEST(ParallaxOcclusion, AShiftOfAnyNumberOfTilesFindsTheSameHits) {
     for (const int tiles : {1, 3, 10000}) {
         shot.set = with(one(stones).set, {{"shift", std::to_string(tiles)}});
         const auto [mean, wrong] = apart(first, drawn("11", shot), glm::vec2(-256.0f * float(tiles % 4)));
-        // Coordinates of 7 tiles in floats are 0.0001 texels apart; at an edge that decides.
+        // Float coordinates of 7 tiles have a spacing of 0.0001 texels, which decides at an edge.
         EXPECT_LT(mean, 0.02) << tiles;
         EXPECT_LT(wrong, 0.002) << tiles;
     }
@@ -311,7 +315,7 @@ TEST(ParallaxOcclusion, HasNoSeamWhereATileEnds) {
     Shot shot = one({{"map", "smooth"}, {"size", "256"}, {"steps", "256"}});
     for (const double yaw : {-50.0, 50.0}) {
         shot.camera = {.yaw = yaw, .pitch = 20, .distance = 0.5, .target = {0, 0, 0}};
-        // Tiles end in the middle of the wall: rays enter on one side and end on the other.
+        // Tiles end in the middle of the wall. Rays enter on one side of that border and end on the other.
         const Image hits = drawn("11", shot);
         shot.set = with(shot.set, {{"depth", "0"}});
         const Image entries = drawn("11", shot);
@@ -330,7 +334,8 @@ TEST(ParallaxOcclusion, AMirroredReliefIsTheReliefInAMirror) {
     const Image hits = drawn("11", shot);
     shot.set = with(one(stones).set, {{"mirror", "true"}});
     shot.camera.yaw = -50;
-    // The wall's four tiles run from 0 to 4, mirrored from 0 to -4: their right ends meet their left ones.
+    // The wall's four tiles run from 0 to 4, and mirrored from 0 to -4. The right end of one maps to the left end of
+    // the other.
     const auto [mean, wrong] = apart(hits, drawn("11", shot), {4 * 256.0f, 0}, true);
     EXPECT_LT(mean, 0.02);
     EXPECT_LT(wrong, 0.002);
@@ -345,7 +350,7 @@ TEST(ParallaxOcclusion, AMirroredReliefIsTheReliefInAMirror) {
     for (int y = 0; y < turned.height; ++y)
         for (int x = 0; x < turned.width; ++x)
             std::copy_n(turned.pixel(turned.width - 1 - x, y), 3, mirrored.pixel(x, y));
-    // The levels of a texture are chosen for four pixels at a time, and those are not mirrored.
+    // Mip levels are chosen for quads of 2 x 2 pixels, and the quads are not mirrored.
     expect_same_picture(straight, mirrored, 12, straight.pixel_count() / 50);
 }
 

@@ -1,5 +1,5 @@
-// Lab 10: the shaders' guesses are those of their twins, and so are their errors; what must stay finite, and what must
-// look the same.
+// Lab 10: the shaders' hits and errors match their twins'. Every pixel is finite, and some views must show equal
+// pictures.
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/gtx/component_wise.hpp>
 #include <set>
@@ -19,7 +19,8 @@ constexpr std::array methods = {"offset", "limited", "steep"};
 constexpr std::array angles = {0, 30, 60, 75, 85};
 constexpr int steps = 24;
 
-/// A wall through a long lens, so that the angle is the same all over; a texel is about a pixel at 0 degrees.
+/// Returns a shot of a wall through a long lens, so that the angle is almost constant. A texel is about a pixel at 0
+/// degrees.
 Shot wall_at(double degrees, std::vector<Knob> knobs, const char* probe = "uv", glm::ivec2 size = {96, 96}) {
     knobs.insert(knobs.begin(), {{"view", "one"}, {"steps", std::to_string(steps)}});
     Shot shot = shot_of("10", std::move(knobs), probe, size);
@@ -34,7 +35,7 @@ Image picture(const std::vector<Knob>& knobs, double degrees = 40) {
 }
 
 struct Figures {
-    double mean = 0, wrong = 0;  ///< texels; share off by more than one
+    double mean = 0, wrong = 0;  ///< texels; share of pixels off by more than one texel
 };
 Figures figures_of(const Image& errors) {
     Figures figures;
@@ -44,7 +45,7 @@ Figures figures_of(const Image& errors) {
     return {figures.mean / count, figures.wrong / count};
 }
 
-/// The lab's surface alone, as it begins there, with the knobs of a shot.
+/// Only the lab's surface, with the lab's initial values and with the knobs of a shot.
 class Surface final : public Lab {
 public:
     explicit Surface(const Shot& shot) {
@@ -59,7 +60,7 @@ public:
     ReliefSurface surface;
 };
 
-/// The surface of a shot, and what is guessed there in double precision.
+/// The surface of a shot, and the methods on it in double precision.
 struct Twin {
     Surface lab;
     ReliefSurface& surface = lab.surface;
@@ -73,7 +74,7 @@ struct Twin {
                : method == "limited" ? offset_limited(heights, ray)
                                      : steep_parallax(heights, ray, steps);
     }
-    /// What the method costs in double precision, pixel by pixel.
+    /// Returns the error of the method in double precision, per pixel.
     Image errors(const Shot& shot, const std::string& method) const {
         const Frame frame{0, shot.size, 0, Camera(shot.camera, double(shot.size.x) / shot.size.y), {}};
         Image errors(shot.size.x, shot.size.y, 1);
@@ -99,7 +100,7 @@ TEST(ParallaxOffset, EachMethodIsAsWrongAsItsTwinInDoublePrecision) {
             for (const int degrees : angles) {
                 const Shot shot = wall_at(degrees, {{"map", map}, {"method", method}});
                 const Figures gpu = figures_of(errors_of(shot)), twin = figures_of(Twin(shot).errors(shot, method));
-                // The sampler's weights have 8 bits: 0.01 texels, where the error is as small.
+                // The sampler's weights have 8 bits: 0.01 texels if the error itself is that small.
                 EXPECT_NEAR(gpu.mean, twin.mean, 0.05 * twin.mean + 0.01) << map << ", " << method << ", " << degrees;
                 EXPECT_NEAR(gpu.wrong, twin.wrong, 0.05 * twin.wrong + 0.002)
                     << map << ", " << method << ", " << degrees;
@@ -142,7 +143,7 @@ TEST(ParallaxOffset, TheErrorInThePictureIsTheError) {
             ++count, off += std::abs(shown.values[i * 4] - errors.values[i]) > 0.1f + 0.001f * errors.values[i];
         }
         EXPECT_GT(count, errors.values.size() / 4);
-        // Rays that only graze an edge end elsewhere.
+        // Rays that only graze an edge may end elsewhere.
         EXPECT_LE(off, count / 200) << surface << " at " << degrees;
     }
 }
@@ -160,7 +161,7 @@ TEST(ParallaxOffset, AReliefOfNoDepthIsThePlainTexture) {
 TEST(ParallaxOffset, SeenStraightOnOneTapIsExact) {
     for (const char* method : methods) {
         const Shot shot = wall_at(0, {{"method", method}}, "uv", {33, 33});
-        // The ray of the middle pixel does not move; a pixel beside it, by a 3000th of the depth.
+        // The ray of the middle pixel does not move sideways. That of its neighbour moves by a 3000th of the depth.
         EXPECT_LT(*errors_of(shot).pixel(16, 16), 0.005) << method;
     }
     Shot depth = wall_at(0, {{"method", "offset"}}, "depth", {33, 33});
@@ -190,12 +191,12 @@ TEST(ParallaxOffset, EveryPixelIsFiniteAndNoRayTooLongWhateverTheAngleTheMapOrTh
                                        {{{"depth", "1"}, {"stretch", "0.25"}, {"mirror", "on"}}, 89.9},
                                        {{{"shift", "10000"}}},
                                        {{{"steps", "1"}}},
-                                       {{}, 210, 0, {0, 0, -0.01}},                 // within the relief
-                                       {{{"surface", "column"}}, 0, 0, {0, 1, 0}},  // within the column
+                                       {{}, 210, 0, {0, 0, -0.01}},                 // inside the relief
+                                       {{{"surface", "column"}}, 0, 0, {0, 1, 0}},  // inside the column
                                        {{{"surface", "urn"}, {"depth", "1"}}, 20, 60, {0, 0.5, 0}}};
     for (size_t i = 0; i < scenes.size(); ++i) {
         Shot shot = wall_at(0, scenes[i].knobs, "", {48, 48});
-        const bool edge_on = std::abs(scenes[i].yaw - 90) < 1;  // a long lens, to see the horizon in more than a pixel
+        const bool edge_on = std::abs(scenes[i].yaw - 90) < 1;  // a long lens: the horizon covers several pixels
         shot.camera = {scenes[i].yaw, scenes[i].pitch, 0.3, scenes[i].target, edge_on ? 1.0 : 60.0};
         const auto lab = make_lab(find_lab("10"), shot);
         const ReliefMapping mapping = Surface(shot).surface.mapping();
@@ -232,8 +233,8 @@ TEST(ParallaxOffset, TilesFurtherOnTheHitsAreTheSame) {
                 const glm::vec2 moved = glm::make_vec2(&there.values[i]) - glm::make_vec2(&here.values[i]);
                 off += glm::distance(moved, glm::vec2(1024.0f * float(std::stoi(shift) % 4))) > 0.05f;
             }
-            // A float of 7 tiles of 1024 texels is 0.0005 texels fine, and a height within that of a layer may count
-            // for the next.
+            // A float has a spacing of 0.0005 texels at 7 tiles of 1024 texels. A height that close to a layer's may
+            // count for the next layer.
             EXPECT_LE(off, here.pixel_count() / 250) << method << ", " << shift;
         }
 }
@@ -246,7 +247,7 @@ TEST(ParallaxOffset, ThereIsNoSeamAtTheBorderOfATile) {
         const auto step = [&](int x, int y) {
             return glm::distance(glm::make_vec2(uv.pixel(x + 1, y)), glm::make_vec2(uv.pixel(x, y)));
         };
-        // On a smooth map neighbours go to neighbours: no step is much longer than the one before.
+        // On a smooth map, neighbouring pixels have neighbouring hits: no step is much longer than the one before.
         bool crossed = false;
         for (int y = 0; y < 96; ++y)
             for (int x = 1; x + 1 < 96; ++x) {
@@ -265,7 +266,7 @@ TEST(ParallaxOffset, AMirroredReliefIsThePictureInAMirror) {
         for (int y = 0; y < back.height; ++y)
             for (int x = 0; x < back.width; ++x)
                 std::copy_n(mirrored.pixel(back.width - 1 - x, y), 3, back.pixel(x, y));
-        // A float may fall into the next layer.
+        // Float rounding may move a hit into the next layer.
         expect_same_picture(back, usual, 4, usual.pixel_count() / 100);
     }
 }
@@ -279,7 +280,7 @@ TEST(ParallaxOffset, ATapIsCountedForEachLayer) {
         }
 }
 
-/// Whether each pixel at the lower end of each tile has a colour of the chequer.
+/// Returns whether every pixel at the lower end of each tile has a colour of the chequer.
 bool has_only_chequer_below_its_tiles(const Image& picture, int columns, int rows) {
     const int width = picture.width / columns, height = (picture.height - picture.height / 20) / rows;
     for (int tile = 0; tile < columns * rows; ++tile)

@@ -1,4 +1,4 @@
-// Lab 09: normals on a grid that is bent and skewed, patches that meet, and what is not drawn.
+// Lab 09: normals on a curved and skewed grid, patches that meet, and patches that are culled.
 #include <cstdlib>
 #include <random>
 #include <set>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace planet;
 
-/// `./relief test --all` asks for more.
+/// `./relief test --all` asks for more views.
 int view_count() {
     const char* const wanted = std::getenv("RELIEF_RANDOM_VIEWS");
     return wanted ? std::max(1, std::atoi(wanted)) : 200;
@@ -45,7 +45,7 @@ TEST(Planet, TheExactGradientIsThatOfDifferencesAndTheSmoothBallsNormalIsRadial)
                 const double slope =
                     (height(ground, glm::normalize(r + e * axis)) - height(ground, glm::normalize(r - e * axis))) /
                     (2 * e);
-                // Second derivatives of the noise jump: by 60 at most, half of which e times.
+                // Second derivatives of the noise jump by at most 60. The error is at most half of that times e.
                 ASSERT_NEAR(glm::dot(gradient, axis), slope, 1e-4) << "seed " << i << ", detail " << detail;
             }
             EXPECT_LT(glm::distance(exact_normal({.seed = i, .height = 0}, r), r), 1e-14);
@@ -70,7 +70,7 @@ TEST(Planet, TheExactHitOfASmoothBallIsThatOfASphereAndOthersLieOnTheGround) {
         if (!met) continue;
         const double radius = glm::length(aimed.at(*met));
         EXPECT_NEAR(radius, 1 + height(rough.ground, aimed.at(*met) / radius), 1e-12);
-        for (double t = *met - 0.3; t < *met - 1e-6; t += 0.004) {  // nothing before it
+        for (double t = *met - 0.3; t < *met - 1e-6; t += 0.004) {  // no hit before it
             const double there = glm::length(aimed.at(t));
             EXPECT_GT(there, 1 + height(rough.ground, aimed.at(t) / there));
         }
@@ -111,11 +111,11 @@ TEST(Planet, NormalsAreAsGoodAsTheirSlopesWhateverTheLevel) {
     EXPECT_LT(degrees({}, 64), 1.41);
     EXPECT_LT(degrees({}, 128), 0.37);
     EXPECT_LT(degrees({}, 256), 0.094);
-    // Four patches a face, or sixteen, with the same texels in all.
+    // Four or sixteen patches per face, with the same number of texels in total.
     EXPECT_NEAR(degrees({}, 128, 1), degrees({}, 128), 1e-4);
     EXPECT_NEAR(degrees({}, 128, 2), degrees({}, 128), 1e-4);
     EXPECT_LT(degrees({{"slopes_from", "formula"}}, 64), 0.02);
-    // What does not fall with the texels.
+    // Errors that do not decrease with the number of texels.
     EXPECT_GT(degrees({{"normals", "b-by-cross"}}, 256), 0.5);
     EXPECT_GT(degrees({{"normals", "right-angled"}}, 256), 0.7);
     EXPECT_GT(degrees({{"strength", "1+2^level"}}, 128, 1), 1.5);
@@ -158,7 +158,7 @@ TEST(Planet, TexelsDifferByAThirdAndLinesCrossAt120DegreesInTheCorners) {
         }
         return std::pair(low, high);
     };
-    // In the limit sqrt(2) and 3 sqrt(3); half a pixel from the corners it is a little less.
+    // The limits are sqrt(2) and 3 sqrt(3). Half a pixel from the corners the values are slightly smaller.
     const auto [small, large] = ends("equal-angle", "stretch");
     EXPECT_NEAR(large / small, std::sqrt(2), 0.02);
     const auto [narrow, wide] = ends("gnomonic", "stretch");
@@ -258,8 +258,8 @@ TEST(Planet, NeighboursDifferByOneLevelAndAllOfTheGroundHasOnePatch) {
     }
 }
 
-/// Pixels of the planet on which nothing was drawn: by a ball in its ground, smaller by what the budget allows where
-/// the ground meets the sky.
+/// Counts the pixels of the planet on which nothing was drawn. The planet counts as a ball inside its ground, reduced
+/// by the error budget at the horizon.
 size_t holes(const Shot& shot, Lab& lab, const Plan& plan) {
     const Image seen = draw_shot(lab, shot);
     const double away = std::sqrt(glm::dot(plan.eye.place, plan.eye.place) - 1);
@@ -293,7 +293,7 @@ TEST(Planet, SkirtsLeaveNoHoleFromAnyCamera) {
     for (int i = 0; i < view_count(); ++i) {
         const GroundView view{dice.between(-180, 180), dice.between(-89, 89), dice.between(-180, 180),
                               dice.between(-80, -5),   dice.between(-6, 1),   dice.between(1, 3)};
-        // As the lab stands there.
+        // Uses the lab's own precision for the position.
         const double lon = glm::radians(double(float(view.longitude))),
                      lat = glm::radians(double(float(view.latitude)));
         const glm::dvec3 up(std::cos(lat) * std::sin(lon), std::sin(lat), std::cos(lat) * std::cos(lon));
@@ -335,7 +335,7 @@ TEST(Planet, LevelsByErrorTakeLessThanHalfTheTrianglesOfUniformOnes) {
         int finest = 0;
         for (const Leaf& leaf : leaves(plan))
             if (leaf.state == Leaf::drawn) ++adaptive, finest = std::max(finest, leaf.id.level);
-        // The same error on the screen needs the finest level everywhere.
+        // For the same error on the screen, uniform levels need the finest level everywhere.
         plan.levels = Levels::uniform, plan.level = finest;
         for (const Leaf& leaf : leaves(plan)) uniform += leaf.state == Leaf::drawn;
     }
@@ -343,7 +343,7 @@ TEST(Planet, LevelsByErrorTakeLessThanHalfTheTrianglesOfUniformOnes) {
 }
 
 TEST(Planet, HiddenPatchesAreHidden) {
-    // What task 9.7 leaves out shows no pixel: the picture is that of all patches.
+    // The patches that task 9.7 culls contribute no pixel: the picture equals that of all patches.
     for (const auto& [altitude, tilt] : {std::pair("-3", "-2"), {"-1.5", "-12"}, {"0", "-60"}}) {
         const std::vector<Knob> knobs = {{"view", "planet"}, {"eye", "ground"},     {"altitude", altitude},
                                          {"tilt", tilt},     {"levels", "uniform"}, {"level", "3"},
@@ -400,7 +400,7 @@ TEST(Planet, MapsAreMadeForWhatIsDrawnAndOnlyOnce) {
     draw_calls();
     EXPECT_GT(counters().texture_bytes, fine) << "maps of the far side as well";
     EXPECT_GT(fine, with_culling);
-    // What shows no normal makes no map.
+    // A probe that shows no normal creates no map.
     Shot bare = shot;
     bare.probe = {"seen"};
     const auto other = make_lab(find_lab("09"), bare);
@@ -436,7 +436,7 @@ TEST(Planet, HorizonSkirtsAndSplitsFollowTheirFormulas) {
     const double errors[] = {4, 1, 0.25};
     EXPECT_DOUBLE_EQ(skirt_depth(errors, 2), 1.25);
     EXPECT_DOUBLE_EQ(skirt_depth(errors, 0), 8);
-    // 60 degrees to the horizon from 2 radii; 45 more to a place sqrt(2) high.
+    // From 2 radii, the horizon is at 60 degrees. A point at height sqrt(2) is visible for another 45 degrees.
     EXPECT_FALSE(behind_horizon(2, glm::radians(59.0), 1, 1));
     EXPECT_TRUE(behind_horizon(2, glm::radians(61.0), 1, 1));
     EXPECT_FALSE(behind_horizon(2, glm::radians(104.0), 1, std::sqrt(2)));

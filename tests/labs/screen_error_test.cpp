@@ -1,4 +1,4 @@
-// How far what lab 14 draws is from where it should be on the screen, and what its culling changes, over a camera path.
+// Measures the error of lab 14 in pixels over a camera path, and whether its culling changes the picture.
 #include <gtest/gtest.h>
 
 #include <glm/gtc/constants.hpp>
@@ -17,7 +17,7 @@ namespace {
 constexpr glm::ivec2 size{64, 48};
 constexpr int frames = 200;
 
-/// Once around and over the ground, from close above it to far away.
+/// Returns the camera of a frame. The path circles the ground once, from close above it to far away.
 Orbit camera_at(int frame) {
     const double share = double(frame) / frames;
     return {.yaw = 360 * share,
@@ -33,7 +33,7 @@ Image probed(Lab& lab, const char* name, int frame) {
     return target.read();
 }
 
-/// The ground, 16 m wide, under one tile of `map` 1.6 m deep, as lab 14 draws it.
+/// Lab 14's ground: 16 m wide, under one tile of `map`, 1.6 m deep.
 struct Ground {
     std::string map;
     std::unique_ptr<Lab> lab;
@@ -45,8 +45,8 @@ struct Ground {
         lab = make_lab(find_lab("14"), shot_of("14", knobs));
     }
 
-    /// Distances between what each pixel shows and where that place of the bilinear displaced surface should be on the
-    /// screen, in pixels; of every `step`th frame, sorted.
+    /// Returns the errors of every `step`th frame in pixels, sorted. An error is the distance on the screen between a
+    /// pixel and the exact position of the surface point that it shows, on the bilinear displaced surface.
     std::vector<double> screen_errors(int step) const {
         DisplacedSurface surface;
         surface.shape = DisplacedSurface::ground, surface.density = 32, surface.material.size = 2, surface.depth = 0.1f;
@@ -83,7 +83,7 @@ TEST(ScreenError, StaysWithinTwiceTheBudgetFor999OfAThousandPixelsOfThePath) {
 TEST(ScreenError, DoesSoOnOtherMapsWithoutCliffs) {
     for (const char* map : {"smooth", "stones", "rock"})
         for (const char* budget : {"0.5", "2"}) expect_within_budget(map, budget, 20);
-    // At half a pixel the step of a texel in bricks and posts would want more than level 64.
+    // At half a pixel, the step of one texel in bricks and posts would need a level above 64.
     for (const char* map : {"bricks", "posts"}) expect_within_budget(map, "2", 20);
 }
 
@@ -92,7 +92,7 @@ TEST(ScreenError, OfALevelThatIsTooLowIsSeen) {
     EXPECT_GT(quantile_of(errors, 0.999), 2);
 }
 
-/// A picture of the ground by one method: what it takes, and by how much its pixels are off, sorted.
+/// The triangles of one picture of the ground by one method, and the errors of its pixels, sorted.
 struct Cost {
     double triangles;
     std::vector<double> screen;  ///< pixels
@@ -154,7 +154,7 @@ double mean_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
-/// How many triangles `error` takes for each that `size` takes where both are off by as much, as `figure` has it.
+/// Returns the number of triangles that `error` needs per triangle of `size`, at equal error as measured by `figure`.
 template <class Figure>
 double triangles_by_error_to_size(const char* map, const Orbit& camera, const char* budget, Figure figure) {
     const Cost by_error = cost_of(map, camera, "error", "budget", budget);
@@ -163,7 +163,7 @@ double triangles_by_error_to_size(const char* map, const Orbit& camera, const ch
     for (const char* segment : {"16", "8", "4", "2", "1"}) {
         Cost finer = cost_of(map, camera, "size", "segment", segment);
         if (figure(finer) <= wanted && coarser) {
-            // Both figures fall with a power of the triangles.
+            // Both errors fall with a power of the number of triangles.
             const double share = std::log(wanted / figure(*coarser)) / std::log(figure(finer) / figure(*coarser));
             return by_error.triangles / (coarser->triangles * std::pow(finer.triangles / coarser->triangles, share));
         }
@@ -192,7 +192,7 @@ TEST(ScreenError, TakesMoreByErrorThanBySizeForTheSameMeanAlongTheRayOnStones) {
     EXPECT_GT(triangles_by_error_to_size("stones", from_low, "0.5", figure), 2);
 }
 
-/// Which pixels' centres a mesh covers, in double precision.
+/// Returns which pixel centres a mesh covers, in double precision.
 std::vector<bool> covered(const Mesh& mesh, const Camera& camera, glm::ivec2 pixels) {
     const glm::dmat4 clip_from_world = camera.clip_from_world();
     const auto seen = [&](uint32_t index) {

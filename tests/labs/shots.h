@@ -1,4 +1,4 @@
-// Shots of a lab in the words that a test needs.
+// Short forms for shots of a lab in tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@ inline Shot shot_of(const char* lab, std::vector<Knob> knobs, const char* probe 
             .set = std::move(knobs)};
 }
 
-/// The picture, or the probe, of a shot. Throws where a pixel of a probe is not finite.
+/// Returns the picture or the probe of a shot. Throws if a pixel of a probe is not finite.
 inline Image drawn(const char* lab, const Shot& shot) { return render_shot(*make_lab(find_lab(lab), shot), shot); }
 
-/// How far the probe of a shot is from its truth.
+/// Returns the error of the probe of a shot against its truth.
 inline ErrorSummary error_of(const char* lab, const Shot& shot) {
     const auto made = make_lab(find_lab(lab), shot);
     const Manifest manifest = load_manifest(find_lab(lab));
@@ -28,7 +28,7 @@ inline ErrorSummary error_of(const char* lab, const Shot& shot) {
         error_image(render_shot(*made, shot), truth_of(*made, shot), manifest.probe(shot.probe.name).error));
 }
 
-/// At most `pixels` of two pictures differ by more than `steps` of 255.
+/// Expects that at most `pixels` pixels of two pictures differ by more than `steps` of 255.
 inline void expect_same_picture(const Image& a, const Image& b, double steps, size_t pixels) {
     const Difference off = difference(a, b, steps / 255 + 1e-6);
     EXPECT_LE(off.pixels_over, pixels) << "the most by " << off.largest * 255 << " / 255";

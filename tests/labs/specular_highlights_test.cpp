@@ -1,4 +1,4 @@
-// Lab 01: its probes at places that can be worked out by hand, and against their truth.
+// Lab 01: its probes at positions with known values, and against their truth.
 #include <gtest/gtest.h>
 
 #include "framework/gl/counters.h"
@@ -7,8 +7,8 @@
 namespace relief {
 namespace {
 
-/// The lowest row of the picture shows the floor, 60 m wide with the texture 24 times across: y up, u along x, v
-/// against z.
+/// The lowest row of the picture shows the floor. It is 60 m wide and repeats the texture 24 times: y up, u along x, v
+/// along -z.
 class SpecularHighlightsFloor : public testing::Test {
 protected:
     const LabEntry& lab_ = find_lab("01");
@@ -40,14 +40,14 @@ TEST_F(SpecularHighlightsFloor, ItsUvAreTexelsOfTheTexture) {
     for (const int x : {2, 61}) {
         const Ray ray = frame.ray(x, 35);
         const glm::dvec3 place = ray.origin - ray.origin.y / ray.direction.y * ray.direction;
-        // A float holds the 12,000 texels of these places to a thousandth; the rasteriser interpolates to a few of
-        // those.
+        // A float resolves the 12,000 texels of these positions to a thousandth. The rasteriser interpolates with an
+        // error of a few thousandths.
         EXPECT_NEAR(uv.pixel(x, 35)[0], (place.x / 60 + 0.5) * 24 * 1024, 0.05);
         EXPECT_NEAR(uv.pixel(x, 35)[1], (-place.z / 60 + 0.5) * 24 * 1024, 0.05);
     }
 }
 
-/// Near enough that a texel is several pixels, so that nothing is averaged away.
+/// So close that a texel covers several pixels, and no filter averages.
 ErrorSummary error_near(glm::dvec3 target, Orbit orbit, const char* probe, const char* method) {
     const LabEntry& lab = find_lab("01");
     orbit.target = target, orbit.field_of_view = 20;
@@ -63,7 +63,8 @@ TEST(SpecularHighlightsTruth, ANormalMapIsRightToWhatEightBitsCostOnTheFloor) {
     const ErrorSummary error = error_near(floor_stones, from_above, "normal", "normal-map");
     EXPECT_EQ(error.count, size_t{128 * 96});
     // Rounding to 8 bits tilts a normal by 0.17 degrees on average and 0.39 at most (Cigolle et al. 2014). Between
-    // texels the shader mixes normals and the truth mixes slopes: the same on a plain, some degrees at an edge.
+    // texels the shader interpolates normals and the truth interpolates slopes. They agree on a plane and differ by
+    // some degrees at an edge.
     EXPECT_LT(error.mean, 0.5);
     EXPECT_GT(error.mean, 0.1) << "no map of 8 bits is that good: is the truth made from it?";
     EXPECT_LT(error.p99, 4);
@@ -79,7 +80,7 @@ TEST(SpecularHighlightsTruth, ANormalMapBeatsVertexNormalsTenfoldOnTheBricks) {
 
 TEST(SpecularHighlightsTruth, TexelsAreRightOnTheFloorAndToTheFacetsOnAColumn) {
     EXPECT_LT(error_near(floor_stones, from_above, "uv", "normal-map").largest, 0.05);
-    // 48 sides: a facet lies up to 1 mm, that is 0.6 texels, below the round column.
+    // 48 sides: a facet lies up to 1 mm (0.6 texels) below the round column.
     EXPECT_LT(error_near(column_bricks, from_before, "uv", "normal-map").largest, 1.5);
 }
 
@@ -111,7 +112,7 @@ TEST(SpecularHighlights, WipeDrawsInEachHalfOnlyWhatStandsThere) {
         if (calls) *calls = counters().draw_calls - before;
         return read_picture(target);
     };
-    // 0.5 at 256: columns 127 and 128 are the line.
+    // 0.5 of 256 pixels: columns 127 and 128 form the line.
     for (const double yaw : {0.0, 35.0, 90.0, -130.0})
         for (const auto& [wipe, split] : {std::pair{"0.5", 128}, {"0.25", 64}, {"0.875", 224}}) {
             const Image left = draw("vertex-normal", wipe, yaw), right = draw("normal-map", wipe, yaw),

@@ -1,4 +1,4 @@
-// Lab 06, and lab 01 with it: what must look the same, what must stay finite, and what must not be there.
+// Labs 06 and 01: equal pictures, finite pixels, and resources that must not be loaded.
 #include "framework/gl/counters.h"
 #include "framework/gl/program.h"
 #include "framework/gl/texture.h"
@@ -17,13 +17,13 @@ Image picture(std::vector<Knob> knobs, const Orbit* camera = nullptr) {
     return drawn("06", shot);
 }
 
-// One step of 8 bits: the two ways round once each.
+// One step of 8 bits: each of the two methods rounds once.
 TEST(TangentSpace, LightInTheWorldAndInTangentSpaceIsTheSame) {
     for (const char* shape : {"sphere", "column", "wall"})
         expect_same_picture(picture({{"shape", shape}}), picture({{"shape", shape}, {"light_in", "tangent"}}), 1, 8);
 }
 
-// The inverse transpose of a product is the product of the inverse transposes: but for the last bits.
+// The inverse transpose of a product is the product of the inverse transposes, up to the last bits.
 TEST(TangentSpace, NormalsByAProductOrByOneMatrixAfterTheOtherAreTheSame) {
     for (const char* scale : {"0.5", "-1.5"}) {
         std::vector<Knob> knobs = {{"rotate", "50"}, {"scale_y", scale}, {"strength", "0"}};
@@ -43,7 +43,7 @@ TEST(TangentSpace, AFlatMapIsNoMap) {
         expect_same_picture(picture({{"shape", shape}, {"map", "one-texel"}}), none, 1, 0);
         expect_same_picture(picture({{"shape", shape}, {"strength", "0"}}), none, 1, 0);
     }
-    // Lab 01 does not make its vertex normals unit before it adds them up.
+    // Lab 01 does not normalize its vertex normals before it adds them.
     const Image vertices = drawn("01", shot_of("01", {{"method", "vertex-normal"}}));
     expect_same_picture(drawn("01", shot_of("01", {{"method", "normal-map"}, {"strength", "0"}})), vertices, 1, 8);
 }
@@ -52,7 +52,7 @@ TEST(TangentSpace, TurningModelLightAndCameraTogetherChangesNothing) {
     Orbit camera = load_manifest(find_lab("06")).camera;
     const Image before = picture({{"light_yaw", "-40"}}, &camera);
     camera.yaw += 70;
-    // Edges of triangles and of texels' footprints fall a rounding away from where they were.
+    // Edges of triangles and of texel footprints move by a rounding error.
     expect_same_picture(picture({{"light_yaw", "30"}, {"rotate", "70"}}, &camera), before, 2, 160 * 160 / 200);
 }
 
@@ -63,7 +63,7 @@ TEST(TangentSpace, TheMirroredHalfOfTheWallIsLitLikeTheOther) {
     Image mirrored = wall;
     for (int y = 0; y < wall.height; ++y)
         for (int x = 0; x < wall.width; ++x) std::copy_n(wall.pixel(wall.width - 1 - x, y), 3, mirrored.pixel(x, y));
-    // Samples within a pixel are not mirrored: the outline and sharp edges may differ.
+    // Samples within a pixel are not mirrored, so the outline and sharp edges may differ.
     const Difference off = difference(wall, mirrored, 24.0 / 255);
     EXPECT_LT(off.pixels_over, wall.pixel_count() / 100) << off.largest * 255;
     expect_same_picture(wall, mirrored, 8, wall.pixel_count() / 12);
@@ -81,7 +81,7 @@ TEST(TangentSpace, TheNormalsOfTheMirroredHalfAreThoseOfTheOtherInAMirror) {
         }
     const ErrorSummary off = summarize(error_image(normals, mirrored, ErrorMetric::angle));
     EXPECT_GT(off.count, normals.pixel_count() / 4);
-    // The centres of the pixels are mirrored; the smaller levels of the map are chosen by neighbours that are not.
+    // Pixel centres are mirrored. Mip levels are not, because they depend on the neighbours in a quad.
     EXPECT_LT(off.mean, 0.05);
 }
 
@@ -148,7 +148,7 @@ TEST(TangentSpace, WithoutAMapThereIsNoTangentNoSamplerAndNoTexture) {
         return counters().texture_bytes - before;
     };
     EXPECT_EQ(bytes("06", one({{"normals", "vertices"}})), 0);
-    // 1024 x 1024 texels of 3 bytes, and a third of that for the smaller levels.
+    // 1024 x 1024 texels of 3 bytes, and a third of that for the other mip levels.
     EXPECT_NEAR(double(bytes("06", one({{"normals", "map"}}))), 3.0 * 1024 * 1024 * 4 / 3, 16);
     EXPECT_EQ(bytes("01", {{"method", "normal-map"}}), 2 * bytes("01", {{"method", "vertex-normal"}}));
 }

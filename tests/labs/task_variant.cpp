@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 std::vector<VariantCheck> check_variant(const LabEntry& lab, const CourseFiles& files, const Expectations& expected) {
     const fs::path build = RELIEF_BUILD_FOLDER, source = RELIEF_SOURCE_FOLDER;
-    // A course of its own around the executable, with what the solution gives as a handout has it.
+    // A separate course folder for the executable. It contains the pictures of the solution, as a handout does.
     const CourseOverlay course(files);
     fs::create_directories(course.root() / "bin");
     for (const CheckInfo& check : load_manifest(lab).checks) {
@@ -29,7 +29,7 @@ std::vector<VariantCheck> check_variant(const LabEntry& lab, const CourseFiles& 
 #ifdef RELIEF_SANITIZED
     command.push_back("-fsanitize=address,undefined");
 #endif
-    for (const auto& [name, text] : files)  // each a unit of its own
+    for (const auto& [name, text] : files)  // each file is a translation unit
         if (name.ends_with(".cpp")) command.push_back((course.root() / name).string());
     for (const auto& entry : fs::directory_iterator(objects)) {
         const std::string object = entry.path().filename();  // "task.cpp.o"

@@ -1,4 +1,4 @@
-// A lab with another task.cpp: compiled and linked with what the build already has, then asked for its checks.
+// Builds a lab with another task.cpp from the objects of this build, and runs its checks.
 #pragma once
 
 #include <map>
@@ -14,14 +14,14 @@ namespace relief {
 
 struct VariantCheck {
     std::string task, name, outcome, found;
-    std::string mistake;  ///< that is named at the task: its hint
+    std::string mistake;  ///< hint of the mistake that is named for the task
 };
 
-/// What the checks of a lab compare with, by their names.
+/// The pictures that the checks of a lab compare with, by check name.
 using Expectations = std::map<std::string, std::optional<Image>>;
 
-/// All checks by the lab's own executable, with `files` in place of the course's: its sources are compiled. Fails the
-/// test when they do not compile.
+/// Runs all checks with the lab's own executable, built with `files` in place of the course's files. Compiles the
+/// sources in `files`. Fails the test if they do not compile.
 std::vector<VariantCheck> check_variant(const LabEntry& lab, const CourseFiles& files, const Expectations& expected);
 
 }  // namespace relief

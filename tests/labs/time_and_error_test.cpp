@@ -1,4 +1,4 @@
-// Lab 17: the budget is kept, by every method and from one frame to the next; and what it saves.
+// Lab 17: every method keeps the error budget, and so does the change between frames. Also tests the saved work.
 #include <cmath>
 #include <map>
 #include <set>
@@ -13,7 +13,7 @@
 namespace relief {
 namespace {
 
-constexpr double texels = 512, depth = 0.03;  // a metre; metres
+constexpr double texels = 512, depth = 0.03;  // texels per metre; metres
 const glm::ivec2 pixels{96, 96};
 
 struct View {
@@ -26,7 +26,7 @@ const View views[] = {
     {"straight at it", {.yaw = 5, .pitch = 10, .distance = 2, .target = {100, 4, 0}, .field_of_view = 50}},
 };
 
-/// The lab with one map, and what its relief truly is.
+/// The lab with one map, and the exact relief.
 class Wall {
 public:
     explicit Wall(const char* map)
@@ -82,7 +82,7 @@ TEST(TimeAndError, NoPixelIsOffByMoreThanTheBudget) {
                 wall.set("budget", std::to_string(budget));
                 const auto shown = wall.errors(view.camera);
                 ASSERT_GT(shown.size(), 2000u);
-                // Distances are counted from the front, which is up to 3 cm nearer.
+                // Distances are measured from the front, which is up to 3 cm nearer.
                 EXPECT_LE(largest(shown), budget * 1.01 + 0.001) << map << ", " << view.name << ", " << budget;
             }
     }
@@ -197,8 +197,8 @@ TEST(TimeAndError, EachMethodOfThePictureIsOneDrawAndThereIsNoneThatNoPixelAsksF
 }
 
 TEST(TimeAndError, NothingJumpsWhileTheEyeMovesSlowly) {
-    // All methods show one surface, what is left of the relief, within an eighth of the budget; and that surface itself
-    // hardly moves. So a place that two frames show has moved by no more than the budget beyond its true way.
+    // All methods show the same thinned relief within an eighth of the budget, and that relief hardly moves. So a point
+    // that two frames show moves by at most the budget beyond its exact motion.
     const double budget = 0.5;
     const auto step = [](int frame) {
         Orbit camera = views[0].camera;
@@ -248,7 +248,7 @@ TEST(TimeAndError, NoPixelOfTheWallIsMissing) {
         wall.set("triangle_taps", triangle_taps);
         for (const View& view : views) {
             const Image shown = wall.drawn(view.camera, "uv"), truth = wall.truth(view.camera, "uv");
-            // Where the wall ends it may end a pixel sooner or later.
+            // At the border of the wall, the outline may differ by a pixel.
             const auto has = [](const Image& image, int x, int y) { return std::isfinite(*image.pixel(x, y)); };
             for (int y = 1; y + 1 < pixels.y; ++y)
                 for (int x = 1; x + 1 < pixels.x; ++x) {
@@ -268,7 +268,7 @@ TEST(TimeAndError, ReadsASmallPartOfWhatASingleMethodReads) {
         wall.set("method", method), wall.set("budget", budget);
         return wall.work(views[0].camera, {256, 256});
     };
-    // Half as many pixels a side: half a pixel is as much as one.
+    // Half as many pixels per side: half a pixel then equals one pixel before.
     const double all = work("auto", "0.5");
     EXPECT_LT(all, 0.4 * work("exact", "0.5"));
     EXPECT_LT(all, 0.15 * work("parallax", "0.5"));

@@ -1,4 +1,4 @@
-// Displaced surfaces that are closed stay closed: whatever the levels, the spacing, the depth and the view.
+// Closed displaced surfaces stay closed for all levels, spacings, depths and views.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr unsigned seed = 20;
 
-/// `./relief test --all` asks for more.
+/// `./relief test --all` asks for more views.
 int view_count() {
     const char* const wanted = std::getenv("RELIEF_RANDOM_VIEWS");
     return wanted ? std::max(1, std::atoi(wanted)) : 200;
@@ -21,7 +21,7 @@ int view_count() {
 struct Dice {
     std::mt19937 random{seed};
     double between(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
-    /// As often below as above the middle of its octaves.
+    /// Returns a random number between `low` and `high`, evenly distributed in its logarithm.
     double octaves(double low, double high) { return std::exp2(between(std::log2(low), std::log2(high))); }
     template <size_t count>
     const char* one_of(const char* const (&names)[count]) {
@@ -29,7 +29,8 @@ struct Dice {
     }
 };
 
-/// A closed shape in one of the two labs; what it is compiled with stays, the rest is thrown anew for each view.
+/// A closed shape in one of the two labs. Settings that need a new program are fixed, and the others are random for
+/// each view.
 struct Scene {
     const char* lab;
     std::string shape;
@@ -82,7 +83,7 @@ std::vector<Knob> random_levels(Dice& dice, const Scene& scene) {
     return knobs;
 }
 
-/// From outside at any distance, or from the middle of a shape that has one.
+/// Returns a random camera outside the shape, at any distance, or in the middle of a shape that has an inside there.
 Orbit random_view(Dice& dice, bool is_inside) {
     Orbit orbit{.yaw = dice.between(0, 360), .pitch = dice.between(-85, 85)};
     orbit.distance = is_inside ? 0.05 : dice.octaves(2, 8);
@@ -91,7 +92,8 @@ Orbit random_view(Dice& dice, bool is_inside) {
     return orbit;
 }
 
-/// Pixels at which the surface is not entered as often as left; from inside it is left once more.
+/// Counts the pixels at which rays do not enter the surface as often as they leave it. From inside, they leave it once
+/// more.
 size_t holes(const Image& winding, bool is_inside) {
     size_t count = 0;
     for (size_t i = 0; i < winding.values.size(); i += 4) count += winding.values[i] != (is_inside ? -1.0f : 0.0f);
@@ -103,7 +105,7 @@ struct Holes {
     int views = 0, views_with_holes = 0, captures_with_holes = 0;
 };
 
-/// Over random scenes, ten views each; fails the test where something is open, unless cracks are wanted.
+/// Looks for holes in random scenes, ten views each. Fails the test if a surface is open, unless `with_cracks` is set.
 Holes look_for_holes(int views, bool with_cracks) {
     Dice dice;
     Holes all;
@@ -125,7 +127,7 @@ Holes look_for_holes(int views, bool with_cracks) {
                        thrown;
             };
             if (i == 0) {
-                // Patches that are not drawn would leave their neighbours' edges open.
+                // Culled patches would leave open edges at their neighbours.
                 Shot whole = shot;
                 whole.set.emplace_back("cull", "none");
                 if (scene.lab[1] == '3') whole.set.pop_back();
