@@ -1,4 +1,4 @@
-// Reads archives from untrusted people with libarchive. The library is in a module of its own, opened when needed.
+// Reads untrusted archives with libarchive. The library is in a module of its own, opened when needed.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 namespace relief {
 
-/// Limits. An honest submission keeps them even with a build folder in it.
+/// Limits. Even an honest submission with a build folder stays below them.
 constexpr size_t max_archive_bytes = size_t{256} << 20, max_unpacked_bytes = size_t{512} << 20;
 constexpr size_t max_entries = 20000;
-/// For one name, and for all names together; files, folders and links count.
+/// Limits of one name, and of all names together; files, folders and links count.
 constexpr size_t max_name_bytes = 4096, max_names_bytes = size_t{16} << 20;
 
 struct ArchiveEntry {
@@ -22,9 +22,9 @@ struct ArchiveEntry {
     std::string content;  ///< empty if the file is not wanted or too large
 };
 
-/// The entries of a zip or tar archive (plain, or compressed by gzip, bzip2, xz or zstd), in order. Writes nothing to
-/// disk. The content of a file is kept if `wanted(name)` is true and the file has at most `largest` bytes. Throws Error
-/// if the file is not an archive, is damaged, or exceeds the limits above; the error names no file.
+/// Returns the entries of a zip or tar archive (plain, or compressed by gzip, bzip2, xz or zstd), in order. Writes
+/// nothing to disk. Keeps the content of a file if `wanted(name)` is true and the file has at most `largest` bytes.
+/// Throws Error if the file is not an archive, is damaged, or exceeds the limits above; the error names no file.
 std::vector<ArchiveEntry> read_archive(const std::filesystem::path& path, size_t largest,
                                        const std::function<bool(const std::string&)>& wanted);
 

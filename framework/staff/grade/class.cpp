@@ -27,8 +27,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// A submission before it is graded. Its files are read again for grading, so that a thousand submissions fit in
-/// memory.
+/// A submission before it is graded. Grading reads its files again, so that a thousand submissions fit in memory.
 struct Entry {
     fs::path path;
     std::string name, hash;
@@ -58,7 +57,7 @@ public:
         return std::move(report_);
     }
 
-    /// No submission runs here, so this machine's isolation is no matter.
+    /// No submission runs here, so isolation is not needed.
     void enlist() {
         open_course(Isolation::limits);
         look_through();
@@ -67,7 +66,7 @@ public:
         try {
             prepare();
             bound_by_figures();
-        } catch (const Error& error) {  // a machine that sends jobs need not be able to draw
+        } catch (const Error& error) {  // a machine that only sends jobs may be unable to draw
             print_note(
                 fmt::format("the parts measure what the solutions take, since this machine cannot: {}", error.what()));
         }
@@ -95,7 +94,7 @@ private:
         report_.seed = setup_.seed;
     }
 
-    /// The labs of --lab, else all with tasks. Only their task files are read.
+    /// Returns the labs of --lab, else all labs with tasks. Only their task files are read.
     std::vector<const LabEntry*> candidates() const {
         if (!options_.labs.empty()) return options_.labs;
         std::vector<const LabEntry*> all;
@@ -146,7 +145,7 @@ private:
         write_roster(options_.output, roster);
     }
 
-    /// A result that holds stands, whatever has become of its submission since the roster was written.
+    /// Keeps every valid result, even if its submission has changed or gone since the roster was written.
     void look_through_roster() {
         const Roster roster = read_roster(options_.output).value();
         if (roster.course != course_)
@@ -163,7 +162,7 @@ private:
                 ++report_.taken_over;
             } else {
                 const Submission submission = read_submission(one.path, files);
-                if (!submission.problem.empty() && submission.hash != one.hash) {  // it could be read
+                if (!submission.problem.empty() && submission.hash != one.hash) {  // the roster's run could read it
                     report_.lost.push_back(one.name);
                     continue;
                 }
@@ -188,8 +187,8 @@ private:
 
     fs::path result_file(const Entry& entry) const { return relief::result_file(options_.output, entry.name); }
 
-    /// Takes over the result of an earlier run if nothing has changed since. One without a sandbox counts only where
-    /// that is asked for.
+    /// Takes over the result of an earlier run if nothing has changed since. A result from a run without a sandbox
+    /// counts only with `trust`.
     bool take_over(Entry& entry) const {
         if (options_.fresh || entry.hash.empty()) return false;
         auto mark = result_of(options_.output, entry.name, course_);
@@ -214,7 +213,7 @@ private:
         }
     }
 
-    /// On a fast machine and a slow one, an idle and a busy one, a submission may take the same processor time.
+    /// Gives a submission the same limit of processor time on every machine, fast or slow, idle or busy.
     void bound_by_figures() {
         std::map<std::string, double> measured;
         for (const auto& [folder, grader] : graders_) measured[folder] = grader->solution_cpu();
@@ -260,7 +259,7 @@ private:
         write_file_to_disk(result_file(entry), to_json(mark));
     }
 
-    /// The reason why there is no task file, if it is a link or a task file without its folders.
+    /// Returns the reason for a missing task file, if it is a link or a task file without its folders.
     std::string why_none(const Submission& submission) const {
         if (!submission.links.empty())
             return fmt::format(": '{}' is a link, and links are not followed", submission.links.front());
@@ -271,7 +270,7 @@ private:
         return submission.ignored.empty() ? "" : ": only " + some_of(submission.ignored);
     }
 
-    /// An exception here is the grader's fault: it costs no student a point.
+    /// Treats an exception as the grader's fault: it costs no student a point.
     static LabMark mark_lab(const LabGrader& grader, const Submission& submission,
                             std::vector<CheckPictures>& pictures) {
         try {
@@ -291,8 +290,8 @@ private:
     const SubmissionDone& done_;
     ClassReport report_;
     std::optional<Stage> stage_;
-    std::string course_, course_before_;            ///< of this run, and of class.json before it
-    std::map<std::string, double> figures_before_;  ///< in class.json
+    std::string course_, course_before_;            ///< hashes of this run and of the previous class.json
+    std::map<std::string, double> figures_before_;  ///< in the previous class.json
     std::map<std::string, Manifest> manifests_;
     std::vector<Entry> entries_;
     std::map<std::string, std::unique_ptr<LabGrader>> graders_;
@@ -320,7 +319,7 @@ IsolationReport isolation_for(bool trust) {
 
 Descriptor hold_output(const fs::path& folder, Hold hold) {
     Descriptor held(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    // A file system without locks reports another error: then there is no lock.
+    // A file system without locks reports another error; then the folder stays unlocked.
     if (held >= 0 && flock(held, (hold == Hold::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         throw Error(fmt::format("another grader is at work in '{}': wait until it has ended, or name another folder",
                                 printable(folder.string())));

@@ -22,7 +22,7 @@ using Words = std::vector<std::string>;
 
 constexpr const char* kept_name = "class_file.txt";
 
-/// "lab 7" where the course has none: at the place where it stands.
+/// Returns the lab that `text` names. Reports an unknown lab at its place in the file.
 const LabEntry& lab_at(const Place& place, const std::string& text) {
     try {
         return find_lab(text);
@@ -31,7 +31,7 @@ const LabEntry& lab_at(const Place& place, const std::string& text) {
     }
 }
 
-/// ": did you mean 'jane'?", or nothing.
+/// Returns ": did you mean 'jane'?", or an empty text.
 std::string suggested(const std::string& name, const Words& known) {
     const auto near = nearest(name, known);
     return near ? fmt::format(": did you mean '{}'?", printable(*near)) : "";
@@ -41,7 +41,7 @@ class ClassFileReader {
 public:
     explicit ClassFileReader(const fs::path& file) : file_(file) { class_.file = file; }
 
-    /// The file of adjustments that it names, or an empty path.
+    /// Reads the class file. Returns the path of its adjustments, or an empty path.
     fs::path read() {
         const toml::table parsed = parse_toml(read_file(file_, size_t{1} << 24), file_);
         Table root(file_, parsed, "a class file");
@@ -79,7 +79,7 @@ private:
         return path;
     }
 
-    /// A lab by its number or name.
+    /// Returns the lab with the number or name in `lab`.
     const LabEntry& lab_of(Table& table) {
         int number = 0;
         std::string text;
@@ -162,7 +162,7 @@ private:
         }
     }
 
-    /// Throws Error at a place for a student whom the roster, if there is one, does not have.
+    /// Throws Error at `place` if there is a roster and the student is not on it.
     void refuse_stranger(const std::string& student, const Place& place) const {
         if (class_.students.empty() || known_.contains({"student", student})) return;
         Words names;

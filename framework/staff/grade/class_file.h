@@ -1,5 +1,5 @@
-// A class file: who is in the class, which labs count, when they are due, what lateness costs; and the adjustments that
-// people make. An example with all keys is in labs/staff/README.md.
+// A class file: the students, the labs that count with their due dates, the penalty for lateness, and the adjustments
+// that people make. An example with all keys is in labs/staff/README.md.
 #pragma once
 
 #include <filesystem>
@@ -21,16 +21,16 @@ struct Student {
 struct AssignedLab {
     std::string folder;
     std::vector<TaskInfo> tasks;
-    std::optional<Moment> due;     ///< nothing is late without
+    std::optional<Moment> due;     ///< without it, nothing is late
     std::string canvas;            ///< the column in Canvas's gradebook
-    std::filesystem::path moodle;  ///< the grading worksheet that Moodle made, or empty
+    std::filesystem::path moodle;  ///< Moodle's grading worksheet, or empty
 };
 
-/// Lateness takes a share of what a lab has earned.
+/// Lateness takes a share of a lab's earned points.
 struct LateRule {
-    double grace_hours = 0;      ///< so long after the due date nothing is late
-    double percent_per_day = 0;  ///< for each started day since the due date
-    double floor_percent = 0;    ///< so much is left, however late
+    double grace_hours = 0;      ///< time after the due date during which nothing is late
+    double percent_per_day = 0;  ///< percentage lost for each started day after the due date
+    double floor_percent = 0;    ///< lower bound of the remaining percentage
 };
 
 struct Extension {
@@ -40,7 +40,7 @@ struct Extension {
 };
 
 struct HandIn {
-    std::string student, lab;  ///< no lab: for all labs that have no time of their own
+    std::string student, lab;  ///< no lab: for all labs without a time of their own
     Moment time;
 };
 
@@ -53,32 +53,32 @@ struct Adjustment {
 };
 
 struct ClassFile {
-    std::filesystem::path file;     ///< empty: there is none
-    std::vector<AssignedLab> labs;  ///< by number; empty: those that were graded
-    std::vector<Student> students;  ///< the roster; empty: there is none
-    UtcOffset utc_offset{0};        ///< in which times are shown
+    std::filesystem::path file;     ///< empty: no class file
+    std::vector<AssignedLab> labs;  ///< by number; empty: the graded labs
+    std::vector<Student> students;  ///< the roster; empty: no roster
+    UtcOffset utc_offset{0};        ///< for showing times
     LateRule late;
     std::vector<Extension> extensions;
     std::vector<HandIn> hand_ins;
     std::vector<Adjustment> adjustments;
 
-    /// Nothing if it does not count.
+    /// Returns the assigned lab; null if it does not count.
     const AssignedLab* lab(const std::string& folder) const;
 };
 
-/// Reads a class file, and the tables that it names, relative to its folder. Adjustments are those of the file that it
-/// names, else of adjustments.csv in `results`, if there is one. If `file` is empty, there are only those. Throws Error
-/// with file and line for an unknown key, lab or task, a wrong date, a doubled student or identifier, and a student
-/// whom the roster does not have.
+/// Reads a class file and the tables that it names, relative to its folder. Adjustments come from the file that it
+/// names, else from adjustments.csv in `results`, if that exists. If `file` is empty, the result has adjustments only.
+/// Throws Error with file and line for an unknown key, lab or task, an invalid date, a duplicate student or identifier,
+/// and a student who is not on the roster.
 ClassFile read_class_file(const std::filesystem::path& file, const std::filesystem::path& results);
 
-/// The class file that was kept for a folder of results, or nothing. Throws UsageError if it does not exist any more.
+/// Returns the class file kept for a folder of results, or an empty path. Throws UsageError if it no longer exists.
 std::filesystem::path class_file_of(const std::filesystem::path& results);
-/// Keeps it for later runs into the folder; an empty path: none.
+/// Keeps the class file for later runs into the folder; an empty path means none.
 void keep_class_file(const std::filesystem::path& file, const std::filesystem::path& results);
 
-/// Throws Error at the first adjustment whose student or task is none of these. Without a roster only the submissions
-/// tell who is in the class.
+/// Throws Error at the first adjustment whose student is not in `students`, or whose task is not in `tasks`. Without a
+/// roster, only the submissions tell who is in the class.
 void refuse_unknown_adjustments(const ClassFile& policy, const std::set<std::string>& students,
                                 const std::set<std::string>& tasks);
 

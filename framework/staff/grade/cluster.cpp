@@ -47,7 +47,7 @@ std::string number_of(const char* variable) {
     return text ? text : "";
 }
 
-/// `--resume`, so that each job takes up what is there.
+/// Returns the command of a job. `--resume` makes each job continue from existing results.
 std::string grade_command(const fs::path& folder, const std::string& rest, const Words& options) {
     std::string line = fmt::format("exec {} grade --resume -o {} {}", quoted_for_shell(executable_path().string()),
                                    quoted_for_shell(place(folder).parent_path().string()), rest);
@@ -71,7 +71,7 @@ void write_scripts(const fs::path& folder, int parts, const Words& options) {
                    grade_command(folder, fmt::format("--slurm {}", parts), options));
 }
 
-/// sbatch's options for each job of a class.
+/// Returns sbatch's options for one job of a class.
 Words options_of_job(const fs::path& folder, const Cluster& cluster, const std::string& name, const std::string& log) {
     std::string pattern = place(folder).string();
     for (size_t at = 0; (at = pattern.find('%', at)) != std::string::npos; at += 2) pattern.replace(at, 1, "%%");
@@ -80,14 +80,14 @@ Words options_of_job(const fs::path& folder, const Cluster& cluster, const std::
     return words;
 }
 
-/// "1,2,5"
+/// Returns the parts as sbatch writes a list: "1,2,5".
 std::string list_of(const std::vector<int>& parts) {
     Words words;
     for (const int part : parts) words.push_back(std::to_string(part));
     return join(words, ",");
 }
 
-/// Nodes in the way of sbatch's option, where there are any.
+/// Adds sbatch's option to exclude these nodes, if there are any.
 void add_excluded(Words& words, const std::set<std::string>& nodes) {
     if (!nodes.empty()) words.push_back("--exclude=" + join(Words(nodes.begin(), nodes.end()), ","));
 }
@@ -110,10 +110,10 @@ void send_last(const fs::path& folder, Cluster& cluster, const LastJob& next, co
     write_cluster(folder, cluster);
 }
 
-/// Whatever way these jobs end.
+/// Returns the option to start after these jobs, whether they succeed or fail.
 std::string after(const Words& jobs) { return "--dependency=afterany:" + join(jobs, ":"); }
 
-/// The nodes on which a part was, the last one first.
+/// Returns the nodes on which a part ran, the latest first.
 Words nodes_of(const fs::path& folder, int part) {
     Words nodes;
     const fs::path file = place(folder) / fmt::format("part-{}.nodes", part);
@@ -123,7 +123,7 @@ Words nodes_of(const fs::path& folder, int part) {
     return nodes;
 }
 
-/// As many of these, from the first on, as leave a node that can run jobs.
+/// Returns the longest prefix of `nodes` that leaves at least one usable node.
 std::set<std::string> avoidable(const Words& nodes, std::optional<std::set<std::string>> usable) {
     std::set<std::string> avoided;
     for (const std::string& node : nodes) {
@@ -135,7 +135,7 @@ std::set<std::string> avoidable(const Words& nodes, std::optional<std::set<std::
     return avoided;
 }
 
-/// The job of a part, or the last job (part 0): one that runs, else the newest.
+/// Returns the job of a part, or the last job (part 0). Prefers a running job, then the newest.
 const QueuedJob* find_job(const std::vector<QueuedJob>& queue, const Cluster& cluster, int part) {
     const QueuedJob* newest = nullptr;
     for (auto sent = cluster.sent.rbegin(); sent != cluster.sent.rend(); ++sent)
@@ -147,7 +147,7 @@ const QueuedJob* find_job(const std::vector<QueuedJob>& queue, const Cluster& cl
     return newest;
 }
 
-/// Of a job that ended without its work: what its grader said last, or how Slurm says that it ended.
+/// Returns why a job ended without results: the last message of its grader, or the state that Slurm reports.
 std::string reason_of(const fs::path& log, const QueuedJob* job) {
     std::string said;
     if (std::error_code unknown; fs::exists(log, unknown))
@@ -160,7 +160,7 @@ std::string reason_of(const fs::path& log, const QueuedJob* job) {
     return state;
 }
 
-/// Where one job stands, of which Slurm may know.
+/// Sets a part's state from its job; `job` is null if Slurm does not know it.
 void set_state(PartState& part, const QueuedJob* job, bool slurm_answers, const fs::path& log) {
     if (job) {
         part.job = job->task ? fmt::format("{}_{}", job->job, *job->task) : job->job;
@@ -205,7 +205,7 @@ Words jobs_at_work(const Cluster& cluster) {
 Cluster send_class(const fs::path& folder, int parts, int jobs_at_a_time, const Words& options) {
     fs::remove_all(place(folder));
     make_folder(place(folder));
-    fs::permissions(place(folder), fs::perms::owner_all);  // the jobs' logs have marks
+    fs::permissions(place(folder), fs::perms::owner_all);  // the jobs' logs contain marks
     Cluster cluster{.parts = parts, .options = {}, .sent = {}};
     if (jobs_at_a_time > 0) cluster.options = {fmt::format("--cpus-per-task={}", jobs_at_a_time)};
     write_scripts(folder, parts, options);
@@ -224,7 +224,7 @@ std::optional<LastJob> this_last_job() {
 
 void send_substitute(const fs::path& folder, const LastJob& now) {
     const std::string job = number_of("SLURM_JOB_ID");
-    // One that Slurm has begun again, since its node died, has its substitute.
+    // A job that Slurm restarted after its node died already has a substitute.
     if (now.attempt >= last_jobs_in_all || job.empty() || !number_of("SLURM_RESTART_COUNT").empty()) return;
     Words more = {"--dependency=afternotok:" + job, "--kill-on-invalid-dep=yes"};
     add_excluded(more, avoidable({number_of("SLURMD_NODENAME")}, usable_nodes(number_of("SLURM_JOB_PARTITION"))));
@@ -243,7 +243,7 @@ void send_again(const fs::path& folder, const ClassProgress& progress, const Las
             lacks = lacks || !progress.marks[i];
         if (!lacks) continue;
         Words nodes = nodes_of(folder, part);
-        // Where the node could not even write down its name.
+        // Slurm knows the node even if the job failed before it could write the node's name.
         if (const QueuedJob* const job = find_job(queue, cluster, part); job && !job->node.empty())
             nodes.insert(nodes.begin(), job->node);
         parts_by_avoided[avoidable(nodes, usable)].push_back(part);

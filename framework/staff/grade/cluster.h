@@ -1,7 +1,8 @@
-// A class that Slurm grades: the jobs that are sent, and what they leave in FOLDER/slurm.
+// Grades a class with Slurm: sends the jobs, and reads the files that they leave in FOLDER/slurm.
 //
-// An array of jobs grades the class's parts, each part by `relief grade --resume --shard`. When all have ended, a last
-// job sends the parts again that lack results, or writes the report. All that decides is which results are there.
+// An array of jobs grades the parts of the class, each part by `relief grade --resume --shard`. When all have ended, a
+// last job sends parts without results again, or writes the report. The results that exist are the only state that
+// decides.
 #pragma once
 
 #include <filesystem>
@@ -13,60 +14,62 @@
 
 namespace relief {
 
-/// Parts that lack results are sent again so often, away from the nodes on which they were.
+/// How often parts that lack results are sent again, away from the nodes on which they failed.
 constexpr int times_sent_again = 3;
 
-/// FOLDER/slurm/cluster.json
+/// The content of FOLDER/slurm/cluster.json.
 struct Cluster {
     struct Sent {
         std::string job;
-        bool is_last = false;  ///< the job that ends the class, not parts of it
+        bool is_last = false;  ///< true: the job that ends the class, not an array of parts
     };
     int parts = 1;
-    std::vector<std::string> options;  ///< for sbatch, of each job
-    std::vector<Sent> sent;            ///< in this order
+    std::vector<std::string> options;  ///< sbatch's options for each job
+    std::vector<Sent> sent;            ///< in the order of submission
     bool has_ended = false;            ///< the report is written
 };
 
-/// Nothing if the class in `folder` was never sent to Slurm. Throws Error if the file is damaged.
+/// Reads cluster.json. Returns nothing if the class in `folder` was never sent to Slurm. Throws Error if the file is
+/// damaged.
 std::optional<Cluster> read_cluster(const std::filesystem::path& folder);
 
-/// Which jobs of the class still wait or run, as Slurm knows.
+/// Returns the jobs of the class that wait or run, according to Slurm.
 std::vector<std::string> jobs_at_work(const Cluster& cluster);
 
-/// Writes the jobs' scripts into FOLDER/slurm, in place of those of an earlier run, and sends all parts and the last
-/// job. class.json is in `folder`; `options` are those of `relief grade`. Throws Error if Slurm takes no job.
+/// Writes the jobs' scripts into FOLDER/slurm, where they replace scripts of an earlier run. Then sends all parts and
+/// the last job. `folder` contains class.json; `options` are options of `relief grade`. Throws Error if Slurm rejects a
+/// job.
 Cluster send_class(const std::filesystem::path& folder, int parts, int jobs_at_a_time,
                    const std::vector<std::string>& options);
 
-/// What a last job was told by the one that sent it.
+/// Counters that each last job receives from its sender.
 struct LastJob {
     int sent = 1;     ///< how often parts have been sent
-    int attempt = 1;  ///< how many last jobs there have been since
+    int attempt = 1;  ///< number of last jobs since then, this one included
 };
-/// Nothing outside of a last job.
+/// Returns the counters of this last job; nothing in any other process.
 std::optional<LastJob> this_last_job();
 
-/// Sends a job that does this last job's work, on another node if there is one, should this one fail: at most three in
-/// all. Throws Error if Slurm takes no job.
+/// Sends a substitute that takes over if this last job fails, on another node if there is one. There are at most three
+/// last jobs in all. Throws Error if Slurm rejects the job.
 void send_substitute(const std::filesystem::path& folder, const LastJob& now);
 
-/// Sends the parts that lack results, each away from the nodes on which it was as long as there are others, and a last
-/// job for them. Throws Error if Slurm takes no job.
+/// Sends the parts without results again, and a last job for them. Each part avoids its earlier nodes while other nodes
+/// are usable. Throws Error if Slurm rejects a job.
 void send_again(const std::filesystem::path& folder, const ClassProgress& progress, const LastJob& now);
 
 void note_end(const std::filesystem::path& folder);
 
 /// A part of the class, or the last job.
 struct PartState {
-    int part = 0;  ///< from 1 on; 0: the last job
+    int part = 0;  ///< counts from 1; 0: the last job
     size_t submissions = 0, results = 0;
     std::string state;   ///< "done", "runs", "waits", "failed", "unknown"
-    std::string node;    ///< where it runs or was; may be empty
+    std::string node;    ///< where it runs or ran; may be empty
     std::string job;     ///< "12_3"; may be empty
     std::string reason;  ///< why it waits or failed; may be empty
 };
-/// The last job comes last.
+/// Returns the states of all parts, and then of the last job.
 std::vector<PartState> part_states(const std::filesystem::path& folder, const Cluster& cluster,
                                    const ClassProgress& progress);
 

@@ -24,16 +24,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the processes go that were in the group which we divide.
+/// The group that receives the processes of the group to divide.
 constexpr const char* graders_name = "relief-graders";
 
-/// False on failure; errno says why. A control file takes a whole text in one call.
+/// Writes a text to a control file in one call, as the kernel requires. Returns false on failure and sets errno.
 bool set(const fs::path& file, const std::string& text) {
     const Descriptor opened(open(file.c_str(), O_WRONLY | O_CLOEXEC));
     return opened >= 0 && write(opened, text.data(), text.size()) == ssize_t(text.size());
 }
 
-/// Empty if it cannot be read.
+/// Returns the text of a file; empty if it cannot be read.
 std::string text_of(const fs::path& file) {
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
@@ -51,7 +51,7 @@ bool limits_memory_and_processes(const fs::path& controllers) {
     return has_word(controllers, "memory") && has_word(controllers, "pids");
 }
 
-/// Where version 2 is mounted; empty if nowhere.
+/// Returns where version 2 is mounted; empty if it is not.
 fs::path mount_point() {
     std::ifstream mounts("/proc/self/mounts");
     for (std::string device, folder, type, rest; mounts >> device >> folder >> type && std::getline(mounts, rest);)
@@ -59,7 +59,7 @@ fs::path mount_point() {
     return {};
 }
 
-/// The group of this process; empty if it has none.
+/// Returns the group of this process; empty if it has none.
 fs::path own_group() {
     const fs::path root = mount_point();
     std::ifstream groups("/proc/self/cgroup");
@@ -68,16 +68,16 @@ fs::path own_group() {
     return {};
 }
 
-/// Whether the system's manager of groups has left this one to us. That we may write is not enough: all groups of a
-/// desktop belong to its user, and systemd divides them.
+/// Returns whether systemd has delegated the group to us. Write access does not prove that: a desktop user owns all
+/// groups of the desktop, but systemd manages them.
 bool is_delegated(const fs::path& group) {
-    // The system's systemd marks what it leaves to others. Only root sees the older mark.
+    // The system's systemd marks delegated groups. Only root can read the older mark, trusted.delegate.
     for (const char* name : {"user.delegate", "trusted.delegate"}) {
         char mark = '0';
         if (getxattr(group.c_str(), name, &mark, 1) == 1 && mark == '1') return true;
     }
     if (geteuid() == 0 || access((group / "cgroup.subtree_control").c_str(), W_OK) != 0) return false;
-    // A user's systemd cannot mark it, but says so.
+    // A user's systemd cannot set the mark, but answers a query.
     ProcessJob question{.command = {"/usr/bin/systemctl", "--user", "show", "--property=Delegate", "--value", "--",
                                     group.filename().string()},
                         .limits = {.wall = 5}};
@@ -86,9 +86,9 @@ bool is_delegated(const fs::path& group) {
     return run_process(question).output != "no\n";
 }
 
-/// False if one cannot be moved; errno says why.
+/// Moves all processes. Returns false if one cannot be moved, and sets errno.
 bool move_processes(const fs::path& from, const fs::path& to) {
-    // While they are moved, they may start others.
+    // Processes may start others during the move, so read the list until it is empty.
     for (std::string all = text_of(from / "cgroup.procs"); !all.empty(); all = text_of(from / "cgroup.procs")) {
         std::istringstream processes(all);
         for (std::string process; processes >> process;)
@@ -98,14 +98,14 @@ bool move_processes(const fs::path& from, const fs::path& to) {
 }
 
 struct Preparation {
-    fs::path group;       ///< below which new ones are made
-    std::string missing;  ///< why none can be
+    fs::path group;       ///< the parent of new groups
+    std::string missing;  ///< why no group can be made; empty if one can
 };
 
 Preparation prepare() {
     fs::path group = own_group();
     if (group.empty()) return {{}, "this system has no control groups of version 2"};
-    // An earlier grader has moved the shell that started this one.
+    // An earlier grader already moved the shell that started this one.
     const bool is_prepared = group.filename() == graders_name;
     if (is_prepared) group = group.parent_path();
     if (!is_delegated(group))
@@ -148,7 +148,7 @@ ControlGroup::ControlGroup(size_t memory, int processes) {
 
 ControlGroup::~ControlGroup() {
     set(folder_ / "cgroup.kill", "1");
-    // A group can be removed once its last process is gone, a moment later.
+    // A group becomes removable shortly after its last process has ended.
     for (int i = 0; i < 500 && rmdir(folder_.c_str()) != 0 && errno == EBUSY; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
 }

@@ -7,24 +7,25 @@
 
 namespace relief {
 
-/// Why this process may make no control groups, or empty if it may: then it has been given a group to divide
-/// ("delegated"), as `systemd-run --user --scope --property=Delegate=yes` does. The first call prepares that group: a
-/// group that limits others may hold no process itself, so its processes move into a group below it.
+/// Returns why this process cannot make control groups; empty if it can. It can if it was given a group to divide
+/// ("delegated"), as by `systemd-run --user --scope --property=Delegate=yes`. The first call prepares that group: since
+/// a group with limited children must not contain processes itself, its processes move into a group below it.
 const std::string& control_groups_missing();
 
-/// A group below ours, for one command.
+/// A control group for one command, below the group of this process.
 class ControlGroup {
 public:
-    /// `memory`: bytes, with files in memory and what the kernel keeps for each file; without swap. `processes`: with
-    /// their threads. Throws Error where control_groups_missing() has a reason, or the system makes no group.
+    /// `memory`: upper bound in bytes, including files in memory and the kernel's data for each file, without swap.
+    /// `processes`: upper bound, threads included. Throws Error if control_groups_missing() has a reason, or if the
+    /// system cannot make the group.
     ControlGroup(size_t memory, int processes);
-    /// Ends what still runs in it.
+    /// Kills all remaining processes of the group.
     ~ControlGroup();
     ControlGroup(const ControlGroup&) = delete;
     ControlGroup& operator=(const ControlGroup&) = delete;
 
     const std::filesystem::path& folder() const { return folder_; }
-    /// Whether the system has ended it because its memory was used up. All its processes end then.
+    /// Returns whether the system killed the group because it ran out of memory. All its processes end then.
     bool ran_out_of_memory() const;
 
 private:

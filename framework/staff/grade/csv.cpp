@@ -30,7 +30,7 @@ std::string without_blanks(const std::string& text) {
     return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// Whether a spreadsheet takes a cell with this start for a formula. Some take the wide forms of = + - @, too.
+/// Returns whether a spreadsheet reads a cell with this start as a formula. Some accept the wide forms of = + - @, too.
 bool is_formula(std::string_view text) {
     for (const std::string_view start :
          {"=", "+", "-", "@", "\t", "\r", "\xef\xbc\x9d", "\xef\xbc\x8b", "\xef\xbc\x8d", "\xef\xbc\xa0"})

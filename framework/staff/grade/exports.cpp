@@ -17,24 +17,25 @@ namespace {
 using nlohmann::ordered_json;
 using Cells = std::vector<std::string>;
 
-/// Untrusted bytes may not be UTF-8.
+/// Replaces invalid UTF-8, which untrusted text may contain.
 std::string dump(const ordered_json& json) {
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string number_of_lab(const std::string& folder) { return folder.substr(0, folder.find('_')); }
 
-/// What a student is called where a person reads it.
+/// Returns the name of a student for people to read.
 std::string shown_name(const Student& student) { return student.name.empty() ? student.student : student.name; }
 
 std::string cell(const std::string& text) { return defused(printable(text, 2000)); }
 
-/// Points for other systems, which round as they like: the sum of shares, without what binary fractions add.
+/// Returns points for other systems, which round as they like: the sum of shares, without the digits that binary
+/// fractions add.
 std::string decimal(double points) { return fmt::format("{:.10g}", points); }
 
 // ---- XML ----
 
-/// Untrusted text as XML 1.0 may have it: UTF-8, no control characters, and neither U+FFFE nor U+FFFF.
+/// Returns untrusted text as valid XML 1.0: UTF-8, without control characters, U+FFFE and U+FFFF.
 std::string xml(const std::string& text) {
     std::string result = printable(text, 4000);
     for (const std::string bad : {"\xef\xbf\xbe", "\xef\xbf\xbf"})
@@ -42,7 +43,7 @@ std::string xml(const std::string& text) {
     return escaped_markup(result);
 }
 
-/// The checks of a submission as elements of one suite.
+/// The checks of a submission as the elements of a suite.
 struct Suite {
     int tests = 0, failures = 0, errors = 0;
     double seconds = 0;
@@ -89,17 +90,17 @@ Suite suite_of(const Standing& standing) {
 
 // ---- JSON ----
 
-/// Its hint, on a line of its own, in systems that show plain text.
+/// Returns the check's hint on a line of its own, for systems that show plain text.
 std::string look_at(const CheckMark& check) {
     return check.look_at.empty() ? "" : "\nlook at: " + plain_text(line_with_code(check.look_at));
 }
 
-/// The text for a check on Gradescope, which shows hidden checks to instructors only.
+/// Returns the text for a check on Gradescope, which shows hidden checks to instructors only.
 std::string sentence(const CheckMark& check) {
     return (check.hidden ? check.found : found_for_students(check)) + look_at(check);
 }
 
-/// What people and rules did to the points, a line each.
+/// Returns the adjustments by people and rules, one line each.
 std::string remarks_text(const Standing& standing) {
     std::string text;
     for (const std::string& remark : standing.remarks()) text += remark + "\n";
@@ -110,14 +111,15 @@ std::string remarks_text(const Standing& standing) {
 
 // ---- Moodle ----
 
-/// A key for an identifier of a worksheet's column. Systems differ in the case of addresses and names of users.
+/// Returns a key for an identifier in a worksheet's column. Ignores the case of addresses and user names, because
+/// systems differ in it.
 std::string key_of(const std::string& column, std::string value) {
     for (char& c : value)
         if (column != "ID number" && c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
     return column + ' ' + value;
 }
 
-/// The student of a row: by any identifier that both sides have.
+/// Returns the student of a row, found by any identifier that both sides have; null if there is none.
 const Standing* student_of(const CsvTable& sheet, const CsvRow& row, const std::map<std::string, const Standing*>& by) {
     for (const char* column : {"Email address", "Username", "ID number"}) {
         const std::string& value = sheet.cell(row, column);
@@ -182,7 +184,7 @@ std::string to_canvas(const ClassStanding& standing) {
 std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std::vector<std::string>& notes) {
     const CsvTable sheet = read_csv(lab.moodle);
     const int grade = sheet.column("Grade"), feedback = sheet.column("Feedback comments");
-    // Moodle itself refuses a worksheet without these.
+    // Moodle itself rejects a worksheet without these.
     for (const char* column : {"Identifier", "Grade", "Last modified (grade)"})
         if (sheet.column(column) < 0)
             throw Error({lab.moodle, 1},
@@ -227,7 +229,7 @@ std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std
 
 std::string to_prairielearn(const Standing& standing) {
     constexpr size_t max_bytes = 1'000'000;
-    if (!standing.is_marked())  // costs no attempt
+    if (!standing.is_marked())  // not counted as an attempt
         return dump({{"gradable", false},
                      {"message", "The grader's machine failed. This is not your fault and costs you no points."}});
     if (standing.mark && !standing.mark->problem.empty())
@@ -259,9 +261,9 @@ std::string to_prairielearn(const Standing& standing) {
 }
 
 std::string to_gradescope(const Standing& standing) {
-    // Plain text: Gradescope would read markup in what a submission prints.
+    // Sets plain text: otherwise Gradescope would interpret markup in a submission's output.
     ordered_json json = {{"output_format", "text"}, {"test_output_format", "text"}, {"test_name_format", "text"}};
-    if (!standing.mark || !standing.is_marked()) {  // no score at all: Gradescope then says that grading failed
+    if (!standing.mark || !standing.is_marked()) {  // without a score, Gradescope reports that grading failed
         json["output"] = standing.mark ? "The grader's machine failed. This is not your fault and costs you no points."
                                        : standing.state();
         return dump(json);
@@ -312,7 +314,7 @@ std::string to_junit(const ClassStanding& standing, Moment written) {
     int id = 0;
     for (const Standing& one : standing.students) {
         const Suite suite = suite_of(one);
-        // Ant's schema wants all of these, a list of properties, and both kinds of output.
+        // Ant's schema requires all these attributes, a list of properties, and both kinds of output.
         text += fmt::format(
             "  <testsuite name=\"{0}\" package=\"relief\" id=\"{1}\" timestamp=\"{2}\" "
             "hostname=\"localhost\" tests=\"{3}\" failures=\"{4}\" errors=\"{5}\" skipped=\"0\" "

@@ -11,10 +11,10 @@
 namespace relief {
 namespace {
 
-/// Values of a check that are compared: evenly spread ones, which see mistakes that nobody has listed, and those in
-/// which known mistakes differ.
+/// The numbers of compared values of a check: evenly spread ones, which detect unlisted mistakes, and values in which
+/// known mistakes differ.
 constexpr size_t spread_values = 8, telling_values = 24;
-/// Of each pair so many values that tell it apart are looked at.
+/// The number of candidate values that distinguish each pair.
 constexpr size_t candidates_of_pair = 100;
 
 Sample all_of(const DrawnAttempt& drawn) {
@@ -22,7 +22,8 @@ Sample all_of(const DrawnAttempt& drawn) {
     return {.values = drawn.image->values, .is_drawn = true};
 }
 
-/// Places in [0, count) in an order that is always the same and looks like chance: steps of the golden section.
+/// Returns the indices in [0, count) in a fixed order that spreads them evenly: sorted by the fractional part of i times
+/// the golden ratio.
 std::vector<size_t> shuffled(size_t count) {
     std::vector<std::pair<double, size_t>> keys;
     for (size_t i = 0; i < count; ++i) keys.emplace_back(std::fmod(double(i) * 0.6180339887498949, 1), i);
@@ -32,10 +33,11 @@ std::vector<size_t> shuffled(size_t count) {
     return places;
 }
 
-/// Chooses a check's places: each pair among the solution and the mistakes is to differ in as many of them as others.
+/// Chooses the places of a check's values. Balances them, so that every pair among the solution and the mistakes
+/// differs in about as many places.
 class Chooser {
 public:
-    /// `programs`: the solution first.
+    /// `programs` begins with the solution.
     Chooser(const std::vector<const Sample*>& programs, bool is_probe) {
         const Sample& right = *programs.front();
         for (const Sample* program : programs)
@@ -103,7 +105,7 @@ private:
     std::vector<size_t> counts_;  ///< by pair
 };
 
-/// The public checks of a task, by their places in the manifest.
+/// Returns the public checks of a task, by their indices in the manifest.
 std::vector<size_t> public_checks(const Manifest& manifest, const std::string& task) {
     std::vector<size_t> checks;
     for (size_t i = 0; i < manifest.checks.size(); ++i)
@@ -111,8 +113,8 @@ std::vector<size_t> public_checks(const Manifest& manifest, const std::string& t
     return checks;
 }
 
-/// Whether two mistakes, or a mistake and the solution, draw the same in all checks, but for rounding: then nothing
-/// tells them apart.
+/// Returns whether two mistakes, or a mistake and the solution, draw the same in all checks up to rounding. Then no
+/// check distinguishes them.
 bool are_alike(const std::vector<Sample>& one, const std::vector<Sample>& other) {
     return std::equal(one.begin(), one.end(), other.begin(), [](const Sample& a, const Sample& b) {
         return a.error == b.error &&
@@ -156,7 +158,7 @@ Fingerprints make_fingerprints(const LabEntry& lab, MistakePictures& pictures,
     for (const TaskInfo& task : manifest.tasks) {
         const std::vector<size_t> checks = public_checks(manifest, task.id);
         std::vector<Shot> shots;
-        std::vector<std::vector<Sample>> drawn(1);  // by program, then by check: the solution, then mistakes
+        std::vector<std::vector<Sample>> drawn(1);  // by program (the solution, then mistakes), then by check
         for (const size_t check : checks) {
             const Shot& shot = shots.emplace_back(manifest.checks[check].shot);
             drawn[0].push_back({.values = draw_shot(*make_lab(lab, shot), shot).values, .is_drawn = true});

@@ -13,11 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What building and grading take; tests, slides and pages stay here.
+/// The parts of the course needed to build and to grade; without tests, slides and pages.
 constexpr const char* course_parts[] = {"CMakeLists.txt", "LICENSE", "relief", "assets",
                                         "framework",      "labs",    "shaders"};
 
-/// For its owner alone, and to be executed: one of them has the seed.
+/// Writes an executable script that only its owner can read: one of the scripts contains the seed.
 void write_script(const fs::path& file, const std::string& text) {
     write_private_file(file, text);
     fs::permissions(file, fs::perms::owner_all);

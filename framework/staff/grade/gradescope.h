@@ -9,8 +9,8 @@ namespace relief {
 
 struct LabEntry;
 
-/// Writes setup.sh, run_autograder and course/ into a folder. The folder must be new, empty, or written by an earlier
-/// call; otherwise it throws UsageError. `labs`: grade only these; empty: the labs whose files a submission has.
+/// Writes setup.sh, run_autograder and course/ into a folder. Throws UsageError unless the folder is new, empty, or
+/// written by an earlier call. `labs`: grade only these; empty: the labs whose files a submission has.
 void write_gradescope(const std::filesystem::path& folder, const std::vector<const LabEntry*>& labs,
                       const std::string& seed);
 

@@ -1,4 +1,4 @@
-// The module relief-archive.so: the only place that knows libarchive.
+// The module relief-archive.so, the only file that uses libarchive.
 #include <archive.h>
 #include <archive_entry.h>
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ Reader open(int descriptor) {
     return reader;
 }
 
-/// Reads an entry to its end, block by block, so that what is unpacked can be counted: a skip cannot.
+/// Reads an entry to its end, block by block, to count the unpacked bytes. A skip would not count them.
 void read_content(archive* reader, ArchiveEntry& entry, bool keep, size_t largest, size_t& unpacked) {
     const void* block = nullptr;
     size_t size = 0;
@@ -49,7 +49,7 @@ void read_content(archive* reader, ArchiveEntry& entry, bool keep, size_t larges
         if (state < ARCHIVE_WARN) fail(reader);
         unpacked += size;
         if (unpacked > max_unpacked_bytes) too_much();
-        // A sparse file's holes are not blocks: its end decides.
+        // The end of a block counts, since the holes of a sparse file are not blocks.
         entry.too_large |= offset < 0 || uint64_t(offset) + size > largest;
         if (!keep || entry.too_large) continue;
         entry.content.resize(size_t(offset));
@@ -57,7 +57,7 @@ void read_content(archive* reader, ArchiveEntry& entry, bool keep, size_t larges
     }
 }
 
-/// libarchive gives names in this thread's encoding, and none at all where they do not fit into it.
+/// Sets this thread's encoding to UTF-8: libarchive converts names to it, and returns none if that fails.
 class Utf8Names {
 public:
     Utf8Names() : locale_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)), before_(uselocale(locale_)) {}
@@ -90,7 +90,7 @@ extern "C" [[gnu::visibility("default")]] void relief_read_archive(
         if (entries.size() == max_entries) throw Error(fmt::format("has more than {} entries", max_entries));
         const char* const name = archive_entry_pathname(found);
         if (!name) throw Error("has a file whose name cannot be read: pack it anew, as zip or tar");
-        // All that has been unpacked to get here, a tar's headers with their long names included.
+        // The unpacked bytes so far, including a tar's headers with their long names.
         if (archive_filter_bytes(reader.get(), 0) > int64_t(max_unpacked_bytes)) too_much();
         const size_t length = std::strlen(name);
         if (length > max_name_bytes) throw Error(fmt::format("has a name of more than {} bytes", max_name_bytes));
@@ -102,7 +102,7 @@ extern "C" [[gnu::visibility("default")]] void relief_read_archive(
         entry.is_link = archive_entry_hardlink(found) || archive_entry_symlink(found);
         entry.is_file = archive_entry_filetype(found) == AE_IFREG && !entry.is_link;
         const bool keep = entry.is_file && wanted(entry.name);
-        // Of a zip, which has an index, what is not wanted costs nothing to skip.
+        // A zip has an index, so skipping an unwanted entry unpacks nothing.
         const bool is_zip = (archive_format(reader.get()) & ARCHIVE_FORMAT_BASE_MASK) == ARCHIVE_FORMAT_ZIP;
         if (keep || !is_zip) read_content(reader.get(), entry, keep, largest, unpacked);
         if (entry.too_large) entry.content.clear();

@@ -8,14 +8,15 @@
 
 namespace relief {
 
-/// The folders that hold a part of a class: `folder` itself, or folders in it. Throws UsageError if there is none.
+/// Returns the folders that hold a part of a class: `folder` itself, or its subfolders. Throws UsageError if there is
+/// none.
 std::vector<std::filesystem::path> class_parts(const std::filesystem::path& folder);
 
-/// Reads the results of all parts in `folder`. Throws Error unless every submission of the class has exactly one
-/// result, and all results are of the same files, course and seed.
+/// Reads and merges the results of all parts in `folder`. Throws Error unless every submission of the class has exactly
+/// one result, and all results have the same files, course and seed.
 ClassReport merge_class(const std::filesystem::path& folder);
 
-/// A class from its results alone.
+/// Returns the report of a class from its results alone.
 ClassReport report_of(const std::string& seed, std::vector<SubmissionMark> marks);
 
 }  // namespace relief

@@ -5,7 +5,7 @@ namespace {
 
 constexpr size_t max_samples = 16384;
 
-/// Pixels of a picture, evenly spread, or the error that came in its place.
+/// Returns evenly spaced pixels of a picture, or the error that replaced it.
 Sample sample_of(const DrawnAttempt& drawn) {
     Sample sample{.values = {}, .error = drawn.error, .is_drawn = drawn.image.has_value()};
     if (!sample.is_drawn) return sample;
@@ -30,8 +30,8 @@ MistakeNames::MistakeNames(const LabViews& views, const DrawnChecks& solution) :
     for (const DrawnViews& one : solution.checks) solution_.push_back(sample_of(one.own));
 }
 
-/// The first thread that needs the signatures starts to draw them. Threads that come meanwhile draw those that are
-/// left.
+/// Returns the signatures of a task's mistakes. The first thread that needs them starts to draw them; threads that
+/// arrive meanwhile draw the remaining ones.
 const std::vector<MistakeNames::Signature>& MistakeNames::signatures(const std::string& task) const {
     std::unique_lock lock(mutex_);
     Signatures& known = by_task_[task];
@@ -63,7 +63,8 @@ Samples MistakeNames::samples_of(const MistakeInfo& mistake) const {
     return samples;
 }
 
-/// Over all compared checks, the share of what differs from the solution that is like the mistake.
+/// Returns the agreement with a mistake over all compared checks: the share of the values that differ from the solution
+/// in which the drawing is like the mistake.
 double MistakeNames::agreement(const Signature& signature, const std::vector<Sample>& drawn,
                                const std::vector<bool>& compared) const {
     Likeness sum;
@@ -80,7 +81,7 @@ double MistakeNames::agreement(const Signature& signature, const std::vector<Sam
 std::optional<NamedMistake> MistakeNames::name(const std::string& task, const DrawnChecks& drawn,
                                                const std::vector<bool>& compared) const {
     const Manifest& manifest = views_.manifest();
-    // Only a picture, or an error that the lab itself reported, can be like a mistake.
+    // Only a picture, or an error reported by the lab itself, can match a mistake.
     bool any = false;
     for (size_t i = 0; i < manifest.checks.size(); ++i)
         any |= manifest.checks[i].task == task && compared[i] && drawn.checks[i].own.told;

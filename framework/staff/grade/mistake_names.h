@@ -1,4 +1,4 @@
-// Names the known mistake that the pictures of a failed task show.
+// Recognises the known mistake in the pictures of a failed task.
 #pragma once
 
 #include <condition_variable>
@@ -13,7 +13,7 @@
 
 namespace relief {
 
-/// The hint of a known mistake, with those of the mistakes that are `same_as` it.
+/// Returns the hint of a known mistake, joined with the hints of mistakes that are `same_as` it.
 std::string hint_with_same(const Manifest& manifest, const MistakeInfo& mistake);
 
 struct NamedMistake {
@@ -21,20 +21,20 @@ struct NamedMistake {
     std::string hint;  ///< see hint_with_same()
 };
 
-/// The known mistakes of one lab. Each is drawn once, when a submission needs it. Threads may share it.
+/// The known mistakes of one lab. Each is drawn once, when a submission first needs it. Thread-safe.
 class MistakeNames {
 public:
-    /// `solution`: what the solution draws in the checks' own views.
+    /// `solution`: the solution's pictures in the checks' own views.
     MistakeNames(const LabViews& views, const DrawnChecks& solution);
 
-    /// The mistake that agrees best with what was drawn for the task's checks, if it agrees with nine tenths of what
-    /// differs from the solution; else nothing. `compared`: by check, whether its pictures may be compared. A check is
-    /// left out if it was not drawn, or if another task may have spoilt it.
+    /// Returns the mistake that agrees best with the pictures of the task's checks. Returns nothing if it agrees with
+    /// under nine tenths of the values that differ from the solution. `compared`: for each check, whether its pictures
+    /// may be compared. They may not if the check was not drawn, or if another task may have spoilt it.
     std::optional<NamedMistake> name(const std::string& task, const DrawnChecks& drawn,
                                      const std::vector<bool>& compared) const;
 
 private:
-    /// What a mistake draws in its task's checks.
+    /// Samples of a mistake's pictures in its task's checks.
     struct Signature {
         const MistakeInfo* mistake;
         Samples samples = {};

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono;
 
-/// Whether each d of the form is a digit, and each other character is itself.
+/// Returns whether `text` has the form: a d stands for a digit, any other character for itself.
 bool has_form(std::string_view text, std::string_view form) {
     return text.size() == form.size() && std::equal(text.begin(), text.end(), form.begin(), [](char one, char wanted) {
                return wanted == 'd' ? one >= '0' && one <= '9' : one == wanted;
@@ -21,7 +21,7 @@ bool has_form(std::string_view text, std::string_view form) {
 
 int number(std::string_view text, size_t at, size_t digits) { return *parse_int(text.substr(at, digits)); }
 
-/// Takes "23:59" or "23:59:00", with or without a fraction, from the front of a text.
+/// Parses and removes "23:59" or "23:59:00", with or without a fraction, at the front of a text.
 std::optional<seconds> take_time(std::string_view& text) {
     if (!has_form(text.substr(0, 5), "dd:dd")) return {};
     const int hour = number(text, 0, 2), minute = number(text, 3, 2);

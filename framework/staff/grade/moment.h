@@ -1,4 +1,4 @@
-// Points in time: due dates, and when something was handed in. The machine's clock and time zone decide nothing.
+// Points in time: due dates and times of submission. They never depend on the machine's clock or time zone.
 #pragma once
 
 #include <chrono>
@@ -13,15 +13,15 @@ namespace relief {
 using Moment = std::chrono::sys_seconds;
 using UtcOffset = std::chrono::minutes;
 
-/// "+01:00", "-0530" or "Z"; nothing for any other text.
+/// Parses "+01:00", "-0530" or "Z". Returns nothing for any other text.
 std::optional<UtcOffset> parse_offset(std::string_view text);
 
-/// ISO 8601 (RFC 3339): "2027-03-01T23:59:00+01:00"; the T may be a blank, seconds may be missing, and a blank may
-/// stand before the offset. `offset` counts where the text names none. A date without a time is the last second of the
-/// day. Throws Error at `place` for any other text, and if no offset is known.
+/// Parses ISO 8601 (RFC 3339): "2027-03-01T23:59:00+01:00". The T may be a blank, seconds may be missing, and a blank
+/// may precede the offset. `offset` applies if the text has none. A date without a time is the last second of the day.
+/// Throws Error at `place` for any other text, and if no offset is known.
 Moment parse_moment(std::string_view text, std::optional<UtcOffset> offset, const Place& place);
 
-/// "2027-03-01 23:59 +01:00"
+/// Returns the time as "2027-03-01 23:59 +01:00".
 std::string moment_text(Moment moment, UtcOffset offset);
 
 }  // namespace relief

@@ -32,18 +32,18 @@ CourseOverlay::Folder::Folder() {
     path = name;
 }
 CourseOverlay::Folder::~Folder() {
-    std::error_code ignored;  // it lies among the system's temporary files
+    std::error_code ignored;  // harmless: the folder is in the system's temporary folder
     fs::remove_all(path, ignored);
 }
 
 const CourseOverlay::Folder& CourseOverlay::fill(const Folder& folder, const CourseFiles& files) {
-    std::set<fs::path> own;  // folders that hold one of the files, and so cannot be links
+    std::set<fs::path> own;  // folders with one of the files, which cannot be links
     for (const auto& [name, text] : files)
         for (fs::path parent = fs::path(name).parent_path(); !parent.empty(); parent = parent.parent_path())
             own.insert(parent);
     const auto link_rest = [&](const fs::path& part) {
         make_folder(folder.path / part);
-        if (!fs::is_directory(course_root() / part)) return;  // the files bring their own
+        if (!fs::is_directory(course_root() / part)) return;  // a folder that only `files` has
         for (const auto& entry : fs::directory_iterator(course_root() / part)) {
             const fs::path name = part / entry.path().filename();
             if (!own.contains(name) && !files.contains(name.string()))

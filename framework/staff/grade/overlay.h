@@ -11,13 +11,13 @@
 
 namespace relief {
 
-/// The text of files, by path relative to the course's top folder.
+/// The texts of files, by path relative to the course's top folder.
 using CourseFiles = std::map<std::string, std::string>;
 
-/// The edited files, with all edits made. Throws Error if an edit's `find` does not occur exactly once.
+/// Returns the edited files, with all edits made. Throws Error if an edit's `find` does not occur exactly once.
 CourseFiles edited(const std::vector<Edit>& edits);
 
-/// While this object lives, course_root() is a temporary folder with these files, and links to all other files.
+/// Redirects course_root() for its lifetime, to a temporary folder with these files and links to all other files.
 class CourseOverlay {
 public:
     explicit CourseOverlay(const CourseFiles& files);

@@ -25,7 +25,7 @@ std::optional<SubmissionMark> result_of(const fs::path& folder, const std::strin
     try {
         SubmissionMark mark = from_json(read_file(file, size_t{1} << 26));
         if (mark.name == name && mark.course == course && mark.graded()) return mark;
-    } catch (const Error&) {  // half a file, or one of another time
+    } catch (const Error&) {  // an incomplete file, or one of another version
     }
     return {};
 }

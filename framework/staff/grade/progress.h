@@ -1,4 +1,4 @@
-// How far a class is: which of its submissions have a result that holds.
+// The progress of a class: which of its submissions have a valid result.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,11 @@
 
 namespace relief {
 
-/// FOLDER/results/NAME.json
+/// Returns FOLDER/results/NAME.json.
 std::filesystem::path result_file(const std::filesystem::path& folder, const std::string& name);
 
-/// The result of a submission in `folder`; nothing if there is none, if it is of another course or seed, if the machine
-/// failed on it, or if it is damaged.
+/// Returns the result of a submission in `folder`. Returns nothing if it is missing, damaged, or of another course or
+/// seed, or if the machine failed on it.
 std::optional<SubmissionMark> result_of(const std::filesystem::path& folder, const std::string& name,
                                         const std::string& course);
 
@@ -28,10 +28,10 @@ struct ClassProgress {
     std::vector<SubmissionMark> take_marks() &&;
 };
 
-/// Of a class in `folder`, or in folders in it (parts). Throws UsageError if there is none.
+/// Reads the progress of a class in `folder`, or in its subfolders (parts). Throws UsageError if there is no class.
 ClassProgress read_progress(const std::filesystem::path& folder);
 
-/// "jane, joe and 3 more"
+/// Returns some of the names: "jane, joe and 3 more".
 std::string some_of(const std::vector<std::string>& names);
 
 }  // namespace relief

@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 
 constexpr int schema = 1;
 
-/// Untrusted bytes may not be UTF-8.
+/// Replaces invalid UTF-8, which untrusted text may contain.
 std::string dump(const ordered_json& json) {
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

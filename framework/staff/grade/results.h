@@ -1,4 +1,4 @@
-// The results of grading: a JSON file for each submission, which is the grader's verdict.
+// The results of grading: a JSON file for each submission, with the grader's verdict.
 #pragma once
 
 #include <filesystem>
@@ -12,31 +12,31 @@ namespace relief {
 /// Everything known about a graded submission.
 struct SubmissionMark {
     std::string name;
-    std::string hash, course;  ///< hashes of the submission and the course: if both hold, it is not graded again
+    std::string hash, course;  ///< hashes of the submission and the course: if both match, it is not graded again
     std::string isolation;     ///< "namespaces" or "limits"
     std::string problem;       ///< why nothing could be read, or empty
     std::vector<std::string> ignored;
     size_t ignored_count = 0;
     std::vector<LabMark> labs;
-    double seconds = 0;  ///< from reading the submission to its mark
+    double seconds = 0;  ///< seconds from reading the submission to its mark
 
     double points() const;
     int max_points() const;
-    /// No check failed through the grader's fault.
+    /// Returns whether no check failed through the grader's fault.
     bool graded() const;
     const LabMark* lab(const std::string& folder) const;
 };
 
-/// A safe file name for any name. A name of plain characters stays as it is; in any other, characters are replaced and
-/// a part of its hash is appended.
+/// Returns a safe file name for any name. Plain names stay unchanged. In other names, characters are replaced, and a
+/// part of the name's hash is appended.
 std::string file_name_of(const std::string& name);
 
-/// `check.found`, as far as its student may read it: nothing about a hidden check; about a hidden view only that it was
-/// one.
+/// Returns the part of `check.found` that the student may read: nothing for a hidden check; for a hidden view only the
+/// fact that it was hidden.
 std::string found_for_students(const CheckMark& check);
 
-/// The complete result, schema 1. from_json() throws Error for anything else, and if the points do not follow from the
-/// checks.
+/// Convert the complete result, schema 1. from_json() throws Error for any other text, and if the points do not follow
+/// from the checks.
 std::string to_json(const SubmissionMark& mark);
 SubmissionMark from_json(const std::string& text);
 

@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 constexpr const char* file_name = "class.json";
 constexpr int schema = 1;
 
-/// A whole number in the environment; `otherwise` where there is none.
+/// Returns a whole number in the environment; `otherwise` if the variable is missing or empty.
 int number(const char* name, int otherwise) {
     const char* const text = std::getenv(name);
     if (!text || !*text) return otherwise;
@@ -38,8 +38,8 @@ Shard checked(int index, int count, const std::string& from) {
     return {index, count, from};
 }
 
-/// The place of this task in --array=FIRST-LAST:STEP. Slurm does not tell a task what the others of a list are, as in
-/// --array=2,5, nor that a single one is a part of anything.
+/// Returns the position of this task in --array=FIRST-LAST:STEP. In a list, such as --array=2,5, Slurm does not tell a
+/// task the other tasks. Nor does it tell a single task that it is one of several.
 Shard shard_of_array() {
     const int task = number("SLURM_ARRAY_TASK_ID", 0), first = number("SLURM_ARRAY_TASK_MIN", 0),
               step = std::max(1, number("SLURM_ARRAY_TASK_STEP", 1)), count = number("SLURM_ARRAY_TASK_COUNT", 1),
@@ -95,7 +95,7 @@ void write_roster(const fs::path& folder, const Roster& roster) {
 
 std::map<std::string, double> add_solution_cpu(const fs::path& folder, const std::map<std::string, double>& measured) {
     const Descriptor held(open((folder / "results").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    flock(held, LOCK_EX);  // to the end of this function; a file system without locks has none
+    flock(held, LOCK_EX);  // until this function returns; a file system without locks does not lock
     Roster roster = read_roster(folder).value();
     const size_t before = roster.solution_cpu.size();
     roster.solution_cpu.insert(measured.begin(), measured.end());

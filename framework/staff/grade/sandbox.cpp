@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-/// Bubblewrap's own, which count in a control group.
+/// Processes of bubblewrap itself, which a control group counts too.
 constexpr int wrapping_processes = 3;
 
 Words bubblewrap(const ProcessJob& job, const Confinement& confinement) {
@@ -37,14 +37,14 @@ Words bubblewrap(const ProcessJob& job, const Confinement& confinement) {
                    "--ro-bind",
                    "/usr",
                    "/usr"};
-    // Where the system's top folders are links into /usr they stay links.
+    // Top folders that are links into /usr stay links.
     std::error_code ignored;
     for (const char* folder : {"/bin", "/lib", "/lib32", "/lib64", "/sbin"})
         if (fs::is_symlink(folder, ignored))
             words.insert(words.end(), {"--symlink", fs::read_symlink(folder, ignored).string(), folder});
         else
             words.insert(words.end(), {"--ro-bind-try", folder, folder});
-    // The linker's table, and the links to what a program is really called.
+    // The linker's cache, and the links behind names such as /usr/bin/c++.
     for (const char* path : {"/etc/ld.so.cache", "/etc/alternatives"})
         words.insert(words.end(), {"--ro-bind-try", path, path});
     words.insert(words.end(), {"--dev", "/dev", "--size", std::to_string(job.limits.file), "--tmpfs", "/tmp"});
@@ -52,7 +52,7 @@ Words bubblewrap(const ProcessJob& job, const Confinement& confinement) {
         words.insert(words.end(), {"--ro-bind", path.string(), path.string()});
     words.insert(words.end(), {"--setenv", "PATH", "/usr/bin:/bin"});
     for (const auto& [name, value] : job.environment) words.insert(words.end(), {"--setenv", name, value});
-    // Its own devices and mount points are in memory, too: nothing may be written there.
+    // The new root and /dev are in memory, too, so make them read-only.
     words.insert(words.end(), {"--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/tmp"});
     // The number of processes counts inside the new user's namespace, so it is set there and not before.
     words.insert(words.end(), {"/usr/bin/prlimit", "--nproc=" + std::to_string(confinement.processes), "--"});
@@ -60,7 +60,7 @@ Words bubblewrap(const ProcessJob& job, const Confinement& confinement) {
     return words;
 }
 
-/// The number after "exit-code" in what bubblewrap says; nothing when the command never began.
+/// Finds the number after "exit-code" in bubblewrap's status. Returns false if the command never started.
 bool find_exit_code(const std::string& status, int& code) {
     const size_t at = status.find("\"exit-code\":");
     if (at == std::string::npos) return false;
@@ -105,8 +105,8 @@ ProcessResult run_sandboxed(ProcessJob job, const Confinement& confinement) {
     job.calls = confinement.makes_processes ? with_processes : with_threads;
     if (wrapped) {
         job.command = bubblewrap(job, confinement);
-        job.environment.clear();                  // the command's own is among bubblewrap's words
-        job.note = std::exchange(job.calls, {});  // bubblewrap itself needs what they forbid
+        job.environment.clear();                  // bubblewrap's arguments set the command's environment
+        job.note = std::exchange(job.calls, {});  // only for the command: bubblewrap itself needs the refused calls
         job.reports = true;
     }
     ProcessResult result = run_process(job);

@@ -22,7 +22,7 @@ Submission submission_of(CourseFiles files) {
     return submission;
 }
 
-/// Every check that says something else than `expected`.
+/// Lists all checks whose outcome is not `expected`.
 std::string told(const TaskMark& task, Outcome expected) {
     std::string text;
     for (const CheckMark& check : task.checks)
@@ -31,7 +31,8 @@ std::string told(const TaskMark& task, Outcome expected) {
     return text;
 }
 
-/// `count` of the places 0 to size - 1, evenly: a manifest lists things by task, so these are of different tasks.
+/// Returns `count` evenly spaced indices from 0 to size - 1; all if `count` is 0. A manifest lists entries by task, so
+/// these belong to different tasks.
 std::vector<size_t> sample_of(size_t size, int count) {
     const size_t wanted = count > 0 ? std::min(size, size_t(count)) : size;
     std::vector<size_t> places;
@@ -55,7 +56,7 @@ public:
             std::function<void()> take;
         };
         std::vector<Step> steps = {{"starter", [this] { starter(); }}};
-        // Whoever made the grader has seen the solution get all points: a sample needs no more of it.
+        // Constructing the grader already checked that the solution gets all points: a sample skips this step.
         if (options_.sample == 0) steps.insert(steps.begin(), {"solution", [this] { solution(); }});
         const std::vector<size_t> mistakes = sample_of(manifest.mistakes.size(), options_.sample);
         const std::vector<size_t> equivalents = sample_of(manifest.equivalents.size(), options_.sample);
@@ -108,7 +109,7 @@ private:
                 wrong(fmt::format("the starter of task {} gets points{}", task.id, told(task, Outcome::unfinished)));
     }
 
-    /// What is right must not be called wrong for another task's sake, but by a check that says that it depends on it.
+    /// Other tasks are correct, so they must pass. Only a check that declares a dependence on the task may fail.
     void look_at_others(const MistakeInfo& info, const LabMark& mark) {
         for (const TaskMark& task : mark.tasks) {
             if (task.id == info.task) continue;

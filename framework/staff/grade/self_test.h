@@ -10,16 +10,16 @@ namespace relief {
 
 struct SelfTestOptions {
     int jobs = 1;
-    /// The number of mistakes, and of variants, to grade; 0: all. They are taken evenly from the manifest's lists, and
-    /// are always the same. A sample does not name mistakes: that would draw all other mistakes of the task.
+    /// The number of mistakes, and of variants, to grade; 0: all. They are evenly spaced in the manifest's lists, and
+    /// always the same. A sample does not name mistakes, because that would draw all other mistakes of the task.
     int sample = 0;
 };
 
 struct SelfTest {
     int mistakes = 0, caught = 0;         ///< caught: its task lost points
-    int named = 0;                        ///< its id was named, or the id that it is `same_as`
+    int named = 0;                        ///< recognised by its id, or by the id that it is `same_as`
     int equivalents = 0, right = 0;       ///< right: all tasks got all points
-    int left_out = 0;                     ///< mistakes and variants that are not in the sample
+    int left_out = 0;                     ///< number of mistakes and variants outside the sample
     size_t checks = 0, hidden_views = 0;  ///< hidden views: only with a seed
     std::vector<std::string> wrong;       ///< one line for each wrong verdict
     double seconds = 0;

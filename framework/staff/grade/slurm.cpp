@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
-/// This process's environment without the seed, which is in class.json: a job's environment is stored by Slurm. And
-/// without what Slurm told the job that we are in: it would hold for the new one where Slurm says nothing of it.
+/// Returns this process's environment without the seed, because Slurm stores a job's environment; class.json has the
+/// seed. Also removes Slurm's variables of the current job, which the new job would otherwise inherit.
 std::map<std::string, std::string> environment_of_jobs() {
     std::map<std::string, std::string> all;
     for (char** variable = environ; *variable; ++variable) {
@@ -37,7 +37,7 @@ ProcessResult run_slurm(const Words& command) {
     return run_process({.command = command, .environment = environment_of_jobs(), .limits = {.wall = 120, .cpu = 60}});
 }
 
-/// The lines that a command prints, cut at each '|'.
+/// Returns the lines of a command's output, split at '|'; nothing if the command fails.
 std::optional<std::vector<Words>> table_from(const Words& command) {
     const ProcessResult done = run_slurm(command);
     if (!done.succeeded()) return {};
@@ -69,7 +69,7 @@ std::optional<int> processors_from_slurm() {
 }
 
 std::string submit_job(const Words& options, const Words& script) {
-    // Our own process bounds sbatch, and those bounds are not for the job.
+    // Our own limits apply to sbatch, and must not propagate to the job.
     Words command = {"sbatch", "--parsable", "--propagate=NONE"};
     command.insert(command.end(), options.begin(), options.end());
     command.insert(command.end(), script.begin(), script.end());
@@ -105,7 +105,8 @@ std::optional<std::set<std::string>> usable_nodes(const std::string& partition) 
     if (!partition.empty()) command.push_back("--partition=" + partition);
     const auto rows = table_from(command);
     if (!rows) return {};
-    const std::set<std::string> good = {"idle", "mixed", "allocated", "completing"};  // "idle*" does not answer
+    const std::set<std::string> good = {"idle", "mixed", "allocated", "completing"};  // "idle*" is a node that does not
+                                                                                      // respond
     std::set<std::string> nodes;
     for (const Words& row : *rows)
         if (row.size() == 2 && good.contains(row[1])) nodes.insert(row[0]);

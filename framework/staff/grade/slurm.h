@@ -8,22 +8,22 @@
 
 namespace relief {
 
-/// Whether there is an `sbatch` on PATH.
+/// Returns whether `sbatch` is on PATH.
 bool has_slurm();
 
-/// The processors that Slurm gave the job that this process runs in (SLURM_CPUS_PER_TASK, else SLURM_CPUS_ON_NODE);
-/// nothing outside of a job. Throws UsageError for anything but a number from 1 on.
+/// Returns the number of processors of this process's Slurm job (SLURM_CPUS_PER_TASK, else SLURM_CPUS_ON_NODE); nothing
+/// outside of a job. Throws UsageError for anything but a number from 1 on.
 std::optional<int> processors_from_slurm();
 
-/// Submits a job and returns its number. `options` and `script` are sbatch's words; its options also come from the
-/// environment (SBATCH_PARTITION and so on). The job gets this process's environment without RELIEF_SEED, and not its
-/// limits. Throws Error with what sbatch says.
+/// Submits a job and returns its number. `options` and `script` are sbatch's arguments; sbatch also takes options from
+/// the environment (SBATCH_PARTITION and so on). The job inherits this process's environment without RELIEF_SEED, and
+/// not its resource limits. Throws Error with sbatch's message.
 std::string submit_job(const std::vector<std::string>& options, const std::vector<std::string>& script);
 
 /// A job, or a task of an array, as squeue knows it. Slurm forgets an ended job after some minutes.
 struct QueuedJob {
-    std::string job;          ///< of an array: the array's
-    std::optional<int> task;  ///< of an array
+    std::string job;          ///< number; for a task, the number of its array
+    std::optional<int> task;  ///< index in its array
     std::string state;        ///< "PENDING", "RUNNING", "COMPLETED", "FAILED", "NODE_FAIL" ...
     std::string node;         ///< where it runs or ran; empty while it waits
     std::string reason;       ///< why it waits
@@ -32,11 +32,11 @@ struct QueuedJob {
     bool runs() const;
     bool has_ended() const { return !waits() && !runs(); }
 };
-/// This user's jobs; nothing if squeue does not answer.
+/// Returns this user's jobs; nothing if squeue fails.
 std::optional<std::vector<QueuedJob>> queued_jobs();
 
-/// The nodes of a partition (empty: of all) that can run jobs now or later without anybody's help; nothing if sinfo
-/// does not answer.
+/// Returns the nodes of a partition (empty: of all) that can run jobs now or later without an administrator's help.
+/// Returns nothing if sinfo fails.
 std::optional<std::set<std::string>> usable_nodes(const std::string& partition);
 
 }  // namespace relief

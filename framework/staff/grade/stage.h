@@ -15,9 +15,9 @@
 
 namespace relief {
 
-/// The files that a lab's students write.
+/// Returns the files that a lab's students write.
 std::set<std::string> task_files(const Manifest& manifest);
-/// These files with their solutions.
+/// Returns these files with their solutions.
 CourseFiles solution_files(const Manifest& manifest);
 
 /// A temporary folder that the sandbox's user can read. The destructor removes it.
@@ -37,8 +37,8 @@ private:
 struct StagedCourse {
     std::unique_ptr<PublicFolder> folder;
     std::filesystem::path program;                ///< draws with --course `folder`
-    std::filesystem::path libraries;              ///< the program's own; without /proc it cannot find them itself
-    std::vector<std::filesystem::path> readable;  ///< folders that the sandbox must let it read
+    std::filesystem::path libraries;              ///< the program's libraries; without /proc it cannot find them itself
+    std::vector<std::filesystem::path> readable;  ///< folders that must be readable in the sandbox
 };
 
 /// The result of compiling C++ tasks.
@@ -46,28 +46,30 @@ struct Compiled {
     Ending ending = Ending::exited;
     std::string message;  ///< the compiler's errors; empty if it succeeded
     double seconds = 0;
-    bool stopped = false;  ///< by us: it waited instead of computing
+    bool stopped = false;  ///< true: we stopped it because it waited instead of computing
 };
 
-/// Made once for a run. Holds copies of the programs, so that a build during the run cannot change them; the textures,
-/// as the build converted them; the shaders without solutions; and, for C++ tasks, the library that students build.
+/// Created once per run. Holds copies of the programs, so that a build during the run cannot change them. Also holds
+/// the textures as the build converted them, the shaders without solutions and, for C++ tasks, the library that
+/// students build.
 class Stage {
 public:
     explicit Stage(Isolation isolation);
     Isolation isolation() const { return isolation_; }
 
-    /// Reads what the lab's course needs. Call it before the first course() of the lab, and not while another thread
-    /// uses the stage.
+    /// Reads all files for the lab's course. Call it before the first course() of the lab. Not thread-safe.
     void add(const LabEntry& lab);
 
-    /// The lab's course with `files` in place of its task files. A missing task file is replaced by its starter.
+    /// Returns the lab's course with `files` in place of its task files. A missing task file is replaced by its
+    /// starter.
     StagedCourse course(const LabEntry& lab, const CourseFiles& files) const;
 
-    /// Compiles the C++ tasks of a course into a program, which becomes the course's; does nothing if the lab has no
-    /// C++ tasks. `ending` is `failed` if the machine could not run the compiler. `cpu`, `wall`: limits in seconds.
+    /// Compiles the C++ tasks of a course into a program, and sets the course's program to it. Does nothing if the lab
+    /// has no C++ tasks. `ending` is `failed` if the machine could not run the compiler. `cpu`, `wall`: limits in
+    /// seconds.
     Compiled compile(const LabEntry& lab, StagedCourse& course, double cpu, double wall) const;
 
-    /// SHA-256 of everything but the submission that decides a mark.
+    /// Returns the SHA-256 of everything except the submission that decides a mark.
     std::string hash() const;
 
 private:
@@ -87,7 +89,7 @@ private:
 
     Isolation isolation_;
     PublicFolder folder_;
-    Descriptor lock_;                      ///< on the folder: other runs remove folders without one
+    Descriptor lock_;                      ///< lock on the folder: other runs remove unlocked folders
     std::map<std::string, LabPart> labs_;  ///< by folder
 };
 

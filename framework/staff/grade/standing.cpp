@@ -72,7 +72,7 @@ public:
         return standing;
     }
 
-    /// No hand-in time is known of a lab that has a due date.
+    /// Returns whether a lab with a due date was handed in at an unknown time.
     static bool lacks_time(const Standing& standing) {
         return std::any_of(standing.labs.begin(), standing.labs.end(),
                            [](const LabStanding& lab) { return lab.handed_in && lab.due && !lab.handed_in_at; });
@@ -129,7 +129,7 @@ private:
         lab.late_share = late_share(lab.days_late, policy_.late);
     }
 
-    using OfLab = std::pair<std::string, std::string>;  // a student, and a lab or nothing
+    using OfLab = std::pair<std::string, std::string>;  // a student, and a lab or an empty text
     const ClassFile& policy_;
     std::vector<CountedLab> labs_;
     std::set<std::string> tasks_;
@@ -139,7 +139,7 @@ private:
     std::map<OfLab, Moment> hand_ins_;
 };
 
-/// "3 submissions are not on the roster: jane, joe, jim"; nothing of none.
+/// Adds a note, such as "3 submissions are not on the roster: jane, joe, jim". Adds nothing if `names` is empty.
 void note(std::vector<std::string>& notes, const std::vector<std::string>& names, const char* one, const char* many) {
     constexpr size_t shown = 5;
     if (names.empty()) return;
@@ -210,7 +210,7 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
     std::set<std::string> names, tasks;
     for (const CountedLab& lab : labs)
         for (const TaskInfo& task : lab.tasks) tasks.insert(task.id);
-    // Another run into the folder may have graded those.
+    // Another run into the folder may have graded these labs.
     for (const AssignedLab& lab : result.policy.labs)
         for (const TaskInfo& task : lab.tasks) tasks.insert(task.id);
     for (const SubmissionMark& mark : marks) names.insert(printable(mark.name));
@@ -232,7 +232,7 @@ ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile
             if (!standing.is_waiting) absent.push_back(student.student);
         }
     std::vector<std::string> nobody;
-    if (result.policy.students.empty())  // the roster has been asked before
+    if (result.policy.students.empty())  // with a roster, extensions were checked when the class file was read
         for (const Extension& one : result.policy.extensions)
             if (!known.contains(one.student)) nobody.push_back(printable(one.student));
     note(result.notes, nobody, "extension is for nobody who handed in", "extensions are for nobody who handed in");

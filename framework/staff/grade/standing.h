@@ -1,5 +1,5 @@
-// Where a student stands: the grader's verdict, what people added to it, what lateness took, and what was not handed
-// in. Results stay as they are; this follows from them and the class file.
+// The standing of a student: the grader's verdict, adjustments by people, the penalty for lateness, and missing labs.
+// It is derived from the results and the class file; results never change.
 #pragma once
 
 #include <set>
@@ -15,7 +15,7 @@ struct TaskStanding {
     std::string id, title;
     int of = 0;
     double graded = 0;    ///< by the grader
-    double adjusted = 0;  ///< with adjustments: from 0 to `of`
+    double adjusted = 0;  ///< including adjustments, in [0, `of`]
 };
 
 struct LabStanding {
@@ -23,11 +23,11 @@ struct LabStanding {
     bool handed_in = false;
     bool marked = true;  ///< false: the grader's machine failed, so there are no points yet
     std::vector<TaskStanding> tasks;
-    std::optional<Moment> due, handed_in_at;  ///< due: with the extension
+    std::optional<Moment> due, handed_in_at;  ///< `due` includes the extension
     int extension_days = 0;
     std::string extension_note;  ///< for instructors
-    int days_late = 0;           ///< started days; 0: in time
-    double late_share = 1;       ///< of the points, what lateness leaves
+    int days_late = 0;           ///< started days; 0: on time
+    double late_share = 1;       ///< share of the points that remains after lateness
 
     int of() const;
     double graded() const, adjusted() const;
@@ -35,50 +35,50 @@ struct LabStanding {
 };
 
 struct Standing {
-    std::string name;                      ///< of the submission, or the roster's for who handed nothing in
-    Student student;                       ///< of the roster; empty but for `student` if it does not have the name
-    bool on_roster = true;                 ///< also if there is none
+    std::string name;                      ///< of the submission; from the roster if nothing was handed in
+    Student student;                       ///< from the roster; if not on it, only `student` is set
+    bool on_roster = true;                 ///< also true without a roster
     const SubmissionMark* mark = nullptr;  ///< null: nothing was handed in, or it is not graded yet
-    bool is_waiting = false;               ///< the second of these
-    std::vector<LabStanding> labs;         ///< those that count, the same for all
+    bool is_waiting = false;               ///< handed in, but not graded yet
+    std::vector<LabStanding> labs;         ///< the labs that count, the same for all students
     std::vector<Adjustment> adjustments;
 
     int of() const;
     double graded() const, adjusted() const, points() const;
-    bool is_marked() const;  ///< every lab is
-    /// Adjustments or lateness have changed the points.
+    bool is_marked() const;  ///< whether every lab is
+    /// Returns whether adjustments or lateness have changed the points.
     bool is_changed() const;
     const LabStanding* lab(const std::string& folder) const;
-    /// "graded", "nothing handed in", "not graded yet", "not graded: the machine failed", or the submission's problem
+    /// Returns "graded", "nothing handed in", "not graded yet", "not graded: the machine failed", or the submission's
+    /// problem.
     std::string state() const;
-    /// What people and rules did, a sentence each: "2.1: +1 point: a typing error", "lab 02: 2 days late, 20 % less".
-    /// Of one lab, or of all.
+    /// Returns the adjustments by people and rules to one lab, or to all if `lab` is empty. One sentence each: "2.1: +1
+    /// point: a typing error", "lab 02: 2 days late, 20 % less".
     std::vector<std::string> remarks(const std::string& lab = {}) const;
 };
 
 struct ClassStanding {
     ClassFile policy;
-    std::vector<Standing>
-        students;  ///< in the order of the submissions, then those of the roster who handed nothing in
-    std::vector<std::string> notes;  ///< what an instructor should know, a line each
+    std::vector<Standing> students;  ///< in the order of the submissions, then students of the roster without one
+    std::vector<std::string> notes;  ///< remarks for the instructor, one per line
 };
 
-/// `only` are the labs that the grader was asked for; empty: all. `handed_in` has the names of submissions as
-/// printable() shows them; those without a mark are not graded yet. Without assigned labs those count that any
-/// submission has. The marks must outlive the result. Throws Error for an adjustment of an unknown student or task, and
-/// if none of `only` is assigned.
+/// Computes the standing of each student. `only`: the labs that the grader was asked for; empty: all. `handed_in`: the
+/// names of all submissions as printable() shows them; a submission without a mark is not graded yet. Without assigned
+/// labs, the labs of any submission count. The marks must outlive the result. Throws Error for an adjustment of an
+/// unknown student or task, and if none of `only` is assigned.
 ClassStanding class_standing(const std::vector<SubmissionMark>& marks, ClassFile policy,
                              const std::vector<std::string>& only, const std::set<std::string>& handed_in = {});
 ClassStanding class_standing(const std::vector<SubmissionMark>&& temporary, ClassFile policy,
                              const std::vector<std::string>& only,
                              const std::set<std::string>& handed_in = {}) = delete;
 
-/// Of a submission alone, before the class is known.
+/// Returns the standing of a submission alone, without the class.
 Standing standing_of(const SubmissionMark& mark);
 
-/// Started days from `due` to `handed_in`; 0 until so many hours after it.
+/// Returns the number of started days from `due` to `handed_in`; 0 during the first `grace_hours` hours.
 int days_late(Moment due, Moment handed_in, double grace_hours);
-/// The share of a lab's points that lateness leaves, from 0 to 1.
+/// Returns the share of a lab's points that remains after lateness, in [0, 1].
 double late_share(int days, const LateRule& rule);
 
 }  // namespace relief

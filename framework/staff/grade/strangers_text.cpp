@@ -11,10 +11,10 @@ namespace {
 
 struct Character {
     char32_t code = 0;
-    size_t size = 0;  ///< bytes; 0: these are not UTF-8
+    size_t size = 0;  ///< in bytes; 0: invalid UTF-8
 };
 
-/// The first character of a text that is not empty. What is longer than it need be is not UTF-8, nor is half a pair.
+/// Returns the first character of a non-empty text. Overlong encodings and lone surrogates are invalid UTF-8.
 Character first_of(std::string_view text) {
     const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
     const unsigned first = byte(0);
@@ -35,7 +35,7 @@ Character first_of(std::string_view text) {
 
 bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7f && code < 0xa0); }
 
-/// What nobody sees: marks and turns of the direction, breaks of lines, characters without a width.
+/// Returns whether a character is invisible: direction marks and overrides, line separators, zero-width characters.
 bool is_unseen(char32_t code) {
     const auto is_in = [&](char32_t low, char32_t high) { return code >= low && code <= high; };
     return code == 0xad || code == 0x61c || code == 0x180e || is_in(0x200b, 0x200f) || is_in(0x2028, 0x202e) ||
@@ -85,7 +85,7 @@ std::string utf8_of_bytes(std::string_view bytes) {
         const std::string_view part = bytes.substr(at, stays ? one.size : 1);
         if (stays)
             result += part;
-        else  // U+F700 and the byte, which is 0x80 at least
+        else  // U+F700 plus the byte, which is at least 0x80
             result += {'\xef', char(0x9c | (part[0] >> 6 & 3)), char(0x80 | (part[0] & 0x3f))};
         at += part.size();
     }

@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr size_t ignored_shown = 100, links_shown = 10;
 
-/// Which task file a name stands for; nothing for any other, and for one that climbs or begins at the top. Some
-/// programs on Windows write their zips with backslashes.
+/// Returns the task file that a name stands for. Returns nothing for other names, absolute paths and paths with "..".
+/// Accepts backslashes, because some Windows programs write them into zips.
 std::optional<std::string> task_file_of(std::string name, const std::set<std::string>& wanted) {
     std::replace(name.begin(), name.end(), '\\', '/');
     if (name.starts_with("/")) return {};
@@ -37,7 +37,7 @@ std::optional<std::string> task_file_of(std::string name, const std::set<std::st
     return {};
 }
 
-/// Whether a link of that name may stand for a task file or a folder on its way.
+/// Returns whether a link of that name may stand for a task file or for a folder in its path.
 bool may_lead_to_task(std::string name, const std::set<std::string>& wanted) {
     std::replace(name.begin(), name.end(), '\\', '/');
     const std::string last = fs::path(name).filename().string();
@@ -49,7 +49,7 @@ bool may_lead_to_task(std::string name, const std::set<std::string>& wanted) {
 
 std::string too_large() { return fmt::format("larger than {} MiB", max_task_bytes >> 20); }
 
-/// Gathers what is found, whichever way it came.
+/// Gathers files and links, from a folder or from an archive.
 class Gathering {
 public:
     Gathering(Submission& submission, const std::set<std::string>& wanted) : submission_(submission), wanted_(wanted) {}
@@ -79,7 +79,7 @@ public:
             submission_.files[*file] = std::move(entry.content);
     }
 
-    /// When all has been added.
+    /// Call it after all entries have been added.
     void finish() {
         if (!beside_.empty())
             submission_.doubt =
@@ -90,7 +90,7 @@ public:
     }
 
     void ignore(const std::string& name) {
-        if (name.ends_with("/")) return;  // a folder in an archive
+        if (name.ends_with("/")) return;  // a folder entry of an archive
         ++submission_.ignored_count;
         if (submission_.ignored.size() < ignored_shown) submission_.ignored.push_back(printable(name));
     }
@@ -99,11 +99,11 @@ private:
     Submission& submission_;
     const std::set<std::string>& wanted_;
     std::map<std::string, std::pair<std::ptrdiff_t, std::string>> places_;
-    std::set<std::string> beside_;  ///< task files of which there is another one in as few folders
-    std::set<std::string> links_;   ///< task files in whose place there is one
+    std::set<std::string> beside_;  ///< task files with another candidate in as few folders
+    std::set<std::string> links_;   ///< task files in whose place there is a link
 };
 
-/// Opens below a folder, through no link and never outside it, whatever is moved about meanwhile.
+/// Opens a file below a folder. Follows no links and never leaves the folder, even if files are moved meanwhile.
 int open_beneath(int folder, const std::string& name) {
     open_how how{};
     how.flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
@@ -115,7 +115,8 @@ int open_beneath(int folder, const std::string& name) {
     return file;
 }
 
-/// The owner's rights are no fault of the student's, and the file no less handed in: so this is a problem.
+/// Reports an unreadable file as a problem of the submission. The student handed it in, and is not to blame for
+/// permissions.
 [[noreturn]] void refuse_unreadable(const std::string& name) {
     throw Error(fmt::format("cannot read '{}': {}", name, std::strerror(EACCES)));
 }
@@ -150,7 +151,7 @@ void gather_folder(const fs::path& path, const std::set<std::string>& wanted, Ga
     for (fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied), end; entry != end;
          ++entry) {
         if (++entries > max_entries) throw Error(fmt::format("has more than {} files and folders", max_entries));
-        std::error_code unknown;  // a link that leads to itself is a name like any other
+        std::error_code unknown;  // a link to itself counts as an ordinary name
         const std::string name = entry->path().lexically_relative(path).string();
         if (entry->is_symlink(unknown) || !entry->is_directory(unknown))
             names.push_back(name);
@@ -214,7 +215,7 @@ Submission read_submission(const fs::path& path, const std::set<std::string>& wa
         }
         gathering.finish();
         submission.hash = hash_of(submission);
-    } catch (const std::exception& error) {  // also what the file system's iterators throw
+    } catch (const std::exception& error) {  // including errors of directory iterators
         submission.problem = printable(error.what(), 400);
         submission.files.clear();
     }

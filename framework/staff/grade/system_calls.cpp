@@ -16,20 +16,20 @@
 namespace relief {
 namespace {
 
-// Libraries try these, and do without.
+// Libraries try these, and fall back to other calls.
 constexpr const char* absent[] = {"memfd_create", "memfd_secret", "clone3", "io_uring_setup", "io_uring_enter",
                                   "io_uring_register"};
 
 constexpr const char* refused[] = {
-    // Memory and messages that outlive who made them.
+    // Memory and messages that outlive their process.
     "shmget", "shmat", "shmctl", "shmdt", "semget", "semop", "semtimedop", "semctl", "msgget", "msgsnd", "msgrcv",
     "msgctl", "mq_open", "mq_unlink",
     // Other processes.
     "ptrace", "process_vm_readv", "process_vm_writev", "process_madvise", "pidfd_open", "pidfd_getfd",
     "pidfd_send_signal", "kcmp", "perf_event_open",
-    // Others on the network, and programs beside it.
+    // The network, and other programs on this machine.
     "socket",
-    // Namespaces and what is mounted.
+    // Namespaces and mounts.
     "unshare", "setns", "chroot", "pivot_root", "mount", "umount2", "mount_setattr", "move_mount", "open_tree", "fsopen",
     "fsmount", "fsconfig", "fspick", "name_to_handle_at", "open_by_handle_at",
     // The kernel itself.
@@ -49,7 +49,7 @@ void expect(int result) {
     if (result < 0) throw Error(fmt::format("no filter of system calls: {}", std::strerror(-result)));
 }
 
-/// A name that this machine's kernel has never had needs no rule.
+/// Refuses a call. A call that this architecture does not have needs no rule.
 void refuse(const Filter& filter, const char* name, int error) {
     const int number = seccomp_syscall_resolve_name(name);
     if (number != __NR_SCMP_ERROR && number >= 0)
@@ -66,7 +66,7 @@ void refuse_clone(const Filter& filter, uint64_t mask, uint64_t value) {
 std::string call_filter(bool makes_processes) {
     const Filter filter(seccomp_init(SCMP_ACT_ALLOW));
     if (!filter) throw Error("no filter of system calls: libseccomp does not know this machine");
-    // Calls by another kind of numbers would pass by the rules.
+    // Calls through another architecture's numbers would bypass the rules.
     expect(seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_ERRNO(ENOSYS)));
     for (const char* name : absent) refuse(filter, name, ENOSYS);
     for (const char* name : refused) refuse(filter, name, EPERM);
@@ -78,7 +78,7 @@ std::string call_filter(bool makes_processes) {
         for (const char* name : makers) refuse(filter, name, EPERM);
         refuse_clone(filter, CLONE_THREAD, 0);
     }
-    // The library writes to a descriptor; a filter is smaller than a pipe.
+    // The library writes to a descriptor. A pipe's buffer is large enough for a filter.
     Pipe pipe;
     expect(seccomp_export_bpf(filter.get(), pipe.write));
     pipe.write.close();

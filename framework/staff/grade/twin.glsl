@@ -1,5 +1,5 @@
-// What GLSL 4.10 lacks for doubles: angles, powers and logarithms, to some 1e-15 of their size; and texture reads, which
-// are in single precision whoever asks. Twins of task functions call these: see twin_text.h.
+// Functions that GLSL 4.10 lacks for doubles: angles, powers and logarithms, with relative errors of about 1e-15.
+// Texture reads stay in single precision. Twins of task functions call these: see twin_text.h.
 
 double relief_exp(double x) {
     if (!(x > -745.0lf)) return isnan(x) ? x : 0.0lf;
@@ -8,14 +8,14 @@ double relief_exp(double x) {
     rest -= whole * 1.90821492927058770002e-10lf;
     double sum = 1.0lf;
     for (int i = 16; i > 0; --i) sum = 1.0lf + sum * rest / double(i);
-    // In two halves: ldexp() of doubles is not in every driver.
+    // Computed as two factors: some drivers lack ldexp() for doubles.
     float half_ = floor(float(whole) * 0.5);
     return sum * double(exp2(half_)) * double(exp2(float(whole) - half_));
 }
 
 double relief_log(double x) {
     if (!(x > 0.0lf) || isinf(x)) return double(log(float(x)));
-    // Into the range of single precision first.
+    // Scales x into the range of single precision first.
     double shift = 0.0lf;
     while (x < 1e-30lf) x *= 1e30lf, shift -= 69.077552789821370520540lf;
     while (x > 1e30lf) x *= 1e-30lf, shift += 69.077552789821370520540lf;
@@ -27,7 +27,7 @@ double relief_log(double x) {
     return guess + shift;
 }
 
-// Sine and cosine, after whole quarters of a turn are taken off.
+// Returns the sine and cosine, after range reduction by whole quarter turns.
 dvec2 relief_sin_cos(double x) {
     double quarters = round(x * 0.63661977236758134308lf);
     double rest = x - quarters * 1.5707963267948965580lf;
@@ -89,7 +89,7 @@ dvec3 relief_pow(dvec3 x, dvec3 y) { return dvec3(relief_pow(x.xy, y.xy), relief
 
 dvec4 relief_textureLod(sampler2D map, dvec2 uv, double level) { return dvec4(textureLod(map, vec2(uv), float(level))); }
 double relief_texture(sampler2DShadow map, dvec3 place) { return double(texture(map, vec3(place))); }
-// Only a fragment has neighbours.
+// Derivatives and implicit mip levels exist only in the fragment stage.
 #ifdef RELIEF_FRAGMENT_STAGE
 dvec4 relief_texture(sampler2D map, dvec2 uv) { return dvec4(texture(map, vec2(uv))); }
 dvec2 relief_dFdx(dvec2 v) { return dvec2(dFdx(vec2(v))); }

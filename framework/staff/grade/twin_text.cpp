@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-/// The functions of twin.glsl, as GLSL names them for single precision.
+/// The functions of twin.glsl, by their GLSL names in single precision.
 constexpr std::array<std::string_view, 18> single_only = {
     "exp",  "log", "sin",     "cos",     "tan",        "asin",    "acos",        "atan", "exp2",
     "log2", "pow", "radians", "degrees", "textureLod", "texture", "textureGrad", "dFdx", "dFdy"};
@@ -19,10 +19,10 @@ bool is_single_only(const std::string& word) {
     return std::find(single_only.begin(), single_only.end(), word) != single_only.end();
 }
 
-/// A range of the text that is no function: a struct, a constant, or a variable between stages.
+/// A range of the text outside functions: a struct, a constant, or a variable between stages.
 struct Range {
     size_t begin, end;
-    bool is_kept;  ///< as a declaration of the twins
+    bool is_kept;  ///< true: becomes a declaration of the twins
 };
 
 struct TaskNames {
@@ -35,7 +35,7 @@ bool is_within(const std::vector<Range>& ranges, size_t at, bool kept) {
     });
 }
 
-/// Constants, and whatever else is declared outside of functions; their names go into `names`.
+/// Returns the declarations outside of functions, such as structs and constants; adds their names to `names`.
 std::vector<Range> declarations(const std::string& text, const GlslText& parsed, TaskNames& names) {
     std::vector<Range> ranges;
     for (const GlslStruct& one : parsed.structs) {
@@ -77,7 +77,7 @@ std::string translated(const GlslToken& token, bool is_field, const TaskNames& n
     return twin_type(token.text, {});
 }
 
-/// A part of the text in double precision; ranges that are not to be in it are left out, but for their line breaks.
+/// Returns the text in double precision. Omits ranges for which `keep` is false, except their line breaks.
 template <class Keep>
 std::string translated(const std::string& text, const TaskNames& names, const std::vector<Range>& fields, Keep keep) {
     std::string result;
@@ -136,7 +136,7 @@ TwinText twin_text(const std::string& text, const std::string& includes) {
     std::string functions = translated(whole, names, structs, [&](size_t at) {
         return !is_within(ranges, at, true) && !is_within(ranges, at, false);
     });
-    // The names of functions and of included files: an #include is no line for a compiler.
+    // Removes #include lines, which a compiler would reject.
     for (size_t at = 0; (at = functions.find("#include", at)) != std::string::npos;)
         functions.erase(at, functions.find('\n', at) - at);
     twin.functions = std::move(functions);

@@ -9,10 +9,11 @@
 
 namespace relief {
 
-/// `text` is a task file with its solutions; `includes` the text of what it includes, but for unfinished.glsl.
+/// Returns the twin of a task file. `text` is the file with its solutions; `includes` is the text of its included
+/// files, except unfinished.glsl.
 TwinText twin_text(const std::string& text, const std::string& includes);
 
-/// Of every shader task file of the lab, as this course has it now.
+/// Returns the twins of every shader task file of the lab, from the course's current files.
 Twins twins_of_course(const Manifest& manifest);
 
 }  // namespace relief

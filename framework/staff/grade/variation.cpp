@@ -11,18 +11,19 @@
 namespace relief {
 namespace {
 
-/// In [0, 1), decided by the words alone.
+/// Returns a number in [0, 1) that depends only on `words`.
 double drawn_from(const std::string& words) {
     return double(std::stoull(sha256(words).substr(0, 12), nullptr, 16)) / double(1ull << 48);
 }
 
-/// Away from the middle: a view that is hardly another tests nothing.
+/// Returns an offset in [-largest, largest] whose magnitude is at least 0.3 `largest`: a view that hardly changes tests
+/// nothing.
 double offset(const std::string& words, double largest) {
     const double t = 2 * drawn_from(words) - 1;
     return largest * (t < 0 ? -0.3 + 0.7 * t : 0.3 + 0.7 * t);
 }
 
-/// In [vary], no knob but a factor.
+/// In [vary] this name is a factor, not a knob.
 constexpr const char* picture_size = "picture_size";
 
 }  // namespace
@@ -38,7 +39,7 @@ Variation::Variation(const Manifest& manifest, const std::string& lab, const std
             size_ = vary.low + t * (vary.high - vary.low);
             continue;
         }
-        // Two decimals: what the report names can be typed.
+        // Rounds to two decimals, so that a person can type the value in the report.
         set_.emplace_back(vary.knob, vary.choices.empty() ? fmt::format("{:.2f}", vary.low + t * (vary.high - vary.low))
                                                           : vary.choices[size_t(t * double(vary.choices.size()))]);
     }

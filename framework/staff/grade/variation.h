@@ -1,5 +1,5 @@
-// Hidden views of a lab, derived from a seed. They catch stored pictures, and code that is tuned to the views that
-// students know.
+// Hidden views of a lab, derived from a seed. They expose stored pictures, and code tuned to the views that students
+// know.
 #pragma once
 
 #include <string>
@@ -8,26 +8,26 @@
 
 namespace relief {
 
-/// Another camera, and other values of the knobs in the manifest's `[vary]`. They are the same for every check of the
-/// lab, so that two checks can still be compared with each other. Where pictures do not depend on the camera (the map
-/// itself, six faces side by side), `picture_size` in `[vary]` is a factor of their size.
+/// Another camera, and other values of the knobs in the manifest's `[vary]`. All checks of a lab get the same changes,
+/// so two checks can still be compared with each other. If pictures do not depend on the camera (the map itself, six
+/// faces side by side), `picture_size` in `[vary]` scales their size.
 class Variation {
 public:
     /// The same seed and attempt give the same view on every machine. Use another `attempt` if the solution itself
     /// fails in a view.
     Variation(const Manifest& manifest, const std::string& lab, const std::string& seed, int attempt);
 
-    /// The shot from the hidden view. A knob that the shot sets keeps its value: the check is about it.
+    /// Returns the shot from the hidden view. A knob that the shot sets keeps its value, because the check is about it.
     Shot vary(Shot shot) const;
 
 private:
-    double yaw_, pitch_;  ///< degrees to add
+    double yaw_, pitch_;  ///< added, in degrees
     double distance_;     ///< a factor
     double size_ = 1;     ///< a factor
     std::vector<std::pair<std::string, std::string>> set_;
 };
 
-/// "camera 32,18,2.7; size 110x104; light_yaw 33"
+/// Returns the shot in words: "camera 32,18,2.7; size 110x104; light_yaw 33".
 std::string view_text(const Shot& shot);
 
 }  // namespace relief

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Run once by Gradescope, as root, while it makes the image: installs what the course needs and builds it.
+# Gradescope runs this once, as root, to make the image. It installs the course's dependencies and builds the course.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 "$here/course/relief" list
