@@ -15,7 +15,7 @@
 namespace relief {
 namespace {
 
-/// What the note's target holds where nothing was drawn.
+/// The clear value of the note target; a pixel that keeps it was not drawn.
 constexpr float nothing = -123456;
 
 bool is_on(GLenum capability) { return glIsEnabled(capability) == GL_TRUE; }
@@ -25,7 +25,7 @@ GLint integer(GLenum what) {
     return value;
 }
 
-/// Eight targets of floats, and depth.
+/// A framebuffer with eight colour targets of floats, and depth.
 class NoteTarget {
 public:
     explicit NoteTarget(glm::ivec2 size) : size_(size) {
@@ -59,8 +59,8 @@ private:
     RenderbufferName depth_;
 };
 
-/// Binds a note target in place of the lab's; its end brings the lab's state back. The lab's viewport, depth test,
-/// culling and scissor stay; what would change a number as it is written is off.
+/// Binds a note target in place of the lab's target; the destructor restores the lab's state. The lab's viewport, depth
+/// test, culling and scissor stay. State that would change a written number, such as blending, is off.
 class Noting {
 public:
     explicit Noting(const NoteTarget& target) {
@@ -91,7 +91,8 @@ public:
     Noting(const Noting&) = delete;
     Noting& operator=(const Noting&) = delete;
 
-    /// Clears a rectangle, and lets only it be drawn, where the lab's own scissor does.
+    /// Clears a rectangle, and restricts drawing to its intersection with the lab's own scissor. Returns false if that
+    /// is empty.
     bool aim(glm::ivec2 corner, glm::ivec2 size, double depth) const {
         glScissor(corner.x, corner.y, size.x, size.y);
         const bool writes = integer(GL_DEPTH_WRITEMASK) == GL_TRUE;
@@ -129,8 +130,8 @@ public:
             if (is_shader(task.file)) task_files_.insert(course_root() / task.file);
     }
 
-    /// Draws the frame with twins in the places of functions (see watched::flow), and returns the pixel. With `notes`
-    /// also takes notes of all functions.
+    /// Draws the frame with twins in place of functions, as `flow` says (see watched::flow), and returns the pixel.
+    /// With `notes` also notes the calls of all functions.
     std::vector<float> draw(glm::ivec2 pixel, int flow, bool notes) {
         flow_ = flow;
         programs_.clear();
@@ -154,7 +155,7 @@ public:
         return {value, value + image.channels};
     }
 
-    /// What the last draw() noted, callees before callers.
+    /// Returns the notes of the last draw(), callees before callers.
     std::vector<ExplainedFunction> take_notes() {
         std::vector<ExplainedFunction> functions;
         // Earlier passes come first, and the picture last.
@@ -219,7 +220,7 @@ private:
         set(program, watched::function, 0);
     }
 
-    /// The pass draws what is seen at the pixel, or as large a texture.
+    /// Notes a pass that draws the picture, or a texture of the same size: takes the same pixel.
     void note_pixel(GLuint program, GLuint framebuffer, const Noting& noting, const std::function<void()>& draw,
                     bool is_opaque, glm::ivec2 size) {
         const auto [place, is_new] = depths_.try_emplace(framebuffer, 1.0F);
@@ -238,13 +239,13 @@ private:
             if (covers) glReadPixels(pixel_.x, pixel_.y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &after);
         });
         if (!covers) return;
-        // What is drawn over counts no more.
+        // An opaque draw hides the earlier ones.
         if (is_opaque) std::erase_if(found_, [&](const auto& one) { return one.first.first == framebuffer; });
         for (const int function : programs_[program]) note(program, framebuffer, function, pixel_, size, again);
         depth = after;
     }
 
-    /// The pass draws something else that the picture reads: notes the texel that is furthest from its twin.
+    /// Notes a pass that draws another input of the picture: takes the texel that is furthest from its twin.
     void note_texel(GLuint program, GLuint framebuffer, const Noting& noting, const std::function<void()>& draw,
                     glm::ivec2 size) {
         for (const int function : programs_[program]) {
@@ -270,7 +271,7 @@ private:
         }
     }
 
-    /// Notes a function's calls at one place of the note target. `again` draws there, and calls what it is given.
+    /// Notes a function's calls at one texel of the note target. `again` draws that texel, and then calls its argument.
     void note(GLuint program, GLuint framebuffer, int function, glm::ivec2 at, glm::ivec2 size,
               const std::function<void(const std::function<void()>&)>& again) {
         const WatchedFunction& watched = functions_[size_t(function)];
@@ -294,7 +295,7 @@ private:
             return true;
         };
         if (!add(-1)) return;
-        // Without a difference the call that is furthest off is any.
+        // Without a difference, the call that differs most is arbitrary.
         if (noted.calls > 1 && !(noted.worst().excess > 1)) noted.shown.clear();
         if (noted.calls > 1) add(0), add(noted.calls - 1);
         std::sort(noted.shown.begin(), noted.shown.end(),
@@ -352,16 +353,16 @@ private:
     std::vector<WatchedFunction> functions_;
     std::map<GLuint, std::vector<int>> programs_;
     std::map<std::pair<int, int>, std::unique_ptr<NoteTarget>> targets_;
-    std::map<GLuint, float> depths_;  ///< at the pixel, by framebuffer
+    std::map<GLuint, float> depths_;  ///< depth at the pixel, by framebuffer
     std::vector<GLuint> passes_;
     std::map<std::pair<GLuint, int>, ExplainedFunction> found_;  ///< by framebuffer and function
     GLuint target_ = 0;
-    glm::ivec2 pixel_{0};  ///< from the bottom
+    glm::ivec2 pixel_{0};  ///< counted from the bottom row
     int flow_ = 0;
     bool notes_ = false;
 };
 
-/// A direction whose length does not matter, made unit.
+/// Returns a direction normalised, for probes whose length is arbitrary.
 std::vector<float> without_length(std::vector<float> value) {
     const float length = std::sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
     if (std::isfinite(length) && length > 0)
@@ -369,8 +370,8 @@ std::vector<float> without_length(std::vector<float> value) {
     return value;
 }
 
-/// Whether two values of a pixel differ by rounding only; of a picture one step of 8 bits is rounding. `probe` is none
-/// for a picture.
+/// Returns whether two values of a pixel differ by rounding only. A picture may differ by one step of 8 bits. `probe`
+/// is null for a picture.
 bool is_same(std::vector<float> a, std::vector<float> b, const ProbeInfo* probe) {
     if (probe && probe->any_length) a = without_length(a), b = without_length(b);
     for (size_t i = 0; i < a.size(); ++i) {
@@ -400,7 +401,7 @@ Explanation explain(const LabEntry& lab, const Manifest& manifest, const Shot& s
     Explanation result;
     result.value = watched.draw(pixel, 0, true);
     result.functions = watched.take_notes();
-    // The first that differs and matters: with its twin in its place the pixel is another.
+    // Finds the first function that differs and matters: replacing it with its twin changes the pixel.
     const auto find_first = [&](const std::vector<ExplainedFunction>& functions) -> std::optional<size_t> {
         for (size_t i = 0; i < functions.size(); ++i) {
             if (!functions[i].differs()) continue;
@@ -411,7 +412,7 @@ Explanation explain(const LabEntry& lab, const Manifest& manifest, const Shot& s
     };
     result.first = find_first(result.functions);
     if (result.first || twins.empty()) return result;
-    // Perhaps a function that is seen only where those before it are right.
+    // A function may affect the pixel only if the functions before it are right.
     const bool changes = !is_same(watched.draw(pixel, -1, true), result.value, probe);
     std::vector<ExplainedFunction> with_twins = watched.take_notes();
     if (!changes) return result;

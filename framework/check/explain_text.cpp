@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-/// The value's next number; texts of vectors go on with the next one.
+/// Returns the text of a value, and advances `at` by its numbers.
 template <class Number>
 std::string text_of(const ValueShape& shape, const Number*& at) {
     switch (shape.kind) {

@@ -1,4 +1,4 @@
-// What relief explain and the window say of one pixel.
+// The text about one pixel in `relief explain` and in the window.
 #pragma once
 
 #include <string>
@@ -8,18 +8,19 @@
 
 namespace relief {
 
-/// All values of a call: `take` has a shape, and a pointer that it moves on behind the numbers of that shape.
+/// Calls `take` for each value of a call, with its shape and a pointer to its numbers. `take` must advance the pointer
+/// by the count of numbers in the shape.
 template <class Number, class Take>
 void each_value(const std::vector<ValueShape>& shapes, const std::vector<Number>& numbers, Take take) {
     const Number* at = numbers.data();
     for (const ValueShape& shape : shapes) take(shape, at);
 }
 
-/// "returns", or the name of a parameter that is an output.
+/// Returns "returns", or the name of an output parameter.
 std::string name_of_result(const ValueShape& shape);
 
 struct ExpectedValue {
-    std::vector<float> value = {};  ///< empty where nothing is known of the pixel
+    std::vector<float> value = {};  ///< empty if the pixel's value is unknown
     std::string from = {};          ///< "the exact value", "expected by the check"
 };
 
@@ -33,11 +34,11 @@ struct PixelReport {
     bool has_twins;
 };
 
-/// Each function with its calls, their values below each other. A line of the function that is the first to differ
+/// Returns each function with its calls, their values below each other. The line of the first function that differs
 /// begins with '>'.
 std::string text_of(const PixelReport& report);
 
-/// What follows: a line with the first function that differs, if one does. Empty without twins.
+/// Returns a line with the first function that differs, if there is one. Empty without twins.
 std::string conclusion_of(const PixelReport& report);
 
 }  // namespace relief

@@ -6,7 +6,7 @@
 namespace relief {
 namespace {
 
-/// An error in place of a picture counts as much as this many values.
+/// An error in place of a picture counts as this number of values.
 constexpr size_t error_weight = 1000;
 
 }  // namespace

@@ -1,5 +1,4 @@
-// Whether a picture is like that of a known mistake: their values are compared where one of them differs from the
-// solution's.
+// Compares a picture with the picture of a known mistake, at the values where one of them differs from the solution's.
 #pragma once
 
 #include <cstddef>
@@ -11,32 +10,34 @@
 
 namespace relief {
 
-/// Values of a picture at some places, or the error that came in its place.
+/// Values of a picture at some places, or the error that replaced it.
 struct Sample {
     std::vector<float> values = {};
     std::string error = {};
     bool is_drawn = false;
 };
 
-/// Samples of one known mistake, or of the solution, or of somebody's work, by check.
+/// Samples of a known mistake, the solution, or a submission, by check.
 using Samples = std::map<size_t, Sample>;
 
-/// Likenesses of several checks may be added up.
+/// The result of a comparison. Results of several checks can be added up.
 struct Likeness {
-    size_t differ = 0;  ///< values in which the drawing or the mistake differs from the solution
-    size_t agree = 0;   ///< of those, the values in which the drawing is like the mistake
+    size_t differ = 0;  ///< number of values in which the drawing or the mistake differs from the solution
+    size_t agree = 0;   ///< number of these in which the drawing is like the mistake
 
     double share() const { return differ > 0 ? double(agree) / double(differ) : 0; }
 };
 
-/// The share of what differs from the solution that must agree with the mistake.
+/// Lower bound of share() for a match.
 constexpr double min_agreement = 0.9;
 
-/// How far a drawing that shows the mistake may be from it. For a picture two steps of 8 bits. For a probe 2 % of the
-/// mistake's mean error: that works in any unit, and other mistakes cost more.
+/// Returns how much a drawing that shows the mistake may differ from the mistake's own. For a picture, two steps of 8
+/// bits. For a probe, 2 % of the mistake's mean error where it differs from the solution: that works in any unit, and
+/// other mistakes differ by more.
 double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe);
 
-/// Two NaNs are near each other, and so are two equal infinities.
+/// Returns whether two values differ by at most `tolerance`. Two NaNs are near each other, and so are two equal
+/// infinities.
 bool is_near(float a, float b, double tolerance);
 
 Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe);

@@ -65,7 +65,7 @@ std::optional<ValueShape> shape_of(const GlslVariable& variable, const Structs& 
     return shape;
 }
 
-/// A number of a value: how the shader names it, and which vector, matrix or array it is a part of.
+/// A number of a value: its expression in the shader, and the vector, matrix or array to which it belongs.
 struct Leaf {
     std::string text;
     ValueShape::Kind kind;
@@ -100,7 +100,7 @@ size_t count_of(const std::vector<ValueShape>& shapes) {
 
 // ---- the wrapper
 
-/// As a float and as a double; a truth is 1 or 0.
+/// Converts a number to `type`; a bool becomes 1 or 0.
 std::string as(const char* type, const Leaf& leaf) { return fmt::format("{}({})", type, leaf.text); }
 std::string back(const Leaf& leaf, const std::string& number) {
     switch (leaf.kind) {
@@ -113,7 +113,8 @@ std::string back(const Leaf& leaf, const std::string& number) {
     }
 }
 
-/// The largest size of the numbers in the leaf's vector: what rounding errors of each of them are measured by.
+/// Returns the expression of the maximum magnitude in the leaf's vector, the scale of the rounding errors of its
+/// numbers.
 std::string size_of_unit(const std::vector<Leaf>& leaves, const Leaf& of) {
     std::string size;
     for (const Leaf& leaf : leaves)
@@ -122,15 +123,16 @@ std::string size_of_unit(const std::vector<Leaf>& leaves, const Leaf& of) {
     return size;
 }
 
-/// By so much of its size the twin's inputs are moved: some thirty roundings to single precision.
+/// The relative perturbation of the twin's inputs: about thirty roundings to single precision.
 constexpr const char* moved_by = "4.0e-6lf";
-/// What is allowed beyond the spread of the moved twin, in that unit.
+/// The error bound: `spreads` times the change under perturbation, plus `roundings` times moved_by of the result's
+/// size.
 constexpr const char *spreads = "4.0lf", *roundings = "25.0lf";
 
 struct Wrapped {
     const GlslFunction& function;
     const WatchedFunction& watched;
-    int place;  ///< 1 + that among all functions
+    int place;  ///< 1 + the index in the list of all functions
     bool tells_unfinished;
     std::set<std::string> structs;
 };
@@ -139,7 +141,7 @@ std::string declared(const std::string& type, const std::string& name, int count
     return type + " " + name + (count > 0 ? fmt::format("[{}]", count) : "");
 }
 
-/// The twin's round: its inputs in double precision, moved in all rounds but the first.
+/// Returns the code of one call of the twin: its inputs in double precision, perturbed in all rounds but the first.
 std::string twin_round(const Wrapped& w) {
     std::string code, names;
     for (size_t i = 0; i < w.function.parameters.size(); ++i) {
@@ -154,7 +156,7 @@ std::string twin_round(const Wrapped& w) {
         for (size_t k = 0; k < from.size(); ++k) {
             code += fmt::format("            {} = {};\n", to[k].text, from[k].text);
             if (from[k].kind == ValueShape::number)
-                // A 0 stays: what is degenerate is so on purpose, and has a case of its own.
+                // Zeros stay exact: degenerate inputs are intended, and have cases of their own.
                 code += fmt::format(
                     "            if (relief_round > 0) {} += {} * relief_side({}, relief_round) * double({});\n",
                     to[k].text, moved_by, from[k].text, size_of_unit(from, from[k]));
@@ -174,7 +176,7 @@ std::string twin_round(const Wrapped& w) {
     return code;
 }
 
-/// Calls the twin, and measures how far the function is from it, by what rounding may cost.
+/// Returns code that calls the twin, and measures the function's distance from it as a multiple of the error bound.
 std::string comparison(const Wrapped& w) {
     const std::vector<Leaf> own = leaves_of(w.watched.results[0], "relief_own");
     std::vector<Leaf> exact = own;
@@ -257,7 +259,7 @@ struct Change {
     std::string insert;
 };
 
-/// Makes the changes, and keeps the table of lines: what is put in has no place.
+/// Applies the changes and updates the line table; inserted lines get an empty place.
 void apply(ShaderSource& source, std::vector<Change> changes) {
     std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.at < b.at; });
     std::string text;
@@ -306,7 +308,7 @@ std::string globals(WatchedFunction::Stage stage, size_t note_size) {
         "uniform int {}, {}, {}, {}, {}, {};\n"
         "int relief_calls = 0;\n"
         "float relief_note[{}];\n"
-        // Numbers of one size move alike: two that are equal stay so.
+        // Numbers of equal magnitude are perturbed alike, so equal numbers stay equal.
         "double relief_side(float number, int round_) {{\n"
         "    uint bits = (floatBitsToUint(abs(number)) * 2654435761u >> 7) >> round_ & 1u;\n"
         "    return number == 0.0 ? 0.0lf : (bits != 0u) == (number > 0.0) ? 1.0lf : -1.0lf;\n"
@@ -320,7 +322,7 @@ std::string globals(WatchedFunction::Stage stage, size_t note_size) {
         watched::stage, watched::call, watched::rounds, watched::flow, note_size);
 }
 
-/// One slice of the note as vec4, by its place among eight.
+/// Returns one vec4 of the current slice, by its index among eight.
 constexpr const char* slices = R"(
 vec4 relief_slice(int place) {
     int first = (u_relief_noting - 1) * 32 + 4 * place;
@@ -329,7 +331,8 @@ vec4 relief_slice(int place) {
 }
 )";
 
-/// `out vec4` with a location becomes a plain variable, and its name is kept for what the new main() writes.
+/// Turns each `out vec4` with a location into a plain variable. A macro keeps its name, from which the new main()
+/// copies.
 std::vector<Change> without_outputs(const std::string& text) {
     std::vector<Change> changes;
     const std::vector<GlslToken> tokens = glsl_tokens(text);
@@ -363,7 +366,7 @@ std::string fragment_main(bool notes, bool carries) {
            "    }\n}\n";
 }
 
-/// Of a stage before the fragments: hands its own note on, or that of a stage before it.
+/// Returns the main() of a stage before the fragment stage. It passes on its own note, or the note of an earlier stage.
 std::string handing_main(const char* out, const char* in, WatchedFunction::Stage stage, bool notes) {
     std::string code =
         fmt::format("{} vec4 {}[8];\n", out, stage == WatchedFunction::control ? "relief_of_patch" : "relief_carried");
@@ -379,7 +382,7 @@ std::string handing_main(const char* out, const char* in, WatchedFunction::Stage
     return code + "}\n";
 }
 
-/// The functions of task files in one stage, with their places in the list of all.
+/// The functions of task files in one stage, with their indices in the list of all functions.
 struct StageFunctions {
     GlslText text;
     std::vector<std::pair<const GlslFunction*, int>> watched;
@@ -401,7 +404,7 @@ public:
         return found;
     }
 
-    /// The stage's text with wrappers; `rest` is what its new end is.
+    /// Adds the wrappers to a stage's text; `rest` becomes its new end.
     void rewrite(ShaderSource& source, WatchedFunction::Stage kind, const StageFunctions& stage,
                  const std::string& rest) {
         std::vector<Change> changes;
@@ -494,14 +497,14 @@ const char* name_of(WatchedFunction::Stage stage) {
 
 std::vector<int> watch_functions(std::vector<ShaderSource>& stages, const std::set<fs::path>& task_files,
                                  const Twins& twins, std::vector<WatchedFunction>& functions) {
-    // The framework's own text, which no file holds.
+    // Ignores the framework's own shaders, which come from no file.
     if (std::any_of(stages.begin(), stages.end(), [](const ShaderSource& source) { return source.lines.empty(); }))
         return {};
     Watcher watcher(task_files, twins, functions);
     std::map<WatchedFunction::Stage, ShaderSource*> sources;
     for (ShaderSource& source : stages)
         if (const auto stage = stage_of(source.stage)) sources[*stage] = &source;
-    // A geometry stage stands between, and hands nothing on.
+    // A geometry stage does not pass notes on.
     if (!sources.contains(WatchedFunction::fragment) || sources.contains(WatchedFunction::geometry)) return {};
     const bool has_patches =
         sources.contains(WatchedFunction::control) && sources.contains(WatchedFunction::evaluation);

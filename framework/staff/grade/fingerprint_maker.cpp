@@ -22,8 +22,8 @@ Sample all_of(const DrawnAttempt& drawn) {
     return {.values = drawn.image->values, .is_drawn = true};
 }
 
-/// Returns the indices in [0, count) in a fixed order that spreads them evenly: sorted by the fractional part of i times
-/// the golden ratio.
+/// Returns the indices in [0, count) in a fixed order that spreads them evenly: sorted by the fractional part of i
+/// times the golden ratio.
 std::vector<size_t> shuffled(size_t count) {
     std::vector<std::pair<double, size_t>> keys;
     for (size_t i = 0; i < count; ++i) keys.emplace_back(std::fmod(double(i) * 0.6180339887498949, 1), i);
