@@ -74,7 +74,7 @@ ClassFile read_class_file(const std::filesystem::path& file, const std::filesyst
 
 /// Returns the class file kept for a folder of results, or an empty path. Throws UsageError if it no longer exists.
 std::filesystem::path class_file_of(const std::filesystem::path& results);
-/// Keeps the class file for later runs into the folder; an empty path means none.
+/// Records the class file for later runs into the folder; an empty path removes the record.
 void keep_class_file(const std::filesystem::path& file, const std::filesystem::path& results);
 
 /// Throws Error at the first adjustment whose student is not in `students`, or whose task is not in `tasks`. Without a

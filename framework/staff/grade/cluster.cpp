@@ -123,7 +123,8 @@ Words nodes_of(const fs::path& folder, int part) {
     return nodes;
 }
 
-/// Returns the longest prefix of `nodes` that leaves at least one usable node.
+/// Returns the longest prefix of `nodes` that leaves at least one usable node. If `usable` is unknown, returns only the
+/// first node.
 std::set<std::string> avoidable(const Words& nodes, std::optional<std::set<std::string>> usable) {
     std::set<std::string> avoided;
     for (const std::string& node : nodes) {

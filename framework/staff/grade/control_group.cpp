@@ -51,7 +51,7 @@ bool limits_memory_and_processes(const fs::path& controllers) {
     return has_word(controllers, "memory") && has_word(controllers, "pids");
 }
 
-/// Returns where version 2 is mounted; empty if it is not.
+/// Returns the mount point of cgroup version 2; empty if it is not mounted.
 fs::path mount_point() {
     std::ifstream mounts("/proc/self/mounts");
     for (std::string device, folder, type, rest; mounts >> device >> folder >> type && std::getline(mounts, rest);)

@@ -17,7 +17,7 @@ struct SelfTestOptions {
 
 struct SelfTest {
     int mistakes = 0, caught = 0;         ///< caught: its task lost points
-    int named = 0;                        ///< recognised by its id, or by the id that it is `same_as`
+    int named = 0;                        ///< named by its own id, or by the id that it is `same_as`
     int equivalents = 0, right = 0;       ///< right: all tasks got all points
     int left_out = 0;                     ///< number of mistakes and variants outside the sample
     size_t checks = 0, hidden_views = 0;  ///< hidden views: only with a seed
