@@ -1,4 +1,4 @@
-// The policy of a class: tables of people and spreadsheets, times, class files, adjustments, and where students stand.
+// The policy of a class: rosters and spreadsheets, times, class files, adjustments, and the standing of students.
 #include "framework/staff/grade/class_file.h"
 
 #include "framework/base/file.h"
@@ -53,7 +53,7 @@ TEST(Csv, ThatIsNoneIsRefusedWithItsLine) {
     }
 }
 
-/// Whether any program that splits at any separator finds a cell that begins like a formula.
+/// Returns whether some program finds a cell that begins like a formula, for any separator that it may split at.
 bool has_formula(const std::string& text) {
     bool begins = true;
     for (const char c : text) {
@@ -82,7 +82,7 @@ TEST(Csv, HasNoFormulaWhereverASpreadsheetSplits) {
                                                          {"O'Neill", "O'Neill"},
                                                          {"", ""}};
     for (const auto& [text, safe] : cases) EXPECT_EQ(defused(text), safe);
-    // Whatever is written comes back, but for the apostrophes.
+    // Every text is read back unchanged except for the apostrophes.
     unsigned state = 7;
     for (int i = 0; i < 2000; ++i) {
         std::string text = "x";
@@ -168,7 +168,7 @@ TEST_F(ClassFiles, TheExampleOfTheGuideIsOne) {
     EXPECT_GT(policy.hand_ins.size(), 0u);
     EXPECT_EQ(policy.adjustments.size(), 1u);
     EXPECT_EQ(policy.late.percent_per_day, 10);
-    // And it is the whole of what there is: a key that the guide forgets would have to be guessed.
+    // The example has every key. Readers would have to guess a key that the guide omits.
     for (const char* key :
          {"utc_offset", "roster", "hand_ins", "adjustments", "[[assigned]]", "due", "canvas", "moodle", "[late]",
           "grace_hours", "percent_per_day", "floor_percent", "[[extension]]", "days", "note", "[[student]]"})
@@ -259,7 +259,7 @@ TEST_F(ClassFiles, AreKeptForLaterRunsIntoTheFolder) {
     EXPECT_EQ(class_file_of(marks), "");
 }
 
-// ---- where students stand ----
+// ---- the standing of students ----
 
 SubmissionMark submission(const std::string& name, std::map<std::string, double> points_by_task) {
     SubmissionMark mark;
@@ -284,15 +284,15 @@ SubmissionMark submission(const std::string& name, std::map<std::string, double>
 TEST_F(ClassFiles, TheDenominatorIsTheSameForAll) {
     const std::vector<SubmissionMark> marks = {submission("jane", {{"13.1", 3}}),
                                                submission("joe", {{"13.1", 3}, {"14.1", 3}})};
-    // Without a class file: what was graded in the class.
+    // Without a class file, every lab that was graded in the class counts.
     for (const Standing& one : class_standing(marks, {}, {}).students) EXPECT_EQ(one.of(), 6) << one.name;
-    // With one: what it assigns, also if nobody handed it in; what is not assigned does not count.
+    // With a class file, its assigned labs count, also if nobody handed them in. Other labs do not count.
     const ClassStanding both = class_standing(marks, read(some_labs + "[[assigned]]\nlab = 14\n"), {});
     for (const Standing& one : both.students) EXPECT_EQ(one.of(), points_of_13 + points_of_14) << one.name;
     const ClassStanding first = class_standing(marks, read(some_labs), {});
     EXPECT_EQ(first.students[1].of(), points_of_13);
     EXPECT_EQ(first.students[1].points(), 3) << "lab 14 is not assigned";
-    // Of a run with --lab only those labs count.
+    // In a run with --lab, only the given labs count.
     EXPECT_EQ(class_standing(marks, read(some_labs + "[[assigned]]\nlab = 14\n"), {"14_adaptive_displacement"})
                   .students[0]
                   .of(),
@@ -372,7 +372,7 @@ TEST_F(ClassFiles, AdjustmentsOfNobodyAndOfNoTaskAreRefused) {
     };
     EXPECT_TRUE(contains(said("jan,13.1,1,x"), "adjustments.csv:2: 'jan' is not in the class: did you mean 'jane'?"));
     EXPECT_TRUE(contains(said("jane,13.9,1,x"), "adjustments.csv:2: unknown task '13.9'"));
-    // A name of any bytes is written as results.csv shows it.
+    // A name that is not UTF-8 is written as in results.csv.
     folder.write("marks/adjustments.csv", "student,task,points,note\nm\\xfcller,13.1,1,x\n");
     EXPECT_EQ(class_standing(marks, read_class_file({}, folder.path() / "marks"), {}).students[1].points(), 2);
 }

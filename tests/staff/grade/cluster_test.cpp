@@ -1,4 +1,4 @@
-// A class on a cluster, with stand-ins for Slurm's commands: what is sent, what is sent again, what --status says.
+// A class on a cluster, with stand-ins for Slurm's commands: submission, resubmission, and the output of --status.
 #include "framework/staff/grade/cluster.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Variables = std::map<std::string, std::string>;
 
-/// Variables of the environment as they are told, and afterwards as they were. An empty value takes one away.
+/// Sets environment variables and restores them at the end. An empty value removes the variable.
 class Environment {
 public:
     explicit Environment(const Variables& variables) {
@@ -51,7 +51,7 @@ Variables array_task(const std::string& task, const std::string& min, const std:
             {"SLURM_ARRAY_TASK_COUNT", count}};
 }
 
-// The values are those that Slurm 22.05 gives to the tasks of such an array.
+// These are the values that Slurm 22.05 sets for the tasks of such an array.
 TEST(Shards, OfASlurmArrayAreTheirPlaceInARowOfNumbers) {
     const struct {
         const char* array;
@@ -118,7 +118,7 @@ TEST(Roster, KeepsTheFirstFigureOfEachSolutionAndDoesWithoutAny) {
     EXPECT_EQ(read_roster(folder.path())->seed, "s") << "the rest stays";
 }
 
-/// A class of six, and commands of Slurm that write down how they were called.
+/// A class of six submissions, and stand-ins for Slurm's commands that record their arguments.
 class ClusterTest : public testing::Test {
 protected:
     TemporaryFolder folder_;
@@ -132,7 +132,7 @@ protected:
 
     void SetUp() override {
         const std::string here = "cd '" + folder_.path().string() + "'\n";
-        // A job's number counts up from 11.
+        // Job numbers count up from 11.
         tool("sbatch", here + "echo \"$*\" >>calls; env >>environment; echo $(($(wc -l <calls) + 10))");
         tool("squeue", here + "cat queue");
         tool("sinfo", here + "cat nodes");
@@ -157,7 +157,7 @@ protected:
         lines.pop_back();
         return lines;
     }
-    /// What sbatch was called with, without the words that are the same in all calls.
+    /// Returns the arguments of a call of sbatch, without the words that all calls share.
     static std::string short_form(std::string call, const std::string& marks) {
         for (const std::string& same :
              {std::string("--parsable --propagate=NONE --job-name="),
@@ -213,10 +213,10 @@ TEST_F(ClusterTest, AJobGetsTheUsersVariablesButNotThoseOfTheJobThatSendsIt) {
 
 TEST_F(ClusterTest, PartsThatLackResultsAreSentAgainAwayFromTheirNodes) {
     send_class(marks_, 3, 0, {});
-    // Part 1: ann, dan; 2: ben, eva; 3: cem, fay. Part 2 is whole.
+    // Part 1: ann, dan; 2: ben, eva; 3: cem, fay. Part 2 is complete.
     for (const char* name : {"ann", "ben", "eva"}) give_result(name);
     folder_.write("a class's marks/slurm/part-1.nodes", "g2\ng1\n");
-    folder_.write("queue", "11|3|FAILED|g3|NonZeroExitCode\n");  // it could not even write its name
+    folder_.write("queue", "11|3|FAILED|g3|NonZeroExitCode\n");  // it could not even write the name of its node
     fs::remove(folder_.path() / "calls");
     send_again(marks_, read_progress(marks_), {.sent = 1, .attempt = 1});
     EXPECT_EQ(short_calls(), (Calls{"relief-part/part-%a.log --array=1 --exclude=g1,g2 part.sh",
@@ -228,9 +228,9 @@ TEST_F(ClusterTest, ANodeIsAvoidedAsLongAsAnotherOneCanTakeThePart) {
     send_class(marks_, 1, 0, {});
     folder_.write("a class's marks/slurm/part-1.nodes", "g2\ng1\n");
     for (const auto& [nodes, avoided] :
-         std::map<std::string, std::string>{{"g1|idle\ng2|idle\n", " --exclude=g1"},  // the one of the last attempt
-                                            {"g1|idle\ng2|down\n", ""},               // no other is up
-                                            {"g1|idle\ng2|idle*\ng3|drained\n", ""},  // nor answers
+         std::map<std::string, std::string>{{"g1|idle\ng2|idle\n", " --exclude=g1"},  // the last attempt's node
+                                            {"g1|idle\ng2|down\n", ""},               // no other node is up
+                                            {"g1|idle\ng2|idle*\ng3|drained\n", ""},  // no other node answers
                                             {"g1|idle\ng2|idle\ng3|idle\n", " --exclude=g1,g2"}}) {
         folder_.write("nodes", nodes);
         fs::remove(folder_.path() / "calls");

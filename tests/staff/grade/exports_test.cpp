@@ -1,4 +1,4 @@
-// Exports against the rules of the formats that others have published, with names and texts that would break them.
+// Exports against the published rules of their formats, with names and texts that would break them.
 #include "framework/staff/grade/exports.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ const std::vector<std::string> hostile = {"Doe, \"Jane\"",
                                           "-1",
                                           "a\rb"};
 
-/// A class of hostile names: each has a hidden check that fails, a hostile message, an adjustment and a late lab.
+/// A class of hostile names. Each student has a failed hidden check, a hostile message, an adjustment and a late lab.
 struct HostileClass {
     std::vector<SubmissionMark> marks;
     ClassStanding standing;
@@ -72,9 +72,9 @@ struct HostileClass {
         standing = class_standing(marks, policy, {});
     }
 };
-constexpr double counted = (2 + 1) * 0.9;  // an adjustment, and a started day
+constexpr double counted = (2 + 1) * 0.9;  // an adjustment, and a day late
 
-/// RFC 4180, strictly: the rows of a file, or a failed test.
+/// Parses a file strictly by RFC 4180. Returns its rows, or fails the test.
 std::vector<Cells> strict_rows(const std::string& text) {
     std::vector<Cells> rows(1, Cells(1));
     EXPECT_TRUE(text.ends_with('\n'));
@@ -95,7 +95,7 @@ std::vector<Cells> strict_rows(const std::string& text) {
     return rows;
 }
 
-/// No cell is a formula, whichever character a spreadsheet splits lines at.
+/// Expects that no cell is a formula, for any character at which a spreadsheet splits lines.
 void expect_harmless(const std::string& text) {
     for (const char separator : {',', ';', '\t'})
         for (const std::string& line : split(text, '\n'))
@@ -125,8 +125,8 @@ TEST(ResultsCsv, HasIdentifiersMaximaAndNoFormulas) {
                                   "sis99", "", "0", "0", "0", "", "0", ""}));
 }
 
-// The importer of Canvas: "Student" and "ID" first, "Section" last of the student's columns, then assignments as "Title
-// (id)"; "Points Possible" in the first cell of the row of maxima; grades are numbers with a point.
+// Canvas's importer: "Student" and "ID" come first, and "Section" is the last column of the student. Assignments follow
+// as "Title (id)". The row of maxima has "Points Possible" in its first cell. Grades are numbers with a decimal point.
 TEST(Canvas, TakesTheGradebook) {
     const HostileClass some;
     const std::string text = to_canvas(some.standing);
@@ -157,8 +157,8 @@ TEST(Canvas, GetsEveryShareOfAPoint) {
     }
 }
 
-// The importer of Moodle: Identifier, Grade and Last modified (grade) are found by their names; the rest may not
-// change; a grade above the maximum is skipped.
+// Moodle's importer finds Identifier, Grade and Last modified (grade) by their names. The other columns must not
+// change. It skips a grade above the maximum.
 TEST(Moodle, TakesItsOwnWorksheetBack) {
     HostileClass some;
     const TemporaryFolder folder;
@@ -207,7 +207,8 @@ bool is_utf8(const std::string& text) {
     }
 }
 
-// PrairieLearn, External grading: score in [0, 1], at most 1 MB, tests with points of max_points.
+// PrairieLearn, External grading: the score is in [0, 1], the file has at most 1 MB, and tests have points and
+// max_points.
 TEST(PrairieLearn, TakesTheResults) {
     const HostileClass some;
     for (const Standing& one : some.standing.students) {
@@ -223,7 +224,7 @@ TEST(PrairieLearn, TakesTheResults) {
             EXPECT_TRUE(test.at("points").is_number() && test.at("max_points").is_number());
             EXPECT_LE(double(test.at("points")), double(test.at("max_points")));
         }
-        // The student reads it.
+        // Students read the text, so it contains no secret.
         EXPECT_FALSE(contains(text, "secret")) << text;
         EXPECT_EQ(result["tests"].size(), one.mark ? 2u : 0u);
     }
@@ -283,7 +284,7 @@ TEST(Gradescope, TakesTheResultsAsPlainText) {
 
 // ---- JUnit ----
 
-/// An element of XML 1.0, as far as the exports use it.
+/// An element of XML 1.0, as far as the exports use XML.
 struct Element {
     std::string name;
     std::map<std::string, std::string> attributes;
@@ -296,7 +297,8 @@ struct Element {
     }
 };
 
-/// Parses or fails: one root, attributes in double quotes, closed in order, only the five entities.
+/// Parses a document or fails the test: one root, attributes in double quotes, properly nested elements, and only the
+/// five entities.
 class Xml {
 public:
     explicit Xml(std::string text) : text_(std::move(text)) {}
@@ -368,7 +370,7 @@ Keys keys_of(const Element& element) {
     return keys;
 }
 
-/// What both kinds of suite share; the counts must agree with the cases.
+/// Expects the common parts of both kinds of suite. The counts must agree with the cases.
 void expect_cases(const Element& suite, const Standing& one) {
     std::map<std::string, int> found;
     for (const Element& child : suite.children) {
@@ -395,8 +397,8 @@ void expect_cases(const Element& suite, const Standing& one) {
     EXPECT_EQ(found["tests"], one.mark ? 2 : 1);
 }
 
-// Ant's schema (windyroad/JUnit-Schema): no attribute of testsuites; all of these of a suite, and these children in
-// this order. Jenkins' (junit-10.xsd) allows all of it.
+// Ant's schema (windyroad/JUnit-Schema): testsuites has no attribute. A suite has all of these attributes, and these
+// children in this order. Jenkins' schema (junit-10.xsd) allows all of this.
 TEST(JUnit, IsReadByAntAndJenkins) {
     const HostileClass some;
     const Element root = Xml(to_junit(some.standing, parse_moment("2027-03-01T12:34:56Z", {}, {}))).root();
@@ -418,8 +420,7 @@ TEST(JUnit, IsReadByAntAndJenkins) {
     EXPECT_EQ(root.children[0].attributes.at("failures"), "1");
 }
 
-// surefire-test-report.xsd: the root is a suite, with these attributes and no others; times have at most three
-// decimals.
+// surefire-test-report.xsd: the root is a suite with exactly these attributes. Times have at most three decimals.
 TEST(JUnit, IsReadAsSurefiresToo) {
     const HostileClass some;
     for (const Standing& one : some.standing.students) {

@@ -1,5 +1,5 @@
-// What a command in the sandbox can do, and how each way of going wrong is told from the others. Where this machine has
-// no namespaces the tests run by limits alone, say so, and leave out what only namespaces can keep.
+// The limits of a command in the sandbox, and how each kind of failure is distinguished. On a machine without
+// namespaces the tests use resource limits only, say so, and skip the guarantees that need namespaces.
 #include "framework/staff/grade/sandbox.h"
 
 #include <csignal>
@@ -63,7 +63,7 @@ TEST_F(Sandbox, TellsEndingsApart) {
 }
 
 TEST_F(Sandbox, BoundsMemoryFilesAndProcesses) {
-    // dd takes its block as memory.
+    // dd allocates its block in memory.
     EXPECT_NE(shell("dd if=/dev/zero of=/dev/null bs=1G count=1", {.wall = 10, .memory = 256 << 20}).code, 0);
     EXPECT_EQ(shell("dd if=/dev/zero of=/dev/null bs=64M count=1 2>/dev/null", {.wall = 10, .memory = 256 << 20}).code,
               0);
@@ -75,7 +75,7 @@ TEST_F(Sandbox, BoundsMemoryFilesAndProcesses) {
     EXPECT_TRUE(contains(bomb.errors, "fork")) << bomb.errors;
 }
 
-// tests/control_groups.sh starts a machine that has control groups.
+// tests/control_groups.sh runs these tests on a machine that has control groups.
 TEST_F(Sandbox, AControlGroupLimitsAllProcessesTogether) {
     if (!has_groups()) {
         std::printf("not looked at without control groups: processes together can take more than one of them may\n");
@@ -96,14 +96,14 @@ TEST_F(Sandbox, AControlGroupLimitsAllProcessesTogether) {
     for (const std::string& script : {four, file, files}) {
         SCOPED_TRACE(script);
         const size_t memory = script == files ? 64 * mebi : 160 * mebi;
-        // Each of its processes and files alone is within the limits.
+        // Each single process and file is within the limits.
         EXPECT_EQ(python(Isolation::namespaces, script, memory).output, "all\n");
         const ProcessResult stopped = python(Isolation::groups, script, memory);
         EXPECT_EQ(stopped.ending, Ending::out_of_memory) << name_of(stopped.ending) << stopped.errors;
         EXPECT_EQ(stopped.output, "");
         EXPECT_EQ(python(Isolation::groups, script, 1024 * mebi).output, "all\n");
     }
-    // The sandbox's namespace limits the number of processes, too: so without it.
+    // The sandbox's namespace also limits the number of processes, so this part runs without it.
     const std::string many =
         "n=0\nfor i in range(40):\n  try: os.fork() or os.execlp('sleep', 'sleep', '2')\n"
         "  except OSError: break\n  n += 1\nprint(n)";
@@ -116,7 +116,7 @@ TEST_F(Sandbox, AControlGroupLimitsAllProcessesTogether) {
     EXPECT_EQ(started({}).output, "40\n");
 }
 
-// A grader that left its groups behind would fill the system with them.
+// Otherwise the grader would fill the system with groups.
 TEST_F(Sandbox, LeavesNoControlGroupBehind) {
     if (!has_groups()) {
         std::printf("not looked at without control groups\n");
@@ -136,7 +136,7 @@ TEST_F(Sandbox, LeavesNoControlGroupBehind) {
             << entry.path();
 }
 
-// At each level.
+// Tests every isolation level.
 TEST_F(Sandbox, RefusesSystemCallsThatNoProgramOfAStudentNeeds) {
     const auto python = [](Isolation level, const std::string& script, bool makes_processes) {
         const std::string prelude = R"(
@@ -211,7 +211,7 @@ TEST_F(Sandbox, LeavesNoProcessBehind) {
         return;
     }
     const TemporaryFolder folder;
-    const std::string mark = "31.4159" + std::to_string(getpid());  // a way to know the process by
+    const std::string mark = "31.4159" + std::to_string(getpid());  // identifies the process
     const ProcessResult done = shell("setsid sleep " + mark + " >/dev/null 2>&1 & echo started");
     EXPECT_EQ(done.output, "started\n");
     const auto left = [&] {
@@ -221,7 +221,7 @@ TEST_F(Sandbox, LeavesNoProcessBehind) {
         }
         return false;
     };
-    // The kernel ends them after the first process of their namespace, on a busy machine a moment later.
+    // The kernel kills them after the first process of their namespace, with a short delay on a busy machine.
     for (int i = 0; i < 500 && left(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     EXPECT_FALSE(left());
 }
@@ -240,14 +240,14 @@ TEST_F(Sandbox, SeesNothingOfTheMachine) {
     }
     EXPECT_EQ(look("cat " + secret.string() + " /etc/passwd /proc/1/environ"), "");
     EXPECT_EQ(look("ls / | tr '\\n' ' ' | sed 's/lib32 //; s/libx32 //'"), "bin dev etc lib lib64 sbin tmp usr ");
-    // Nothing can be written but its own /tmp, and that is gone afterwards.
+    // Nothing is writable except its own /tmp, which is removed afterwards.
     EXPECT_EQ(look("for f in /x /usr/x /dev/shm/x /etc/x " + open.string() + "; do echo x > $f && echo wrote $f; done"),
               "");
     EXPECT_EQ(look("echo x > /tmp/x && cat /tmp/x"), "x\n");
     EXPECT_EQ(look("cat /tmp/x"), "");
     const std::string user = std::to_string(geteuid() == 0 ? 65534 : geteuid());
     EXPECT_EQ(look("id -u; cat /sys/class/net/*/address; hostname"), user + "\nrelief\n");
-    // No root inside either, and no namespaces in the namespace.
+    // The command is not root inside either, and cannot create a nested namespace.
     EXPECT_EQ(look("unshare -r true && echo made"), "");
 }
 

@@ -1,4 +1,4 @@
-// What strangers wrote, shown on a line and carried through JSON.
+// Untrusted text: shown on one line, and carried through JSON.
 #include "framework/staff/grade/strangers_text.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(StrangersText, GoesThroughJsonAndComesBackAsItWas) {
     for (int i = 0; i < 256; ++i) all += char(i);
     for (const std::string& bytes : {std::string("m\xfcller"), std::string("m\xc3\xbcller"), all,
                                      std::string("\xef\x9f\xbc private"), std::string("\xef\x9f"), std::string()}) {
-        const std::string json = nlohmann::json(utf8_of_bytes(bytes)).dump();  // throws for what is not UTF-8
+        const std::string json = nlohmann::json(utf8_of_bytes(bytes)).dump();  // throws if the text is not UTF-8
         EXPECT_EQ(bytes_of_utf8(nlohmann::json::parse(json).get<std::string>()), bytes);
     }
     EXPECT_EQ(utf8_of_bytes("m\xc3\xbcller"), "m\xc3\xbcller");

@@ -1,4 +1,4 @@
-// What is taken of a submission, and what hostile ones do to the reader: nothing.
+// Which files of a submission are read. Hostile submissions must not harm the reader.
 #include "framework/staff/grade/submission.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 const std::set<std::string> wanted = {"shaders/01_a/task.glsl", "labs/05_b/task.cpp"};
 constexpr const char* shader = "shaders/01_a/task.glsl";
 
-/// An archive as a few lines of Python make it: what no honest program would write.
+/// Makes an archive with a few lines of Python, such as no honest program would write.
 fs::path python(const TemporaryFolder& folder, const std::string& name, const std::string& lines) {
     const fs::path path = folder.path() / name;
     const Result made =
@@ -25,7 +25,7 @@ fs::path python(const TemporaryFolder& folder, const std::string& name, const st
     return path;
 }
 
-TEST(Sha256, IsThatOfThePublishedExamples) {  // FIPS 180-4's examples, and of nothing at all
+TEST(Sha256, IsThatOfThePublishedExamples) {  // the examples of FIPS 180-4, and the empty text
     EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
               "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
@@ -54,7 +54,7 @@ TEST(Submission, OfAnArchiveIsTheSameAsOfItsFolder) {
     EXPECT_EQ(plain.hash.size(), 64u);
     for (const char* kind : {"tar", "tar.gz", "tgz", "tar.xz"}) {
         const fs::path archive = folder.path() / (std::string("jane.") + kind);
-        // Python packs by itself, where tar asks for a program (xz-utils).
+        // Python packs by itself, while tar needs another program (xz-utils).
         ASSERT_EQ(run({"python3", "-m", "tarfile", "-c", archive.string(), "jane"}, {folder.path(), {}}).code, 0);
         const Submission packed = read_submission(archive, wanted);
         EXPECT_EQ(packed.problem, "") << kind;
@@ -202,7 +202,7 @@ TEST(Submission, RefusesATaskFileOfMoreThanAMebibyte) {
 
 TEST(Submission, AnArchiveThatUnpacksToGigabytesIsLeftInTime) {
     const TemporaryFolder folder;
-    // A gzip file may be many, one after the other: 600 times the same MiB of zeros behind a tar's header.
+    // A gzip file may consist of several concatenated ones: here 600 times the same MiB of zeros after a tar header.
     const fs::path tar = python(folder, "bomb.tar.gz", R"(
 import gzip
 info = tarfile.TarInfo("zeros"); info.size = 600 << 20

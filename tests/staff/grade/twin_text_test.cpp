@@ -1,4 +1,4 @@
-// Twins of shader functions: their text, what the GLSL that it calls is worth in digits, and how they are wrapped.
+// Twins of shader functions: their text, the precision of the GLSL functions that they call, and their wrappers.
 #include "framework/staff/grade/twin_text.h"
 
 #include <fmt/format.h>
@@ -38,8 +38,8 @@ TEST(TwinText, HasDoublesForFloatsAndNamesOfItsOwn) {
     EXPECT_EQ(twin.signatures, (std::set<std::string>{"f(vec2,int,float[3])", "g(mat3)"}));
 }
 
-/// A function of twin.glsl at 512 places from `low` to `high`, and the largest distance from the exact one, as a share
-/// of its size (below 1: as it is).
+/// Evaluates a function of twin.glsl at 512 places from `low` to `high`. Returns the largest error against `exact`,
+/// relative to the value. For values below 1 the error is absolute.
 double largest_error(const std::string& call, double low, double high, const std::function<double(double)>& exact) {
     constexpr int count = 512;
     const std::string helpers = read_file(course_root() / "framework/staff/grade/twin.glsl");
@@ -75,7 +75,7 @@ double largest_error(const std::string& call, double low, double high, const std
     return largest;
 }
 
-// Two floats hold 48 bits of a result: 4e-15 of its size. The functions themselves keep a few bits more.
+// Two floats hold 48 bits of a result, a relative error of 4e-15. The functions themselves keep a few bits more.
 TEST(TwinFunctions, KeepFourteenDigits) {
     const struct {
         const char* call;
@@ -114,7 +114,7 @@ TEST(WatchedShader, KeepsTheLinesOfTheFilesForACompilersMessages) {
     ASSERT_EQ(watch_functions(stages, {folder.path() / "task.glsl"}, {}, functions), std::vector<int>{0});
     EXPECT_EQ(functions[0].signature, "half_of(float)");
     EXPECT_EQ(functions[0].place.line, 1);
-    // Each line of the text has a place, and those that were there before keep theirs, in order.
+    // Each line of the text has a place. The original lines keep their places and their order.
     EXPECT_EQ(std::count(stages[0].text.begin(), stages[0].text.end(), '\n'), std::ptrdiff_t(stages[0].lines.size()));
     std::istringstream text(stages[0].text);
     std::string line;

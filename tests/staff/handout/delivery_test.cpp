@@ -1,4 +1,4 @@
-// Files handed out into a folder where a student works: whose each file is afterwards.
+// Delivery of files into a folder where a student works: which file belongs to whom afterwards.
 #include "framework/staff/handout/delivery.h"
 
 #include <sys/resource.h>
@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-/// While this is alive no file of this process may become larger than 64 KiB, as on a full disk.
+/// While an instance exists, no file of this process may become larger than 64 KiB, as on a full disk.
 class SmallFilesOnly {
 public:
     SmallFilesOnly() {
@@ -49,7 +49,7 @@ protected:
         files[name] = {text};
         return again(files);
     }
-    /// Every file of a folder, whatever it is, and what it says.
+    /// Returns the text of every regular file below a folder.
     static std::map<std::string, std::string> all_below(const fs::path& folder) {
         std::map<std::string, std::string> all;
         for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -201,14 +201,14 @@ TEST_F(DeliveryTest, AnInterruptedRunIsCompletedByTheNext) {
     for (const auto& [name, file] : first_) second[name] = {file.bytes + ", second", file.executable};
     second["labs/02/lab.toml"] = {"lab 2"};
     write("labs/01/task.cpp", "my work");
-    second["zz"] = {std::string(100000, 'z')};  // the last one, too large: the run never comes to note that it is done
+    second["zz"] = {std::string(100000, 'z')};  // the last file is too large: the run fails before it is recorded
     {
         const SmallFilesOnly limit;
         EXPECT_THROW(again(second), Error);
     }
     EXPECT_EQ(text("README.md"), "read me, second") << "so the run had begun";
     second.erase(std::prev(second.end()));
-    second["README.md"] = {"read me, third"};  // the course goes on meanwhile
+    second["README.md"] = {"read me, third"};  // meanwhile the course changes again
 
     const Delivery done = again(second);
     EXPECT_EQ(text("labs/01/task.cpp"), "my work");
@@ -235,7 +235,7 @@ TEST_F(DeliveryTest, ARecordThatWasTamperedWithNamesItsLineOrReachesNothingOutsi
     EXPECT_TRUE(contains(message, ".relief-handout:1: is not a line of a handout's record")) << message;
 
     write_file(outer_.path() / "outside.txt", "read me");
-    const std::string mark = record.substr(record.find(" README.md") - 16, 16);  // outside.txt says the same
+    const std::string mark = record.substr(record.find(" README.md") - 16, 16);  // outside.txt has the same text
     for (const std::string& path : {std::string("../outside.txt"), (outer_.path() / "outside.txt").string()}) {
         write(".relief-handout", record + mark + " " + path + "\n");
         EXPECT_TRUE(contains(message_of([&] { again(first_); }), "is not a path below a folder")) << path;

@@ -1,4 +1,4 @@
-// The student's course: what is in it, that it builds, and that a student can earn every point there.
+// The students' course: its contents, its build, and that a student can earn every point in it.
 #include "framework/staff/handout/handout.h"
 
 #include <algorithm>
@@ -42,14 +42,14 @@ protected:
 
     static fs::path course() { return folder_->path() / "a handout"; }
     static Manifest staff(const std::string& lab) { return load_manifest(course_root() / "labs" / lab / "lab.toml"); }
-    /// All files of a folder by their paths.
+    /// Returns all files of a folder by their relative paths.
     static std::map<std::string, std::string> files_in(const fs::path& folder) {
         std::map<std::string, std::string> all;
         for (const auto& entry : fs::recursive_directory_iterator(folder))
             if (entry.is_regular_file()) all.emplace(entry.path().lexically_relative(folder), read_file(entry.path()));
         return all;
     }
-    /// Whatever a student could read.
+    /// Returns every text that a student could read.
     static std::map<std::string, std::string> texts() {
         std::map<std::string, std::string> all = files_in(course());
         std::erase_if(all,
@@ -60,14 +60,14 @@ protected:
         more.insert(more.begin(), {relief_program(), "handout", "-o", folder.string()});
         return run(more);
     }
-    /// But in files of that name.
+    /// Expects that no file contains `secret`, except files whose names end in `but`.
     static void expect_nowhere(const std::string& secret, const std::string& but = "no file") {
         for (const auto& [path, text] : *texts_)
             EXPECT_FALSE(!path.ends_with(but) && contains(text, secret))
                 << "'" << secret << "' can be read in " << path;
     }
 
-    /// By these files `relief check` names mistakes: they have the hints, and nothing else of the staff's.
+    /// `relief check` names mistakes by these files. They contain the hints and nothing else from the staff.
     static constexpr const char* fingerprints = "fingerprints.toml";
     static inline TemporaryFolder* folder_ = nullptr;
     static inline std::vector<std::string>* labs_ = new std::vector<std::string>;
@@ -81,7 +81,7 @@ TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeNoVariantAndNoHiddenCheck) {
         const Manifest manifest = staff(lab);
         for (const TaskInfo& task : manifest.tasks)
             for (const std::string& line : solution_lines(read_file(course_root() / task.file), task.file))
-                // Shorter ones are "if (x == 0) return {};", and six turns of a loop are no secret.
+                // Shorter lines are harmless, such as "if (x == 0) return {};". A loop of six iterations is no secret.
                 if (line.size() >= 24 && !line.starts_with("for (int i = 0;")) expect_nowhere(line), ++lines;
         for (const CheckInfo& check : manifest.checks)
             if (check.hidden) expect_nowhere('"' + check.name + '"'), ++hidden;
@@ -157,7 +157,7 @@ TEST_F(StudentsCourse, BeginsWithAReadmeOfItsOwn) {
     for (const char* command : {"\n./relief list ", "\n./relief run 01 ", "\n./relief check 01 "})
         EXPECT_TRUE(contains(readme, command)) << command;
     for (const std::string& lab : *labs_) EXPECT_TRUE(contains(readme, "(labs/" + lab + "/README.md)")) << lab;
-    for (const std::string& lab : *labs_) {  // and each lab with its handout, whose pictures came along
+    for (const std::string& lab : *labs_) {  // each lab has its handout with its pictures
         const std::string handout = read_file(course() / "labs" / lab / "README.md");
         size_t pictures = 0;
         for (size_t at = handout.find("](golden/"); at != std::string::npos;
@@ -258,7 +258,7 @@ TEST_F(StudentsCourse, OfSomeLabsIsAPartOfTheWholeAndGrowsIntoIt) {
     EXPECT_TRUE(contains(built, "\nbuild lab-10:"));
     EXPECT_FALSE(contains(built, "\nbuild lab-01:"));
 
-    // A student works, and the course goes on.
+    // The student has edited a file, and the course delivers more labs.
     const std::string file = "shaders/10_parallax_offset/task.glsl";
     write_file(part / file, some.at(file) + "// mine\n");
     const Result more = hand_out(part, {"--labs", "6,1"});
@@ -287,8 +287,8 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
                 {{}, {{"CCACHE_BASEDIR", course().string()}, {"CCACHE_NOHASHDIR", "1"}, {"CCACHE_NODIRECT", "1"}}});
         ASSERT_EQ(built.code, 0) << built.out.substr(built.out.size() > 4000 ? built.out.size() - 4000 : 0);
     };
-    // With a compiler's cache in the way that this course was built, since most of it is the same; else in the
-    // quickest.
+    // With a compiler cache the course is built as this one was, since most files are equal. Otherwise it uses the
+    // fastest build type.
     const std::string launcher = RELIEF_COMPILER_LAUNCHER;
     const std::string type = launcher.empty() ? "Debug" : RELIEF_BUILD_TYPE;
     const Result configured = run({"cmake", "-S", course().string(), "-B", build.string(), "-G", "Ninja",
@@ -322,7 +322,7 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
         EXPECT_EQ(code, 0) << lab << report.dump(1);
         EXPECT_EQ(report.at("points"), report.at("of")) << lab;
     }
-    // Without exact values a pixel is told right or wrong in the pictures of checks.
+    // Without exact values, the pictures of checks still show whether a pixel is right.
     const auto explain = [&](std::vector<std::string> more) {
         more.insert(more.begin(), {(build / "bin/relief").string(), "explain", "06", "--pixel", "9,9"});
         return run(more);
@@ -330,19 +330,19 @@ TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutio
     const std::string check_named = staff("06_tangent_space").checks.front().name;
     EXPECT_TRUE(contains(explain({}).err, "add --check '")) << check_named;
     EXPECT_TRUE(contains(explain({"--check", check_named}).out, "expected by the check: "));
-    // A known mistake is named, by what the handout has alone.
+    // The handout alone suffices to name a known mistake.
     const Manifest storage = staff("02_normal_map_storage");
     const MistakeInfo& mistake = storage.mistakes.front();
     for (const auto& [file, text] : edited(mistake.edits)) write_file(course() / file, text);
     for (const auto& task : check("02").second.at("tasks"))
         EXPECT_EQ(task.at("mistake"), task.at("id") == mistake.task ? mistake.hint : "") << task.at("id");
     for (const auto& [file, text] : edited(mistake.edits)) write_file(course() / file, read_file(course_root() / file));
-    // And what was left out or replaced on the way is not missed in any picture.
+    // The golden pictures pass, so no picture needs a removed or replaced file.
     for (const std::string& lab : *labs_) {
         const Result golden = run({(build / "bin/relief").string(), "golden", lab});
         EXPECT_EQ(golden.code, 0) << golden.err;
     }
-    // The site of a student has pictures of every method, and no error maps: there is no truth.
+    // The student's site has pictures of every method but no error maps, since it has no truth.
     const Result site = run({(build / "bin/relief").string(), "gallery", "--labs", "2"});
     EXPECT_EQ(site.code, 0) << site.err;
     EXPECT_EQ(site.err, "") << "nothing to be made by commands that are not there";

@@ -1,4 +1,4 @@
-// The harness of relief bench: figures, turns, and what it writes.
+// The harness of relief bench: error figures, timing rounds, and its output files.
 #include "framework/staff/measure/rows.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ TEST(BenchTurns, RepeatWhatIsShorterThanAMillisecond) {
 }
 
 TEST(BenchTurns, SeeADriftOfTheMachineInAllMethodsAlike) {
-    // Each run takes a little longer than the one before: the medians stay within that drift of each other.
+    // Each run takes slightly longer than the one before. The medians differ by less than that drift.
     Machine machine;
     double slower = 1;
     const auto drifting = [&] { return BenchSubject{.run = [&] { machine.now += slower, slower *= 1.01; }}; };
@@ -155,7 +155,7 @@ TEST(BenchTable, ShowsEveryMethodWithItsFigures) {
 
 TEST(BenchTopics, AllMakeMethodsThatRunAndMeasureErrors) {
     for (const BenchTopic& topic : bench_topics()) {
-        // There is no context here, and there are none of the course's labs: the baseline's test runs the others.
+        // This program has no context and no labs. The test `baseline` runs the other topics.
         if (topic.draws || topic.only_time) continue;
         size_t with_error = 0;
         for (const BenchScene& scene : topic.scenes({.repeats = 1, .quick = true}))
@@ -196,7 +196,7 @@ TEST(BenchTopics, HaveWhatIsUsual) {
     }
 }
 
-/// Of a method of a topic, in its quick sweep.
+/// Prepares a method of a topic, in its quick sweep.
 BenchSubject prepared(const std::string& topic_name, const std::string& method_name) {
     for (const BenchTopic& topic : bench_topics())
         if (topic.name == topic_name)
@@ -208,8 +208,8 @@ BenchSubject prepared(const std::string& topic_name, const std::string& method_n
 
 TEST(Peers, ComputeWhatIsComparedWithThem) {
     ASSERT_TRUE(has_peers()) << "built without libassimp-dev or libembree-dev";
-    // What they make is rough, and it is tangents of this mesh and slopes of this map: in other units, of other signs
-    // or in another order it would be off by tens of degrees.
+    // The peers are less accurate, but they compute the tangents of this mesh and the slopes of this map. Other units,
+    // signs or orders would give errors of tens of degrees.
     const BenchError tangents = prepared("tangents", "Assimp").error, slopes = prepared("normals", "OpenImageIO").error;
     EXPECT_LT(tangents.mean, 3);
     EXPECT_GT(tangents.mean, 0.1);

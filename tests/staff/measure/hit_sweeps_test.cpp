@@ -9,7 +9,7 @@ namespace {
 
 TEST(Stability, OfHitsHoldsWherePeersHold) { expect_course_holds_where_peers_do(hit_sweeps({.quick = true})); }
 
-/// The verdicts of a scene's methods, by name.
+/// Returns the verdicts of a scene's methods, by name.
 std::map<std::string, BenchSweep> sweeps_of(const std::string& input) {
     std::map<std::string, BenchSweep> sweeps;
     for (const BenchScene& scene : hit_sweeps({.quick = true}))

@@ -1,4 +1,4 @@
-// Sweeps of relief bench: what a curve says, how it is written, and the promises of methods that need no context.
+// Sweeps of relief bench: the verdict on a curve, its output, and the promises of methods that need no context.
 #include "framework/staff/measure/stability.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What must be true of every sweep of the topic `stability`.
+// Requirements on every sweep of the topic `stability`.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 
 namespace relief {
 
-/// Prepares all methods. Those of the course are finite and end at every place; and where a peer keeps the error that
-/// it states, a method of the course does that states no more.
+/// Prepares all methods. Expects that the course's methods are finite and terminate at every place. Where a peer keeps
+/// its stated error, one of the course's methods must keep a stated error that is no larger.
 inline void expect_course_holds_where_peers_do(const std::vector<BenchScene>& scenes) {
     for (const BenchScene& scene : scenes) {
         const std::string name = knob_text(scene.knobs);

@@ -1,4 +1,4 @@
-// Pages of labs, submissions, classes and benchmarks: a stranger's text, or a manifest's, is text on all of them.
+// Pages of labs, submissions, classes and benchmarks: untrusted text and manifest text are escaped on all of them.
 #include "framework/pages/lab_page.h"
 #include "framework/pages/page.h"
 #include "framework/staff/pages/bench_page.h"
@@ -12,7 +12,7 @@ namespace {
 
 const std::string hostile = "x<script>&\"'";
 
-/// How often the text is there, escaped; it must not be there as it is.
+/// Counts the escaped copies of the hostile text. Expects no unescaped copy.
 int times_escaped(const std::string& page) {
     EXPECT_EQ(page.find("x<script>"), std::string::npos);
     EXPECT_EQ(page.find(hostile.substr(1 + std::string("<script>").size())), std::string::npos);
@@ -83,7 +83,7 @@ TEST(StudentPage, TakesANewStandingAndKeepsTheRest) {
     policy.adjustments = {{"jane", "2.1", 0.5, hostile, {}}};
     policy.extensions = {{"jane", "", 1, "ill"}};
     policy.hand_ins = {{"jane", "", parse_moment("2027-03-03T11:00Z", {}, {})}};
-    const std::vector<SubmissionMark> marks = {mark};  // which the standing points to
+    const std::vector<SubmissionMark> marks = {mark};  // the standing points to it
     const ClassStanding standing = class_standing(marks, policy, {});
     for (const PageFor reader : {PageFor::instructor, PageFor::student}) {
         const std::string before = student_page(mark, {}, reader);

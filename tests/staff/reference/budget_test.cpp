@@ -1,4 +1,4 @@
-// What an error in pixels allows a relief.
+// How much of a relief can be left out for a given error in pixels.
 #include "framework/staff/reference/budget.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(Budget, AMetreIsAsManyPixelsAsADifferenceOfTwoPlacesSays) {
 }
 
 TEST(Budget, AMetreAheadAcrossTheSightIsThePixelsOfARadian) {
-    // A camera of 90 degrees: at w metres ahead the picture is 2 w metres high.
+    // A camera of 90 degrees: at a distance of w metres the picture is 2 w metres high.
     EXPECT_NEAR(pixels_per_metre({0, 0, 0, 4}, {0, 1, 0, 0}, {100, 100}), 100.0 / 8, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// The exact hit: against closed forms, against brute force, and where searches break.
+// The exact hit: against closed forms, against brute force, and in cases where searches fail.
 #include "framework/staff/reference/height_field.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A map from a function of column and row; row 0 is the lowest here, as v grows up.
+/// Makes a map from a function of column and row. Row 0 is the lowest here, since v grows up.
 template <class Height>
 HeightField field(int columns, int rows, bool wraps, Height height) {
     Image image(columns, rows, 1);
@@ -30,10 +30,10 @@ HeightField random_field(unsigned seed, int columns, int rows, bool wraps) {
     return field(columns, rows, wraps, [&](int, int) { return std::uniform_real_distribution<>(0, 1)(random); });
 }
 
-/// A ray that enters at height 1 over `texel` and has gone `along` texels when it is at height 0.
+/// Returns a ray that enters at height 1 over `texel` and reaches height 0 after `along` texels.
 Ray down(glm::dvec2 texel, glm::dvec2 along) { return {{texel, 1}, {along, -1}}; }
 
-/// Steps of 1/400 texel and 60 bisections: slow, and knows nothing of cells.
+/// Finds the first hit with steps of 1/400 texel and 60 bisections. Slow, and independent of the cells.
 double first_hit_by_force(const HeightField& field, const Ray& ray, double bend = 0, double t_end = 1) {
     const auto gap = [&](double t) { return ray.at(t).z + bend * t * t - field.height(glm::dvec2(ray.at(t))); };
     if (gap(0) <= 0) return 0;
@@ -55,7 +55,7 @@ TEST(HeightField, ARayThatBendsHitsWhereBruteForceSaysOrLeavesThroughTheTop) {
         const double turn = 2 * M_PI * share(random), reach = 20 * share(random), bend = share(random);
         const Ray ray =
             down({16 * share(random), 16 * share(random)}, {reach * std::cos(turn), reach * std::sin(turn)});
-        const double t_end = 1 / bend;  // it is at height 1 again
+        const double t_end = 1 / bend;  // back at height 1
         const double forced = first_hit_by_force(rough, ray, bend, std::min(t_end, 50.0));
         const auto hit = rough.first_hit(ray, std::min(t_end, 50.0), bend);
         ASSERT_EQ(hit.has_value(), std::isfinite(forced)) << i;
@@ -122,7 +122,7 @@ TEST(FirstHit, OnAFlatMapIsWhereTheRayHasThatHeight) {
 
 TEST(FirstHit, OnARampIsWhereTwoLinesMeet) {
     const HeightField ramp = field(101, 3, false, [](int x, int) { return x / 100.0; });
-    // Height (x - 0.5) / 100 against 1 - t at x = 20.5 + 40 t: t = 0.8 / 1.4.
+    // The height (x - 0.5) / 100 equals 1 - t at x = 20.5 + 40 t: t = 0.8 / 1.4.
     const auto hit = ramp.first_hit(down({20.5, 1.3}, {40, 0}), 1);
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->t, 0.8 / 1.4, 1e-7) << "the map's heights are floats";
@@ -131,13 +131,14 @@ TEST(FirstHit, OnARampIsWhereTwoLinesMeet) {
 }
 
 TEST(FirstHit, InASaddleIsTheRootOfItsQuadratic) {
-    // h = 1 at two opposite corners, 0 at the others: on the diagonal h = 1 - 2 s (1 - s).
+    // h = 1 at two opposite corners and 0 at the others: on the diagonal h = 1 - 2 s (1 - s).
     const HeightField saddle = field(2, 2, false, [](int x, int y) { return x == y; });
-    // Along the diagonal at the constant height 3/4: first at 0.75 = 1 - 2 s (1 - s), from the middle outwards.
+    // Along the diagonal at the constant height 3/4: the first hit is where 0.75 = 1 - 2 s (1 - s), from the middle
+    // outwards.
     const auto out = saddle.first_hit({{1, 1, 0.75}, {1, 1, 0}}, 0.5);
     ASSERT_TRUE(out);
     EXPECT_NEAR(out->t, std::sqrt(0.125), 1e-15);
-    // Across, along the other diagonal h = 2 s (1 - s): a ray at 1/2 touches the top, one a little above does not.
+    // Along the other diagonal h = 2 s (1 - s). A ray at height 1/2 touches its top, and a ray slightly above does not.
     const auto touch = saddle.first_hit({{0.5, 1.5, 0.5}, {1, -1, 0}}, 1);
     ASSERT_TRUE(touch) << "a double root is a hit";
     EXPECT_NEAR(touch->t, 0.5, 1e-7);
@@ -149,7 +150,7 @@ TEST(FirstHit, InASaddleIsTheRootOfItsQuadratic) {
 
 TEST(FirstHit, FindsAPostOfOneTexel) {
     const HeightField post = field(64, 64, false, [](int x, int y) { return x == 32 && y == 32; });
-    // Level at height 1/2 through the post's middle: its flank rises from 0 to 1 over one texel.
+    // A horizontal ray at height 1/2 through the post's middle. The post's flank rises from 0 to 1 over one texel.
     const auto hit = post.first_hit({{0.5, 32.5, 0.5}, {1, 0, 0}}, 64);
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->texel.x, 32, 1e-13);
@@ -179,7 +180,7 @@ TEST(FirstHit, IsWithinAHairOfBruteForceOnRandomMaps) {
             const auto hit = map.first_hit(ray, 1);
             const double t = first_hit_by_force(map, ray);
             ASSERT_TRUE(hit);
-            // Force may step over a graze; the exact hit is then earlier, and on the surface.
+            // Brute force may step over a grazing hit. The exact hit is then earlier, and on the surface.
             EXPECT_NEAR(ray.at(hit->t).z, map.height(hit->texel), 1e-12) << i;
             EXPECT_LE(hit->t, t + 1e-12) << i;
             compared += std::abs(hit->t - t) * reach < 1e-11;
@@ -219,7 +220,7 @@ TEST(FirstHit, AtGrazingAnglesIsFiniteOrSaysWhyNot) {
         EXPECT_TRUE(std::isfinite(hit->texel.x) && hit->t >= 0 && hit->t <= 1);
     }
     const HeightField low = field(8, 8, true, [](int x, int y) { return x == 0 && y == 0 ? 1 : 0.5; });
-    // At 0.7 along a row without the post: for ever.
+    // A horizontal ray at height 0.7 along a row without the post never hits.
     EXPECT_TRUE(contains(message_of([&] { low.first_hit({{0, 4.5, 0.7}, {1, 0, 0}}, infinity); }), "cells"));
     EXPECT_FALSE(low.first_hit({{0, 4.5, 0.7}, {1, 0, 0}}, 1000));
 }
@@ -259,7 +260,7 @@ TEST(IsLit, EverywhereOnAFlatMapAndNowhereFromBelow) {
 
 TEST(IsLit, AWallThrowsAShadowAsLongAsItsHeightOverTheSlopeOfTheLight) {
     const HeightField wall = field(64, 2, false, [](int x, int) { return x == 20; });
-    // Light from the left that falls 1 in 10 texels: the shadow of the top at 20.5 ends at 30.5.
+    // Light from the left that falls by 1 in 10 texels: the shadow of the top at 20.5 ends at 30.5.
     const glm::dvec3 light(-10, 0, 1);
     EXPECT_FALSE(wall.is_lit({30.49, 1}, light));
     EXPECT_TRUE(wall.is_lit({30.51, 1}, light));

@@ -1,5 +1,5 @@
-// Normals from heights, the fast way against the definition; and the definition against plane waves whose slopes are
-// known.
+// Normals from heights: the fast implementation against the definition, and the definition against plane waves of known
+// slope.
 #include "framework/staff/reference/height_slopes.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(NormalsFromHeights, AreTheDefinitionsUpToRoundingForEverySizeFilterAndBorde
                     for (int x = 0; x < width; ++x)
                         largest =
                             std::max(largest, glm::length(decoded(normals, x, y) - normal_at(map, x, y, options)));
-                // A slope of 3 in single precision, and 0.5 n + 0.5 rounded to 2^-24, twice that decoded.
+                // A slope of 3 in single precision, and 0.5 n + 0.5 rounded to 2^-24. Decoding doubles that error.
                 ASSERT_LT(largest, 6e-7);
             }
 }
@@ -100,7 +100,7 @@ TEST(NormalsFromHeights, OfAShiftedTileAreTheShiftedNormals) {
                     largest = std::max<double>(
                         largest,
                         std::abs(moved.pixel(x, y)[c] - normals.pixel((x + 30) % width, (y + 13) % height)[c]));
-        // Borders are taken in double precision, the inside in single.
+        // Borders are computed in double precision, and the inside in single precision.
         EXPECT_LT(largest, 3e-7) << testing::PrintToString(filter);
     }
 }
@@ -119,8 +119,8 @@ TEST(NormalsFromHeights, AreTheSameForAnyNumberOfThreadsAndInMemoryThatIsThere) 
 }
 
 TEST(NormalsFromHeights, OfALargeMapAreThoseOfItsParts) {
-    // Large enough to be written past the caches: 1100 x 1000 texels of 12 bytes; 1100 columns begin rows at any
-    // alignment.
+    // Large enough for writes that bypass the caches: 1100 x 1000 texels of 12 bytes. With 1101 columns, rows begin at
+    // any alignment.
     const Image map = random_heights(24, 1101, 1000);
     const NormalOptions options{.texels_u = 5, .texels_v = 4, .filter = F::sobel};
     const Image normals = normals_from_heights(map, options);
@@ -133,7 +133,7 @@ TEST(NormalsFromHeights, StayUnitWhateverTheHeightsAre) {
     const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
     for (const double odd : {nan, infinity, -infinity, 1e38, -1e38, 1e-40, -0.0})
         for (const F filter : filters) {
-            if (filter == F::spline && !std::isfinite(odd)) continue;  // below
+            if (filter == F::spline && !std::isfinite(odd)) continue;  // tested below
             Image map = random_heights(25, 24, 6);
             *map.pixel(11, 3) = float(odd);
             const Image normals = normals_from_heights(map, {.texels_u = 1e10, .texels_v = 1, .filter = filter});
@@ -165,7 +165,7 @@ WaveError wave_error(F filter, double wavelength) {
     const double w = 2 * M_PI / wavelength;
     const int turns = 64, phases = 64;
     for (int i = 0; i < turns; ++i) {
-        // A filter along one axis passes cos(w_x) by its gain; the wave's slope is (gain_x, gain_y) cos(phase).
+        // A filter along one axis scales cos(w_x) by its gain. The slope of the wave is (gain_x, gain_y) cos(phase).
         const double turn = M_PI / 2 * (i + 0.5) / turns, wx = w * std::cos(turn), wy = w * std::sin(turn);
         const auto gain = [&](double along, double across) {
             switch (filter) {
@@ -193,7 +193,8 @@ WaveError wave_error(F filter, double wavelength) {
 }
 
 TEST(SlopeFilter, DampsAPlaneWaveByItsGain) {
-    // A wave around a tile of 16 x 12 texels: 3 along u, 2 along v. The gains of wave_error are the filters' own.
+    // A wave over a tile of 16 x 12 texels, with 3 periods along u and 2 along v. The gains in wave_error belong to the
+    // filters.
     const double wx = 2 * M_PI * 3 / 16, wy = 2 * M_PI * 2 / 12;
     const Image wave = heights(16, 12, [&](int x, int y) { return std::sin(wx * x - wy * y); });
     const auto expect = [&](F filter, double u, double v) {
@@ -218,7 +219,7 @@ TEST(SlopeFilter, CostsWhatIsKnownOfItOnPlaneWaves) {
         F filter;
         double mean, largest;
     };
-    // Degrees, over all directions and phases, steepest slope 1; computed apart from this program.
+    // Degrees over all directions and phases, for a steepest slope of 1. Computed by a separate program.
     for (const Row& row :
          {Row{4, F::central, 7.29, 12.5}, Row{4, F::sobel, 10.1, 14.8}, Row{4, F::scharr, 9.30, 12.5},
           Row{4, F::fourth_order, 2.47, 4.67}, Row{4, F::spline, 0.669, 1.32}, Row{8, F::central, 1.83, 3.00},
@@ -228,13 +229,13 @@ TEST(SlopeFilter, CostsWhatIsKnownOfItOnPlaneWaves) {
           Row{16, F::spline, 0.0020, 0.0039}, Row{32, F::central, 0.114, 0.184}, Row{32, F::sobel, 0.164, 0.230},
           Row{32, F::scharr, 0.150, 0.196}}) {
         const WaveError error = wave_error(row.filter, row.wavelength);
-        // Two or three digits are printed, and their sum over directions is not quite ours: up to 1.1 % at 4 texels.
+        // The table has two or three digits, and it samples directions slightly differently: up to 1.1 % at 4 texels.
         EXPECT_NEAR(error.mean, row.mean, 0.012 * row.mean + 0.00005)
             << row.wavelength << testing::PrintToString(row.filter);
         EXPECT_NEAR(error.largest, row.largest, 0.012 * row.largest + 0.00005)
             << row.wavelength << testing::PrintToString(row.filter);
     }
-    // The largest error of the slope's direction: what Scharr is known for.
+    // The largest error of the slope's direction, which Scharr minimizes.
     EXPECT_NEAR(wave_error(F::central, 8).direction, 1.54, 0.01);
     EXPECT_NEAR(wave_error(F::sobel, 8).direction, 0.754, 0.005);
     EXPECT_NEAR(wave_error(F::scharr, 8).direction, 0.162, 0.002);
@@ -243,12 +244,13 @@ TEST(SlopeFilter, CostsWhatIsKnownOfItOnPlaneWaves) {
 }
 
 TEST(SlopeFilter, CostsWhatIsKnownOfItOnHeightsOf8And16Bits) {
-    // Rounding is noise of 1/sqrt(12) of a step: the rms error of the normal of a flat, dithered map, in degrees.
+    // Rounding is noise with a standard deviation of 1/sqrt(12) of a step. This is the rms error of the normal of a
+    // flat, dithered map, in degrees.
     const auto rms = [](F filter, double amplitude, int steps) {
         std::mt19937 random(27);
         const Image rounded = heights(192, 192, [&](int, int) {
             const double height = std::uniform_real_distribution<>(0.2, 0.8)(random);
-            return std::round(height * steps) / steps - height;  // what rounding adds
+            return std::round(height * steps) / steps - height;  // rounding error
         });
         const Image normals =
             normals_from_heights(rounded, {.texels_u = amplitude, .texels_v = amplitude, .filter = filter});
@@ -271,7 +273,8 @@ TEST(SlopeFilter, CostsWhatIsKnownOfItOnHeightsOf8And16Bits) {
 TEST(LevelStrengths, OfOneChangeNothingAndOfZeroSmoothTheFinestDetailAway) {
     const Image map = random_heights(28, 40, 30);
     EXPECT_EQ(normals_from_heights(map, {.level_strengths = {1, 1, 1}}).values, normals_from_heights(map, {}).values);
-    // The cubic B-spline has a zero of the fourth order at two texels a wave, so that wave is all finest level.
+    // The cubic B-spline has a zero of fourth order at a wavelength of two texels, so the finest level contains that
+    // wave completely.
     const Image finest =
         heights(16, 16, [](int x, int y) { return 0.5 + (((x + y) & 1) ? 0.25 : -0.25) * ((x & 1) ? 1 : 1); });
     const Image flat = normals_from_heights(finest, {.filter = F::forward, .level_strengths = {0}});
@@ -282,7 +285,7 @@ TEST(LevelStrengths, OfOneChangeNothingAndOfZeroSmoothTheFinestDetailAway) {
 }
 
 TEST(LevelStrengths, OfAllLevelsTogetherAreAStrength) {
-    // Every level of a tile, and nothing but its mean left: then all slopes are doubled.
+    // All levels of the tile are doubled, and only the mean is left. So all slopes are doubled.
     const Image map = random_heights(29, 16, 16);
     const Image all = normals_from_heights(map, {.level_strengths = {2, 2, 2, 2, 2}}),
                 twice = normals_from_heights(map, {.texels_u = 2, .texels_v = 2});

@@ -1,4 +1,4 @@
-// By how much a relief must move for a ray to meet it where somebody says.
+// The smallest change of height with which a ray would hit a relief at a claimed place.
 #include "framework/staff/reference/least_move.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ Image flat(float height) {
 TEST(LeastMove, OfAPlainIsWhatTheRayIsApartFromItWhereItIsSaidToMeetIt) {
     const HeightField field(flat(0.5f), true);
     const Ray ray{{3, 3, 1}, {4, 2, -1}};
-    // A plain has no height above or below its own: every t is taken for that.
+    // On a plane, every claimed t has the plane's own height.
     EXPECT_NEAR(least_move(field, ray, 0.5).height, 0, 1e-12);
 }
 
@@ -32,23 +32,23 @@ Image tent() {
 
 TEST(LeastMove, OfAPlaceBehindATentIsTheTentAboveTheRay) {
     const HeightField field(tent(), true);
-    // Along the tent's ridge, from its left foot to beyond its right one: z = 1 - t, x = 3.5 + 4 t.
+    // Along the tent's ridge, from its left foot to beyond its right foot: z = 1 - t, x = 3.5 + 4 t.
     const Ray ray{{3.5, 4.5, 1}, {4, 0, -1}};
-    // At the top, t = 1/4, the tent is 1 and the ray 3/4; at the ground, t = 1, nothing stands.
+    // At the top, t = 1/4, the tent is at 1 and the ray at 3/4. At t = 1 the ray is on the ground.
     const ReliefMove move = least_move(field, ray, 1);
     EXPECT_NEAR(move.height, -0.25, 1e-12);
     EXPECT_NEAR(move.t, 0.25, 1e-12);
-    // Uphill the tent is 4 t: met at t = 1/5.
+    // On the rising side the tent's height is 4 t, which the ray hits at t = 1/5.
     EXPECT_NEAR(least_move(field, ray, 0.2).height, 0, 1e-12);
-    // Said to be met too early, the tent has to rise to the ray: 0.9 - 0.4.
+    // If the claimed hit is too early, the tent must rise to the ray: 0.9 - 0.4.
     EXPECT_NEAR(least_move(field, ray, 0.1).height, 0.5, 1e-12);
     EXPECT_NEAR(least_move(field, ray, 0.1).t, 0.1, 1e-12);
 }
 
 TEST(LeastMove, FindsATopBetweenTheLinesOfACell) {
     const HeightField field(tent(), true);
-    // Over the diagonal of a cell that falls from the tent's top to 0 as (1 - a)²; the ray begins below the surface's
-    // chord.
+    // The ray crosses a cell along whose diagonal the tent falls from 1 to 0 as (1 - a)². It begins below the chord of
+    // the surface.
     const Ray ray{{3.5, 4.0, 1.0}, {2, 1, -1}};
     const ReliefMove move = least_move(field, ray, 1);
     double largest = 0;
@@ -68,7 +68,7 @@ TEST(LeastMove, IsNothingExactlyAtTheFirstHit) {
         const auto hit = field.first_hit(ray, 1);
         ASSERT_TRUE(hit);
         EXPECT_LT(std::abs(least_move(field, ray, hit->t).height), 1e-9);
-        // A straight way up from there leaves the surface.
+        // From the hit backwards along the ray, the surface would have to rise.
         if (hit->t > 0.05) {
             EXPECT_GT(least_move(field, ray, hit->t - 0.05).height, 0);
         }
@@ -76,7 +76,7 @@ TEST(LeastMove, IsNothingExactlyAtTheFirstHit) {
 }
 
 TEST(LeastMove, IsNoMoreThanASurfaceIsOff) {
-    // What another relief shows, whose heights are off by 0.05 at most, is wrong by no more.
+    // The hits on another relief, whose heights differ by at most 0.05, are wrong by at most 0.05.
     const Image image = make_height_map(HeightMap::stones, 64);
     Image other = image;
     std::mt19937 random(18);

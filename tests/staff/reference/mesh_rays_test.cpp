@@ -1,4 +1,4 @@
-// Rays against meshes in double precision: closed forms, and no gap at edges and vertices.
+// Rays against meshes in double precision: closed forms, and no gaps at edges and vertices.
 #include "framework/staff/reference/mesh_rays.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ TEST(MeshRays, MeetATriangleWhereItsPlaneIs) {
     EXPECT_EQ(hit({{0.25, 0.5, -3}, {0, 0, 1}}).w, -1) << "from behind";
     EXPECT_EQ(hit({{0.6, 0.6, 3}, {0, 0, -1}}), glm::dvec4(0)) << "beside it";
     EXPECT_EQ(hit({{-1, 0.2, 0}, {1, 0, 0}}), glm::dvec4(0)) << "along its plane";
-    // The same triangle in each order of the axes, so that each is the longest once.
+    // The same triangle in each order of the axes, so that each axis is the longest once.
     for (int turn = 0; turn < 3; ++turn)
         for (const double side : {1.0, -1.0}) {
             const auto turned = [&](glm::dvec3 v) {
@@ -37,7 +37,7 @@ TEST(MeshRays, MeetATriangleWhereItsPlaneIs) {
         }
 }
 
-/// Places on the edges and at the vertices of a mesh, and within its triangles by what rounding leaves of an edge.
+/// Returns points on the edges and at the vertices of a mesh. Rounding may move them slightly into a triangle.
 std::vector<glm::dvec3> places_on_edges(const Mesh& mesh, size_t count) {
     std::mt19937 random(3);
     std::uniform_real_distribution<> share(0, 1);

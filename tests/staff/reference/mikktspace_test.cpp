@@ -1,4 +1,4 @@
-// MikkTSpace's semantics: the slow twin at corners that were worked out by hand, then the fast one against the twin.
+// MikkTSpace's semantics: the slow twin at corners computed by hand, then the fast implementation against the twin.
 #include "framework/staff/reference/mikktspace.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(MikkTSpace, ProjectsOntoThePlaneOfEachCornersNormal) {
     mesh.vertices[1].normal = glm::normalize(glm::vec3(1, 0, 1));
     const auto tangents = mikktspace_reference(mesh);
     expect_tangent(tangents[0], {1, 0, 0}, 1);
-    // The normal is a float: 1e-6 degrees is too fine for it.
+    // The normal is a float, so a tolerance of 1e-6 degrees would be too small.
     EXPECT_LT(degrees_between(glm::dvec3(tangents[1]), {1, 0, -1}), 1e-5);
 }
 
@@ -58,7 +58,7 @@ TEST(MikkTSpace, WeighsByTheAnglesAtTheVertex) {
 }
 
 TEST(MikkTSpace, WeighsByAnglesBetweenProjectedEdges) {
-    // The shared edge rises at 60 degrees out of the tangent plane: projected it is (1/2, 1/2), at 45 degrees as
+    // The shared edge rises at 60 degrees out of the tangent plane. Its projection is (1/2, 1/2), at 45 degrees as
     // before.
     Mesh mesh{{flat_vertex({0, 0}, {0, 0}), flat_vertex({1, 0}, {1, 0}), flat_vertex({0.5f, 0.5f}, {1, 1}),
                flat_vertex({-1, 1}, {1, 2})},
@@ -104,7 +104,7 @@ TEST(MikkTSpace, ATriangleWithoutAreaInUvTakesItsNeighboursTangent) {
 }
 
 TEST(MikkTSpace, ATriangleWithoutAreaInUvTakesTheHandednessOfTheFirstGroupThatReachesIt) {
-    // Three quads beside each other; the mirror runs through the middle one, and both sides reach each of its
+    // Three quads in a row. The mirror line runs through the middle one, and groups from both sides reach both of its
     // triangles.
     Mesh mesh = mirrored_grid(3, 1);
     auto tangents = mikktspace_reference(mesh);
@@ -124,7 +124,7 @@ TEST(MikkTSpace, ATriangleWithTwoEqualCornersInherits) {
     EXPECT_EQ(glm::dvec3(tangents[5]), glm::dvec3(0));
 }
 
-/// The fast tangents are the twin's, corner by corner, where that has one.
+/// Expects that the fast tangents equal the twin's at every corner where the twin has one.
 void expect_same(const Mesh& mesh) {
     const auto twin = mikktspace_reference(mesh);
     const auto fast = corner_tangents(mesh, TangentMethod::mikktspace);
@@ -179,7 +179,8 @@ TEST(MikkTSpaceFast, AgreesWithTheTwinWhereTrianglesHaveNoAreaInUv) {
 }
 
 TEST(MikkTSpaceFast, AgreesWithTheTwinAtAVertexOfManyTriangles) {
-    // 40 around a point: more than are compared one by one. Every seventh is mirrored, every eleventh is left out.
+    // 40 triangles around a point, more than are compared one by one. Every seventh is mirrored, and every eleventh is
+    // omitted.
     Mesh mesh;
     mesh.vertices.push_back(flat_vertex({0, 0}, {0, 0}));
     for (int i = 0; i < 40; ++i) {
@@ -191,7 +192,7 @@ TEST(MikkTSpaceFast, AgreesWithTheTwinAtAVertexOfManyTriangles) {
         if (i % 11) mesh.indices.insert(mesh.indices.end(), {0, i + 1, (i + 1) % 40 + 1});
     mesh.vertices[8].uv = {-0.9f, -0.4f};
     expect_same(mesh);
-    for (uint32_t i = 3; i < 40; i += 5) mesh.vertices[i].uv = mesh.vertices[i + 1].uv;  // and some without area in uv
+    for (uint32_t i = 3; i < 40; i += 5) mesh.vertices[i].uv = mesh.vertices[i + 1].uv;  // degenerate in uv
     expect_same(mesh);
 }
 

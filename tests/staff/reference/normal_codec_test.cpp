@@ -1,4 +1,4 @@
-// What each way to store a normal costs: published means and maxima, and the places where codecs break.
+// The error of each normal-map format: published means and maxima, and inputs at which codecs fail.
 #include "framework/staff/reference/normal_codec.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,8 @@ struct Cost {
     double mean = 0, largest = 0;
 };
 
-/// Over directions spread evenly on the part of the sphere with z >= lowest (Archimedes: z itself is even).
+/// Measures the error over directions that are uniform on the part of the sphere with z >= lowest. By Archimedes, z is
+/// uniform.
 Cost cost(F encoder, F decoder, double lowest, int count) {
     constexpr int pieces = 16;  // each with its own seed, so that the result does not depend on the threads
     std::vector<Cost> costs(pieces);
@@ -68,8 +69,8 @@ TEST(NormalFormat, CostsWhatCigolleEtAlPublished) {
           Row{F::oct8_precise, 0.31485, 0.63575}, Row{F::oct12_precise, 0.01953, 0.03928},
           Row{F::oct16, 0.00131, 0.00366}, Row{F::oct16_precise, 0.00122, 0.00246}}) {
         const Cost measured = cost(row.format, row.format, sphere, samples);
-        // The mean of 200,000 samples moves by 0.1 %, and the last row is printed with three digits. The maximum is
-        // found from below: here with fewer samples than theirs, elsewhere up to 0.8 % above.
+        // The mean of 200,000 samples varies by 0.1 %, and the last row is printed with three digits. A sampled maximum
+        // is a lower bound: here with fewer samples than theirs, elsewhere up to 0.8 % above.
         EXPECT_NEAR(measured.mean, row.mean, 0.005 * row.mean + 0.000005) << testing::PrintToString(row.format);
         EXPECT_GE(measured.largest, 0.99 * row.largest) << testing::PrintToString(row.format);
         EXPECT_LE(measured.largest, 1.015 * row.largest) << testing::PrintToString(row.format);
@@ -81,7 +82,7 @@ TEST(NormalFormat, CostsWhatIsKnownOfItOnSphereHemisphereAndCone) {
         F encoder, decoder;
         double part, mean, largest;
     };
-    // Measured once with 2,000,000 vectors by a program that shares nothing with this one.
+    // Measured once with 2,000,000 vectors by an independent program.
     for (const Row& row :
          {Row{F::unorm8, F::unorm8, sphere, 0.16962, 0.38646}, Row{F::unorm8, F::unorm8, cone60, 0.16943, 0.38571},
           Row{F::paired8, F::paired8, sphere, 0.17016, 0.38681}, Row{F::paired8, F::unorm8, sphere, 0.34046, 0.77520},
@@ -91,20 +92,22 @@ TEST(NormalFormat, CostsWhatIsKnownOfItOnSphereHemisphereAndCone) {
           Row{F::oct8, F::oct8, sphere, 0.33691, 0.95169}, Row{F::oct8, F::oct8, cone60, 0.34509, 0.95354},
           Row{F::oct8_precise, F::oct8_precise, sphere, 0.31479, 0.63501},
           Row{F::oct8_precise, F::oct8_precise, cone60, 0.32442, 0.63491}}) {
-        // Maxima of x, y, z by themselves are rare, and at the horizon the rarest: these get more samples.
+        // Maxima of codecs that store x, y and z separately are rare, and rarest at the horizon. These codecs get more
+        // samples.
         const bool is_octahedral = info_of(row.decoder).name.starts_with("oct");
         const Cost measured = cost(row.encoder, row.decoder, row.part, is_octahedral ? samples : 4 * samples);
         SCOPED_TRACE(testing::PrintToString(row.encoder) + " to " + testing::PrintToString(row.decoder));
         EXPECT_NEAR(measured.mean, row.mean, 0.005 * row.mean + 0.000005);
         EXPECT_GE(measured.largest, 0.99 * row.largest);
-        // Half a step in x and in y at the rim of the cone is 2 sqrt(2) / 65535, 0.00247 degrees: 3 % above the
-        // table's.
+        // At the rim of the cone, half a step in x and in y is 2 sqrt(2) / 65535, or 0.00247 degrees: 3 % above the
+        // table's value.
         EXPECT_LE(measured.largest, (row.decoder == F::rg16 ? 1.031 : 1.015) * row.largest);
     }
 }
 
 TEST(NormalFormat, HalfIsWithinHalfAStepOfEachComponent) {
-    // A component below 1 is off by up to 2^-12; the three together tilt by up to sqrt(3) of that, and 0.0242 degrees.
+    // The error of a component below 1 is at most 2^-12. Three components tilt the normal by at most sqrt(3) times
+    // that, 0.0242 degrees.
     const Cost measured = cost(F::half, F::half, sphere, samples);
     EXPECT_LT(measured.largest, glm::degrees(std::sqrt(3) * 0x1p-12));
     EXPECT_GT(measured.largest, glm::degrees(0x1p-12)) << "or it keeps more bits than it should";
@@ -114,7 +117,7 @@ TEST(NormalFormat, KeepsAFlatTexelExactlyOrTiltsItByWhatItsZeroIsOff) {
     const glm::dvec3 flat(0, 0, 1);
     for (const NormalFormatInfo& info : normal_formats()) {
         const double error = round_trip(info.format, flat);
-        // 0 is half way between two codes of unorm: 1/255 (or 1/65535) in x and in y.
+        // In unorm, 0 is half-way between two codes: an error of 1/255 (or 1/65535) in x and in y.
         if (info.format == F::unorm8 || info.format == F::unorm8_truncated || info.format == F::rg8)
             EXPECT_NEAR(error, glm::degrees(std::atan(std::sqrt(2) / 255)), 1e-5) << info.name;
         else if (info.format == F::rg16)
@@ -137,8 +140,8 @@ TEST(NormalFormat, KeepsTheAxesAndTheFoldsOfTheOctahedronWithEitherSignOfZero) {
                       glm::dvec3(one * r, zero, -r), glm::dvec3(zero, one * r, -r), glm::dvec3(one * r, -r, zero)}) {
                     if (upper_only && n.z < 0) continue;
                     const double error = round_trip(info.format, n);
-                    // Axes are codes of their own. Half of 127 is not whole: half a step in both channels is 0.643
-                    // degrees.
+                    // Axes have codes of their own. Half of 127 is not a whole number: half a step in both channels is
+                    // 0.643 degrees.
                     const bool axis = std::abs(n.x) + std::abs(n.y) + std::abs(n.z) == 1;
                     const double allowed = octahedral ? axis ? 1e-13 : 0.65 : upper_only ? 6 : 0.8;
                     EXPECT_LE(error, allowed) << info.name << " " << n.x << " " << n.y << " " << n.z;
@@ -166,7 +169,7 @@ TEST(NormalFormat, MinusOneHasTwoCodesInSnorm) {
 }
 
 TEST(NormalFormat, EncodesADirectionOfAnyLength) {
-    const glm::dvec3 direction(3, -5, 7);  // denormals, too, hold it exactly
+    const glm::dvec3 direction(3, -5, 7);  // exact also in denormals
     for (const NormalFormatInfo& info : normal_formats())
         for (const double length : {1e-300, 1e-20, 1e20, 1e300, 0x1p-1060})
             EXPECT_EQ(encode_normal(info.format, length * direction), encode_normal(info.format, direction))
@@ -199,7 +202,8 @@ TEST(NormalFormat, DecodesEveryCodeToAUnitVector) {
 }
 
 TEST(NormalFormat, GivesAnOctahedralCodeBackUnlessItsPlaceHasTwo) {
-    // On the rim of the square (where an edge is folded onto itself) two codes are one direction; -128 is -127.
+    // On the rim of the square, where an edge is folded onto itself, two codes are one direction. Also, -128 means
+    // -127.
     for (int x = -126; x <= 126; ++x)
         for (int y = -126; y <= 126; ++y) {
             const NormalCode code{{uint16_t(x & 255), uint16_t(y & 255)}};

@@ -1,4 +1,4 @@
-// Normals of height maps whose slope is known.
+// Normals of height maps with known slopes.
 #include "framework/staff/reference/normals.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,8 @@ Image heights(int width, int height, Height at) {
     return image;
 }
 
-/// Texel (x, y) is the normal of a surface with these slopes along u and v. 1e-7: one rounding to float.
+/// Expects that texel (x, y) is the normal of a surface with these slopes along u and v. The default tolerance of 1e-7
+/// is one rounding to float.
 void expect_slopes(const Image& normals, int x, int y, double du, double dv, double tolerance = 1e-7) {
     const double length = std::sqrt(du * du + dv * dv + 1), normal[] = {-du / length, -dv / length, 1 / length};
     for (int c = 0; c < 3; ++c)
@@ -81,7 +82,7 @@ TEST(Normals, OfASlopeBeyondAllMeasureLieDownInItsDirection) {
             const Image normals = normals_from_heights(
                 plane, {.texels_u = texels, .texels_v = texels, .filter = filter, .wrap = false});
             const float* const texel = normals.pixel(12, 12);
-            // Rows run down, v up: (-3, 4) / 5, lying down. At 1e3 it still stands up by 1 / 39.
+            // Rows run down and v runs up: the normal is (-3, 4) / 5, horizontal. At 1e3 it still rises by 1 / 39.
             EXPECT_NEAR(2 * texel[0] - 1, -0.6, 1e-3) << texels;
             EXPECT_NEAR(2 * texel[1] - 1, 0.8, 1e-3) << texels;
         }
@@ -111,7 +112,7 @@ TEST(Normals, SobelWeighsTheNeighbouringRowsOneTwoOne) {
 }
 
 TEST(Normals, AreOfSecondOrder) {
-    // Of a sine tile, whose slope is known: half the texel, a quarter of the error.
+    // On a sine tile with a known slope, half the texel size gives a quarter of the error.
     const auto largest_error = [](int size) {
         const double turn = 2 * std::numbers::pi / size;
         const Image wave = heights(size, 1, [&](int x, int) { return std::sin(turn * x); });

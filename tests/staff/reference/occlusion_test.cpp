@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// Jimenez et al. 2016: cos of the slope.
+// Jimenez et al. 2016: the cosine of the slope.
 TEST(Occlusion, OfAnEndlessGrooveIsTheCosineOfItsSlope) {
     for (const double slope : {15.0, 30.0, 45.0}) {
         Image groove(65, 4, 1);

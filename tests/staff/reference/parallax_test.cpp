@@ -1,4 +1,4 @@
-// The searches that shaders make, against the exact hit: what they miss, and that it is what was measured before.
+// The searches of the shaders against the exact hit. Their errors match earlier measurements.
 #include "framework/staff/reference/parallax.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,8 @@
 namespace relief {
 namespace {
 
-/// Rays at an angle from the normal, from anywhere in any direction, as in a map of 256² texels that is 20 deep.
+/// Returns rays at an angle from the normal, with random origins and directions, for a map of 256² texels that is 20
+/// deep.
 std::vector<ReliefRay> rays_at(double degrees, int count) {
     std::mt19937 random(unsigned(degrees) + 1);
     std::uniform_real_distribution<> share(0, 1);
@@ -25,7 +26,7 @@ std::vector<ReliefRay> rays_at(double degrees, int count) {
 }
 
 struct Figures {
-    double taps = 0, mean = 0, wrong = 0;  ///< wrong: share off by more than a texel
+    double taps = 0, mean = 0, wrong = 0;  ///< wrong: share off by more than one texel
 };
 
 template <class Search>
@@ -50,7 +51,8 @@ const HeightField& fbm() {
 }
 
 TEST(Parallax, LinearStepsMissWhatWasMeasuredOnAMapOfThisKind) {
-    // Taps, mean error in texels, share wrong: another map of the same spectrum, so within a factor of 2.
+    // Taps, mean error in texels, share wrong. They were measured on another map of the same spectrum, hence the factor
+    // of 2.
     struct Row {
         int steps;
         Figures expected;
@@ -68,7 +70,7 @@ TEST(Parallax, LinearStepsMissWhatWasMeasuredOnAMapOfThisKind) {
 }
 
 TEST(Parallax, LinearStepsAreWrongAsOftenAsHandout11Says) {
-    // Per cent; rounded as it stands there.
+    // Per cent, rounded as in the handout.
     struct Row {
         int steps;
         double wrong, rounding;
@@ -97,7 +99,7 @@ TEST(Parallax, EachRefinementIsBetterThanTheLineAlone) {
     EXPECT_GT(wrong(Refinement::none, 0), 3 * line);
     EXPECT_LT(wrong(Refinement::bisection, 5), line / 2);
     EXPECT_LT(wrong(Refinement::secant, 2), line / 2);
-    // An end that never moves keeps the secant away from the root; halving its weight lets go of it.
+    // An end of the bracket that never moves keeps the secant away from the root. Illinois halves its weight.
     const auto mean = [&](Refinement refinement) {
         return figures(fbm(), [&](const ReliefRay& ray) { return march(fbm(), ray, 8, refinement, 4); }).mean;
     };
@@ -113,7 +115,7 @@ TEST(Parallax, MoreStepsAreNeverWorse) {
             const double wrong = figures(field, [&](const ReliefRay& ray) {
                                      return march(field, ray, steps, Refinement::linear, 0);
                                  }).wrong;
-            // Of 16 000 rays a handful may land well by chance.
+            // A handful of the 16,000 rays may hit correctly by chance.
             EXPECT_LE(wrong, before + 0.001) << height_map_names[size_t(map)] << ", " << steps;
             before = wrong;
         }

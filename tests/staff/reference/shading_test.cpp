@@ -1,4 +1,4 @@
-// Displacement, frames, light, levels and stored normals: the double-precision side, against closed forms.
+// Displacement, frames, light, levels and stored normals in double precision, against closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,7 +51,8 @@ TEST(Displaced, HasTheNormalOfItsOwnFiniteDifferences) {
 }
 
 TEST(Displaced, WithoutTheTurningOfTheBaseIsOff) {
-    // Slope 1 at a depth of 0.05 radii: Blinn's approximation is atan(1 / (1 - 0.05)) - atan(1) off, 1.47 degrees.
+    // Slope 1 at a depth of 0.05 radii: Blinn's approximation has an error of atan(1 / (1 - 0.05)) - atan(1), 1.47
+    // degrees.
     SurfacePoint base = point_on(ColumnShape{}, {0, 0.5});
     const HeightPoint height{0.5, {2 * M_PI / 0.1, 0}};  // dh/ds = 10 at radius 1, times a scale of 0.1
     const glm::dvec3 right = displace(base, height, 0.1).normal;
@@ -81,7 +82,7 @@ TEST(TangentFrame, ThereAndBackAgainIsTheSameDirection) {
 TEST(CotangentFrame, HasTheGradientsOfUAndVAlsoWhereTheyAreSheared) {
     // P = (x, y, 0), u = x + y / 2, v = y: the gradients are (1, 1/2) and (0, 1).
     const double longer = std::sqrt(1.25);
-    for (const double side : {1.0, -1.0}) {  // the screen's y may run either way
+    for (const double side : {1.0, -1.0}) {  // the screen's y axis may have either direction
         const glm::dmat3 frame =
             cotangent_frame({0, 0, 1}, {0.1, 0, 0}, {0, 0.1 * side, 0}, {0.1, 0}, {0.05 * side, 0.1 * side});
         EXPECT_LT(glm::length(frame[0] - glm::dvec3(1, 0.5, 0) / longer), 1e-15);
@@ -109,12 +110,12 @@ TEST(TessellationLevel, FollowsDistanceSizeAndErrorWithinWhatGlTakes) {
     EXPECT_EQ(by_distance(1), 64);
     EXPECT_EQ(by_distance(6), 8) << "half way in the exponent";
     EXPECT_EQ(by_distance(99), 1);
-    // 1 m at 10 m with 1000 pixels to the radian is 100 pixels: 10 segments of 10.
+    // 1 m at a distance of 10 m is 100 pixels at 1000 pixels per radian: 10 segments of 10 pixels.
     EXPECT_NEAR(level_by_size({-0.5, 0, 0}, {0.5, 0, 0}, {0, 0, 10}, 1000, 10), 10, 1e-12);
     EXPECT_NEAR(level_by_size({0, 0, -0.5}, {0, 0, 0.5}, {0, 0, 10}, 1000, 10), 10, 1e-12) << "end-on as well";
     EXPECT_EQ(level_by_size({0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1000, 10), 1) << "0 / 0";
     EXPECT_EQ(level_by_size({-1, 0, 0}, {1, 0, 0}, {0, 0, 0}, 1000, 10), 64) << "the eye in its middle";
-    // Half a pixel of 1000 to the radian, 2 m away, is 1 mm: 0.01 of a relief 0.1 m deep.
+    // Half a pixel at 1000 pixels per radian and a distance of 2 m is 1 mm: 0.01 of a relief 0.1 m deep.
     EXPECT_NEAR(tolerated(2, 1000, 0.5, 0.1), 0.01, 1e-15);
     const std::array<double, 7> errors = {0.64, 0.32, 0.16, 0.08, 0.04, 0.02, 0.01};
     EXPECT_EQ(level_by_error(errors, 0.7), 1);
@@ -126,10 +127,10 @@ TEST(TessellationLevel, FollowsDistanceSizeAndErrorWithinWhatGlTakes) {
 }
 
 TEST(ReliefBounds, HoldTheReliefAndNothingIsFurtherIn) {
-    // A wall's piece facing +z, half of it deep: from 0.3 to 0.1 below the wall, all along the axis.
+    // A patch of a wall that faces +z, with a depth of 0.5: its relief lies 0.3 to 0.1 below the wall, along the axis.
     const glm::dvec4 sphere = relief_bounds({1, 2, 3, 0.5}, {0, 0, 1}, 0, 0.4, 0.8, 0.5);
     EXPECT_LT(glm::distance(sphere, glm::dvec4(1, 2, 3 - 0.2, 0.6)), 1e-15);
-    // Half a metre along a direction that is 0.1 off goes 0.05 astray.
+    // Half a metre along a direction that deviates by 0.1 ends 0.05 beside the axis.
     EXPECT_NEAR(relief_bounds({0, 0, 0, 1}, {0, 0, 1}, 0.1, 0, 0, 0.5).w, 1.05, 1e-15);
 }
 
@@ -162,7 +163,8 @@ TEST(StoredNormals, GiveBackTheFlatTexelExactlyWhereTheFormatCan) {
 }
 
 TEST(TangentSpace, AnInterpolatedFrameGivesBackWhatWasStoredInItAndIsNotGramSchmidts) {
-    // Half-way between two corners of a cube whose normals are averaged: both are shorter, and lean.
+    // Half-way between two corners of a cube with averaged normals. Both the normal and the tangent are shorter and
+    // lean.
     const glm::dvec3 normal(0.4, 0, 0.577), n(0, 0, 1);
     for (const double side : {1.0, -1.0}) {
         const glm::dvec4 tangent(0.7, 0.1, -0.2, side);
@@ -171,7 +173,7 @@ TEST(TangentSpace, AnInterpolatedFrameGivesBackWhatWasStoredInItAndIsNotGramSchm
         EXPECT_NEAR(glm::length(stored), 1, 1e-15);
         EXPECT_GT(degrees_between(from_tangent_space(stored, normal, tangent), n), 4);
     }
-    // Where the frame is orthonormal, the two are one.
+    // If the frame is orthonormal, both methods agree.
     EXPECT_LT(degrees_between(to_interpolated_frame(n, {0.6, 0, 0.8}, {0.8, 0, -0.6, 1}),
                               to_tangent_space(n, {0.6, 0, 0.8}, {0.8, 0, -0.6, 1})),
               1e-12);

@@ -1,4 +1,4 @@
-// Surfaces against their own finite differences, and rays against both.
+// Surfaces against their finite differences, and rays against surfaces and meshes.
 #include "framework/staff/reference/surfaces.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ void for_each_shape(Test test) {
 double distance(glm::dvec3 a, glm::dvec3 b) { return glm::length(a - b); }
 
 TEST(Surfaces, HaveTheDerivativesOfTheirOwnPositionsAndNormals) {
-    const double step = 1e-5;  // the central difference of a third derivative below 300 is then right to 1e-8
+    const double step = 1e-5;  // central differences are exact to 1e-8 for third derivatives below 300
     for_each_shape([&](const auto& shape, const char* name) {
         for (const glm::dvec2 at : {glm::dvec2(0.1, 0.2), glm::dvec2(0.63, 0.5), glm::dvec2(0.9, 0.85)}) {
             const SurfacePoint here = point_on(shape, at);
@@ -43,7 +43,7 @@ TEST(Surfaces, HaveTheDerivativesOfTheirOwnPositionsAndNormals) {
     });
 }
 
-/// A mesh vertex is a rounded point of its surface; uv are repeated once.
+/// A mesh vertex is a point of its surface, rounded to floats, if the uv are repeated once.
 TEST(Surfaces, AreTheOnesThatTheMeshesStandFor) {
     const auto compare = [](const Mesh& mesh, const auto& shape, const char* name) {
         for (const Vertex& vertex : mesh.vertices) {
@@ -94,7 +94,7 @@ TEST(Surfaces, AreMissedBesideAndBehind) {
 }
 
 TEST(Surfaces, KeepTheirDigitsFromFarAway) {
-    // A sphere of 1.3 m seen from 10,000 km: the hit is within the rounding of that distance.
+    // A sphere of 1.3 m seen from 10,000 km. The hit is exact to the rounding of that distance.
     const auto far = first_hit(sphere, Ray{{0, 0, 1e7}, {0, 0, -1}});
     ASSERT_TRUE(far);
     EXPECT_NEAR(far->t, 1e7 - double(sphere.radius), 4e-9);

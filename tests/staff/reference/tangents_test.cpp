@@ -1,4 +1,4 @@
-// Tangents: usable whatever the mesh holds, split where they must be, as accurate as their weights allow.
+// Tangents: usable for any mesh, split where necessary, and as accurate as their weights allow.
 #include "framework/staff/reference/tangents.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ Mesh triangle() {
     return {{flat_vertex({0, 0}, {0, 0}), flat_vertex({1, 0}, {1, 0}), flat_vertex({0, 1}, {0, 1})}, {0, 1, 2}};
 }
 
-/// Every frame of the mesh is finite, unit and at right angles within 1e-6, and of one handedness or the other.
+/// Expects that every frame of the mesh is finite, unit and orthogonal within 1e-6, and that its handedness is 1 or -1.
 void expect_usable(const Mesh& mesh) {
     for (const uint32_t index : mesh.indices) {
         const Vertex& vertex = mesh.vertices[index];
@@ -78,7 +78,8 @@ TEST(Tangents, OfAShapeAreItsAnalyticOnesAndSplitNothing) {
             EXPECT_EQ(solved.vertices.size(), mesh.vertices.size());
             EXPECT_EQ(solved.indices, mesh.indices);
             for (size_t i = 0; i < mesh.vertices.size(); ++i) {
-                // Inside a fan the chords' directions cancel; at the seam it is half a side's turn, 2.8 degrees.
+                // Inside a fan, the errors of the chords' directions cancel. At the seam the error is half the angle of
+                // a side, 2.8 degrees.
                 EXPECT_LT(degrees_between(solved.vertices[i].tangent, mesh.vertices[i].tangent), 2.9);
                 EXPECT_EQ(solved.vertices[i].tangent.w, 1);
             }
@@ -90,7 +91,7 @@ TEST(Tangents, PerFaceAreFacetsAndSplitEachVertexBetweenThem) {
     const Mesh solved = with_tangents(roof, M::per_face);
     expect_usable(solved);
     EXPECT_GT(solved.vertices.size(), roof.vertices.size());
-    for (size_t i = 0; i < roof.indices.size(); ++i)  // a split vertex is the old one but for its tangent
+    for (size_t i = 0; i < roof.indices.size(); ++i)  // a split vertex differs only in its tangent
         EXPECT_EQ(solved.vertices[solved.indices[i]].position, roof.vertices[roof.indices[i]].position);
 }
 
@@ -116,7 +117,7 @@ TEST(Tangents, HandednessMakesTheBitangentRunAlongV) {
 
 TEST(Tangents, AtAFlatQuadWhoseUvFlipInsideKeepTwoSides) {
     Mesh quad = make_quad({});
-    quad.vertices[3].uv = {0.8f, -0.3f};  // the first triangle's uv are turned over
+    quad.vertices[3].uv = {0.8f, -0.3f};  // mirrors the uv of the first triangle
     expect_all_usable(quad);
     const auto tangents = corner_tangents(quad, M::angle);
     for (int i = 0; i < 6; ++i) EXPECT_EQ(tangents[size_t(i)].w, i < 3 ? -1 : 1);
@@ -135,7 +136,7 @@ TEST(Tangents, OfATriangleAreOfOneHandednessWhateverItsUv) {
             for (size_t i = 0; i < tangents.size(); i += 3) {
                 glm::vec3 at[3];
                 for (size_t k = 0; k < 3; ++k) at[k] = mesh.vertices[mesh.indices[i + k]].position;
-                if (at[0] == at[1] || at[1] == at[2] || at[2] == at[0]) continue;  // nobody sees it
+                if (at[0] == at[1] || at[1] == at[2] || at[2] == at[0]) continue;  // degenerate and invisible
                 mixed += tangents[i].w != tangents[i + 1].w || tangents[i].w != tangents[i + 2].w;
             }
             EXPECT_EQ(mixed, 0u);
@@ -148,7 +149,7 @@ TEST(Tangents, WithoutAreaInUvFallBackAndSaySo) {
     for (Vertex& vertex : mesh.vertices) vertex.uv = {0.5f, 0.25f};
     EXPECT_EQ(fell_back(report_of(mesh), TangentFallback::degenerate_uv), 3u);
     expect_all_usable(mesh);
-    for (Vertex& vertex : mesh.vertices) vertex.uv = glm::vec2(vertex.position.x);  // on a line
+    for (Vertex& vertex : mesh.vertices) vertex.uv = glm::vec2(vertex.position.x);  // collinear
     EXPECT_EQ(fell_back(report_of(mesh), TangentFallback::degenerate_uv), 3u);
     expect_all_usable(mesh);
 }
@@ -162,7 +163,7 @@ TEST(Tangents, WithoutAreaInSpaceFallBackAndSaySo) {
     for (Vertex& vertex : mesh.vertices) vertex.position = {1, 2, 3};
     expect_all_usable(mesh);
     mesh = triangle();
-    mesh.vertices[2].position = {2, 0, 0};  // on a line: dP/du is still there
+    mesh.vertices[2].position = {2, 0, 0};  // collinear: dP/du still exists
     expect_all_usable(mesh);
 }
 
@@ -184,7 +185,7 @@ TEST(Tangents, NearlyAlongTheNormalAreStillDpDu) {
             for (Vertex& vertex : mesh.vertices) vertex.normal = glm::normalize(glm::vec3(1, lean, 2 * lean));
             const glm::dvec3 n = glm::normalize(glm::dvec3(mesh.vertices[0].normal)), along(1, 0, 0);
             const glm::dvec3 exact = glm::normalize(along - n * glm::dot(n, along));
-            // Here dP/du has no rounding, and the normal is what it is: what is left is the result's own floats.
+            // Here dP/du is exact, and the normal is given. Only the rounding of the result to floats remains.
             for (const glm::vec4& tangent : corner_tangents(mesh, method))
                 EXPECT_GT(glm::dot(glm::dvec3(tangent), exact), 1 - 1e-6) << lean;
         }
@@ -206,7 +207,7 @@ TEST(Tangents, OfBadNormalsAreThoseOfTheFacesOwn) {
 
 TEST(Tangents, OfANeighbourAreBetterThanNone) {
     Mesh mesh = triangle();
-    mesh.vertices.push_back(flat_vertex({1, 1}, {1, 0}));  // no area in uv with vertices 1 and 2
+    mesh.vertices.push_back(flat_vertex({1, 1}, {1, 0}));  // degenerate in uv with vertices 1 and 2
     mesh.vertices[2].uv = {0, 1};
     mesh.indices.insert(mesh.indices.end(), {1, 3, 2});
     mesh.vertices[3].uv = {0.5f, 0.5f};
@@ -262,7 +263,7 @@ TEST(Tangents, DoNotChangeWithTheSizeOfPositionsAndUv) {
             EXPECT_EQ(corner_tangents(large, method), plain) << testing::PrintToString(method) << " 2^" << exponent;
             EXPECT_EQ(corner_tangents(wide, method), plain) << testing::PrintToString(method) << " 2^" << exponent;
         }
-        // By powers of ten positions are rounded anew, at the ends of the range to denormals of few bits.
+        // Powers of ten round the positions, at the ends of the range to denormals of few bits.
         for (const float scale : {1e-20f, 1e-15f, 1e-10f, 1e15f, 1e19f, 1e20f}) {
             Mesh large = torus, wide = torus;
             for (Vertex& vertex : large.vertices) vertex.position *= scale;
@@ -287,7 +288,7 @@ TEST(Tangents, OfRandomTrianglesAreUsable) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937 random(seed);
         Mesh soup = random_soup(seed, 30);
-        // Some numbers become extreme ones.
+        // Replaces some values by extreme ones.
         const float extremes[] = {0, -0.0f, 1e-45f, 1e-38f, 1e38f, -1e38f, NAN, INFINITY};
         for (int i = 0; i < int(seed % 8); ++i) {
             Vertex& vertex = soup.vertices[random() % soup.vertices.size()];
@@ -323,7 +324,7 @@ TEST(Tangents, OfDuplicateTrianglesWithOppositeWindingAreUsable) {
 }
 
 TEST(Tangents, AreTheSameForAnyNumberOfThreads) {
-    const Mesh torus = jittered_torus(160, 120, 54);  // more than one piece of work
+    const Mesh torus = jittered_torus(160, 120, 54);  // more than one block of work
     for (const M method : methods) {
         TangentReport one, many;
         const auto alone = corner_tangents(torus, method, &one, 1);
@@ -341,7 +342,7 @@ TEST(Tangents, OfAMeshWithAWrongIndexAreAnError) {
 }
 
 TEST(Tangents, ByAnglesAreNearestToDpDuOnAJitteredTorus) {
-    // 4096 triangles; known for a mesh like this: angle and MikkTSpace 0.27 degrees, uniform 0.48, area 0.66.
+    // 4096 triangles. Known for a mesh like this: angle and MikkTSpace 0.27 degrees, uniform 0.48, area 0.66.
     const Mesh torus = jittered_torus(64, 32, 55);
     const auto error = [&](M method) {
         const auto tangents = corner_tangents(torus, method);

@@ -1,4 +1,4 @@
-// The cube that must stay flat, and what its pictures say of the renderer that made them.
+// The cube that must appear flat, and the faults of a renderer that its pictures reveal.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int side = 160;
 
-/// As a screenshot has it: 8 bits, black beside the cube.
+/// Converts normals to a screenshot: 8 bits, and black outside the cube.
 Image screenshot(const Image& normals) {
     Image picture(normals.width, normals.height, 3, 8);
     for (size_t i = 0; i < normals.values.size(); ++i)
@@ -34,7 +34,7 @@ Image screenshot_by(const SyncRenderer& renderer) {
 TEST(Synctest, TheMapsOwnFrameIsFlatToTwoTenthsAndOthersAreNot) {
     const struct {
         SyncRenderer renderer;
-        double mean;  ///< degrees, what lab 07 measures of its cube on the graphics card
+        double mean;  ///< degrees, as lab 07 measures its cube on the GPU
     } cases[] = {{{SyncFrame::interpolated, SyncSlip::none}, 0.2},
                  {{SyncFrame::each_unit, SyncSlip::none}, 4.5},
                  {{SyncFrame::gram_schmidt, SyncSlip::none}, 5.0},
@@ -43,7 +43,7 @@ TEST(Synctest, TheMapsOwnFrameIsFlatToTwoTenthsAndOthersAreNot) {
     for (const auto& [renderer, mean] : cases) {
         const Image normals = render_synctest(renderer, bake_synctest_map(512, 8), side, side);
         const SyncJudgement judgement = judge_synctest(normals);
-        // Which faces are seen, and from where, moves the mean by some per cent.
+        // The visible faces and their angles change the mean by some per cent.
         EXPECT_NEAR(judgement.mean, mean, std::max(0.1, 0.06 * mean)) << renderer.text();
         EXPECT_EQ(judgement.is_flat(), renderer.is_in_sync()) << renderer.text();
     }
