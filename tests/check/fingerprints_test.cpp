@@ -1,4 +1,4 @@
-// Fingerprints of known mistakes: read and written, and which mistake they name.
+// Fingerprints of known mistakes: how they are read and written, and which mistake they name.
 #include "framework/check/fingerprints.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 const Judgement right{Outcome::passed, {}}, wrong{Outcome::wrong, "off by 3"};
 
-/// Tasks 1.1, with two checks, and 1.2, which needs it.
+/// Two tasks: 1.1 has two checks, and 1.2 needs 1.1.
 Manifest manifest() {
     Manifest manifest;
     manifest.tasks = {{.id = "1.1", .title = {}, .file = {}}, {.id = "1.2", .title = {}, .file = {}}};

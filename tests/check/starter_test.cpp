@@ -1,4 +1,4 @@
-// Marks in task files: what a handout makes of them, and whether a task is written.
+// Marks in task files: the starters that a handout makes of them, and whether a task is unfinished.
 #include "framework/check/starter.h"
 
 #include "tests/support.h"
