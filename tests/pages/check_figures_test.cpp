@@ -1,4 +1,4 @@
-// How a check's pictures are compared for a reader.
+// The comparison of a check's pictures, as a reader sees it.
 #include "framework/pages/check_figures.h"
 
 #include "framework/image/visualize.h"

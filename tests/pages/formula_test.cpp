@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-/// Without the frame that all formulas have.
+/// Returns the MathML of a formula without the outer element that all formulas share.
 std::string inside(const std::string& formula) {
     static const std::string opening = "<math displaystyle=\"true\"><mrow>", closing = "</mrow></math>";
     const std::string all = formula_mathml(parse_formula(formula));

@@ -1,4 +1,4 @@
-// Templates: what they show is escaped, whatever it is, and what is missing is an error.
+// Templates: every inserted value is escaped, and a missing value is an error.
 #include "framework/pages/template.h"
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ TEST(Template, WhatIsMissingOrNotClosedIsAnError) {
     EXPECT_THROW(render("no such file", {}), Error);
 }
 
-/// All templates of the course, by their names.
+/// Returns the texts of all templates of the course, by name.
 std::map<std::string, std::string> templates() {
     std::map<std::string, std::string> all;
     const fs::path root = RELIEF_SOURCE_FOLDER;
@@ -56,7 +56,7 @@ std::map<std::string, std::string> templates() {
     return all;
 }
 
-/// What stands between {{ and }}, with its sign: "name", "#name", "{name".
+/// Returns the contents of all tags {{...}} with their signs: "name", "#name", "{name".
 std::vector<std::string> tags_of(const std::string& text) {
     static const std::regex form(R"(\{\{([#^/>!&{]?)\s*([^}]*)\}\})");
     std::vector<std::string> tags;
@@ -65,13 +65,13 @@ std::vector<std::string> tags_of(const std::string& text) {
     return tags;
 }
 
-/// What is not escaped, because the course's own code and files say it.
+/// The values that are not escaped. The course's own code and files provide them.
 const std::set<std::pair<std::string, std::string>> not_escaped = {
     {"framework/pages/block", "math"},  // formula.cpp's
     {"framework/pages/page", "page.style"},
     {"framework/pages/page", "page.script"},
-    {"framework/staff/pages/bench", "section"},  // topic.mustache, perhaps of an earlier run
-    {"framework/staff/pages/mistakes", "article"},  // mistake.mustache, of another process
+    {"framework/staff/pages/bench", "section"},  // topic.mustache, possibly from an earlier run
+    {"framework/staff/pages/mistakes", "article"},  // mistake.mustache, from another process
     {"framework/staff/pages/topic", "chief"},    // gnuplot's SVG
     {"framework/staff/pages/topic", "chief_narrow"},
     {"framework/staff/pages/topic", "plot"}};
@@ -84,7 +84,7 @@ TEST(Templates, LittleIsNotEscapedAndAllOfItIsOurs) {
     EXPECT_EQ(found, not_escaped);
 }
 
-/// A value for each name of all templates: `value`, but nothing for those in `none`.
+/// Returns a value for each name in all templates: `value`, or nothing for the names in `none`.
 Fields for_all(const std::string& value, const std::set<std::string>& none) {
     Fields values, page, last;
     for (const auto& [file, text] : templates())
@@ -117,7 +117,7 @@ TEST(Templates, WhateverIsSaidInThemIsText) {
             Fields values = for_all(hostile, none);
             for (const auto& [file, ours] : not_escaped) {
                 if (!ours.starts_with("page."))
-                    values[ours] = "ours";  // also where another template includes that file
+                    values[ours] = "ours";  // also if another template includes that file
                 else if (file == name)
                     values["page"].fields[ours.substr(5)] = "ours";
             }
