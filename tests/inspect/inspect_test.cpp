@@ -1,4 +1,4 @@
-// What inspect() says of maps with planted faults, and of maps without any.
+// The findings of inspect() on maps with planted faults, and on maps without faults.
 #include "framework/inspect/inspect.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ struct NamedMap {
     Image map;
 };
 
-/// As integers of so many bits hold it; 32 changes nothing.
+/// Rounds the values to integers of `bits` bits. 32 leaves them unchanged.
 Image stored(Image map, int bits) {
     map.bits = bits;
     if (bits == 32) return map;
@@ -44,7 +44,7 @@ Image normals_of(HeightMap kind, int size, double texels, int bits, SlopeFilter 
 
 Image asset(const char* name) { return read_image(course_root() / "assets" / name); }
 
-/// Tangent-space maps of many kinds without a fault. Steep and shallow, smooth and rough.
+/// Tangent-space maps of many kinds without a fault: steep and shallow, smooth and rough.
 const std::vector<NamedMap>& good_maps() {
     static const std::vector<NamedMap> maps = [] {
         std::vector<NamedMap> made = {{"assets/bricks", asset("bricks_normal.png")},
@@ -63,7 +63,7 @@ const std::vector<NamedMap>& good_maps() {
         made.push_back({"stones by Sobel", normals_of(HeightMap::stones, 256, 16, 8, SlopeFilter::sobel)});
         made.push_back({"stones by spline", normals_of(HeightMap::stones, 256, 16, 8, SlopeFilter::spline)});
         made.push_back({"stones, forward", normals_of(HeightMap::stones, 256, 16, 8, SlopeFilter::forward)});
-        // Its border is an edge, as a tile's is.
+        // The border of the pyramid is an edge of its relief, as in a tile.
         Image pyramid(256, 256, 1);
         for (int y = 0; y < 128; ++y)
             for (int x = 0; x < 128; ++x) *pyramid.pixel(x, y) = float(std::min({x, y, 128 - x, 128 - y})) / 64;
@@ -73,7 +73,7 @@ const std::vector<NamedMap>& good_maps() {
     return maps;
 }
 
-/// "green: down", for each finding with this outcome.
+/// Returns a text such as "green: down" for each finding with this outcome.
 std::set<std::string> found(const Inspection& inspection, Outcome outcome) {
     std::set<std::string> names;
     for (const Finding& finding : inspection.findings)
@@ -89,7 +89,7 @@ std::string verdict(const Inspection& inspection, const std::string& name) {
 
 using Texel = std::function<void(glm::vec3&)>;
 
-/// The map with each texel's stored numbers changed, and stored again.
+/// Changes the stored values of each texel, and rounds the map again.
 Image changed(Image map, const Texel& change) {
     for (size_t i = 0; i < map.pixel_count(); ++i) {
         float* const texel = map.values.data() + i * size_t(map.channels);
@@ -99,7 +99,7 @@ Image changed(Image map, const Texel& change) {
     }
     return stored(std::move(map), map.bits);
 }
-/// The same of the vectors.
+/// Changes the decoded vectors in the same way.
 Image with_vectors(const Image& map, const Texel& change) {
     return changed(map, [&](glm::vec3& c) {
         glm::vec3 n = 2.0f * c - 1.0f;
@@ -115,12 +115,13 @@ Image cropped(const Image& map, int left, int top, int width, int height) {
     return result;
 }
 
-/// The picture turned by 90 degrees or mirrored, its vectors as they were.
+/// Turns the picture by 90 degrees or mirrors it, but keeps its vectors.
 Image transposed(const Image& map) { return laid(map, {false, false, true}); }
 Image mirrored(const Image& map) { return laid(map, {true, false, false}); }
 Image quarter_turn(const Image& map) { return laid(map, {true, false, true}); }
 
-/// Posts that are 16 texels apart stand on a plane, and the pyramid's sides are planes: their slopes fit at any cut.
+/// Posts at a spacing of 16 texels stand on a plane, and the sides of the pyramid are planes. Their slopes therefore
+/// match at any cut.
 bool fits_when_cropped(const std::string& name) { return name.starts_with("posts") || name == "pyramid"; }
 
 void turn_green(glm::vec3& c) { c.y = 1 - c.y; }
@@ -187,7 +188,7 @@ TEST(Inspect, FindsEachPlantedFaultAndNoOther) {
              return planted;
          }},
     };
-    // A quilt of diagonal ridges is another quilt when it is turned.
+    // A quilt of diagonal ridges is still a valid quilt after a turn.
     const auto is_none = [](const std::string& name, const std::string& fault) {
         return (fits_when_cropped(name) && fault.starts_with("seam")) ||
                (name == "assets/quilt" && (fault == "green: swapped" || fault == "green: turned by 90 degrees"));
@@ -226,7 +227,7 @@ TEST(Inspect, TellsWhichNumberStandsForZero) {
             });
             coded.bits = 8;
             const Inspection result = inspect(stored(coded, 8));
-            // Shallow slopes and those of a few posts have few colours; they may tell nothing, but nothing wrong.
+            // Shallow slopes, and the slopes of a few posts, have few colours. They may be inconclusive, but not wrong.
             const bool has_few = name == "smooth/32" || name == "posts/32";
             EXPECT_TRUE(verdict(result, "zero") == expected || (has_few && verdict(result, "zero") == "cannot tell"))
                 << name << ", " << expected << ": " << verdict(result, "zero");
@@ -257,7 +258,7 @@ TEST(Inspect, KnowsMapsInObjectSpaceAndTheirFaults) {
         EXPECT_EQ(faults_of(changed(map, from_srgb)), std::set<std::string>{"stored: darkened"}) << name;
         EXPECT_EQ(faults_of(cropped(map, 0, 0, 365, map.height)), std::set<std::string>{"seam: left and right"})
             << name;
-        // A bake leaves texels that nothing covers in one colour.
+        // A bake leaves uncovered texels in one colour.
         Image baked = map;
         for (int y = 0; y < 200; ++y) std::fill_n(baked.pixel(100, 100 + y), 300 * 3, 0.0f);
         EXPECT_EQ(faults_of(baked), std::set<std::string>{}) << name;
@@ -321,7 +322,7 @@ TEST(Inspect, TakesNoSignOrIconForAMap) {
             }
         return stored(sign, 8);
     };
-    // The first is of length 1 when it is decoded as sRGB, the second is 0.9 long and leans.
+    // The first sign has length 1 when decoded as sRGB. The second has length 0.9 and leans.
     EXPECT_EQ(faults_of(drawn({191, 191, 0}, {255, 255, 255})), std::set<std::string>{"kind: neither"});
     EXPECT_EQ(faults_of(drawn({75, 120, 229}, {90, 128, 229})), std::set<std::string>{"kind: neither"});
 }
