@@ -1,12 +1,12 @@
-# The course built in Debian 12, with the packages of the one list. For whoever has Docker and another system, and for
-# grading where nothing may be installed:
+# The course, built in Debian 12 with the packages of framework/cmake/packages.txt. For users of Docker on other
+# systems, and for grading on machines where nothing may be installed:
 #
 #     docker build -t relief .
 #     docker run --rm relief list
 #     docker run --rm -v "$PWD:/work" relief grade submissions/* -o marks --trust
 #
-# --trust: a container seldom may make the namespaces that keep a submission from the rest; it is the container that does.
-# `--build-arg FOR=slides` has what slides need as well, `--build-arg FOR=ci` all that the tests need.
+# --trust: a container can seldom create the namespaces that isolate a submission. The container itself isolates it.
+# `--build-arg FOR=slides` adds the packages for slides, and `--build-arg FOR=ci` all packages for the tests.
 FROM debian:12
 ARG FOR=build
 COPY framework/cmake/packages.txt /tmp/packages.txt

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# The README's two commands on a bare Debian: a minimal root by debootstrap with git alone, the last commit cloned into it.
+# Runs the README's two commands on a bare Debian: in a minimal root from debootstrap, with git and a clone of the last
+# commit.
 #
-#   tests/bare_root.sh [bookworm|trixie]...     Debian 12, Debian 13; both when none is named
+#   tests/bare_root.sh [bookworm|trixie]...     Debian 12, Debian 13; default: both
 #
-#   MIRROR=http://deb.debian.org/debian     where packages come from
-#   ROOTS=build/bare_roots                  where roots are kept as they were made, to be copied by the next run, and logs
-#   KEEP=1                                  the copy in which the commands ran stays, as ROOTS/NAME-used
-#   PROOFS=1                                ./relief test --ci as well, as CI runs it
-#   CACHE=FOLDER                            a compiler's cache from one run to the next, for whoever mends what it found
+#   MIRROR=http://deb.debian.org/debian     the source of the packages
+#   ROOTS=build/bare_roots                  the folder of pristine roots, which the next run copies, and of logs
+#   KEEP=1                                  keep the copy in which the commands ran, as ROOTS/NAME-used
+#   PROOFS=1                                also run ./relief test --ci, as CI does
+#   CACHE=FOLDER                            a compiler cache that is kept between runs, for debugging
 #
-# Needs root, since it makes and enters root folders; takes half an hour and more, and 6 GB, for each.
+# Needs root to make and enter root folders. Takes half an hour or more, and 6 GB, per Debian version.
 set -euo pipefail
 
 course=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -31,11 +32,11 @@ command -v debootstrap >/dev/null || missing+=("the Debian package debootstrap")
 if ((${#missing[@]})); then
   printf -v list ', %s' "${missing[@]}"
   say "cannot be run here, it needs: ${list:2}"
-  exit 77  # what is skipped, by the custom of automake
+  exit 77  # "skipped", by the convention of automake
 fi
 
-# Runs a command in a root, with nothing of this machine but its network. It sees only its own processes, mounts end with
-# it, and the folder is its real root: whoever is merely in a chroot may not make the grader's namespaces.
+# Runs a command in a root that shares only the network with this machine. The command sees only its own processes, and
+# mounts end with it. The folder is its real root, because a process in a chroot may not create the grader's namespaces.
 inside() { # root, command...
   local to=$1 name
   shift
@@ -44,7 +45,7 @@ inside() { # root, command...
     [[ -n ${!name:-} ]] && environment+=("$name=${!name}")
   done
   cp -L /etc/resolv.conf /etc/hosts "$to/etc/"
-  # A network may have certificates of its own.
+  # A network may use its own certificates.
   if [[ -n ${NODE_EXTRA_CA_CERTS:-} ]]; then
     cp -L "$NODE_EXTRA_CA_CERTS" "$to/etc/network-certificates.pem"
     environment+=(NODE_EXTRA_CA_CERTS=/etc/network-certificates.pem)
@@ -79,7 +80,7 @@ run_in() { # bookworm or trixie
   fi
   rm -rf --one-file-system "$used"
   cp -a "$pristine" "$used"
-  # Of this machine nothing is shared, not even git's objects.
+  # Nothing of this machine is shared, not even git's objects.
   git clone --quiet --no-hardlinks "file://$course" "$used/course"
 
   say "$name: ./relief"
@@ -87,7 +88,7 @@ run_in() { # bookworm or trixie
     tail -30 "$roots/$name-relief.log" >&2
     return 1
   fi
-  # Without a display: the course page, and where it is.
+  # Without a display, ./relief makes the course page and prints its path.
   local page
   page=$(grep -o '/course/build/gallery/index\.html' "$roots/$name-relief.log" | tail -1)
   if [[ -z $page || ! -s $used$page ]]; then
@@ -122,7 +123,7 @@ fi
 failed=()
 for name in "$@"; do
   set +e
-  (set -e; run_in "$name")  # not in a condition, where bash would go on after whatever fails
+  (set -e; run_in "$name")  # not in a condition, where bash would continue after a failure
   code=$?
   set -e
   ((code == 0)) || failed+=("$name")

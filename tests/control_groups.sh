@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# The sandbox's tests on a machine with control groups of version 2: a virtual machine, with Debian's kernel and this
-# machine's files, read-only. Once as a user to whom a group was delegated, once as root.
+# Runs the sandbox's tests on a machine with control groups v2. It is a virtual machine with Debian's kernel and this
+# machine's files, read-only. The tests run once as a user with a delegated group, and once as root.
 #
 #   tests/control_groups.sh
 #
 #   TESTS=build/bin/framework_tests     the program with the tests
-#   KERNEL=build/control_groups         where the kernel's package is unpacked, kept for the next run
+#   KERNEL=build/control_groups         the folder of the unpacked kernel package, kept for the next run
 #
-# Needs the Debian package qemu-system-x86, and 500 MB for Debian's kernel. Takes two minutes: the processor is emulated.
+# Needs the Debian package qemu-system-x86, and 500 MB for Debian's kernel. Takes two minutes, because the processor is
+# emulated.
 set -euo pipefail
 
 course=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -23,7 +24,7 @@ command -v qemu-system-x86_64 >/dev/null || missing+=("the Debian package qemu-s
 if ((${#missing[@]})); then
   printf -v list ', %s' "${missing[@]}"
   say "cannot be run here, it needs: ${list:2}"
-  exit 77  # what is skipped, by the custom of automake
+  exit 77  # "skipped", by the convention of automake
 fi
 
 mkdir -p "$kernel"
@@ -41,7 +42,7 @@ busybox=$kernel/bin/busybox
 modules=$(cd "$kernel" && echo lib/modules/*)
 "$busybox" depmod -b "$kernel" "${modules##*/}"
 
-# What the kernel starts: it mounts this machine's files and goes on in them.
+# The kernel's first process: it mounts this machine's files and continues in them.
 here=$(mktemp -d)
 trap 'rm -rf "$here" "${packages:-}"' EXIT
 mkdir -p "$here"/first/{bin,dev,root}
@@ -70,10 +71,10 @@ cat >"$here/first/inside" <<END
 export PATH=/usr/bin:/bin HOME=/tmp
 groups=/sys/fs/cgroup
 echo '+memory +pids' >\$groups/cgroup.subtree_control
-# The second run finds what the first has made of the group.
+# The second run uses the groups as the first run left them.
 mkdir \$groups/users \$groups/roots
 chown -R 1000:1000 \$groups/users
-# As systemd marks what it leaves to a service or a scope.
+# As systemd marks a group that it delegates to a service or a scope.
 for group in users roots; do
   /usr/bin/python3 -c "import os; os.setxattr('\$groups/\$group', 'user.delegate', b'1')"
 done

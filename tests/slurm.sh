@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# `relief grade --slurm` on a real Slurm: two nodes on this machine, each with its own processes and its own /tmp. A node
-# dies, a grader is killed, a /tmp is full; each time the class ends by itself, with every mark.
+# Runs `relief grade --slurm` on a real Slurm with two nodes on this machine. Each node has its own processes and its
+# own /tmp. A node dies, a grader is killed, and a /tmp is full. Each time the class must complete by itself with every
+# mark.
 #
 #   tests/slurm.sh
 #
 #   PROGRAM=build/bin/relief     the program
-#   KEEP=1                       the folder with Slurm's logs and the classes stays
+#   KEEP=1                       keep the folder with Slurm's logs and the classes
 #
-# Needs root, for nodes that can be killed whole, and the Debian packages slurmctld, slurmd, slurm-client and munge. Uses
-# neither this machine's own Slurm nor its configuration. Takes three minutes: Slurm waits for two before it begins a job
-# of a dead node again.
+# Needs root, so that whole nodes can be killed, and the Debian packages slurmctld, slurmd, slurm-client and munge. Uses
+# neither this machine's own Slurm nor its configuration. Takes three minutes: Slurm waits two minutes before it
+# restarts a job of a dead node.
 set -euo pipefail
 
 course=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -29,20 +30,20 @@ done
 if ((${#missing[@]})); then
   printf -v list ', %s' "${missing[@]}"
   say "cannot be run here, it needs: ${list:2}"
-  exit 77  # what is skipped, by the custom of automake
+  exit 77  # "skipped", by the convention of automake
 fi
 
-# Not in /tmp, of which each node has its own.
+# Not in /tmp, since each node has its own.
 mkdir -p "$course/build"
 here=$(mktemp -d "$course/build/slurm-XXXXXX")
 chmod 755 "$here"
 mkdir "$here"/{state,g1,g2,run,log}
 export SLURM_CONF=$here/slurm.conf
-unset "${!SBATCH_@}"  # what this machine's users set for its own Slurm
+unset "${!SBATCH_@}"  # settings for this machine's own Slurm
 declare -A nodes=()
 
 stop_node() { # name
-  # The first process of its namespace takes all others with it, as a power cut does.
+  # The first process of a PID namespace takes all others with it, like a power cut.
   kill -KILL "${nodes[$1]}" 2>/dev/null || true
   wait "${nodes[$1]}" 2>/dev/null || true
   unset "nodes[$1]"
@@ -91,11 +92,11 @@ NodeName=g2 NodeHostname=$(hostname -s) NodeAddr=127.0.0.1 Port=$((port + 2)) CP
 PartitionName=all Nodes=g1,g2 Default=YES State=UP
 END
 
-# Since 23.02 slurmd asks for control groups, which a container seldom has, even where nothing uses them.
+# Since version 23.02 slurmd requires control groups even if nothing uses them. A container seldom has them.
 [[ $(slurmd -V) =~ \ ([0-9]+)\. ]] && ((BASH_REMATCH[1] < 23)) || echo CgroupPlugin=disabled >"$here/cgroup.conf"
 
 start_node() { # name, size of its /tmp
-  # Its numbers of processes begin at 1, so graders on two nodes often have the same.
+  # Process ids in the namespace begin at 1, so graders on two nodes often have equal ids.
   # shellcheck disable=SC2016  # expanded in there
   unshare --pid --mount --fork --kill-child --mount-proc bash -c \
     'mount -t tmpfs -o mode=1777,size="$2" tmpfs /tmp && exec slurmd -D -N "$1"' node "$1" "$2" >"$here/log/$1.out" 2>&1 &

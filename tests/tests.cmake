@@ -1,3 +1,3 @@
-# The tests, where they are: a student's course has none.
+# Adds the tests if they exist. A student's course has none.
 enable_testing()
 add_subdirectory(${CMAKE_CURRENT_LIST_DIR})

@@ -1,8 +1,8 @@
-# Labs: every folder of labs/ that has a lab.toml is one. Nothing else lists them.
+# Labs: every folder of labs/ with a lab.toml is a lab. No other file lists them.
 #
-# relief_add_labs(FOLDER) makes, for FOLDER/NN_name, the executable lab-NN with that lab alone, and for all of them
-# together the executable `relief`. RELIEF_LABS is then the list of their object libraries. All are linked to the staff's
-# library where there is one, called or not, since it brings commands and exact values.
+# relief_add_labs(FOLDER) adds an executable lab-NN for each FOLDER/NN_name, with that lab alone, and the executable
+# `relief` with all of them. It sets RELIEF_LABS to the list of their object libraries. All are linked to the staff's
+# library if it exists, even if they call nothing in it, because it registers commands and exact values.
 function(relief_add_labs folder)
   file(GLOB manifests CONFIGURE_DEPENDS ${folder}/*/lab.toml)
   set(labs)
@@ -23,7 +23,7 @@ function(relief_add_labs folder)
     target_include_directories(lab_objects_${number} PRIVATE ${lab_folder})
     target_link_libraries(lab_objects_${number} PUBLIC relief_framework $<TARGET_NAME_IF_EXISTS:relief_staff>
       PRIVATE relief_warnings)
-    if(COMMAND relief_takes_precompiled_headers)  # not where a lab is built on a framework that was built elsewhere
+    if(COMMAND relief_takes_precompiled_headers)  # undefined if the framework was built elsewhere
       relief_takes_precompiled_headers(lab_objects_${number})
     endif()
     list(APPEND labs lab_objects_${number})
@@ -36,7 +36,7 @@ function(relief_add_labs folder)
   add_executable(relief ${RELIEF_MAIN})
   target_link_libraries(relief PRIVATE ${labs})
   target_link_options(relief PRIVATE LINKER:--no-as-needed)
-  # `programs` is all that a user runs, without the tests.
+  # `programs` builds all that a user runs, without the tests.
   add_custom_target(programs DEPENDS relief ${programs} relief_modules)
   set(RELIEF_LABS ${labs} PARENT_SCOPE)
 endfunction()

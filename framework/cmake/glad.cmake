@@ -1,5 +1,5 @@
-# The OpenGL loader, generated when the build is configured, from the specification that python3-glad brings.
-# --reproducible keeps it from asking the network for a newer one.
+# The OpenGL loader. Generated at configure time from the specification in python3-glad. With --reproducible, glad does
+# not ask the network for a newer specification.
 set(glad_folder ${PROJECT_BINARY_DIR}/generated/glad)
 if(NOT EXISTS ${glad_folder}/src/gl.c)
   find_program(RELIEF_GLAD glad PATHS /usr/bin NO_DEFAULT_PATH)
