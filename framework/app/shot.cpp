@@ -10,6 +10,7 @@
 #include "framework/base/log.h"
 #include "framework/base/text.h"
 #include "framework/gl/missing_tasks.h"
+#include "framework/image/compare.h"
 #include "framework/image/file.h"
 #include "framework/image/visualize.h"
 #include "framework/lab/manifest.h"
@@ -74,26 +75,41 @@ int take_shot(const ShotArguments& arguments) {
             return draw_with_mistake(entry, arguments.mistake, shot, light && !shot.probe, choice);
         Image drawn = render_shot(*lab, shot, light);
         if (const size_t missing = shot.probe ? pixels_not_written(drawn) : 0; missing > 0)
-            print_note(fmt::format("{} of {} pixels come from a task that is not written yet", missing,
-                                   drawn.pixel_count()));
+            print_note(
+                fmt::format("{} of {} pixels come from a task that is not written yet", missing, drawn.pixel_count()));
         return drawn;
+    };
+
+    const auto truth = [&] {
+        std::optional<Image> found = find_truth(*lab, shot);
+        if (!found) throw UsageError(no_truth(entry, shot));
+        return *std::move(found);
     };
 
     const TellMissingTasks told;
     Image image;
     std::string summary;
     if (show == Show::truth) {
-        image = truth_of(*lab, shot);
+        image = truth();
     } else if (show == Show::error) {
-        const Image truth = truth_of(*lab, shot);
+        const Image expected = truth();
         context = open_context(choice);
-        image = error_image(draw(false), truth, metric);
+        const Image drawn = draw(false);
+        image = error_image(drawn, expected, metric);
         const ErrorSummary error = summarize(image);
-        if (error.count > 0)
-            summary = fmt::format("mean {}, rms {}, 99 % {}, largest {}, over {} pixels\n",
+        if (const std::string nothing = nothing_to_compare(drawn, expected, error); !nothing.empty())
+            throw Error(fmt::format("probe '{}': {}", shot.probe.name, nothing));
+        summary = fmt::format("mean {}, rms {}, 99 % {}, largest {}, over {} pixels\n",
                               amount_of(error.mean, manifest.probe(shot.probe.name).unit, 6), plain(error.rms),
                               plain(error.p99), plain(error.largest), error.count);
-        if (!floats) image = visualize_error(image, error.p99);
+        if (const OneSided sides = one_sided(drawn, expected); sides.count() > 0)
+            summary += fmt::format("{} pixels have a surface only as it is drawn, {} only in the exact values\n",
+                                   sides.measured, sides.truth);
+        if (!floats) {
+            const double scale = error.p99 > 0 ? error.p99 : 1;
+            mark_one_sided(image, drawn, expected, scale);
+            image = visualize_error(image, scale);
+        }
     } else {
         context = open_context(choice);
         image = draw(floats);

@@ -78,11 +78,11 @@ double share_not_unit(const Image& drawn, const Image& expected) {
 }
 
 Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const Image& drawn, const Image& expected) {
-    size_t only_one = 0, off = 0;
-    for (size_t i = 0; i < drawn.pixel_count(); ++i) only_one += is_surface(drawn, i) != is_surface(expected, i);
+    size_t off = 0;
+    const size_t only_one = one_sided(drawn, expected).count();
     const Image error = error_image(drawn, expected, probe.error);
     const ErrorSummary summary = summarize(error);
-    if (summary.count == 0) return {Outcome::broken, "there are no pixels to compare"};
+    if (summary.count == 0) return {Outcome::broken, nothing_to_compare(drawn, expected, summary)};
     for (const float value : error.values) off += value > 1 && value != no_surface;
     Findings findings;
     const Limits& limits = check.limits;

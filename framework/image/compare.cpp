@@ -1,5 +1,7 @@
 #include "framework/image/compare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -34,6 +36,10 @@ Difference difference(const Image& a, const Image& b, double threshold) {
 }
 
 namespace {
+
+bool has_surface(const Image& image, size_t pixel) {
+    return image.values[pixel * size_t(image.channels)] != no_surface;
+}
 
 double angle_degrees(const float* a, const float* b) {
     const double x = double(a[1]) * b[2] - double(a[2]) * b[1], y = double(a[2]) * b[0] - double(a[0]) * b[2],
@@ -104,6 +110,37 @@ ErrorSummary summarize(const Image& error) {
     summary.p99 = errors[rank];
     summary.largest = *std::max_element(errors.begin() + rank, errors.end());
     return summary;
+}
+
+OneSided one_sided(const Image& measured, const Image& truth) {
+    OneSided found;
+    for (size_t i = 0; i < measured.pixel_count(); ++i) {
+        const bool in_measured = has_surface(measured, i), in_truth = has_surface(truth, i);
+        found.measured += in_measured && !in_truth;
+        found.truth += in_truth && !in_measured;
+    }
+    return found;
+}
+
+void mark_one_sided(Image& error, const Image& measured, const Image& truth, double value) {
+    for (size_t i = 0; i < error.pixel_count(); ++i)
+        if (error.values[i] == no_surface && has_surface(measured, i) != has_surface(truth, i))
+            error.values[i] = static_cast<float>(value);
+}
+
+std::string nothing_to_compare(const Image& measured, const Image& truth, const ErrorSummary& summary) {
+    if (summary.count > 0) return "";
+    if (summary.missing > 0) return fmt::format("{} pixels come from a task that is not written yet", summary.missing);
+    if (summary.not_finite > 0)
+        return fmt::format(
+            "no pixel can be compared: {} are not a number or have no direction, as they are drawn or in "
+            "the expected values",
+            summary.not_finite);
+    const OneSided found = one_sided(measured, truth);
+    if (found.count() == 0) return "no pixel can be compared: there is no surface in the picture";
+    return fmt::format(
+        "no pixel can be compared: {} have a surface only as it is drawn, {} only in the expected values",
+        found.measured, found.truth);
 }
 
 }  // namespace relief

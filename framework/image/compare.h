@@ -26,7 +26,7 @@ enum class ErrorMetric { distance, angle, absolute };
 /// differ, or when an angle has less than three channels.
 Image error_image(const Image& measured, const Image& truth, ErrorMetric metric);
 
-/// Statistics over the pixels with a finite error; 0 when there are none.
+/// Statistics over the pixels with a surface in both images; all zero when there are none.
 struct ErrorSummary {
     size_t count = 0;  ///< pixels compared
     double mean = 0, rms = 0, p99 = 0, largest = 0;
@@ -34,5 +34,17 @@ struct ErrorSummary {
     size_t missing = 0;     ///< pixels that are not_written
 };
 ErrorSummary summarize(const Image& error);
+
+/// Pixels with a surface in only one of two images. error_image() has no number for them, but they disagree.
+struct OneSided {
+    size_t measured = 0, truth = 0;
+    size_t count() const { return measured + truth; }
+};
+/// The shapes must agree.
+OneSided one_sided(const Image& measured, const Image& truth);
+/// Gives these pixels of an error image the error `value`.
+void mark_one_sided(Image& error, const Image& measured, const Image& truth, double value);
+/// Why summarize() found no pixel to compare, as a sentence without its full stop; empty if there is one.
+std::string nothing_to_compare(const Image& measured, const Image& truth, const ErrorSummary& summary);
 
 }  // namespace relief

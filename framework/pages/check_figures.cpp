@@ -74,20 +74,7 @@ Fields badge(Outcome outcome, size_t count) {
             {"words", outcome_words(outcome)}};
 }
 
-namespace {
-
-/// Gives pixels that have a surface in one image only the error `largest`, and counts them.
-size_t mark_one_sided(Image& error, const Image& drawn, const Image& expected, double largest) {
-    size_t count = 0;
-    for (size_t i = 0; i < error.pixel_count(); ++i) {
-        const auto has_surface = [&](const Image& of) { return of.values[i * size_t(of.channels)] != no_surface; };
-        if (error.values[i] != no_surface || has_surface(drawn) == has_surface(expected)) continue;
-        error.values[i] = float(largest), ++count;
-    }
-    return count;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const Image& expected, double allowed) {
     if (!drawn.same_shape(expected) || drawn.pixel_count() == 0) {
@@ -113,8 +100,9 @@ ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const 
                                 error.pixel_count(), probe ? amount_of(visible, probe->unit) : "2/255",
                                 probe ? amount_of(summary.mean, probe->unit) : rounded(summary.mean * 255) + " 255ths",
                                 rounded(probe ? summary.largest : summary.largest * 255));
-    if (const size_t one_sided = mark_one_sided(error, drawn, expected, largest); one_sided > 0)
-        shown.differs += fmt::format("; {} have a surface in one of the two only", one_sided);
+    mark_one_sided(error, drawn, expected, largest);
+    if (const size_t count = one_sided(drawn, expected).count(); count > 0)
+        shown.differs += fmt::format("; {} have a surface in one of the two only", count);
     shown.difference = visualize_error(error, largest);
     shown.largest = probe ? amount_of(largest, probe->unit) : fmt::format("{:.0f}/255", largest * 255);
     shown.scale = error_scale({"0", shown.largest});

@@ -97,14 +97,18 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
         if (!probe) continue;
         shot.probe = probe;
         shot.size = shot.size * 3 / 4;  // a probe has no edges to be smooth, and its truth is what takes time
+        const Image* truth = nullptr;
         try {
-            method.error =
-                error_image(render_shot(*drawn, shot), truths.of(*drawn, shot), manifest.probe(probe.name).error);
+            truth = &truths.of(*drawn, shot);
         } catch (const UsageError&) {  // no truth, as in a student's course
             probe = {};
             continue;
         }
+        const Image measured = render_shot(*drawn, shot);
+        method.error = error_image(measured, *truth, manifest.probe(probe.name).error);
         method.summary = summarize(*method.error);
+        if (const std::string nothing = nothing_to_compare(measured, *truth, method.summary); !nothing.empty())
+            throw Error(fmt::format("{}, {}={}: probe '{}': {}", lab.folder, info.knob, value, probe.name, nothing));
         result.measured = shot;
         kept.push_back(method.summary.p99);
     }

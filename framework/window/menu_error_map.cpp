@@ -53,6 +53,15 @@ void ErrorMap::compute(Stage& stage) {
     }
 }
 
+namespace {
+
+std::string sentence(std::string text) {
+    text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + ".";
+}
+
+}  // namespace
+
 void ErrorMap::compare(Stage& stage) {
     if (!stage.lab() || stage.failed()) throw Error("There is no picture to compare.");
     Shot shot = stage.shot();
@@ -75,9 +84,16 @@ void ErrorMap::compare(Stage& stage) {
         Image values = target.read();
         const Image error = error_image(values, *truth, probe.error);
         error_ = summarize(error);
+        const std::string nothing = nothing_to_compare(values, *truth, error_);
+        if (!nothing.empty() && error_.missing + error_.not_finite == 0)  // those are shown in magenta
+            throw Error(sentence(fmt::format("probe {}: {}", probe.name, nothing)));
+        one_sided_ = one_sided(values, *truth).count();
+        const double scale = error_.p99 > 0 ? error_.p99 : 1;
+        Image shown = error;
+        mark_one_sided(shown, values, *truth, scale);
         compared_ = {probe, std::move(values), *truth, error};
         picture_.emplace(
-            "error map", [&] { return visualize_error(error, error_.p99); },
+            "error map", [&] { return visualize_error(shown, scale); },
             TextureOptions{.wrap = Wrap::clamp, .mips = false});
         bind(0, *picture_);  // uploads it now, while `error` is in scope
         print_event(fmt::format("error map: {}, mean {}, rms {}, 99 % {}, largest {}, over {} pixels", probe.name,
@@ -85,9 +101,7 @@ void ErrorMap::compare(Stage& stage) {
                                 plain(error_.largest), error_.count));
         return;
     }
-    std::string reason = no_truth(stage.shot().probe.name);
-    reason[0] = char(std::toupper(static_cast<unsigned char>(reason[0])));
-    throw Error(reason + ".");
+    throw Error(sentence(no_truth(stage.entry(), stage.settings())));
 }
 
 void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size, bool moves) const {
@@ -112,8 +126,9 @@ void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size, bool moves) const {
         if (error_.count > 0)
             wrapped(fmt::format("mean {}    99 % {}    largest {}", rounded(error_.mean), rounded(error_.p99),
                                 amount_of(error_.largest, probe.unit)));
-        else if (error_.missing == 0)
-            wrapped("No pixel shows a surface in both pictures.");
+        if (one_sided_ > 0)
+            wrapped(
+                fmt::format("{} pixels, in the lightest colour, have a surface in only one of the two.", one_sided_));
         if (error_.missing > 0)
             wrapped(fmt::format("{} pixels, in magenta, come from a task that is not written yet.", error_.missing));
         if (error_.not_finite > 0) {

@@ -49,6 +49,7 @@ private:
     std::string message_;
     std::optional<Compared> compared_;
     ErrorSummary error_;
+    size_t one_sided_ = 0;  ///< pixels
     std::optional<Texture> picture_;
 };
 

@@ -250,13 +250,40 @@ std::string libraries_of(const std::vector<std::string>& arguments) {
     return names;
 }
 
+TEST_F(ShotCommand, AnErrorWithoutAPixelToCompareSaysWhyAndFails) {
+    // From inside of the planet its exact ground has no near side.
+    const Result result = run({relief_program(), "shot", "09", "--size", "64x48", "--set", "view=planet", "--camera",
+                               "20,12,0.5", "--error", "normal", "-o", file("e.png").string()});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err,
+                         "probe 'normal': no pixel can be compared: 3072 have a surface only as it is "
+                         "drawn, 0 only in the expected values"))
+        << result.err;
+    EXPECT_FALSE(std::filesystem::exists(file("e.png")));
+}
+
+TEST_F(ShotCommand, NamesTheKnobThatGivesExactValues) {
+    const auto error_of_lab_16 = [&](std::vector<std::string> more) {
+        std::vector<std::string> command = {
+            relief_program(), "shot", "16", "--size", "64x48", "--error", "normal", "-o", file("e.png").string()};
+        command.insert(command.end(), more.begin(), more.end());
+        return run(command);
+    };
+    const Result result = error_of_lab_16({});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.err, "with displace=off there are, for this probe")) << result.err;
+    EXPECT_EQ(error_of_lab_16({"--set", "displace=off"}).code, 0);
+    const Result steps = run({relief_program(), "shot", "12", "--size", "64x48", "--error", "steps"});
+    EXPECT_TRUE(contains(steps.err, "this lab has no exact values for the probe 'steps'")) << steps.err;
+}
+
 TEST_F(ShotCommand, OpensNoLibraryThatItDoesNotNeed) {
     // All textures of the labs are prepared, so OpenImageIO reads none of them. libpng writes a PNG.
     for (const char* lab : {"01", "03", "04", "05", "06", "10", "11", "12", "13", "14"}) {
         const std::string plain = libraries_of({"shot", lab, "--size", "64x64", "-o", "a.png"});
         EXPECT_TRUE(contains(plain, "libOSMesa")) << lab;
-        for (const char* unwanted :
-             {"OpenImageIO", "relief-openimageio", "rsvg", "cairo", "glfw", "imgui", "relief-window", "libX11", "archive", "libEGL"})
+        for (const char* unwanted : {"OpenImageIO", "relief-openimageio", "rsvg", "cairo", "glfw", "imgui",
+                                     "relief-window", "libX11", "archive", "libEGL"})
             EXPECT_FALSE(contains(plain, unwanted)) << lab << ": " << unwanted;
     }
     const std::string exr = libraries_of({"shot", "01", "--size", "64x64", "-o", "a.exr"});

@@ -141,5 +141,30 @@ TEST(Summary, LeavesOutPixelsWithoutASurfaceAndCountsNans) {
     EXPECT_EQ(none.not_finite, 1u);
 }
 
+TEST(Summary, CountsPixelsWithASurfaceInOneOfTwoImagesAndMarksThem) {
+    const Image measured = row(1, {1, 2, inf, inf, 3}), truth = row(1, {1, inf, 4, inf, inf});
+    const OneSided found = one_sided(measured, truth);
+    EXPECT_EQ(found.measured, 2u);
+    EXPECT_EQ(found.truth, 1u);
+    Image error = error_image(measured, truth, ErrorMetric::absolute);
+    EXPECT_EQ(error.values, std::vector<float>({0, inf, inf, inf, inf}));
+    mark_one_sided(error, measured, truth, 9);
+    EXPECT_EQ(error.values, std::vector<float>({0, 9, 9, inf, 9}));
+}
+
+TEST(Summary, SaysWhyNoPixelCanBeCompared) {
+    const auto said = [](const Image& measured, const Image& truth) {
+        return nothing_to_compare(measured, truth, summarize(error_image(measured, truth, ErrorMetric::absolute)));
+    };
+    EXPECT_EQ(said(row(1, {1, inf}), row(1, {2, 3})), "");
+    EXPECT_EQ(said(row(1, {1, 2, inf}), row(1, {inf, inf, 3})),
+              "no pixel can be compared: 2 have a surface only as it is drawn, 1 only in the expected values");
+    EXPECT_EQ(said(row(1, {inf}), row(1, {inf})), "no pixel can be compared: there is no surface in the picture");
+    EXPECT_EQ(said(row(1, {1, inf}), row(1, {nan, inf})),
+              "no pixel can be compared: 1 are not a number or have no direction, as they are drawn or in the expected "
+              "values");
+    EXPECT_EQ(said(row(1, {not_written}), row(1, {1})), "1 pixels come from a task that is not written yet");
+}
+
 }  // namespace
 }  // namespace relief

@@ -71,6 +71,7 @@ BenchSubject drawn(const std::shared_ptr<Lab>& lab, const Shot& shot) {
 BenchError error_over(const Image& errors, const std::string& unit) {
     const ErrorSummary summary = summarize(errors);
     if (summary.not_finite > 0) throw Error(fmt::format("{} pixels are not a number", summary.not_finite));
+    if (summary.count == 0) throw Error("no pixel has a surface both as it is drawn and in the exact values");
     const auto wrong = std::count_if(errors.values.begin(), errors.values.end(),
                                      [](float value) { return std::isfinite(value) && value > 1; });
     return {summary.mean, summary.p99, summary.largest, unit,
