@@ -61,7 +61,9 @@ public:
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
         if (normals_from_ == from_map && map_ == own) return {};
-        const bool has_map = normals_from_ == from_map && map_ == bricks && (trouble_ == none || trouble_ == leaning);
+        const bool has_map = normals_from_ == from_map && map_ == bricks;
+        // Without a tangent nobody can say which way the bumps lean.
+        if (has_map && strength_ != 0 && (trouble_ == along_normal || trouble_ == missing)) return {};
         const frames::Pose pose{frames::Shape(shape_), world_from_model(), has_map ? double(strength_) : 0.0,
                                 glm::radians(double(turn_))};
         return truth_in_tiles(frame, tiles_of_view(frame.size),

@@ -153,5 +153,13 @@ TEST(TangentSpace, WithoutAMapThereIsNoTangentNoSamplerAndNoTexture) {
     EXPECT_EQ(bytes("01", {{"method", "normal-map"}}), 2 * bytes("01", {{"method", "vertex-normal"}}));
 }
 
+TEST(TangentSpace, BumpsWithoutATangentHaveNoExactNormal) {
+    for (const char* trouble : {"along-normal", "missing"})
+        for (const char* strength : {"0", "1"}) {
+            const Shot shot = shot_of("06", {{"view", "one"}, {"trouble", trouble}, {"strength", strength}}, "normal");
+            EXPECT_EQ(find_truth(*make_lab(find_lab("06"), shot), shot).has_value(), strength[0] == '0') << trouble;
+        }
+}
+
 }  // namespace
 }  // namespace relief
