@@ -59,6 +59,18 @@ TEST_F(ShotCommand, GivesTheSameBitsOnOsmesaAndEgl) {
     EXPECT_EQ(read_all(file("o.exr")), read_all(file("e.exr")));
 }
 
+TEST_F(ShotCommand, DrawsTheLevelsOfAMaskAlikeWhateverTheProcessorCan) {
+    // A third of the pixels' middles lie on the border of two texels.
+    const auto levels = [&](std::map<std::string, std::string> environment) {
+        const Result result =
+            run({relief_program(), "shot", "08", "--set", "view=levels", "--size", "720x480", "-o", "-"},
+                {{}, std::move(environment)});
+        EXPECT_EQ(result.code, 0) << result.err;
+        return result.out;
+    };
+    EXPECT_EQ(levels({}) == levels({{"GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1"}, {"LP_NATIVE_VECTOR_WIDTH", "128"}}), true);
+}
+
 TEST_F(ShotCommand, WritesPpmOrForAProbePfmToStandardOutput) {
     const std::string picture = good_shot({"-o", "-"}).out;
     EXPECT_TRUE(picture.starts_with("P6\n96 64\n255\n"));
