@@ -38,6 +38,7 @@ public:
     Inspector(const Image& map, const Image* heights) : map_(map), heights_(heights), as_(recognize(map)) {
         result_.marks.resize(map.pixel_count());
         eight_bits_ = has_8_bit_steps(map);
+        if (as_.kind == MapKind::normals && as_.reading.z == 2) find_order();
     }
 
     Inspection run() {
@@ -68,6 +69,43 @@ private:
     void mark(size_t texel, Mark what) { result_.marks[texel] |= what; }
     bool covered(size_t texel) const { return !std::isnan(vectors_[texel].x); }
 
+    /// Vectors that all face red or green are those of a surface whose channels are in another order, or of something
+    /// flat in object space. The slopes tell x from y. Turning an object never makes a mirror image of its axes, so
+    /// what is one has its channels in another order; so has what is only in another order, with no axis turned around.
+    void find_order() {
+        const std::optional<FacedAxis> faced = faced_axis(as_.statistics);
+        if (!faced || faced->axis == 2) return;
+        as_.object_space = true;
+        const int axis = faced->axis, other = 1 - axis;
+        Recognition tried = reordered(map_, as_, {other, 2, axis});
+        std::vector<glm::vec3> vectors = vectors_of(map_, tried);
+        if (tried.blue_down)
+            for (glm::vec3& n : vectors) n.z = -n.z;
+        const FieldTest test = test_field(slopes_of_normals(vectors, map_.width, map_.height));
+        const bool swapped = std::abs(test.turned) > std::abs(test.up);
+        const double field = swapped ? test.turned : test.up;
+        if (test.count < 36 || test.rms < 0.002 || std::abs(field) < 0.5) return;
+        if (swapped) tried = reordered(map_, as_, {2, other, axis});
+        const bool cyclic = tried.reading.x == (axis + 1) % 3, turned = field < 0, down = faced->downward;
+        const bool mirrored = cyclic == (turned != down), only_reordered = cyclic && !turned && !down;
+        constexpr const char* colors[] = {"red", "green", "blue"};
+        faced_ = fmt::format("{}{}", down ? "away from " : "", colors[axis]);
+        order_ = fmt::format("x in {}, y in {}, z in {}", colors[tried.reading.x], colors[tried.reading.y],
+                             colors[tried.reading.z]);
+        if (!mirrored && !only_reordered) return;
+        as_ = tried;
+    }
+
+    void order() {
+        if (order_.empty() || as_.object_space) return;
+        const bool cyclic = as_.reading.x == (as_.reading.z + 1) % 3;
+        add("order", Outcome::fault, order_,
+            fmt::format(
+                "the channels are swapped: all vectors face {}, and the slopes of the other two are those of one "
+                "height field{}. Put them in order; what follows is about that map",
+                faced_, cyclic ? ". It could also be the object-space map of a flat thing that faces this axis" : ""));
+    }
+
     void kind() {
         const VectorStatistics& s = as_.statistics;
         switch (as_.kind) {
@@ -90,8 +128,14 @@ private:
         const Numbers numbers = {{"unit_share", s.unit}, {"away_share", s.away}, {"mean_z", s.mean.z}};
         if (as_.object_space)
             add("kind", Outcome::note, "object space",
-                fmt::format("the normals of an object or a world: {} point to negative z. Read them without tangents",
-                            percent(s.away)),
+                order_.empty()
+                    ? fmt::format("the normals of an object or a world: {} point to negative z. Read them without "
+                                  "tangents",
+                                  percent(s.away))
+                    : fmt::format(
+                          "the normals of something flat, such as a floor or a wall: all face {}. A tangent-space "
+                          "map would have {}, and one axis turned around",
+                          faced_, order_),
                 numbers);
         else if (as_.reading.z < 0)
             add("kind", Outcome::note, "tangent space, two channels",
@@ -148,6 +192,7 @@ private:
 
     void normals() {
         vectors_ = vectors_of(map_, as_);
+        order();
         stored();
         background();
         if (as_.reading.z >= 0) length();
@@ -552,7 +597,9 @@ private:
     const Image* heights_;
     Recognition as_;
     bool eight_bits_ = false;
-    bool axes_swapped_ = false;  ///< red holds the slope along v
+    bool axes_swapped_ = false;  ///< red is along v
+    std::string order_;          ///< of the channels, where it is not red, green, blue
+    std::string faced_;          ///< by all vectors: a colour
     std::vector<glm::vec3> vectors_;
     Slopes slopes_;
     Inspection result_;

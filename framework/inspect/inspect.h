@@ -19,8 +19,8 @@ enum class Outcome {
 
 /// The result of one test. Scripts read names, verdicts and names of numbers: these never change.
 struct Finding {
-    std::string
-        name;  ///< "kind", "stored", "length", "side", "zero", "green", "tilt", "seam", "fourth", "heights", ...
+    std::string name;  ///< "kind", "order", "stored", "length", "side", "zero", "green", "tilt", "seam", "fourth",
+                       ///< "heights", ...
     Outcome outcome = Outcome::good;
     std::string verdict;  ///< "down", "sRGB"
     std::string reason;   ///< for people: the measurement, and the remedy

@@ -67,7 +67,8 @@ VectorStatistics statistics_of(const Image& map, const Recognition& as) {
         off.push_back(std::abs(length - 1));
         across.push_back(std::hypot(n.x, n.y));
         if (std::abs(length - 1) < 0.1) result.unit += 1;
-        if (n.z < -0.05 * length) result.away += 1;
+        result.below += glm::dvec3(glm::lessThan(n, glm::dvec3(-0.05 * length)));
+        result.above += glm::dvec3(glm::greaterThan(n, glm::dvec3(0.05 * length)));
         if (length > 0) result.mean += n / length;
         xx += n.x * n.x, yy += n.y * n.y, xy += n.x * n.y, x += n.x, y += n.y;
     });
@@ -82,7 +83,8 @@ VectorStatistics statistics_of(const Image& map, const Recognition& as) {
     result.median_off = quantile(off, 0.5);
     result.long_xy = quantile(across, 0.995);
     result.longest_xy = *std::max_element(across.begin(), across.end());
-    result.unit /= count, result.away /= count, result.mean /= count;
+    result.unit /= count, result.mean /= count, result.below /= count, result.above /= count;
+    result.away = result.below.z;
     const double scale = std::sqrt((xx / count - x / count * x / count) * (yy / count - y / count * y / count));
     result.red_green = scale > 0 ? (xy / count - x / count * y / count) / scale : 0;
     return result;
@@ -239,6 +241,27 @@ Recognition recognize(const Image& map) {
     const bool like_normals = s.away < 0.05 && lean(s) < 0.25 && s.mean.z > 0.6 && std::abs(s.red_green) < 0.7;
     as.kind = like_normals ? MapKind::normals : MapKind::neither;
     return as;
+}
+
+std::optional<FacedAxis> faced_axis(const VectorStatistics& statistics) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double mean = statistics.mean[axis];
+        glm::dvec3 aside = statistics.mean;
+        aside[axis] = 0;
+        if (std::abs(mean) > 0.5 && glm::length(aside) < 0.25 &&
+            (mean > 0 ? statistics.below : statistics.above)[axis] < 0.05)
+            return FacedAxis{axis, mean < 0};
+    }
+    return {};
+}
+
+Recognition reordered(const Image& map, const Recognition& as, glm::ivec3 channels) {
+    Recognition other = as;
+    other.reading.x = channels.x, other.reading.y = channels.y, other.reading.z = channels.z;
+    other.statistics = statistics_of(map, other);
+    other.object_space = false;
+    other.blue_down = other.statistics.mean.z < 0;
+    return other;
 }
 
 std::vector<glm::vec3> vectors_of(const Image& map, const Recognition& as) {

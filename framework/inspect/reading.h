@@ -30,7 +30,9 @@ struct VectorStatistics {
     double median_off = 0;  ///< median of | |n| - 1 |
     double unit = 0;        ///< share with a length from 0.9 to 1.1
     double away = 0;        ///< share whose unit vector has z < -0.05
-    double longest_xy = 0;  ///< maximum length of (x, y)
+    glm::dvec3 below{0};    ///< for each axis, share whose unit vector has less than -0.05 there
+    glm::dvec3 above{0};    ///< and more than 0.05
+    double longest_xy = 0;  ///< length of (x, y)
     double long_xy = 0;     ///< its 99.5 % quantile
     double red_green = 0;   ///< correlation of x and y
     glm::dvec3 mean{0};     ///< mean of the unit vectors
@@ -49,6 +51,16 @@ struct Recognition {
 };
 
 Recognition recognize(const Image& map);
+
+/// The axis that all vectors face, as the normals of a surface in its tangent space face z.
+struct FacedAxis {
+    int axis;       ///< 0 to 2
+    bool downward;  ///< they face its negative end
+};
+std::optional<FacedAxis> faced_axis(const VectorStatistics& statistics);
+
+/// Returns the recognition of the same map as normals in tangent space, with x, y and z in these channels.
+Recognition reordered(const Image& map, const Recognition& as, glm::ivec3 channels);
 
 /// Returns the vectors under `as.reading`. NaN if a value is not finite, and in the background.
 std::vector<glm::vec3> vectors_of(const Image& map, const Recognition& as);

@@ -266,6 +266,72 @@ TEST(Inspect, KnowsMapsInObjectSpaceAndTheirFaults) {
     }
 }
 
+/// The map whose channel k has channel order[k] of the map.
+Image reordered(const Image& map, const std::array<int, 3>& order) {
+    return changed(map, [&](glm::vec3& c) { c = {c[order[0]], c[order[1]], c[order[2]]}; });
+}
+
+TEST(Inspect, TellsEachOrderOfTheChannels) {
+    const struct {
+        std::array<int, 3> order;
+        const char *finding, *verdict;
+    } orders[] = {{{0, 2, 1}, "order", "x in red, y in blue, z in green"},
+                  {{2, 1, 0}, "order", "x in blue, y in green, z in red"},
+                  {{1, 2, 0}, "order", "x in blue, y in red, z in green"},
+                  {{2, 0, 1}, "order", "x in green, y in blue, z in red"},
+                  {{1, 0, 2}, "green", "swapped"}};
+    for (const auto& [name, map] : good_maps()) {
+        if (map.bits != 8) continue;
+        const Inspection as_it_is = inspect(map);
+        EXPECT_EQ(verdict(as_it_is, "order"), "") << name;
+        if (verdict(as_it_is, "green") != "up") continue;  // its slopes tell no order
+        for (const auto& [order, finding, right] : orders) {
+            // A stitch of the quilt is nearly its own transpose: red and green are as good a field when swapped.
+            if (name == "assets/quilt" && order[2] == 2) continue;
+            const Inspection told = inspect(reordered(map, order));
+            EXPECT_EQ(verdict(told, finding), right) << name;
+            EXPECT_EQ(told.faults(), 1) << name << ", " << right;
+        }
+    }
+}
+
+TEST(Inspect, TellsEachOrderWithAnAxisTurnedAroundUnlessItIsThatOfAFlatObject) {
+    // Turning an axis around makes a mirror image of an order that was none, and none of one that was. A rotation of a
+    // floor or a wall can have the latter; it is no fault.
+    const Image map = normals_of(HeightMap::stones, 256, 16, 8);
+    std::array<int, 3> order = {0, 1, 2};
+    do {
+        const bool odd = (order[0] + 1) % 3 != order[1];
+        for (int axis = 0; axis < 3; ++axis) {
+            const Inspection told =
+                inspect(reordered(with_vectors(map, [&](glm::vec3& n) { n[axis] = -n[axis]; }), order));
+            const auto where = [&] { return fmt::format("{}{}{}, {} turned", order[0], order[1], order[2], axis); };
+            if (order[2] == 2) {
+                EXPECT_GE(told.faults(), 1) << where();  // as in red, green, blue
+            } else if (odd) {
+                EXPECT_EQ(told.faults(), 0) << where();
+                EXPECT_NE(told.find("kind")->reason.find("flat"), std::string::npos) << where();
+            } else {
+                EXPECT_NE(verdict(told, "order"), "") << where();
+            }
+        }
+    } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(Inspect, CallsNoObjectSpaceMapSwapped) {
+    const Image object = asset("quilt_object.png");
+    EXPECT_EQ(verdict(inspect(object), "order"), "");
+    // A flat thing that faces each of six ways, as y is up and as z is up: stones of a floor, a ceiling and four walls.
+    const std::vector<std::function<glm::vec3(glm::vec3)>> turns = {
+        [](glm::vec3 n) { return glm::vec3(n.x, n.z, -n.y); }, [](glm::vec3 n) { return glm::vec3(n.x, -n.z, n.y); },
+        [](glm::vec3 n) { return glm::vec3(n.z, n.y, -n.x); }, [](glm::vec3 n) { return glm::vec3(-n.z, n.y, n.x); },
+        [](glm::vec3 n) { return glm::vec3(-n.x, n.z, n.y); }, [](glm::vec3 n) { return glm::vec3(-n.x, -n.z, -n.y); },
+        [](glm::vec3 n) { return glm::vec3(-n.z, -n.x, n.y); }};
+    const Image map = normals_of(HeightMap::stones, 256, 16, 8);
+    for (const auto& turn : turns)
+        EXPECT_EQ(verdict(inspect(with_vectors(map, [&](glm::vec3& n) { n = turn(n); })), "order"), "");
+}
+
 TEST(Inspect, KnowsNormalsInTwoChannels) {
     const auto two = [](const Image& map) {
         Image result(map.width, map.height, 2, map.bits);
