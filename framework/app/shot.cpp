@@ -137,7 +137,10 @@ std::string knobs_and_probes(const std::string& lab_text) {
             text += fmt::format("  {:<14} {}; {} [{}]\n", knob.name, knob.help, knob.range, knob.value);
         text += "Probes:\n";
         for (const ProbeInfo& probe : load_manifest(entry).probes)
-            text += fmt::format("  {:<14} {}\n", probe.name, probe.unit.empty() ? "no unit" : "unit: " + probe.unit);
+            text += fmt::format("  {:<14} {}\n", probe.name,
+                                probe.unit.empty()                  ? "no unit"
+                                : probe.error == ErrorMetric::angle ? "a direction; unit of its error: " + probe.unit
+                                                                    : "unit: " + probe.unit);
         return text;
     } catch (const Error& error) {
         return error.what();

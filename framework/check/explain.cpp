@@ -290,7 +290,7 @@ private:
             noted.is_unfinished |= numbers[3] > 0;
             const ExplainedCall one = read_call(watched, numbers);
             if (std::none_of(noted.shown.begin(), noted.shown.end(),
-                             [&](const ExplainedCall& other) { return other.number == one.number; }))
+                             [&](const ExplainedCall& other) { return other.has_values_of(one); }))
                 noted.shown.push_back(one);
             return true;
         };

@@ -25,6 +25,10 @@ struct ExplainedCall {
     std::vector<double> twin = {};    ///< the twin's results; empty if the function has no twin
     std::vector<float> allowed = {};  ///< for each result, upper bound of its distance from the twin's through rounding
     double excess = 0;                ///< maximum distance from the twin, as a multiple of `allowed`
+    /// Returns true for the same call, and for another one with the same inputs and results.
+    bool has_values_of(const ExplainedCall& other) const {
+        return number == other.number || (inputs == other.inputs && results == other.results);
+    }
     bool operator==(const ExplainedCall&) const = default;
 };
 

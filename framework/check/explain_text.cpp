@@ -35,6 +35,12 @@ std::string numbers_of(const std::vector<float>& value) {
     return value.front() == no_surface ? "no surface" : value.front() == not_written ? "a task is not written" : text;
 }
 
+/// " (texels)". Of a direction the unit is that of its error alone.
+std::string unit_of(const ProbeInfo& probe) {
+    const bool has_unit = !probe.unit.empty() && probe.error != ErrorMetric::angle;
+    return has_unit ? fmt::format(" ({})", plural(probe.unit)) : "";
+}
+
 std::string where_of(const ExplainedFunction& one) {
     std::string text = fmt::format("{}:{}, {} stage", shown(one.function.place.file), one.function.place.line,
                                    name_of(one.function.stage));
@@ -67,7 +73,7 @@ std::string text_of(const PixelReport& report) {
     const Explanation& explanation = report.explanation;
     const std::string& probe = report.shot.probe.name;
     const std::string what =
-        probe.empty() ? "picture" : fmt::format("probe {} ({})", probe, plural(report.manifest.probe(probe).unit));
+        probe.empty() ? "picture" : fmt::format("probe {}{}", probe, unit_of(report.manifest.probe(probe)));
     std::string text = fmt::format("{}, pixel {},{} of {} x {}\n", report.lab.folder, report.pixel.x, report.pixel.y,
                                    report.shot.size.x, report.shot.size.y);
     text += fmt::format("  {}: {}\n", what, numbers_of(explanation.value));

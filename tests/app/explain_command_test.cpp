@@ -79,6 +79,22 @@ TEST(ExplainCommand, NamesTheFunctionThatIsWrongAndNotThoseThatUseIt) {
     EXPECT_TRUE(contains(result.out, "> on_ray")) << result.out;
 }
 
+TEST(ExplainCommand, ShowsOneOfTwoCallsWithTheSameValues) {
+    // Where the relief is as high as its top, the first layer is the hit: the search and the picture both want t = 0.
+    const Result result = explain({"10", "--set", "view=one", "--set", "map=high", "--set", "method=steep", "--size",
+                                   "64x64", "--camera", "0,0,1", "--probe", "uv", "--pixel", "32,32", "--json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const Json on_ray = functions_of(Json::parse(result.out)).at("on_ray");
+    EXPECT_EQ(on_ray["call_count"], 2);
+    EXPECT_EQ(on_ray["calls"].size(), 1U);
+}
+
+TEST(ExplainCommand, ADirectionHasNoUnit) {
+    const Result result = explain({"01", "--probe", "normal", "--size", "64x64", "--pixel", "32,32"});
+    EXPECT_TRUE(contains(result.out, "probe normal: ")) << result.out << result.err;
+    EXPECT_TRUE(contains(with({}).out, "probe uv (texels): "));
+}
+
 TEST(ExplainCommand, SaysWhenNoFunctionIsCalled) {
     const Result result =
         explain({"10", "--set", "view=one", "--size", "64x64", "--camera", "90,0,3", "--pixel", "1,1"});
