@@ -85,6 +85,7 @@ Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const I
     if (summary.count == 0) return {Outcome::broken, nothing_to_compare(drawn, expected, summary)};
     for (const float value : error.values) off += value > 1 && value != no_surface;
     Findings findings;
+    std::string look_at;
     const Limits& limits = check.limits;
     findings.add("mean", summary.mean, limits.mean, probe.unit);
     findings.must_reach(summary.mean, limits.at_least);
@@ -96,11 +97,16 @@ Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const I
         findings.add("share of pixels with a surface in only one of the two pictures",
                      double(only_one) / double(drawn.pixel_count()), limits.outline, "");
     if (probe.error == ErrorMetric::angle && !probe.any_length && check.against == "truth")
-        if (const double share = share_not_unit(drawn, expected); share > limits.outline)
+        if (const double share = share_not_unit(drawn, expected); share > limits.outline) {
+            if (findings.judgement().outcome == Outcome::passed)
+                look_at = "the directions are right, but their length is not 1: normalise the vector that you return";
             findings.add("share of pixels whose vector is not of unit length", share, limits.outline, "");
+        }
     if (summary.not_finite > 0)
         return {Outcome::wrong, fmt::format("{} pixels are not a number or have no direction", summary.not_finite)};
-    return findings.judgement();
+    Judgement said = findings.judgement();
+    said.look_at = look_at;
+    return said;
 }
 
 Judgement compare_pictures(const Image& drawn, const Image& expected) {
@@ -279,7 +285,7 @@ std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judge
         if (!first[i].empty())
             hints[i] = fmt::format("put task {} right first", fmt::join(first[i], " and task "));
         else if (said[i].outcome == Outcome::wrong)
-            hints[i] = manifest.checks[i].look_at;
+            hints[i] = said[i].look_at.empty() ? manifest.checks[i].look_at : said[i].look_at;
     return hints;
 }
 
@@ -357,6 +363,7 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
     result.outcome = said.outcome;
     result.found = said.found;
     result.culprit = said.culprit;
+    result.look_at = said.look_at;
     return run;
 }
 
@@ -405,7 +412,7 @@ CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) 
     const std::string beyond = what_reaches_beyond(file, others);
     CheckRun run = beyond.empty() ? try_check(lab, manifest, manifest.checks[check], expected)
                                   : CheckRun{{&manifest.checks[check], Outcome::broken, beyond}};
-    said[check] = {run.result.outcome, run.result.found, run.result.culprit};
+    said[check] = {run.result.outcome, run.result.found, run.result.culprit, run.result.look_at};
     drawn.erase(check);
     if (const auto places = fingerprints.checks.find(check); run.was_tried && places != fingerprints.checks.end())
         drawn[check] = sample_at(run.drawn, run.result.found, places->second.values);
@@ -421,12 +428,14 @@ Advice LabChecker::advice() const {
     Samples own = drawn;  // what tells of the check's own task
     for (size_t i = 0; i < said.size(); ++i)
         if (!first[i].empty()) own.erase(i);
-    for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, own))
-        advice.mistakes[task] = mistake->hint;
-    for (size_t i = 0; i < said.size(); ++i)
-        if (const auto mistake = advice.mistakes.find(manifest.checks[i].task);
-            mistake != advice.mistakes.end() && has_failed(said[i].outcome) && first[i].empty())
-            advice.look_at[i] = mistake->second;
+    for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, own)) {
+        std::vector<size_t> failed;
+        for (size_t i = 0; i < said.size(); ++i)
+            if (manifest.checks[i].task == task && has_failed(said[i].outcome) && first[i].empty()) failed.push_back(i);
+        const std::string& hint = advice.mistakes[task] = told(mistake->hint, failed.size());
+        for (const size_t i : failed)
+            advice.look_at[i] = failed.size() > 1 || advice.look_at[i].empty() ? hint : advice.look_at[i] + ". " + hint;
+    }
     return advice;
 }
 

@@ -31,6 +31,7 @@ struct Judgement {
     std::string found = {};  ///< the measured and the allowed value, or the error
     /// The task in whose part of its file a compiler found the error, which is alone to blame; else empty.
     std::string culprit = {};
+    std::string look_at = {};  ///< a hint that follows from what was measured, in place of the check's own; or empty
 };
 
 struct CheckResult {

@@ -128,7 +128,7 @@ void read_mistake(Table& table, const Manifest& manifest, Fingerprints& result) 
     }
 }
 
-/// Of the checks that may be compared: their likeness, or nothing where a failed one is not like the mistake.
+/// Of the checks that may be compared: their likeness, or nothing if one of them is not like the mistake.
 std::optional<Likeness> likeness_of(const Fingerprints& fingerprints, const Fingerprints::Mistake& mistake,
                                     const Manifest& manifest, const std::vector<Judgement>& said,
                                     const Samples& drawn) {
@@ -137,7 +137,7 @@ std::optional<Likeness> likeness_of(const Fingerprints& fingerprints, const Fing
         if (!drawn.contains(check)) continue;
         const Likeness one = likeness(drawn.at(check), sample, fingerprints.checks.at(check).solution,
                                       bool(manifest.checks[check].shot.probe));
-        if (said[check].outcome != Outcome::passed && one.share() < min_agreement) return {};
+        if (!is_like(one, said[check].outcome == Outcome::passed)) return {};
         sum.differ += one.differ;
         sum.agree += one.agree;
     }
@@ -208,7 +208,7 @@ std::map<std::string, const Fingerprints::Mistake*> name_mistakes(const Fingerpr
     std::map<std::string, const Fingerprints::Mistake*> named;
     std::map<std::string, double> best;
     for (const auto& [check, sample] : drawn)
-        if (said[check].outcome != Outcome::passed) best[manifest.checks[check].task] = min_agreement;
+        if (said[check].outcome != Outcome::passed) best[manifest.checks[check].task] = 0;
     for (const Fingerprints::Mistake& mistake : fingerprints.mistakes) {
         const auto share = best.find(mistake.task);
         if (share == best.end()) continue;

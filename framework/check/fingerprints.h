@@ -40,9 +40,8 @@ std::string text_of(const Fingerprints& fingerprints, const LabEntry& lab, const
 /// The picture's values at these places; without a picture the error.
 Sample sample_at(const Image& drawn, const std::string& error, const std::vector<size_t>& values);
 
-/// The known mistake that each task's pictures show, by task. Every failed check of the task that was drawn must be
-/// like the mistake in nine tenths of what differs from the solution, and so must all drawn checks together. `drawn`:
-/// what was drawn, by check, without checks that wait for other tasks.
+/// The known mistake that each task's pictures show, by task: every check of the task that was drawn is like it (see
+/// is_like()). `drawn`: what was drawn, by check, without checks that wait for other tasks.
 std::map<std::string, const Fingerprints::Mistake*> name_mistakes(const Fingerprints& fingerprints,
                                                                   const Manifest& manifest,
                                                                   const std::vector<Judgement>& said,

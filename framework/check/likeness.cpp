@@ -29,6 +29,12 @@ double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe
     return count > 0 ? 0.02 * sum / double(count) : 1e-6;
 }
 
+bool is_like(const Likeness& one, bool passed) { return one.differ == 0 ? passed : one.share() >= min_agreement; }
+
+std::string told(const std::string& hint, size_t failed_checks) {
+    return failed_checks > 1 ? hint : "Perhaps: " + hint;
+}
+
 Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe) {
     if (!drawn.is_drawn || !mistake.is_drawn) {
         const bool same = drawn.is_drawn == mistake.is_drawn && drawn.error == mistake.error;

@@ -136,6 +136,24 @@ TEST(Hints, NameTheNeededTaskThatIsWrongByItselfHoweverItFailed) {
             << name_of(outcome);
 }
 
+TEST(Hints, TellThatOnlyTheLengthIsWrong) {
+    Manifest manifest;
+    ProbeInfo& probe = manifest.probes.emplace_back();
+    probe.name = "normal", probe.error = ErrorMetric::angle, probe.unit = "degree";
+    CheckInfo& info = manifest.checks.emplace_back(check("1.1", {}));
+    info.against = "truth", info.limits.mean = 1, info.shot.probe.name = "normal", info.shot.size = {1, 1};
+    manifest.tasks.push_back({.id = "1.1", .title = {}, .file = {}});
+    const auto hint = [&](float x, float y, float z) {
+        Image drawn(1, 1, 4), expected(1, 1, 4);
+        drawn.values = {x, y, z, 1}, expected.values = {0, 0, 1, 1};
+        return hints_of(manifest, {judge(manifest, info, drawn, expected)}).front();
+    };
+    EXPECT_EQ(hint(0, 0, 2),
+              "the directions are right, but their length is not 1: normalise the vector that you return");
+    EXPECT_EQ(hint(0, 2, 0), "own hint of 1.1") << "the direction is wrong, too";
+    EXPECT_EQ(hint(0, 0, 1), "");
+}
+
 TEST(Hints, NameATaskThatACheckLeansOn) {
     Manifest all = manifest();
     all.checks[4].needs = {"1.1"}, all.checks[4].leans_on = {"1.2"};

@@ -62,6 +62,26 @@ TEST(Fingerprints, NameTheMistakeThatAllFailedChecksAreLike) {
     EXPECT_EQ(named({right, right, {Outcome::broken, "no number"}}, {{2, {.error = "no number"}}}, "1.2"), "");
 }
 
+// A mistake that nobody has listed may fail one check as a listed one does.
+TEST(Fingerprints, NameNoMistakeThatACheckWhichPassesWouldShow) {
+    const Sample half = drawn({0.5f, 2, 1.5f});
+    EXPECT_EQ(named({wrong, wrong, right}, {{0, half}, {1, drawn({2, nan})}}), "halves");
+    EXPECT_EQ(named({wrong, right, right}, {{0, half}, {1, drawn({4, inf})}}), "") << "'far' is right";
+}
+
+TEST(Fingerprints, NameAMistakeOfASingleFailedCheckAsAPossibility) {
+    EXPECT_EQ(told("mind the sign", 2), "mind the sign");
+    EXPECT_EQ(told("mind the sign", 1), "Perhaps: mind the sign");
+}
+
+TEST(Likeness, AllowsOneValueOf24ThatAnotherDriverDraws) {
+    EXPECT_TRUE(is_like({.differ = 24, .agree = 23}, false));
+    EXPECT_FALSE(is_like({.differ = 24, .agree = 22}, false));
+    EXPECT_FALSE(is_like({.differ = 3, .agree = 2}, true));
+    EXPECT_TRUE(is_like({.differ = 0, .agree = 0}, true)) << "it passes, with the mistake, too";
+    EXPECT_FALSE(is_like({.differ = 0, .agree = 0}, false)) << "it fails where the mistake does not show";
+}
+
 TEST(Fingerprints, NameNothingWhereAllFailedChecksWaitForAnotherTask) {
     const std::vector<Judgement> said = {wrong, right, {Outcome::broken, "it throws"}};
     const Samples throws = {{0, drawn({9, 9, 9})}, {2, {.error = "it throws"}}};

@@ -175,17 +175,17 @@ void LabGrader::name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std:
                               const std::vector<TaskIds>& first, const std::vector<Judgement>& said,
                               const std::vector<bool>& is_drawn) const {
     std::vector<bool> compared;
-    std::set<std::string> suspects;  // tasks with a failure that may be their own
+    std::map<std::string, size_t> failures;  // by task, those that may be its own
     for (size_t i = 0; i < said.size(); ++i) {
         compared.push_back(verdicts[i].is_own || (is_drawn[i] && first[i].empty()));
-        if (compared[i] && said[i].outcome != Outcome::passed) suspects.insert(manifest().checks[i].task);
+        if (compared[i] && said[i].outcome != Outcome::passed) ++failures[manifest().checks[i].task];
     }
     for (TaskMark& task : lab.tasks) {
-        if (!suspects.contains(task.id)) continue;
+        if (!failures.contains(task.id)) continue;
         const std::optional<NamedMistake> named = mistakes_.name(task.id, drawn, compared);
         if (!named) continue;
         task.mistake = named->id;
-        task.hint = named->hint;
+        task.hint = told(named->hint, failures.at(task.id));
     }
 }
 
@@ -224,7 +224,9 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
     }
     const std::vector<TaskIds> first = put_right_first(manifest(), said);
     const std::vector<std::string> all_hints = hints(manifest(), said, first);
-    for (size_t i = 0; i < marks.size(); ++i) marks[i].look_at = verdicts[i].is_own ? checks[i].look_at : all_hints[i];
+    for (size_t i = 0; i < marks.size(); ++i) marks[i].look_at = !verdicts[i].is_own      ? all_hints[i]
+                           : said[i].look_at.empty() ? checks[i].look_at
+                                                     : said[i].look_at;
     lab.tasks = task_marks(marks);
     if (with_names && lab.graded()) name_mistakes(lab, drawn, verdicts, first, said, is_drawn);
     return lab;

@@ -64,7 +64,8 @@ Samples MistakeNames::samples_of(const MistakeInfo& mistake) const {
 }
 
 /// Returns the agreement with a mistake over all compared checks: the share of the values that differ from the solution
-/// in which the drawing is like the mistake.
+/// in which the drawing is like the mistake. Returns 0 if a check is not like it. (A check may pass in its own view,
+/// which is compared, and fail in a hidden one.)
 double MistakeNames::agreement(const Signature& signature, const std::vector<Sample>& drawn,
                                const std::vector<bool>& compared) const {
     Likeness sum;
@@ -72,6 +73,7 @@ double MistakeNames::agreement(const Signature& signature, const std::vector<Sam
         if (!compared[check]) continue;
         const bool is_probe(views_.manifest().checks[check].shot.probe);
         const Likeness one = likeness(drawn[check], sample, solution_[check], is_probe);
+        if (!is_like(one, true)) return 0;
         sum.differ += one.differ;
         sum.agree += one.agree;
     }
@@ -89,7 +91,7 @@ std::optional<NamedMistake> MistakeNames::name(const std::string& task, const Dr
     std::vector<Sample> samples;
     for (const DrawnViews& one : drawn.checks) samples.push_back(sample_of(one.own));
     const MistakeInfo* best = nullptr;
-    double best_agreement = min_agreement;
+    double best_agreement = 0;
     for (const Signature& signature : signatures(task)) {
         const double share = agreement(signature, samples, compared);
         if (share <= best_agreement) continue;
