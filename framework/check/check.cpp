@@ -374,6 +374,10 @@ std::string what_reaches_beyond(const std::string& file, const OtherShaders& oth
     return beyond.empty() ? "" : fmt::format("{} {}", file, beyond);
 }
 
+std::string as_sentence(const std::string& text) {
+    return text + (text.ends_with('?') || text.ends_with('.') ? " " : ". ");
+}
+
 /// None where their file is damaged, or of another manifest: work can be checked all the same.
 Fingerprints known_mistakes(const LabEntry& lab, const Manifest& manifest) {
     try {
@@ -434,7 +438,8 @@ Advice LabChecker::advice() const {
             if (manifest.checks[i].task == task && has_failed(said[i].outcome) && first[i].empty()) failed.push_back(i);
         const std::string& hint = advice.mistakes[task] = told(mistake->hint, failed.size());
         for (const size_t i : failed)
-            advice.look_at[i] = failed.size() > 1 || advice.look_at[i].empty() ? hint : advice.look_at[i] + ". " + hint;
+            advice.look_at[i] =
+                failed.size() > 1 || advice.look_at[i].empty() ? hint : as_sentence(advice.look_at[i]) + hint;
     }
     return advice;
 }
