@@ -35,7 +35,7 @@ int open_menu_or_gallery(const std::string& lab_folder) {
         return run_menu({.lab_folder = lab_folder});
     } catch (const NoWindow& error) {
         print_note(fmt::format(
-            "{}; all is built, and the gallery of pictures is made instead, which takes minutes (Ctrl-C ends it)",
+            "{}; all is built, and the course page is made instead, which takes minutes (Ctrl-C ends it)",
             error.what()));
     }
     return make_gallery({}, {}, {});

@@ -243,15 +243,14 @@ private:
     }
 
     void say_what_is_missing() const {
-        std::vector<std::string> missing, makers;
+        std::vector<std::string> missing;
         if (has_command("slides") &&
             std::none_of(pages_.begin(), pages_.end(), [](const LabPage& page) { return !page.slides.empty(); }))
-            missing.emplace_back("slides"), makers.emplace_back("relief slides");
-        if (has_command("bench") && !bench_.has("index.html"))
-            missing.emplace_back("measurements"), makers.emplace_back("relief bench");
+            missing.emplace_back("slides");
+        if (has_command("bench") && !bench_.has("index.html")) missing.emplace_back("measurements");
         if (!missing.empty())
-            print_note(fmt::format("the site has no {}: run {} first to include them", join(missing, " and no "),
-                                   join(makers, " and ")));
+            print_note(fmt::format("the site has no {}: ./relief site, in {}, makes all", join(missing, " and no "),
+                                   course_root().string()));
     }
 
     fs::path folder_;

@@ -1,5 +1,9 @@
 // The script `relief`, with stand-ins for the tools that it calls. Each stand-in records its arguments.
+#include <unistd.h>
+
+#include <filesystem>
 #include <memory>
+#include <set>
 #include <sstream>
 
 #include "tests/app/course_copy.h"
@@ -167,6 +171,84 @@ TEST_F(Script, ABuildFolderOfAnotherPathIsLeftAlone) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
 }
 
+TEST_F(Script, RunsWhatIsBuiltWhereItsUserMayNotWrite) {
+    namespace fs = std::filesystem;
+    script();
+    calls();
+    folder_.write("build/.ninja_log", "");
+    // Root may write to everything, so another user comes.
+    std::vector<std::string> visitor;
+    if (geteuid() == 0) visitor = {"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
+    const auto visits = [&](const std::vector<std::string>& words) {
+        std::vector<std::string> command = visitor;
+        command.insert(command.end(), {"bash", folder_.path() / "relief"});
+        command.insert(command.end(), words.begin(), words.end());
+        return run(command, {"/", {{"PATH", (folder_.path() / "tools").string() + ":/usr/bin:/bin"}, {"CI", ""}}});
+    };
+    const fs::path build = folder_.path() / "build";
+    for (const fs::path& place : {build / ".ninja_log", build}) {
+        fs::permissions(place, fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write,
+                        fs::perm_options::remove);
+        const Result shown = visits({"shot", "01"});
+        EXPECT_EQ(shown.out, "ran: shot 01\n");
+        EXPECT_EQ(shown.err, "");
+    }
+    for (const char* word : {"build", "site", "test"}) {
+        const Result refused = visits({word});
+        EXPECT_EQ(refused.code, 1);
+        EXPECT_EQ(refused.err, "relief: nothing can be built here: you may not write to " + build.string() +
+                                   "; copy the course to a folder of your own\n");
+    }
+    fs::permissions(build, fs::perms::owner_write, fs::perm_options::add);
+    EXPECT_FALSE(fs::exists(folder_.path() / "calls")) << calls();
+}
+
+TEST_F(Script, WithoutATerminalABuildSaysHowFarItIs) {
+    // Time is a file: ninja's stand-in lets it pass, and that of sleep waits for it.
+    stand_in("sleep",
+             "[[ $1 == 10 ]] || exit 1\nwhile [[ ! -e tick && -e calls ]]; do /bin/sleep 0.01; done; rm -f tick");
+    stand_in("ninja",
+             "echo '[1/7] Building CXX object a.o'; echo '[3/7] Building CXX object b.o'\n"
+             "for i in {1..40}; do touch tick; for j in {1..10}; do [[ -e tick ]] && /bin/sleep 0.01; done; done\n"
+             "mkdir -p build/bin && printf '#!/bin/bash\\ntrue\\n' >build/bin/relief && chmod +x build/bin/relief");
+    const Result result = script({"list"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.err, "relief: building: 3 of 7 steps done, 4 left\n")) << result.err;
+}
+
+TEST_F(Script, TheSiteIsMadeInOrderAndOnlyWhatIsOutOfDate) {
+    folder_.write("framework/staff/staff.cmake", "");
+    stand_in("ninja",
+             "[[ -e build/bin/relief ]] && exit\nmkdir -p build/bin\n"
+             "printf '#!/bin/bash\\necho \"relief $*\" >>calls; mkdir -p build/$1\\n"
+             "touch build/$1/{index,00_relief}.html\\n' >build/bin/relief && chmod +x build/bin/relief");
+    const auto made = [&] {
+        const Result result = run({"bash", folder_.path() / "relief", "site"},
+                                  {folder_.path(), {{"PATH", (folder_.path() / "tools").string() + ":/usr/bin:/bin"}}});
+        EXPECT_EQ(result.code, 0) << result.err;
+        const std::string build = (folder_.path() / "build").string();
+        EXPECT_EQ(result.out, build + "/gallery/index.html\n" + build + "/mistakes/index.html\n");
+        std::string commands;
+        std::istringstream lines(calls());
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with("relief ")) commands += line.substr(7) + "; ";
+        return commands;
+    };
+    EXPECT_EQ(made(), "slides; bench --quick; gallery; mistakes; ");
+    EXPECT_EQ(made(), "");
+    folder_.write("shaders/changed.glsl", "");
+    EXPECT_EQ(made(), "slides; gallery; mistakes; ") << "measurements stay";
+    folder_.write("build/bench/index.html", "measured at length");
+    EXPECT_EQ(made(), "gallery; ") << "it takes a copy";
+    std::filesystem::remove(folder_.path() / "build/mistakes/index.html");
+    EXPECT_EQ(made(), "mistakes; ");
+    std::filesystem::remove_all(folder_.path() / "framework/staff");
+    std::filesystem::remove_all(folder_.path() / "build/gallery");
+    const Result students = script({"site"});
+    EXPECT_EQ(students.out, (folder_.path() / "build/gallery/index.html").string() + "\n");
+    EXPECT_EQ(script({"site", "1"}).err, "relief: site takes nothing else: '1'\n");
+}
+
 TEST_F(Script, SimultaneousStartsBuildOneAfterTheOther) {
     // A build fails if another build is running in the folder.
     stand_in("ninja",
@@ -221,7 +303,8 @@ TEST_F(Script, WithoutRootOrSudoItPrintsTheLineToRunAndStops) {
     const Result result = script();
     EXPECT_EQ(result.code, 1);
     EXPECT_EQ(result.err,
-              "relief: packages are missing; as root, run: apt-get install --no-install-recommends libglm-dev\n");
+              "relief: packages are missing; as root, run: apt-get update && apt-get install "
+              "--no-install-recommends libglm-dev\n");
     EXPECT_FALSE(contains(calls(), "cmake"));
 }
 
