@@ -6,7 +6,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -206,9 +210,15 @@ constexpr const char* faint_texts_script = R"js((() => {
   let texts = 0;
   while (walker.nextNode()) {
     const text = walker.currentNode.textContent.trim(), element = walker.currentNode.parentElement;
-    if (!text || !element.checkVisibility() || element.localName == "script") continue;
+    if (!text || !element.checkVisibility() || ["script", "title", "desc"].includes(element.localName)) continue;
     ++texts;
-    const [a, b] = [light(getComputedStyle(element).color), light(behind(element))].sort((a, b) => b - a);
+    const plot = element.closest("svg"), turned = plot && getComputedStyle(plot).filter.match(/invert\(([\d.]+)\)/);
+    // What the filter makes of a colour; turning hues leaves its lightness.
+    const seen = color => turned
+        ? "rgb(" + numbers(color).slice(0, 3).map(v => turned[1] * 255 - (2 * turned[1] - 1) * v).join() + ")" : color;
+    const colors = plot ? [getComputedStyle(element).fill, "rgb(255, 255, 255)"].map(seen)
+                        : [getComputedStyle(element).color, behind(element)];
+    const [a, b] = colors.map(light).sort((a, b) => b - a);
     if ((a + 0.05) / (b + 0.05) < 4.5) found.add(text);
   }
   return texts > 10 ? [...found] : ["there is no text"];
@@ -217,6 +227,31 @@ constexpr const char* faint_texts_script = R"js((() => {
 }  // namespace
 
 std::vector<std::string> Browser::faint_texts() { return eval(faint_texts_script); }
+
+std::vector<std::string> Browser::accessibility_faults() {
+    const std::filesystem::path axe =
+        std::filesystem::path(RELIEF_BUILD_FOLDER) / "marp/node_modules/axe-core/axe.min.js";
+    std::ifstream file(axe);
+    if (!file) throw std::runtime_error(axe.string() + " is missing: ./relief test --ci installs it");
+    const std::string script(std::istreambuf_iterator<char>(file), {});
+    eval("document.querySelectorAll('details').forEach(one => { one.open = true; })");
+    std::set<std::string> found;
+    for (const int pixels : {1440, 390})
+        for (const bool is_dark : {false, true}) {
+            width(pixels), dark(is_dark);
+            const json answer =
+                call("Runtime.evaluate",
+                     {{"expression",
+                       script + R"js(;axe.run().then(result => result.violations.flatMap(rule => rule.nodes.map(node =>
+                      rule.id + ": " + node.html.slice(0, 160) + " " + node.failureSummary))))js"},
+                      {"returnByValue", true},
+                      {"awaitPromise", true}});
+            if (answer.contains("exceptionDetails")) throw std::runtime_error(answer["exceptionDetails"].dump(1));
+            for (const std::string fault : answer["result"]["value"]) found.insert(fault);
+        }
+    width(0), dark(false);
+    return {found.begin(), found.end()};
+}
 
 std::vector<std::string> Browser::complaints() {
     std::vector<std::string> found;

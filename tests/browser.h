@@ -41,8 +41,13 @@ public:
     };
     /// Returns all focusable elements, as a screen reader presents them.
     std::vector<Control> controls();
-    /// Returns texts whose contrast with their background is below 4.5, the minimum of WCAG AA.
+    /// Returns texts whose contrast with their background is below 4.5, the minimum of WCAG AA. The words of a plot are
+    /// on the plot's own white background.
     std::vector<std::string> faint_texts();
+    /// Returns the faults that axe-core finds on the page at widths of 1440 and 390 pixels, in light and in dark, with
+    /// all details open: each fault once. Throws if axe-core is not installed; the script relief installs it for
+    /// `test --ci`.
+    std::vector<std::string> accessibility_faults();
     /// Returns the browser's complaints since the page was opened: errors of scripts, and violations of the page's
     /// policy.
     std::vector<std::string> complaints();

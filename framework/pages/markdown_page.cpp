@@ -32,6 +32,7 @@ public:
                 fields["quote"] = true;
                 break;
             case BlockKind::code:
+                fields["number"] = ++boxes_;
                 if (block.language == "formula")
                     fields["formulas"] = rows(formulas(block.text));
                 else if (block.language == "measured")
@@ -40,7 +41,7 @@ public:
                     fields["code"] = block.text;
                 break;
             case BlockKind::table:
-                fields["table"] = table(block);
+                fields["table"] = table(block), fields["number"] = ++boxes_;
                 break;
             case BlockKind::rule:
                 fields["rule"] = true;
@@ -63,7 +64,7 @@ private:
     /// Each name of block.mustache for which a block may have no value.
     static Fields nothing() {
         return {{"closed", ""}, {"heading", ""},  {"paragraph", ""}, {"figure", ""}, {"item", ""}, {"quote", ""},
-                {"code", ""},   {"formulas", ""}, {"measured", ""},  {"table", ""},  {"rule", ""}};
+                {"code", ""},   {"formulas", ""}, {"measured", ""},  {"table", ""},  {"rule", ""}, {"number", ""}};
     }
 
     List close_lists(size_t depth) {
@@ -169,6 +170,7 @@ private:
     const PagePlaces& places_;
     std::vector<std::string> lists_;  ///< those that are open, each with an open item
     std::map<std::string, int> ids_;
+    int boxes_ = 0;  ///< that scroll: each has a number, since no two landmarks of a page may have one name
 };
 
 }  // namespace

@@ -220,7 +220,7 @@ struct CrowdedPage {
     CrowdedPage() {
         std::vector<BenchTopic> topics;
         for (const char* name : {"storage", "tangents", "normals", "parallax"})
-            topics.push_back({name, "searches", "question?", {}});
+            topics.push_back({name, "searches", std::string("Which ") + name + "?", {}});
         std::vector<TopicResult> results;
         std::mt19937 random(7);
         std::uniform_real_distribution<double> share(0, 1);
@@ -280,7 +280,8 @@ TEST(BenchPage, NoNameLiesOnAnotherOneInWidePlotsAndInNarrowOnes) {
 TEST(BenchPage, ShowsThePicturesBehindAPointAndBehindItsLine) {
     const Page page;
     browser().open(page.file);
-    EXPECT_EQ(browser().eval("document.querySelectorAll('figure.small .point').length"), 5) << "what has crashed has none";
+    EXPECT_EQ(browser().eval("document.querySelectorAll('figure.small .point').length"), 5)
+        << "what has crashed has none";
     EXPECT_EQ(browser().eval(is_shown), false);
     browser().eval("document.querySelector('.point[data-row=\"1\"]').dispatchEvent(new MouseEvent('mouseenter')), 0");
     EXPECT_EQ(browser().eval(is_shown), true);
@@ -310,6 +311,22 @@ TEST(BenchPage, SaysWhatIsOnTheFrontWhatIsTheSameForAllAndWhatHasNoResult) {
                              "all.indexOf(id) !== i).length"),
               0)
         << "names are there once";
+}
+
+TEST(BenchPage, EveryTextStandsOutAndAxeFindsNothing) {
+    const Page one;
+    const CrowdedPage many;
+    for (const std::filesystem::path& page : {one.file, many.file}) {
+        browser().open(page);
+        EXPECT_EQ(browser().accessibility_faults(), std::vector<std::string>{});
+        for (const bool dark : {false, true}) {
+            browser().dark(dark);
+            EXPECT_EQ(browser().faint_texts(), std::vector<std::string>{}) << (dark ? "in the dark" : "in light");
+            EXPECT_EQ(browser().eval("getComputedStyle(document.querySelector('figure svg')).filter == 'none'"), !dark)
+                << "plots follow the scheme";
+        }
+        browser().dark(false);
+    }
 }
 
 TEST(BenchPage, LeavesNothingOutOfAPhone) {

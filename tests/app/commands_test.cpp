@@ -488,6 +488,7 @@ TEST_F(CourseTest, ThePageOfAChecksPicturesHasAWipeForEach) {
     EXPECT_EQ(browser.eval("getComputedStyle(document.querySelector('.laid img + img')).clipPath"),
               "inset(0px 97% 0px 0px)");
     EXPECT_EQ(browser.complaints(), std::vector<std::string>{});
+    EXPECT_EQ(browser.accessibility_faults(), std::vector<std::string>{});
 }
 
 TEST_F(CourseTest, ThePageShowsWhatIsExpectedOfAnUnfinishedTaskAndTheMessageOfABrokenOne) {

@@ -432,6 +432,15 @@ TEST(Pages, EveryControlHasANameAndEveryLinkAnEnd) {
     }
 }
 
+TEST(Pages, AxeFindsNothing) {
+    const GradedWithPictures graded;
+    for (const fs::path& page : {graded.page, graded.student("Anna"), graded.student("zoe"), graded.student("s10"),
+                                 graded.student("Anna", PageFor::student)}) {
+        browser().open(page);
+        EXPECT_EQ(browser().accessibility_faults(), Names{}) << page;
+    }
+}
+
 TEST(Pages, EveryTextStandsOutInLightAndInDark) {
     const GradedWithPictures graded;
     for (const bool dark : {false, true}) {

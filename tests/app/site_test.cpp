@@ -243,6 +243,25 @@ TEST_F(Site, TheCommandOfALabsPageMeasuresItsLastNumber) {
     EXPECT_GE(measured, 10);
 }
 
+TEST_F(Site, AxeFindsNothingOnTheCoursePageALabsPageAndAHandout) {
+    for (const char* page : {"index.html", "10_parallax_offset.html", "10_parallax_offset-handout.html",
+                             "17_time_and_error-handout.html"}) {
+        open(page);
+        EXPECT_EQ(browser().accessibility_faults(), Names{}) << page;
+    }
+}
+
+TEST_F(Site, DrawingsAreDarkOnADarkScreen) {
+    open("10_parallax_offset-handout.html");
+    const auto filter = [] {
+        return browser().eval("getComputedStyle(document.querySelector('.drawing img')).filter");
+    };
+    EXPECT_EQ(filter(), "none");
+    browser().dark(true);
+    EXPECT_EQ(filter(), "invert(0.88) hue-rotate(180deg)") << "white becomes 0.12";
+    browser().dark(false);
+}
+
 TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {
     for (const std::string& lab : labs()) {
         open(lab + ".html");
@@ -300,8 +319,8 @@ TEST(MistakesPage, ShowsEveryMistakeOfALabBesideWhatIsRight) {
     EXPECT_EQ(browser().eval("document.querySelectorAll('details.difference:not([open])').length"), 0) << "on paper";
     EXPECT_GT(browser().eval("document.querySelectorAll('details.difference[open]').length"), 0);
     browser().paper(true);
-    EXPECT_LT(int(browser().eval("Math.max(...[...document.querySelectorAll('article')].map(one => one.offsetHeight))")),
-              480)
+    EXPECT_LT(
+        int(browser().eval("Math.max(...[...document.querySelectorAll('article')].map(one => one.offsetHeight))")), 480)
         << "two mistakes on a sheet, each of them whole";
     browser().paper(false);
     browser().eval("dispatchEvent(new Event('afterprint')), 0");
@@ -327,6 +346,7 @@ TEST(MistakesPage, ShowsEveryMistakeOfALabBesideWhatIsRight) {
     EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{});
     browser().width(0);
     EXPECT_EQ(browser().complaints(), Names{});
+    EXPECT_EQ(browser().accessibility_faults(), Names{});
 }
 
 }  // namespace

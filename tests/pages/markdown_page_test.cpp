@@ -36,7 +36,7 @@ TEST(MarkdownPage, TextIsEscapedAndStyled) {
               "<p>a<code>&lt;b&gt;&amp;&#39;</code><strong>c</strong><strong><em>d</em></strong></p>");
     EXPECT_EQ(
         shown("```\n<x>\n```\n\n> q\n\n---"),
-        "<pre tabindex=\"0\" role=\"region\" aria-label=\"code\">&lt;x&gt;</pre><blockquote><p>q</p></blockquote><hr>");
+        "<pre tabindex=\"0\" role=\"region\" aria-label=\"code 1\">&lt;x&gt;</pre><blockquote><p>q</p></blockquote><hr>");
 }
 
 TEST(MarkdownPage, WhatMeasuredANumberIsFolded) {
@@ -56,7 +56,7 @@ TEST(MarkdownPage, LinksAndPicturesThatAreNotThereAreWords) {
 TEST(MarkdownPage, HeadingsHaveIdsAndTablesAHead) {
     EXPECT_EQ(shown("# A `b`!\n\n# A b"), "<h1 id=\"a-b\">A<code>b</code>!</h1><h1 id=\"a-b-2\">A b</h1>");
     EXPECT_EQ(shown("| a | b |\n|---|---|\n| 1 | 2 |"),
-              "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table><thead><tr><th "
+              "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"table 1\"><table><thead><tr><th "
               "scope=\"col\">a</th><th scope=\"col\">b</th></tr></thead><tbody><tr><td>1</td><td>2</td></tr></tbody>"
               "</table></div>");
 }

@@ -125,6 +125,14 @@ fs::path marp() {
     return program;
 }
 
+/// A deck whose buttons below the slides are a landmark of their own: Marp leaves them outside of all.
+std::string with_landmark(std::string html) {
+    constexpr std::string_view buttons = "<div class=\"bespoke-marp-osc\"";
+    if (const size_t at = html.find(buttons); at != std::string::npos)
+        html.insert(at + buttons.size(), " role=\"navigation\" aria-label=\"slides\"");
+    return html;
+}
+
 void convert(const Words& decks, const fs::path& folder, bool as_pdf) {
     Words command = {marp().string(), "--no-stdin",
                      "--config-file", (source_folder() / "marp.yml").string(),
@@ -134,9 +142,11 @@ void convert(const Words& decks, const fs::path& folder, bool as_pdf) {
     for (const std::string& name : decks) command.push_back(name + ".md");
     if (const ProcessResult done = run_tool(command, folder, 1200); !done.succeeded())
         throw Error(fmt::format("marp-cli fails: {}", last_words(done)));
-    for (const std::string& name : decks)
-        if (!fs::exists(folder / (name + (as_pdf ? ".pdf" : ".html"))))
-            throw Error({folder / (name + ".md")}, "marp-cli made no file from it");
+    for (const std::string& name : decks) {
+        const fs::path made = folder / (name + (as_pdf ? ".pdf" : ".html"));
+        if (!fs::exists(made)) throw Error({folder / (name + ".md")}, "marp-cli made no file from it");
+        if (!as_pdf) write_file(made, with_landmark(read_file(made)));
+    }
 }
 
 /// Returns the folder for the decks. The gallery includes build/slides and may be published, so solutions go elsewhere.

@@ -7,6 +7,7 @@
 
 #include "framework/base/error.h"
 #include "framework/base/process.h"
+#include "framework/base/text.h"
 
 namespace relief {
 namespace {
@@ -15,7 +16,7 @@ constexpr int title_height = 44;
 
 /// Removes gnuplot's own script, gives points titles that browsers show, and makes element names unique on a page with
 /// several plots.
-std::string finished(const std::string& svg, const std::string& topic) {
+std::string finished(const std::string& svg, const std::string& topic, const std::string& title) {
     const std::pair<std::string, std::string> names[] = {{"id='gp", "id='" + topic + "-gp"},
                                                          {"href='#gp", "href='#" + topic + "-gp"},
                                                          {"id='textbox", "id='" + topic + "-textbox"},
@@ -33,7 +34,10 @@ std::string finished(const std::string& svg, const std::string& topic) {
             result += fmt::format("<g class=\"point\" data-row=\"{}\"><title>{}</title>", text.substr(1, space - 1),
                                   text.substr(space + 1));
             at += stop + end.size();
-        } else if (rest.starts_with("<title>$")) {  // gnuplot's own title of the plotted data
+        } else if (constexpr std::string_view own = "<title>Gnuplot</title>"; rest.starts_with(own)) {
+            result += "<title>" + escaped_markup(title) + "</title>";
+            at += own.size();
+        } else if (rest.starts_with("<title>$")) {  // what was plotted, in gnuplot's words
             at += rest.find("</title>") + 8;
         } else {
             const auto name = std::find_if(std::begin(names), std::end(names),
@@ -59,7 +63,8 @@ std::string gnuplot_panels(const std::string& title, std::span<const std::string
     const int count = int(panels.size());
     const int columns = std::min({count, panel.most_columns, count <= 4 ? 2 : count <= 9 ? 3 : 4});
     const int lines = (count + columns - 1) / columns;
-    const int width = std::max(columns, panel.least_columns) * panel.size.x, height = lines * panel.size.y + title_height;
+    const int width = std::max(columns, panel.least_columns) * panel.size.x,
+              height = lines * panel.size.y + title_height;
     std::string script = fmt::format(
         "set terminal svg size {0},{1} dynamic font 'DejaVu Sans,11' background '#ffffff'\n"
         "set multiplot layout {2},{3} margins screen {4},{5},{6},{7} spacing screen {8},{9} title {10} noenhanced font "
@@ -75,7 +80,7 @@ std::string gnuplot_panel(const std::string& panel, const PanelStyle& style) {
                        style.size.x, style.size.y, style.axes, panel);
 }
 
-std::optional<std::string> run_gnuplot(const std::string& script, const std::string& name) {
+std::optional<std::string> run_gnuplot(const std::string& script, const std::string& name, const std::string& title) {
     const char* const path = std::getenv("PATH");
     const ProcessResult done =
         run_process({.command = {"/usr/bin/env", "gnuplot", "-"},
@@ -85,7 +90,7 @@ std::optional<std::string> run_gnuplot(const std::string& script, const std::str
     if (done.ending == Ending::exited && done.code == 127) return {};
     if (!done.succeeded())
         throw Error(fmt::format("gnuplot fails ({}): {}", name_of(done.ending), done.errors.substr(0, 300)));
-    return finished(done.output, name);
+    return finished(done.output, name, title);
 }
 
 }  // namespace relief

@@ -36,7 +36,8 @@ std::string gnuplot_panel(const std::string& panel, const PanelStyle& style);
 
 /// Runs a script and returns the SVG. Labels with a hypertext "#17 its name" become elements `class="point"
 /// data-row="17"` with the name as their title. Names of elements begin with `name`, so that a page can hold several
-/// plots. Returns nothing if gnuplot is not installed; throws Error if it fails.
-std::optional<std::string> run_gnuplot(const std::string& script, const std::string& name);
+/// plots. `title` names the whole plot for a screen reader. Returns nothing if gnuplot is not installed; throws Error if
+/// it fails.
+std::optional<std::string> run_gnuplot(const std::string& script, const std::string& name, const std::string& title);
 
 }  // namespace relief

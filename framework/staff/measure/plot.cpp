@@ -17,7 +17,7 @@
 namespace relief {
 namespace {
 
-constexpr const char *quiet_color = "#857f73", *front_color = "#a34a16", *pale_color = "#c2bbae", *peer_color = "#23629b",
+constexpr const char *quiet_color = "#6b655a", *front_color = "#a34a16", *pale_color = "#c2bbae", *peer_color = "#23629b",
                      *text_color = gnuplot_text_color;
 
 bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
@@ -336,14 +336,14 @@ std::vector<size_t> front_of(std::span<const BenchRow> rows, const std::vector<s
 std::optional<std::string> bench_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const BenchMachine& machine) {
     const std::string script = topic.sweeps ? sweep_script(topic, rows, machine) : script_of(topic, rows, machine);
-    return script.empty() ? "" : run_gnuplot(script, topic.name);
+    return script.empty() ? "" : run_gnuplot(script, topic.name, topic.question);
 }
 
 std::optional<std::string> scene_plot(const BenchTopic& topic, std::span<const BenchRow> rows,
                                       const std::vector<size_t>& scene, const PanelStyle& style,
                                       const std::string& name) {
     const std::string panel = topic.sweeps ? sweep_panel(rows, scene, style) : Panel(rows, scene, 0, style).script();
-    return panel.empty() ? "" : run_gnuplot(gnuplot_panel(panel, style), name);
+    return panel.empty() ? "" : run_gnuplot(gnuplot_panel(panel, style), name, topic.question);
 }
 
 }  // namespace relief

@@ -110,7 +110,7 @@ private:
         if (!limit || *limit <= floor_ || *limit >= ceiling_) return {};
         return fmt::format(
             "set arrow from graph 0,first {0} to graph 1,first {0} nohead lc rgb '#8a857b' dt 2\n"
-            "set label 'stated' at graph 0.01,first {0} offset 0,0.4 font ',{1}' textcolor rgb '#8a857b'\n",
+            "set label 'stated' at graph 0.01,first {0} offset 0,0.4 font ',{1}' textcolor rgb '#6b655a'\n",
             *limit, style_.names - 1);
     }
 

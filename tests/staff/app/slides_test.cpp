@@ -252,6 +252,14 @@ TEST_P(MadeDeck, HasItsPicturesAndFormulasAndStaysInItsFrame) {
     EXPECT_EQ(problems_of(page), Names{});
     EXPECT_GE(int(browser().eval("document.querySelectorAll('svg[data-marpit-svg]').length")), 8);
     EXPECT_FALSE(contains(read_file(page), "src=\"http")) << "slides need no network";
+    EXPECT_EQ(browser().eval("document.documentElement.lang"), "en") << "whatever LANG says";
+}
+
+TEST(Slides, AxeFindsNothingOnADeck) {
+    for (const char* name : {"00_relief", "13_displacement"}) {
+        browser().open(made_slides() / (std::string(name) + ".html"));
+        EXPECT_EQ(browser().accessibility_faults(), Names{}) << name;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Slides, MadeDeck, testing::ValuesIn(decks()),

@@ -190,7 +190,7 @@ TEST(ParetoFront, HoldsWhatNoOtherIsBetterThan) {
 }
 
 TEST(BenchPlot, HasEachPointWithItsName) {
-    const BenchTopic topic{"parallax", "help", "question?", {}};
+    const BenchTopic topic{"parallax", "help", "Which & why?", {}};
     const auto plot = bench_plot(topic, timed_rows(), {.cpu = "A <CPU>", .renderer = "llvmpipe"});
     ASSERT_TRUE(plot) << "gnuplot (Debian package gnuplot-nox) is missing";
     EXPECT_TRUE(contains(*plot, "<svg"));
@@ -199,6 +199,8 @@ TEST(BenchPlot, HasEachPointWithItsName) {
     EXPECT_TRUE(contains(*plot, "class=\"point\" data-row=\"3\""));
     EXPECT_FALSE(contains(*plot, "gnuplot_svg")) << "no script that is not there";
     EXPECT_TRUE(contains(*plot, "A &lt;CPU>"));
+    EXPECT_TRUE(contains(*plot, "<title>Which &amp; why?</title>"));
+    EXPECT_FALSE(contains(*plot, "<title>Gnuplot")) << "a screen reader would say so";
 }
 
 TEST(BenchPlot, OfTimesAloneAreBars) {
