@@ -1,8 +1,11 @@
 // The arrows of the house: which room may include which, and which calls and libraries only one file may use.
 #include <fmt/format.h>
 
+#include <fstream>
 #include <map>
 #include <regex>
+#include <set>
+#include <string>
 
 #include "tests/support.h"
 
@@ -230,6 +233,20 @@ TEST(Arrows, APlantedLibraryIsFound) {
     EXPECT_TRUE(wrong_libraries("framework/context/glfw_window.cpp", "#include <GLFW/glfw3.h>\n").empty());
     EXPECT_TRUE(wrong_libraries("framework/window/menu_panel.cpp", "#include <imgui.h>\n").empty());
     EXPECT_TRUE(wrong_libraries("framework/gl/gl.h", "#include <glad/gl.h>\n").empty());
+}
+
+// GCC 16 takes no precompiled header that was compiled at another level of optimisation.
+TEST(PrecompiledHeaders, AreTakenAtTheLevelOfOptimisationAtWhichTheyWereCompiled) {
+    std::ifstream commands(std::string(RELIEF_BUILD_FOLDER) + "/compile_commands.json");
+    ASSERT_TRUE(commands);
+    std::map<std::string, std::set<std::string>> levels;
+    for (std::string line; std::getline(commands, line);) {
+        std::smatch header;
+        if (!std::regex_search(line, header, std::regex(" -include (\\S+cmake_pch\\.hxx) "))) continue;
+        const size_t last = line.rfind(" -O");  // the last one counts
+        levels[header[1]].insert(last == std::string::npos ? "none" : line.substr(last + 1, 3));
+    }
+    for (const auto& [header, found] : levels) EXPECT_EQ(found.size(), 1u) << header;
 }
 
 }  // namespace

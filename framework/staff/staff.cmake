@@ -18,7 +18,7 @@ set_target_properties(relief_staff PROPERTIES OUTPUT_NAME relief-staff)
 target_link_libraries(relief_staff PUBLIC relief_framework
   PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json PkgConfig::libseccomp relief_warnings)
 relief_takes_precompiled_headers(relief_reference relief_staff)
-relief_is_cold(${staff_sources})
+relief_is_cold(relief_staff ${staff_sources})
 # C++ tasks are compiled when they are graded, as the build compiles.
 set_source_files_properties(framework/staff/grade/stage.cpp PROPERTIES COMPILE_DEFINITIONS
   "RELIEF_COMPILER=\"${CMAKE_CXX_COMPILER}\";RELIEF_BUILD_FOLDER=\"${PROJECT_BINARY_DIR}\"")
