@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace relief {
@@ -56,31 +57,78 @@ glm::dvec3 heat_color(double share) {
     return {color[0], color[1], color[2]};
 }
 
-Image visualize_probe(const Image& probe, ProbeColors colors) {
-    const ErrorMetric metric = colors.error;
-    const int channels = std::min(probe.channels, 3);
+double usual_size(const Image& probe, int first_channel, int channels) {
     std::vector<double> sizes;
-    for (const float value : probe.values)
-        if (std::isfinite(value) && value != 0) sizes.push_back(std::abs(value));
-    std::sort(sizes.begin(), sizes.end());
-    const double largest = sizes.empty() ? 1 : sizes.back();
-    // About sixteen bands between 0 and the median. With texture coordinates, a band is then typically one tile.
-    const double band = sizes.empty() ? 1 : std::exp2(std::ceil(std::log2(sizes[sizes.size() / 2] / 16)));
+    for (size_t i = 0; i < probe.pixel_count(); ++i)
+        for (int c = first_channel; c < std::min(first_channel + channels, probe.channels); ++c) {
+            const float value = probe.values[i * size_t(probe.channels) + size_t(c)];
+            if (std::isfinite(value) && value != 0) sizes.push_back(std::abs(value));
+        }
+    if (sizes.empty()) return 1;
+    const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    return *middle;
+}
 
-    const auto channel_of = [&](float value) {
-        if (metric == ErrorMetric::angle) return std::clamp(0.5f * value + 0.5f, 0.0f, 1.0f);
-        const double bands = value / band;
-        if (!colors.is_signed) return float(bands - std::floor(bands));
-        // Rises in one band and falls in the next. A step between bands would give two values that differ only by
-        // rounding very different colours.
-        const double place = std::abs(std::remainder(bands, 2.0));
-        return float(value < 0 ? 0.5 - 0.5 * place : 0.5 + 0.5 * place);
-    };
+namespace {
+
+/// The curve of one channel, and where it is black and bright.
+class Channel {
+public:
+    Channel(const Image& probe, size_t channel, double usual, bool is_signed) : is_signed_(is_signed), usual_(usual) {
+        for (size_t i = channel; i < probe.values.size(); i += size_t(probe.channels)) {
+            if (!std::isfinite(probe.values[i])) continue;
+            lowest_ = std::min<double>(lowest_, probe.values[i]),
+            highest_ = std::max<double>(highest_, probe.values[i]);
+        }
+        if (lowest_ > highest_) lowest_ = highest_ = 0;
+        largest_ = std::max(std::abs(lowest_), std::abs(highest_));
+    }
+    double largest() const { return largest_; }
+    /// `rounding`: what is too small to be seen beside other channels.
+    void finish(double rounding) {
+        if (is_signed_) {
+            highest_ = std::max(largest_, rounding), lowest_ = -highest_;
+        } else if (highest_ - lowest_ < std::max(1e-3 * largest_, rounding)) {
+            lowest_ = std::min(lowest_, 0.0), highest_ = std::max(highest_, rounding);
+        }
+        largest_ = std::max(largest_, rounding), usual_ = std::max(usual_, rounding), scale_ = largest_ / usual_;
+    }
+    /// In [-1, 1], with the sign of the value.
+    double curve(double value) const {
+        const double x = std::abs(value) / usual_;
+        return scale_ > 0 ? std::copysign(x * (1 + x / (scale_ * scale_)) / (1 + x), value) : 0;
+    }
+    float shade(double value) const {
+        const double black = curve(lowest_), white = curve(highest_);
+        if (!(white > black)) return is_signed_ ? 0.5f : 0.0f;  // 0 everywhere
+        return float(std::clamp((curve(value) - black) / (white - black), 0.0, 1.0));
+    }
+
+private:
+    bool is_signed_;
+    double usual_, scale_ = 0;
+    double lowest_ = std::numeric_limits<double>::max(), highest_ = std::numeric_limits<double>::lowest(), largest_ = 0;
+};
+
+/// With the exposure that another image of the same quantity has.
+Image colored(const Image& probe, ProbeColors colors, const Image& exposed) {
+    const int channels = std::min(probe.channels, 3);
+    std::vector<Channel> scales;
+    double largest = 0;
+    for (int c = 0; c < channels; ++c) {
+        scales.emplace_back(probe, size_t(c), usual_size(exposed, c, 1), colors.is_signed);
+        largest = std::max(largest, scales.back().largest());
+    }
+    for (Channel& scale : scales) scale.finish(1e-5 * largest);
+
     const auto color_of = [&](const float* value) {
-        if (metric == ErrorMetric::absolute)
-            return color_on(colors.is_signed && value[0] < 0 ? cold : warm, std::abs(value[0]) / largest);
+        if (colors.error == ErrorMetric::absolute)
+            return color_on(colors.is_signed && value[0] < 0 ? cold : warm, std::abs(scales[0].curve(value[0])));
         Color color{};
-        for (int c = 0; c < channels; ++c) color[size_t(c)] = channel_of(value[c]);
+        for (int c = 0; c < channels; ++c)
+            color[size_t(c)] = colors.error == ErrorMetric::angle ? std::clamp(0.5f * value[c] + 0.5f, 0.0f, 1.0f)
+                                                                  : scales[size_t(c)].shade(value[c]);
         return color;
     };
     Image picture(probe.width, probe.height, 3, 8);
@@ -92,12 +140,16 @@ Image visualize_probe(const Image& probe, ProbeColors colors) {
     return picture;
 }
 
-std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ProbeColors colors) {
-    Image both(one.width, 2 * one.height, one.channels);
-    const auto middle = std::copy(one.values.begin(), one.values.end(), both.values.begin());
-    std::copy(other.values.begin(), other.values.end(), middle);
-    const Image picture = visualize_probe(both, colors);
-    Image first(one.width, one.height, picture.channels, 8), second = first;
+}  // namespace
+
+Image visualize_probe(const Image& probe, ProbeColors colors) { return colored(probe, colors, probe); }
+
+std::pair<Image, Image> visualize_probes(const Image& drawn, const Image& expected, ProbeColors colors) {
+    Image both(drawn.width, 2 * drawn.height, drawn.channels);
+    const auto middle = std::copy(drawn.values.begin(), drawn.values.end(), both.values.begin());
+    std::copy(expected.values.begin(), expected.values.end(), middle);
+    const Image picture = colored(both, colors, expected);
+    Image first(drawn.width, drawn.height, picture.channels, 8), second = first;
     const auto half = picture.values.begin() + std::ptrdiff_t(first.values.size());
     std::copy(picture.values.begin(), half, first.values.begin());
     std::copy(half, picture.values.end(), second.values.begin());

@@ -20,19 +20,27 @@ struct ProbeColors {
     bool is_signed;  ///< whether the sign of a value matters
 };
 
-/// Returns a probe as an 8-bit picture. Values can be anything. The colours depend on `colors.error`:
+/// Returns the median size of a probe's values that are finite and not 0, in some of its channels; 1 if there are none.
+double usual_size(const Image& probe, int first_channel = 0, int channels = 3);
+
+/// Returns a probe as an 8-bit picture. No two values of a channel share a colour, except by rounding to 8 bits. Values
+/// can be anything. The colours depend on `colors.error`:
 /// - angle: directions, as 0.5 v + 0.5.
-/// - distance: vectors, in bands whose width is a power of two. Each channel rises from 0 to 1 in every band, like
-///   texture coordinates that repeat. A signed channel has no steps. Above 0 it rises from 0.5 to 1 in one band and
-///   falls back in the next. Below 0 it falls from 0.5 to 0 and rises back.
-/// - absolute: single numbers, on a heat scale that ends at the largest magnitude. Signed numbers below 0 go from black
-///   over blue to pale cyan, on the same scale.
+/// - distance: vectors. Each channel goes from black at its minimum to full brightness at its maximum. In a signed
+///   vector, 0 is 0.5.
+/// - absolute: single numbers, on a heat scale. Signed numbers below 0 go from black over blue to pale cyan.
+///
+/// Values other than directions go through a tone curve per channel: (1 + x / L^2) x / (1 + x) with x = |v| / u and
+/// L = s / u (Reinhard et al. 2002, equation 4). u is the channel's usual_size(), s its largest size. The curve rises
+/// from 0 at 0 to 1 at s. Rounding is not stretched: u and s are at least 1e-5 of the probe's largest size, and a
+/// channel within 1e-3 of a constant is bright.
 ///
 /// A pixel without a surface (a value is infinite) is dark grey. A pixel of a task that is not written, or with a NaN,
 /// is magenta.
 Image visualize_probe(const Image& probe, ProbeColors colors);
-/// Returns two probes of the same shape in the same colours: both determine the bands and the scale.
-std::pair<Image, Image> visualize_probes(const Image& one, const Image& other, ProbeColors colors);
+/// Returns two probes of the same shape in the same colours. Both have the exposure of `expected`, which then looks the
+/// same whatever is drawn.
+std::pair<Image, Image> visualize_probes(const Image& drawn, const Image& expected, ProbeColors colors);
 
 /// Returns a picture as an 8-bit one. Values can be anything: they are clamped to [0, 1]. Infinite and NaN values get
 /// the colours of visualize_probe().

@@ -40,9 +40,9 @@ std::string how_to_read(const ProbeInfo& probe) {
         case ErrorMetric::angle:
             return "x, y and z of a direction are red, green and blue; half of each means 0.";
         case ErrorMetric::distance:
-            return probe.is_signed ? "Each channel goes from half to bright and back again and again above 0, and from "
-                                     "half to dark and back below it: compare the bands."
-                                   : "Each channel goes from dark to bright again and again: compare the bands.";
+            return probe.is_signed
+                       ? "Each channel is grey at 0, brighter above it and darker below it, alike in both pictures."
+                       : "Each channel goes from dark at its lowest value in either picture to bright at its highest.";
         case ErrorMetric::absolute:
             return probe.is_signed
                        ? "Black is 0, yellow the largest value in either picture; below 0, pale cyan stands "

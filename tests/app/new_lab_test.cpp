@@ -37,7 +37,7 @@ TEST_F(NewLab, KeepsItsTruthWithTheStaff) {
 TEST_F(NewLab, PassesTheTestsOfEveryLab) {
     const Result result = run({course_.program("labs_tests"), "--context", "osmesa"});
     EXPECT_EQ(result.code, 0) << result.out << result.err;
-    EXPECT_TRUE(contains(result.out, "EachProbeIsFiniteOnTheSurfaceAndAgreesWithItsTruth/Lab20_test_wall"))
+    EXPECT_TRUE(contains(result.out, "EachProbeIsFiniteOnTheSurfaceAgreesWithItsTruthAndRepeatsNoColour/Lab20_test_wall"))
         << result.out;
 }
 

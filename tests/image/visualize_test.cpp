@@ -90,27 +90,71 @@ TEST(Visualize, SingleNumbersAreHeatScaledByTheLargest) {
     EXPECT_EQ(probe_color({0}, ErrorMetric::absolute), error_color(0, 1)) << "nothing to scale by";
 }
 
-TEST(Visualize, VectorsShowBandsAPowerOfTwoWide) {
-    // Sizes 5, 3, 6 and 16: the median (rank 2 from 0) is 6, and a sixteenth of it is 0.375. So a band is 0.5 wide.
-    EXPECT_EQ(probe_color({5.125f, -3.125f, 6, 16}, ErrorMetric::distance), (Color{0.25f, 0.75f, 0}));
-    EXPECT_EQ(probe_color({0, 0, 0}, ErrorMetric::distance), (Color{0, 0, 0})) << "no size to take a band from";
+/// What becomes of the values of a vector's first channel, whose others are 0 and twice as large.
+std::vector<float> shades(const std::vector<float>& values, bool is_signed = false) {
+    Image probe(int(values.size()), 1, 3);
+    for (size_t i = 0; i < values.size(); ++i) probe.values[3 * i] = values[i], probe.values[3 * i + 2] = 2 * values[i];
+    const Image picture = visualize_probe(probe, {ErrorMetric::distance, is_signed});
+    std::vector<float> shades;
+    for (size_t i = 0; i < values.size(); ++i) shades.push_back(picture.values[3 * i]);
+    return shades;
+}
+using Shades = std::vector<float>;
+
+// Of sizes 2, 4 and 8 the usual one is 4, and L is 2: half the usual size is 0.5 (1 + 0.5 / 4) / 1.5 = 0.375, the usual
+// size itself 1.25 / 2, and the largest 1.
+TEST(Visualize, EachChannelOfAVectorRisesFromItsLowestToItsHighestValue) {
+    EXPECT_EQ(shades({0, 2, 4, 8}), (Shades{0, 0.375f, 0.625f, 1}));
+    EXPECT_EQ(shades({2, 4, 4, 8}), (Shades{0, 0.4f, 0.4f, 1})) << "0.375 is black";
+    EXPECT_GT(shades({4, 4, 4.001f}).front(), 0.999f) << "all but constant: rounding is not stretched";
+    EXPECT_EQ(shades({0, 0, 0}), (Shades{0, 0, 0}));
+    const Shades below = shades({-2, 0, 4, 8});
+    EXPECT_EQ(below.front(), 0);
+    EXPECT_FLOAT_EQ(below[1], 0.375f / 1.375f);
+    EXPECT_FLOAT_EQ(below[2], 1 / 1.375f);
 }
 
 TEST(Visualize, ASignedVectorIsBrighterThanHalfAbove0AndDarkerBelow) {
-    const ProbeColors with_sign(ErrorMetric::distance, true);
-    // The same bands as without a sign, with half the amplitude.
-    EXPECT_EQ(probe_color({5.125f, -3.125f, 6, 16}, with_sign), (Color{0.625f, 0.375f, 0.5f}));
-    EXPECT_EQ(probe_color({-5.125f, 3.125f, 6, 16}, with_sign), (Color{0.375f, 0.625f, 0.5f})) << "the sign flipped";
-    EXPECT_EQ(probe_color({0, 0, 0}, with_sign), (Color{0.5f, 0.5f, 0.5f}));
-    // Every other band falls.
-    EXPECT_EQ(probe_color({5.5f, 5.625f, -5.875f, 16}, with_sign), (Color{1, 0.875f, 0.375f}));
+    EXPECT_EQ(shades({0, 2, -4, 8}, true), (Shades{0.5f, 0.6875f, 0.1875f, 1}));
+    EXPECT_EQ(shades({0, -2, 4, -8}, true), (Shades{0.5f, 0.3125f, 0.8125f, 0})) << "the signs flipped";
+    EXPECT_EQ(shades({0, 0, 0}, true), (Shades{0.5f, 0.5f, 0.5f}));
 }
 
-TEST(Visualize, SignedVectorsThatDifferByRoundingLookTheSame) {
-    for (const float value : {1.0f, -1.0f, 0.5f, 3.0f, 0.03125f, 0.0f}) {
-        const std::vector<float> around = {std::nextafter(value, -4.0f), value, std::nextafter(value, 4.0f), 1};
-        const Color color = probe_color(around, {ErrorMetric::distance, true});
-        for (const float channel : color) EXPECT_NEAR(channel, color[1], 1e-5) << value;
+TEST(Visualize, WhatDiffersByRoundingLooksTheSame) {
+    for (const bool is_signed : {false, true})
+        for (const float value : {1.0f, -1.0f, 0.5f, 3.0f, 0.03125f, 0.0f}) {
+            const Shades around =
+                shades({std::nextafter(value, -4.0f), value, std::nextafter(value, 4.0f), 4}, is_signed);
+            for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(around[i], around[1], 1e-5) << value;
+        }
+    Image probe(2, 1, 3);
+    probe.values = {1e-9f, -1e-9f, 1, -1e-9f, 1e-9f, 2};
+    for (const bool is_signed : {false, true}) {
+        const Image picture = visualize_probe(probe, {ErrorMetric::distance, is_signed});
+        // 1e-9 of 1e-5, the smallest size that is shown, for either of both.
+        for (int c = 0; c < 2; ++c)
+            EXPECT_NEAR(picture.values[size_t(c)], picture.values[size_t(c) + 3], 3e-4)
+                << "beside a channel that is not";
+    }
+}
+
+TEST(Visualize, AValueWithoutABoundLeavesTheOthersApart) {
+    const Shades shown = shades({0, 1, 2, 1e4f});
+    EXPECT_NEAR(shown[1], 1.0 / 3, 1e-4) << "x / (1 + x), as L is large";
+    EXPECT_NEAR(shown[2], 0.5, 1e-4);
+    Image numbers(3, 1, 1);
+    numbers.values = {1, 2, 1e4f};
+    const Image picture = visualize_probe(numbers, ErrorMetric::absolute);
+    EXPECT_GT(picture.values[3] - picture.values[0], 0.1);
+}
+
+TEST(Visualize, TheExpectedPictureHasContrastWhateverIsDrawn) {
+    Image drawn(4, 1, 1), expected = drawn;
+    drawn.values.assign(4, 1e4f), expected.values = {0, 1, 2, 3};
+    for (const ErrorMetric metric : {ErrorMetric::distance, ErrorMetric::absolute}) {
+        const auto [one, other] = visualize_probes(drawn, expected, metric);
+        EXPECT_GT(other.values[9] - other.values[0], 0.5);
+        EXPECT_GT(one.values[0], other.values[9]) << "in the same colours";
     }
 }
 

@@ -1,12 +1,17 @@
 // What every lab must do, whichever labs there are: all of this also holds a new lab to the contract.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <functional>
+#include <utility>
 
 #include "framework/base/paths.h"
 #include "framework/gl/counters.h"
 #include "framework/gl/program.h"
 #include "framework/image/compare.h"
+#include "framework/image/visualize.h"
 #include "framework/lab/knob_help.h"
 #include "framework/lab/manifest.h"
 #include "tests/support.h"
@@ -181,12 +186,44 @@ TEST_P(EveryLab, DrawsInAnyShapeOfPicture) {
     }
 }
 
-TEST_P(EveryLab, EachProbeIsFiniteOnTheSurfaceAndAgreesWithItsTruth) {
+/// Expects that a larger value is never darker. Pixels without a surface, or without a value, are left out.
+void expect_rising(const Image& probe, const Image& picture, const std::string& name,
+                   const std::function<double(const float*)>& value, const std::function<double(const float*)>& color) {
+    std::vector<std::pair<double, double>> all;
+    for (size_t i = 0; i < probe.pixel_count(); ++i) {
+        const float* const own = &probe.values[i * size_t(probe.channels)];
+        if (std::isfinite(own[0]) && !std::isnan(value(own)))
+            all.emplace_back(value(own), color(&picture.values[i * 3]));
+    }
+    std::sort(all.begin(), all.end());
+    for (size_t i = 1; i < all.size(); ++i)
+        ASSERT_GE(all[i].second, all[i - 1].second - 1e-6) << name << ": colours are rounded to floats";
+}
+
+/// Expects that a probe's picture repeats no colour.
+void expect_no_repetition(const Image& probe, const ProbeInfo& info) {
+    const Image picture = visualize_probe(probe, info.colors());
+    if (info.error != ErrorMetric::absolute) {
+        for (int c = 0; c < 3; ++c)
+            expect_rising(
+                probe, picture, info.name, [=](const float* v) { return double(v[c]); },
+                [=](const float* color) { return double(color[c]); });
+        return;
+    }
+    // Each scale of single numbers gets lighter with every step. Values below 0 have one of their own if it matters.
+    for (const double sign : {1.0, -1.0})
+        expect_rising(
+            probe, picture, info.name, [=](const float* v) { return sign * *v >= 0 ? std::abs(double(*v)) : NAN; },
+            [](const float* color) { return double(color[0]) + color[1] + color[2]; });
+}
+
+TEST_P(EveryLab, EachProbeIsFiniteOnTheSurfaceAgreesWithItsTruthAndRepeatsNoColour) {
     EXPECT_FALSE(manifest_.probes.empty());
     for (const ProbeInfo& info : manifest_.probes) {
         const Shot wanted = shot({info.name});
         const auto lab = make_lab(GetParam(), wanted);
         const Image probe = render_shot(*lab, wanted);  // throws when it is not a number anywhere
+        expect_no_repetition(probe, info);
         const Frame frame{0, wanted.size, wanted.time, Camera(wanted.camera, 4.0 / 3), wanted.probe};
         const auto truth = lab->truth(frame, wanted.probe);
         if (!truth) continue;

@@ -1,6 +1,11 @@
 // Pictures of known mistakes: what is drawn, in shaders and in C++, and which check is chosen to show it.
 #include "framework/staff/grade/mistake_pictures.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
 #include "framework/base/paths.h"
 #include "framework/image/visualize.h"
 #include "tests/support.h"
@@ -10,6 +15,14 @@ namespace {
 
 double share_that_differs(const Image& a, const Image& b) {
     return double(difference(a, b, 8.0 / 255).pixels_over) / double(a.pixel_count());
+}
+
+/// The images as the page of mistakes shows them.
+std::pair<Image, Image> as_shown(MistakePictures& pictures, const MistakePicture& shown) {
+    if (!shown.is_probe) return {shown.right, shown.wrong};
+    const auto [wrong, right] =
+        visualize_probes(shown.wrong, shown.right, pictures.manifest().probe(shown.check->shot.probe.name).colors());
+    return {right, wrong};
 }
 
 void expect_shown(const LabEntry& lab, MistakePictures& pictures, const MistakeInfo& mistake) {
@@ -25,10 +38,30 @@ void expect_shown(const LabEntry& lab, MistakePictures& pictures, const MistakeI
         EXPECT_EQ(shown.right.channels, 3);
         return;
     }
-    const auto [right, wrong] =
-        visualize_probes(shown.right, shown.wrong, pictures.manifest().probe(shown.check->shot.probe.name).colors());
+    const auto [right, wrong] = as_shown(pictures, shown);
     EXPECT_GE(share_that_differs(right, wrong), 0.0005) << name;
     EXPECT_EQ(right.channels, 3);
+}
+
+// All labs take minutes, and are for `relief test --all`. Lab 11 has views of level ground, lab 16 values without a
+// bound.
+TEST(MistakePictures, HaveContrast) {
+    const bool all = std::getenv("RELIEF_ALL_MISTAKES") != nullptr;
+    for (const LabEntry& lab : registry()) {
+        const std::string number = lab.two_digits();
+        if (!all && number != "11" && number != "16") continue;
+        MistakePictures pictures(lab);
+        for (const MistakeInfo& mistake : pictures.manifest().mistakes) {
+            const MistakePicture shown = pictures.best(mistake);
+            const auto [right, wrong] = as_shown(pictures, shown);
+            EXPECT_GE(contrast_of(right), min_contrast) << number << " " << mistake.id;
+            // One colour is all that there is of places that are not numbers.
+            const bool is_broken = std::any_of(shown.wrong.values.begin(), shown.wrong.values.end(),
+                                               [](float value) { return std::isnan(value); });
+            if (is_broken) continue;
+            EXPECT_GE(contrast_of(wrong), min_contrast) << number << " " << mistake.id;
+        }
+    }
 }
 
 TEST(MistakePictures, EachOfALabIsShownByACheckOfItsTaskThatFailsInAPictureThatDiffers) {

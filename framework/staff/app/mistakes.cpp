@@ -82,14 +82,17 @@ private:
 
     List figures(const MistakePicture& picture) const {
         const CheckInfo& check = *picture.check;
-        const ComparedImages shown = compare_images(picture.is_probe ? &manifest_.probe(check.shot.probe.name) : nullptr,
-                                                    picture.wrong, picture.right);
-        const std::string what = picture.is_probe ? ", “" + check.shot.probe.name + "” as colours" : "";
+        const ComparedImages shown = compare_images(
+            picture.is_probe ? &manifest_.probe(check.shot.probe.name) : nullptr, picture.wrong, picture.right);
+        const std::string what = picture.is_probe     ? ", “" + check.shot.probe.name + "” as colours"
+                                 : picture.screenshot ? ", in the screenshot “" + picture.screenshot->name + "”"
+                                                      : "";
         const std::string number = fmt::format("{}", &mistake_ - manifest_.mistakes.data());
         // Mistakes shown by the same check share its correct picture, unless it is a probe: then its colour scale
         // depends on the mistake.
-        const std::string right =
-            picture.is_probe ? number + "-right" : fmt::format("check-{}", &check - manifest_.checks.data());
+        const std::string right = picture.is_probe     ? number + "-right"
+                                  : picture.screenshot ? "screenshot-" + picture.screenshot->name
+                                                       : fmt::format("check-{}", &check - manifest_.checks.data());
         List all;
         const auto add = [&](const std::string& name, const Image& image, const char* kind, const std::string& caption,
                              const std::string& alt, Value scale = {}) {
@@ -178,8 +181,7 @@ Drawn draw_all(const std::vector<const LabEntry*>& labs, int count, const fs::pa
     Drawn drawn;
     Progress progress(count);
     share_among_processes(
-        parts.size(),
-        [&](const NextPart& next, const Say& say) { draw_parts(parts, folder, choice, next, say); },
+        parts.size(), [&](const NextPart& next, const Say& say) { draw_parts(parts, folder, choice, next, say); },
         [&](const std::string& text) {
             const json message = json::parse(text);
             if (message.contains("driver")) drawn.driver = message.at("driver");

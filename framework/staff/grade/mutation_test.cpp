@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <mutex>
 #include <random>
@@ -185,10 +186,23 @@ private:
         if (result.share >= visible_share) result.fate = MutantFate::survived;
     }
 
-    /// As people see them.
+    /// The pictures in which `visible` counts. A vector's curve from dark to bright hides what a mutant moves: there,
+    /// 1 is a sixteenth of the usual size.
     std::pair<Image, Image> shown(const Probe& probe, const Image& one, const Image& other) const {
         if (!probe) return {one, other};
-        return visualize_probes(one, other, grader_.manifest().probe(probe.name).colors());
+        const ProbeColors colors = grader_.manifest().probe(probe.name).colors();
+        if (colors.error != ErrorMetric::distance) return visualize_probes(one, other, colors);
+        Image error = error_image(one, other, colors.error);
+        const double scale = 16 / usual_size(one);
+        for (size_t i = 0; i < error.pixel_count(); ++i) {
+            float& value = error.values[i];
+            const size_t first = i * size_t(one.channels);
+            if (value == no_surface)
+                value = one.values[first] == other.values[first] ? 0 : 1;
+            else if (!std::isnan(value))
+                value = float(std::min(std::abs(value) * scale, 1.0));
+        }
+        return {Image(error.width, error.height, 1), std::move(error)};
     }
 
     const LabEntry& lab_;
