@@ -49,7 +49,7 @@ public:
     int draw_and_count() const;
 
     /// Maximum number of triangles that the tessellator may make for one picture: seconds of a software renderer.
-    static constexpr double most_triangles = 6e6;
+    static constexpr double most_triangles = 1e7;
     static constexpr float finest_level = 64;  ///< the maximum level that OpenGL guarantees
     /// Returns the highest level with which `draws` of the surface stay below most_triangles if each patch has it. At
     /// most finest_level.

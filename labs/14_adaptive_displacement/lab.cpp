@@ -123,9 +123,10 @@ private:
         return Camera(orbit, double(eye.size.x) / std::max(1, eye.size.y));
     }
 
-    /// How often a picture draws the surface: for each view its triangles and their edges; holes are counted once.
+    /// How often a picture draws the surface: for each view its triangles, and their edges, which take twice as
+    /// long; holes are counted once.
     int draws_of_picture() const {
-        return (view_ == both ? 2 : 1) * (wire_ ? 2 : 1) + (view_ != above && levels_of_ == patches ? 1 : 0);
+        return (view_ == both ? 2 : 1) * (wire_ ? 3 : 1) + (view_ != above && levels_of_ == patches ? 1 : 0);
     }
     /// That an edge can have, with a little of what fractions round up to.
     float highest_level() const {
