@@ -21,12 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Limits for pictures. In a trial they let through none of 26 visible one-line mistakes, and all noise of one driver.
+/// Limits for pictures. In a trial they caught all of 26 visible one-line mistakes, and accepted one driver's noise.
 constexpr double small_difference = 2.0 / 255 + 1e-6, large_difference = 32.0 / 255 + 1e-6;
 constexpr double share_over_small = 0.0005;
 constexpr size_t pixels_over_large = 4;
 
-/// Of a vector that should have unit length. Rounding to 8 bits takes 0.007, and a mean of neighbours some more.
+/// Allowed deviation of a vector's length from 1. Rounding to 8 bits costs 0.007; the mean of neighbours costs more.
 constexpr double unit_tolerance = 0.05;
 
 constexpr const char* outcome_names[] = {"passed",  "waiting",     "wrong",         "unfinished", "broken",
@@ -43,7 +43,7 @@ public:
         text_ += fmt::format("{}{} {}{}", text_.empty() ? "" : ", ", what, amount_of(value, unit, digits),
                              kept ? "" : fmt::format(" (at most {})", rounded(*limit, digits)));
     }
-    /// A lower limit for the value that was added last.
+    /// Applies a lower bound to the value that was added last.
     void must_reach(double value, std::optional<double> min) {
         if (!min || value >= *min) return;
         good_ = false;
@@ -52,7 +52,7 @@ public:
     Judgement judgement() const { return {good_ ? Outcome::passed : Outcome::wrong, text_}; }
 
 private:
-    /// Three, or as many as tell a value from its limit.
+    /// Returns three, or as many digits as distinguish a value from its limit, at most nine.
     static int digits_for(double value, double limit) {
         int digits = 3;
         while (digits < 9 && value != limit && rounded(value, digits) == rounded(limit, digits)) ++digits;
@@ -64,7 +64,8 @@ private:
 
 bool is_surface(const Image& image, size_t pixel) { return image.values[pixel * image.channels] != no_surface; }
 
-/// Share of the pixels in which `expected` is of unit length and `drawn` is not: a direction's angle does not show it.
+/// Returns the share of pixels in which `expected` has unit length and `drawn` does not. The angle between two
+/// directions does not show this mistake.
 double share_not_unit(const Image& drawn, const Image& expected) {
     const auto length = [](const Image& image, size_t pixel) {
         const float* const v = &image.values[pixel * size_t(image.channels)];
@@ -120,7 +121,7 @@ Judgement compare_pictures(const Image& drawn, const Image& expected) {
 }
 
 Image draw(const LabEntry& lab, const Shot& shot) {
-    const TellMissingTasks untold(false);  // of another task, which the check can do without
+    const TellMissingTasks untold(false);  // the check does not need the missing task
     return render_shot(*make_lab(lab, shot), shot);
 }
 
@@ -129,13 +130,13 @@ bool has_failed(Outcome outcome) {
            outcome != Outcome::machine;
 }
 
-/// Whether a message comes from a compiler: it names the place itself, and all tasks of the file have it.
+/// Returns whether a message comes from a compiler. It names the place itself, and all tasks of the file get it.
 bool names_its_place(const Judgement& said) {
     const auto has = [&](const char* words) { return said.found.find(words) != std::string::npos; };
     return said.outcome == Outcome::broken && (has("shaders/") || has("labs/") || has("does not compile"));
 }
 
-/// By check, the tasks that can have made it fail; empty if it did not fail.
+/// Returns for each check the tasks that may have made it fail; empty if it did not fail.
 std::vector<std::set<std::string>> suspects_of(const Manifest& manifest, const std::vector<Judgement>& said) {
     std::vector<std::set<std::string>> suspects(said.size());
     for (size_t i = 0; i < said.size(); ++i) {
@@ -157,7 +158,7 @@ bool have_common(const std::set<std::string>& some, const TaskIds& others) {
     return std::any_of(others.begin(), others.end(), [&](const std::string& one) { return some.contains(one); });
 }
 
-/// Calls `take` with each set of `size` of these tasks, in order.
+/// Calls `take` with each subset of `size` tasks, in lexicographic order.
 void for_each_set(const TaskIds& tasks, size_t size, const std::function<void(const TaskIds&)>& take) {
     std::vector<bool> is_in(tasks.size());
     std::fill(is_in.begin(), is_in.begin() + std::ptrdiff_t(size), true);
@@ -260,8 +261,8 @@ std::vector<TaskIds> put_right_first(const Manifest& manifest, const std::vector
     const auto is_wrong = [&](const std::string& task) {
         return std::find(wrong.begin(), wrong.end(), task) != wrong.end();
     };
-    // Wrong tasks with a failure that no other task explains. Nobody waits for another wrong task but these, which
-    // themselves need not wait: so there is no circle.
+    // Wrong tasks with a failure that no other wrong task explains. The check of a wrong task waits only for certain
+    // tasks, and a certain task keeps a failed check that waits for none. So waiting has no cycle.
     std::set<std::string> certain;
     for (size_t i = 0; i < said.size(); ++i) {
         const std::string& own = manifest.checks[i].task;
@@ -318,14 +319,14 @@ Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& d
 
 namespace {
 
-/// run_check(), and what was drawn, usable or not.
+/// The result of run_check(), and the picture that was drawn, usable or not.
 struct CheckRun {
     CheckResult result;
-    Image drawn = {};  ///< empty if nothing was drawn
+    Image drawn = {};  ///< empty if drawing failed or was not tried
     bool was_tried = false;
 };
 
-/// The task whose part of a task file has this line; empty if there is none.
+/// Returns the task whose part of a task file has this line; empty if there is none.
 std::string task_at(const Manifest& manifest, const Place& place) {
     for (const TaskInfo& task : manifest.tasks)
         if (place.line > 0 && shown(place.file) == task.file)
@@ -367,7 +368,7 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
     return run;
 }
 
-/// In the grader's words; or empty.
+/// Returns how a task file reaches beyond its task, in the grader's words; or empty.
 std::string what_reaches_beyond(const std::string& file, const OtherShaders& others) {
     if (!is_shader(file) || !fs::exists(course_root() / file)) return {};
     const std::string beyond = reaches_beyond(read_file(course_root() / file), others);
@@ -378,7 +379,7 @@ std::string as_sentence(const std::string& text) {
     return text + (text.ends_with('?') || text.ends_with('.') ? " " : ". ");
 }
 
-/// None where their file is damaged, or of another manifest: work can be checked all the same.
+/// Returns no mistakes if their file is damaged or belongs to another manifest: the checks work without them.
 Fingerprints known_mistakes(const LabEntry& lab, const Manifest& manifest) {
     try {
         return load_fingerprints(lab, manifest);
@@ -429,7 +430,7 @@ Advice LabChecker::advice() const {
     for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, drawn)) recognised.insert(task);
     const std::vector<TaskIds> first = put_right_first(manifest, said, recognised);
     Advice advice{first, hints(manifest, said, first), {}};
-    Samples own = drawn;  // what tells of the check's own task
+    Samples own = drawn;  // without the checks that wait: their pictures say nothing about their own task
     for (size_t i = 0; i < said.size(); ++i)
         if (!first[i].empty()) own.erase(i);
     for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, own)) {

@@ -28,13 +28,13 @@ constexpr size_t longest_request = size_t{4} << 20;
 
 enum class Kind : uint32_t { ask, ready, image, error, done };
 
-/// Before each message; both ends are one machine.
+/// Precedes each message. Both ends are on one machine, so byte order and padding agree.
 struct Header {
     uint32_t magic = 0x464c5231;  // "1RLF"
     Kind kind = Kind::ask;
     uint32_t shot = 0;
     uint32_t size = 0;  ///< bytes that follow
-    float cpu = 0;      ///< of an image or an error: seconds of processor time since the message before it
+    float cpu = 0;      ///< seconds of processor time since the previous message; 0 unless an image or an error
 };
 
 size_t pixel_bytes(const Shot& shot) {
@@ -63,7 +63,7 @@ Shot shot_of(const json& from) {
     return shot;
 }
 
-/// What a picture holds is whole 255ths; a probe goes as it is.
+/// Returns a probe's floats unchanged, and a picture's values as bytes: they are multiples of 1/255.
 std::string bytes_of(const Image& image, bool probe) {
     std::string bytes;
     if (probe) {
@@ -85,27 +85,27 @@ Image image_of(const char* bytes, const Shot& shot) {
     return image;
 }
 
-/// Of this process and its threads so far.
+/// Returns the processor time of this process and its threads.
 double processor_seconds() {
     timespec spent{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
     return double(spent.tv_sec) + double(spent.tv_nsec) * 1e-9;
 }
 
-/// The stream, kept from whatever a student's code prints: that goes to standard error.
+/// The output stream. Text that a student's code prints to standard output goes to standard error instead.
 class Stream {
 public:
     Stream() : descriptor_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
 
     void send(Kind kind, size_t shot, const std::string& bytes) {
         const double now = processor_seconds(), spent = now - std::exchange(cpu_, now);
-        // The message that asks has the same bytes from every process.
+        // The first message must have the same bytes in every process; see drawing_asks().
         const bool is_drawn = kind == Kind::image || kind == Kind::error;
         const Header header{
             .kind = kind, .shot = uint32_t(shot), .size = uint32_t(bytes.size()), .cpu = is_drawn ? float(spent) : 0};
         if (!write_all(descriptor_, {reinterpret_cast<const char*>(&header), sizeof header}) ||
             !write_all(descriptor_, bytes))
-            _exit(1);  // nobody reads any more
+            _exit(1);  // the reader is gone
     }
 
 private:
@@ -113,13 +113,13 @@ private:
     double cpu_ = 0;  ///< at the last message
 };
 
-/// Of this process and its threads so far, as bytes.
+/// Returns processor_seconds() as bytes.
 std::string processor_time() {
     const double seconds = processor_seconds();
     return {reinterpret_cast<const char*>(&seconds), sizeof seconds};
 }
 
-/// To its end; then nobody reads it again.
+/// Reads the request to its end and closes the descriptor, so that a student's code cannot read it.
 std::string read_request() {
     const Descriptor from(request_descriptor);
     std::string text;
@@ -133,7 +133,8 @@ std::string read_request() {
     return text;
 }
 
-/// Everything that a lab's drawing may throw, in one line and what the compiler said beyond it.
+/// Returns the error that `call` throws, or nothing: one line, then the compiler's further lines. Ends the process if
+/// memory runs out.
 template <class Call>
 std::string error_of(Call call) {
     try {
@@ -150,7 +151,7 @@ std::string error_of(Call call) {
     }
 }
 
-/// Whether the process may send this message now. The header comes from the process: it can hold any values.
+/// Returns whether the protocol allows this message now. The header is not trusted: it can hold any values.
 bool is_expected(const Header& header, const DrawnShots& drawn, const std::vector<Shot>& shots) {
     if (header.magic != Header{}.magic) return false;
     const bool is_ready = drawn.phase == DrawingPhase::ready;
@@ -199,7 +200,8 @@ void draw_request(const char* course) {
     for (const json& one : request.at("shots")) shots.push_back(shot_of(one));
     if (request.at("pinned")) pin_software_renderer();
     setenv("LP_NUM_THREADS", std::to_string(request.at("threads").get<int>()).c_str(), 1);
-    // What one submission leaves in a shared cache another would read; a folder of its own is asked for by name.
+    // Submissions must not share a shader cache: one could read the other's entries. A caller that sets the variable
+    // provides a separate folder.
     if (!std::getenv("MESA_SHADER_CACHE_DIR")) setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     const auto context = open_context(context_kind(request.at("context")));
     stream.send(Kind::ready, 0, {});
@@ -213,7 +215,7 @@ void draw_request(const char* course) {
             stream.send(Kind::error, i, error.substr(0, longest_error));
     }
     stream.send(Kind::done, shots.size(), processor_time());
-    _exit(0);  // everything has been said; taking a driver down takes time
+    _exit(0);  // skips the tear-down of the driver, which takes time
 }
 
 DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& shots) {

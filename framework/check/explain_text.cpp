@@ -35,7 +35,7 @@ std::string numbers_of(const std::vector<float>& value) {
     return value.front() == no_surface ? "no surface" : value.front() == not_written ? "a task is not written" : text;
 }
 
-/// " (texels)". Of a direction the unit is that of its error alone.
+/// Returns " (texels)"; empty for a direction, where the unit is that of the error only.
 std::string unit_of(const ProbeInfo& probe) {
     const bool has_unit = !probe.unit.empty() && probe.error != ErrorMetric::angle;
     return has_unit ? fmt::format(" ({})", plural(probe.unit)) : "";

@@ -16,18 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As a value of the mistake that is the solution's, and as the begin of an error in place of values.
+/// Stands for a value that equals the solution's; and the prefix of an error that replaces the values.
 constexpr const char* same = "=";
 constexpr const char* error_mark = "! ";
 
-/// Pictures have 256 steps, which are written as whole numbers.
+/// Returns the factor of written numbers: a picture's values are written as integers from 0 to 255.
 double steps_of(const CheckInfo& check) { return check.shot.probe ? 1 : 255; }
 
 size_t value_count(const CheckInfo& check) {
     return size_t(check.shot.size.x) * size_t(check.shot.size.y) * (check.shot.probe ? 4 : 3);
 }
 
-/// The number with the fewest digits that is no further off than that.
+/// Returns the number with the fewest digits that differs from `value` by at most `allowed`.
 std::string number_text(float value, double allowed, double steps) {
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
@@ -62,7 +62,7 @@ std::string text_of(const Sample& mistake, const Sample& solution, const CheckIn
     return differs ? text : same;
 }
 
-/// Each word as `read` takes it; nothing where it takes one of them for no number.
+/// Converts each word with `read`. Returns nothing if `read` rejects a word.
 template <class Value, class Read>
 std::optional<std::vector<Value>> words_as(const std::string& text, Read read) {
     std::vector<Value> values;
@@ -74,7 +74,7 @@ std::optional<std::vector<Value>> words_as(const std::string& text, Read read) {
     return values;
 }
 
-/// What a mistake draws in one check; nothing where the text does not fit the check's places.
+/// Parses a mistake's sample of one check. Returns nothing if the text does not fit the check's places.
 std::optional<Sample> sample_of(const std::string& text, const Fingerprints::Places& places, double steps) {
     if (text.starts_with(error_mark)) return Sample{.error = text.substr(std::string_view(error_mark).size())};
     if (text == same) return places.solution;
@@ -88,7 +88,7 @@ std::optional<Sample> sample_of(const std::string& text, const Fingerprints::Pla
     return Sample{.values = *std::move(values), .is_drawn = true};
 }
 
-/// [[check]]: adds its places.
+/// Reads a table [[check]], and adds its places to `result`.
 void read_check(Table& table, const Manifest& manifest, Fingerprints& result) {
     const std::string name = table.text("name"), at = table.text("at"), solution = table.text("solution");
     table.finish();
@@ -109,7 +109,7 @@ void read_check(Table& table, const Manifest& manifest, Fingerprints& result) {
     result.checks[check] = {*std::move(places), {.values = *std::move(values), .is_drawn = true}};
 }
 
-/// [[mistake]]: `draws` has a text for each check of the task.
+/// Reads a table [[mistake]]. Its `draws` has a text for each check of the task.
 void read_mistake(Table& table, const Manifest& manifest, Fingerprints& result) {
     Fingerprints::Mistake& mistake = result.mistakes.emplace_back();
     mistake.task = table.text("task");
@@ -128,7 +128,7 @@ void read_mistake(Table& table, const Manifest& manifest, Fingerprints& result) 
     }
 }
 
-/// Of the checks that may be compared: their likeness, or nothing if one of them is not like the mistake.
+/// Returns the sum of the likenesses of all drawn checks, or nothing if one of them does not match the mistake.
 std::optional<Likeness> likeness_of(const Fingerprints& fingerprints, const Fingerprints::Mistake& mistake,
                                     const Manifest& manifest, const std::vector<Judgement>& said,
                                     const Samples& drawn) {

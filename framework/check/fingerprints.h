@@ -1,6 +1,6 @@
-// Fingerprints of known mistakes: what each mistake draws at a few pixels of the public checks of its task. By them
-// everybody's `relief check` names a mistake; no edit can be read from them. The staff's `relief mistakes LAB --update`
-// makes them, labs/NN_name/fingerprints.toml.
+// Fingerprints of known mistakes: a few pixel values that each mistake draws in the public checks of its task. With
+// them `relief check` names a mistake on a student's machine. They do not reveal the mistake's code. The staff's
+// `relief mistakes LAB --update` writes them to labs/NN_name/fingerprints.toml.
 #pragma once
 
 #include <filesystem>
@@ -14,34 +14,35 @@
 namespace relief {
 
 struct Fingerprints {
-    /// Of one check.
+    /// The compared values of one check.
     struct Places {
-        std::vector<size_t> values;  ///< which of the picture's values are compared
-        Sample solution;             ///< what the solution draws there
+        std::vector<size_t> values;  ///< indices into the picture's values
+        Sample solution;             ///< the solution's values at these indices
     };
     struct Mistake {
         std::string task, hint;
-        Samples draws;  ///< in every check of its task that has places
+        Samples draws;  ///< one for every check of its task that has places
     };
-    std::string made_of;  ///< a hash of the manifest's part, from which the staff sees that it is up to date
-    std::map<size_t, Places> checks;  ///< by the check's place in the manifest
+    std::string made_of;              ///< a hash of the manifest's part; tells the staff whether the file is up to date
+    std::map<size_t, Places> checks;  ///< by the check's index in the manifest
     std::vector<Mistake> mistakes;
 };
 
 std::filesystem::path fingerprints_file(const LabEntry& lab);
 
-/// Empty if there is no such file. Throws Error with file and line for one that does not fit the manifest.
+/// Reads a lab's fingerprints. Empty if there is no such file. Throws Error with file and line if the file does not fit
+/// the manifest.
 Fingerprints load_fingerprints(const LabEntry& lab, const Manifest& manifest);
 Fingerprints parse_fingerprints(const std::string& text, const std::filesystem::path& file, const Manifest& manifest);
 
-/// As load_fingerprints() reads it. Numbers are rounded, to a tenth of what a likeness allows.
+/// Returns the text that load_fingerprints() reads. Rounds a mistake's numbers to within a tenth of tolerance_of().
 std::string text_of(const Fingerprints& fingerprints, const LabEntry& lab, const Manifest& manifest);
 
-/// The picture's values at these places; without a picture the error.
+/// Returns the picture's values at these indices. An empty picture gives the error instead.
 Sample sample_at(const Image& drawn, const std::string& error, const std::vector<size_t>& values);
 
-/// The known mistake that each task's pictures show, by task: every check of the task that was drawn is like it (see
-/// is_like()). `drawn`: what was drawn, by check, without checks that wait for other tasks.
+/// Returns the known mistake that each task's pictures show, by task. Every drawn check of the task must match the
+/// mistake; see is_like(). `drawn`: samples by check, without the checks that wait for other tasks.
 std::map<std::string, const Fingerprints::Mistake*> name_mistakes(const Fingerprints& fingerprints,
                                                                   const Manifest& manifest,
                                                                   const std::vector<Judgement>& said,

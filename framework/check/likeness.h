@@ -28,16 +28,16 @@ struct Likeness {
     double share() const { return differ > 0 ? double(agree) / double(differ) : 0; }
 };
 
-/// Lower bound of share() for a match, in each check. Of the 24 values that distinguish mistakes one may be off, such as
-/// a pixel at an edge by another driver.
+/// Lower bound of share() for a match, in each check. One of the 24 values that distinguish mistakes may differ, such as
+/// a pixel at an edge with another driver.
 constexpr double min_agreement = 0.94;
 
-/// Returns whether a check allows a mistake to be named: it looks as it does with the mistake. So a check that passes
-/// must pass with the mistake, too.
+/// Returns whether a check's picture matches the mistake's. A mistake that does not change the check matches only if the
+/// check passed.
 bool is_like(const Likeness& one, bool passed);
 
-/// Returns a known mistake's hint as it is told. After a single failed check it is told as a possibility, because other
-/// mistakes may fail that check alike.
+/// Returns a known mistake's hint for a message. After a single failed check the hint is only a possibility, because
+/// other mistakes may fail that check in the same way.
 std::string told(const std::string& hint, size_t failed_checks);
 
 /// Returns how much a drawing that shows the mistake may differ from the mistake's own. For a picture, two steps of 8

@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-/// Of all threads of this process.
+/// Returns the processor time of all threads of this process.
 double seconds_of_processor() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 
 bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// As the compiler reads it: lines that end in a backslash joined, comments a space.
+/// Returns the text as the compiler reads it: joins lines at a backslash, and replaces each comment with white space.
 std::string without_comments(const std::string& text) {
     std::string joined, plain;
     for (size_t i = 0; i < text.size(); ++i) {
@@ -44,7 +44,7 @@ std::string without_comments(const std::string& text) {
     return plain;
 }
 
-/// Words, and all other characters but spaces each for itself.
+/// Splits a line into words and single other characters, without white space.
 std::vector<std::string> tokens_of(std::string_view line) {
     std::vector<std::string> tokens;
     for (size_t i = 0; i < line.size(); ++i) {
@@ -60,8 +60,8 @@ std::vector<std::string> tokens_of(std::string_view line) {
 constexpr std::array interface_words = {"uniform", "layout", "varying",    "attribute", "buffer",
                                         "shared",  "in",     "subroutine", "out",       "inout"};
 
-/// Whether it is a function of GLSL 4.10, by chapter 8 of its specification, but for those of geometry shaders and
-/// noise.
+/// Returns whether this is a built-in function of GLSL 4.10 (chapter 8 of its specification). Leaves out the functions
+/// of geometry shaders, and noise.
 bool is_built_in(const std::string& name) {
     static const std::vector<std::string> names = split(
         "abs acos acosh all any asin asinh atan atanh bitCount bitfieldExtract bitfieldInsert bitfieldReverse ceil "
@@ -80,18 +80,18 @@ bool is_built_in(const std::string& name) {
 }
 
 struct Found {
-    std::set<std::string> words, called, defined;  ///< `called` includes what is defined
-    std::set<std::string> macros;                  ///< that it defines, or takes away
-    std::set<std::string> tested;                  ///< in conditions of the preprocessor
-    std::set<std::string> handed;                  ///< to a macro, or by one, without a "(": they may get one elsewhere
-    std::string interface_word;                    ///< the first that stands not before an argument, or empty
+    std::set<std::string> words, called, defined;  ///< `called` includes the defined functions
+    std::set<std::string> macros;                  ///< names in #define and #undef
+    std::set<std::string> tested;                  ///< words in conditions of the preprocessor
+    std::set<std::string> handed;                  ///< words in a macro or its arguments that no "(" follows there
+    std::string interface_word;                    ///< the first that does not qualify a parameter, or empty
     bool joins_words = false;
 };
 
 Found look(const std::string& text) {
     Found found;
-    std::string before, before_that;  // tokens
-    int in_macro = 0;                 // brackets around the arguments of one
+    std::string before, before_that;  // the previous two tokens
+    int in_macro = 0;                 // open brackets of a macro's arguments
     for (const std::string& line : split(without_comments(text), '\n')) {
         const std::vector<std::string> tokens = tokens_of(line);
         const bool is_directive = tokens.size() > 1 && tokens[0] == "#";
@@ -137,7 +137,7 @@ Found look(const std::string& text) {
 }  // namespace
 
 OtherShaders::OtherShaders(const LabEntry& lab, const Manifest& manifest) {
-    std::set<std::filesystem::path> taken;  // a task's own shader is none of them
+    std::set<std::filesystem::path> taken;  // also the task files, which must not be read
     for (const TaskInfo& task : manifest.tasks) taken.insert(course_root() / task.file);
     lent_.insert(manifest.task_includes.begin(), manifest.task_includes.end());
     std::vector<std::filesystem::path> waiting;

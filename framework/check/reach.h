@@ -1,5 +1,6 @@
-// What a task's shader reaches for beyond its functions. It is a part of the lab's shaders: a macro could change the
-// rest of them, a uniform of its own could read what the lab binds, and a condition could tell a probe from a picture.
+// Finds the names in a task's shader that reach beyond its functions. A task is compiled as a part of the lab's
+// shaders. So a macro could change the other parts, a uniform could read the lab's bindings, and a preprocessor
+// condition could distinguish a probe from a picture.
 #pragma once
 
 #include <set>
@@ -13,26 +14,26 @@ namespace relief {
 class OtherShaders {
 public:
     OtherShaders() = default;
-    /// Those in the lab's folder, what they include, and what they lend to tasks.
+    /// Reads the shaders in the lab's folder, the files that tasks may include, and all files that these include.
     OtherShaders(const LabEntry& lab, const Manifest& manifest);
     void add(const std::string& text);
-    /// Whether a task's shader may include this file, which is named as it is in its #include.
+    /// Returns whether a task's shader may include this file. `file`: the name in the #include.
     bool lend(const std::string& file) const { return lent_.contains(file); }
     bool use(const std::string& word) const { return words_.contains(word); }
-    /// Whether they call a function of this name that none of them defines.
+    /// Returns whether these shaders call a function of this name, and none of them defines it.
     bool call(const std::string& name) const { return called_.contains(name) && !defined_.contains(name); }
-    /// Whether this word is defined for some of their programs only, by the lab's C++: a probe, a method.
+    /// Returns whether the lab's C++ defines this word for some programs only, such as a probe or a method.
     bool switch_by(const std::string& word) const { return tested_.contains(word) && !macros_.contains(word); }
 
 private:
     std::set<std::string> words_, called_, defined_, tested_, macros_, lent_ = {"common/unfinished.glsl"};
 };
 
-/// Why a file is not a task's shader, such as "defines 'main', which the lab's shaders use"; or empty. It may include
-/// what the `others` lend it alone: the rest may hold answers. It may define macros of its own, but none of a word in
-/// the others, nor a function of the language that they call, nor join words (##). It may have no word that tells one
-/// of the lab's programs from another, and may declare no uniforms, inputs or outputs. What a probe shows is therefore
-/// what a picture is made of.
+/// Returns why a file is no valid task shader, such as "defines 'main', which the lab's shaders use"; or empty. Because
+/// of these rules, a probe and a picture run the same code. The file may include only the files that `others` lend:
+/// other files may hold answers. It may define macros, but not with a name that the others use. It may not redefine a
+/// built-in function that the others call, and may not join words (##). It may not use a word that distinguishes the
+/// lab's programs, and may not declare uniforms, inputs or outputs.
 std::string reaches_beyond(const std::string& task_file, const OtherShaders& others);
 
 }  // namespace relief

@@ -56,7 +56,7 @@ void walk(const std::string& text, const fs::path& file, Take take) {
     if (part != Part::shared) throw Error({file, opened}, "this //[solution is never closed by //]");
 }
 
-/// The code of a text: comments out, so that a task that is only talked about does not count.
+/// Returns the text without comments, so that a mention in a comment does not count.
 std::string without_comments(const std::string& text) {
     std::string code;
     for (size_t i = 0; i < text.size();) {
@@ -74,7 +74,8 @@ std::string without_comments(const std::string& text) {
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; }
 
-/// Where "TASK id" stands as words of their own, from `from` on.
+/// Returns the position of the first "TASK id" from `from` on that is not a part of a longer word. npos if there is
+/// none.
 size_t find_task(const std::string& text, const std::string& id, size_t from) {
     const std::string words = "TASK " + id;
     for (size_t at = text.find(words, from); at != std::string::npos; at = text.find(words, at + 1)) {
