@@ -39,17 +39,20 @@ public:
         if (!limit) return;
         const bool kept = value <= *limit;
         good_ &= kept;
+        use(value, *limit);
         const int digits = digits_for(value, *limit);
         text_ += fmt::format("{}{} {}{}", text_.empty() ? "" : ", ", what, amount_of(value, unit, digits),
                              kept ? "" : fmt::format(" (at most {})", rounded(*limit, digits)));
     }
     /// Applies a lower bound to the value that was added last.
     void must_reach(double value, std::optional<double> min) {
-        if (!min || value >= *min) return;
+        if (!min) return;
+        use(*min, value);
+        if (value >= *min) return;
         good_ = false;
         text_ += fmt::format(" (at least {})", rounded(*min, digits_for(value, *min)));
     }
-    Judgement judgement() const { return {good_ ? Outcome::passed : Outcome::wrong, text_}; }
+    Judgement judgement() const { return {good_ ? Outcome::passed : Outcome::wrong, text_, used_}; }
 
 private:
     /// Returns three, or as many digits as distinguish a value from its limit, at most nine.
@@ -58,7 +61,11 @@ private:
         while (digits < 9 && value != limit && rounded(value, digits) == rounded(limit, digits)) ++digits;
         return digits;
     }
+    void use(double part, double whole) {
+        if (part > 0) used_ = std::max(used_, part / whole);
+    }
     bool good_ = true;
+    double used_ = 0;
     std::string text_;
 };
 

@@ -33,6 +33,19 @@ class Course : public testing::TestWithParam<LabEntry> {
 protected:
     Manifest manifest_ = load_manifest(GetParam());
 
+    struct Used {
+        double share;
+        std::string check;
+    };
+    static inline std::vector<Used> used_;
+
+    static void TearDownTestSuite() {
+        std::sort(used_.begin(), used_.end(), [](const Used& a, const Used& b) { return a.share > b.share; });
+        for (size_t i = 0; i < std::min<size_t>(10, used_.size()); ++i)
+            std::printf("%.0f %% of a limit: %s\n", 100 * used_[i].share, used_[i].check.c_str());
+        used_.clear();
+    }
+
     /// The course's own labs have tasks; a new one need not.
     bool is_of_the_course() const { return GetParam().number < 20; }
     std::set<std::string> task_files() const {
@@ -112,6 +125,12 @@ TEST_P(Course, TheSolutionPassesEveryCheckAndFingerprintsAreUpToDate) {
         const CheckInfo& check = manifest_.checks[i];
         const CheckResult result = checker.run(i, expectation(GetParam(), check));
         EXPECT_EQ(result.outcome, Outcome::passed) << check.name << ": " << result.found;
+        const double used = judge(manifest_, check, result.drawn, result.expected).used;
+        used_.push_back({used, check.task + " " + check.name});
+        // Another rasteriser may be half as far off again.
+        if (is_of_the_course()) {
+            EXPECT_LE(used, 2.0 / 3) << check.name << ": " << result.found;
+        }
         const auto places = fingerprints.checks.find(i);
         EXPECT_TRUE(places == fingerprints.checks.end() || has_values(result.drawn, places->second))
             << shown(fingerprints_file(GetParam())) << ", '" << check.name << "', is " << renew;
