@@ -124,7 +124,7 @@ TEST(Arrows, PointDown) {
     EXPECT_GT(count, 50) << "the course has more source files than that";
 }
 
-TEST(Arrows, AForeignLibraryIsKnownWhereItBelongs) {
+TEST(Arrows, KeepForeignLibrariesInTheirOwnFiles) {
     int images = 0, windows = 0;
     each_source([&](const std::string& file, const std::string& text) {
         for (const std::string& line : wrong_libraries(file, text)) ADD_FAILURE() << line;
@@ -171,7 +171,7 @@ TEST(Sources, StartProcessesInOnePlace) {
     EXPECT_EQ(places, Lines{"framework/base/process_linux.cpp"});
 }
 
-TEST(Arrows, APlantedOneIsFound) {
+TEST(Arrows, FindAPlantedUpwardInclude) {
     const struct {
         const char *file, *include;
         bool right;
@@ -220,7 +220,7 @@ TEST(Arrows, APlantedOneIsFound) {
     EXPECT_TRUE(wrong_arrows("framework/base/a.h", "// #include \"framework/window/menu.h\"\n").empty()) << "a comment";
 }
 
-TEST(Arrows, APlantedLibraryIsFound) {
+TEST(Arrows, FindAPlantedForeignLibrary) {
     EXPECT_FALSE(wrong_libraries("framework/image/file.cpp", "#include <OpenImageIO/imageio.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/image/svg.cpp", "#include <librsvg/rsvg.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/lab/shot.cpp", "#include <GLFW/glfw3.h>\n").empty());
@@ -236,7 +236,7 @@ TEST(Arrows, APlantedLibraryIsFound) {
 }
 
 // GCC 16 takes no precompiled header that was compiled at another level of optimisation.
-TEST(PrecompiledHeaders, AreTakenAtTheLevelOfOptimisationAtWhichTheyWereCompiled) {
+TEST(PrecompiledHeaders, AreUsedAtTheirOwnOptimisationLevel) {
     std::ifstream commands(std::string(RELIEF_BUILD_FOLDER) + "/compile_commands.json");
     ASSERT_TRUE(commands);
     std::map<std::string, std::set<std::string>> levels;

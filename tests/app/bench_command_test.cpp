@@ -38,7 +38,7 @@ TEST_F(BenchCommand, BenchWritesATableACsvAPlotAndAPage) {
     EXPECT_TRUE(contains(read_all(folder / "index.html"), "</html>"));
 }
 
-TEST_F(BenchCommand, BenchMeasuresOnlyWhatIsAskedFor) {
+TEST_F(BenchCommand, MeasuresOnlyTheRequestedKnobValues) {
     const Result result = course().relief(
         {"bench", "storage", "--quick", "--repeats", "1", "-o", "part", "--set", "do=decode", "--set", "bits=16,48"});
     EXPECT_EQ(result.code, 0) << result.err;
@@ -59,7 +59,7 @@ TEST_F(BenchCommand, ASweepHasASentenceForEachMethodACurveAndNoTime) {
     EXPECT_FALSE(contains(page, "wall clock")) << "nothing is timed";
 }
 
-TEST_F(BenchCommand, BenchSuggestsWhatWasMeant) {
+TEST_F(BenchCommand, SuggestsTheNearestValidArgument) {
     const auto said = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "bench");
         const Result result = course().relief(arguments);
@@ -77,7 +77,7 @@ TEST_F(BenchCommand, BenchSuggestsWhatWasMeant) {
     EXPECT_TRUE(contains(said({"storage", "--work", "--update"}), "the whole baseline"));
 }
 
-TEST_F(BenchCommand, ASweepKilledHalfWayLeavesATableThatCanBeRead) {
+TEST_F(BenchCommand, AKilledSweepLeavesAReadableTable) {
     const auto csv = course().path() / "killed" / "parallax.csv";
     {
         Process sweep({(course().path() / "bin/relief").string(), "bench", "parallax", "--quick", "--repeats", "1000",
@@ -98,7 +98,7 @@ TEST_F(BenchCommand, ASweepKilledHalfWayLeavesATableThatCanBeRead) {
     EXPECT_LT(measured, rows.size());
 }
 
-TEST_F(BenchCommand, BenchHoldsWorkToTheBaseline) {
+TEST_F(BenchCommand, FailsWhenTheErrorExceedsTheBaseline) {
     // The topic storage has only errors. With a smaller error in the file, the run must fail with a message.
     const auto file = course().path() / "tests/staff/measure/baseline.csv";
     make_folder(file.parent_path());
@@ -142,7 +142,7 @@ TEST_F(BenchCommand, StartMeasuresShotsWhereTheTestsAreNotBuilt) {
     for (const BenchRow& row : rows) EXPECT_TRUE(row.is_measured()) << row.state;
 }
 
-TEST_F(BenchCommand, StartGivesTheReasonOfAShotThatFailsAndNotItsEvents) {
+TEST_F(BenchCommand, StartReportsWhyAShotFailsButNotItsEvents) {
     const CourseCopy broken;
     broken.overwrite("shaders/01_specular_highlights/task.glsl", "nonsense\n");
     const Result result = broken.relief({"bench", "start", "--quick", "--repeats", "1", "-o", "failed"});
@@ -153,7 +153,7 @@ TEST_F(BenchCommand, StartGivesTheReasonOfAShotThatFailsAndNotItsEvents) {
     }
 }
 
-TEST_F(BenchCommand, ThePageKeepsTheTopicsOfEarlierRunsAndRenewsThoseOfThisOne) {
+TEST_F(BenchCommand, ThePageKeepsTheTopicsOfEarlierRunsAndReplacesMeasuredOnes) {
     const auto bench = [&](std::vector<std::string> more) {
         more.insert(more.begin(), {"bench", "--quick", "--repeats", "1", "-o", "kept"});
         EXPECT_EQ(course().relief(more).code, 0);
@@ -250,7 +250,7 @@ Browser& browser() {
 std::string words() { return browser().eval("document.querySelector('#look p').textContent"); }
 const char* const is_shown = "!document.getElementById('look').hidden";
 
-TEST(BenchPage, NoNameLiesOnAnotherOneInWidePlotsAndInNarrowOnes) {
+TEST(BenchPage, LabelsNeverOverlapInWideOrNarrowPlots) {
     const CrowdedPage page;
     browser().open(page.file);
     browser().eval("document.querySelectorAll('details').forEach(one => { one.open = true; })");
@@ -298,7 +298,7 @@ TEST(BenchPage, ShowsThePicturesBehindAPointAndBehindItsLine) {
     EXPECT_TRUE(browser().complaints().empty());
 }
 
-TEST(BenchPage, SaysWhatIsOnTheFrontWhatIsTheSameForAllAndWhatHasNoResult) {
+TEST(BenchPage, MarksTheFrontListsSharedValuesAndReportsFailures) {
     const Page page;
     browser().open(page.file);
     EXPECT_EQ(browser().eval("[...document.querySelectorAll('tr.front td:first-child')].map(e => e.textContent)"),
@@ -313,7 +313,7 @@ TEST(BenchPage, SaysWhatIsOnTheFrontWhatIsTheSameForAllAndWhatHasNoResult) {
         << "names are there once";
 }
 
-TEST(BenchPage, EveryTextStandsOutAndAxeFindsNothing) {
+TEST(BenchPage, HasEnoughContrastAndNoAxeFaults) {
     const Page one;
     const CrowdedPage many;
     for (const std::filesystem::path& page : {one.file, many.file}) {
@@ -329,7 +329,7 @@ TEST(BenchPage, EveryTextStandsOutAndAxeFindsNothing) {
     }
 }
 
-TEST(BenchPage, LeavesNothingOutOfAPhone) {
+TEST(BenchPage, FitsTheWidthOfAPhone) {
     const Page page;
     browser().open(page.file);
     browser().call("Emulation.setDeviceMetricsOverride",

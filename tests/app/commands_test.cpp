@@ -183,7 +183,7 @@ TEST_F(CourseTest, AnExplicitContextThatIsMissingFails) {
                    "there is no display");
 }
 
-TEST_F(CourseTest, ADriverWithTooLittleIsNamedWithWhatItHasAndWhatChoseIt) {
+TEST_F(CourseTest, AnOldDriverIsReportedWithItsVersionAndTheVariablesThatChoseIt) {
     for (const std::string context : {"osmesa", "egl"}) {
         const Result result = course().relief({"shot", "1", "--context", context, "-o", "shot.png"},
                                               {{}, {{"GALLIUM_DRIVER", "softpipe"}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}});
@@ -194,7 +194,7 @@ TEST_F(CourseTest, ADriverWithTooLittleIsNamedWithWhatItHasAndWhatChoseIt) {
     }
 }
 
-TEST_F(CourseTest, ADriverThatIsNotThereIsNamedAndNothingCrashes) {
+TEST_F(CourseTest, AMissingDriverIsReportedWithoutACrash) {
     const Result result =
         course().relief({"shot", "1", "-o", "shot.png"}, {{}, {{"GALLIUM_DRIVER", "zonk"}, {"DISPLAY", ""}}});
     EXPECT_EQ(result.code, 1);
@@ -209,7 +209,7 @@ TEST_F(CourseTest, ADriverThatIsNotThereIsNamedAndNothingCrashes) {
     EXPECT_FALSE(contains(result.err, "Debian package")) << result.err;
 }
 
-TEST_F(CourseTest, InfoGoesOnAfterADriverThatCrashes) {
+TEST_F(CourseTest, InfoContinuesAfterADriverCrashes) {
     // A driver that aborts the process as soon as it is loaded.
     const TemporaryFolder libraries;
     libraries.write("crash.c",
@@ -227,7 +227,7 @@ TEST_F(CourseTest, InfoGoesOnAfterADriverThatCrashes) {
     EXPECT_TRUE(contains(result.out, "built    by ")) << result.out;
 }
 
-TEST_F(CourseTest, AHeadlessRunOpensNeitherWindowNorPictureLibrariesThatItDoesNotNeed) {
+TEST_F(CourseTest, AHeadlessRunNeedsNoWindowLibraryAndOpenImageIoOnlyForExr) {
     const TemporaryFolder libraries;
     const auto where = without_libraries(libraries, {"libglfw.so.3", openimageio, "libGL.so.1"});
     EXPECT_EQ(course().relief({"list"}, where).code, 0);
@@ -236,7 +236,7 @@ TEST_F(CourseTest, AHeadlessRunOpensNeitherWindowNorPictureLibrariesThatItDoesNo
     expect_failure(result, "install the Debian package libopenimageio-dev");
 }
 
-TEST_F(CourseTest, InfoTellsOfAllThreeContexts) {
+TEST_F(CourseTest, InfoReportsAllThreeContexts) {
     const Result result = course().relief({"info"}, no_display);
     EXPECT_EQ(result.code, 0) << result.err;
     for (const char* part :
@@ -252,7 +252,7 @@ TEST_F(CourseTest, ListIsReadByPeopleAndByScripts) {
     EXPECT_TRUE(contains(json, "\"number\": 1,")) << json;
 }
 
-TEST_F(CourseTest, AGalleryTellsOfABrokenLabAndGoesOn) {
+TEST_F(CourseTest, AGalleryReportsABrokenLabAndContinues) {
     const char* file = "shaders/01_specular_highlights/surface.frag";
     const Restore restore(course(), file);
     course().overwrite(file, "#version 410 core\nnonsense\n");
@@ -278,7 +278,7 @@ TEST_F(CourseTest, AGallerysTextIsEscaped) {
     }
 }
 
-TEST_F(CourseTest, NobodyListeningIsNoCrashAndNoSuccess) {
+TEST_F(CourseTest, AClosedOrFullOutputFailsWithoutACrash) {
     const std::string relief = course().path() / "bin" / "relief";
     const auto shell = [&](const std::string& line) { return run({"bash", "-c", line, relief}).code; };
     EXPECT_EQ(shell("\"$0\" shot nope 2>&-"), 2);
@@ -287,7 +287,7 @@ TEST_F(CourseTest, NobodyListeningIsNoCrashAndNoSuccess) {
     EXPECT_EQ(shell("\"$0\" list >&-"), 1);
 }
 
-TEST_F(CourseTest, AnEmptyWordMeansNeitherAllNorAsUsual) {
+TEST_F(CourseTest, AnEmptyArgumentIsAnError) {
     for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{"golden", ""},
                                                                                            {"shot", ""},
                                                                                            {"shot", "1", "--size", ""},
@@ -299,7 +299,7 @@ TEST_F(CourseTest, AnEmptyWordMeansNeitherAllNorAsUsual) {
     }
 }
 
-TEST_F(CourseTest, AGalleryThatCannotBeWrittenIsOneLine) {
+TEST_F(CourseTest, AnUnwritableGalleryFolderIsAnError) {
     const Result result = course().relief({"gallery", "-o", "/proc/gallery"});
     EXPECT_EQ(result.code, 1);
     EXPECT_TRUE(contains(result.err, "/proc/gallery: cannot make this folder")) << result.err;
@@ -322,7 +322,7 @@ TEST_F(CourseTest, HelpShowsALabsKnobsAndProbes) {
         EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
 }
 
-TEST_F(CourseTest, AProbeOfATaskThatIsNotWrittenSaysSoAndChecksOfOthersStay) {
+TEST_F(CourseTest, AProbeReportsAnUnwrittenTaskAndOtherChecksStillRun) {
     const std::string file = "shaders/02_normal_map_storage/task.glsl", before = read_all(course().path() / file);
     const auto probe = [](const char* kind, const char* output) {
         return course().relief({"shot", "2", kind, "normal", "--size", "64x48", "-o", output});
@@ -350,7 +350,7 @@ TEST_F(CourseTest, AProbeOfATaskThatIsNotWrittenSaysSoAndChecksOfOthersStay) {
     course().overwrite(file, before);
 }
 
-TEST_F(CourseTest, CheckSaysWhatIsWrongWhatIsAllowedAndWhatToLookAt) {
+TEST_F(CourseTest, CheckReportsTheErrorTheLimitAndAHint) {
     const Result right = course().relief({"check", "2"});
     EXPECT_EQ(right.code, 0) << right.out << right.err;
     EXPECT_TRUE(contains(right.out, "11 of 11 points")) << right.out;
@@ -428,7 +428,7 @@ std::map<std::string, Image> pictures_of(const std::string& page) {
     }
 }
 
-TEST_F(CourseTest, ThePageOfAChecksPicturesHoldsEverythingItself) {
+TEST_F(CourseTest, TheCheckPageIsSelfContained) {
     const std::string file = "shaders/02_normal_map_storage/task.glsl",
                       manifest = "labs/02_normal_map_storage/lab.toml";
     const Restore task(course(), file.c_str()), names(course(), manifest.c_str());
@@ -468,7 +468,7 @@ TEST_F(CourseTest, ThePageOfAChecksPicturesHoldsEverythingItself) {
     EXPECT_GT(difference(yours, expected, 0.1).pixels_over, 1000u) << "a mistake is seen";
 }
 
-TEST_F(CourseTest, ThePageOfAChecksPicturesHasAWipeForEach) {
+TEST_F(CourseTest, TheCheckPageHasAWipeForEachPicture) {
     ASSERT_EQ(course().relief({"check", "2", "-o", "wiped.html"}, no_display).code, 0);
     Browser browser;
     browser.open(course().path() / "wiped.html");
@@ -491,7 +491,7 @@ TEST_F(CourseTest, ThePageOfAChecksPicturesHasAWipeForEach) {
     EXPECT_EQ(browser.accessibility_faults(), std::vector<std::string>{});
 }
 
-TEST_F(CourseTest, ThePageShowsWhatIsExpectedOfAnUnfinishedTaskAndTheMessageOfABrokenOne) {
+TEST_F(CourseTest, TheCheckPageShowsTheExpectedPictureOrTheCompilerMessage) {
     const std::string file = "shaders/02_normal_map_storage/task.glsl";
     const Restore task(course(), file.c_str());
     course().edit(file, "code / 255.0 * 2.0 - 1.0", "unfinished(code)");
@@ -533,7 +533,7 @@ TEST_F(CourseTest, ThePageOpensInABrowserWhereThereIsADisplay) {
     EXPECT_EQ(read_all(opened), page.string());
 }
 
-TEST_F(CourseTest, APictureThatWasReplacedIsTheOneThatIsDrawnWithoutABuild) {
+TEST_F(CourseTest, AReplacedAssetIsDrawnWithoutARebuild) {
     const auto picture = [](const char* name) {
         EXPECT_EQ(course().relief({"shot", "1", "--size", "64x48", "-o", name}).code, 0);
         return read_all(course().path() / name);
@@ -551,7 +551,7 @@ TEST_F(CourseTest, APictureThatWasReplacedIsTheOneThatIsDrawnWithoutABuild) {
     EXPECT_EQ(picture("again.ppm"), usual);
 }
 
-TEST_F(CourseTest, AConvertedPictureThatIsBrokenOrGoneIsReadFromTheOriginal) {
+TEST_F(CourseTest, ABrokenOrMissingConvertedTextureIsReadFromTheOriginal) {
     const char* const file = "bin/textures/bricks_normal.png.texels";
     const Restore restore(course(), file);
     const std::string good = read_all(course().path() / file);

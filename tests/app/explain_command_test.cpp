@@ -47,7 +47,7 @@ TEST(ExplainCommand, FollowsAPixelThroughTheFunctionsOfTheTask) {
     EXPECT_EQ(functions.at("on_ray")["calls"].size(), 2U) << "first and last";
 }
 
-TEST(ExplainCommand, APictureOfACheckHasWhatTheCheckExpectsByNameOrByItsKnobs) {
+TEST(ExplainCommand, TheExpectedValueIsShownForACheckGivenByNameOrByItsKnobs) {
     const Result named = with({});
     const Result set = explain({"10", "--set", "view=one", "--set", "steps=8", "--set", "method=steep", "--camera",
                                 "45,20,0.2", "--probe", "uv", "--size", "128x128", "--pixel", "65,80"});
@@ -69,7 +69,7 @@ TEST(ExplainCommand, TwinsHaveMoreDigits) {
     EXPECT_NEAR(double(call["results"]["returns"][0]), exact, 1e-8);
 }
 
-TEST(ExplainCommand, NamesTheFunctionThatIsWrongAndNotThoseThatUseIt) {
+TEST(ExplainCommand, NamesTheWrongFunctionButNotItsCallers) {
     // All three tasks of this picture differ from the solution; steep_t() calls on_ray().
     const Result result = with({"--mistake", "against-the-ray"});
     ASSERT_EQ(result.code, 0) << result.err;
@@ -102,7 +102,7 @@ TEST(ExplainCommand, SaysWhenNoFunctionIsCalled) {
     EXPECT_TRUE(contains(result.out, "no function of a task is called at this pixel")) << result.out;
 }
 
-TEST(ExplainCommand, SaysWhatIsNotWrittenYet) {
+TEST(ExplainCommand, MarksUnfinishedFunctions) {
     const TemporaryFolder folder;
     const std::string task =
         read_all(std::filesystem::path(RELIEF_SOURCE_FOLDER) / "shaders/10_parallax_offset/task.glsl");
@@ -116,7 +116,7 @@ TEST(ExplainCommand, SaysWhatIsNotWrittenYet) {
     EXPECT_FALSE(functions.at("ray_in_relief")["unfinished"]);
 }
 
-TEST(ExplainCommand, SaysThatTasksInCppAreNotFollowed) {
+TEST(ExplainCommand, ReportsThatCppTasksAreNotTraced) {
     const Result result = explain({"05", "--check", "faces of a sheared quad", "--pixel", "40,40"});
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_TRUE(contains(result.err, "is in C++: only functions of shaders are followed")) << result.err;

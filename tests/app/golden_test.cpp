@@ -71,7 +71,7 @@ TEST_F(Golden, OneStepOf255IsAllowedAndTwoAreNot) {
     EXPECT_EQ(files_in(course_.path() / "differences").size(), 3u) << "now, reference, difference";
 }
 
-TEST_F(Golden, AProbeIsComparedInTheStepsThatItIsStoredIn) {
+TEST_F(Golden, AProbeIsComparedAtItsStoredPrecision) {
     course_.edit("labs/01_specular_highlights/lab.toml", "distance = 2.4 }", "distance = 2.4 }, probe = \"normal\"");
     renew();
     Notes notes;
@@ -84,7 +84,7 @@ TEST_F(Golden, AProbeIsComparedInTheStepsThatItIsStoredIn) {
         << golden().err;
 }
 
-TEST_F(Golden, WhatPassesIsNotRenewed) {
+TEST_F(Golden, APassingReferenceIsNotRenewed) {
     renew();
     change_reference(1, "");
     const std::string before = read_all(file_);
@@ -112,7 +112,7 @@ TEST_F(Golden, AReferenceOfAnotherDriverIsNotRenewed) {
     EXPECT_TRUE(contains(golden().err, "(the reference was made by softpipe, Mesa 1.0, this is llvmpipe"));
 }
 
-TEST_F(Golden, OfAnotherMesaAFewPixelsMayDifferOfTheSameOneNone) {
+TEST_F(Golden, AnotherMesaVersionMayDifferInAFewPixelsTheSameOneInNone) {
     renew();
     Notes notes;
     const Image image = read_image(file_, &notes);

@@ -69,7 +69,7 @@ protected:
     }
 };
 
-TEST_F(GradeCommand, WithoutSlurmSaysHowToGradeThePartsByHand) {
+TEST_F(GradeCommand, WithoutSlurmExplainsHowToGradeByHand) {
     std::vector<std::string> words = submissions_;
     words.insert(words.end(), {"-o", "marks", "--slurm", "16"});
     fs::create_directories(folder_.path() / "empty");
@@ -81,7 +81,7 @@ TEST_F(GradeCommand, WithoutSlurmSaysHowToGradeThePartsByHand) {
     EXPECT_FALSE(fs::exists(marks_));
 }
 
-TEST_F(GradeCommand, SendsAClassWithItsRosterAndWithoutASeedThatOthersCanRead) {
+TEST_F(GradeCommand, SubmitsAClassWithItsRosterAndKeepsTheSeedPrivate) {
     const Result result = start({"--jobs", "3", "--trust"});
     ASSERT_EQ(result.code, 0) << result.err;
     EXPECT_TRUE(contains(result.out,
@@ -99,7 +99,7 @@ TEST_F(GradeCommand, SendsAClassWithItsRosterAndWithoutASeedThatOthersCanRead) {
         }
 }
 
-TEST_F(GradeCommand, AClassThatIsAtWorkIsNotSentTwice) {
+TEST_F(GradeCommand, ARunningClassIsNotSubmittedTwice) {
     ASSERT_EQ(start().code, 0);
     folder_.write("queue", "11|1|RUNNING|g1|None\n12|N/A|PENDING||Dependency\n");
     const Result again = start();
@@ -110,7 +110,7 @@ TEST_F(GradeCommand, AClassThatIsAtWorkIsNotSentTwice) {
     EXPECT_EQ(start().code, 0);
 }
 
-TEST_F(GradeCommand, ResultsThatHoldAreKeptAndOthersAreRemovedBeforeItIsSent) {
+TEST_F(GradeCommand, ValidResultsAreKeptAndStaleOnesRemovedBeforeSubmission) {
     ASSERT_EQ(start().code, 0);
     for (const char* name : {"ann", "ben"}) give_result(name);
     folder_.write(std::string("class/ben/") + shader, "// handed in again");
@@ -134,7 +134,7 @@ TEST_F(GradeCommand, TheLastJobWritesTheReportWhenAllResultsAreThere) {
               "report                done\nthe report: marks/report.html\n");
 }
 
-TEST_F(GradeCommand, TheLastJobSendsWhatLacksResultsAgain) {
+TEST_F(GradeCommand, TheLastJobResubmitsPartsWithoutResults) {
     ASSERT_EQ(start().code, 0);
     for (const char* name : {"ann", "cem"}) give_result(name);
     folder_.write("marks/slurm/part-2.nodes", "g1\n");

@@ -41,7 +41,7 @@ Image stones(int bits, bool green_down = false) {
     return map;
 }
 
-TEST_F(InspectCommand, SaysWhatTheCoursesOwnMapsAreAndThatTheirHeightsAreTheirs) {
+TEST_F(InspectCommand, FindsNoFaultInTheCoursesMapsAndTheirHeights) {
     const Result result = inspect({assets + "paving_normal.png", assets + "paving_height.png"});
     EXPECT_EQ(result.code, 0) << result.out << result.err;
     EXPECT_EQ(result.err, "");
@@ -116,7 +116,7 @@ TEST_F(InspectCommand, BadInputIsOneLine) {
     expect_refused({"a.png", "b.png", "c.png"}, 2, "inspect takes MAP and one file of HEIGHTS");
 }
 
-TEST_F(InspectCommand, ItsHelpTellsOfTheExitCode) {
+TEST_F(InspectCommand, ItsHelpDocumentsTheExitCodes) {
     const Result result = inspect({"--help"});
     EXPECT_EQ(result.code, 0);
     EXPECT_TRUE(contains(result.out, "Exit code: 0 no fault, 1 a fault or a file that cannot be read, 2 wrong use."));

@@ -5,7 +5,7 @@
 //     2.2 11 7.9 48  mean largest  --set normal_by=matrix --set bend={30|90}
 //     2.1 11 6.1 48  mean largest  --set normal_by=inverse-transpose --set bend={30|90}
 //     13 0.5 0.02  wrong %  bench parallax map=bricks angle=15-65 {usual|linear steps=32|linear steps=64}
-//     0.170 0.387  test NormalFormat.CostsWhatCigolleEtAlPublished
+//     0.170 0.387  test NormalFormat.HasTheErrorPublishedByCigolleEtAl
 //     ```
 //
 // Each line has three parts. First come the numbers as written in the text. Then come the names of the error's figures,
@@ -291,7 +291,7 @@ Words faults_in(const std::string& text, const std::string& line) {
     return faults_of(all);
 }
 
-TEST(Measured, AClaimIsNumbersOfTheTextAndWhatMeasuresThem) {
+TEST(Measured, AClaimPairsNumbersOfTheTextWithTheirMeasurement) {
     Claims all;
     read_text("2.5 and 3\n```measured\n2.5 3  mean mm  shot 01\n  --set a={b|c}\n```\n", "t", all);
     EXPECT_EQ(all.faults, Words{});
@@ -320,7 +320,7 @@ TEST(Measured, ANumberIsRightToItsLastDigit) {
     EXPECT_FALSE(agrees("0", 0.3) || agrees("<0.01", 0.01));
 }
 
-TEST(Measured, WhatIsFalseIsNamedWithItsPlace) {
+TEST(Measured, AFalseClaimIsReportedWithItsLine) {
     const std::string shot = "shot 02 --set view=one --size 32x32 --error normal";
     const Words wrong = faults_in("99", "99  mean  " + shot);
     ASSERT_EQ(wrong.size(), 1u);
@@ -332,7 +332,7 @@ TEST(Measured, WhatIsFalseIsNamedWithItsPlace) {
     EXPECT_EQ(faults_in("1", "1  test No.Such"), Words{"t:3: no test No.Such"});
 }
 
-TEST(Measured, WhatHandoutsAndDecksSayIsWhatIsMeasured) {
+TEST(Measured, NumbersInHandoutsAndDecksMatchTheMeasurements) {
     Claims all;
     for (const fs::path& file : handouts_and_decks())
         read_text(read_file(file), file.lexically_relative(course_root()).string(), all);

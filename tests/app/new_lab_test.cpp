@@ -37,7 +37,7 @@ TEST_F(NewLab, KeepsItsTruthWithTheStaff) {
 TEST_F(NewLab, PassesTheTestsOfEveryLab) {
     const Result result = run({course_.program("labs_tests"), "--context", "osmesa"});
     EXPECT_EQ(result.code, 0) << result.out << result.err;
-    EXPECT_TRUE(contains(result.out, "EachProbeIsFiniteOnTheSurfaceAgreesWithItsTruthAndRepeatsNoColour/Lab20_test_wall"))
+    EXPECT_TRUE(contains(result.out, "EachProbeIsFiniteAgreesWithItsTruthAndRepeatsNoColour/Lab20_test_wall"))
         << result.out;
 }
 
@@ -64,13 +64,13 @@ TEST_F(NewLab, HasADeckOfSlidesWithItsPictures) {
     EXPECT_TRUE(contains(solved.out, "build/slides-with-solutions/20_test_wall.html")) << solved.out << solved.err;
 }
 
-TEST_F(NewLab, WithoutGoldenPicturesIsToldSo) {
+TEST_F(NewLab, ReportsThatItHasNoGoldenPictures) {
     const Result none = run({course_.program("relief"), "golden", "20"});
     EXPECT_EQ(none.code, 1);
     EXPECT_TRUE(contains(none.err, "there is no [[golden]] in labs/20_test_wall/lab.toml")) << none.err;
 }
 
-TEST_F(NewLab, RefusesANameOrNumberThatIsTakenOrIsNone) {
+TEST_F(NewLab, RefusesTakenOrInvalidNamesAndNumbers) {
     const std::pair<const char*, const char*> cases[] = {{"test_wall", "a lab of that name exists: 20_test_wall"},
                                                          {"01_other", "number 01 is taken by 01_specular_highlights"},
                                                          {"Wet Stone", "lower case with underscores"},

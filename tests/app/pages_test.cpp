@@ -198,7 +198,7 @@ TEST(ClassPage, CountsTheOutcomesOfEachCheck) {
     EXPECT_TRUE(contains(text_of("#mistakes tbody"), "2.1\u00a0truncatedThe hint of truncatedshow 2"));
 }
 
-TEST(ClassPage, SaysWhereTheTimeWentAndWhatCameFromBefore) {
+TEST(ClassPage, ReportsTheTimePerStepAndReusedResults) {
     const Graded graded;
     browser().open(graded.page);
     // 8 labs at 0.5, 1 and 0.25 seconds; 7 submissions at 4 seconds each, minus the named parts.
@@ -212,7 +212,7 @@ TEST(ClassPage, SaysWhereTheTimeWentAndWhatCameFromBefore) {
     EXPECT_EQ(text_of("footer"), "Made by ./relief grade. Isolation: namespaces.") << "in small print";
 }
 
-TEST(ClassPage, WithoutScriptsHasNothingThatWouldNotWork) {
+TEST(ClassPage, HidesControlsThatNeedScriptsWhenScriptsAreOff) {
     const Graded graded;
     browser().scripts(false);
     browser().open(graded.page);
@@ -226,7 +226,7 @@ TEST(ClassPage, WithoutScriptsHasNothingThatWouldNotWork) {
               true);
 }
 
-TEST(ClassPage, IsMadeOfWhatTheResultsHold) {
+TEST(ClassPage, DependsOnlyOnTheStoredResults) {
     const ClassReport report = some_class();
     ClassReport read;  // gets the run's own numbers below
     read.taken_over = report.taken_over, read.seconds = report.seconds, read.prepared = report.prepared;
@@ -312,7 +312,7 @@ TEST(StudentPage, WithoutScriptsThePicturesLieSideBySide) {
         true);
 }
 
-TEST(StudentPage, HasAllThatWasFoundAndPicturesOnlyOfWhatDidNotPass) {
+TEST(StudentPage, ShowsAllFindingsButPicturesOnlyOfFailedChecks) {
     const GradedWithPictures graded;
     browser().open(graded.student("Anna"));
     EXPECT_EQ(text_of(".hint"), "It looks like a known mistake: truncatedThe hint of truncated");
@@ -335,7 +335,7 @@ TEST(StudentPage, HasAllThatWasFoundAndPicturesOnlyOfWhatDidNotPass) {
     EXPECT_TRUE(contains(text_of("header"), "This costs nobody a point"));
 }
 
-TEST(StudentPage, ForItsStudentTellsNothingThatIsHiddenAndLeadsNowhere) {
+TEST(StudentPage, ForStudentsRevealsNoHiddenCheckAndHasNoLinks) {
     GradedWithPictures graded;
     // A wrong hidden check: its name, numbers and pictures must not appear, but its outcome and hint do.
     TaskMark& anna = graded.report.marks[2].labs[0].tasks[0];
@@ -366,7 +366,7 @@ TEST(StudentPage, ForItsStudentTellsNothingThatIsHiddenAndLeadsNowhere) {
     }
 }
 
-TEST(StudentPage, IsThereWithoutPicturesWhereTheyWereNotKept) {
+TEST(StudentPage, IsWrittenWithoutPicturesThatWereNotKept) {
     const GradedWithPictures graded;
     const std::string before = read_file(graded.student("Anna")), after_head = before.substr(before.find("<main>"));
     fs::remove(graded.student("s9"));
@@ -379,7 +379,7 @@ TEST(StudentPage, IsThereWithoutPicturesWhereTheyWereNotKept) {
 
 // ---- both ----
 
-TEST(Pages, AStrangersNameIsTextAndNoScriptButOurs) {
+TEST(Pages, EscapeHostileNamesAndRunOnlyOurScripts) {
     const TemporaryFolder folder;
     const std::string name =
         "</title><script>document.title = 'ran'</script><img src=x onerror=\"document.title='ran'\">";
@@ -408,7 +408,7 @@ TEST(Pages, AStrangersNameIsTextAndNoScriptButOurs) {
     EXPECT_FALSE(browser().complaints().empty()) << "the picture at 'x' is not refused";
 }
 
-TEST(Pages, EveryControlHasANameAndEveryLinkAnEnd) {
+TEST(Pages, NameEveryControlAndResolveEveryLink) {
     const GradedWithPictures graded;
     for (const fs::path& page : {graded.page, graded.student("Anna"), graded.student("zoe"), graded.student("s10"),
                                  graded.student("Anna", PageFor::student)}) {
@@ -441,7 +441,7 @@ TEST(Pages, AxeFindsNothing) {
     }
 }
 
-TEST(Pages, EveryTextStandsOutInLightAndInDark) {
+TEST(Pages, HaveEnoughContrastInLightAndDarkMode) {
     const GradedWithPictures graded;
     for (const bool dark : {false, true}) {
         browser().dark(dark);

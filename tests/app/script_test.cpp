@@ -69,7 +69,7 @@ TEST_F(Script, ConfiguresBuildsAndHandsItsArgumentsOn) {
     EXPECT_FALSE(contains(called, "apt-get")) << called;
 }
 
-TEST_F(Script, TheSecondTimeAsksNoPackageAndConfiguresNothing) {
+TEST_F(Script, ASecondRunNeitherQueriesPackagesNorConfigures) {
     script();
     calls();
     EXPECT_EQ(script().code, 0);
@@ -77,7 +77,7 @@ TEST_F(Script, TheSecondTimeAsksNoPackageAndConfiguresNothing) {
     for (const char* tool : {"dpkg-query", "apt-get", "cmake"}) EXPECT_FALSE(contains(called, tool)) << called;
 }
 
-TEST_F(Script, WithoutATerminalEachStepIsALineAndNothingToDoIsNone) {
+TEST_F(Script, WithoutATerminalPrintsALinePerStepAndNothingWhenUpToDate) {
     installed("libglm-dev|xvfb");
     EXPECT_EQ(script({"list"}).err,
               "relief: installing 1 package: libglm-dev\nrelief: configuring\n"
@@ -86,7 +86,7 @@ TEST_F(Script, WithoutATerminalEachStepIsALineAndNothingToDoIsNone) {
     EXPECT_EQ(script({"test"}).err, "relief: installing 1 package: libglm-dev\nrelief: configuring\nrelief: testing\n");
 }
 
-TEST_F(Script, HelpAndASlipAreAnsweredWithoutInstallingOrBuilding) {
+TEST_F(Script, HelpAndUsageErrorsNeitherInstallNorBuild) {
     installed("libglm-dev");
     for (const std::vector<std::string>& question :
          {std::vector<std::string>{"--help"}, {"-h"}, {"shot", "--help"}, {"test", "--help"}, {"build", "-h"}}) {
@@ -108,7 +108,7 @@ TEST_F(Script, HelpAndASlipAreAnsweredWithoutInstallingOrBuilding) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
 }
 
-TEST_F(Script, OnceBuiltTheProgramAnswersForItsCommandsAndIsRenewedFirstForTheKnobsOfALab) {
+TEST_F(Script, ForwardsHelpToABuiltProgramAndRebuildsItForLabKnobs) {
     script();
     calls();
     EXPECT_EQ(script({"shot", "--help"}).out, "ran: shot --help\n");
@@ -131,7 +131,7 @@ std::set<std::string> commands_in(std::string help, const std::string& heading) 
     return found;
 }
 
-TEST_F(Script, ItsListOfCommandsIsTheProgramsInTheCourseAndInTheStudents) {
+TEST_F(Script, ListsTheProgramsCommandsInTheCourseAndInTheHandout) {
     // The program's own help, without the line breaks of its columns.
     std::string help = run({relief_program(), "--help"}).out;
     for (size_t at; (at = help.find("\n      ")) != std::string::npos;) help.replace(at, 1, " ");
@@ -146,7 +146,7 @@ TEST_F(Script, ItsListOfCommandsIsTheProgramsInTheCourseAndInTheStudents) {
     EXPECT_EQ(commands_in(script({"--help"}).out, "Commands:"), program);
 }
 
-TEST_F(Script, WhatTheFirstBuildInstallsHasTheCompilersCacheThatItThenUses) {
+TEST_F(Script, InstallsCcacheBeforeTheFirstConfigure) {
     installed("ccache");
     EXPECT_EQ(script({"list"}).code, 0);
     const std::string called = calls();
@@ -171,7 +171,7 @@ TEST_F(Script, ABuildFolderOfAnotherPathIsLeftAlone) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
 }
 
-TEST_F(Script, RunsWhatIsBuiltWhereItsUserMayNotWrite) {
+TEST_F(Script, RunsABuiltProgramInAReadOnlyCourse) {
     namespace fs = std::filesystem;
     script();
     calls();
@@ -216,7 +216,7 @@ TEST_F(Script, WithoutATerminalABuildSaysHowFarItIs) {
     EXPECT_TRUE(contains(result.err, "relief: building: 3 of 7 steps done, 4 left\n")) << result.err;
 }
 
-TEST_F(Script, TheSiteIsMadeInOrderAndOnlyWhatIsOutOfDate) {
+TEST_F(Script, BuildsTheSiteInOrderAndOnlyOutdatedParts) {
     folder_.write("framework/staff/staff.cmake", "");
     stand_in("ninja",
              "[[ -e build/bin/relief ]] && exit\nmkdir -p build/bin\n"
@@ -271,7 +271,7 @@ TEST_F(Script, SimultaneousStartsBuildOneAfterTheOther) {
     EXPECT_GE(free, 1) << "the lock is held while the program runs";
 }
 
-TEST_F(Script, RootInstallsWhatIsMissingAndNoMore) {
+TEST_F(Script, RootInstallsOnlyTheMissingPackages) {
     installed("libglm-dev|xvfb");
     EXPECT_EQ(script({"list"}).code, 0);
     std::string called = calls();
@@ -285,7 +285,7 @@ TEST_F(Script, RootInstallsWhatIsMissingAndNoMore) {
     EXPECT_TRUE(contains(called, "--no-install-recommends libglm-dev xvfb\n")) << called;
 }
 
-TEST_F(Script, TheLongerProofsAloneAreRunWhereTheRestHasPassed) {
+TEST_F(Script, CiRunsOnlyTheMainTestsIfTheDailyOnesHavePassed) {
     EXPECT_EQ(script({"test"}).code, 0);
     EXPECT_TRUE(contains(calls(), "--label-exclude ^ci$\n"));
     EXPECT_EQ(script({"test", "--ci"}).code, 0);
@@ -297,7 +297,7 @@ TEST_F(Script, TheLongerProofsAloneAreRunWhereTheRestHasPassed) {
     EXPECT_TRUE(contains(calls(), "-R handout\n")) << "among all tests";
 }
 
-TEST_F(Script, WithoutRootOrSudoItPrintsTheLineToRunAndStops) {
+TEST_F(Script, WithoutRootOrSudoPrintsTheInstallCommandAndStops) {
     installed("libglm-dev");
     stand_in("id", "echo 1000");
     const Result result = script();
@@ -324,7 +324,7 @@ TEST_F(Script, AFailedStepShowsItsLogAndStops) {
     EXPECT_EQ(result.out, "");
 }
 
-TEST_F(Script, OfABuildThatFailsTheCompilersMessagesAreShownWithoutCommandLines) {
+TEST_F(Script, AFailedBuildShowsCompilerMessagesWithoutCommandLines) {
     const std::string task = (folder_.path() / "labs/05_x/task.cpp").string();
     stand_in("ninja",
              "echo '[1/3] Building CXX object task.o'; echo 'FAILED: task.o'; echo '/usr/bin/c++ -c " + task +

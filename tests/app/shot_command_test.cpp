@@ -31,7 +31,7 @@ protected:
     }
 };
 
-TEST_F(ShotCommand, WritesAPngAndSaysItsName) {
+TEST_F(ShotCommand, WritesAPngAndPrintsItsName) {
     EXPECT_EQ(good_shot({"-o", "a.png"}).out, "a.png\n");
     const Image image = read_image(file("a.png"));
     EXPECT_EQ(image.width, 96);
@@ -92,7 +92,7 @@ TEST_F(ShotCommand, KnobsCameraAndMethodChangeThePicture) {
     }
 }
 
-TEST_F(ShotCommand, DrawsWhatACheckDraws) {
+TEST_F(ShotCommand, DrawsThePictureOfACheck) {
     const auto drawn = [&](std::vector<std::string> more) {
         std::vector<std::string> command = {relief_program(), "shot", "10", "-o", file("check.pfm").string()};
         command.insert(command.end(), more.begin(), more.end());
@@ -140,7 +140,7 @@ TEST_F(ShotCommand, AMistakeInCppIsCompiledForThePicture) {
     EXPECT_NE(read_all(file("right.pfm")), read_all(file("wrong.pfm")));
 }
 
-TEST_F(ShotCommand, AnExrHoldsTheLightOfThePng) {
+TEST_F(ShotCommand, AnExrHoldsTheLinearValuesOfThePng) {
     good_shot({"-o", "a.png"}), good_shot({"-o", "a.exr"});
     const Image encoded = read_image(file("a.png")), light = read_image(file("a.exr"));
     size_t same = 0;
@@ -151,7 +151,7 @@ TEST_F(ShotCommand, AnExrHoldsTheLightOfThePng) {
     EXPECT_GT(double(same) / double(encoded.values.size()), 0.95);
 }
 
-TEST_F(ShotCommand, BadUseIsOneLineThatSaysWhatWouldBeRightAndExitCodeTwo) {
+TEST_F(ShotCommand, WrongUsePrintsOneHelpfulLineAndExitsWithTwo) {
     const std::pair<std::vector<std::string>, const char*> cases[] = {
         {{"--set", "shinyness=3"}, "did you mean 'shininess'?"},
         {{"--set", "shininess=1e9"}, "knob shininess takes 2 to 256, not '1e9'"},
@@ -190,7 +190,7 @@ TEST_F(ShotCommand, BadUseIsOneLineThatSaysWhatWouldBeRightAndExitCodeTwo) {
     EXPECT_TRUE(files_in(folder_.path()).empty());
 }
 
-TEST_F(ShotCommand, OfAnOptionThatIsSaidTwiceTheLastCounts) {
+TEST_F(ShotCommand, TheLastOfRepeatedOptionsCounts) {
     good_shot({"-o", "a.png", "--size", "32x16", "--size", "20x10"});
     EXPECT_EQ(read_image(file("a.png")).width, 20);
 }
@@ -201,7 +201,7 @@ TEST_F(ShotCommand, AnUnknownLabSuggestsTheNearest) {
     EXPECT_TRUE(contains(result.err, "did you mean '01_specular_highlights'?")) << result.err;
 }
 
-TEST_F(ShotCommand, AnOutputThatCannotBeWrittenLeavesNothingBehind) {
+TEST_F(ShotCommand, AnUnwritableOutputLeavesNoFileBehind) {
     folder_.write("old.png/inside", "");
     for (const char* name : {"no/such/folder/a.png", "/proc/a.png", "old.png"}) {
         const Result result = shot({"-o", name});
@@ -225,7 +225,7 @@ TEST_F(ShotCommand, AFullDiskKeepsTheOldFile) {
     EXPECT_EQ(files_in(folder_.path()).size(), 1u);
 }
 
-TEST_F(ShotCommand, AReaderThatGoesAwayIsAnErrorNotACrash) {
+TEST_F(ShotCommand, AClosedPipeIsAnErrorNotACrash) {
     const Result result = run(
         {"bash", "-c", "set -o pipefail; \"$0\" shot 1 --size 800x600 -o - | head -c 1 >/dev/null", relief_program()});
     EXPECT_EQ(result.code, 1);
@@ -240,7 +240,7 @@ TEST_F(ShotCommand, CtrlCLeavesNoFile) {
     EXPECT_TRUE(files_in(folder_.path()).empty());
 }
 
-TEST_F(ShotCommand, ACameraThatLooksPastEverythingIsAFailureNotAPicture) {
+TEST_F(ShotCommand, APictureOfBackgroundAloneFails) {
     // At this distance the whole scene falls between the samples.
     const Result result = shot({"-o", "a.png", "--set", "method=normal-map", "--camera", "0,20,1000000"});
     EXPECT_EQ(result.code, 1);
@@ -309,7 +309,7 @@ TEST_F(ShotCommand, OpensNoLibraryThatItDoesNotNeed) {
             EXPECT_FALSE(contains(libraries_of(arguments), unwanted)) << arguments[0] << ": " << unwanted;
 }
 
-TEST_F(ShotCommand, SaysWithVerboseWhereItsTimeGoes) {
+TEST_F(ShotCommand, VerbosePrintsTimedEventsInOrder) {
     const Result result = shot({"-o", "a.ppm", "--verbose"});
     EXPECT_EQ(result.code, 0);
     double before = 0;

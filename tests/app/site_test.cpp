@@ -87,7 +87,7 @@ TEST_F(Site, WithoutADisplayTheMenuIsTheGallery) {
 
 // Follows every link from the first page, on a screen and on a phone, in light and in dark mode. Every target must
 // exist.
-TEST_F(Site, EveryPageThatIsLinkedIsWholeAndLegibleAndFitsAPhone) {
+TEST_F(Site, EveryLinkedPageIsCompleteLegibleAndFitsAPhone) {
     std::vector<fs::path> pages = {site() / "index.html"};
     std::set<fs::path> known(pages.begin(), pages.end());
     std::set<std::pair<fs::path, std::string>> places;  // a page and an id in it
@@ -142,7 +142,7 @@ TEST_F(Site, EveryPageThatIsLinkedIsWholeAndLegibleAndFitsAPhone) {
     EXPECT_TRUE(fs::exists(site() / "slides/01_specular_highlights.pdf"));
 }
 
-TEST_F(Site, TheFirstPageHasEveryLabInOrderWithItsPointsAndOnlyTheSlidesThatThereAre) {
+TEST_F(Site, TheFirstPageListsEveryLabWithItsPointsAndExistingSlides) {
     open("index.html");
     Names titles, learns;
     int points = 0;
@@ -165,7 +165,7 @@ TEST_F(Site, TheFirstPageHasEveryLabInOrderWithItsPointsAndOnlyTheSlidesThatTher
               Names{"slides/01_specular_highlights.html"});
 }
 
-TEST_F(Site, TwoMethodsAreWipedByTheKeyboard) {
+TEST_F(Site, TheKeyboardMovesTheWipeBetweenTwoMethods) {
     open(std::string(lab_10) + ".html");
     const auto clip = [] {
         return browser().eval("getComputedStyle(document.querySelector('.laid img + img')).clipPath");
@@ -182,7 +182,7 @@ TEST_F(Site, TwoMethodsAreWipedByTheKeyboard) {
     EXPECT_EQ(browser().complaints(), Names{});
 }
 
-TEST_F(Site, BoxesChooseTheMethodsAndASwitchTheErrorMapWithItsScale) {
+TEST_F(Site, BoxesSelectTheMethodsAndASwitchShowsTheErrorMap) {
     open(std::string(lab_10) + ".html");
     const auto shown = [] {
         return Names(
@@ -209,7 +209,7 @@ TEST_F(Site, BoxesChooseTheMethodsAndASwitchTheErrorMapWithItsScale) {
     EXPECT_EQ(browser().complaints(), Names{});
 }
 
-TEST_F(Site, WithoutScriptsEveryMethodIsThereAndNothingThatWouldNotWork) {
+TEST_F(Site, WithoutScriptsEveryMethodIsVisibleAndNoControlIs) {
     browser().scripts(false);
     open(std::string(lab_10) + ".html");
     browser().scripts(true);
@@ -285,7 +285,7 @@ TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {
     EXPECT_GT(sum("method-offset-error.png"), 1.3 * sum("method-steep-error.png")) << "one scale for both";
 }
 
-TEST(MistakesPage, ShowsEveryMistakeOfALabBesideWhatIsRight) {
+TEST(MistakesPage, ShowsEveryMistakeBesideTheSolution) {
     const TemporaryFolder folder;
     const std::string lab = "02_normal_map_storage";
     const Result made = run({relief_program(), "mistakes", "2", "-o", folder.path().string()});

@@ -8,19 +8,19 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-TEST(Editor, EachTakesTheLineAsItDocuments) {
+TEST(Editor, ReceivesTheLineInItsDocumentedSyntax) {
     EXPECT_EQ(editor_command("code", "a/task.glsl", 12), (Words{"code", "--goto", "a/task.glsl:12"}));
     EXPECT_EQ(editor_command("/usr/bin/kate", "a/task.glsl", 12), (Words{"/usr/bin/kate", "-l", "12", "a/task.glsl"}));
     EXPECT_EQ(editor_command("subl", "a/task.glsl", 12), (Words{"subl", "a/task.glsl:12"}));
     EXPECT_EQ(editor_command("gedit", "a/task.glsl", 12), (Words{"gedit", "+12", "a/task.glsl"}));
 }
 
-TEST(Editor, OneForATerminalGetsOne) {
+TEST(Editor, OpensTerminalEditorsInATerminal) {
     EXPECT_EQ(editor_command("vim", "a/task.glsl", 12),
               (Words{"x-terminal-emulator", "-e", "vim", "+12", "a/task.glsl"}));
 }
 
-TEST(Editor, KeepsItsArgumentsAndGetsNoLineThatItIsNotKnownToTake) {
+TEST(Editor, KeepsItsArgumentsAndGetsALineOnlyIfItsSyntaxIsKnown) {
     EXPECT_EQ(editor_command("code  --wait", "a/task.glsl", 3), (Words{"code", "--wait", "--goto", "a/task.glsl:3"}));
     EXPECT_EQ(editor_command("strange", "a/task.glsl", 12), (Words{"strange", "a/task.glsl"}));
     EXPECT_EQ(editor_command("code", "a/task.glsl", 0), (Words{"code", "a/task.glsl"}));

@@ -12,7 +12,7 @@ TEST(Errors, AreOneLine) {
     EXPECT_STREQ(Error({"a.glsl", 3}, "first\nsecond\n").what(), "a.glsl:3: first second");
 }
 
-TEST(Errors, ShowFilesOfTheCourseFromItsTopFolder) {
+TEST(Errors, ShowCourseFilesRelativeToTheCourseRoot) {
     const auto file = course_root() / "labs" / "07_baking" / "lab.toml";
     EXPECT_STREQ(Error({file, 12}, "no title").what(), "labs/07_baking/lab.toml:12: no title");
     EXPECT_STREQ(Error({file}, "missing").what(), "labs/07_baking/lab.toml: missing") << "line 0 is the whole file";
@@ -33,7 +33,7 @@ TEST(Errors, KeepTheirPlaceAndTheWholeLog) {
     EXPECT_EQ(Error("x").details(), "");
 }
 
-TEST(Errors, OfUseAreErrorsToo) { EXPECT_THROW(throw UsageError("no such lab"), Error); }
+TEST(Errors, IncludeUsageErrors) { EXPECT_THROW(throw UsageError("no such lab"), Error); }
 
 }  // namespace
 }  // namespace relief

@@ -42,7 +42,7 @@ private:
     void (*handler_)(int) = nullptr;
 };
 
-TEST(Files, ComeBackAsWrittenByteForByte) {
+TEST(Files, AreReadBackByteForByte) {
     const TemporaryFolder folder;
     std::string bytes;
     for (int i = 0; i < 70000; ++i) bytes += char(i * 7);
@@ -53,7 +53,7 @@ TEST(Files, ComeBackAsWrittenByteForByte) {
     EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"a.bin"}) << "nothing is left beside it";
 }
 
-TEST(Files, ReadingSaysWhichFileAndWhy) {
+TEST(Files, ReadErrorsNameTheFileAndTheReason) {
     const TemporaryFolder folder;
     const fs::path missing = folder.path() / "missing.txt";
     EXPECT_EQ(message_of([&] { read_file(missing); }), missing.string() + ": cannot read: No such file or directory");
@@ -63,7 +63,7 @@ TEST(Files, ReadingSaysWhichFileAndWhy) {
     EXPECT_EQ(read_file(file, 5), "12345");
 }
 
-TEST(Files, AFolderIsNoTarget) {
+TEST(Files, CannotOverwriteAFolder) {
     const TemporaryFolder folder;
     EXPECT_EQ(message_of([&] { write_file(folder.path(), "x"); }),
               folder.path().string() + ": cannot write: it is a folder, name a file in it");
@@ -81,7 +81,7 @@ TEST(Files, AnUnwritablePlaceIsNamedAndLeftAlone) {
     EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"a.txt"});
 }
 
-TEST(Files, AFullDiskLeavesTheOldFileAndNothingBesideIt) {
+TEST(Files, AFullDiskKeepsTheOldFileAndLeavesNoTemporary) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.txt", "old");
     {
@@ -93,7 +93,7 @@ TEST(Files, AFullDiskLeavesTheOldFileAndNothingBesideIt) {
     EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"a.txt"});
 }
 
-TEST(Files, ATerminatedWriteLeavesTheOldFileAndNothingBesideIt) {
+TEST(Files, ATerminatedWriteKeepsTheOldFileAndLeavesNoTemporary) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.txt", "old");
     const auto terminated = [&] {
@@ -108,7 +108,7 @@ TEST(Files, ATerminatedWriteLeavesTheOldFileAndNothingBesideIt) {
 }
 
 // Processes in different PID namespaces, or on different machines, can have the same process id.
-TEST(Files, WritersOfOneNumberAndOneFileDoNotMeet) {
+TEST(Files, WritersWithEqualProcessIdsDoNotCollide) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "a.txt";
     const auto text = [](size_t writer) { return std::string(20000, char('a' + writer)); };
@@ -118,7 +118,7 @@ TEST(Files, WritersOfOneNumberAndOneFileDoNotMeet) {
     EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{"a.txt"});
 }
 
-TEST(Files, WhatAKilledWriterLeavesCanBeRemoved) {
+TEST(Files, TheTemporaryOfAKilledWriterCanBeRemoved) {
     const TemporaryFolder folder;
     const auto killed = [&] {
         const FullDisk disk(1000);
@@ -133,7 +133,7 @@ TEST(Files, WhatAKilledWriterLeavesCanBeRemoved) {
     remove_unfinished_files(folder.path() / "none");
 }
 
-TEST(Files, APrivateOneIsReadByItsOwnerAlone) {
+TEST(Files, PrivateOnesAreReadableOnlyByTheirOwner) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.txt", "for all");
     fs::permissions(file, fs::perms(0644));
@@ -174,7 +174,7 @@ TEST(Files, ALinkStaysALink) {
     EXPECT_EQ(read_file(folder.path() / "real.txt"), "new");
 }
 
-TEST(Folders, AreMadeWithThoseAboveAndMayExist) {
+TEST(Folders, AreCreatedWithTheirParentsAndMayExist) {
     const TemporaryFolder folder;
     make_folder(folder.path() / "a" / "b");
     make_folder(folder.path() / "a" / "b");

@@ -75,7 +75,7 @@ TEST(Markdown, LinksAndImagesKeepTheirTargets) {
     EXPECT_EQ(line_of("<https://example.org/x>."), "(https://example.org/x):https://example.org/x|.");
 }
 
-TEST(Markdown, WhatIsNoMarkStandsAsWritten) {
+TEST(Markdown, TextWithoutMarkupStaysAsWritten) {
     for (const char* text : {"clip_from_world and u_eye_",
                              "2 * 3 * 4",
                              "a ** b",
@@ -128,20 +128,20 @@ TEST(Markdown, TablesHaveAsManyCellsInEveryRowAsInTheirHeading) {
     EXPECT_EQ(outline("| a |\n|---|\n| b \\|\n| c \\"), "table0 [a;] [b |;] [c \\;]\n");
 }
 
-TEST(Markdown, RulesAndQuotes) {
+TEST(Markdown, ReadsRulesAndQuotes) {
     EXPECT_EQ(outline("---\n* * *\n> said\n> so\nlazily\n\ntext"), "rule0\nrule0\nquote0 said so lazily\ntext0 text\n");
 }
 
-TEST(Markdown, EmphasisThatIsNeverLeftEndsWithItsBlock) {
+TEST(Markdown, UnclosedEmphasisEndsWithItsBlock) {
     EXPECT_EQ(outline("_[a](_)\n\nb"), "text0 i(_):a\ntext0 b\n") << "what md4c 0.4.8 makes of an open mark";
 }
 
-TEST(Markdown, NothingIsNothing) {
+TEST(Markdown, AnEmptyTextHasNoBlocks) {
     for (const char* text : {"", "\n", " \n\t\n", "\xef\xbb\xbf"}) EXPECT_TRUE(parse_markdown(text).empty());
 }
 
 // Unclosed syntax and random bytes: all text comes back in some block, in bounded time.
-TEST(Markdown, AnyTextIsTaken) {
+TEST(Markdown, AcceptsAnyText) {
     std::mt19937 random(1);
     const std::string alphabet = "**__``~~[]()!<>|-:#\\ \n\n\tab1.+\xc3\xb6";
     for (int i = 0; i < 3000; ++i) {

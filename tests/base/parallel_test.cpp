@@ -33,7 +33,7 @@ TEST(Parallel, DoesNotCutSmallWork) {
     EXPECT_EQ(pieces.size(), 2u);
 }
 
-TEST(Parallel, ThrowsWhatAPieceThrowsAfterTheOthersAreDone) {
+TEST(Parallel, RethrowsAPiecesExceptionAfterTheOthersFinish) {
     std::atomic<size_t> done = 0;
     EXPECT_THROW(parallel_pieces(4, 1, 4,
                                  [&](size_t begin, size_t) {
@@ -44,7 +44,7 @@ TEST(Parallel, ThrowsWhatAPieceThrowsAfterTheOthersAreDone) {
     EXPECT_EQ(done, 4u);
 }
 
-TEST(Parallel, GivesEachToWhoeverIsFree) {
+TEST(Parallel, RunsEachItemOnceForAnyNumberOfThreads) {
     for (const unsigned threads : {0u, 1u, 3u, 200u}) {
         std::vector<std::atomic<int>> done(100);
         parallel_each(done.size(), threads, [&](size_t i) { ++done[i]; });
@@ -52,7 +52,7 @@ TEST(Parallel, GivesEachToWhoeverIsFree) {
     }
 }
 
-TEST(Parallel, BeginsNoneAfterAFailure) {
+TEST(Parallel, StartsNoItemAfterAFailure) {
     std::atomic<size_t> begun = 0;
     EXPECT_THROW(parallel_each(1000, 1,
                                [&](size_t i) {

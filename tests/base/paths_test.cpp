@@ -14,12 +14,12 @@ TEST(Paths, TheCourseHasLabsAndShaders) {
     EXPECT_TRUE(fs::is_directory(course_root() / "shaders"));
 }
 
-TEST(Paths, TheExecutablesFolderHoldsIt) {
+TEST(Paths, TheExecutableFolderContainsTheExecutable) {
     const fs::path executable = fs::read_symlink("/proc/self/exe");
     EXPECT_TRUE(fs::equivalent(executable_folder() / executable.filename(), executable));
 }
 
-TEST(Paths, AreShownFromTheCoursesTopFolder) {
+TEST(Paths, AreShownRelativeToTheCourseRoot) {
     EXPECT_EQ(shown(course_root() / "shaders" / "common" / "light.glsl"), "shaders/common/light.glsl");
 }
 

@@ -34,7 +34,7 @@ TEST(Processes, EndAtTheirLimits) {
     EXPECT_EQ(run_shell("kill -SEGV $$").ending, Ending::crashed);
 }
 
-TEST(Processes, AreDoneWhenTheProgramIsWhoeverHoldsItsOutput) {
+TEST(Processes, EndWithTheirProgramEvenIfAChildHoldsTheirOutput) {
     const ProcessResult done = run_shell("sleep 60 & echo started");
     EXPECT_EQ(done.output, "started\n");
     EXPECT_TRUE(done.succeeded()) << name_of(done.ending);
@@ -55,7 +55,7 @@ TEST(Processes, SayWhyAProgramCannotBeStarted) {
 
 // The system counts a user's processes on the whole machine, including other containers. So a limit could fail an
 // honest command because of other processes.
-TEST(Processes, AreNotCounted) {
+TEST(Processes, DoNotLimitTheUsersProcessCount) {
     std::ifstream file("/proc/self/limits");
     std::string line;
     while (std::getline(file, line) && !line.starts_with("Max processes")) {
@@ -95,7 +95,7 @@ TEST(Processes, AChildEndsWithItsOwner) {
     EXPECT_FALSE(read_all(pipe.read, rest.data(), rest.size()));
 }
 
-TEST(Processes, ShareWorkAndSayWhatTheyDid) {
+TEST(Processes, ShareWorkAndReportEachPart) {
     std::map<int, int> times;
     std::set<int> processes;
     share_among_processes(
@@ -117,7 +117,7 @@ TEST(Processes, ShareWorkAndSayWhatTheyDid) {
     EXPECT_FALSE(processes.contains(getpid())) << "not in this one, which may have a context";
 }
 
-TEST(Processes, OneThatFailsOrCrashesEndsTheSharedWork) {
+TEST(Processes, AFailureOrCrashEndsTheSharedWork) {
     const auto failure = [](const std::function<void()>& fail) -> std::string {
         try {
             share_among_processes(

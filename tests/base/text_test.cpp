@@ -12,13 +12,13 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-TEST(Numbers, AreTakenWholeInEveryDecimalNotation) {
+TEST(Numbers, AreParsedInEveryDecimalNotation) {
     for (const auto& [text, value] : std::vector<std::pair<std::string, double>>{
              {"0", 0}, {"32", 32}, {"-1.5", -1.5}, {".5", 0.5}, {"2.", 2}, {"1e3", 1000}, {"-2.5E-1", -0.25}})
         EXPECT_EQ(parse_number(text), value) << text;
 }
 
-TEST(Numbers, MustBeFiniteAndNothingElse) {
+TEST(Numbers, MustBeFiniteWithoutTrailingText) {
     for (const char* text : {"", " ", "1x", "x1", "1 ", " 1", "1,5", "0x10", "nan", "-nan", "inf", "-inf", "infinity",
                              "1e999", "-1e999", "1e", "--1", "."})
         EXPECT_EQ(parse_number(text), std::nullopt) << "'" << text << "'";
@@ -40,7 +40,7 @@ TEST(Numbers, ArePrintedAsTyped) {
     EXPECT_EQ(plain(-2.25), "-2.25");
 }
 
-TEST(Numbers, OfPeoplesSizeHaveNoExponent) {
+TEST(Numbers, InTheUsualRangeHaveNoExponent) {
     EXPECT_EQ(rounded(1000), "1000");
     EXPECT_EQ(rounded(999.6), "1000");
     EXPECT_EQ(rounded(37474.6, 4), "37475");
@@ -56,7 +56,7 @@ TEST(Numbers, OfPeoplesSizeHaveNoExponent) {
     EXPECT_EQ(rounded(INFINITY), "inf");
 }
 
-TEST(Numbers, AreOfSeveralUnitsUnlessTheyAre1) {
+TEST(Numbers, TakePluralUnitsUnlessTheyAre1) {
     EXPECT_EQ(amount_of(37.474, "degree", 4), "37.47 degrees");
     EXPECT_EQ(amount_of(1, "pixel"), "1 pixel");
     EXPECT_EQ(amount_of(0.9999, "pixel"), "1 pixel");
@@ -113,7 +113,7 @@ TEST(EditDistance, IsSymmetricAndBounded) {
     }
 }
 
-TEST(Nearest, FindsTheMistypedWordAndGuessesNothingWhenFar) {
+TEST(Nearest, FindsAMistypedWordAndReturnsNoneForADistantOne) {
     const Words known = {"steps", "scale", "displacement"};
     EXPECT_EQ(nearest("stpes", known), "steps");
     EXPECT_EQ(nearest("SCALE", known), "scale");
@@ -125,7 +125,7 @@ TEST(Nearest, FindsTheMistypedWordAndGuessesNothingWhenFar) {
     EXPECT_EQ(nearest("us", Words{"uv", "depth"}), "uv") << "one letter, in a short word";
 }
 
-TEST(Unknown, NamesTheGuessAndAllThatThereIs) {
+TEST(Unknown, NamesTheNearestWordAndAllKnownOnes) {
     const Words known = {"steps", "scale"};
     EXPECT_EQ(unknown("knob", "stpes", known), "unknown knob 'stpes': did you mean 'steps'? There are: steps, scale");
     EXPECT_EQ(unknown("knob", "gloss", known), "unknown knob 'gloss'; there are: steps, scale");
@@ -133,7 +133,7 @@ TEST(Unknown, NamesTheGuessAndAllThatThereIs) {
     EXPECT_EQ(unknown("knob", "gloss", Words{}), "unknown knob 'gloss'; there is no knob here");
 }
 
-TEST(ShellWords, ComeBackFromAShellAsTheyWere) {
+TEST(ShellWords, SurviveTheShellUnchanged) {
     EXPECT_EQ(quoted_for_shell("a b"), "'a b'");
     EXPECT_EQ(quoted_for_shell("o'd $x"), "'o'\\''d $x'");
     EXPECT_EQ(quoted_for_shell(""), "''");

@@ -32,7 +32,7 @@ std::vector<std::string> hints_of(const Manifest& manifest, const std::vector<Ju
     return hints(manifest, said, put_right_first(manifest, said));
 }
 
-TEST(MissingTasks, AreThoseThatTheCheckNeedsAndThatAreNotWritten) {
+TEST(MissingTasks, AreTheUnwrittenTasksThatTheCheckNeeds) {
     const CheckInfo info = check("1.1", {"1.2", "1.3", "1.4"});
     const auto all_but = [](std::set<std::string> open_tasks) {
         return [open_tasks](const std::string& task) { return !open_tasks.contains(task); };
@@ -46,7 +46,7 @@ TEST(MissingTasks, AreThoseThatTheCheckNeedsAndThatAreNotWritten) {
               "waits for tasks 1.2, 1.3 and 1.4, which are not written yet");
 }
 
-TEST(PointsText, TellsWhichPointsWaitForOtherTasks) {
+TEST(PointsText, ReportsThePointsThatWaitForOtherTasks) {
     const Manifest all = manifest();
     const TaskInfo task{.id = "1.2", .title = {}, .file = {}, .points = 3};
     TaskResult result{
@@ -70,7 +70,7 @@ TEST(PutRightFirst, IsTheOneTaskThatExplainsAllFailures) {
         << "each has a failure of its own";
 }
 
-TEST(PutRightFirst, IsATaskThatFailsMoreOfItsChecksWhereTwoExplainAll) {
+TEST(PutRightFirst, PrefersTheTaskWithMoreFailedChecksIfTwoExplainAll) {
     Manifest all = manifest();
     all.checks[0].needs = {"1.2"};  // 1.1 is seen only through 1.2
     const std::vector<Judgement> said = {wrong, wrong, right, wrong, right};
@@ -79,7 +79,7 @@ TEST(PutRightFirst, IsATaskThatFailsMoreOfItsChecksWhereTwoExplainAll) {
         << "1.2 draws what a known mistake draws";
 }
 
-TEST(PutRightFirst, IsTheTaskInWhichACompilerFoundTheError) {
+TEST(PutRightFirst, IsTheTaskOfACompilerError) {
     Judgement message{Outcome::broken, "shaders/01_a/task.glsl:7: syntax error"};
     EXPECT_EQ(first({message, message, message, message, message}), std::vector<TaskIds>(5))
         << "the message names the place itself";
@@ -88,12 +88,12 @@ TEST(PutRightFirst, IsTheTaskInWhichACompilerFoundTheError) {
               (std::vector<TaskIds>{{"1.2"}, {"1.2"}, {}, {}, {"1.2"}}));
 }
 
-TEST(PutRightFirst, IsTheTaskThatDrawsNoNumbersThoughTheOtherSaysTheSame) {
+TEST(PutRightFirst, IsTheNeededTaskIfBothDrawNonFiniteValues) {
     const Judgement nothing{Outcome::broken, "probe 'uv': 4 pixels are not finite"};
     EXPECT_EQ(first({right, right, nothing, right, nothing})[4], TaskIds{"1.2"});
 }
 
-TEST(PutRightFirst, SendsNobodyInACircle) {
+TEST(PutRightFirst, NeverFormsACycle) {
     // In the second manifest no check is about one task alone.
     Manifest entangled = manifest();
     entangled.checks[0].leans_on = {"1.3"}, entangled.checks[2].leans_on = {"1.1"};
@@ -119,7 +119,7 @@ TEST(PutRightFirst, SendsNobodyInACircle) {
     }
 }
 
-TEST(Hints, AreTheChecksOwnWhereNothingThatItNeedsIsWrong) {
+TEST(Hints, AreTheChecksOwnIfAllNeededTasksAreRight) {
     EXPECT_EQ(hints_of(manifest(), {right, right, right, right, wrong}),
               (std::vector<std::string>{"", "", "", "", "own hint of 1.3"}));
     EXPECT_EQ(hints_of(manifest(), {right, open, right, {Outcome::machine, "x"}, {Outcome::broken, "x"}}),
@@ -127,7 +127,7 @@ TEST(Hints, AreTheChecksOwnWhereNothingThatItNeedsIsWrong) {
         << "what does not draw says itself why";
 }
 
-TEST(Hints, NameTheNeededTaskThatIsWrongByItselfHoweverItFailed) {
+TEST(Hints, NameTheNeededTaskHoweverTheCheckFailed) {
     EXPECT_EQ(hints_of(manifest(), {right, wrong, wrong, wrong, wrong}),
               (std::vector<std::string>{"", "put task 1.2 right first", "own hint of 1.2", "own hint of 1.2",
                                         "put task 1.2 right first"}));
@@ -136,7 +136,7 @@ TEST(Hints, NameTheNeededTaskThatIsWrongByItselfHoweverItFailed) {
             << name_of(outcome);
 }
 
-TEST(Hints, TellThatOnlyTheLengthIsWrong) {
+TEST(Hints, ReportThatOnlyTheLengthIsWrong) {
     Manifest manifest;
     ProbeInfo& probe = manifest.probes.emplace_back();
     probe.name = "normal", probe.error = ErrorMetric::angle, probe.unit = "degree";

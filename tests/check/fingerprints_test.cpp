@@ -50,7 +50,7 @@ std::string named(const std::vector<Judgement>& said, const Samples& samples, co
 
 constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
 
-TEST(Fingerprints, NameTheMistakeThatAllFailedChecksAreLike) {
+TEST(Fingerprints, NameTheMistakeThatMatchesAllFailedChecks) {
     EXPECT_EQ(named({wrong, right, right}, {{0, drawn({-1, -2, -3})}, {1, drawn({4, inf})}}), "a \"sign\"");
     EXPECT_EQ(named({wrong, wrong, right}, {{0, drawn({0.5f, 2, 1.5f})}, {1, drawn({2, nan})}}), "halves");
     EXPECT_EQ(named({wrong, wrong, right}, {{0, drawn({-1, -2, -3})}, {1, drawn({3, inf})}}), "")
@@ -63,7 +63,7 @@ TEST(Fingerprints, NameTheMistakeThatAllFailedChecksAreLike) {
 }
 
 // A mistake that nobody has listed may fail one check as a listed one does.
-TEST(Fingerprints, NameNoMistakeThatACheckWhichPassesWouldShow) {
+TEST(Fingerprints, NameNoMistakeThatAPassedCheckContradicts) {
     const Sample half = drawn({0.5f, 2, 1.5f});
     EXPECT_EQ(named({wrong, wrong, right}, {{0, half}, {1, drawn({2, nan})}}), "halves");
     EXPECT_EQ(named({wrong, right, right}, {{0, half}, {1, drawn({4, inf})}}), "") << "'far' is right";
@@ -82,7 +82,7 @@ TEST(Likeness, AllowsOneValueOf24ThatAnotherDriverDraws) {
     EXPECT_FALSE(is_like({.differ = 0, .agree = 0}, false)) << "it fails where the mistake does not show";
 }
 
-TEST(Fingerprints, NameNothingWhereAllFailedChecksWaitForAnotherTask) {
+TEST(Fingerprints, NameNoMistakeIfAllFailedChecksWaitForAnotherTask) {
     const std::vector<Judgement> said = {wrong, right, {Outcome::broken, "it throws"}};
     const Samples throws = {{0, drawn({9, 9, 9})}, {2, {.error = "it throws"}}};
     EXPECT_EQ(named(said, throws, "1.2"), "none");
@@ -90,7 +90,7 @@ TEST(Fingerprints, NameNothingWhereAllFailedChecksWaitForAnotherTask) {
     EXPECT_EQ(named(said, {{0, throws.at(0)}}, "1.2"), "");
 }
 
-TEST(Fingerprints, AreReadAsTheyWereWritten) {
+TEST(Fingerprints, SurviveARoundTripThroughText) {
     LabEntry lab;
     lab.number = 1;
     const Fingerprints before = fingerprints();
@@ -110,7 +110,7 @@ TEST(Fingerprints, AreReadAsTheyWereWritten) {
     EXPECT_EQ(after.checks.at(0).values, (std::vector<size_t>{0, 5, 9}));
 }
 
-TEST(Fingerprints, ThatDoNotFitTheManifestAreOneLineWithItsPlace) {
+TEST(Fingerprints, ReportAMismatchWithTheManifestByItsLine) {
     const auto refused = [](const std::string& find, const std::string& replace) {
         std::string changed = text;
         changed.replace(changed.find(find), find.size(), replace);

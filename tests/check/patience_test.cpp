@@ -10,14 +10,14 @@ namespace {
 
 constexpr double never = 1e6;
 
-TEST(Patience, GivesUpWhatDoesNotEndAndSaysItsName) {
+TEST(Patience, StopsAnEndlessStepAndNamesIt) {
     std::promise<std::string> why;
     Patience patience([&](const std::string& said) { why.set_value(said); }, {.remind = 0.001, .wall = 0, .cpu = 0});
     patience.next("a loop");
     EXPECT_EQ(why.get_future().get(), "'a loop' is not finished after 0 seconds");
 }
 
-TEST(Patience, GivesUpNothingThatHasTimeLeft) {
+TEST(Patience, StopsNoStepThatHasTimeLeft) {
     bool gave_up = false;
     {
         Patience patience([&](const std::string&) { gave_up = true; }, {.remind = 0.001, .wall = never, .cpu = 0});
@@ -27,7 +27,7 @@ TEST(Patience, GivesUpNothingThatHasTimeLeft) {
     EXPECT_FALSE(gave_up);
 }
 
-TEST(Patience, SaysWhatItWaitsFor) {
+TEST(Patience, ReportsTheStepThatItWaitsFor) {
     testing::internal::CaptureStderr();
     std::promise<void> over;
     Patience patience([&](const std::string&) { over.set_value(); }, {.remind = 0.001, .wall = 0, .cpu = 0});

@@ -12,7 +12,7 @@
 namespace relief {
 namespace {
 
-TEST(Reach, IsRefusedWhereAShaderWouldChangeOrReadTheRest) {
+TEST(Reach, RejectsATaskThatChangesOrReadsTheLabsShaders) {
     OtherShaders others;
     others.add(
         "uniform vec3 u_eye; // see secret\nvec3 lit(vec3 n) { return max(n, 0.0); }\nvoid main() { o_color = "
@@ -40,7 +40,7 @@ TEST(Reach, IsRefusedWhereAShaderWouldChangeOrReadTheRest) {
     }
 }
 
-TEST(Reach, IsRefusedWhereATaskWouldTellOneProgramFromAnother) {
+TEST(Reach, RejectsATaskThatDistinguishesThePrograms) {
     OtherShaders others;
     others.add(
         "#define SIZE 3\n#if defined PROBE_uv || METHOD == 2\n#endif\n#ifdef SIZE\n#elif WIRE\n#endif\nvoid main() {}");
@@ -57,7 +57,7 @@ TEST(Reach, IsRefusedWhereATaskWouldTellOneProgramFromAnother) {
         << "the shaders' own, and a student's";
 }
 
-TEST(Reach, IsRefusedWhereAMacroMakesANameOrAFunctionOfTheLanguage) {
+TEST(Reach, RejectsMacrosThatFormNamesOrRedefineBuiltins) {
     OtherShaders others;
     others.add("void main() { o_color = vec4(max(u_x, 0.0)); }");
     const auto said = [&](const std::string& text) { return reaches_beyond(text, others); };
@@ -89,7 +89,7 @@ TEST(Reach, EveryStageHasTheHarnessBeforeTheTask) {
     EXPECT_GE(stages, 30u);
 }
 
-TEST(Reach, IsRefusedWhereAShaderIncludesWhatItsTaskHasNot) {
+TEST(Reach, RejectsIncludesThatAreNotPartOfTheTask) {
     const OtherShaders others(LabEntry{5, "tangent_basis", "05_tangent_basis"},
                               load_manifest(course_root() / "labs/05_tangent_basis/lab.toml"));
     EXPECT_EQ(reaches_beyond("#include \"common/unfinished.glsl\"\n#include \"common/perpendicular.glsl\"\n", others),
@@ -98,7 +98,7 @@ TEST(Reach, IsRefusedWhereAShaderIncludesWhatItsTaskHasNot) {
               "includes common/perpendicular.glsl, which is not part of this task");
 }
 
-TEST(Reach, OfTheCoursesOwnTasksIsNoneRefused) {
+TEST(Reach, AcceptsEveryTaskOfTheCourse) {
     size_t files = 0;
     for (const auto& lab : std::filesystem::directory_iterator(course_root() / "labs")) {
         if (!std::filesystem::exists(lab.path() / "lab.toml")) continue;

@@ -28,7 +28,7 @@ float three() { return 3.0; }
 )");
 }
 
-TEST(Starter, OfATextWithoutMarksIsTheText) {
+TEST(Starter, LeavesATextWithoutMarksUnchanged) {
     for (const char* text : {"", "a", "a\n", "\n\n", "a\r\nb", "// [solution\n"})
         EXPECT_EQ(starter_of(text, "t"), text);
 }
@@ -38,7 +38,7 @@ TEST(Starter, MayBeEmptyOrMissing) {
     EXPECT_EQ(starter_of("a\n  //[solution\nb\n  //]starter\n  //|\n  //| x\n//]\nc\n", "t"), "a\n\n  x\nc\n");
 }
 
-TEST(Starter, MarksThatDoNotPairAreNamedWithTheirLine) {
+TEST(Starter, ReportsUnpairedMarksWithTheirLine) {
     const auto message = [](const char* text) { return message_of([&] { starter_of(text, "t.glsl"); }); };
     EXPECT_TRUE(message("a\n//[solution\nb\n").starts_with("t.glsl:2: this //[solution is never closed"));
     EXPECT_TRUE(message("//]\n").starts_with("t.glsl:1: a //] without"));
@@ -47,7 +47,7 @@ TEST(Starter, MarksThatDoNotPairAreNamedWithTheirLine) {
     EXPECT_TRUE(message("//[solution\n//]starter\nreturn 1;\n//]\n").starts_with("t.glsl:3: a line of a starter"));
 }
 
-TEST(Solution, IsWhatStandsBetweenTheMarks) {
+TEST(Solution, IsTheTextBetweenTheMarks) {
     EXPECT_EQ(solution_lines(task, "t"), std::vector<std::string>{"return 2.0;"});
 }
 
@@ -68,7 +68,7 @@ float two() {
 //)
 )";
 
-TEST(Region, IsWhatStandsBetweenItsMarksWithoutOthersAndAtTheLeftMargin) {
+TEST(Region, IsTheUnindentedTextBetweenItsMarks) {
     const Region one = region_of(with_regions, "t", "one"), two = region_of(with_regions, "t", "two");
     EXPECT_EQ(one.text, "int b;\n\n  int c;\n");
     EXPECT_FALSE(one.has_solution);
@@ -83,7 +83,7 @@ TEST(Region, IsNotHandedOut) {
     EXPECT_EQ(starter_of(with_regions, "t"), "int a;\n    int b;\n\n      int c;\nfloat two() {\n    return 0.0;\n}\n");
 }
 
-TEST(Region, MarksThatDoNotPairAreNamedWithTheirLine) {
+TEST(Region, ReportsUnpairedMarksWithTheirLine) {
     const auto message = [](const char* text) { return message_of([&] { starter_of(text, "t.glsl"); }); };
     EXPECT_TRUE(message("a\n//(x\nb\n").starts_with("t.glsl:2: this //( is never closed"));
     EXPECT_TRUE(message("//)\n").starts_with("t.glsl:1: a //) without"));
@@ -93,7 +93,7 @@ TEST(Region, MarksThatDoNotPairAreNamedWithTheirLine) {
     EXPECT_TRUE(message("//(x\n//[solution\n//)\n").starts_with("t.glsl:3: a region begins and ends outside"));
 }
 
-TEST(Task, IsUnfinishedWhileItsOwnCodeCallsUnfinished) {
+TEST(Task, IsUnfinishedWhileItCallsUnfinished) {
     const std::string starter = starter_of(task, "t");
     EXPECT_TRUE(is_unfinished(starter, "9.1"));
     EXPECT_FALSE(is_unfinished(task, "9.1")) << "the solution stands there, the starter is a comment";
@@ -105,7 +105,7 @@ TEST(Task, IsUnfinishedWhileItsOwnCodeCallsUnfinished) {
         << "the comment is gone, the call is not";
 }
 
-TEST(TaskParts, ReachFromATasksLineToTheNextTask) {
+TEST(TaskParts, ExtendFromATaskLineToTheNextTask) {
     const std::string text =
         "#include x\n// TASK 1.1 (2 points): a\nint a;\n    //  TASK 1.1 again\n// TASK 1.2.\nint b;";
     const std::vector<TaskPart> parts = task_parts(text);

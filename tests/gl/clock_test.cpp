@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-TEST(GpuClock, CountsTheSecondsOfWhatIsDrawn) {
+TEST(GpuClock, MeasuresDrawTimeInSeconds) {
     const Target target(TargetKind::probe, {1024, 1024});
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
     const auto clear = [] { glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT), glFinish(); };

@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-TEST(Counters, SeeWhatRawCallsMakeAndDelete) {
+TEST(Counters, CountObjectsOfRawGlCalls) {
     const int64_t before = counters().live_objects();
     GLuint names[3];
     glGenTextures(3, names);
@@ -70,7 +70,7 @@ TEST(Counters, AMovedTextureIsCountedOnce) {
     EXPECT_EQ(counters().live, before.live);
 }
 
-TEST(GlErrors, AreToldOnceWithTheirText) {
+TEST(GlErrors, AreReportedOnceWithTheirText) {
     glEnable(0xFFFF);
     const std::string text = take_gl_errors();
     EXPECT_NE(text.find("GL_INVALID_ENUM"), std::string::npos) << text;

@@ -47,7 +47,7 @@ CubeTexture directions(int side) {
     return CubeTexture("directions", side, [](const glm::dvec3& direction) { return direction; });
 }
 
-TEST(CubeTexture, ADirectionReadsTheLightThatComesFromThere) {
+TEST(CubeTexture, ADirectionSamplesTheLightFromThatDirection) {
     const CubeTexture cube = directions(64);
     for (const glm::vec3 toward : {glm::vec3(1, 0.2f, -0.4f),
                                    {-3, 1, 2},
@@ -61,7 +61,7 @@ TEST(CubeTexture, ADirectionReadsTheLightThatComesFromThere) {
     }
 }
 
-TEST(CubeTexture, ACornerOfAFaceIsThatOfItsThreeNeighbours) {
+TEST(CubeTexture, FaceCornersAreCubeCorners) {
     for (int face = 0; face < 6; ++face)
         for (const double s : {-1.0, 1.0})
             for (const double t : {-1.0, 1.0}) {
@@ -78,7 +78,7 @@ TEST(CubeTexture, TheLastLevelIsTheMeanOfAFace) {
     EXPECT_LT(up.y, 0.85f);
 }
 
-TEST(CubeTexture, EdgesAreFilteredAcrossOnlyWhereTheyAreSeamless) {
+TEST(CubeTexture, FiltersAcrossEdgesOnlyIfSeamless) {
     const CubeTexture cube("sides", 1, [](const glm::dvec3& d) { return glm::dvec3(d.x > 0.9 ? 1 : 0); });
     const glm::vec4 edge(1, 0, 0.999f, 0);
     EXPECT_EQ(sampled(cube, edge).x, 1);
@@ -87,7 +87,7 @@ TEST(CubeTexture, EdgesAreFilteredAcrossOnlyWhereTheyAreSeamless) {
     glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 }
 
-TEST(CubeTexture, IsMadeAtFirstUseAndGivesItsBytesBack) {
+TEST(CubeTexture, IsCreatedAtFirstUseAndFreesItsBytes) {
     const Counters before = counters();
     {
         std::atomic<int> calls = 0;
@@ -109,7 +109,7 @@ TEST(CubeTexture, IsMadeAtFirstUseAndGivesItsBytesBack) {
     EXPECT_EQ(counters().live, before.live);
 }
 
-TEST(CubeTexture, AnImpossibleSizeIsAnErrorThatNamesIt) {
+TEST(CubeTexture, AnInvalidSizeThrows) {
     for (const int side : {0, 1 << 24}) {
         const CubeTexture cube = directions(side);
         EXPECT_THROW((void)GLuint(cube), Error) << side;

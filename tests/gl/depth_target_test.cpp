@@ -54,7 +54,7 @@ void draw_halves(const DepthTarget& depth) {
     glClearDepth(1);
 }
 
-TEST(DepthTarget, AComparisonIsOneWhereTheReferenceIsAtMostTheNearestTexelsDepth) {
+TEST(DepthTarget, AComparisonPassesIfTheReferenceIsAtMostTheNearestDepth) {
     const DepthTarget depth({4, 2});
     draw_halves(depth);
     EXPECT_EQ(compared(depth, {0.2f, 0.5f, 0.25f}), 1);
@@ -65,14 +65,14 @@ TEST(DepthTarget, AComparisonIsOneWhereTheReferenceIsAtMostTheNearestTexelsDepth
     EXPECT_EQ(compared(depth, {0.501f, 0.5f, 0.5f}), 1);
 }
 
-TEST(DepthTarget, NothingIsHiddenOutsideOfIt) {
+TEST(DepthTarget, ComparisonsOutsideItPass) {
     const DepthTarget depth({4, 2});
     draw_halves(depth);
     for (const glm::vec3 place : {glm::vec3(-0.01f, 0.5f, 0.9f), {1.01f, 0.5f, 0.9f}, {0.2f, 1.01f, 1}, {0.2f, -1, 1}})
         EXPECT_EQ(compared(depth, place), 1);
 }
 
-TEST(DepthTarget, HoldsTheDepthThatIsDrawnRowZeroTheTop) {
+TEST(DepthTarget, StoresTheDrawnDepthWithRowZeroAtTheTop) {
     const DepthTarget depth({2, 2});
     depth.begin();
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -91,7 +91,7 @@ TEST(DepthTarget, HoldsTheDepthThatIsDrawnRowZeroTheTop) {
     EXPECT_EQ(take_gl_errors(), "");
 }
 
-TEST(DepthTarget, CountsItsBytesAndGivesThemBack) {
+TEST(DepthTarget, CountsAndFreesItsBytes) {
     const Counters before = counters();
     {
         const DepthTarget depth({8, 4});

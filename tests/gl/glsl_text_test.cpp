@@ -38,12 +38,12 @@ TEST(GlslText, KnowsWhereAFunctionBeginsAndEnds) {
     EXPECT_TRUE(f.has_result_only());
 }
 
-TEST(GlslText, TellsOverloadsApart) {
+TEST(GlslText, DistinguishesOverloads) {
     EXPECT_EQ(signatures("vec2 f(vec2 v) { return v; }\nvec3 f(vec3 v) { return v; }\nvoid g(void) {}\nvoid h() {}\n"),
               (Names{"vec2 f(vec2)", "vec3 f(vec3)", "void g()", "void h()"}));
 }
 
-TEST(GlslText, PassesOverCommentsPrototypesDirectivesAndCalls) {
+TEST(GlslText, SkipsCommentsPrototypesDirectivesAndCalls) {
     EXPECT_EQ(signatures(
                   "// float a() { }\n/* float b() {\n} */\nfloat c(float x);\n#define D(x) \\\n  float d(float x) { }\n"
                   "float e(float /* float */ x) { return c(x) * d(x); }\n"
@@ -69,7 +69,7 @@ TEST(GlslText, FindsStructsAndTheirFields) {
     EXPECT_EQ(text.functions[0].type, "Ray");
 }
 
-TEST(GlslText, HoldsOutAgainstTextThatEndsTooEarly) {
+TEST(GlslText, SurvivesTruncatedText) {
     for (const char* const text :
          {"float f(", "float f() {", "struct S {", "struct S { float", "struct", "layout(", "/* ", "#", "f(a[", "("})
         EXPECT_NO_THROW(parse_glsl(text)) << text;

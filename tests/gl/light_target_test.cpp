@@ -65,7 +65,7 @@ std::vector<glm::vec4> read(const LightTarget& target, int attachment = 0) {
     return row;
 }
 
-TEST(LightTarget, KeepsLightAboveOneAndBelowZeroAndTestsDepthWithAnyNumberOfSamples) {
+TEST(LightTarget, KeepsUnclampedLightAndTestsDepthAtAnySampleCount) {
     for (const int samples : {1, 4}) {
         const LightTarget target({4, 2}, samples);
         EXPECT_EQ(target.samples(), samples);
@@ -97,7 +97,7 @@ TEST(LightTarget, BlendsInFloats) {
     EXPECT_EQ(row[3].x, 1);
 }
 
-TEST(LightTarget, DrawsIntoSomeOfItsAttachmentsAndLeavesTheOthers) {
+TEST(LightTarget, DrawsOnlyIntoTheSelectedAttachments) {
     const LightTarget target({4, 2}, 1, 3);
     const float one[] = {1, 1, 1, 1}, two[] = {2, 2, 2, 2}, three[] = {3, 3, 3, 3};
     target.begin();
@@ -108,7 +108,7 @@ TEST(LightTarget, DrawsIntoSomeOfItsAttachmentsAndLeavesTheOthers) {
     for (int i = 0; i < 3; ++i) EXPECT_EQ(read(target, i)[0], glm::vec4(float(i + 1)));
 }
 
-TEST(LightTarget, CountsItsBytesAndGivesThemBack) {
+TEST(LightTarget, CountsAndFreesItsBytes) {
     const Counters before = counters();
     {
         const LightTarget one({8, 4}, 1), four({8, 4}, 4, 3);

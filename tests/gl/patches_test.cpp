@@ -78,7 +78,7 @@ protected:
     BufferName vertices_;
 };
 
-TEST_F(Patches, ManyTogetherAreTheBitsOfEachByItself) {
+TEST_F(Patches, OneDrawEqualsSingleDrawsBitForBit) {
     for (const float level : {1.0f, 16.0f, 64.0f}) {
         const Image together = drawn(level, [] { draw_patches(patch_count, 4); });
         const Image one_by_one = drawn(level, [] {
@@ -92,7 +92,7 @@ TEST_F(Patches, ManyTogetherAreTheBitsOfEachByItself) {
     }
 }
 
-TEST_F(Patches, BeginWhereTheyAreToldAndEndThere) {
+TEST_F(Patches, AreDrawnFromTheGivenFirstVertexToTheGivenCount) {
     const Image all = drawn(4, [] { draw_patches(patch_count, 4); });
     const Image two = drawn(4, [] {
         draw_patches(100, 4);
@@ -104,7 +104,7 @@ TEST_F(Patches, BeginWhereTheyAreToldAndEndThere) {
     EXPECT_TRUE(is_one_color(drawn(4, [] { draw_patches(0, 4); })));
 }
 
-TEST_F(Patches, HaveLevelsFrom1To64AndWithoutOneTheyAreNotDrawn) {
+TEST_F(Patches, ClampLevelsTo1To64AndCullAtLevel0) {
     const auto all = [] { draw_patches(patch_count, 4); };
     EXPECT_EQ(drawn(65, all).values, drawn(64, all).values);
     EXPECT_EQ(drawn(1e30f, all).values, drawn(64, all).values);

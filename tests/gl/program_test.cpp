@@ -31,7 +31,7 @@ protected:
     }
 };
 
-TEST_F(ProgramTest, AMistakeNamesTheFileAndLineThatAPersonWrote) {
+TEST_F(ProgramTest, ACompileErrorNamesTheSourceFileAndLine) {
     const Error error =
         error_of(good_vertex, "#version 410 core\nout vec4 o_color;\nvoid main() { o_color = colour; }\n");
     EXPECT_EQ(error.place().file, folder_.path() / "a.frag");
@@ -39,7 +39,7 @@ TEST_F(ProgramTest, AMistakeNamesTheFileAndLineThatAPersonWrote) {
     EXPECT_NE(std::string(error.what()).find("colour"), std::string::npos) << error.what();
 }
 
-TEST_F(ProgramTest, AMistakeInAnIncludedFileNamesThatFile) {
+TEST_F(ProgramTest, ACompileErrorInAnIncludedFileNamesThatFile) {
     folder_.write("light.glsl", "\n\nfloat light() { return brightness; }\n");
     const Error error = error_of(
         good_vertex,
@@ -62,7 +62,7 @@ TEST_F(ProgramTest, ALineAfterAnIncludeAndDefinesKeepsItsNumber) {
     }
 }
 
-TEST_F(ProgramTest, StagesThatDoNotFitNameTheLinker) {
+TEST_F(ProgramTest, MismatchedStagesAreALinkError) {
     const Error error =
         error_of("#version 410 core\nout vec2 v_uv;\nvoid main() { v_uv = vec2(0.0); gl_Position = vec4(0.0); }\n",
                  "#version 410 core\nin vec3 v_uv;\nout vec4 o_color;\n"
@@ -81,7 +81,7 @@ constexpr const char* uniforms =
     "out vec4 o_color;\nvoid main() {\n#ifdef MAP\n o_color = texture(s_map, vec2(0.0));\n#else\n"
     " o_color = vec4(u_strength);\n#endif\n}\n";
 
-TEST_F(ProgramTest, AUniformThatNoFileKnowsIsAnErrorWithASuggestion) {
+TEST_F(ProgramTest, AnUndeclaredUniformIsAnErrorWithASuggestion) {
     const Program shader = program(good_vertex, uniforms);
     glUseProgram(shader);
     EXPECT_NO_THROW(shader.set("u_strength", 1.0f));
@@ -94,7 +94,7 @@ TEST_F(ProgramTest, AUniformThatNoFileKnowsIsAnErrorWithASuggestion) {
     }
 }
 
-TEST_F(ProgramTest, ASamplerThatThePermutationDoesNotUseLoadsNoTexture) {
+TEST_F(ProgramTest, AnUnusedSamplerLoadsNoTexture) {
     int loads = 0;
     const Texture map("map", [&] { return ++loads, Image(1, 1, 3, 8); });
     const Program without = program(good_vertex, uniforms);

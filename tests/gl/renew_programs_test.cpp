@@ -41,7 +41,7 @@ protected:
     }
 };
 
-TEST_F(RenewPrograms, NothingIsNewWhileTheFilesAreAsTheyWere) {
+TEST_F(RenewPrograms, UnchangedFilesRenewNothing) {
     const GLuint before = programs_.with();
     for (int i = 0; i < 3; ++i) {
         EXPECT_FALSE(renew_programs().changed);
@@ -50,7 +50,7 @@ TEST_F(RenewPrograms, NothingIsNewWhileTheFilesAreAsTheyWere) {
     EXPECT_EQ(GLuint(programs_.with()), before);
 }
 
-TEST_F(RenewPrograms, AStageThatIsSavedIsInTheSameProgramWhenTwoLooksAgree) {
+TEST_F(RenewPrograms, ASavedStageIsRelinkedInPlaceAfterTwoEqualReads) {
     const Program& program = programs_.with();
     const GLuint before = program;
     folder_.write("a.frag", std::string(fragment) + "uniform float u_new;\n");
@@ -65,7 +65,7 @@ TEST_F(RenewPrograms, AStageThatIsSavedIsInTheSameProgramWhenTwoLooksAgree) {
     EXPECT_FALSE(renew_programs().changed) << "once";
 }
 
-TEST_F(RenewPrograms, AnIncludedFileRenewsWhatIncludesItAndNothingElse) {
+TEST_F(RenewPrograms, AnIncludedFileRenewsOnlyItsIncluders) {
     folder_.write("b.frag", "#version 410 core\nout vec4 o_color;\nvoid main() { o_color = vec4(1.0); }\n");
     const Programs other(vert_.c_str(), (folder_.path() / "b.frag").c_str());
     const GLuint first = programs_.with(), second = programs_.with("MORE"), third = other.with();
@@ -76,7 +76,7 @@ TEST_F(RenewPrograms, AnIncludedFileRenewsWhatIncludesItAndNothingElse) {
     EXPECT_EQ(GLuint(other.with()), third);
 }
 
-TEST_F(RenewPrograms, ATextThatDoesNotCompileLeavesTheLastGoodProgramAndSaysWhere) {
+TEST_F(RenewPrograms, ACompileErrorKeepsTheLastProgramAndNamesItsLine) {
     const Program& program = programs_.with();
     const GLuint before = program;
     light("brightness");
@@ -98,7 +98,7 @@ TEST_F(RenewPrograms, ATextThatDoesNotCompileLeavesTheLastGoodProgramAndSaysWher
     EXPECT_NE(GLuint(program), before);
 }
 
-TEST_F(RenewPrograms, TakingAMistakeBackCompilesNothing) {
+TEST_F(RenewPrograms, UndoingAMistakeCompilesNothing) {
     const GLuint before = programs_.with();
     light("brightness");
     EXPECT_TRUE(look_twice().error);
@@ -109,7 +109,7 @@ TEST_F(RenewPrograms, TakingAMistakeBackCompilesNothing) {
     EXPECT_EQ(GLuint(programs_.with()), before);
 }
 
-TEST_F(RenewPrograms, AFileThatIsAwayForAMomentIsNoNews) {
+TEST_F(RenewPrograms, ABrieflyMissingFileRenewsNothing) {
     programs_.with();
     for (const auto& file : {frag_, light_}) {
         rename(file, folder_.path() / "away");
@@ -120,7 +120,7 @@ TEST_F(RenewPrograms, AFileThatIsAwayForAMomentIsNoNews) {
     }
 }
 
-TEST_F(RenewPrograms, AFileThatStaysAwayIsAnErrorUntilItIsBack) {
+TEST_F(RenewPrograms, AMissingFileIsAnErrorUntilItReturns) {
     const GLuint before = programs_.with();
     for (const auto& file : {frag_, light_}) {
         rename(file, folder_.path() / "away");
@@ -132,13 +132,13 @@ TEST_F(RenewPrograms, AFileThatStaysAwayIsAnErrorUntilItIsBack) {
     }
 }
 
-TEST_F(RenewPrograms, AFileThatIsReplacedByRenamingIsTaken) {
+TEST_F(RenewPrograms, AFileReplacedByRenamingIsReloaded) {
     programs_.with();
     rename(folder_.write("light.glsl.new", "float light() { return brightness; }\n"), light_);
     EXPECT_TRUE(look_twice().error);
 }
 
-TEST_F(RenewPrograms, AProgramThatFailedAtFirstUseIsToBeAskedForAgainWhenItsFilesChange) {
+TEST_F(RenewPrograms, AProgramThatFailedAtFirstUseCanBeRetriedAfterAChange) {
     light("brightness");
     EXPECT_THROW(programs_.with(), Error);
     EXPECT_FALSE(renew_programs().changed);
@@ -148,7 +148,7 @@ TEST_F(RenewPrograms, AProgramThatFailedAtFirstUseIsToBeAskedForAgainWhenItsFile
     EXPECT_NO_THROW(programs_.with());
 }
 
-TEST_F(RenewPrograms, ProgramsThatWereMovedAreStillFollowedAndThoseThatAreGoneAreNot) {
+TEST_F(RenewPrograms, MovedProgramsAreStillWatchedButDestroyedOnesAreNot) {
     programs_.with();
     Programs moved = std::move(programs_);
     const GLuint before = moved.with();
@@ -161,7 +161,7 @@ TEST_F(RenewPrograms, ProgramsThatWereMovedAreStillFollowedAndThoseThatAreGoneAr
     EXPECT_FALSE(renew_programs().error);
 }
 
-TEST_F(RenewPrograms, NoObjectIsLeftBehindByARenewalOrAFailedOne) {
+TEST_F(RenewPrograms, RenewalsLeakNoObjectEvenIfTheyFail) {
     programs_.with();
     const Counters before = counters();
     for (const char* value : {"2.0", "brightness", "3.0", "nonsense(", "1.0"}) {

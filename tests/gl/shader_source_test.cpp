@@ -66,7 +66,7 @@ TEST_F(Shaders, IncludesAreLookedForBesideTheFileThenInShaders) {
     EXPECT_TRUE(contains(source.text, "float beside;"));
 }
 
-TEST_F(Shaders, AFileIsTakenOnceAlsoInACircleAndUnderAnotherSpelling) {
+TEST_F(Shaders, IncludeAFileOnceEvenInACycleOrUnderAnotherSpelling) {
     folder_.write("a.glsl", "#include \"b.glsl\"\nfloat a;\n");
     folder_.write("b.glsl", "#include \"a.glsl\"\n#include \"stage.frag\"\nfloat b;\n");
     const ShaderSource source = load(
@@ -79,7 +79,7 @@ TEST_F(Shaders, AFileIsTakenOnceAlsoInACircleAndUnderAnotherSpelling) {
         EXPECT_EQ(count(source.text, part), 1) << part;
 }
 
-TEST_F(Shaders, EveryLineLeadsBackToTheLineThatAPersonWrote) {
+TEST_F(Shaders, MapEveryLineBackToItsSourceLine) {
     folder_.write("a.glsl", "float a_first;\n\nfloat a_third;");
     folder_.write("b.glsl", "// comment\n#include \"a.glsl\"\n#include \"c.glsl\"\nfloat b_fourth;\n");
     folder_.write("c.glsl", "float c_first;\n");
@@ -111,7 +111,7 @@ TEST_F(Shaders, EveryLineLeadsBackToTheLineThatAPersonWrote) {
     EXPECT_EQ(places, "stage1 stage2 a1 a2 a3 stage4 b1 c1 b4 stage6 stage9 ");
 }
 
-TEST_F(Shaders, AnIncludeInACommentIsNone) {
+TEST_F(Shaders, IgnoreIncludesInComments) {
     const ShaderSource source = load(
         "#version 410 core\n"
         "/* one line */\n"
@@ -137,7 +137,7 @@ TEST_F(Shaders, AMissingIncludeNamesItsLineAndTheNearestFile) {
         << "a folder";
 }
 
-TEST_F(Shaders, AMisspelledIncludeSaysHowToWriteIt) {
+TEST_F(Shaders, AMisspelledIncludeErrorShowsTheSyntax) {
     for (const char* line : {"#include <a.glsl>", "#include a.glsl", "#include", "#include \"a.glsl\" x"}) {
         const std::string message = message_of([&] { load(std::string("#version 410 core\n\n") + line + "\n"); });
         EXPECT_TRUE(contains(message, "stage.frag:3: write #include \"folder/file.glsl\"")) << line << ": " << message;
@@ -171,7 +171,7 @@ TEST_F(Shaders, KnowTheUniformsTheyName) {
     EXPECT_EQ(source.names, (std::set<std::string>{"s_albedo", "u_old", "u_scale"}));
 }
 
-TEST_F(Shaders, AVeryLongNameOrLineIsNoCrash) {
+TEST_F(Shaders, SurviveVeryLongNamesAndLines) {
     const std::string name = "u_" + std::string(1 << 20, 'x');
     EXPECT_EQ(load("#version 410 core\nuniform float " + name + ";\n").names.count(name), 1u);
     EXPECT_THROW(load("#version 410 core\n#include \"" + name + "\n"), Error);
@@ -185,7 +185,7 @@ const std::vector<Place> ten_lines = {{"a.frag", 1},     {},
                                       {"a.frag", 4},     {"a.frag", 5},
                                       {"a.frag", 6},     {"a.frag", 7}};
 
-TEST(ShaderLogs, OfMesaNvidiaAppleAndAmdAreUnderstood) {
+TEST(ShaderLogs, AreParsedForMesaNvidiaAppleAndAmd) {
     for (const char* line : {"0:5(12): error: 'x' undeclared", "0(5) : error C1008: 'x' undeclared",
                              "ERROR: 0:5: 'x' undeclared", "0:5: error: 'x' undeclared"}) {
         const ShaderLog log = explain_log(line, ten_lines);
@@ -196,7 +196,7 @@ TEST(ShaderLogs, OfMesaNvidiaAppleAndAmdAreUnderstood) {
     }
 }
 
-TEST(ShaderLogs, HaveTheLineThatIsMeantOnceWithAMarkBelowTheColumn) {
+TEST(ShaderLogs, QuoteTheSourceLineOnceWithACaretBelowTheColumn) {
     const std::string source = "1\n2\n3\n4\n\tx = y;\n6\n7\n8\n9\n10\n";
     EXPECT_EQ(
         explain_log("0:5(6): error: 'y' undeclared\n0:5(6): error: type mismatch\n0(6) : error: x\n", ten_lines, source)
@@ -224,7 +224,7 @@ TEST(ShaderLogs, TheFirstErrorIsNotAWarning) {
     }
 }
 
-TEST(ShaderLogs, AHeadingHidesNoPlace) {
+TEST(ShaderLogs, AHeadingDoesNotHideTheFirstPlace) {
     const ShaderLog log = explain_log("Fragment info\n-------------\n0(5) : error C1008: x\n", ten_lines);
     EXPECT_EQ(log.first.file, "light.glsl");
     EXPECT_EQ(log.first_message, "error C1008: x");

@@ -33,7 +33,7 @@ TEST(Target, RowZeroOfAPictureIsTheTop) {
     }
 }
 
-TEST(Target, AProbeKeepsInfinityNotANumberAndEveryBit) {
+TEST(Target, AProbeKeepsInfinityNanAndEveryBit) {
     const Target target(TargetKind::probe, {2, 1});
     fill(target, {0, 0}, {1, 1}, {no_surface, -1e30f, std::numbers::pi_v<float>, 1e-30f});
     fill(target, {1, 0}, {1, 1}, glm::vec4(NAN));
@@ -58,13 +58,13 @@ TEST(Target, AProbeHasOneSampleAndAPictureHasMore) {
     EXPECT_GT(samples(TargetKind::light), 1);
 }
 
-TEST(Target, LightIsNotClipped) {
+TEST(Target, DoesNotClampLight) {
     const Target target(TargetKind::light, {2, 2});
     fill(target, {0, 0}, {2, 2}, {12.5f, -2, 0.25f, 1});
     EXPECT_EQ(target.read().pixel(1, 1)[0], 12.5f);
 }
 
-TEST(Target, AScissorLeftOnDoesNotCutThePictureOff) {
+TEST(Target, IgnoresAScissorLeftEnabled) {
     const Target target(TargetKind::picture, {4, 4});
     fill(target, {0, 0}, {4, 4}, {0, 1, 0, 1});
     glEnable(GL_SCISSOR_TEST);
@@ -73,7 +73,7 @@ TEST(Target, AScissorLeftOnDoesNotCutThePictureOff) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-TEST(Target, OneThatTheDriverCannotHoldIsAnErrorAndLeavesNothing) {
+TEST(Target, AnOversizedTargetThrowsAndLeaksNothing) {
     const Counters before = counters();
     EXPECT_THROW(Target(TargetKind::picture, {1 << 20, 1 << 20}), Error);
     EXPECT_EQ(counters().live, before.live);

@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-TEST(TexelTarget, EachAttachmentHoldsItsOwnFloatsWhateverTheirSize) {
+TEST(TexelTarget, EachAttachmentKeepsItsOwnFloatsOfAnyMagnitude) {
     const TexelTarget target({4, 2}, {GL_RGBA32F, GL_RGBA32F});
     target.begin();
     const float small[] = {-3, 1e-20f, 2, 0}, large[] = {1e20f, 0.1f, -1, 7};
@@ -22,7 +22,7 @@ TEST(TexelTarget, EachAttachmentHoldsItsOwnFloatsWhateverTheirSize) {
     EXPECT_EQ(take_gl_errors(), "");
 }
 
-TEST(TexelTarget, LevelsAreMeansOfThoseBeforeAndRowZeroIsTheTop) {
+TEST(TexelTarget, EachMipLevelAveragesTheOneBeforeAndRowZeroIsTheTop) {
     const TexelTarget target({2, 2}, {GL_RGBA8}, true);
     target.begin();
     glClearColor(0, 0, 0, 1);
@@ -43,7 +43,7 @@ TEST(TexelTarget, LevelsAreMeansOfThoseBeforeAndRowZeroIsTheTop) {
     EXPECT_NEAR(texel[1], 0.1, 1.0 / 255);
 }
 
-TEST(TexelTarget, HasADepthBufferOnlyWhereItIsAskedFor) {
+TEST(TexelTarget, HasADepthBufferOnlyOnRequest) {
     for (const bool has_depth : {false, true}) {
         const TexelTarget target({2, 2}, {GL_RGBA32F}, false, has_depth);
         target.begin();
@@ -55,7 +55,7 @@ TEST(TexelTarget, HasADepthBufferOnlyWhereItIsAskedFor) {
     }
 }
 
-TEST(TexelTarget, CountsItsBytesWithAllLevelsAndGivesThemBack) {
+TEST(TexelTarget, CountsAndFreesTheBytesOfAllLevels) {
     const Counters before = counters();
     {
         const TexelTarget plain({8, 4}, {GL_RGBA32F, GL_RGBA8});

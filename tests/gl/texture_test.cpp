@@ -77,7 +77,7 @@ TEST(Texture, TheLastLevelIsTheMeanOfAll) {
     EXPECT_NEAR(sampled(texture, 0.5f, 0.5f, 2).r, 5.0f / 16, 1e-7);
 }
 
-TEST(Texture, MakingOneLeavesTheOthersBound) {
+TEST(Texture, CreationKeepsTheBoundTexture) {
     const Texture first("first", [] { return grey({0.25f}, 1, 32); }),
         second("second", [] { return grey({1}, 1, 32); });
     bind(2, first);
@@ -88,7 +88,7 @@ TEST(Texture, MakingOneLeavesTheOthersBound) {
     EXPECT_EQ(GLuint(bound), GLuint(first));
 }
 
-TEST(Texture, TakesTheAnisotropyThatIsAskedForAndNoneByItselfInSoftware) {
+TEST(Texture, UsesTheRequestedAnisotropyAndDefaultsToNoneInSoftware) {
     if (!GLAD_GL_EXT_texture_filter_anisotropic) GTEST_SKIP() << "this driver has no anisotropic filter";
     const auto anisotropy = [](TextureOptions options) {
         const Texture texture(
@@ -103,7 +103,7 @@ TEST(Texture, TakesTheAnisotropyThatIsAskedForAndNoneByItselfInSoftware) {
     EXPECT_EQ(anisotropy({}), is_software_renderer() ? 1 : 8);
 }
 
-TEST(Texture, WrapsOrClampsAsItIsTold) {
+TEST(Texture, WrapsOrClampsAsRequested) {
     const auto two = [] { return grey({0.0f, 1.0f}, 2, 32); };
     const Texture repeated("repeat", two, {.wrap = Wrap::repeat, .mips = false}),
         clamped("clamp", two, {.wrap = Wrap::clamp, .mips = false});
@@ -116,7 +116,7 @@ TEST(Texture, SizesNeedNotBePowersOfTwo) {
     EXPECT_NEAR(sampled(texture, 0.3f, 0.9f, 2).r, 0.5f, 1e-4);
 }
 
-TEST(Texture, AssetsWithTheSameOptionsAreLoadedOnceAsLongAsOneOfThemLives) {
+TEST(Texture, AssetsWithEqualOptionsShareOneTextureWhileItLives) {
     const Counters before = counters();
     {
         const Texture first = load_texture("labels.png", {.wrap = Wrap::clamp});
@@ -137,7 +137,7 @@ TEST(Texture, AssetsWithTheSameOptionsAreLoadedOnceAsLongAsOneOfThemLives) {
     EXPECT_EQ(counters().texture_bytes, before.texture_bytes);
 }
 
-TEST(Texture, AnAssetHoldsWhatItsPictureMakes) {
+TEST(Texture, AnAssetEqualsATextureOfItsPicture) {
     for (const bool mips : {true, false}) {
         const Texture asset = load_texture("quilt_world.png", {.mips = mips});
         const Texture made("made", [] { return read_image(course_root() / "assets/quilt_world.png"); }, {.mips = mips});

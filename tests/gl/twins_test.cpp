@@ -762,12 +762,12 @@ TEST(ShaderFunction, AgreesWithItsTwin) {
         EXPECT_LE(largest_error(twin, {}), twin.tolerance) << twin.expression << ", seed " << seed;
 }
 
-TEST(ShaderFunction, WithAMistakeNoLongerAgrees) {
+TEST(ShaderFunction, DisagreesWithItsTwinAfterAPlantedMistake) {
     for (const Twin& twin : all_twins())
         EXPECT_GT(largest_error(twin, twin.mistake), 100 * twin.tolerance) << twin.expression << ", seed " << seed;
 }
 
-TEST(ShaderFunction, EachOfThemHasATwinHere) {
+TEST(ShaderFunction, HasATwinForEveryDefinition) {
     std::set<std::string> tested = {"cell_corners", "exact_hit"};  // tested below, because they sample textures
     for (const Twin& twin : all_twins())
         if (twin.file.starts_with("common/") || twin.file.starts_with("staff/")) tested.insert(twin.function);
@@ -785,7 +785,7 @@ TEST(ShaderFunction, EachOfThemHasATwinHere) {
 }
 
 // Rays at a vertex, at points on the edges around it, and at their rounded positions.
-TEST(ShaderFunction, RaysAtTheVertexAndTheEdgesOfAFanPassBetweenNoneOfItsTriangles) {
+TEST(ShaderFunction, RaysAtAFansVertexAndEdgesHitATriangle) {
     Dice dice{std::mt19937(seed)};
     std::vector<GlslInput> inputs(20000);
     for (GlslInput& in : inputs) {
@@ -816,7 +816,7 @@ TEST(ShaderFunction, RaysAtTheVertexAndTheEdgesOfAFanPassBetweenNoneOfItsTriangl
         << "a corner that is not where the neighbour has it";
 }
 
-TEST(ShaderFunction, CellCornersAreTheTexelsThemselvesOfAnyCell) {
+TEST(ShaderFunction, CellCornersReturnTheTexelsOfAnyCell) {
     const int columns = 8, rows = 4;
     Image image(columns, rows, 1);
     Dice dice{std::mt19937(seed)};
@@ -836,7 +836,7 @@ TEST(ShaderFunction, CellCornersAreTheTexelsThemselvesOfAnyCell) {
     }
 }
 
-TEST(ShaderFunction, ExactHitsAreThoseOfTheHeightField) {
+TEST(ShaderFunction, ExactHitEqualsTheHeightFieldHit) {
     Dice dice{std::mt19937(seed)};
     Image image = make_height_map(HeightMap::stones, 64);
     const Texture map("heights", [&] { return image; });
@@ -877,7 +877,7 @@ struct FarRays {
     double off;          ///< tolerance in texels
 };
 
-TEST(ShaderFunction, ExactHitsAreTheHeightFieldsHoweverFarTheRayStartsAndGoes) {
+TEST(ShaderFunction, ExactHitEqualsTheHeightFieldHitForAnyRayStartAndLength) {
     for (const HeightMap kind : {HeightMap::posts, HeightMap::stones}) {
         const Image image = make_height_map(kind, 256);
         const HeightField field(image, true);
@@ -921,7 +921,7 @@ TEST(ShaderFunction, ATexelWithoutANormalOrAFrameIsBakedFlat) {
     EXPECT_EQ(value("b.xyz"), inputs[0][1]);
 }
 
-TEST(ShaderFunction, DegenerateInputsGiveWhatTheTwinsSay) {
+TEST(ShaderFunction, MatchesItsTwinForDegenerateInputs) {
     const std::vector<GlslInput> zero(1);
     const auto value = [&](const char* file, const char* expression) {
         return evaluate_glsl(file, expression, zero)[0];

@@ -64,7 +64,7 @@ protected:
     VertexStream instances_{{{6, 2, GL_FLOAT, offsetof(Placed, place)}, {7, 1, GL_INT, offsetof(Placed, number)}}, 1};
 };
 
-TEST_F(VertexStreams, GiveEachVertexAndEachInstanceItsNumbersAsTheyAre) {
+TEST_F(VertexStreams, PassEachVertexAndInstanceItsValuesUnchanged) {
     const std::array<Bones, 2> bones = {{{{1, 2, 3, 255}, {0, 0, 0, 0.25f}}, {{0, 0, 0, 7}, {0, 0, 0, 0.75f}}}};
     // A float would round the last number.
     const std::array<Placed, 3> placed = {{{{0.5f, 0}, 4}, {{1.5f, 0}, -6}, {{2.5f, 0}, 33554434 + 16777216}}};
@@ -81,7 +81,7 @@ TEST_F(VertexStreams, GiveEachVertexAndEachInstanceItsNumbersAsTheyAre) {
     EXPECT_EQ(pixel(image, 2, 0), glm::vec4(9)) << "nothing else is drawn";
 }
 
-TEST_F(VertexStreams, AreReadAnewWhenTheyAreFilledAgain) {
+TEST_F(VertexStreams, UseNewDataAfterARefill) {
     bones_.fill<Bones>(std::array<Bones, 2>{}), bones_.attach(layout_);
     instances_.fill<Placed>(std::array<Placed, 3>{}), instances_.attach(layout_);
     EXPECT_EQ(pixel(drawn(), 1, 2), glm::vec4(0));
@@ -90,7 +90,7 @@ TEST_F(VertexStreams, AreReadAnewWhenTheyAreFilledAgain) {
     EXPECT_EQ(instances_.count(), 4);
 }
 
-TEST_F(VertexStreams, HaveABufferFromTheFirstFillOnAndGiveItBack) {
+TEST_F(VertexStreams, CreateTheirBufferAtTheFirstFillAndFreeIt) {
     const int64_t before = live_buffers();
     {
         VertexStream stream({{4, 1, GL_FLOAT, 0}});
@@ -102,7 +102,7 @@ TEST_F(VertexStreams, HaveABufferFromTheFirstFillOnAndGiveItBack) {
     EXPECT_EQ(live_buffers(), before);
 }
 
-TEST_F(VertexStreams, LeaveTheVertexArrayBoundThatWas) {
+TEST_F(VertexStreams, KeepTheBoundVertexArray) {
     const VertexArrayName other;
     glBindVertexArray(other);
     VertexStream stream({{4, 1, GL_FLOAT, 0}});

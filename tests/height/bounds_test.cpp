@@ -23,7 +23,7 @@ Image noise(int width, int height) {
     return image;
 }
 
-TEST(HeightBounds, HoldTheSurfaceOnEveryLevelOfMapsOfAnySize) {
+TEST(HeightBounds, ContainTheSurfaceOnEveryLevelOfMapsOfAnySize) {
     for (const auto& [width, height] :
          {std::pair(16, 16), {64, 4}, {5, 3}, {7, 1}, {1, 9}, {13, 13}, {31, 17}, {1, 1}}) {
         const Image heights = noise(width, height);
@@ -45,7 +45,7 @@ TEST(HeightBounds, HoldTheSurfaceOnEveryLevelOfMapsOfAnySize) {
     }
 }
 
-TEST(HeightBounds, AreThoseOfTheCornersWhereTheSideIsAPowerOfTwo) {
+TEST(HeightBounds, AreTheCornerExtremaIfTheSideIsAPowerOfTwo) {
     const Image heights = noise(16, 16);
     const std::vector<Image> levels = min_max_mips(heights);
     ASSERT_EQ(levels.size(), 5u);
@@ -74,7 +74,7 @@ TEST(HeightBounds, HalveRoundedDownAsTextureLevelsDo) {
     }
 }
 
-TEST(HeightBounds, AreOneNumberWhereTheMapIsFlat) {
+TEST(HeightBounds, HaveEqualMinimumAndMaximumWhereTheMapIsFlat) {
     Image heights(8, 8, 1);
     std::fill(heights.values.begin(), heights.values.end(), 0.25f);
     *heights.pixel(3, 3) = 1;  // column 3, row 4 from below: a corner of four cells
@@ -86,7 +86,7 @@ TEST(HeightBounds, AreOneNumberWhereTheMapIsFlat) {
     EXPECT_EQ(levels.back().values, (std::vector<float>{0.25f, 1}));
 }
 
-TEST(HeightBounds, StandSideBySideInAnAtlas) {
+TEST(HeightBounds, AreStoredSideBySideInAnAtlas) {
     for (const int side : {1, 2, 16}) {
         const Image heights = noise(side, side);
         const std::vector<Image> levels = min_max_mips(heights);

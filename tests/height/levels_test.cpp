@@ -13,7 +13,7 @@
 namespace relief {
 namespace {
 
-TEST(HeightLevels, OfAFlatMapAreOffByNothing) {
+TEST(HeightLevels, HaveZeroErrorOnAFlatMap) {
     for (const auto& errors : {level_errors(make_height_map(HeightMap::plateau, 16), 1),
                                piece_errors(make_height_map(HeightMap::plateau, 16), 1)}) {
         EXPECT_EQ(errors.size(), 5u);
@@ -21,7 +21,7 @@ TEST(HeightLevels, OfAFlatMapAreOffByNothing) {
     }
 }
 
-TEST(HeightLevels, OfOnePostAreKnownOnPaper) {
+TEST(HeightLevels, HaveTheComputedErrorOnASinglePost) {
     Image image(4, 4, 1);
     *image.pixel(1, 1) = 1;
     const auto errors = level_errors(image, 10);
@@ -34,7 +34,7 @@ TEST(HeightLevels, OfOnePostAreKnownOnPaper) {
     EXPECT_NEAR(errors[2], std::max(15.0 / 16, double(errors[1])), 1e-6);
 }
 
-TEST(HeightLevels, EndWhereTheyAreOffByEnough) {
+TEST(HeightLevels, EndAtTheFirstLevelBeyondTheTolerance) {
     const Image image = make_height_map(HeightMap::fbm, 64);
     const auto all = level_errors(image, 10), some = level_errors(image, 0.3f);
     ASSERT_LT(some.size(), all.size());
@@ -45,7 +45,7 @@ TEST(HeightLevels, EndWhereTheyAreOffByEnough) {
     EXPECT_EQ(piece_errors(image, 0).size(), 1u);
 }
 
-TEST(HeightLevels, NoMarchIsOffByMore) {
+TEST(HeightLevels, BoundTheErrorOfAMarch) {
     // For two samples at a distance of one texel of the level: the chord between its heights against the surface
     // itself.
     for (const HeightMap map : {HeightMap::smooth, HeightMap::fbm, HeightMap::stones}) {
@@ -73,7 +73,7 @@ TEST(HeightLevels, NoMarchIsOffByMore) {
     }
 }
 
-TEST(HeightLevels, NoTriangleIsOffByMoreThanItsPiece) {
+TEST(HeightLevels, BoundTheErrorOfTriangles) {
     const Image image = make_height_map(HeightMap::smooth, 128);
     const HeightField field(image, true);
     const auto errors = piece_errors(image, 10);

@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-TEST(HeightMaps, ReachFromZeroToOneAndTile) {
+TEST(HeightMaps, SpanZeroToOneAndTile) {
     for (const HeightMap map :
          {HeightMap::smooth, HeightMap::fbm, HeightMap::bricks, HeightMap::stones, HeightMap::posts, HeightMap::rock}) {
         const Image image = make_height_map(map, 128);
@@ -27,7 +27,7 @@ TEST(HeightMaps, ReachFromZeroToOneAndTile) {
     }
 }
 
-TEST(HeightMaps, AreMadeInAnySize) {
+TEST(HeightMaps, AreGeneratedAtAnySize) {
     for (size_t map = 0; map < height_map_names.size(); ++map)
         for (const int size : {1, 2, 3, 17}) {
             Image image = make_height_map(HeightMap(map), size);
@@ -38,7 +38,7 @@ TEST(HeightMaps, AreMadeInAnySize) {
         }
 }
 
-TEST(HeightMaps, DamageIsMended) {
+TEST(HeightMaps, RepairDamagedTexels) {
     Image image = make_height_map(HeightMap::damaged, 64);
     const auto bad = [](float height) { return !(height >= 0 && height <= 1); };
     EXPECT_EQ(std::count_if(image.values.begin(), image.values.end(), bad), 5);

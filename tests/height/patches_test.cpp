@@ -114,7 +114,7 @@ PatchHeights measured(const Patch& patch, const Image& heights) {
     return measure_patches(patch, int(patch.size()), heights).at(0);
 }
 
-TEST(PatchHeights, HoldWhatAFilterReadsInAnyMipLevel) {
+TEST(PatchHeights, BoundFilteredHeightsAtEveryMipLevel) {
     Random random;
     for (const auto& [name, heights] : maps()) {
         const Levels levels(heights);
@@ -139,7 +139,7 @@ TEST(PatchHeights, HoldWhatAFilterReadsInAnyMipLevel) {
     }
 }
 
-TEST(PatchHeights, AreNotMuchMoreThanThePatchHas) {
+TEST(PatchHeights, BoundHeightsTightly) {
     const Image heights = make_height_map(HeightMap::smooth, 256);
     const Levels levels(heights);
     Patch terrain;
@@ -162,7 +162,7 @@ TEST(PatchHeights, AreNotMuchMoreThanThePatchHas) {
     EXPECT_LT(said, 0.25 * double(terrain.size() / 4)) << "the map's range is 1";
 }
 
-TEST(PatchHeights, AreNoSteeperThanSaidBetweenAnyTwoPlaces) {
+TEST(PatchHeights, BoundTheSlopeBetweenAnyTwoPoints) {
     Random random;
     for (const auto& [name, heights] : maps()) {
         const Levels levels(heights);
@@ -194,7 +194,7 @@ TEST(PatchHeights, AreNoSteeperThanSaidBetweenAnyTwoPlaces) {
     }
 }
 
-TEST(PatchHeights, AreAsSteepAsARoofIs) {
+TEST(PatchHeights, HaveTheExactSlopeOfARoof) {
     // The slope is 2 per tile everywhere. Coarser levels average two equal sides at the ridge, which is no steeper.
     const Image roof = map_of(128, 32, [](double u, double) { return std::abs(2 * u - 1); });
     for (Patch patch : {square({0.1f, 0.3f}, 0.2f), patch_of({{0.1f, 0.1f}, {0.4f, 0.2f}, {0.2f, 0.9f}})}) {
@@ -206,7 +206,7 @@ TEST(PatchHeights, AreAsSteepAsARoofIs) {
     }
 }
 
-TEST(PatchHeights, AreSteepestInTheMiddleOfATwistedQuad) {
+TEST(PatchHeights, BoundTheSlopeInTheMiddleOfATwistedQuad) {
     // The midline is 0.2 long, shorter than the lower and the upper side: the slope is 2 per metre.
     const Image roof = map_of(128, 32, [](double u, double) { return std::abs(2 * u - 1); });
     Patch patch = square({0.1f, 0.3f}, 0.2f);
@@ -225,7 +225,7 @@ TEST(PatchHeights, APlaneHasNoErrors) {
     }
 }
 
-TEST(PatchHeights, ErrorsAreThoseOfChords) {
+TEST(PatchHeights, ErrorsMatchTheChordError) {
     // The error of a chord is at most (L / n)² |h''| / 8. The root mean square of a parabola is sqrt(8 / 15) of its
     // maximum. Over the patch, the RMS of |h''| is 0.905 of its maximum, which is in the middle. Valid for chords of at
     // least 4 texels.
@@ -244,7 +244,7 @@ TEST(PatchHeights, ErrorsAreThoseOfChords) {
     }
 }
 
-TEST(PatchHeights, AQuadsCellsMayHaveTheWorseDiagonal) {
+TEST(PatchHeights, ErrorsCoverBothDiagonalsOfAQuadsCells) {
     // A valley from corner to corner: the diagonal across it is a bridge.
     const float side = 0.25f;
     for (const bool rises : {true, false}) {
@@ -256,7 +256,7 @@ TEST(PatchHeights, AQuadsCellsMayHaveTheWorseDiagonal) {
     }
 }
 
-TEST(PatchHeights, ErrorsNeverRise) {
+TEST(PatchHeights, ErrorsAreNonIncreasing) {
     Random random;
     const Image rough = noise(40, 24);
     for (int i = 0; i < 100; ++i) {
@@ -282,7 +282,7 @@ double chord_at(const Height& height, glm::dvec2 place, double n, bool is_fallin
     return corner(0, 0) * (1 - at.y) + corner(0, 1) * (at.y - at.x) + corner(1, 1) * at.x;
 }
 
-TEST(PatchHeights, NoChordIsOffByMoreThanTwiceThatAndOneInAHundredByMore) {
+TEST(PatchHeights, ChordsNeverExceedTwiceTheErrorAndRarelyTheErrorItself) {
     Random random;
     const double missed = 1.5e-4;  // error of a kink between two samples, on patches of a few texels
     for (const auto& [map, slack] : {std::pair(HeightMap::smooth, 1.2), {HeightMap::fbm, 1.3}}) {
@@ -359,7 +359,7 @@ TEST(PatchHeights, ADegeneratePatchIsFinite) {
     EXPECT_TRUE(measure_patches({}, 4, heights).empty());
 }
 
-TEST(PatchHeights, AreMeasuredAtFewerPlacesWhereThereAreManyPatches) {
+TEST(PatchHeights, UseFewerSamplesPerPatchForManyPatches) {
     EXPECT_EQ(densest_samples(1), 128);
     EXPECT_EQ(densest_samples(1296), 128) << "the ground of lab 14";
     for (const size_t patches : {size_t(5000), size_t(49152), size_t(150000)}) {
@@ -369,7 +369,7 @@ TEST(PatchHeights, AreMeasuredAtFewerPlacesWhereThereAreManyPatches) {
     }
 }
 
-TEST(PatchHeights, WhatIsNotANumberDoesNotCount) {
+TEST(PatchHeights, IgnoreNanHeights) {
     Image heights = noise(16, 16);
     heights.values[40] = NAN;
     const PatchHeights said = measured(square({0.2f, 0.2f}, 0.9f), heights);
@@ -378,7 +378,7 @@ TEST(PatchHeights, WhatIsNotANumberDoesNotCount) {
     EXPECT_GT(said.lowest, -0.1f);
 }
 
-TEST(PatchHeights, AMapOfOneTexelIsLevel) {
+TEST(PatchHeights, AMapOfOneTexelHasNoSlopeAndNoError) {
     Image heights(1, 1, 1);
     heights.values = {0.25f};
     Random random;

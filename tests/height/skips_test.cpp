@@ -52,7 +52,7 @@ glm::ivec2 first_of(int x, int y, int quadrant, int extent) {
     return {x - (quadrant & 1 ? extent : 0), y - (quadrant & 2 ? extent : 0)};
 }
 
-TEST(HeightSkips, NothingInAWindowIsHigherThanItSaysAndItSaysNoMuchLess) {
+TEST(HeightSkips, WindowClearancesAreTightUpperBounds) {
     std::vector<Image> all = maps();
     all.push_back(make_height_map(HeightMap::stones, 512));  // has larger blocks, of which some are tested
     for (const Image& map : all) {
@@ -78,7 +78,7 @@ TEST(HeightSkips, NothingInAWindowIsHigherThanItSaysAndItSaysNoMuchLess) {
     }
 }
 
-TEST(HeightSkips, TheFiveByFiveHoldsTheHighestOfTheCellsAround) {
+TEST(HeightSkips, TheFiveByFiveMaximumCoversTheSurroundingCells) {
     for (const Image& map : maps()) {
         const Cells cells(map);
         const Image around = highest_in_5x5(map);
@@ -88,7 +88,7 @@ TEST(HeightSkips, TheFiveByFiveHoldsTheHighestOfTheCellsAround) {
     }
 }
 
-TEST(HeightSkips, NoCellRisesIntoACone) {
+TEST(HeightSkips, ConesContainNoCell) {
     for (const Image& map : maps()) {
         const Cells cells(map);
         const Image cones = cone_map(map);
@@ -117,7 +117,7 @@ TEST(HeightSkips, WindowsFitTheMap) {
     EXPECT_GT(smooth[3], posts[3]);
 }
 
-TEST(HeightSkips, RefusesASideThatIsNotAPowerOfTwo) {
+TEST(HeightSkips, RejectASideThatIsNotAPowerOfTwo) {
     EXPECT_THROW(height_windows(Image(3, 4, 1)), Error);
     EXPECT_THROW(cone_map(Image(4, 6, 1)), Error);
     EXPECT_THROW(height_windows(Image(4, 4, 3)), Error);

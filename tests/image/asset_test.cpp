@@ -55,7 +55,7 @@ ColorSpace map_space(const std::string& name) {
     return decode_texels(bytes, source, {}).value().space;
 }
 
-TEST(Asset, EachPictureLiesConvertedBesideTheFrameworkBitForBitAsARunWouldMakeIt) {
+TEST(Asset, IsStoredConvertedBitForBitAsARunWouldConvertIt) {
     ASSERT_GE(pictures().size(), 10u);
     for (const std::string& name : pictures()) {
         const fs::path picture = course_root() / "assets" / name;
@@ -74,7 +74,7 @@ TEST(Asset, EachPictureLiesConvertedBesideTheFrameworkBitForBitAsARunWouldMakeIt
     }
 }
 
-TEST(Asset, ThatWasReplacedIsReadAnewWhateverItsTimeAndItsSize) {
+TEST(Asset, IsReloadedAfterAReplacementOfAnyTimeAndSize) {
     const std::string name = "bricks_albedo.png", bytes = read_file(course_root() / "assets" / name);
     const Image known = read_asset(name);
     const CourseOfOwn course;
@@ -103,7 +103,7 @@ TEST(Asset, ChangesWithEachOfItsBytes) {
     }
 }
 
-TEST(Asset, ThatIsNotThereNamesItself) {
+TEST(Asset, AMissingFileIsNamed) {
     EXPECT_TRUE(contains(message_of([] { read_asset("none.png"); }), "assets/none.png"));
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// Returns the result that srgb8_from_linear() promises, by the formula.
 int rounded(float light) { return int(std::lround(std::clamp(255 * srgb_from_linear(double(light)), 0.0, 255.0))); }
 
-TEST(Srgb, HasTheValuesOfTheStandard) {
+TEST(Srgb, MatchesTheStandardsFormula) {
     // Evaluated from the standard's formula with 40 digits; 3e-16 allows for one or two roundings near 1.
     EXPECT_NEAR(linear_from_srgb(0.5), 0.21404114048223244243, 3e-16);
     EXPECT_NEAR(linear_from_srgb(0.75), 0.52252155396839181772, 3e-16);
@@ -38,7 +38,7 @@ TEST(Srgb, TheTwoCurvesAreInverseAlsoBeyondOneAndBelowZero) {
     }
 }
 
-TEST(Srgb8, ComesBackForAllStoredValues) {
+TEST(Srgb8, RoundTripsEveryStoredValue) {
     for (int i = 0; i < 256; ++i) {
         EXPECT_EQ(srgb8_from_linear(linear_from_srgb8(static_cast<unsigned char>(i))), i);
         EXPECT_EQ(linear_from_srgb8(static_cast<unsigned char>(i)), float(linear_from_srgb(i / 255.0))) << i;

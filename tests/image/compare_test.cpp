@@ -25,7 +25,7 @@ float error_of(const std::vector<float>& measured, const std::vector<float>& tru
     return error_image(row(channels, measured), row(channels, truth), metric).values.at(0);
 }
 
-TEST(OneColor, IsSeenPixelByPixelNotChannelByChannel) {
+TEST(OneColor, ComparesPixelsNotChannels) {
     EXPECT_TRUE(is_one_color(row(3, {0.1f, 0.2f, 0.3f, 0.1f, 0.2f, 0.3f})));
     EXPECT_FALSE(is_one_color(row(3, {0.1f, 0.2f, 0.3f, 0.1f, 0.2f, 0.30001f})));
     EXPECT_TRUE(is_one_color(row(4, {inf, inf, inf, inf, inf, inf, inf, inf}))) << "a probe that hit nothing";
@@ -43,7 +43,7 @@ TEST(Difference, CountsPixelsWithAChannelOverTheThreshold) {
     EXPECT_EQ(difference(a, a, 0.0).largest, 0.0);
 }
 
-TEST(Difference, ToANanIsInfiniteAndBetweenInfinitiesNone) {
+TEST(Difference, IsInfiniteToANanAndZeroBetweenEqualInfinities) {
     for (const auto& [x, y] : {std::pair(nan, 0.0f), {0.0f, nan}, {nan, nan}, {inf, 0.0f}, {inf, -inf}, {inf, nan}}) {
         const Difference found = difference(row(1, {x, 0}), row(1, {y, 0}), 1e30);
         EXPECT_EQ(found.largest, INFINITY) << x << ", " << y;
@@ -52,7 +52,7 @@ TEST(Difference, ToANanIsInfiniteAndBetweenInfinitiesNone) {
     EXPECT_EQ(difference(row(1, {inf, -inf}), row(1, {inf, -inf}), 0).largest, 0);
 }
 
-TEST(Difference, OfShapesIsInfiniteAndAllPixels) {
+TEST(Difference, IsInfiniteAtAllPixelsForDifferentShapes) {
     for (const Image& other : {Image(3, 2, 3), Image(2, 3, 3), Image(2, 2, 4), Image()}) {
         const Difference found = difference(Image(2, 2, 3), other, 1e30);
         EXPECT_EQ(found.largest, INFINITY);
@@ -66,7 +66,7 @@ TEST(Error, IsTheDistanceOverAllChannelsOrTheFirstAlone) {
     EXPECT_EQ(error_of({3}, {1}, ErrorMetric::distance), 2);
 }
 
-TEST(Error, OfAnAngleIsExactFromAMillionthOfADegreeToAHalfTurn) {
+TEST(Error, IsExactForAnglesFromAMillionthOfADegreeTo180) {
     // With acos of the dot product, angles below 0.02 degrees would be lost in float, and below 1e-6 in double.
     for (const double degrees : {0.0, 1e-6, 1e-5, 1e-3, 0.02, 1.0, 45.0, 90.0, 135.0, 179.0, 180.0}) {
         const double angle = degrees * M_PI / 180;
@@ -79,7 +79,7 @@ TEST(Error, OfAnAngleIsExactFromAMillionthOfADegreeToAHalfTurn) {
     EXPECT_FLOAT_EQ(error_of({1, 2, 3}, {-1, -2, -3}, ErrorMetric::angle), 180);
 }
 
-TEST(Error, ToAVectorWithoutADirectionIsNotANumber) {
+TEST(Error, IsNanForAVectorWithoutDirection) {
     EXPECT_TRUE(std::isnan(error_of({0, 0, 0}, {0, 0, 1}, ErrorMetric::angle))) << "not an angle of 0: that would pass";
     EXPECT_TRUE(std::isnan(error_of({0, 0, 1}, {0, 0, 0}, ErrorMetric::angle)));
 }
@@ -105,7 +105,7 @@ TEST(Error, NeedsEqualShapesAndThreeChannelsForAnAngle) {
                          "three channels"));
 }
 
-TEST(Summary, OfOneToAHundred) {
+TEST(Summary, IsCorrectForTheNumbersOneToAHundred) {
     std::vector<float> values(100);
     std::iota(values.begin(), values.end(), 1.0f);
     std::shuffle(values.begin(), values.end(), std::mt19937(5));
@@ -128,7 +128,7 @@ TEST(Summary, P99IsTheSmallestValueThat99PercentDoNotExceed) {
     }
 }
 
-TEST(Summary, LeavesOutPixelsWithoutASurfaceAndCountsNans) {
+TEST(Summary, SkipsPixelsWithoutASurfaceAndCountsNans) {
     const ErrorSummary summary = summarize(row(1, {inf, 2, nan, 4, inf, nan, not_written, nan, not_written}));
     EXPECT_EQ(summary.missing, 2u);
     EXPECT_EQ(summary.count, 2u);
@@ -152,7 +152,7 @@ TEST(Summary, CountsPixelsWithASurfaceInOneOfTwoImagesAndMarksThem) {
     EXPECT_EQ(error.values, std::vector<float>({0, 9, 9, inf, 9}));
 }
 
-TEST(Summary, SaysWhyNoPixelCanBeCompared) {
+TEST(Summary, ReportsWhyNoPixelIsComparable) {
     const auto said = [](const Image& measured, const Image& truth) {
         return nothing_to_compare(measured, truth, summarize(error_image(measured, truth, ErrorMetric::absolute)));
     };

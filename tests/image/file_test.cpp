@@ -87,7 +87,7 @@ TEST_F(ImageFiles, Png16KeepsAll65536Values) {
     }
 }
 
-TEST_F(ImageFiles, PngSaysHowToShowItAndKeepsItsNumbersEitherWay) {
+TEST_F(ImageFiles, PngMarksItsColorSpaceAndKeepsItsValues) {
     const Image image = all_values(16, 16, 1, 8);
     for (const ColorSpace space : {ColorSpace::srgb, ColorSpace::linear}) {
         const std::string bytes = encode_image(image, ImageFormat::png, {}, space);
@@ -96,13 +96,13 @@ TEST_F(ImageFiles, PngSaysHowToShowItAndKeepsItsNumbersEitherWay) {
     }
 }
 
-TEST_F(ImageFiles, PngKeepsColourWhereAlphaIsNothing) {
+TEST_F(ImageFiles, PngKeepsColourWhereAlphaIsZero) {
     Image image(2, 1, 4, 8);
     image.values = {1, 0.2f, 0.4f, 0, 0.6f, 0.8f, 1, 0.2f};  // alpha may hold a height
     EXPECT_EQ(back(image, "a.png").values, image.values);
 }
 
-TEST_F(ImageFiles, PngsOfPalettesAndOfFewBitsAreColoursOfEightBits) {
+TEST_F(ImageFiles, PngPalettesAndLowBitDepthsAreExpandedToEightBits) {
     const std::string palette = png_chunk("PLTE", "\xff\0\0\0\x33\xff"s), see_through = png_chunk("tRNS", "\x33");
     const Image two = decode_image(png_of(2, 1, 1, 3, palette, "\0\x40"s));
     EXPECT_EQ(two.values, (std::vector<float>{1, 0, 0, 0, 0.2f, 1}));
@@ -145,7 +145,7 @@ TEST_F(ImageFiles, ExrKeepsFloatsBitForBit) {
     }
 }
 
-TEST_F(ImageFiles, AreTheSameBytesToday) {
+TEST_F(ImageFiles, AreReproducibleAndContainNoDate) {
     const Image image = all_values(5, 3, 3, 8);
     const std::time_t now = std::time(nullptr);
     const std::string year = std::to_string(std::localtime(&now)->tm_year + 1900) + ":";
@@ -157,7 +157,7 @@ TEST_F(ImageFiles, AreTheSameBytesToday) {
     EXPECT_TRUE(contains(encode_image(image, ImageFormat::exr), "1970:01:01 00:00:00"));
 }
 
-TEST_F(ImageFiles, NotesComeBackInPngAndExr) {
+TEST_F(ImageFiles, NotesSurviveARoundTripInPngAndExr) {
     const Notes notes = {{"camera", "30,20,3"}, {"knobs", "steps=32 \xc3\xa4 \"quoted\""}};
     for (const char* name : {"a.png", "a.exr"}) {
         Notes read = {{"old", "gone"}};
@@ -167,7 +167,7 @@ TEST_F(ImageFiles, NotesComeBackInPngAndExr) {
     }
 }
 
-TEST_F(ImageFiles, WithoutNotesHaveNone) {
+TEST_F(ImageFiles, WithoutNotesAreReadWithoutNotes) {
     for (const char* name : {"a.png", "a.exr"}) {
         Notes read = {{"old", "gone"}};
         back(all_values(2, 2, 3, 8), name, {}, &read);
@@ -200,7 +200,7 @@ TEST_F(ImageFiles, PfmIsItsHeaderAndLittleEndianFloatsFromTheBottom) {
     EXPECT_EQ(encode_image(uv, ImageFormat::pfm), "PF\n1 1\n-1.0\n\x00\x00\x80\x3f\x00\x00\x00\xc0\x00\x00\x00\x00"sv);
 }
 
-TEST_F(ImageFiles, AreReadByWhatTheyAreNotByTheirName) {
+TEST_F(ImageFiles, AreReadByContentNotByExtension) {
     Image image(1, 1, 1);
     image.values = {1234.5f};
     const fs::path liar = folder_.write("a.png", encode_image(image, ImageFormat::exr));
@@ -210,7 +210,7 @@ TEST_F(ImageFiles, AreReadByWhatTheyAreNotByTheirName) {
     EXPECT_TRUE(read_image(photo).same_shape(Image(16, 8, 3)));
 }
 
-TEST_F(ImageFiles, WriteTheFormatOfTheEnding) {
+TEST_F(ImageFiles, AreWrittenInTheFormatOfTheirExtension) {
     EXPECT_EQ(format_of("a.png"), ImageFormat::png);
     EXPECT_EQ(format_of("folder.exr/a.PFM"), ImageFormat::pfm);
     EXPECT_EQ(format_of("a.b.ppm"), ImageFormat::ppm);
@@ -246,7 +246,7 @@ TEST_F(NoImages, TruncatedFilesAreDamaged) {
     }
 }
 
-TEST_F(NoImages, ADamagedByteAnywhereCrashesNothing) {
+TEST_F(NoImages, ADamagedByteNeverCrashes) {
     const Image image = all_values(4, 4, 4, 8);
     const TemporaryFolder folder;
     int refused = 0;

@@ -25,7 +25,7 @@ double mean(const Image& image, int channel) {
     return sum / double(image.pixel_count());
 }
 
-TEST(Mips, HalveRoundedDownUntilOneTexel) {
+TEST(Mips, HalveAndRoundDownToOneTexel) {
     const std::vector<Image> chain = mip_chain(Image(12, 5, 2, 8), ColorSpace::linear);
     const int sizes[][2] = {{12, 5}, {6, 2}, {3, 1}, {1, 1}};
     ASSERT_EQ(chain.size(), std::size(sizes));
@@ -53,7 +53,7 @@ TEST(Mips, KeepTheMeanOfEveryChannelAtEverySize) {
     }
 }
 
-TEST(Mips, AnOddSideIsCoveredInParts) {
+TEST(Mips, WeightTexelsPartiallyAtOddSizes) {
     Image row(5, 1, 1);
     row.values = {1, 2, 3, 4, 5};
     // Two texels cover two and a half each: (1 + 2 + 3 / 2) / 2.5 and (3 / 2 + 4 + 5) / 2.5.
@@ -70,7 +70,7 @@ TEST(Mips, LevelZeroIsTheImageItself) {
     EXPECT_EQ(mip_chain(image, ColorSpace::linear).front().values, image.values);
 }
 
-TEST(Mips, AverageColourAsLight) {
+TEST(Mips, AverageColourInLinearLight) {
     // Half black and half white is half the light: srgb_from_linear(0.5) = 0.73536, which is 188 in 8 bits, not 128.
     Image image(2, 1, 3, 8);
     std::fill(image.values.begin() + 3, image.values.end(), 1.0f);
@@ -81,7 +81,7 @@ TEST(Mips, AverageColourAsLight) {
     EXPECT_FLOAT_EQ(mip_chain(image, ColorSpace::srgb).back().values[0], 0.735356983f);
 }
 
-TEST(Mips, AreNotRoundedFromLevelToLevel) {
+TEST(Mips, AreNotRoundedBetweenLevels) {
     // Sierpinski's triangle in the darkest grey: 27 of 64 texels are 1, so the mean is 0.42, which rounds to 0. If each
     // level were rounded, 3/4 would become 1 every time.
     Image image(8, 8, 1, 8);
@@ -107,7 +107,7 @@ Image stored(const std::vector<glm::dvec3>& normals, int width) {
     return image;
 }
 
-TEST(NormalMips, OfEqualNormalsAreTheSameAndOfFullLength) {
+TEST(NormalMips, KeepEqualNormalsAtFullLength) {
     const glm::dvec3 tilted = glm::normalize(glm::dvec3(0.3, -0.4, 0.8));
     const auto chain =
         normal_mip_chain(stored(std::vector<glm::dvec3>(35, 0.9 * tilted), 7));  // not unit, as in 8 bits
@@ -122,7 +122,7 @@ TEST(NormalMips, OfEqualNormalsAreTheSameAndOfFullLength) {
     }
 }
 
-TEST(NormalMips, AreUnitAndKeepTheLengthOfTheMean) {
+TEST(NormalMips, AreUnitAndStoreTheLengthOfTheMean) {
     // Two normals at 60 degrees to each other: the length of their mean is cos(30 degrees).
     const double s = std::sin(M_PI / 6), c = std::cos(M_PI / 6);
     const auto chain = normal_mip_chain(stored({{s, 0, c}, {-s, 0, c}}, 2));
@@ -131,14 +131,14 @@ TEST(NormalMips, AreUnitAndKeepTheLengthOfTheMean) {
     EXPECT_NEAR(chain[1].values[3], c, 1e-6);
 }
 
-TEST(NormalMips, OfNormalsThatCancelOutPointUpWithoutLength) {
+TEST(NormalMips, OfCancellingNormalsPointUpWithLengthZero) {
     const auto chain = normal_mip_chain(stored({{1, 0, 0}, {-1, 0, 0}}, 2));
     EXPECT_EQ(chain[1].values, (std::vector<float>{0.5f, 0.5f, 1, 0}));
     const auto broken = normal_mip_chain(stored({{NAN, 0, 0}, {0, 0, 1}}, 2));
     EXPECT_EQ(broken[1].values, (std::vector<float>{0.5f, 0.5f, 1, 1})) << "what is not a number points up";
 }
 
-TEST(NormalMips, OfRandomSlopesAreAsLongAsTheIntegralSays) {
+TEST(NormalMips, HaveTheAnalyticMeanLengthForRandomSlopes) {
     // Slopes are N(0, s²) in both directions. |mean n| is the mean of n.z = 1 / sqrt(1 + r²), where r² / s² is
     // exponentially distributed with mean 2.
     const double s = 0.3;

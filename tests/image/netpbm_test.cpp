@@ -40,7 +40,7 @@ TEST(Netpbm, ReadsCommentsBigEndianAnd16Bits) {
     EXPECT_EQ(decode_netpbm("P5 1 1 7 \x09"s).values, std::vector<float>{1}) << "no value is above the largest";
 }
 
-TEST(Netpbm, SaysWhatIsWrong) {
+TEST(Netpbm, ReportsTheReasonOfAnError) {
     const auto refusal = [](const std::string& bytes) { return message_of([&] { decode_netpbm(bytes); }); };
     EXPECT_TRUE(contains(refusal(""), "neither"));
     EXPECT_TRUE(contains(refusal("P3\n1 1\n255\n1 2 3"), "neither"));

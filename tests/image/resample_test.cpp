@@ -19,12 +19,12 @@ Image wave(int width, int height) {
     return image;
 }
 
-TEST(Resample, LeavesAMapOfThatSizeAsItIs) {
+TEST(Resample, KeepsAMapOfTheTargetSizeUnchanged) {
     const Image image = wave(7, 5);
     EXPECT_EQ(resampled(image, 7, 5).values, image.values);
 }
 
-TEST(Resample, KeepsMeanAndPlaceOfWhatTilesUpAndDown) {
+TEST(Resample, KeepsMeanAndPositionOfATileAtLargerAndSmallerSizes) {
     const Image image = wave(48, 40);
     for (const auto& [width, height] : {std::pair(96, 100), std::pair(24, 17), std::pair(33, 57)}) {
         const Image other = resampled(image, width, height), exact = wave(width, height);
@@ -38,7 +38,7 @@ TEST(Resample, KeepsMeanAndPlaceOfWhatTilesUpAndDown) {
     }
 }
 
-TEST(Resample, ReachesASingleTexelAndComesFromOne) {
+TEST(Resample, WorksToAndFromASingleTexel) {
     EXPECT_NEAR(double(resampled(wave(64, 64), 1, 1).values[0]), 0, 0.05);
     Image one(1, 1, 1);
     one.values = {0.25f};

@@ -37,7 +37,7 @@ std::set<fs::path> diagrams_of_handouts() {
     return files;
 }
 
-TEST(Svg, DrawsEveryDiagramOfAHandoutAsLargeAsItIsWanted) {
+TEST(Svg, DrawsEveryHandoutDiagramAtTheRequestedSize) {
     const std::set<fs::path> files = diagrams_of_handouts();
     EXPECT_GT(files.size(), 15u);
     for (const fs::path& file : files) {
@@ -53,7 +53,7 @@ TEST(Svg, DrawsEveryDiagramOfAHandoutAsLargeAsItIsWanted) {
     }
 }
 
-TEST(Svg, ColorsAndPlacesAreThoseOfThePicture) {
+TEST(Svg, KeepsColorsAndPositions) {
     const std::string svg = drawing("<rect x=\"0\" y=\"0\" width=\"100\" height=\"50\" fill=\"#ff8000\"/>");
     EXPECT_EQ(svg_size(svg), glm::ivec2(200, 100));
     const Image image = draw_svg(svg, {400, 200});
@@ -75,7 +75,7 @@ TEST(Svg, LettersAndArrowheadsAreDrawn) {
         EXPECT_GT(share_of_ink(draw_svg(drawing(inside), {400, 200})), 0.01) << inside;
 }
 
-TEST(Svg, SaysWhatIsNoPicture) {
+TEST(Svg, RejectsInvalidPicturesAndSizes) {
     for (const char* text : {"", "no picture", "<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"><path</svg>"})
         EXPECT_THROW(draw_svg(text, {40, 20}), Error) << text;
     for (const char* text : {"", "<svg>", "<svg viewBox=\"0 0 0 10\">", "<svg viewBox=\"0 0 99999999999 10\">"})

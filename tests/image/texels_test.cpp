@@ -24,7 +24,7 @@ Value value_at(const Texels& texels, size_t level, size_t index) {
     return value;
 }
 
-TEST(Texels, RowsGoUpAndIntegersAreRoundedAndKeptInRange) {
+TEST(Texels, RowsRunUpwardsAndIntegersAreRoundedAndClamped) {
     Image image(1, 2, 2, 16);
     image.values = {1.5f, 0.25f, -1, 0.5f};  // the upper texel, then the lower one
     const Texels texels = pack(std::vector{image}, ColorSpace::linear);
@@ -45,7 +45,7 @@ TEST(Texels, GiveThePictureBackBitForBit) {
         }
 }
 
-TEST(TexelsFile, HoldsTheWholeChain) {
+TEST(TexelsFile, ContainsTheWholeMipChain) {
     const Texels chain = chain_of(ramp(13, 6, 3, 16));
     const TemporaryFolder folder;
     const auto file = folder.write("a.texels", encode_texels(chain, 77));
@@ -59,20 +59,20 @@ TEST(TexelsFile, HoldsTheWholeChain) {
     EXPECT_EQ(unpack(*mapped).values, unpack(chain).values) << "it is mapped, not read again";
 }
 
-TEST(TexelsFile, OfAnotherSourceIsNotTaken) {
+TEST(TexelsFile, IsRejectedForAnotherSource) {
     const std::string bytes = encode_texels(chain_of(ramp(4, 4, 1, 8)), 77);
     EXPECT_TRUE(decode_texels(bytes, 77, {}));
     EXPECT_FALSE(decode_texels(bytes, 78, {}));
 }
 
-TEST(TexelsFile, OfAnotherLengthIsNotTaken) {
+TEST(TexelsFile, IsRejectedForAnotherLength) {
     const std::string bytes = encode_texels(chain_of(ramp(8, 4, 3, 8)), 77);
     for (size_t length = 0; length < bytes.size(); ++length)
         EXPECT_FALSE(decode_texels(std::string_view(bytes).substr(0, length), 77, {})) << length;
     EXPECT_FALSE(decode_texels(bytes + 'x', 77, {}));
 }
 
-TEST(TexelsFile, WithAnImpossibleHeaderIsNotTaken) {
+TEST(TexelsFile, IsRejectedForAnImpossibleHeader) {
     const std::string bytes = encode_texels(chain_of(ramp(8, 4, 3, 8)), 77);
     const auto with = [&](size_t at, int32_t value) {
         std::string changed = bytes;
@@ -84,7 +84,7 @@ TEST(TexelsFile, WithAnImpossibleHeaderIsNotTaken) {
         for (const int32_t value : {0, -1, 7, 1 << 30}) EXPECT_FALSE(with(at, value)) << at << ", " << value;
 }
 
-TEST(TexelsFile, ThatIsMissingEmptyOrAFolderIsNotTaken) {
+TEST(TexelsFile, IsRejectedIfMissingEmptyOrAFolder) {
     const TemporaryFolder folder;
     EXPECT_FALSE(map_texels(folder.path() / "none", 77));
     EXPECT_FALSE(map_texels(folder.write("empty", ""), 77));

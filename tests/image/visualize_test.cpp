@@ -103,7 +103,7 @@ using Shades = std::vector<float>;
 
 // Of sizes 2, 4 and 8 the usual one is 4, and L is 2: half the usual size is 0.5 (1 + 0.5 / 4) / 1.5 = 0.375, the usual
 // size itself 1.25 / 2, and the largest 1.
-TEST(Visualize, EachChannelOfAVectorRisesFromItsLowestToItsHighestValue) {
+TEST(Visualize, EachChannelOfAVectorSpansItsMinimumToItsMaximum) {
     EXPECT_EQ(shades({0, 2, 4, 8}), (Shades{0, 0.375f, 0.625f, 1}));
     EXPECT_EQ(shades({2, 4, 4, 8}), (Shades{0, 0.4f, 0.4f, 1})) << "0.375 is black";
     EXPECT_GT(shades({4, 4, 4.001f}).front(), 0.999f) << "all but constant: rounding is not stretched";
@@ -120,7 +120,7 @@ TEST(Visualize, ASignedVectorIsBrighterThanHalfAbove0AndDarkerBelow) {
     EXPECT_EQ(shades({0, 0, 0}, true), (Shades{0.5f, 0.5f, 0.5f}));
 }
 
-TEST(Visualize, WhatDiffersByRoundingLooksTheSame) {
+TEST(Visualize, ValuesThatDifferByRoundingLookTheSame) {
     for (const bool is_signed : {false, true})
         for (const float value : {1.0f, -1.0f, 0.5f, 3.0f, 0.03125f, 0.0f}) {
             const Shades around =
@@ -138,7 +138,7 @@ TEST(Visualize, WhatDiffersByRoundingLooksTheSame) {
     }
 }
 
-TEST(Visualize, AValueWithoutABoundLeavesTheOthersApart) {
+TEST(Visualize, AnOutlierKeepsTheContrastOfTheOtherValues) {
     const Shades shown = shades({0, 1, 2, 1e4f});
     EXPECT_NEAR(shown[1], 1.0 / 3, 1e-4) << "x / (1 + x), as L is large";
     EXPECT_NEAR(shown[2], 0.5, 1e-4);
@@ -148,7 +148,7 @@ TEST(Visualize, AValueWithoutABoundLeavesTheOthersApart) {
     EXPECT_GT(picture.values[3] - picture.values[0], 0.1);
 }
 
-TEST(Visualize, TheExpectedPictureHasContrastWhateverIsDrawn) {
+TEST(Visualize, TheExpectedPictureHasContrastForAnyDrawnPicture) {
     Image drawn(4, 1, 1), expected = drawn;
     drawn.values.assign(4, 1e4f), expected.values = {0, 1, 2, 3};
     for (const ErrorMetric metric : {ErrorMetric::distance, ErrorMetric::absolute}) {

@@ -132,7 +132,7 @@ void from_srgb(glm::vec3& c) {
     for (int i = 0; i < 3; ++i) c[i] = float(linear_from_srgb(c[i]));
 }
 
-TEST(Inspect, InventsNothingOnMapsWithoutFault) {
+TEST(Inspect, ReportsNoFaultOnGoodMaps) {
     for (const auto& [name, map] : good_maps()) {
         const Inspection result = inspect(map);
         EXPECT_EQ(found(result, Outcome::fault), std::set<std::string>{}) << name;
@@ -210,7 +210,7 @@ TEST(Inspect, FindsSeveralFaultsAtOnce) {
     }
 }
 
-TEST(Inspect, TellsWhichNumberStandsForZero) {
+TEST(Inspect, IdentifiesTheCodeForZero) {
     const struct {
         const char* verdict;
         std::function<float(float)> code;
@@ -236,7 +236,7 @@ TEST(Inspect, TellsWhichNumberStandsForZero) {
     }
 }
 
-TEST(Inspect, ReadsFloatsThatHoldTheVectorItself) {
+TEST(Inspect, ReadsFloatsThatStoreTheVectorUnscaled) {
     for (const auto& [name, map] : good_maps()) {
         if (map.bits != 32) continue;
         const Image itself = changed(map, [](glm::vec3& c) { c = 2.0f * c - 1.0f; });
@@ -248,7 +248,7 @@ TEST(Inspect, ReadsFloatsThatHoldTheVectorItself) {
     }
 }
 
-TEST(Inspect, KnowsMapsInObjectSpaceAndTheirFaults) {
+TEST(Inspect, RecognisesObjectSpaceMapsAndTheirFaults) {
     for (const char* name : {"quilt_object.png", "quilt_world.png"}) {
         const Image map = asset(name);
         EXPECT_EQ(faults_of(map), std::set<std::string>{}) << name;
@@ -271,7 +271,7 @@ Image reordered(const Image& map, const std::array<int, 3>& order) {
     return changed(map, [&](glm::vec3& c) { c = {c[order[0]], c[order[1]], c[order[2]]}; });
 }
 
-TEST(Inspect, TellsEachOrderOfTheChannels) {
+TEST(Inspect, IdentifiesEachChannelOrder) {
     const struct {
         std::array<int, 3> order;
         const char *finding, *verdict;
@@ -295,7 +295,7 @@ TEST(Inspect, TellsEachOrderOfTheChannels) {
     }
 }
 
-TEST(Inspect, TellsEachOrderWithAnAxisTurnedAroundUnlessItIsThatOfAFlatObject) {
+TEST(Inspect, IdentifiesChannelOrdersWithAFlippedAxisExceptFlatObjects) {
     // Turning an axis around makes a mirror image of an order that was none, and none of one that was. A rotation of a
     // floor or a wall can have the latter; it is no fault.
     const Image map = normals_of(HeightMap::stones, 256, 16, 8);
@@ -332,7 +332,7 @@ TEST(Inspect, CallsNoObjectSpaceMapSwapped) {
         EXPECT_EQ(verdict(inspect(with_vectors(map, [&](glm::vec3& n) { n = turn(n); })), "order"), "");
 }
 
-TEST(Inspect, KnowsNormalsInTwoChannels) {
+TEST(Inspect, RecognisesTwoChannelNormals) {
     const auto two = [](const Image& map) {
         Image result(map.width, map.height, 2, map.bits);
         for (size_t i = 0; i < map.pixel_count(); ++i) std::copy_n(&map.values[i * 3], 2, &result.values[i * 2]);
@@ -361,7 +361,7 @@ TEST(Inspect, KnowsNormalsInTwoChannels) {
     }
 }
 
-TEST(Inspect, KnowsHeightsAndWhatIsNeither) {
+TEST(Inspect, RecognisesHeightsAndMapsThatAreNeither) {
     for (const char* name : {"bricks_height.png", "paving_height.png"}) {
         EXPECT_EQ(verdict(inspect(asset(name)), "kind"), "heights") << name;
         EXPECT_EQ(faults_of(asset(name)), std::set<std::string>{}) << name;
@@ -378,7 +378,7 @@ TEST(Inspect, KnowsHeightsAndWhatIsNeither) {
     EXPECT_EQ(verdict(inspect(heights, &heights), "heights"), "two of heights");
 }
 
-TEST(Inspect, TakesNoSignOrIconForAMap) {
+TEST(Inspect, RejectsSignsAndIconsAsMaps) {
     const auto drawn = [](glm::vec3 paper, glm::vec3 ink) {
         Image sign(128, 128, 3, 8);
         for (int y = 0; y < 128; ++y)
@@ -393,7 +393,7 @@ TEST(Inspect, TakesNoSignOrIconForAMap) {
     EXPECT_EQ(faults_of(drawn({75, 120, 229}, {90, 128, 229})), std::set<std::string>{"kind: neither"});
 }
 
-TEST(Inspect, LooksIntoTheFourthChannel) {
+TEST(Inspect, InspectsTheFourthChannel) {
     const Image normals = normals_of(HeightMap::stones, 128, 8, 8), heights = make_height_map(HeightMap::stones, 128);
     Image map(128, 128, 4, 8);
     const auto with_fourth = [&](const std::function<float(size_t)>& fourth) {
@@ -411,7 +411,7 @@ TEST(Inspect, LooksIntoTheFourthChannel) {
     EXPECT_EQ(relief.faults() + gloss.faults(), 0);
 }
 
-TEST(Inspect, KnowsThatEightBitsWereKeptInMore) {
+TEST(Inspect, DetectsEightBitDataInAWiderFormat) {
     Image map = normals_of(HeightMap::stones, 128, 8, 8);
     EXPECT_EQ(verdict(inspect(map), "bits"), "");
     map.bits = 16;
@@ -419,7 +419,7 @@ TEST(Inspect, KnowsThatEightBitsWereKeptInMore) {
     EXPECT_EQ(verdict(inspect(normals_of(HeightMap::stones, 128, 8, 16)), "bits"), "");
 }
 
-TEST(Inspect, SaysWhyAMapCannotTell) {
+TEST(Inspect, ExplainsWhyAMapIsInconclusive) {
     const auto reason = [](const Image& map) {
         const Inspection result = inspect(map);
         const Finding* const green = result.find("green");
@@ -463,7 +463,7 @@ TEST(Inspect, AMapOfOneColorIsNamed) {
     }
 }
 
-TEST(Inspect, TakesAnySizeAndAnyValues) {
+TEST(Inspect, AcceptsAnySizeAndAnyValues) {
     constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<float> strange = {nan, inf, -inf, 1e38f, -1e38f, 1e-45f, 0, 0.5f, 1, -1};
     std::mt19937 random(2);
@@ -502,7 +502,7 @@ TEST(Inspect, OneBrokenTexelIsFoundAndChangesNoOtherVerdict) {
     }
 }
 
-TEST(Inspect, ThePictureShowsWhere) {
+TEST(Inspect, ThePictureShowsTheFaultsPositions) {
     Image map = normals_of(HeightMap::stones, 256, 16, 8);
     const Image turned = changed(map, turn_green);
     for (int y = 64; y < 128; ++y) std::copy_n(turned.pixel(128, y), 64 * 3, map.pixel(128, y));
@@ -522,7 +522,7 @@ TEST(Inspect, ThePictureShowsWhere) {
     EXPECT_LE(colored, 4 * 32 * 32 + 1) << "the four squares that were turned, and one texel";
 }
 
-TEST(Inspect, SaysHowNormalsAndHeightsBelongTogether) {
+TEST(Inspect, ReportsHowNormalsAndHeightsMatch) {
     const auto inverted = [](Image heights) {
         for (float& h : heights.values) h = 1 - h;
         return heights;

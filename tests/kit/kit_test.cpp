@@ -16,7 +16,7 @@
 namespace relief {
 namespace {
 
-TEST(Kept, IsMadeAnewWhenAnInputChangesAndOnlyThen) {
+TEST(Kept, IsRecomputedOnlyWhenAnInputChanges) {
     Kept<std::string, int, std::string> kept;
     int made = 0;
     const auto get = [&](int number, const std::string& word) {
@@ -35,7 +35,7 @@ TEST(Kept, IsMadeAnewWhenAnInputChangesAndOnlyThen) {
     EXPECT_EQ(kept.version(), 4);
 }
 
-TEST(Kept, IsTriedAgainAfterAnError) {
+TEST(Kept, IsRetriedAfterAnError) {
     Kept<int, int> kept;
     kept.get({1}, [] { return 10; });
     for (int i = 0; i < 2; ++i)
@@ -44,7 +44,7 @@ TEST(Kept, IsTriedAgainAfterAnError) {
     EXPECT_EQ(kept.get({1}, [] { return 11; }), 11) << "what was kept before the error has gone";
 }
 
-TEST(Numbers, AreDrawnBesideTheFrame) {
+TEST(Numbers, AreDrawnIntoATargetOfTheirOwn) {
     const Image drawn = draw_numbers({3, 2}, [] {
         glEnable(GL_SCISSOR_TEST);
         glScissor(2, 1, 1, 1);  // GL's upper right
@@ -73,7 +73,7 @@ TEST(Numbers, LeaveFramebufferAndViewport) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-TEST(TruthOfRays, IsWhatEachPixelsRaySeesAndInfinityBeside) {
+TEST(TruthOfRays, IsTheHitOfEachPixelsRayAndInfinityWithoutAHit) {
     const glm::ivec2 size(7, 5);
     const Frame frame{.target = 0, .size = size, .time = 0, .camera = Camera({}, 7.0 / 5), .probe = {}};
     const Image truth = truth_of_rays(frame, [](const Ray& ray) -> std::optional<glm::dvec4> {
@@ -93,7 +93,7 @@ TEST(TruthOfRays, IsWhatEachPixelsRaySeesAndInfinityBeside) {
     EXPECT_LT(empty, size.x * size.y);
 }
 
-TEST(Light, ComesFromItsYawAndPitch) {
+TEST(Light, HasTheDirectionOfItsYawAndPitch) {
     const auto expect_near = [](glm::dvec3 a, glm::dvec3 b) { EXPECT_LT(glm::distance(a, b), 1e-6); };
     expect_near(DistantLight{.yaw = 0, .pitch = 0}.direction(), {0, 0, 1});
     expect_near(DistantLight{.yaw = 90, .pitch = 0}.direction(), {1, 0, 0});
@@ -141,7 +141,7 @@ TEST_F(OwnMap, TakesItsHeightsFromAGreyPicture) {
     EXPECT_GT(lab_.material.version(), before) << "what is made of the heights has to be made anew";
 }
 
-TEST_F(OwnMap, BringsHeightsOfFloatsBetween0And1) {
+TEST_F(OwnMap, ScalesFloatHeightsTo0To1) {
     Image metres = grey_ramp(1, -20, 300);
     metres.values[5] = std::numeric_limits<float>::quiet_NaN(), metres.values[7] = no_surface;
     use(metres);

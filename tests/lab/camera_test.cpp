@@ -37,7 +37,7 @@ TEST(Camera, ShowsItsTargetInTheCentre) {
     }
 }
 
-TEST(Camera, StandsOnTheSphereAroundItsTarget) {
+TEST(Camera, LiesOnTheSphereAroundItsTarget) {
     for (const Orbit& orbit : orbits) {
         const Camera camera(orbit, 1);
         EXPECT_NEAR(glm::distance(camera.eye(), orbit.target), orbit.distance, 1e-12 * (orbit.distance + 100));
@@ -61,7 +61,7 @@ TEST(Camera, HasXToTheRightYUpAndItsFieldOfViewUpright) {
     }
 }
 
-TEST(Camera, RaysPassThroughWhatProjectsToTheirPoint) {
+TEST(Camera, RaysPassThroughPointsThatProjectToTheirPixel) {
     const unsigned seed = 11;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> clip(-1, 1), depth(0.1, 5);

@@ -23,7 +23,7 @@ TEST(KnobHelp, EndsInAUnitOnlyAfterAComma) {
     EXPECT_EQ(unit_after_number(""), "");
 }
 
-TEST(KnobHelp, NamesTheValuesOfAnotherKnobForWhichItCounts) {
+TEST(KnobHelp, NamesTheKnobAndTheValuesThatEnableIt) {
     const KnobHelp help = read_help("for view = map, rays and one: where the cut is");
     EXPECT_EQ(help.knob, "view");
     EXPECT_EQ(help.values, (std::vector<std::string>{"map", "rays", "one"}));
@@ -31,7 +31,7 @@ TEST(KnobHelp, NamesTheValuesOfAnotherKnobForWhichItCounts) {
     EXPECT_EQ(read_help("for view = one").knob, "") << "a colon ends the condition";
 }
 
-TEST(KnobHelp, AKnobIsIgnoredOnlyWhereItsHelpSaysSoInWordsThatAreThere) {
+TEST(KnobHelp, AKnobIsIgnoredOnlyIfItsHelpNamesAnExistingKnobAndValues) {
     const auto knobs = [](const char* view, const char* help) {
         return std::vector<KnobText>{{"view", view, "all, map, one", "what is drawn"}, {"cut", "0", "0 to 1", help}};
     };

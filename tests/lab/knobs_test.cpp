@@ -59,7 +59,7 @@ TEST(Knobs, AreDescribedInOrderWithValueRangeAndHelp) {
     }
 }
 
-TEST(Knobs, OfEveryKindAreSetFromText) {
+TEST(Knobs, AreSetFromTextForEveryType) {
     Wall wall;
     set_knob(wall, "scale", "-0.125");
     set_knob(wall, "steps", "64");
@@ -76,13 +76,13 @@ TEST(Knobs, OfEveryKindAreSetFromText) {
     }
 }
 
-TEST(Knobs, TakeTheEndsOfTheirRange) {
+TEST(Knobs, AcceptTheEndsOfTheirRange) {
     Wall wall;
     for (const char* end : {"-0.5", "2"}) EXPECT_NO_THROW(set_knob(wall, "scale", end)) << end;
     for (const char* end : {"1", "256"}) EXPECT_NO_THROW(set_knob(wall, "steps", end)) << end;
 }
 
-TEST(Knobs, TakeTheEndsAsTheyAreShownThoughNoFloatIsATenth) {
+TEST(Knobs, AcceptTheEndsAsShownDespiteFloatRounding) {
     Wall wall;  // 0.1f is a little more than 0.1, 0.7f a little less than 0.7
     for (const auto& [text, end] : {std::pair("0.1", 0.1f), {"0.7", 0.7f}}) {
         EXPECT_NO_THROW(set_knob(wall, "strength", text)) << text;
@@ -90,7 +90,7 @@ TEST(Knobs, TakeTheEndsAsTheyAreShownThoughNoFloatIsATenth) {
     }
 }
 
-TEST(Knobs, RefuseWhatIsOutOfRangeOrNoNumber) {
+TEST(Knobs, RefuseValuesOutOfRangeAndInvalidNumbers) {
     for (const char* value : {"-0.51", "2.01", "1e9", "nan", "inf", "-inf", "", "x", "1x", " 1", "0,5"})
         EXPECT_EQ(refusal("scale", value), std::string("knob scale takes -0.5 to 2, not '") + value + "'");
     for (const char* value : {"0", "257", "-1", "3.5", "1e2", "nan", "", "many", "99999999999"})
@@ -109,7 +109,7 @@ TEST(Knobs, SuggestTheNearestNameAndChoice) {
     EXPECT_TRUE(contains(refusal("", "1"), "unknown knob ''"));
 }
 
-TEST(Knobs, MayBeNone) {
+TEST(Knobs, MayBeMissing) {
     Bare bare;
     EXPECT_TRUE(describe_knobs(bare).empty());
     EXPECT_EQ(message_of<UsageError>([&] { set_knob(bare, "steps", "1"); }),

@@ -241,7 +241,7 @@ lines''' }]
     EXPECT_EQ(manifest.equivalents[0].edits.at(0).replace, "two\nlines");
 }
 
-TEST(Manifest, ACheckAMistakeOrAnEquivalentThatCannotWorkIsNamedWithItsLine) {
+TEST(Manifest, AnInvalidCheckMistakeOrEquivalentIsReportedWithItsLine) {
     const std::string check = "[[check]]\ntask = \"1.1\"\nname = \"a\"\nlook_at = \"x\"\n";
     const std::string task_2 = "[[task]]\nid = \"1.2\"\ntitle = \"t\"\nfile = \"f\"\n";
     const std::string mistake = "[[mistake]]\nid = \"m\"\ntask = \"1.1\"\nhint = \"h\"\n";

@@ -16,7 +16,7 @@ std::vector<int> numbers(const std::string& text) {
     return found;
 }
 
-TEST(FindLabs, TakesNumbersNamesAndRangesOnceEachInOrder) {
+TEST(FindLabs, AcceptsNumbersNamesAndRangesAndReturnsEachLabOnceInOrder) {
     using Numbers = std::vector<int>;
     EXPECT_EQ(numbers("1"), Numbers{1});
     EXPECT_EQ(numbers("1-5"), (Numbers{1, 3}));
@@ -24,13 +24,13 @@ TEST(FindLabs, TakesNumbersNamesAndRangesOnceEachInOrder) {
     EXPECT_EQ(numbers("3,bricks,2-3,03_bricks"), Numbers{3});
 }
 
-TEST(FindLab, TellsATaskFromALab) {
+TEST(FindLab, ReportsATaskNumberAsNoLab) {
     EXPECT_EQ(message_of<UsageError>([] { find_lab("10.2"); }), "'10.2' is a task of lab 10: say 10");
     for (const char* text : {"11.1", "10.", ".1", "10.x", "1.2.3"})
         EXPECT_TRUE(contains(message_of<UsageError>([&] { find_lab(text); }), "unknown lab")) << text;
 }
 
-TEST(FindLabs, NamesThePartThatIsNoLab) {
+TEST(FindLabs, ReportsThePartThatMatchesNoLab) {
     const auto message = [](const std::string& text) { return message_of<UsageError>([&] { find_labs(text); }); };
     EXPECT_TRUE(contains(message("1,4-9"), "'4-9' contains no lab"));
     EXPECT_TRUE(contains(message("3-1"), "'3-1' contains no lab"));

@@ -91,7 +91,7 @@ TEST(Shot, BackgroundOfAProbeIsInfinityInEveryChannel) {
     }
 }
 
-TEST(Shot, AProbeThatIsNotFiniteNamesItsPixel) {
+TEST(Shot, ANonFiniteProbeIsReportedWithItsPixel) {
     for (const float wrong : {NAN, no_surface, -no_surface}) {
         const std::string message = message_of([&] { take_left_half({0, wrong, 0, 0}, small_probe); });
         EXPECT_TRUE(contains(message, "64 pixels are not finite, the first at column 0, row 0")) << message;
@@ -122,7 +122,7 @@ TEST(Shot, AGlErrorFailsThePicture) {
     EXPECT_TRUE(contains(message_of([&] { render_shot(lab, small); }), "GL_INVALID_ENUM"));
 }
 
-TEST(Shot, WhatAnotherLabLeftBehindDoesNotShow) {
+TEST(Shot, IsIndependentOfTheGlStateOfAnotherLab) {
     BadNeighbour bad;
     const Image before = take_left_half({0, 1, 0, 1}, small);
     EXPECT_THROW(render_shot(bad, small), Error) << "it draws nothing";
@@ -130,7 +130,7 @@ TEST(Shot, WhatAnotherLabLeftBehindDoesNotShow) {
     EXPECT_EQ(before.values, after.values);
 }
 
-TEST(Shot, ALabThatGivesUpHalfwayLeavesACleanState) {
+TEST(Shot, ALabThatThrowsHalfwayLeavesACleanGlState) {
     GivesUpHalfway lab;
     EXPECT_THROW(render_shot(lab, small), Error);
     for (const GLenum one : {GL_SCISSOR_TEST, GL_BLEND, GL_RASTERIZER_DISCARD}) EXPECT_FALSE(glIsEnabled(one));
@@ -156,7 +156,7 @@ TEST(Shot, HandsTheTimeToTheLab) {
     EXPECT_EQ(render_shot(lab, shot).values[0], 2.5f);
 }
 
-TEST(Shot, AFloatPictureIsLight) {
+TEST(Shot, AFloatPictureHoldsLinearLight) {
     LeftHalf lab({0.5f, 1.5f, 0, 1});
     const Image light = render_shot(lab, small, true);
     ASSERT_EQ(light.bits, 32);

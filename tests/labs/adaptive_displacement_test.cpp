@@ -77,7 +77,7 @@ bool is_rightly_culled(const Triangle& triangle, const Camera& camera) {
     return false;
 }
 
-TEST(AdaptiveDisplacement, OnlyTrianglesThatNobodySeesAreCulled) {
+TEST(AdaptiveDisplacement, CullsOnlyInvisibleTriangles) {
     Dice dice;
     std::printf("seed %u\n", seed);
     size_t all = 0, wrong = 0, culled = 0;
@@ -174,7 +174,7 @@ private:
     Frame frame_;
 };
 
-TEST(AdaptiveDisplacement, LevelsAreThoseOfTheTwins) {
+TEST(AdaptiveDisplacement, LevelsMatchTheTwins) {
     struct Scene {
         const char* name;
         DisplacedSurface::Shape shape;
@@ -222,7 +222,7 @@ TEST(AdaptiveDisplacement, LevelsAreThoseOfTheTwins) {
         }
 }
 
-TEST(AdaptiveDisplacement, AnEdgeIsAsUnevenFromBothSides) {
+TEST(AdaptiveDisplacement, BothSidesOfAnEdgeHaveTheSameError) {
     for (const int shape : {DisplacedSurface::sphere, DisplacedSurface::torus, DisplacedSurface::box})
         for (const int corners : {3, 4}) {
             DisplacedSurface surface;
@@ -256,7 +256,7 @@ std::pair<float, float> range_of(const Image& probe) {
     return range;
 }
 
-TEST(AdaptiveDisplacement, LevelsAreWithinWhatGlTakesFromAnywhere) {
+TEST(AdaptiveDisplacement, LevelsStayWithinTheGlRangeFromAnyCamera) {
     // In the middle of a patch, of an edge, and on a vertex; below the ground, far away, and straight from above.
     const std::vector<Orbit> cameras = {{.yaw = 0, .pitch = 0, .distance = 1, .target = {0.5, 0, -0.5}},
                                         {.yaw = 0, .pitch = 0, .distance = 1, .target = {2, 0, 0}},
@@ -300,7 +300,7 @@ size_t holes_of(const Image& winding) {
     return count;
 }
 
-TEST(AdaptiveDisplacement, LevelsOfPatchesCrackAndThoseOfEdgesDoNot) {
+TEST(AdaptiveDisplacement, PatchLevelsCrackAndEdgeLevelsDoNot) {
     for (const char* surface : {"sphere", "torus", "globe", "box"})
         for (const char* method : {"distance", "size", "error"}) {
             Shot shot = eye({{"surface", surface},
@@ -327,7 +327,7 @@ TEST(AdaptiveDisplacement, LevelsOfPatchesCrackAndThoseOfEdgesDoNot) {
         }
 }
 
-TEST(AdaptiveDisplacement, ASmoothShallowGlobeShowsLittleOfItsBack) {
+TEST(AdaptiveDisplacement, CullsNearlyAllOfAShallowGlobesBack) {
     // Seen from a distance of 4 radii, a sphere is visible down to a cosine of 1/4. Five eighths of it face away.
     Shot shot = eye({{"surface", "sphere"},
                      {"patches", "32"},
@@ -344,7 +344,7 @@ TEST(AdaptiveDisplacement, ASmoothShallowGlobeShowsLittleOfItsBack) {
     EXPECT_GT(left / all, 0.375);
 }
 
-TEST(AdaptiveDisplacement, WithoutDepthOrBeyondTheFadeItIsTheFlatMesh) {
+TEST(AdaptiveDisplacement, EqualsTheFlatMeshWithoutDepthOrBeyondTheFade) {
     for (const char* surface : {"ground", "box"}) {
         const auto depths = [&](std::vector<Knob> knobs) {
             knobs.insert(knobs.begin(), {{"surface", surface}, {"patches", "6"}, {"map", "fbm"}, {"size", "256"}});
@@ -365,7 +365,7 @@ TEST(AdaptiveDisplacement, WithoutDepthOrBeyondTheFadeItIsTheFlatMesh) {
     }
 }
 
-TEST(AdaptiveDisplacement, EveryPixelIsFiniteWhateverTheMapTheSurfaceAndTheView) {
+TEST(AdaptiveDisplacement, EveryPixelIsFiniteForAnyMapSurfaceAndView) {
     struct Scene {
         std::vector<Knob> knobs;
         Orbit camera;
@@ -408,7 +408,7 @@ TEST(AdaptiveDisplacement, EveryPixelIsFiniteWhateverTheMapTheSurfaceAndTheView)
 }
 
 // Labs 13, 14 and 17. Patches are counted where they were hit by the time that a picture took.
-TEST(Displacement, MakesNoMoreTrianglesThanAPictureCanTakeAtTheEndsOfItsKnobs) {
+TEST(Displacement, BoundsItsTrianglesAtExtremeKnobs) {
     const std::vector<std::pair<const char*, std::vector<Knob>>> ends = {
         {"13", {{"view", "one"}, {"surface", "globe"}, {"patches", "32"}, {"level", "64"}}},
         {"13", {{"view", "spacings"}, {"surface", "sphere"}, {"patches", "32"}, {"level", "64"}, {"show", "wire"}}},

@@ -22,7 +22,7 @@ double degrees_on_the_cube(std::vector<Knob> knobs) {
     return error_of("07", shot).mean;
 }
 
-TEST(Baking, ACubeStaysFlatInTheFrameThatItWasBakedInAndBulgesInAnyOther) {
+TEST(Baking, ACubeIsFlatOnlyInTheFrameOfTheBake) {
     EXPECT_LT(degrees_on_the_cube({}), 0.04);
     EXPECT_LT(degrees_on_the_cube({{"bits", "8"}}), 0.35);  // half a step of 255 tilts z by 0.22 degrees, and F by more
     EXPECT_LT(degrees_on_the_cube({{"bake_frame", "gram-schmidt"}, {"frame", "gram-schmidt"}}), 0.04);
@@ -34,7 +34,7 @@ TEST(Baking, ACubeStaysFlatInTheFrameThatItWasBakedInAndBulgesInAnyOther) {
     EXPECT_NEAR(degrees_on_the_cube({{"diagonal", "other"}}), 7.6, 0.9);
 }
 
-TEST(Baking, HitsAreThoseOfDoublePrecisionAndNoRayIsLost) {
+TEST(Baking, HitsMatchDoublePrecisionAndNoRayIsLost) {
     for (const std::vector<Knob>& knobs : {std::vector<Knob>{{"gap", "0.05"}},
                                            {{"shape", "mirrored"}, {"low", "2000"}},
                                            {{"cord", "true"}, {"reach", "0.6"}},
@@ -73,7 +73,7 @@ size_t missed(const std::vector<Knob>& knobs) {
 
 // 504 triangles: the relief is 0.162, the sagittas are 0.105 along and 0.134 around. 2016 triangles: sagittas 0.026 and
 // 0.034.
-TEST(Baking, AReachOfReliefAndBothSagittasMissesNothing) {
+TEST(Baking, AReachOfTheReliefPlusBothSagittasMissesNoTexel) {
     EXPECT_EQ(missed({{"reach", "0.402"}}), 0u);
     EXPECT_EQ(missed({{"reach", "0.223"}, {"low", "2000"}}), 0u);
     EXPECT_GT(missed({{"reach", "0.2"}}), 500u);
@@ -98,7 +98,7 @@ TEST(Baking, PaddingKeepsSeamsOutOfSmallLevels) {
     EXPECT_GT(seams("0"), 60);
 }
 
-TEST(Baking, IsDoneAgainOnlyWhenSomethingThatItDependsOnChanges) {
+TEST(Baking, RunsAgainOnlyWhenAnInputChanges) {
     Shot shot = shot_of("07", {}, "", {96, 64});
     const auto lab = make_lab(find_lab("07"), shot);
     const Target target(TargetKind::picture, shot.size);
@@ -125,7 +125,7 @@ TEST(Baking, AMapInObjectSpaceReadsNoTangent) {
     EXPECT_EQ(glGetAttribLocation(programs.with(), "a_uv"), -1) << "no map";
 }
 
-TEST(Baking, CoverSaysWhereTwoIslandsLieOnEachOther) {
+TEST(Baking, TheCoverProbeCountsOverlappingIslands) {
     const auto most = [](const char* islands) {
         const Shot shot = shot_of("07", {{"islands", islands}}, "cover", {64, 64});
         EXPECT_EQ(error_of("07", shot).largest, 0) << islands;
@@ -138,7 +138,7 @@ TEST(Baking, CoverSaysWhereTwoIslandsLieOnEachOther) {
     EXPECT_EQ(most("overlapping"), 2);
 }
 
-TEST(Baking, WithoutReachEveryTexelIsFiniteAndTheCoarseModelsOwn) {
+TEST(Baking, WithoutReachEveryTexelHoldsTheCoarseModelsNormal) {
     for (const char* shape : {"ammonite", "mirrored", "cube"}) {
         const Shot shot =
             shot_of("07", one({{"reach", "0"}, {"shape", shape}, {"map_size", "64"}}), "normal", {64, 64});
@@ -150,7 +150,7 @@ TEST(Baking, WithoutReachEveryTexelIsFiniteAndTheCoarseModelsOwn) {
     }
 }
 
-TEST(Baking, RaysThatNoTaskJudgesAreNotSaidToMiss) {
+TEST(Baking, RaysOfAnUnwrittenTaskAreNotShownAsMisses) {
     const std::string file = "shaders/07_baking/task.glsl";
     std::string task = read_file(course_root() / file);
     const std::string solution = "return is_front && abs(height) < abs(best);";

@@ -79,7 +79,7 @@ TEST_P(Course, HasTasksChecksAndMistakes) {
     }
 }
 
-TEST_P(Course, HasCorrectVariantsOfEachTaskThatAreOtherPrograms) {
+TEST_P(Course, HasDistinctCorrectVariantsOfEachTask) {
     if (!is_of_the_course()) GTEST_SKIP() << "a lab of someone's own";
     EXPECT_GE(manifest_.equivalents.size(), 5u);
     for (const TaskInfo& task : manifest_.tasks)
@@ -138,7 +138,7 @@ TEST_P(Course, TheSolutionPassesEveryCheckAndFingerprintsAreUpToDate) {
 }
 
 // Else a student would learn from the mark.
-TEST_P(Course, AShaderThatReachesBeyondItsTaskIsRefusedByTheStudentsChecks) {
+TEST_P(Course, TheStudentsChecksRejectAShaderThatReachesBeyondItsTask) {
     for (const std::string& file : task_files()) {
         if (!is_shader(file)) continue;
         const CourseOverlay overlay(CourseFiles{{file, read_file(course_root() / file) + "#define main mine\n"}});
@@ -154,7 +154,7 @@ TEST_P(Course, AShaderThatReachesBeyondItsTaskIsRefusedByTheStudentsChecks) {
 
 // Or whoever stores the picture of a check that students have would pass. What is one value everywhere is no picture:
 // the question whether edges agree, the kind of a map.
-TEST_P(Course, AHiddenViewIsAnotherPictureThanTheCheckThatStudentsKnow) {
+TEST_P(Course, AHiddenViewDiffersFromTheKnownCheck) {
     const Variation variation(manifest_, GetParam().folder, "words", 0);
     for (const CheckInfo& check : manifest_.checks) {
         if (check.hidden) continue;
@@ -303,7 +303,7 @@ TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
 }
 
 // As students have it: with the pictures of the handout, and without hidden checks.
-TEST_P(Course, KnownMistakesAreNamedAndNothingElseIs) {
+TEST_P(Course, OnlyKnownMistakesAreNamed) {
     if (!fs::exists(fingerprints_file(GetParam()))) GTEST_SKIP() << "a lab of someone's own";
     const std::string grading = "labs/" + GetParam().folder + "/staff/grading.toml";
     Manifest students = manifest_;
@@ -454,7 +454,7 @@ bool is_failed_by_mistake(const LabEntry& lab, const Manifest& manifest, const s
 
 // A student who reads "waits for task 1.2" must not wait for nothing, and one who has done all that a check needs must
 // not be called wrong; where something else is wrong, that is to be named and no mistake of this task.
-TEST_P(Course, ChecksNeedTheTasksTheySayAndNoOthers) {
+TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
     Manifest blind = manifest_;  // draws, whatever is missing
     for (CheckInfo& check : blind.checks) check.needs.clear();
     Expectations expected;

@@ -59,7 +59,7 @@ TEST(Displacement, ApproachesTheExactWallWithTheSquareOfTheLevel) {
         }
 }
 
-TEST(Displacement, IsTheSameWallFromBehindAndAtItsEdge) {
+TEST(Displacement, DrawsTheSameWallFromBehindAndAtItsEdge) {
     for (const double yaw : {155.0, 80.0}) {
         Shot shot = one(with(smooth_wall, {{"level", "64"}}), "depth");
         shot.camera = before_the_wall, shot.camera.yaw = yaw;
@@ -94,7 +94,7 @@ TEST(Displacement, FractionalSpacingsMoveWithTheLevelAndEqualOnesJump) {
     EXPECT_LE(largest[2] * 1000, 0.05);
 }
 
-TEST(Displacement, CutsAPatchIntoTheTrianglesThatItsLevelSays) {
+TEST(Displacement, CutsAPatchIntoTheNumberOfTrianglesOfItsLevel) {
     struct Cut {
         const char *level, *spacing;
         int quads, triangles;  ///< of a patch with four and with three corners
@@ -184,7 +184,7 @@ private:
                        "13_displacement/surface.frag"};
 };
 
-TEST(Displacement, IsTheSameAMillionMetresAway) {
+TEST(Displacement, IsUnchangedAMillionMetresAway) {
     Rig rig;
     for (const char* probe : {"depth", "normal"}) {
         rig.surface.origin = {};
@@ -261,7 +261,7 @@ TEST(Displacement, HasTheNormalsOfTheExactSurface) {
     }
 }
 
-TEST(Displacement, IsSteeperThanItsHeightsAreWhereTheBaseHasShrunk) {
+TEST(Displacement, SlopesGrowWhereTheBaseShrinks) {
     // A sphere displaced by d (negative means inwards) scales lengths on it by 1 + d / radius, and each slope by 1 / (1
     // + d / radius). Blinn's normals (1978) ignore that: an error of 1.47 degrees at slope 1 and d = -0.05 radii.
     Rig rig;
@@ -291,7 +291,7 @@ TEST(Displacement, IsSteeperThanItsHeightsAreWhereTheBaseHasShrunk) {
     EXPECT_LT(off, 0.1);
 }
 
-TEST(Displacement, WithoutDepthOrBelowTheTopIsTheFlatMeshToTheBit) {
+TEST(Displacement, EqualsTheFlatMeshBitForBitWithoutDepthOrAtFullHeight) {
     struct Relief {
         const char *map, *depth;
     };
@@ -315,7 +315,7 @@ TEST(Displacement, WithoutDepthOrBelowTheTopIsTheFlatMeshToTheBit) {
     }
 }
 
-TEST(Displacement, TheNormalMappedHalfKnowsNothingOfLevels) {
+TEST(Displacement, TheNormalMappedHalfIsIndependentOfTessellation) {
     Kept kept(shot_of("13", {{"view", "beside"}, {"show", "light"}, {"patches", "2"}}, "", {160, 100}));
     const auto half = [&](const Knob& knob) {
         const Image picture = kept.drawn({knob}, "");
@@ -357,7 +357,7 @@ void expect_finite(const Image& image, const std::string& what) {
         }
 }
 
-TEST(Displacement, EveryPixelIsFiniteWhateverTheDepthAndTheMap) {
+TEST(Displacement, EveryPixelIsFiniteForAnyDepthAndMap) {
     Rig rig;
     rig.level = 5;
     for (const int shape : {DisplacedSurface::wall, DisplacedSurface::globe, DisplacedSurface::torus,
@@ -376,7 +376,7 @@ TEST(Displacement, EveryPixelIsFiniteWhateverTheDepthAndTheMap) {
                               std::string(map) + " " + size + " " + normals);
 }
 
-TEST(Displacement, EveryPixelIsFiniteWhereverTheEyeIs) {
+TEST(Displacement, EveryPixelIsFiniteFromAnyEye) {
     // On a vertex of the flat wall, in its plane, edge-on, behind it, and inside the relief.
     std::vector<std::pair<const char*, Orbit>> views;
     for (const double yaw : {0.0, 90.0, 180.0})

@@ -21,7 +21,7 @@ const Orbit ball = {.yaw = 0, .pitch = 25, .distance = 3.2, .target = {1.9, 1.0,
 
 // ---- the mirrored sky
 
-TEST(Environment, TheCubeMapHoldsTheSky) {
+TEST(Environment, TheCubeMapMatchesTheSky) {
     const ErrorSummary error = error_of("16", court_shot("reflection", {{"gloss", "mirror"}}));
     EXPECT_LT(error.mean, 0.01);
 }
@@ -45,7 +45,7 @@ double blur_error(const char* gloss, const char* exponent) {
     return summarize(errors).mean / (light / double(count));
 }
 
-TEST(Environment, ALevelIsAsBlurredAsItsLobeWithinTenPercentOfTheLight) {
+TEST(Environment, EachMipLevelMatchesItsLobeWithinTenPercent) {
     for (const auto& [exponent, most] : {std::pair{"8", 0.09}, {"32", 0.08}, {"128", 0.07}, {"512", 0.06}}) {
         const double blurred = blur_error("even", exponent), sharp = blur_error("mirror", exponent);
         EXPECT_LT(blurred, most) << exponent;
@@ -187,7 +187,7 @@ TEST(Environment, TheIntegralGivesTheCosineOfASlopeBetweenTwoEndlessWalls) {
     }
 }
 
-TEST(Environment, OcclusionBetweenTwoWallsIsOffByWhatHandout16Says) {
+TEST(Environment, OcclusionBetweenTwoWallsHasTheErrorsOfHandout16) {
     for (const auto& [slope, handout_says] : {std::pair{15.0, 0.002}, {30.0, 0.006}, {45.0, 0.014}}) {
         Shot shot =
             shot_of("16", {{"scene", "groove"}, {"tilt", std::to_string(slope)}, {"slices", "16"}, {"taps", "48"}},
@@ -207,7 +207,7 @@ TEST(Environment, OcclusionBetweenTwoWallsIsOffByWhatHandout16Says) {
     }
 }
 
-TEST(Environment, APlaneIsWhollyOpen) {
+TEST(Environment, APlaneIsUnoccluded) {
     Shot shot = shot_of("16", {{"scene", "plane"}, {"tilt", "0"}}, "occlusion", {128, 128});
     shot.camera = {.yaw = 30, .pitch = 40, .distance = 1.2, .target = {2.2, 0, 2.2}};
     const Image image = drawn("16", shot);
@@ -217,7 +217,7 @@ TEST(Environment, APlaneIsWhollyOpen) {
 
 // ---- the sum
 
-TEST(Environment, LightIsWithinAThousandthOfDoublePrecisionWhereNothingIsSearched) {
+TEST(Environment, LightWithoutOcclusionAndShadowMatchesDoublePrecision) {
     for (const std::vector<Knob>& more : std::vector<std::vector<Knob>>{
              {{"reflection", "false"}, {"lamps", "1"}}, {{"gloss", "mirror"}, {"exponent", "16"}, {"lamps", "3"}}}) {
         std::vector<Knob> knobs = {{"ao", "false"}, {"shadow", "false"}};
@@ -231,7 +231,7 @@ TEST(Environment, LightIsWithinAThousandthOfDoublePrecisionWhereNothingIsSearche
     }
 }
 
-TEST(Environment, ThePixelOfTheTableIsThatOfThePicture) {
+TEST(Environment, TheTableExplainsAPixelOfTheSamePicture) {
     // Except for the cross and the table, the picture equals the court.
     Shot shot = court_shot("", {{"view", "one-pixel"}, {"pixel_x", "0.25"}, {"pixel_y", "0.25"}}, {64, 64});
     const Image table = drawn("16", shot);
@@ -277,7 +277,7 @@ TEST(Environment, IsFiniteWhereverTheSunAndTheEyeAre) {
 
 // ---- skipped work
 
-TEST(Environment, TermsThatAreOffLoadNoMapAndDrawNothing) {
+TEST(Environment, DisabledTermsLoadNoMapAndDrawNothing) {
     const auto work = [](std::vector<Knob> knobs) {
         const Shot shot = shot_of("16", std::move(knobs), "light", {32, 32});
         const auto lab = make_lab(find_lab("16"), shot);
@@ -294,7 +294,7 @@ TEST(Environment, TermsThatAreOffLoadNoMapAndDrawNothing) {
     EXPECT_GT(all.first - no_sky.first, 6 * 128 * 128 * 12) << "the sky";
 }
 
-TEST(Environment, TheShadowMapIsDrawnAgainOnlyWhenSunOrSceneMoved) {
+TEST(Environment, TheShadowMapIsRedrawnOnlyAfterTheSunOrTheSceneMoves) {
     Shot shot = shot_of("16", {{"ao", "false"}}, "", {32, 32});
     const auto lab = make_lab(find_lab("16"), shot);
     const auto calls = [&] {

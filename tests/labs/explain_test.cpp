@@ -128,7 +128,7 @@ private:
 };
 
 // The goal is 95 % over all labs. A single lab may miss one of ten.
-TEST_P(Explained, TheFirstFunctionNamedIsTheEditedOne) {
+TEST_P(Explained, BlamesTheEditedFunctionFirst) {
     Misses misses;
     const auto mistakes = sample_of(manifest_.mistakes, 2);
     for (const MistakeInfo* const mistake : mistakes) {
@@ -142,7 +142,7 @@ TEST_P(Explained, TheFirstFunctionNamedIsTheEditedOne) {
     EXPECT_LE(double(misses.count()), 0.1 * double(mistakes.size())) << misses.lines();
 }
 
-TEST_P(Explained, NoFunctionOfACorrectVariantIsNamed) {
+TEST_P(Explained, BlamesNoFunctionOfACorrectVariant) {
     // This task accepts any perpendicular, and the probe shows which one was chosen. The difference is real, and the
     // variant is correct.
     const std::string free_choice = "another-perpendicular-in-the-shader";
@@ -158,7 +158,7 @@ TEST_P(Explained, NoFunctionOfACorrectVariantIsNamed) {
 }
 
 // A student's course has no twins.
-TEST(Explain, WithoutTwinsThereAreValuesAndNoNames) {
+TEST(Explain, WithoutTwinsValuesAreListedButNoFunctionIsBlamed) {
     const LabEntry& lab = find_lab("10");
     const Manifest manifest = load_manifest(lab);
     const Twins twins = twins_of(manifest);
@@ -178,7 +178,7 @@ TEST(Explain, WithoutTwinsThereAreValuesAndNoNames) {
 }
 
 // Lab 15 measures the slopes of the sea in a small picture, once for each of its two views.
-TEST(Explain, PassesThatDrawTheSameAreListedOnce) {
+TEST(Explain, EqualPassesAreListedOnce) {
     const LabEntry& lab = find_lab("15");
     const Manifest manifest = load_manifest(lab);
     Shot shot;

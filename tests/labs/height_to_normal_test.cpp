@@ -52,7 +52,7 @@ TEST(HeightToNormal, WithoutDepthTheMapIsFlat) {
     }
 }
 
-TEST(HeightToNormal, LevelsThatAreAllOneChangeNothingAndLevelsWithoutStrengthSmooth) {
+TEST(HeightToNormal, LevelStrengthsOfZeroSmoothTheNormals) {
     const std::vector<Knob> plain = {{"view", "one"}, {"filter", "central"}, {"source", "bricks"}};
     const Image whole = drawn("03", shot_of("03", plain, "normal"));
     std::vector<Knob> smooth = plain;

@@ -88,7 +88,7 @@ TEST_P(EveryLab, IsMadeAndDescribedWithoutAnyGlObject) {
 
 TEST_P(EveryLab, DrawsTheSamePictureEachTime) { EXPECT_EQ(picture(shot()).values, picture(shot()).values); }
 
-TEST_P(EveryLab, DrawsWithEachKnobAtItsEndsAndCompilesNothingWhereNothingChanges) {
+TEST_P(EveryLab, DrawsWithEachKnobAtItsEndsAndCompilesNothingForEqualPictures) {
     const SmallLab small(GetParam(), shot());
     const auto draw = [&] {
         Image image = small.draw();
@@ -113,7 +113,7 @@ TEST_P(EveryLab, DrawsWithEachKnobAtItsEndsAndCompilesNothingWhereNothingChanges
 }
 
 // The window shows such a knob in grey.
-TEST_P(EveryLab, DrawsTheSameWhateverAKnobIsWhereItsHelpExcludesIt) {
+TEST_P(EveryLab, IgnoresAKnobWhereItsHelpExcludesIt) {
     const SmallLab small(GetParam(), shot());
     Lab& lab = small.lab();
     const auto draw = [&] { return small.draw().values; };
@@ -138,7 +138,7 @@ TEST_P(EveryLab, DrawsTheSameWhateverAKnobIsWhereItsHelpExcludesIt) {
 }
 
 // In the window a shader may not compile while its author types; the frame after the mend is as if it always had.
-TEST_P(EveryLab, ADrawThatThrowsLeavesEveryKnobAndTheNextPictureAsTheyWere) {
+TEST_P(EveryLab, ADrawThatThrowsChangesNoKnobAndNotTheNextPicture) {
     std::vector<std::string> views = {""};
     for (const KnobText& knob : describe_knobs(*make_lab(GetParam(), shot())))
         if (knob.name == "view") views = extremes(knob);
@@ -217,7 +217,7 @@ void expect_no_repetition(const Image& probe, const ProbeInfo& info) {
             [](const float* color) { return double(color[0]) + color[1] + color[2]; });
 }
 
-TEST_P(EveryLab, EachProbeIsFiniteOnTheSurfaceAgreesWithItsTruthAndRepeatsNoColour) {
+TEST_P(EveryLab, EachProbeIsFiniteAgreesWithItsTruthAndRepeatsNoColour) {
     EXPECT_FALSE(manifest_.probes.empty());
     for (const ProbeInfo& info : manifest_.probes) {
         const Shot wanted = shot({info.name});
@@ -234,7 +234,7 @@ TEST_P(EveryLab, EachProbeIsFiniteOnTheSurfaceAgreesWithItsTruthAndRepeatsNoColo
     }
 }
 
-TEST_P(EveryLab, GivesBackEveryObjectAndByte) {
+TEST_P(EveryLab, FreesEveryObjectAndByte) {
     const Counters before = counters();
     picture(shot());
     EXPECT_EQ(counters().live, before.live);
@@ -259,7 +259,7 @@ TEST_P(EveryLab, ComesBackIdenticalAfterAnyOtherLab) {
 INSTANTIATE_TEST_SUITE_P(Labs, EveryLab, testing::ValuesIn(registry()),
                          [](const auto& lab) { return "Lab" + lab.param.folder; });
 
-TEST(Labs, AreThere) { EXPECT_FALSE(registry().empty()); }
+TEST(Labs, AreRegistered) { EXPECT_FALSE(registry().empty()); }
 
 }  // namespace
 }  // namespace relief

@@ -64,7 +64,7 @@ TEST(MistakePictures, HaveContrast) {
     }
 }
 
-TEST(MistakePictures, EachOfALabIsShownByACheckOfItsTaskThatFailsInAPictureThatDiffers) {
+TEST(MistakePictures, ShowEachMistakeInAFailedCheckOfItsTaskWithAVisibleDifference) {
     const LabEntry& lab = find_lab("02");
     MistakePictures pictures(lab);
     bool any_probe = false, any_light = false;
@@ -83,7 +83,7 @@ TEST(MistakePictures, AMistakeInCppIsCompiledAndDrawn) {
     FAIL() << "there is none";
 }
 
-TEST(MistakePictures, LeaveTheCourseAsItWas) {
+TEST(MistakePictures, LeaveTheCourseUnchanged) {
     const LabEntry& lab = find_lab("02");
     Shot shot;
     shot.size = {64, 48}, shot.camera = load_manifest(lab).camera;
@@ -95,7 +95,7 @@ TEST(MistakePictures, LeaveTheCourseAsItWas) {
     EXPECT_EQ(render_shot(*make_lab(lab, shot), shot).values, before.values);
 }
 
-TEST(MistakePictures, WhatDoesNotCompileSaysWhere) {
+TEST(MistakePictures, ReportTheLineOfACompileError) {
     const LabEntry& lab = find_lab("02");
     MistakePictures pictures(lab);
     MistakeInfo broken = pictures.manifest().mistakes.front();

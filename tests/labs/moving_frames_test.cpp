@@ -53,7 +53,7 @@ TEST(MovingFrames, TheJacobianIsTheDerivativeOfThePoseAndItsCofactorsKeepTheNorm
     }
 }
 
-TEST(MovingFrames, WeightsSumTo1AndAVertexHasThoseOfTheFormula) {
+TEST(MovingFrames, VertexWeightsSumTo1AndFollowTheFormula) {
     for (const Body& body : {tube, serpent})
         for (const double over : {0.0, 0.4, 1.2, 99.0}) {
             const Mesh mesh = make_skin(body, 37, 5);
@@ -80,7 +80,7 @@ struct WayError {
     double mean, most, transposed_mean;
 };
 
-TEST(MovingFrames, WhatEnginesDoIsOffByWhatTheHandoutSays) {
+TEST(MovingFrames, TheMethodsOfEnginesHaveTheErrorsOfTheHandout) {
     // Measured in double precision by a separate program. The weights span four radii of a tube of length 20/3.
     for (const auto& [bend, twist, mean, most, transposed] :
          {WayError{"30", "0", 2.24, 11.1, 2.13}, WayError{"60", "0", 4.81, 26.1, 4.19},
@@ -101,7 +101,7 @@ TEST(MovingFrames, WhatEnginesDoIsOffByWhatTheHandoutSays) {
     }
 }
 
-TEST(MovingFrames, WithTheGradientNormalsAreRightToARounding) {
+TEST(MovingFrames, NormalsByTheGradientAreExactToRounding) {
     for (const char* shape : {"tube", "serpent"})
         for (const char* blend : {"linear", "dual-quaternion"})
             for (const char* weights : {"even", "uneven"})
@@ -119,7 +119,7 @@ TEST(MovingFrames, WithTheGradientNormalsAreRightToARounding) {
                         << shape << ' ' << blend << ' ' << weights << ' ' << twist;
 }
 
-TEST(MovingFrames, ATwistThinsALinearSkinAndNotOneOfDualQuaternions) {
+TEST(MovingFrames, ATwistThinsALinearSkinButNotADualQuaternionSkin) {
     const auto thinnest = [](double twist, bool dual) {
         const Pose pose{.bend = 0, .twist = twist, .dual = dual};
         const std::vector<Bone> bones = bones_of(tube, pose);
@@ -156,7 +156,7 @@ TEST(MovingFrames, SignsOfDualQuaternionsMakeNoDifference) {
     for (size_t i = 0; i < alike.values.size(); ++i) ASSERT_NEAR(alike.values[i], opposite.values[i], 2e-6) << i;
 }
 
-TEST(MovingFrames, AFoldedSkinIsToldByItsDeterminant) {
+TEST(MovingFrames, TheDeterminantDetectsAFoldedSkin) {
     const auto share = [](const char* bend, const char* over) {
         const Shot shot = skin({{"shape", "tube"}, {"bend", bend}, {"weights_over", over}}, "fold", {64, 256});
         const auto lab = make_lab(find_lab("18"), shot);
@@ -185,7 +185,7 @@ TEST(MovingFrames, AFoldedSkinIsToldByItsDeterminant) {
         }
 }
 
-TEST(MovingFrames, IsFiniteWhateverBonesWeightsAndScalesAre) {
+TEST(MovingFrames, IsFiniteForAnyBonesWeightsAndScales) {
     for (const std::vector<Knob>& knobs : std::vector<std::vector<Knob>>{{{"stretch", "0"}},
                                                                          {{"stretch", "0"}, {"weights_over", "0"}},
                                                                          {{"weights_over", "0"}},
@@ -245,7 +245,7 @@ TEST(MovingFrames, TwoHundredBodiesAreOneDraw) {
               std::pair(int64_t(1 + 200 * 12288), int64_t(3)));
 }
 
-TEST(MovingFrames, BodiesOutsideOfThePictureAreNotDrawnAndNoOtherIsMissing) {
+TEST(MovingFrames, OnlyBodiesOutsideThePictureAreCulled) {
     const Orbit camera = load_manifest(find_lab("18")).camera;
     const int64_t all = work_of({}, far_away).first;
     Orbit away = camera;

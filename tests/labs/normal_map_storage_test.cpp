@@ -7,7 +7,7 @@ namespace {
 constexpr const char* formats[] = {"unorm8", "unorm8-truncated", "snorm8", "paired8", "rg8", "rg16", "oct16", "half"};
 std::vector<Knob> one(const char* format) { return {{"view", "one"}, {"format", format}}; }
 
-TEST(NormalMapStorage, EveryFormatStoresWhatDoublePrecisionStores) {
+TEST(NormalMapStorage, EveryFormatMatchesDoublePrecision) {
     for (const char* format : formats) {
         const ErrorSummary off = error_of("02", shot_of("02", one(format), "stored"));
         EXPECT_GT(off.count, 4000u) << format;
@@ -29,7 +29,7 @@ double mean_error(std::vector<Knob> knobs) {
     return sum;
 }
 
-TEST(NormalMapStorage, TruncatingAndADecoderOfTheOtherConventionEachCostTwiceTheError) {
+TEST(NormalMapStorage, TruncatingAndAMismatchedDecoderEachDoubleTheError) {
     EXPECT_NEAR(mean_error(one("unorm8")), 0.170, 0.003);  // Cigolle et al. 2014
     EXPECT_NEAR(mean_error(one("unorm8-truncated")), 0.339, 0.01);
     std::vector<Knob> mismatch = one("paired8");

@@ -29,7 +29,7 @@ TEST(ObjMaterials, StackedPanesAreWithinATenThousandthOfDoublePrecisionFromBothS
     EXPECT_GT(error_of("08", panes({{"blend_in", "stored"}}, 180)).mean, 0.003);
 }
 
-TEST(ObjMaterials, WeightedGlassNeedsNoOrderAndIsOffByLessThanTheWrongOne) {
+TEST(ObjMaterials, WeightedGlassNeedsNoOrderAndBeatsTheWrongOrder) {
     const double weighted = error_of("08", panes({{"order", "weighted"}}, 180)).mean;
     EXPECT_LT(weighted, 0.6 * error_of("08", panes({{"order", "file"}}, 180)).mean);
     EXPECT_GT(weighted, 1e-3) << "it is no exact method";
@@ -57,7 +57,7 @@ TEST(ObjMaterials, ProgramsAreSetsOfFeaturesAndNotMaterials) {
     EXPECT_EQ(work_of({{"view", "one"}, {"programs", "branches"}}).links, 1 + 2);
 }
 
-TEST(ObjMaterials, AMapThatNoMaterialNamesIsNotLoaded) {
+TEST(ObjMaterials, UnreferencedMapsAreNotLoaded) {
     const int64_t light = 32 * 32 * 4 * 16, level = 4 * 512 * 512 / 3;
     EXPECT_EQ(work_of({{"view", "one"}, {"maps", "off"}}).bytes, light);
     // The maps of grass and highlights are 512 wide, the map of bricks 1024. The mask has one channel.
@@ -73,7 +73,7 @@ std::vector<double> coverages(const char* alpha, const char* threshold = "0.5") 
     return found;
 }
 
-TEST(ObjMaterials, AFenceKeepsItsCoverageAtEachLevelAndByAThresholdItDoesNot) {
+TEST(ObjMaterials, AFenceKeepsItsCoverageAtEachLevelExceptWithAThreshold) {
     for (const double share : coverages("keep")) EXPECT_NEAR(share, wire_coverage, 0.01);
     for (const double share : coverages("hashed")) EXPECT_NEAR(share, wire_coverage, 0.001) << "on average";
     for (const double share : coverages("to-coverage")) EXPECT_NEAR(share, wire_coverage, 0.035);
@@ -84,7 +84,7 @@ TEST(ObjMaterials, AFenceKeepsItsCoverageAtEachLevelAndByAThresholdItDoesNot) {
     EXPECT_EQ(half[4], 0);
 }
 
-TEST(ObjMaterials, MasksCoverAtEachLevelWhatHandout08Says) {
+TEST(ObjMaterials, MaskCoverageAtEachLevelMatchesHandout08) {
     struct Row {
         const char *alpha, *threshold;
         double percent[6];
@@ -100,7 +100,7 @@ TEST(ObjMaterials, MasksCoverAtEachLevelWhatHandout08Says) {
     }
 }
 
-TEST(ObjMaterials, HashedAlphaLeavesAsMuchOfAFarFenceAsItCovers) {
+TEST(ObjMaterials, HashedAlphaKeepsTheCoverageOfADistantFence) {
     Shot shot =
         shot_of("08", {{"view", "one"}, {"file", "fence"}, {"alpha", "hashed"}, {"highlight", "5"}}, "", {160, 60});
     shot.camera = {.yaw = 0, .pitch = 0, .distance = 40, .target = {3, 0.75, -40}, .field_of_view = 1.2};
@@ -121,14 +121,14 @@ Scene scene_of(const std::string& lines, const char* use = "a") {
     return make_scene(parse_obj(obj, "newmtl a\n" + lines, "m/model.obj"), true, kind_of);
 }
 
-TEST(ObjMaterials, OpacityDecidesBetweenGlassOpaqueAndNothing) {
+TEST(ObjMaterials, OpacitySelectsGlassOpaqueOrNoPiece) {
     EXPECT_TRUE(scene_of("d 0\n").pieces.empty());
     EXPECT_EQ(scene_of("d 1\n").pieces.at(0).features, 0u);
     EXPECT_EQ(scene_of("d 1\nTr 0\n").pieces.at(0).features, 0u) << "Tr is 1 - d";
     EXPECT_EQ(scene_of("Tr 0.25\n").pieces.at(0).features, unsigned(materials::glass));
 }
 
-TEST(ObjMaterials, WhatIsMissingIsGreyOrLeftOutWithANoteOfItsFileAndLine) {
+TEST(ObjMaterials, MissingMaterialsAreGreyAndMissingMapsLeftOutWithANote) {
     const Scene unknown = scene_of("Kd 0 0 0\n", "b");
     EXPECT_GT(unknown.pieces.at(0).material.diffuse.x, 0.3f);
     EXPECT_TRUE(contains(unknown.notes.at(0), "model.obj:7: no material file describes 'b'")) << unknown.notes[0];
@@ -142,7 +142,7 @@ TEST(ObjMaterials, WhatIsMissingIsGreyOrLeftOutWithANoteOfItsFileAndLine) {
     EXPECT_GT(light.pixel(64, 120)[0], 0.2f);
 }
 
-TEST(ObjMaterials, AFileThatIsWrongGivesOneLineAndNoScene) {
+TEST(ObjMaterials, AnInvalidFileThrowsAOneLineError) {
     try {
         make_scene(parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 2 9\n", "", "m/bad.obj"), true, kind_of);
         ADD_FAILURE() << "was read";
@@ -152,7 +152,7 @@ TEST(ObjMaterials, AFileThatIsWrongGivesOneLineAndNoScene) {
     }
 }
 
-TEST(ObjMaterials, TangentsRunAlongGrowingUAndKnowMirroredOnes) {
+TEST(ObjMaterials, TangentsPointAlongIncreasingUAndMarkMirroredUv) {
     const auto tangent = [](const char* uvs) {
         const std::string obj = std::string("v 0 0 0\nv 1 0 0\nv 1 1 0\n") + uvs + "f 1/1 2/2 3/3\n";
         return make_scene(parse_obj(obj), true, kind_of).mesh.vertices.at(0).tangent;
@@ -162,7 +162,7 @@ TEST(ObjMaterials, TangentsRunAlongGrowingUAndKnowMirroredOnes) {
     EXPECT_EQ(tangent("vt 0 0\nvt 0 -1\nvt 1 -1\n"), glm::vec4(0, 1, 0, 1));
 }
 
-TEST(ObjMaterials, AMapIsTakenForWhat99Of100TexelsAre) {
+TEST(ObjMaterials, AMapsKindIsThatOf99PercentOfItsTexels) {
     Image grey(20, 20, 3, 8), normals(20, 20, 4, 8);
     for (size_t i = 0; i < grey.pixel_count(); ++i)
         for (size_t c = 0; c < 4; ++c) {
@@ -179,14 +179,14 @@ TEST(ObjMaterials, AMapIsTakenForWhat99Of100TexelsAre) {
     EXPECT_EQ(kind_of(normals), MapKind::neither);
 }
 
-TEST(ObjMaterials, PanesInOnePlaneKeepTheOrderOfTheFile) {
+TEST(ObjMaterials, CoplanarPanesKeepTheFileOrder) {
     const materials::Surface pane{3, true, {0, 1, 0}}, wall{5, false, {0, 0, -2}}, near{5, false, {0, 0, -1}};
     const std::array surfaces = {pane, pane, wall, pane, near};
     EXPECT_EQ(draw_order(surfaces, {0, 0, 3}), (std::vector{4, 2, 0, 1, 3}));
     EXPECT_TRUE(draw_order({}, {0, 0, 0}).empty());
 }
 
-TEST(ObjMaterials, TheLampIsFiniteAtItselfAndOnItsAxisWhateverItsConeAndRange) {
+TEST(ObjMaterials, TheLampIsFiniteAtItsPositionAndAxisForAnyConeAndRange) {
     for (const char* cone : {"0", "0.5", "64"})
         for (const char* range : {"0", "0.01", "20"}) {
             const Shot shot = shot_of("08", {{"view", "lamp"}, {"cone", cone}, {"range", range}}, "lamp", {33, 33});
@@ -195,7 +195,7 @@ TEST(ObjMaterials, TheLampIsFiniteAtItselfAndOnItsAxisWhateverItsConeAndRange) {
         }
 }
 
-TEST(ObjMaterials, MoreTapsAlongTheFootprintAreNearerToTheSamples) {
+TEST(ObjMaterials, MoreTapsAlongTheFootprintReduceTheError) {
     const auto off = [](const char* filter) {
         Shot shot =
             shot_of("08", {{"view", "one"}, {"file", "fence"}, {"filter", filter}, {"lamp", "sun"}}, "color", {24, 16});

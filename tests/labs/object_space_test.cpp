@@ -4,7 +4,7 @@
 namespace relief {
 namespace {
 
-TEST(ObjectSpace, EachMapSurvivesWhatItShouldAndNothingElse) {
+TEST(ObjectSpace, EachMapSurvivesExactlyItsOwnMotions) {
     const std::pair<Knob, const char*> motions[] = {{{"twist", "60"}, "tangent"},
                                                     {{"rotate", "60"}, "object tangent"},
                                                     {{"translate", "0.3"}, "world object tangent"}};

@@ -33,7 +33,7 @@ double sum_of(const Image& image) {
     return sum;
 }
 
-TEST(Ocean, MapsAreTheirCosines) {
+TEST(Ocean, MapsMatchTheirCosines) {
     for (int map = 0; map < 2; ++map) {
         const auto maps = make_maps(map);
         double square = 0;
@@ -101,7 +101,7 @@ RuleError error_of_rule(double rms, Rule rule) {
     return {degrees / count, std::sqrt(found / right)};
 }
 
-TEST(Ocean, TheMeanOfNormalsHasHalfOfTheSlope) {
+TEST(Ocean, TheMeanOfNormalsHalvesTheSlope) {
     const auto mean = [](const glm::dvec3& a, const glm::dvec3& b) { return a + b; };
     // Measured by a separate program over random waves: 3.4, 7.3, 10.5 degrees. For the lab's waves, the handout states
     // these values.
@@ -136,7 +136,7 @@ double light_off(const char* far_rule, const char* wind) {
     return sum_of(render_shot(*lab, shot)) / right - 1;
 }
 
-TEST(Ocean, TheLightOfAFarSeaIsRightByLeanAndTooMuchByPlainMips) {
+TEST(Ocean, LeanMatchesTheLightOfAFarSeaAndPlainMipsExceedIt) {
     for (const char* wind : {"4", "8", "14"}) {
         EXPECT_LT(std::abs(light_off("lean", wind)), 0.06) << wind;
         EXPECT_GT(std::abs(light_off("plain", wind)), 4) << wind;
@@ -146,7 +146,7 @@ TEST(Ocean, TheLightOfAFarSeaIsRightByLeanAndTooMuchByPlainMips) {
     EXPECT_GT(std::abs(light_off("toksvig", "8")), 1.5 * std::abs(light_off("lean", "8")));
 }
 
-TEST(Ocean, ComesBackToTheBitAfterItsPeriodAtAnyTime) {
+TEST(Ocean, RepeatsBitForBitAfterItsPeriod) {
     const auto at = [](double time) {
         Shot shot = from_above(near_sea(), "height", {24, 24});
         shot.time = time;
@@ -158,7 +158,7 @@ TEST(Ocean, ComesBackToTheBitAfterItsPeriodAtAnyTime) {
     EXPECT_EQ(at(0), at(-128 * 1e5)) << "whole tiles, backwards";
 }
 
-TEST(Ocean, IsFiniteWhateverSunEyeAndHighlightAre) {
+TEST(Ocean, IsFiniteForAnySunEyeAndHighlight) {
     for (const std::vector<Knob>& knobs : std::vector<std::vector<Knob>>{{},
                                                                          {{"shininess", "1"}},
                                                                          {{"shininess", "4096"}},
@@ -195,7 +195,7 @@ TEST(Ocean, AWholeSpreadWithoutCovarianceOrWavesIsASingleSlope) {
     EXPECT_LE(most, 1.0f);
 }
 
-TEST(Ocean, RaisedWavesKeepTheBudgetAndLeaveNoHole) {
+TEST(Ocean, DisplacedWavesKeepTheBudgetAndLeaveNoHole) {
     Shot shot = shot_of("15", {{"view", "one"}, {"budget", "0.5"}}, "height", {96, 96});
     shot.camera = {.yaw = 200, .pitch = 40, .distance = 20, .target = {0, 0, 0}};
     const Image found = drawn("15", shot);
@@ -228,7 +228,7 @@ TEST(Ocean, WavesBelowTheBudgetAreNotTessellated) {
               flat + 10);
 }
 
-TEST(Ocean, MapsThatNobodyReadsAreNotLoaded) {
+TEST(Ocean, UnusedMapsAreNotLoaded) {
     const auto bytes = [](const std::vector<Knob>& knobs) {
         const Shot shot = shot_of("15", knobs, "", {32, 32});
         const auto lab = make_lab(find_lab("15"), shot);

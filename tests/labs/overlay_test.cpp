@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* task = "shaders/02_normal_map_storage/task.glsl";
 
-TEST(CourseOverlay, HasItsOwnFilesAndAllTheOthersForAsLongAsItLives) {
+TEST(CourseOverlay, ReplacesItsFilesAndKeepsTheOthersWhileItLives) {
     const std::filesystem::path root = course_root();
     const std::string before = read_file(root / task);
     {
@@ -28,7 +28,7 @@ TEST(CourseOverlay, HasItsOwnFilesAndAllTheOthersForAsLongAsItLives) {
     EXPECT_FALSE(std::filesystem::exists(root / "labs/99_x"));
 }
 
-TEST(CourseOverlay, EditsReplaceWhatStandsThereExactlyOnce) {
+TEST(CourseOverlay, EditsReplaceATextThatOccursExactlyOnce) {
     const CourseFiles files =
         edited({{task, "encode_paired8(vec3 normal)", "X"}, {task, "encode_unorm8(vec3 normal)", "Y"}});
     ASSERT_EQ(files.size(), 1u);
@@ -38,7 +38,7 @@ TEST(CourseOverlay, EditsReplaceWhatStandsThereExactlyOnce) {
     EXPECT_TRUE(contains(message_of([&] { edited({{"no/file", "a", "b"}}); }), "no/file: cannot read"));
 }
 
-TEST(Handout, IsRefusedWhenALabIncludesWhatStaysWithTheStaff) {
+TEST(Handout, IsRefusedWhenALabIncludesAStaffFile) {
     const char* const surface = "shaders/06_tangent_space/surface.frag";
     const CourseOverlay overlay(
         edited({{surface, "#include \"common/light.glsl\"", "#include \"staff/normal_map.glsl\""}}));

@@ -124,11 +124,11 @@ void expect_like_the_twin(const char* bits) {
     }
 }
 
-TEST(ParallaxOcclusion, MissesWhatItsTwinMissesOnFloatHeights) { expect_like_the_twin("float"); }
+TEST(ParallaxOcclusion, MatchesTheErrorsOfItsTwinOnFloatHeights) { expect_like_the_twin("float"); }
 
-TEST(ParallaxOcclusion, MissesWhatItsTwinMissesOn8BitHeights) { expect_like_the_twin("8"); }
+TEST(ParallaxOcclusion, MatchesTheErrorsOfItsTwinOn8BitHeights) { expect_like_the_twin("8"); }
 
-TEST(ParallaxOcclusion, MissesWhatWasMeasuredOnSuchAMapWithinAFactorOfTwo) {
+TEST(ParallaxOcclusion, MatchesTheMeasuredErrorsWithinAFactorOfTwo) {
     // Linear steps on 256² texels of fBm, 20 deep, at 30, 60, 75 and 85 degrees: the share of rays off by more than a
     // texel.
     const std::vector<std::pair<int, double>> table = {{8, .242},   {16, .145},   {32, .0577},
@@ -152,7 +152,7 @@ TEST(ParallaxOcclusion, MissesWhatWasMeasuredOnSuchAMapWithinAFactorOfTwo) {
     }
 }
 
-TEST(ParallaxOcclusion, TwiceAsManyStepsAreNeverWorse) {
+TEST(ParallaxOcclusion, DoublingTheStepsNeverIncreasesTheError) {
     for (const HeightMap map :
          {HeightMap::smooth, HeightMap::fbm, HeightMap::bricks, HeightMap::stones, HeightMap::posts}) {
         Shot shot = one({});
@@ -175,7 +175,7 @@ double mean_of(const Image& probe) {
     return sum / double(probe.pixel_count());
 }
 
-TEST(ParallaxOcclusion, WhatIsSkippedMovesNothingByHalfATexelAndReadsFewerHeights) {
+TEST(ParallaxOcclusion, SkippingMovesNoHitByHalfATexelAndReadsFewerHeights) {
     struct Scene {
         std::vector<Knob> knobs;
         Orbit camera;
@@ -200,7 +200,7 @@ TEST(ParallaxOcclusion, WhatIsSkippedMovesNothingByHalfATexelAndReadsFewerHeight
     }
 }
 
-TEST(ParallaxOcclusion, WhatIsSkippedOnASmallerLevelIsHalfOneOfItsTexels) {
+TEST(ParallaxOcclusion, SkippingOnACoarserLevelMovesNoHitByHalfItsTexel) {
     // From here a texel of that level spans 16 to 32 texels of the map.
     const auto probe = [&](const char* name, const char* skip) {
         Shot shot = one({{"map", "stones"},
@@ -217,7 +217,7 @@ TEST(ParallaxOcclusion, WhatIsSkippedOnASmallerLevelIsHalfOneOfItsTexels) {
     EXPECT_LT(mean_of(probe("steps", "true")), 0.98 * mean_of(probe("steps", "false")));
 }
 
-TEST(ParallaxOcclusion, WithoutDepthItIsThePlainPicture) {
+TEST(ParallaxOcclusion, WithoutDepthEqualsThePlainPicture) {
     for (const char* surface : {"wall", "column", "urn"}) {
         std::vector<Knob> flat = {{"surface", surface}, {"map", "stones"}, {"size", "256"}, {"depth", "0"}};
         Shot shot = one(flat);
@@ -237,7 +237,7 @@ TEST(ParallaxOcclusion, WithoutDepthItIsThePlainPicture) {
     }
 }
 
-TEST(ParallaxOcclusion, EveryPixelIsFiniteWhateverTheViewTheMapAndTheDepth) {
+TEST(ParallaxOcclusion, EveryPixelIsFiniteForAnyViewMapAndDepth) {
     struct Scene {
         std::vector<Knob> knobs;
         Orbit camera;
@@ -328,7 +328,7 @@ TEST(ParallaxOcclusion, HasNoSeamWhereATileEnds) {
     }
 }
 
-TEST(ParallaxOcclusion, AMirroredReliefIsTheReliefInAMirror) {
+TEST(ParallaxOcclusion, AMirroredReliefIsTheMirrorImage) {
     Shot shot = one(stones);
     shot.camera = {.yaw = 50, .pitch = 20, .distance = 0.8};
     const Image hits = drawn("11", shot);

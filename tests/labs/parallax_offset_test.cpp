@@ -94,7 +94,7 @@ Image errors_of(const Shot& shot) {
     return error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance);
 }
 
-TEST(ParallaxOffset, EachMethodIsAsWrongAsItsTwinInDoublePrecision) {
+TEST(ParallaxOffset, EachMethodHasTheErrorOfItsDoublePrecisionTwin) {
     for (const char* map : {"wall", "fbm"})
         for (const char* method : methods)
             for (const int degrees : angles) {
@@ -118,7 +118,7 @@ TEST(ParallaxOffset, TheErrorGrowsWithTheAngle) {
     }
 }
 
-TEST(ParallaxOffset, TheErrorInThePictureIsTheError) {
+TEST(ParallaxOffset, ThePrintedErrorMatchesTheProbe) {
     for (const auto& [surface, degrees] : {std::pair("wall", 30), {"wall", 60}, {"wall", 85}, {"column", 20}}) {
         Shot shot = wall_at(degrees, {{"surface", surface}, {"method", "offset"}});
         if (surface == std::string("column")) shot.camera.target = {0, 1, 0}, shot.camera.distance = 30;
@@ -148,7 +148,7 @@ TEST(ParallaxOffset, TheErrorInThePictureIsTheError) {
     }
 }
 
-TEST(ParallaxOffset, AReliefOfNoDepthIsThePlainTexture) {
+TEST(ParallaxOffset, WithoutDepthShowsThePlainTexture) {
     for (const double degrees : {0.0, 40.0, 85.0}) {
         const Image plain = picture({{"depth", "0"}, {"method", "offset"}}, degrees);
         for (const char* method : {"limited", "steep"})
@@ -170,7 +170,7 @@ TEST(ParallaxOffset, SeenStraightOnOneTapIsExact) {
     EXPECT_LT(*error.pixel(16, 16), 0.06 / 255 / 2);  // metres: 8-bit heights are interpolated in 8 bits
 }
 
-TEST(ParallaxOffset, EveryPixelIsFiniteAndNoRayTooLongWhateverTheAngleTheMapOrTheDepth) {
+TEST(ParallaxOffset, EveryPixelIsFiniteAndEveryRayBoundedForAnyAngleMapAndDepth) {
     struct Scene {
         std::vector<Knob> knobs;
         double yaw = 40, pitch = 0;
@@ -221,7 +221,7 @@ TEST(ParallaxOffset, EveryPixelIsFiniteAndNoRayTooLongWhateverTheAngleTheMapOrTh
     }
 }
 
-TEST(ParallaxOffset, TilesFurtherOnTheHitsAreTheSame) {
+TEST(ParallaxOffset, HitsRepeatInEveryTile) {
     for (const char* method : methods)
         for (const char* shift : {"1", "3", "10000"}) {
             const std::vector<Knob> knobs = {{"method", method}, {"map", "smooth"}, {"size", "1024"}};
@@ -258,7 +258,7 @@ TEST(ParallaxOffset, ThereIsNoSeamAtTheBorderOfATile) {
     }
 }
 
-TEST(ParallaxOffset, AMirroredReliefIsThePictureInAMirror) {
+TEST(ParallaxOffset, AMirroredReliefIsTheMirrorImage) {
     for (const char* method : methods) {
         const Image usual = picture({{"method", method}, {"light_yaw", "-50"}}, 40);
         const Image mirrored = picture({{"method", method}, {"light_yaw", "50"}, {"mirror", "on"}}, -40);
@@ -294,7 +294,7 @@ bool has_only_chequer_below_its_tiles(const Image& picture, int columns, int row
     return true;
 }
 
-TEST(ParallaxOffset, ATileWhoseTaskIsNotWrittenHasNoFigure) {
+TEST(ParallaxOffset, ATileOfAnUnwrittenTaskShowsNoFigure) {
     const std::string file = "shaders/10_parallax_offset/task.glsl";
     const std::string solution = read_file(course_root() / file);
     const Shot shot = shot_of("10", {}, "", {640, 480});

@@ -32,7 +32,7 @@ struct Dice {
     }
 };
 
-TEST(Planet, TheExactGradientIsThatOfDifferencesAndTheSmoothBallsNormalIsRadial) {
+TEST(Planet, TheExactGradientMatchesDifferencesAndASmoothBallsNormalIsRadial) {
     Dice dice;
     for (int detail = 0; detail <= 5; ++detail)
         for (int i = 0; i < 200; ++i) {
@@ -52,7 +52,7 @@ TEST(Planet, TheExactGradientIsThatOfDifferencesAndTheSmoothBallsNormalIsRadial)
         }
 }
 
-TEST(Planet, TheExactHitOfASmoothBallIsThatOfASphereAndOthersLieOnTheGround) {
+TEST(Planet, ExactHitsLieOnTheGroundAndEqualASpheresOnASmoothBall) {
     Dice dice;
     int hits = 0;
     for (int i = 0; i < 300; ++i) {
@@ -78,7 +78,7 @@ TEST(Planet, TheExactHitOfASmoothBallIsThatOfASphereAndOthersLieOnTheGround) {
     EXPECT_GT(hits, 200);
 }
 
-TEST(Planet, PlacesGoToTheirFaceAndBackAndFacesShareTheirBorders) {
+TEST(Planet, PointsRoundTripThroughTheirFaceAndFacesShareTheirBorders) {
     Dice dice;
     for (const Mapping mapping : {Mapping::equal_angle, Mapping::gnomonic, Mapping::lat_long}) {
         for (int i = 0; i < 300; ++i) {
@@ -107,7 +107,7 @@ double degrees(std::vector<Knob> knobs, int texels, int level = 0) {
     return error_of("09", shot_of("09", knobs, "normal", {3 * texels, 2 * texels})).mean;
 }
 
-TEST(Planet, NormalsAreAsGoodAsTheirSlopesWhateverTheLevel) {
+TEST(Planet, NormalErrorsFallWithTheTexelsAtEveryLevel) {
     EXPECT_LT(degrees({}, 64), 1.41);
     EXPECT_LT(degrees({}, 128), 0.37);
     EXPECT_LT(degrees({}, 256), 0.094);
@@ -180,7 +180,7 @@ Plan near_ground(Dice& dice, double altitude) {
     return plan;
 }
 
-TEST(Planet, ACoverKeepsToItsNumberOfPatchesAndSplitsWhatIsNear) {
+TEST(Planet, ACoverStaysWithinItsPatchLimitAndSplitsNearbyPatches) {
     Plan plan;
     plan.levels = Levels::uniform, plan.level = 5, plan.cull = Cull::none;
     EXPECT_FALSE(cover(plan).is_bounded);
@@ -225,7 +225,7 @@ TEST(Planet, DrawsWithinItsBoundsAtTheEndsOfItsKnobs) {
         }
 }
 
-TEST(Planet, NeighboursDifferByOneLevelAndAllOfTheGroundHasOnePatch) {
+TEST(Planet, NeighboursDifferByOneLevelAndCoverTheGroundOnce) {
     Dice dice;
     for (int view = 0; view < 60; ++view) {
         const Plan plan = near_ground(dice, std::pow(10, dice.between(-6, 1)));
@@ -313,7 +313,7 @@ TEST(Planet, SkirtsLeaveNoHoleFromAnyCamera) {
     EXPECT_GT(without, 0u) << "there are gaps to hide";
 }
 
-TEST(Planet, FromNearTheGroundATenthOfThePatchesIsLeft) {
+TEST(Planet, CullsNineTenthsOfThePatchesNearTheGround) {
     Dice dice;
     double drawn_patches = 0, all_patches = 0;
     for (int i = 0; i < 30; ++i) {
@@ -326,7 +326,7 @@ TEST(Planet, FromNearTheGroundATenthOfThePatchesIsLeft) {
     EXPECT_GT(drawn_patches, 0);
 }
 
-TEST(Planet, LevelsByErrorTakeLessThanHalfTheTrianglesOfUniformOnes) {
+TEST(Planet, LevelsByErrorNeedLessThanHalfTheTrianglesOfUniformLevels) {
     Dice dice;
     double adaptive = 0, uniform = 0;
     for (int i = 0; i < 20; ++i) {
@@ -342,7 +342,7 @@ TEST(Planet, LevelsByErrorTakeLessThanHalfTheTrianglesOfUniformOnes) {
     EXPECT_LT(adaptive, 0.5 * uniform) << adaptive << " of " << uniform;
 }
 
-TEST(Planet, HiddenPatchesAreHidden) {
+TEST(Planet, CulledPatchesAreInvisible) {
     // The patches that task 9.7 culls contribute no pixel: the picture equals that of all patches.
     for (const auto& [altitude, tilt] : {std::pair("-3", "-2"), {"-1.5", "-12"}, {"0", "-60"}}) {
         const std::vector<Knob> knobs = {{"view", "planet"}, {"eye", "ground"},     {"altitude", altitude},
@@ -364,7 +364,7 @@ TEST(Planet, IsTheSameFromAMetreToTheSizeOfTheEarth) {
     for (const char* radius : {"0", "3", "7"}) expect_same_picture(picture(radius), earth, 3, 20);
 }
 
-TEST(Planet, SubtractedInDoubleTheGroundStandsStill) {
+TEST(Planet, SubtractingTheEyeInDoubleKeepsTheGroundStill) {
     const auto metres = [](const char* precise) {
         Shot shot = shot_of(
             "09", {{"view", "planet"}, {"eye", "ground"}, {"altitude", "-4.5"}, {"tilt", "-80"}, {"precise", precise}},
@@ -375,7 +375,7 @@ TEST(Planet, SubtractedInDoubleTheGroundStandsStill) {
     EXPECT_GT(metres("float"), 0.05);
 }
 
-TEST(Planet, MapsAreMadeForWhatIsDrawnAndOnlyOnce) {
+TEST(Planet, MapsAreMadeOnceAndOnlyForDrawnPatches) {
     Shot shot = shot_of("09", {{"view", "planet"}, {"texels", "32"}}, "", {96, 96});
     const auto lab = make_lab(find_lab("09"), shot);
     const Target target(TargetKind::picture, shot.size);

@@ -40,7 +40,7 @@ Image up_to_89_degrees(Image error, const Shot& shot) {
 // Each sees 20 degrees around its own angle: together 0 to 89.
 constexpr std::pair<double, double> sides[] = {{0, 0}, {25, -35}, {-60, 10}, {75, -5}};
 
-TEST(ReliefExact, OneRayInTenThousandAtMostIsOffByATwentiethOfATexel) {
+TEST(ReliefExact, AtMostOneRayInTenThousandMissesByATwentiethOfATexel) {
     for (const char* map : {"smooth", "fbm", "bricks", "stones", "posts", "rock", "wall", "paving"})
         for (const char* bits : {"float", "8"}) {
             Tally tally;
@@ -95,7 +95,7 @@ double of_99_percent(std::vector<double> errors) {
     return *place;
 }
 
-TEST(ReliefExact, OnTheLargestWallsNeitherTheRayNorTheSearchIsATenthOfATexelOff) {
+TEST(ReliefExact, IsExactToATenthOfATexelOnTheLargestWalls) {
     struct End {
         int size;
         std::vector<Knob> knobs;
@@ -140,7 +140,7 @@ TEST(ReliefExact, EverySearchHasTheSameHit) {
         }
 }
 
-TEST(ReliefExact, MirroredStretchedRepeatedAndOnAnySurfaceItIsExact) {
+TEST(ReliefExact, IsExactMirroredStretchedRepeatedAndOnAnySurface) {
     const std::vector<std::vector<Knob>> lays = {{{"mirror", "on"}},
                                                  {{"stretch", "2.5"}},
                                                  {{"stretch", "0.4"}, {"mirror", "on"}, {"repeat", "2"}},
@@ -163,7 +163,7 @@ TEST(ReliefExact, MirroredStretchedRepeatedAndOnAnySurfaceItIsExact) {
     }
 }
 
-TEST(ReliefExact, AnUrnIsExactWhereARayComesInSteeperThanADegree) {
+TEST(ReliefExact, IsExactOnAnUrnForRaysSteeperThanADegree) {
     // Flatter, a float's rounding of the interpolated normal moves the hit by texels: the way is over 57 depths long.
     Shot shot = seen({{"surface", "urn"}, {"map", "stones"}, {"method", "windows"}}, 20, 10, "uv", {192, 192});
     shot.camera.distance = 3.2, shot.camera.target = {};
@@ -193,7 +193,7 @@ double mean_turns(const char* method, const char* map, double yaw, const char* s
     return sum / count;
 }
 
-TEST(ReliefExact, WindowsTakeAFractionOfTheTurnsOnMapsThatTheyWereNotMadeFor) {
+TEST(ReliefExact, WindowsHalveTheIterationsOnMapsTheyWereNotTunedFor) {
     for (const char* size : {"512", "1024"})
         for (const char* map : {"smooth", "fbm", "rock", "wall", "paving", "stones", "posts"})
             for (const double yaw : {40.0, 75.0}) {
@@ -203,7 +203,7 @@ TEST(ReliefExact, WindowsTakeAFractionOfTheTurnsOnMapsThatTheyWereNotMadeFor) {
             }
 }
 
-TEST(ReliefExact, NothingIsMarchedWhereTheMapSaysSoOrTheSurfaceFacesAway) {
+TEST(ReliefExact, SkipsTheMarchOnEmptyMapsAndBackFaces) {
     for (const char* method : methods) {
         EXPECT_LE(mean_turns(method, "low", 70), 1.01) << method;
         EXPECT_LE(mean_turns(method, "plateau", 70), 6) << method << ": it begins at the height of the highest";
@@ -212,7 +212,7 @@ TEST(ReliefExact, NothingIsMarchedWhereTheMapSaysSoOrTheSurfaceFacesAway) {
     }
 }
 
-TEST(ReliefExact, ABallAndThreeReliefsMeetWhereTheyReallyDo) {
+TEST(ReliefExact, ABallAndThreeReliefsIntersectWhereTheExactSurfacesDo) {
     for (const double yaw : {14.0, -35.0, 60.0}) {
         Shot shot = shot_of("12", {}, "depth", {256, 192});
         shot.camera.yaw = yaw;
@@ -230,7 +230,7 @@ TEST(ReliefExact, ABallAndThreeReliefsMeetWhereTheyReallyDo) {
     }
 }
 
-TEST(ReliefExact, WithoutItsDepthOrOutlineTheSceneIsAnotherOne) {
+TEST(ReliefExact, WritingDepthAndCuttingTheOutlineChangeThePicture) {
     const auto near = [](std::vector<Knob> knobs) {
         Shot shot = shot_of("12", std::move(knobs), "depth");
         shot.camera.distance = 3;
@@ -243,7 +243,7 @@ TEST(ReliefExact, WithoutItsDepthOrOutlineTheSceneIsAnotherOne) {
     }
 }
 
-TEST(ReliefExact, ItsShadowIsTheReliefs) {
+TEST(ReliefExact, ItsShadowHasTheShapeOfTheRelief) {
     for (const char* map : {"stones", "bricks", "rock"})
         for (const auto& [yaw, pitch] : {std::pair("60", "20"), {"-120", "45"}, {"10", "-5"}}) {
             Shot shot = seen({{"map", map}, {"light_yaw", yaw}, {"light_pitch", pitch}}, 25, 20, "shadow");
@@ -278,7 +278,7 @@ TEST(ReliefExact, ADepthOfZeroIsThePlainWall) {
     EXPECT_LT(difference(flat, stones, 0).largest, 1e-3);
 }
 
-TEST(ReliefExact, AShiftOfWholeTilesShiftsEveryHitAndNothingElse) {
+TEST(ReliefExact, AShiftOfWholeTilesOnlyShiftsEveryHit) {
     const Image here = drawn("12", seen({{"map", "rock"}}, 55, 15));
     for (const int shift : {1, 3, 10000}) {
         Image there = drawn("12", seen({{"map", "rock"}, {"shift", std::to_string(shift)}}, 55, 15));
@@ -315,7 +315,7 @@ TEST(ReliefExact, EveryPixelIsFiniteAndNoLoopRunsOn) {
         }
 }
 
-TEST(ReliefExact, FromInsideTheReliefAndOnAMapOf4096ItIsFinite) {
+TEST(ReliefExact, IsFiniteInsideTheReliefAndExactOnAMapOf4096Texels) {
     Shot inside = seen({{"map", "stones"}}, 150, 10, "uv", {64, 64});
     inside.camera.distance = 0.02, inside.camera.target = {0, 0, -0.03};
     EXPECT_NO_THROW(drawn("12", inside));
@@ -326,7 +326,7 @@ TEST(ReliefExact, FromInsideTheReliefAndOnAMapOf4096ItIsFinite) {
     EXPECT_LE(tally.off, 20u) << "a float resolves five hundredths of such a texel";
 }
 
-TEST(ReliefExact, NoRayOfAnUsualPictureIsStopped) {
+TEST(ReliefExact, NoRayOfAUsualPictureReachesTheIterationLimit) {
     for (const char* map : {"posts", "rock", "paving"})
         for (const double yaw : {0.0, 40.0, 65.0}) {
             const Image steps = drawn("12", seen({{"map", map}}, yaw, 5, "steps"));
@@ -344,7 +344,7 @@ size_t stopped(const Shot& shot) {
     return count;
 }
 
-TEST(ReliefExact, AtTheEndsOfTheKnobsNoRayStallsAndWindowsStopNone) {
+TEST(ReliefExact, AtExtremeKnobsNoRayStallsAndWindowsReachNoLimit) {
     struct End {
         std::vector<Knob> knobs;
         double yaw;

@@ -80,14 +80,14 @@ TEST(ScreenError, StaysWithinTwiceTheBudgetFor999OfAThousandPixelsOfThePath) {
     for (const char* budget : {"0.5", "1", "2"}) expect_within_budget("fbm", budget, 1);
 }
 
-TEST(ScreenError, DoesSoOnOtherMapsWithoutCliffs) {
+TEST(ScreenError, StaysWithinTwiceTheBudgetOnOtherMapsWithoutCliffs) {
     for (const char* map : {"smooth", "stones", "rock"})
         for (const char* budget : {"0.5", "2"}) expect_within_budget(map, budget, 20);
     // At half a pixel, the step of one texel in bricks and posts would need a level above 64.
     for (const char* map : {"bricks", "posts"}) expect_within_budget(map, "2", 20);
 }
 
-TEST(ScreenError, OfALevelThatIsTooLowIsSeen) {
+TEST(ScreenError, DetectsALevelThatIsTooLow) {
     const auto errors = Ground("fbm", {{"method", "uniform"}, {"level", "1"}}).screen_errors(20);
     EXPECT_GT(quantile_of(errors, 0.999), 2);
 }
@@ -176,7 +176,7 @@ double triangles_by_error_to_size(const char* map, const Orbit& camera, const ch
 constexpr Orbit from_low{.yaw = 30, .pitch = 7, .distance = 7.5, .target = {0, -0.5, 0}},
     from_above{.yaw = 200, .pitch = 35, .distance = 7, .target = {-1, -0.8, 1}};
 
-TEST(ScreenError, TakesFewerTrianglesByErrorThanBySizeForTheSame99Percent) {
+TEST(ScreenError, LevelsByErrorNeedFewerTrianglesThanBySizeForTheSame99Percent) {
     const auto figure = [](const Cost& cost) { return quantile_of(cost.screen, 0.99); };
     for (const char* map : {"fbm", "stones", "rock"}) {
         double product = 1;
@@ -187,7 +187,7 @@ TEST(ScreenError, TakesFewerTrianglesByErrorThanBySizeForTheSame99Percent) {
     }
 }
 
-TEST(ScreenError, TakesMoreByErrorThanBySizeForTheSameMeanAlongTheRayOnStones) {
+TEST(ScreenError, LevelsByErrorNeedMoreTrianglesForTheSameMeanRayErrorOnStones) {
     const auto figure = [](const Cost& cost) { return mean_of(cost.along); };
     EXPECT_GT(triangles_by_error_to_size("stones", from_low, "0.5", figure), 2);
 }
@@ -216,7 +216,7 @@ std::vector<bool> covered(const Mesh& mesh, const Camera& camera, glm::ivec2 pix
     return result;
 }
 
-TEST(Outline, ApproachesThatOfMicroPolygonsAsTheLevelRises) {
+TEST(Outline, ConvergesToMicroPolygonsAsTheLevelRises) {
     const glm::ivec2 pixels(160, 160);
     DisplacedSurface surface;
     surface.shape = DisplacedSurface::torus, surface.density = 4, surface.depth = 0.1f;

@@ -59,7 +59,7 @@ ErrorSummary error_near(glm::dvec3 target, Orbit orbit, const char* probe, const
 const glm::dvec3 floor_stones(0.3, 0, 2.4), column_bricks(1.4, 1.3, 1.65);
 const Orbit from_above{.yaw = 10, .pitch = 60, .distance = 0.6}, from_before{.yaw = 0, .pitch = 8, .distance = 0.5};
 
-TEST(SpecularHighlightsTruth, ANormalMapIsRightToWhatEightBitsCostOnTheFloor) {
+TEST(SpecularHighlightsTruth, ANormalMapIsAccurateTo8BitRoundingOnTheFloor) {
     const ErrorSummary error = error_near(floor_stones, from_above, "normal", "normal-map");
     EXPECT_EQ(error.count, size_t{128 * 96});
     // Rounding to 8 bits tilts a normal by 0.17 degrees on average and 0.39 at most (Cigolle et al. 2014). Between
@@ -78,7 +78,7 @@ TEST(SpecularHighlightsTruth, ANormalMapBeatsVertexNormalsTenfoldOnTheBricks) {
     EXPECT_LT(map.mean, vertex.mean / 10);
 }
 
-TEST(SpecularHighlightsTruth, TexelsAreRightOnTheFloorAndToTheFacetsOnAColumn) {
+TEST(SpecularHighlightsTruth, TexelsAreExactOnTheFloorAndWithinTheFacetErrorOnAColumn) {
     EXPECT_LT(error_near(floor_stones, from_above, "uv", "normal-map").largest, 0.05);
     // 48 sides: a facet lies up to 1 mm (0.6 texels) below the round column.
     EXPECT_LT(error_near(column_bricks, from_before, "uv", "normal-map").largest, 1.5);
@@ -99,7 +99,7 @@ TEST(SpecularHighlightsTruth, FollowsTheStrengthAndEachHalfOfSideBySide) {
     EXPECT_LT(flat.mean, 0.2) << "without strength only the facets are wrong";
 }
 
-TEST(SpecularHighlights, WipeDrawsInEachHalfOnlyWhatStandsThere) {
+TEST(SpecularHighlights, TheWipeDrawsOnlyTheObjectsOfEachHalf) {
     const auto draw = [](const char* method, const char* wipe, double yaw, int64_t* calls = nullptr) {
         Shot shot;
         shot.size = {256, 160};

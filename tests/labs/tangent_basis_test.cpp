@@ -20,13 +20,13 @@ TEST(TangentBasis, WeighingByAnglesIsNearestToTheSurface) {
     EXPECT_NEAR(mean_error("torus", "mikktspace"), angle, 0.01) << "it weighs by angles, too";
 }
 
-TEST(TangentBasis, OnFlatAndStraightShapesEveryMethodIsExact) {
+TEST(TangentBasis, EveryMethodIsExactOnFlatShapes) {
     for (const char* method : {"uniform", "area", "angle", "mikktspace", "derivatives"})
         EXPECT_LT(mean_error("quad", method), 0.01) << method;
     EXPECT_LT(mean_error("box", "angle"), 0.05) << "but for a pixel on an edge";
 }
 
-TEST(TangentBasis, AMirroredMeshIsAsGoodAsTheOther) {
+TEST(TangentBasis, AMirroredMeshHasTheSameError) {
     for (const char* method : {"uniform", "angle", "mikktspace"})
         EXPECT_NEAR(mean_error("mirrored", method, "bitangent"), mean_error("sphere", method, "bitangent"), 0.15)
             << method;
@@ -42,7 +42,7 @@ TEST(TangentBasis, BOfAFaceFollowsVWhereItIsShearedAndTheFrameDoesNot) {
     EXPECT_NEAR(off("angle"), glm::degrees(std::atan(0.6)), 0.01) << "across T, which is turned by the shear";
 }
 
-TEST(TangentBasis, LinesThatAreOffCostNoDrawNoProgramAndNoPixel) {
+TEST(TangentBasis, DisabledLinesCostNoDrawAndNoProgram) {
     const auto cost = [](const char* lines) {
         const Shot shot = shot_of("05", {{"lines", lines}});
         const auto lab = make_lab(find_lab("05"), shot);
@@ -56,7 +56,7 @@ TEST(TangentBasis, LinesThatAreOffCostNoDrawNoProgramAndNoPixel) {
     EXPECT_EQ(programs_on - programs_off, 1);
 }
 
-TEST(TangentBasis, WithoutAnyAreaInUvEveryFrameIsStillOne) {
+TEST(TangentBasis, CollapsedUvStillGiveAFrame) {
     for (const char* method : {"per-face", "uniform", "area", "angle", "mikktspace", "derivatives"})
         for (const char* shape : {"quad", "sphere", "urn"}) {
             const Shot shot =

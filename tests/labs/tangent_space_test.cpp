@@ -18,13 +18,13 @@ Image picture(std::vector<Knob> knobs, const Orbit* camera = nullptr) {
 }
 
 // One step of 8 bits: each of the two methods rounds once.
-TEST(TangentSpace, LightInTheWorldAndInTangentSpaceIsTheSame) {
+TEST(TangentSpace, WorldAndTangentSpaceLightingAgree) {
     for (const char* shape : {"sphere", "column", "wall"})
         expect_same_picture(picture({{"shape", shape}}), picture({{"shape", shape}, {"light_in", "tangent"}}), 1, 8);
 }
 
 // The inverse transpose of a product is the product of the inverse transposes, up to the last bits.
-TEST(TangentSpace, NormalsByAProductOrByOneMatrixAfterTheOtherAreTheSame) {
+TEST(TangentSpace, AMatrixProductAndSuccessiveMatricesGiveTheSameNormals) {
     for (const char* scale : {"0.5", "-1.5"}) {
         std::vector<Knob> knobs = {{"rotate", "50"}, {"scale_y", scale}, {"strength", "0"}};
         const Shot product = shot_of("06", one(knobs), "normal");
@@ -37,7 +37,7 @@ TEST(TangentSpace, NormalsByAProductOrByOneMatrixAfterTheOtherAreTheSame) {
     }
 }
 
-TEST(TangentSpace, AFlatMapIsNoMap) {
+TEST(TangentSpace, AFlatMapEqualsNoMap) {
     for (const char* shape : {"sphere", "column", "wall"}) {
         const Image none = picture({{"shape", shape}, {"normals", "vertices"}});
         expect_same_picture(picture({{"shape", shape}, {"map", "one-texel"}}), none, 1, 0);
@@ -69,7 +69,7 @@ TEST(TangentSpace, TheMirroredHalfOfTheWallIsLitLikeTheOther) {
     expect_same_picture(wall, mirrored, 8, wall.pixel_count() / 12);
 }
 
-TEST(TangentSpace, TheNormalsOfTheMirroredHalfAreThoseOfTheOtherInAMirror) {
+TEST(TangentSpace, TheMirroredHalfHasMirroredNormals) {
     Shot shot = shot_of("06", one({{"shape", "wall"}, {"turn", "0"}}), "normal", {128, 128});
     shot.camera.yaw = 0;
     const Image normals = drawn("06", shot);
@@ -85,7 +85,7 @@ TEST(TangentSpace, TheNormalsOfTheMirroredHalfAreThoseOfTheOtherInAMirror) {
     EXPECT_LT(off.mean, 0.05);
 }
 
-TEST(TangentSpace, EveryPixelIsFiniteWhateverTheScaleTheTangentOrTheLight) {
+TEST(TangentSpace, EveryPixelIsFiniteForAnyScaleTangentAndLight) {
     const std::vector<std::vector<Knob>> scenes = {
         {{"trouble", "leaning"}},
         {{"trouble", "along-normal"}},
@@ -126,7 +126,7 @@ TEST(TangentSpace, AScaleOfAMillionOrAMillionthLooksTheSame) {
         EXPECT_LT(summarize(error_image(normals(size, factor), usual, ErrorMetric::angle)).mean, 0.05) << size;
 }
 
-TEST(TangentSpace, WithoutAMapThereIsNoTangentNoSamplerAndNoTexture) {
+TEST(TangentSpace, WithoutAMapUsesNoTangentSamplerOrTexture) {
     const Programs programs{"06_tangent_space/surface.vert", "06_tangent_space/surface.frag"};
     const Program& plain = programs.with();
     const Program& mapped = programs.with("NORMAL_MAP");

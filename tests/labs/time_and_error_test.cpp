@@ -74,7 +74,7 @@ double largest(const std::vector<ShownError>& shown) {
     return largest;
 }
 
-TEST(TimeAndError, NoPixelIsOffByMoreThanTheBudget) {
+TEST(TimeAndError, EveryPixelKeepsTheBudget) {
     for (const char* map : {"wall", "fbm"}) {
         Wall wall(map);
         for (const View& view : views)
@@ -88,7 +88,7 @@ TEST(TimeAndError, NoPixelIsOffByMoreThanTheBudget) {
     }
 }
 
-TEST(TimeAndError, AMarchAndTrianglesKeepItToo) {
+TEST(TimeAndError, AMarchAndTrianglesKeepTheBudget) {
     Wall wall("smooth");
     wall.set("budget", "0.25");
     for (const auto& [knob, value, method] : {std::tuple("exact_taps", "1000", 2), {"triangle_taps", "0", 4}}) {
@@ -116,7 +116,7 @@ TEST(TimeAndError, AMarchAloneKeepsTheBudgetOnAnyMap) {
     }
 }
 
-TEST(TimeAndError, OfTheSingleMethodsTheSearchesKeepItAndAPlaneDoesNot) {
+TEST(TimeAndError, SearchesAloneKeepTheBudgetAndAPlaneDoesNot) {
     Wall wall("wall");
     const auto off = [&](const char* method) {
         wall.set("method", method);
@@ -127,7 +127,7 @@ TEST(TimeAndError, OfTheSingleMethodsTheSearchesKeepItAndAPlaneDoesNot) {
     EXPECT_GT(off("normal-map"), 0.5);
 }
 
-TEST(TimeAndError, ALargerBudgetNeverTakesADearerMethod) {
+TEST(TimeAndError, ALargerBudgetNeverPicksACostlierMethod) {
     for (const char* map : {"wall", "smooth"}) {
         Wall wall(map);
         for (const View& view : {views[0], views[1]}) {
@@ -149,7 +149,7 @@ TEST(TimeAndError, ALargerBudgetNeverTakesADearerMethod) {
     }
 }
 
-TEST(TimeAndError, WhatAPatchLeavesOutNoPixelOfItAsksFor) {
+TEST(TimeAndError, APatchOmitsOnlyMethodsThatNoneOfItsPixelsNeeds) {
     using namespace budget;
     ReliefMaterial material;
     material.asset_texels = int(texels);
@@ -180,7 +180,7 @@ TEST(TimeAndError, WhatAPatchLeavesOutNoPixelOfItAsksFor) {
     EXPECT_GT(decided, all / 2) << "of half of the pixels the patch has decided";
 }
 
-TEST(TimeAndError, EachMethodOfThePictureIsOneDrawAndThereIsNoneThatNoPixelAsksFor) {
+TEST(TimeAndError, DrawsOncePerMethodAndSkipsUnusedMethods) {
     Shot shot = shot_of("17", {{"view", "picture"}, {"map", "posts"}}, "", pixels);
     shot.camera = views[0].camera;
     const auto lab = make_lab(find_lab("17"), shot);
@@ -196,7 +196,7 @@ TEST(TimeAndError, EachMethodOfThePictureIsOneDrawAndThereIsNoneThatNoPixelAsksF
     EXPECT_EQ(draws("auto", "16"), one);
 }
 
-TEST(TimeAndError, NothingJumpsWhileTheEyeMovesSlowly) {
+TEST(TimeAndError, NoPixelJumpsWhileTheEyeMovesSlowly) {
     // All methods show the same thinned relief within an eighth of the budget, and that relief hardly moves. So a point
     // that two frames show moves by at most the budget beyond its exact motion.
     const double budget = 0.5;
@@ -241,7 +241,7 @@ TEST(TimeAndError, NothingJumpsWhileTheEyeMovesSlowly) {
     }
 }
 
-TEST(TimeAndError, NoPixelOfTheWallIsMissing) {
+TEST(TimeAndError, TheWallHasNoHole) {
     Wall wall("smooth");
     wall.set("budget", "0.5");
     for (const char* triangle_taps : {"1000", "0"}) {
@@ -262,7 +262,7 @@ TEST(TimeAndError, NoPixelOfTheWallIsMissing) {
     }
 }
 
-TEST(TimeAndError, ReadsASmallPartOfWhatASingleMethodReads) {
+TEST(TimeAndError, DoesLessWorkThanAnySingleSearch) {
     Wall wall("wall");
     const auto work = [&](const char* method, const char* budget) {
         wall.set("method", method), wall.set("budget", budget);

@@ -150,12 +150,12 @@ Holes look_for_holes(int views, bool with_cracks) {
     return all;
 }
 
-TEST(Watertight, NoPixelIsSeenThroughAClosedSurfaceAndNoEdgeIsOpen) {
+TEST(Watertight, ClosedSurfacesHaveNoHoleAndNoOpenEdge) {
     std::printf("%d views, seed %u\n", view_count(), seed);
     look_for_holes(view_count(), false);
 }
 
-TEST(Watertight, LevelsOfThePatchInsteadOfTheEdgeLeaveHoles) {
+TEST(Watertight, PatchLevelsInsteadOfEdgeLevelsLeaveHoles) {
     const Holes found = look_for_holes(40, true);
     EXPECT_GT(found.views_with_holes, 4) << found.pixels << " pixels";
     EXPECT_GT(found.captures_with_holes, 1) << found.edges << " edges";

@@ -19,7 +19,7 @@ Material material(const std::string& lines) {
     return model.materials.at(0);
 }
 
-TEST(ObjMaterials, EachHasOneSubsetInTheOrderOfItsFirstFace) {
+TEST(ObjMaterials, EachMaterialHasOneSubsetInTheOrderOfItsFirstFace) {
     const ObjModel model = parse_obj(square +
                                          "mtllib some.mtl\nusemtl b\nf 1 2 3\nusemtl a\nf 2 3 4\nusemtl b\nf 3 4 1\n"
                                          "g other\nf 4 1 2\n",
@@ -35,7 +35,7 @@ TEST(ObjMaterials, EachHasOneSubsetInTheOrderOfItsFirstFace) {
     EXPECT_EQ(model.mesh.indices.size(), 12u);
 }
 
-TEST(ObjMaterials, FacesBeforeAnyUsemtlHaveNone) {
+TEST(ObjMaterials, FacesBeforeAnyUsemtlHaveNoMaterial) {
     const ObjModel model = parse_obj(square + "f 1 2 3\nusemtl a\nf 1 2 3\n", "newmtl a\n");
     ASSERT_EQ(model.subsets.size(), 2u);
     EXPECT_EQ(model.subsets[0].material, -1);
@@ -43,14 +43,14 @@ TEST(ObjMaterials, FacesBeforeAnyUsemtlHaveNone) {
     EXPECT_TRUE(model.notes.empty());
 }
 
-TEST(ObjMaterials, AnUnknownOneIsNotedWithItsFirstLine) {
+TEST(ObjMaterials, AnUnknownMaterialIsNotedWithItsFirstLine) {
     const ObjModel model = parse_obj(square + "usemtl a\nf 1 2 3\nusemtl wod\nf 1 2 3\nusemtl wod\n", "newmtl a\n");
     ASSERT_EQ(model.notes.size(), 1u);
     EXPECT_EQ(model.notes[0], "model.obj:7: no material file describes 'wod'");
     EXPECT_EQ(model.subsets.at(1).material, -1);
 }
 
-TEST(ObjMaterials, EachKnowsItsFileAndTheLineOfItsName) {
+TEST(ObjMaterials, EachMaterialStoresItsFileAndLine) {
     const ObjModel model = parse_obj(square + "f 1 2 3\n", "# none\nnewmtl a\nKd 1 0 0\n\nnewmtl b\n", "m/x.obj");
     ASSERT_EQ(model.materials.size(), 2u);
     EXPECT_EQ(model.materials[0].file, "m/x.mtl");
@@ -58,14 +58,14 @@ TEST(ObjMaterials, EachKnowsItsFileAndTheLineOfItsName) {
     EXPECT_EQ(model.materials[1].line, 5);
 }
 
-TEST(ObjMaterials, NamesMayHaveBlanksAndTheFirstOfAnEqualNameCounts) {
+TEST(ObjMaterials, NamesMayContainBlanksAndTheFirstOfEqualNamesCounts) {
     const ObjModel model = parse_obj(square + "usemtl red  brick \nf 1 2 3\n",
                                      "newmtl stone\nnewmtl  red  brick\t\nKd 1 0 0\nnewmtl red  brick\nKd 0 0 1\n");
     ASSERT_EQ(model.subsets.at(0).material, 1);
     EXPECT_EQ(model.materials[1].diffuse, glm::vec3(1, 0, 0));
 }
 
-TEST(ObjMaterials, ColoursAndNumbersHaveDefaultsOfTheirOwnEach) {
+TEST(ObjMaterials, EachMaterialStartsFromTheDefaults) {
     const ObjModel model = parse_obj(square + "f 1 2 3\n",
                                      "Kd 0 0 0\nnewmtl a\nKd 0.25 0.5 1\nKs 1 0.5 0\nNs 96\nnewmtl b\nmap_Kd b.png\n");
     ASSERT_EQ(model.materials.size(), 2u);
@@ -77,7 +77,7 @@ TEST(ObjMaterials, ColoursAndNumbersHaveDefaultsOfTheirOwnEach) {
     EXPECT_EQ(model.materials[1].opacity, 1);
 }
 
-TEST(ObjMaterials, OpacityIsDAndOtherwiseOneLessTr) {
+TEST(ObjMaterials, OpacityIsDOrElseOneMinusTr) {
     EXPECT_EQ(material("d 0.25\n").opacity, 0.25f);
     EXPECT_EQ(material("Tr 0.25\n").opacity, 0.75f);
     EXPECT_EQ(material("d 0.5\nTr 0.25\n").opacity, 0.5f);
@@ -86,7 +86,7 @@ TEST(ObjMaterials, OpacityIsDAndOtherwiseOneLessTr) {
     EXPECT_EQ(material("Tr 7\n").opacity, 0);
 }
 
-TEST(ObjMaterials, MapsAreFoundBehindTheirOptions) {
+TEST(ObjMaterials, MapNamesAreReadAfterTheirOptions) {
     EXPECT_EQ(material("map_Kd wall.png\n").diffuse_map, "m/wall.png");
     EXPECT_EQ(material("map_Kd -s 2 2 1 -o 0.5 0 0 -clamp on wall.png\n").diffuse_map, "m/wall.png");
     EXPECT_EQ(material("map_Kd -s 2 2 wall.png\n").diffuse_map, "m/wall.png") << "two numbers are enough";
@@ -102,7 +102,7 @@ TEST(ObjMaterials, MapsAreFoundBehindTheirOptions) {
     EXPECT_EQ(material("disp -mm 0 0.1 h.exr\n").displacement_map, "m/h.exr");
 }
 
-TEST(ObjMaterials, OptionsMayFollowANameToo) {
+TEST(ObjMaterials, OptionsMayFollowAMapName) {
     const Material after = material("map_bump my bump.png -bm 0.25 -s 30 30\n");
     EXPECT_EQ(after.bump_map, "m/my bump.png");
     EXPECT_EQ(after.bump_scale, 0.25f);
@@ -112,7 +112,7 @@ TEST(ObjMaterials, OptionsMayFollowANameToo) {
     EXPECT_EQ(material("map_Kd wall -bm\n").diffuse_map, "m/wall -bm") << "an option has its number";
 }
 
-TEST(ObjMaterials, NamesOfMapsMayStandInQuotes) {
+TEST(ObjMaterials, MapNamesMayBeQuoted) {
     EXPECT_EQ(material("map_Kd \"my wall.png\"\n").diffuse_map, "m/my wall.png");
     EXPECT_EQ(material("map_bump -clamp on \"my -s wall.png\" -bm 2\n").bump_map, "m/my -s wall.png");
     EXPECT_EQ(material("map_bump \"h.png\" -bm 2\n").bump_scale, 2);
@@ -120,7 +120,7 @@ TEST(ObjMaterials, NamesOfMapsMayStandInQuotes) {
     EXPECT_EQ(material("map_Kd \"\"\n").diffuse_map, "");
 }
 
-TEST(ObjMaterials, AMapOnADriveIsLookedForBesideTheModel) {
+TEST(ObjMaterials, AMapWithADriveLetterIsSearchedBesideTheModel) {
     EXPECT_EQ(material("map_Kd C:\\textures\\wall.png\n").diffuse_map, "m/wall.png");
 }
 
@@ -148,7 +148,7 @@ TEST(ObjMaterials, ABumpMapHasItsScaleInEverySpelling) {
     }
 }
 
-TEST(ObjMaterials, WhatIsUnreadableIsNotedAndLeftOut) {
+TEST(ObjMaterials, InvalidValuesAreNotedAndSkipped) {
     const ObjModel model =
         parse_obj(square + "f 1 2 3\n", "newmtl a\r\nKd 1 red 0\r\nd -halo 0.5\r\nNs nan\r\nillum 2\r\n", "m/a.obj");
     ASSERT_EQ(model.notes.size(), 3u);
@@ -158,7 +158,7 @@ TEST(ObjMaterials, WhatIsUnreadableIsNotedAndLeftOut) {
     EXPECT_EQ(model.materials[0].opacity, 1);
 }
 
-TEST(ObjMaterials, JunkInsteadOfAMaterialFileIsANote) {
+TEST(ObjMaterials, AnInvalidMaterialFileIsNoted) {
     const ObjModel model = parse_obj(square + "f 1 2 3\n", std::string_view("newmtl a\n\0\1\2\nnewmtl b\n", 22));
     EXPECT_EQ(model.materials.size(), 1u);
     EXPECT_EQ(model.notes.at(0), "model.mtl:2: this is not text: it has a byte 0");
@@ -167,7 +167,7 @@ TEST(ObjMaterials, JunkInsteadOfAMaterialFileIsANote) {
     EXPECT_EQ(parse_obj(square + "f 1 2 3\n", many).materials.size(), 4096u);
 }
 
-TEST(ObjMaterials, FilesLieInTheModelsFolderWhereverOneStands) {
+TEST(ObjMaterials, FilesAreResolvedAgainstTheModelsFolder) {
     const TemporaryFolder folder;
     folder.write("models/my mats.mtl", "newmtl a\nmap_Kd tex/a.png\n");
     folder.write("models/sub/b.mtl", "newmtl b\nmap_Kd b.png\n");

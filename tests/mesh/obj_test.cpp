@@ -28,7 +28,7 @@ TEST(Obj, AQuadIsTwoTrianglesWithItsWinding) {
     EXPECT_TRUE(model.notes.empty());
 }
 
-TEST(Obj, ACornersIndicesAreOfPositionUvAndNormal) {
+TEST(Obj, CornerIndicesAreReadAsPositionUvAndNormal) {
     const std::string data = square + "vt 0.25 0.5\nvt 1 1\nvn 0 0 2\nvn 0 -3 0\n";
     const ObjModel all = parse_obj(data + "f 1/2/1 2/1/2 3/2/2\n");
     EXPECT_EQ(all.mesh.vertices[0].uv, glm::vec2(1, 1));
@@ -55,9 +55,9 @@ TEST(Obj, NegativeIndicesCountBackFromTheLastSoFar) {
     EXPECT_EQ(model.mesh.vertices[1].uv, glm::vec2(1, 0));
 }
 
-TEST(Obj, AFaceMayNameWhatComesLater) { EXPECT_EQ(parse_obj("f 1 2 3\n" + square).mesh.indices.size(), 3u); }
+TEST(Obj, AFaceMayPrecedeItsVertices) { EXPECT_EQ(parse_obj("f 1 2 3\n" + square).mesh.indices.size(), 3u); }
 
-TEST(Obj, EqualIndicesShareAVertexAndOthersDoNot) {
+TEST(Obj, OnlyEqualIndicesShareAVertex) {
     const std::string data = square + "vt 0 0\nvt 1 1\nvn 0 0 1\nvn 0 1 0\n";
     EXPECT_EQ(parse_obj(data + "f 1/1/1 2/1/1 3/1/1\nf 1/1/1 3/1/1 4/1/1\n").mesh.vertices.size(), 4u);
     EXPECT_EQ(parse_obj(data + "f 1/1/1 2/1/1 3/1/1\nf 1/2/1 3/1/1 4/1/1\n").mesh.vertices.size(), 5u);
@@ -65,7 +65,7 @@ TEST(Obj, EqualIndicesShareAVertexAndOthersDoNot) {
     EXPECT_EQ(parse_obj(data + "f 1/1/1 2/1/1 3/1/1\nf 1/-2/-2 3/1/1 4/1/1\n").mesh.vertices.size(), 4u);
 }
 
-TEST(Obj, LinesEndAnyWayAndGoOnAfterABackslash) {
+TEST(Obj, AcceptsAnyLineEndingAndBackslashContinuation) {
     const std::string text = "# a square\nv 0 0 0 # the origin\n\n  v\t2  0 0  \nv 2 \\\n 1 \\\n0\nv 0 1 0\nf 1 2 3 4";
     const ObjModel expected = parse_obj(square + "f 1 2 3 4\n");
     for (const std::string end : {"\n", "\r\n", "\r"}) {
@@ -79,7 +79,7 @@ TEST(Obj, LinesEndAnyWayAndGoOnAfterABackslash) {
         << "a comment does not go on";
 }
 
-TEST(Obj, NumbersAreReadInEverySpelling) {
+TEST(Obj, ReadsNumbersInEveryNotation) {
     const ObjModel model =
         parse_obj("v +1 -.5 1e2 1\nv 1.25E-1 0. 00012 0.5 0.5 0.5\nv 0 0 0\nvt 0.5\nf 1/1 2/1 3/1\n");
     EXPECT_EQ(model.mesh.vertices[0].position, glm::vec3(1, -0.5, 100));
@@ -123,7 +123,7 @@ TEST(ObjNormals, AreSmoothWithinASmoothingGroupAndFlatWithout) {
         << "equal positions are one, as on both sides of a seam";
 }
 
-TEST(ObjNormals, AreWeightedByTheAngleSoThatTheCutDoesNotMatter) {
+TEST(ObjNormals, AreAngleWeightedAndIndependentOfTheTriangulation) {
     // At a cube's corner, three right angles meet. So the mean is the diagonal, however the squares are triangulated.
     const ObjModel model = parse_obj(
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
@@ -133,25 +133,25 @@ TEST(ObjNormals, AreWeightedByTheAngleSoThatTheCutDoesNotMatter) {
         EXPECT_NEAR(glm::dot(vertex.normal, glm::normalize(vertex.position - 0.5f)), 1, 1e-6);
 }
 
-TEST(ObjNormals, OfASheetWithTwoSidesAreThoseOfItsFaces) {
+TEST(ObjNormals, OnATwoSidedSheetAreTheFaceNormals) {
     for (const Vertex& vertex : parse_obj(square + "f 1 2 3 4\nf 4 3 2 1\n").mesh.vertices)
         EXPECT_EQ(std::abs(vertex.normal.z), 1);
 }
 
-TEST(ObjNormals, OfLengthZeroAreMadeFromTheFaces) {
+TEST(ObjNormals, ZeroNormalsAreRecomputedFromTheFaces) {
     const ObjModel model = parse_obj(square + "vn 0 0 0\nf 1//1 2//1 3//1\n");
     EXPECT_EQ(model.mesh.vertices[0].normal, glm::vec3(0, 0, 1));
     EXPECT_FALSE(model.has_normals);
     EXPECT_EQ(model.notes.at(0), "model.obj:6: a normal of length 0; one is made from the faces");
 }
 
-TEST(ObjNormals, OfFacesWithoutAreaPointAlongZ) {
+TEST(ObjNormals, PointAlongZOnDegenerateFaces) {
     for (const char* face : {"f 1 1 1\n", "f 1 2 1\n", "s off\nf 1 2 1 2 1\n"})
         for (const Vertex& vertex : parse_obj(square + face).mesh.vertices)
             EXPECT_EQ(vertex.normal, glm::vec3(0, 0, 1)) << face;
 }
 
-TEST(ObjNormals, AreMadeAnewIfThatIsWanted) {
+TEST(ObjNormals, AreRecomputedOnRequest) {
     const std::string text = square + "vn 1 0 0\nf 1//1 2//1 3//1\n";
     EXPECT_EQ(parse_obj(text).mesh.vertices[0].normal, glm::vec3(1, 0, 0));
     const ObjModel made = parse_obj(text, {}, "m.obj", {}, {.recompute_normals = true});
@@ -159,7 +159,7 @@ TEST(ObjNormals, AreMadeAnewIfThatIsWanted) {
     EXPECT_FALSE(made.has_normals);
 }
 
-TEST(Obj, ALeftHandedFileKeepsItsFrontsAndItsTexture) {
+TEST(Obj, ALeftHandedFileKeepsItsFrontFacesAndItsTexture) {
     // Its front faces -z. In left-handed axes, clockwise corners face the viewer, and v grows down.
     const ObjModel model =
         parse_obj("v 0 0 5\nv 0 1 5\nv 1 1 5\nvt 0 1\nvt 0 0\nvt 1 0\nvn 0 0 -1\nf 1/1/1 2/2/1 3/3/1\n", {}, "m.obj",
@@ -173,7 +173,7 @@ TEST(Obj, ALeftHandedFileKeepsItsFrontsAndItsTexture) {
     }
 }
 
-TEST(Obj, TangentsAreUnitAndPerpendicularUntilThereAreBetterOnes) {
+TEST(Obj, InitialTangentsAreUnitAndPerpendicular) {
     for (const Vertex& vertex : parse_obj(roof + "f 1 2 4 3\nf 1 5 6 2\n").mesh.vertices) {
         EXPECT_NEAR(glm::length(glm::vec3(vertex.tangent)), 1, 2e-7);
         EXPECT_NEAR(glm::dot(glm::vec3(vertex.tangent), vertex.normal), 0, 2e-7);
@@ -181,14 +181,14 @@ TEST(Obj, TangentsAreUnitAndPerpendicularUntilThereAreBetterOnes) {
     }
 }
 
-TEST(Obj, WhatItDoesNotReadIsNotedOnce) {
+TEST(Obj, AnUnreadStatementIsNotedOnce) {
     const ObjModel model = parse_obj(square + "g a b\no c\nl 1 2\nl 2 3\ns wild\nf 1 2 3\n");
     ASSERT_EQ(model.notes.size(), 2u);
     EXPECT_EQ(model.notes[0], "model.obj:7: 'l' is not read");
     EXPECT_EQ(model.notes[1], "model.obj:9: 's wild' is not a smoothing group; taken as off");
 }
 
-TEST(Obj, OfManyNotesTheFirstTwentyAreKept) {
+TEST(Obj, KeepsTheFirstTwentyNotes) {
     std::string text = square + "f 1 2 3\n";
     for (int i = 0; i < 30; ++i) text += "s x\n";
     EXPECT_EQ(parse_obj(text).notes.size(), 20u);
@@ -215,12 +215,12 @@ TEST(ObjErrors, NameTheFileAndTheLine) {
     EXPECT_EQ(error_of(square), "a/b.obj: has no faces");
 }
 
-TEST(ObjErrors, AStatementOverSeveralLinesHasTheNumberOfItsFirst) {
+TEST(ObjErrors, AContinuedStatementIsReportedAtItsFirstLine) {
     EXPECT_EQ(error_of("v 0 \\\n0 \\\nx\n"), "a/b.obj:1: 'x' is not a finite number");
     EXPECT_EQ(error_of("v 0 \\\n0 0\nv x 0 0\n"), "a/b.obj:3: 'x' is not a finite number");
 }
 
-TEST(ObjErrors, RefuseWhatIsNoCorner) {
+TEST(ObjErrors, ReportInvalidCorners) {
     for (const char* corner : {"0", "1.5", "x", "1/x", "1//x", "1/0", "/1", "1/1/1/1", "99999999999999999999",
                                "1/99999999999999999999", "-2147483649"})
         EXPECT_TRUE(contains(error_of(square + "vt 0 0\nvn 0 0 1\nf 1 2 " + corner + "\n"),
@@ -232,7 +232,7 @@ TEST(ObjErrors, RefuseWhatIsNoCorner) {
     EXPECT_EQ(parse_obj(square + "f 1/ 2// 3//\n").mesh.indices.size(), 3u) << "empty parts are none";
 }
 
-TEST(ObjErrors, RefuseJunkAndShowItInPrint) {
+TEST(ObjErrors, ReportJunkInPrintableForm) {
     EXPECT_EQ(error_of(std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16)),
               "a/b.obj:3: this is not text: it has a byte 0");
     EXPECT_EQ(error_of(std::string("\xff\xfev\0 \0", 6)), "a/b.obj:1: this is text in UTF-16: save it as UTF-8");
@@ -241,7 +241,7 @@ TEST(ObjErrors, RefuseJunkAndShowItInPrint) {
               "a/b.obj:1: '" + std::string(40, 'y') + "...' is not a finite number");
 }
 
-TEST(ObjErrors, RefuseWhatIsTooLarge) {
+TEST(ObjErrors, ReportExceededLimits) {
     EXPECT_EQ(error_of(square + "f 1 2 3\nf 1 2 3\n", {.corners = 5}), "a/b.obj:6: the faces have more than 5 corners");
     EXPECT_EQ(error_of(square + "f 1 2 3\n", {.bytes = 10}), "a/b.obj: 40 bytes, the limit is 10");
     std::string face = "f";

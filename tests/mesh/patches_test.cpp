@@ -78,7 +78,7 @@ glm::dvec3 across(const PatchMesh& patches, size_t patch) {
     return glm::cross(c - a, glm::dvec3(p[3].vertex.position) - b);
 }
 
-TEST(Patches, OfThreeCornersAreTheTrianglesButThoseWithTwoCornersInOnePlace) {
+TEST(Patches, OfThreeCornersAreTheNonDegenerateTriangles) {
     for (const auto& [name, mesh] : meshes()) {
         const PatchMesh patches = make_patches(mesh, 3);
         size_t at = 0;
@@ -106,7 +106,7 @@ TEST(Patches, OfThreeCornersAreTheTrianglesButThoseWithTwoCornersInOnePlace) {
     EXPECT_EQ(make_patches(make_sphere({.radius = 0}), 4).patches(), 0u) << "nor is a quad without area one";
 }
 
-TEST(Patches, OfFourCornersAreAGridsCellsWithUAlongTheirFirstSide) {
+TEST(Patches, OfFourCornersAreGridCellsWithUAlongTheFirstSide) {
     for (const auto& [name, mesh] : meshes()) {
         const PatchMesh patches = make_patches(mesh, 4);
         ASSERT_EQ(patches.patches(), mesh.indices.size() / 6) << name;
@@ -119,7 +119,7 @@ TEST(Patches, OfFourCornersAreAGridsCellsWithUAlongTheirFirstSide) {
     }
 }
 
-TEST(Patches, OfFourCornersStartWithTheFirstOfTheTrianglesWhicheverSideTheyShare) {
+TEST(Patches, OfFourCornersStartWithTheFirstTriangleWhicheverEdgeIsShared) {
     Mesh mesh;
     for (const glm::vec2 at : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 1}}) mesh.vertices.push_back(flat_vertex(at, at));
     for (const auto& [first, second] :
@@ -133,7 +133,7 @@ TEST(Patches, OfFourCornersStartWithTheFirstOfTheTrianglesWhicheverSideTheyShare
     }
 }
 
-TEST(Patches, FaceTheWayTheirNormalsDo) {
+TEST(Patches, FaceAlongTheirNormals) {
     for_all([](const PatchMesh& patches, const std::string& name) {
         for (size_t i = 0; i < patches.patches(); ++i)
             EXPECT_GT(
@@ -142,7 +142,7 @@ TEST(Patches, FaceTheWayTheirNormalsDo) {
     });
 }
 
-TEST(Patches, ThatMeetInAPlaceKnowItInTheSameBits) {
+TEST(Patches, SharePositionsBitForBit) {
     for_all([](const PatchMesh& patches, const std::string& name) {
         std::map<Position, const PatchCorner*> owners;
         for (const PatchCorner& point : patches.points) {
@@ -157,7 +157,7 @@ TEST(Patches, ThatMeetInAPlaceKnowItInTheSameBits) {
     });
 }
 
-TEST(Patches, ThatMeetInAnEdgeReadItAtTheUvOfTheFirst) {
+TEST(Patches, ReadASharedEdgeAtTheFirstPatchsUv) {
     for_all([](const PatchMesh& patches, const std::string& name) {
         std::map<std::pair<Position, Position>, glm::vec4> edges;
         for (size_t i = 0; i < patches.points.size(); ++i) {
@@ -174,7 +174,7 @@ TEST(Patches, ThatMeetInAnEdgeReadItAtTheUvOfTheFirst) {
     });
 }
 
-TEST(Patches, OfASolidAreClosedAndOfASheetAreNot) {
+TEST(Patches, AreClosedForSolidsAndOpenForSheets) {
     const std::set<std::string> solids = {"sphere", "coarse sphere", "cube sphere", "torus", "box"};
     for (const auto& [name, mesh] : meshes())
         for (const int corners : {3, 4})
@@ -189,7 +189,7 @@ TEST(Patches, OfASolidAreClosedAndOfASheetAreNot) {
     EXPECT_FALSE(make_patches(torus, 3).is_closed) << "everything twice";
 }
 
-TEST(Patches, AreDisplacedAlongTheDiagonalAtABoxsCornersWhateverItsSidesAre) {
+TEST(Patches, AreDisplacedDiagonallyAtTheCornersOfAnyBox) {
     for (const int corners : {3, 4}) {
         for (const PatchCorner& point : make_patches(make_box({.size = {1, 2, 5}}), corners).points) {
             // A face's corner has one angle of 90 degrees or two of 45, so the three normals have equal weights.
@@ -202,7 +202,7 @@ TEST(Patches, AreDisplacedAlongTheDiagonalAtABoxsCornersWhateverItsSidesAre) {
     }
 }
 
-TEST(Patches, OfASmoothMeshAreDisplacedAlongItsNormalsToTheBit) {
+TEST(Patches, AreDisplacedAlongTheNormalsOfASmoothMeshBitForBit) {
     Mesh torus = make_torus({.sides = 12, .rows = 6});
     for (Vertex& vertex : torus.vertices) vertex.normal *= 0.99999f;  // as in a file with five digits
     for (const int corners : {3, 4}) {
@@ -215,7 +215,7 @@ TEST(Patches, OfASmoothMeshAreDisplacedAlongItsNormalsToTheBit) {
     }
 }
 
-TEST(Patches, KeepTheirNormalsWhereThoseOfAPlaceCancelOut) {
+TEST(Patches, KeepTheirNormalsWhereTheSumCancels) {
     Mesh sheet;  // two-sided
     for (const float side : {1.0f, -1.0f})
         for (const glm::vec2 at : {glm::vec2(0, 0), {1, 0}, {0, 1}}) {
@@ -228,7 +228,7 @@ TEST(Patches, KeepTheirNormalsWhereThoseOfAPlaceCancelOut) {
     EXPECT_TRUE(patches.is_closed);
 }
 
-TEST(Patches, SpacingIsTheMeanLengthOfTheEdgesInAPlace) {
+TEST(Patches, SpacingIsTheMeanEdgeLengthAtAPosition) {
     // 2 x 1 metres in 4 x 1 cells, so cells are 0.5 x 1. uv run over 8 x 3, so cells are 2 x 3 in uv.
     const Mesh grid = make_quad({.width = 2, .height = 1, .columns = 4, .rows = 1, .repeat = {8, 3}});
     for (const PatchCorner& point : make_patches(grid, 4).points) {
@@ -244,7 +244,7 @@ TEST(Patches, SpacingIsTheMeanLengthOfTheEdgesInAPlace) {
         }
 }
 
-TEST(Patches, OfTrianglesThatAreNoQuadsAreThreeATriangle) {
+TEST(Patches, SplitEachTriangleIntoThreeIfNotPairedAsQuads) {
     Mesh bent = make_box({});  // two of its sides, which meet at 90 degrees
     bent.indices.assign({0, 1, 2, 0, 2, 3});
     for (const glm::vec3 at : {glm::vec3(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.2f, 0.2f, 0}, {5, 5, 0}}) {
@@ -267,7 +267,7 @@ TEST(Patches, OfTrianglesThatAreNoQuadsAreThreeATriangle) {
     EXPECT_EQ(make_patches(bent, 4).patches(), 6u) << "a seam along the diagonal would be lost";
 }
 
-TEST(Patches, OfASplitTriangleHaveItsMiddlesAndItsArea) {
+TEST(Patches, OfASplitTriangleUseItsMidpointsAndCoverItsArea) {
     Mesh mesh;
     for (const glm::vec2 at : {glm::vec2(0, 0), {6, 0}, {0, 6}}) mesh.vertices.push_back(flat_vertex(at, at / 6.0f));
     mesh.vertices[0].normal = {1, 0, 0}, mesh.vertices[1].normal = {0, 1, 0};
@@ -300,7 +300,7 @@ TEST(Patches, OfASplitTriangleHaveItsMiddlesAndItsArea) {
     EXPECT_LT(glm::distance(patches.points[2].vertex.normal, glm::normalize(glm::vec3(1, 1, 1))), 2e-7f);
 }
 
-TEST(Patches, OfASplitSolidAreClosed) {
+TEST(Patches, AreClosedForASplitSolid) {
     for (const auto& [name, mesh] : meshes()) {
         Mesh closed = mesh;  // with a degenerate triangle at the end, for an odd number of triangles
         closed.indices.insert(closed.indices.end(), 3, closed.indices[0]);
@@ -310,7 +310,7 @@ TEST(Patches, OfASplitSolidAreClosed) {
     }
 }
 
-TEST(Patches, WithSomethingThatIsNotFiniteSpoilNoOthers) {
+TEST(Patches, NonFiniteVerticesDoNotSpoilOthers) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     for (const float bad : {nan, infinity, -infinity})
         for (const int corners : {3, 4}) {
@@ -334,7 +334,7 @@ TEST(Patches, WithSomethingThatIsNotFiniteSpoilNoOthers) {
         }
 }
 
-TEST(Patches, OfRandomTrianglesMeetInTheSameBits) {
+TEST(Patches, OfRandomTrianglesShareHeightUvBitForBit) {
     for (unsigned seed = 0; seed < 20; ++seed)
         for (const int corners : {3, 4}) {
             std::map<Position, const PatchCorner*> owners;
@@ -344,11 +344,11 @@ TEST(Patches, OfRandomTrianglesMeetInTheSameBits) {
         }
 }
 
-TEST(Patches, OfNothingAreNone) {
+TEST(Patches, AreEmptyForAnEmptyMesh) {
     for (const int corners : {3, 4}) EXPECT_EQ(make_patches({}, corners).patches(), 0u);
 }
 
-TEST(Patches, NeedWholeTrianglesAndThreeOrFourCorners) {
+TEST(Patches, RequireWholeTrianglesAndThreeOrFourCorners) {
     Mesh mesh = make_quad({});
     EXPECT_TRUE(contains(message_of([&] { make_patches(mesh, 5); }), "a patch has 3 or 4 corners, not 5"));
     mesh.indices[2] = 4;

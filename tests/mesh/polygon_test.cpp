@@ -58,7 +58,7 @@ void expect_covered_anywhere(const Polygon& flat) {
         }
 }
 
-TEST(VectorArea, OfASquareIsItsAreaAlongItsNormal) {
+TEST(VectorArea, EqualsTheAreaTimesTheNormalOfASquare) {
     EXPECT_EQ(vector_area(Polygon{{0, 0, 5}, {2, 0, 5}, {2, 2, 5}, {0, 2, 5}}), glm::dvec3(0, 0, 4));
     EXPECT_EQ(vector_area(Polygon{{0, 0, 5}, {0, 2, 5}, {2, 2, 5}, {2, 0, 5}}), glm::dvec3(0, 0, -4));
     EXPECT_EQ(vector_area(Polygon{{1, 1, 1}, {2, 2, 2}}), glm::dvec3(0));
@@ -70,7 +70,7 @@ TEST(Triangulate, AQuadIsCutAlongItsShorterDiagonal) {
     EXPECT_EQ(cut({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}}), (std::vector<uint32_t>{0, 1, 3, 1, 2, 3}));
 }
 
-TEST(Triangulate, AConcaveQuadIsCutThroughItsReflexCornerWhicheverItIs) {
+TEST(Triangulate, CutsAConcaveQuadAtItsReflexCorner) {
     const Polygon dart = {{0, 0, 0}, {2, 2, 0}, {0, 0.5, 0}, {-2, 2, 0}};  // the longer diagonal, 1 to 3, lies outside
     for (size_t first = 0; first < 4; ++first) {
         Polygon turned;
@@ -116,7 +116,7 @@ TEST(Triangulate, CoversStarsOfRandomRadii) {
     }
 }
 
-TEST(Triangulate, WhatIsNoPolygonStillGivesTrianglesOfItsCorners) {
+TEST(Triangulate, CoversAllCornersOfADegeneratePolygon) {
     const double huge = std::numeric_limits<float>::max();
     for (const Polygon& polygon : {Polygon(7, {1, 1, 1}),                                               // one point
                                    Polygon{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {1, 1, 1}},      // a line

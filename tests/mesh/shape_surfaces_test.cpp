@@ -187,7 +187,7 @@ TEST(ShapeSurfaces, SolidsAreClosedToTheLastBit) {
     EXPECT_EQ(open_edges(make_quad({})).size(), 2u * 4) << "each edge of a quad is open, in both directions";
 }
 
-TEST(ShapeSurfaces, TheRepeatScalesTheUvAndNothingElse) {
+TEST(ShapeSurfaces, TheRepeatScalesOnlyTheUv) {
     const auto all = [](glm::vec2 repeat) {
         return std::array{make_quad({.repeat = repeat}),        make_grid({.repeat = repeat}),
                           make_box({.repeat = repeat}),         make_column({.repeat = repeat}),
@@ -229,7 +229,7 @@ TEST(CubeSphere, HasNoPolesAndCellsOfAlikeArea) {
     EXPECT_NEAR(largest / smallest, std::sqrt(2.0), 0.1);
 }
 
-TEST(ShapeSurfaces, UnusableNumbersGiveFinitePositionsAndUnitFrames) {
+TEST(ShapeSurfaces, InvalidParametersGiveFinitePositionsAndUnitFrames) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity(),
                     largest = std::numeric_limits<float>::max(), smallest = std::numeric_limits<float>::denorm_min();
     for (const float x : {0.0f, -1.0f, nan, infinity, largest, smallest})
@@ -256,7 +256,7 @@ TEST(ShapeSurfaces, UnusableNumbersGiveFinitePositionsAndUnitFrames) {
                     }
 }
 
-TEST(ShapeSurfaces, ANegativeSizeLosesItsSignAndATubeFitsItsRing) {
+TEST(ShapeSurfaces, NegativeSizesLoseTheirSignAndTheTubeRadiusIsClamped) {
     EXPECT_EQ(make_sphere({.radius = -2}).vertices[60].position, make_sphere({.radius = 2}).vertices[60].position);
     EXPECT_EQ(make_box({.size = {1, -2, 3}}).vertices[0].position, make_box({.size = {1, 2, 3}}).vertices[0].position);
     for (const Vertex& vertex : make_torus({.ring_radius = 1, .tube_radius = 5}).vertices)

@@ -121,7 +121,7 @@ TEST(Shapes, UvRunFromZeroToTheRepeat) {
             }
 }
 
-TEST(Shapes, ASeamHasEachOfItsVerticesTwiceWithTheUvOfBothSides) {
+TEST(Shapes, DuplicateSeamVerticesWithTheUvOfBothSides) {
     for (const Grid& shape : shapes()) {
         if (shape.name == std::string("quad") || shape.name == std::string("grid")) continue;
         for (int row = 0; row <= shape.rows; ++row) {
@@ -144,7 +144,7 @@ TEST(Shapes, ASeamIsClosedToTheLastBit) {
         }
 }
 
-TEST(Column, WithoutHeightAndTaperHasNormalsAwayFromItsAxis) {
+TEST(Column, WithoutHeightAndTaperHasRadialNormals) {
     for (const Vertex& vertex : make_column({.height = 0}).vertices)
         EXPECT_NEAR(glm::dot(vertex.normal, vertex.position), 1, 1e-6);
 }

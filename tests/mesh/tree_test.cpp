@@ -10,7 +10,7 @@
 namespace relief {
 namespace {
 
-TEST(TriangleTree, HasEachTriangleOnceAndInEveryBoxAboveIt) {
+TEST(TriangleTree, ContainsEachTriangleOnceInsideEveryParentBox) {
     for (const Mesh& mesh : {make_torus({}), make_box({}), make_quad({})}) {
         const TriangleTree tree = build_tree(mesh);
         std::vector<int> seen(mesh.indices.size() / 3);
@@ -39,7 +39,7 @@ TEST(TriangleTree, IsShallow) {
     EXPECT_EQ(tree.nodes.size(), 2u * 4096 - 1);
 }
 
-TEST(TriangleTree, OfNothingIsEmptyAndOfWhatIsNotFiniteHasTheRest) {
+TEST(TriangleTree, IsEmptyForAnEmptyMeshAndOmitsNonFiniteTriangles) {
     EXPECT_TRUE(build_tree({}).nodes.empty());
     Mesh mesh = make_quad({});
     mesh.vertices[mesh.indices[0]].position.x = NAN;

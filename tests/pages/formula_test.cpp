@@ -19,21 +19,21 @@ std::string inside(const std::string& formula) {
     return all.substr(opening.size(), all.size() - opening.size() - closing.size());
 }
 
-TEST(Formula, AFractionTakesWhatStandsBesideIt) {
+TEST(Formula, AFractionTakesTheAdjacentTerms) {
     EXPECT_EQ(inside("a / b"), "<mfrac><mrow><mi>a</mi></mrow><mrow><mi>b</mi></mrow></mfrac>");
     EXPECT_EQ(
         inside("2 x/y"),
         "<mn>2</mn><mspace width=\"0.2em\"></mspace><mfrac><mrow><mi>x</mi></mrow><mrow><mi>y</mi></mrow></mfrac>");
 }
 
-TEST(Formula, AFractionDropsTheBracketsOfAGroupButNotThoseOfAVectorOrAFunction) {
+TEST(Formula, AFractionDropsGroupBracketsButKeepsThoseOfVectorsAndCalls) {
     EXPECT_EQ(inside("(a + b) / 2"),
               "<mfrac><mrow><mi>a</mi><mo>+</mo><mi>b</mi></mrow><mrow><mn>2</mn></mrow></mfrac>");
     EXPECT_NE(inside("(a, b) / 2").find(">(</mo>"), std::string::npos);
     EXPECT_NE(inside("f(a) / 2").find(">(</mo>"), std::string::npos);
 }
 
-TEST(Formula, ScriptsStandHighAndLow) {
+TEST(Formula, SubscriptsAndSuperscriptsAreMarked) {
     EXPECT_EQ(inside("w_i"), "<msub><mi>w</mi><mrow><mi>i</mi></mrow></msub>");
     EXPECT_EQ(inside("f0"), "<msub><mi>f</mi><mrow><mn>0</mn></mrow></msub>");
     EXPECT_EQ(inside("M^-T"), "<msup><mi>M</mi><mrow><mo>−</mo><mi>T</mi></mrow></msup>");
@@ -41,11 +41,11 @@ TEST(Formula, ScriptsStandHighAndLow) {
     EXPECT_EQ(inside("x²"), inside("x^2"));
 }
 
-TEST(Formula, TwoScriptsOfANameAreOnePair) {
+TEST(Formula, TwoScriptsOfANameFormOnePair) {
     EXPECT_EQ(inside("f0^2"), "<msubsup><mi>f</mi><mrow><mn>0</mn></mrow><mrow><mn>2</mn></mrow></msubsup>");
 }
 
-TEST(Formula, AnArgumentBehindAScriptIsThatOfTheWholeName) {
+TEST(Formula, AnArgumentAfterAScriptBelongsToTheWholeName) {
     EXPECT_EQ(inside("h_i(x)"),
               "<mrow><msub><mi>h</mi><mrow><mi>i</mi></mrow></msub><mrow><mo stretchy=\"false\">(</mo><mi>x</mi>"
               "<mo stretchy=\"false\">)</mo></mrow></mrow>");
@@ -62,7 +62,7 @@ TEST(Formula, NamesOfCodeStayWhole) {
     EXPECT_EQ(inside("slope_x"), "<msub><mi>slope</mi><mrow><mi>x</mi></mrow></msub>");
 }
 
-TEST(Formula, SignsAndWords) {
+TEST(Formula, SignsAndWordsAreEscapedAndTypeset) {
     EXPECT_EQ(inside("a <= pi"), "<mi>a</mi><mo>≤</mo><mi>π</mi>");
     EXPECT_EQ(inside("a < b"), "<mi>a</mi><mo>&lt;</mo><mi>b</mi>");
     EXPECT_EQ(inside("\"if <b>\""), "<mtext>if &lt;b&gt;</mtext>");
@@ -80,7 +80,7 @@ TEST(Formula, LinesHaveCellsOfFormulasAndWords) {
     EXPECT_EQ(lines[1][0].formula, parse_formula("x"));
 }
 
-TEST(Formula, WhatIsNoFormulaIsAnError) {
+TEST(Formula, AnInvalidFormulaIsAnError) {
     for (const char* wrong : {"(a", "a)", "[a)", "|a", "a /", "a_", "{a}", "\"a", "$", "a^"})
         EXPECT_THROW(parse_formula(wrong), Error) << wrong;
     EXPECT_THROW(formula_lines("\"a"), Error);

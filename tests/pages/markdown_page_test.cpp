@@ -39,14 +39,14 @@ TEST(MarkdownPage, TextIsEscapedAndStyled) {
         "<pre tabindex=\"0\" role=\"region\" aria-label=\"code 1\">&lt;x&gt;</pre><blockquote><p>q</p></blockquote><hr>");
 }
 
-TEST(MarkdownPage, WhatMeasuredANumberIsFolded) {
+TEST(MarkdownPage, FoldsTheMeasurementsOfANumber) {
     const std::string page = shown("0.17\n\n```measured\n0.17  mean  shot 02\n```");
     EXPECT_TRUE(page.starts_with("<p>0.17</p><details class=\"measured\"><summary>How it was measured</summary>"))
         << page;
     EXPECT_TRUE(page.ends_with(">0.17  mean  shot 02</pre></details>")) << page;
 }
 
-TEST(MarkdownPage, LinksAndPicturesThatAreNotThereAreWords) {
+TEST(MarkdownPage, ShowsMissingLinksAndPicturesAsText) {
     EXPECT_EQ(shown("[a](there.md) [b](nowhere.md)"), "<p><a href=\"there.html\">a</a>b</p>");
     EXPECT_EQ(
         shown("![a \"q\"](one.png) ![b](two.png)"),

@@ -30,7 +30,7 @@ TEST(Template, AValueIsEscapedBetweenTagsAndInAttributes) {
               "a <code>&lt;b&gt;</code> &amp; c");
 }
 
-TEST(Template, NothingIsFalseAnEmptyTextAndAnEmptyList) {
+TEST(Template, FalseEmptyTextsAndEmptyListsHideASection) {
     for (const Value& nothing : {Value(), Value(false), Value(""), Value(List{}), rows(List{})})
         EXPECT_EQ(rendered("{{#x}}yes{{/x}}{{^x}}no{{/x}}", {{"x", nothing}}), "no");
     for (const Value& something : {Value(true), Value(0), Value("0"), Value(Fields{}), rows(List{"a"})})
@@ -39,7 +39,7 @@ TEST(Template, NothingIsFalseAnEmptyTextAndAnEmptyList) {
               "<ul><li>a</li><li>b</li></ul>");
 }
 
-TEST(Template, WhatIsMissingOrNotClosedIsAnError) {
+TEST(Template, MissingValuesAndUnclosedSectionsAreErrors) {
     EXPECT_THROW(rendered("{{nmae}}", {{"name", "x"}}), Error);
     EXPECT_THROW(rendered("{{#x}}{{/y}}", {{"x", true}, {"y", true}}), Error);
     EXPECT_THROW(rendered("{{> no such file}}", {}), Error);
@@ -76,7 +76,7 @@ const std::set<std::pair<std::string, std::string>> not_escaped = {
     {"framework/staff/pages/topic", "chief_narrow"},
     {"framework/staff/pages/topic", "plot"}};
 
-TEST(Templates, LittleIsNotEscapedAndAllOfItIsOurs) {
+TEST(Templates, OnlyOurOwnTextIsNotEscaped) {
     std::set<std::pair<std::string, std::string>> found;
     for (const auto& [name, text] : templates())
         for (const std::string& tag : tags_of(text))
@@ -104,7 +104,7 @@ Fields for_all(const std::string& value, const std::set<std::string>& none) {
     return values;
 }
 
-TEST(Templates, WhateverIsSaidInThemIsText) {
+TEST(Templates, ValuesAreEscapedEverywhere) {
     std::set<std::string> optional;
     for (const auto& [name, text] : templates())
         for (const std::string& tag : tags_of(text))
@@ -128,7 +128,7 @@ TEST(Templates, WhateverIsSaidInThemIsText) {
     EXPECT_GT(escaped, 30) << "the claim is empty when nothing is shown";
 }
 
-TEST(Styles, TheScaleOfErrorsHasTheColoursOfAnErrorMap) {
+TEST(Styles, TheErrorScaleHasTheColoursOfTheErrorMap) {
     std::string stops;
     for (int i = 0; i <= 5; ++i) {
         const glm::dvec3 color = 255.0 * heat_color(i / 5.0);

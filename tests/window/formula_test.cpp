@@ -93,7 +93,7 @@ TEST_F(WindowFormula, EveryCharacterOfTheHandoutsHasAGlyph) {
     }
 }
 
-TEST_F(WindowFormula, EverySignThatCanBeWrittenHasAGlyph) {
+TEST_F(WindowFormula, EveryWritableSignHasAGlyph) {
     const FormulaBox all =
         typeset(parse_formula("alpha beta gamma delta theta lambda mu pi sigma phi Sigma Delta Lambda <=> a <= b >= c "
                               "-> d × e · f + g - h = i "
@@ -103,7 +103,7 @@ TEST_F(WindowFormula, EverySignThatCanBeWrittenHasAGlyph) {
         << "what is missing is found";
 }
 
-TEST_F(WindowFormula, NothingStandsOutsideOfItsBlockHoweverNarrow) {
+TEST_F(WindowFormula, EveryGlyphStaysInItsBlockAtAnyWidth) {
     for (const auto& [handout, blocks] : handouts())
         for (const Lines& lines : blocks)
             for (const float width : {90.0f, 150.0f, 260.0f, dock, 900.0f}) {
@@ -140,7 +140,7 @@ TEST_F(WindowFormula, AFractionHasItsPartsAboveAndBelowItsLine) {
     EXPECT_EQ(box.strokes[0].points[1].y, line);
 }
 
-TEST_F(WindowFormula, ScriptsAreSmallAndStandHighAndLow) {
+TEST_F(WindowFormula, ScriptsAreSmallerAndRaisedOrLowered) {
     const FormulaBox box = typeset(parse_formula("w_i^2"));
     EXPECT_EQ(find(box, "w")->at.y, 0);
     EXPECT_GT(find(box, "i")->at.y, 0);
@@ -149,7 +149,7 @@ TEST_F(WindowFormula, ScriptsAreSmallAndStandHighAndLow) {
     EXPECT_EQ(find(typeset(parse_formula("n'")), "′")->at.y, 0) << "a prime is high by itself";
 }
 
-TEST_F(WindowFormula, OnlyNamesOfOneLetterLean) {
+TEST_F(WindowFormula, OnlySingleLetterNamesAreItalic) {
     const FormulaBox box = typeset(parse_formula("x · depth - 2 pi"));
     EXPECT_TRUE(find(box, "x")->slanted);
     EXPECT_TRUE(find(box, "π")->slanted);

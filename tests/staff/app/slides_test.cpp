@@ -114,7 +114,7 @@ std::string complaint(const std::string& text) {
 
 // ---- what is put into a deck ----
 
-TEST(Deck, FiguresAreCommandsThatDrawThem) {
+TEST(Deck, FiguresNameTheCommandsThatDrawThem) {
     const Deck one = deck("a ![w:3 x](<shot 10 --set view=one>) b ![bg y](<bench parallax --quick>)\n\n![z](z.svg)\n");
     EXPECT_EQ(one.text, "---\nmarp: true\n---\na ![w:3 x](d/01.png) b ![bg y](d/02.svg)\n\n![z](z.svg)\n\n");
     ASSERT_EQ(one.figures.size(), 2u);
@@ -141,7 +141,7 @@ TEST(Deck, CodeIsARegionOfTheSource) {
     EXPECT_TRUE(complaint("```glsl a b\nx\n```").starts_with("d.md:4: a block"));
 }
 
-TEST(Deck, SolutionsAreShownWhereTheyAreWanted) {
+TEST(Deck, ShowsSolutionsOnlyOnRequest) {
     const std::string quote = "```glsl shaders/10_parallax_offset/task.glsl ray\n```\n";
     EXPECT_TRUE(contains(complaint(quote), "d.md:4: shaders/10_parallax_offset/task.glsl has a solution in ray"));
     const std::string slides = "first\n---\n<!-- _class: solution -->\n" + quote + "---\nlast";
@@ -163,7 +163,7 @@ TEST(Deck, MistakesAreShownBeforeTheyAreExplained) {
     EXPECT_TRUE(contains(complaint("```mistakes 99\nx\n```"), "d.md:4: "));
 }
 
-TEST(Deck, WhatMeasuredANumberIsASpeakersNote) {
+TEST(Deck, MovesMeasurementsToTheSpeakersNotes) {
     EXPECT_EQ(deck("0.17\n\n```measured\n0.17  mean  shot 02\n```\n").text,
               "---\nmarp: true\n---\n0.17\n\n<!-- Measured by relief\n0.17  mean  shot 02\n-->\n\n");
 }
@@ -194,7 +194,7 @@ std::string packed(std::string text) {
     return text;
 }
 
-TEST(Slides, ShowNoLineOfASolutionUnlessAsked) {
+TEST(Slides, ShowNoSolutionLineUnlessRequested) {
     std::map<std::string, std::string> all, with_solutions;
     for (const std::string& name : decks()) {
         all[name] = packed(deck_of(name).text);
@@ -214,7 +214,7 @@ TEST(Slides, ShowNoLineOfASolutionUnlessAsked) {
     EXPECT_GT(shown_when_asked, 10) << "or this test looks at nothing";
 }
 
-TEST(Slides, ShowNoSolutionUnderOtherNames) {
+TEST(Slides, ShowNoSolutionWithRenamedIdentifiers) {
     std::map<std::string, std::string> shapes, with_solutions;
     for (const std::string& name : decks()) {
         shapes[name] = shape_of(code_in_markdown(deck_of(name).text));
@@ -247,7 +247,7 @@ const fs::path& made_slides() {
 
 class MadeDeck : public testing::TestWithParam<std::string> {};
 
-TEST_P(MadeDeck, HasItsPicturesAndFormulasAndStaysInItsFrame) {
+TEST_P(MadeDeck, HasItsPicturesAndFormulasAndFitsItsFrame) {
     const fs::path page = made_slides() / (GetParam() + ".html");
     EXPECT_EQ(problems_of(page), Names{});
     EXPECT_GE(int(browser().eval("document.querySelectorAll('svg[data-marpit-svg]').length")), 8);
@@ -265,7 +265,7 @@ TEST(Slides, AxeFindsNothingOnADeck) {
 INSTANTIATE_TEST_SUITE_P(Slides, MadeDeck, testing::ValuesIn(decks()),
                          [](const auto& name) { return "Deck" + name.param; });
 
-TEST(Slides, ArePrintedAsPdfAndNothingElseIsLeft) {
+TEST(Slides, ArePrintedAsPdfWithoutTemporaryFiles) {
     const TemporaryFolder folder;
     const Result result = run({relief_program(), "slides", "1", "-o", folder.path().string()});
     ASSERT_EQ(result.code, 0) << result.err;
@@ -277,7 +277,7 @@ TEST(Slides, ArePrintedAsPdfAndNothingElseIsLeft) {
     EXPECT_FALSE(fs::exists(folder.path() / "01_specular_highlights.md"));
 }
 
-TEST(Slides, AMissingPictureAWrongFormulaAndTooMuchTextAreSeen) {
+TEST(Slides, ReportMissingPicturesWrongFormulasAndOverflow) {
     const TemporaryFolder folder;
     folder.write(
         "bad.md",

@@ -26,7 +26,7 @@ std::vector<Cells> rows_of(const std::string& text) {
     return rows;
 }
 
-TEST(Csv, IsReadAsSpreadsheetsWriteIt) {
+TEST(Csv, IsReadInTheDialectsOfSpreadsheets) {
     const std::vector<Cells> expected = {{"Doe, Jane", "1"}, {"a \"b\"\nc", ""}};
     EXPECT_EQ(rows_of("name,n\n\"Doe, Jane\",1\n\"a \"\"b\"\"\nc\",\n"), expected);
     EXPECT_EQ(rows_of("\xef\xbb\xbfname;n\r\nDoe, Jane;1\r\n\r\n;;\r\n\"a \"\"b\"\"\nc\"\r\n"), expected);
@@ -37,7 +37,7 @@ TEST(Csv, IsReadAsSpreadsheetsWriteIt) {
     EXPECT_EQ(table.rows[1].line, 6) << "lines inside of quotes and empty ones count";
 }
 
-TEST(Csv, ThatIsNoneIsRefusedWithItsLine) {
+TEST(Csv, InvalidTextIsRefusedWithItsLine) {
     const std::pair<const char*, const char*> cases[] = {
         {"", "csv:1: is empty"},
         {"a,b\n1,2\n1,2,3\n", "csv:3: has 3 cells"},
@@ -66,7 +66,7 @@ bool has_formula(const std::string& text) {
     return false;
 }
 
-TEST(Csv, HasNoFormulaWhereverASpreadsheetSplits) {
+TEST(Csv, ContainsNoFormulaForAnyDelimiter) {
     const std::pair<const char*, const char*> cases[] = {{"=cmd|'/C calc'!A0", "'=cmd|'/C calc'!A0"},
                                                          {"a;=1+1", "a;'=1+1"},
                                                          {"a,@x", "a,'@x"},
@@ -147,7 +147,7 @@ protected:
     TemporaryFolder folder;
 };
 
-TEST_F(ClassFiles, TheExampleOfTheGuideIsOne) {
+TEST_F(ClassFiles, TheExampleOfTheGuideIsValid) {
     const std::string guide = read_file(fs::path(RELIEF_SOURCE_FOLDER) / "labs/staff/README.md");
     const auto block = [&](const std::string& kind) {
         const std::string begin = "```" + kind + "\n";
@@ -178,7 +178,7 @@ TEST_F(ClassFiles, TheExampleOfTheGuideIsOne) {
 const std::string some_labs = "utc_offset = \"+01:00\"\n[[assigned]]\nlab = 13\ndue = 2027-03-01T23:59:00\n";
 const std::string some_students = some_labs + "[[student]]\nstudent = \"jane\"\n[[student]]\nstudent = \"joe\"\n";
 
-TEST_F(ClassFiles, WhatIsWrongIsOneLineWithItsPlace) {
+TEST_F(ClassFiles, ErrorsAreOneLineWithTheirPlace) {
     folder.write("twice.csv", "student,email\njane,j@x.org\njoe,j@x.org\n");
     folder.write("formula.csv", "student,login\njane,=1+1\n");
     folder.write("one.csv", "student\njane\n");
@@ -247,7 +247,7 @@ TEST_F(ClassFiles, AdjustmentsAreReadFromTheResultsUnlessTheFileNamesOthers) {
     EXPECT_TRUE(contains(refused(some_labs), "adjustments.csv:2: an adjustment needs a note"));
 }
 
-TEST_F(ClassFiles, AreKeptForLaterRunsIntoTheFolder) {
+TEST_F(ClassFiles, AreRememberedForLaterRunsInTheFolder) {
     const fs::path file = folder.write("class.toml", some_labs), marks = folder.path() / "marks";
     fs::create_directories(marks);
     EXPECT_EQ(class_file_of(marks), "");
@@ -301,7 +301,7 @@ TEST_F(ClassFiles, TheDenominatorIsTheSameForAll) {
                          "assigns none of the labs"));
 }
 
-TEST_F(ClassFiles, ANameIsTheSameHoweverItsAccentsAreWritten) {
+TEST_F(ClassFiles, NamesMatchInAnyUnicodeNormalForm) {
     const std::string apart = "Zoe\u0308", composed = "Zo\u00eb";
     folder.write("roster.csv", "student,email\n" + apart + ",zoe@x.org\n");
     folder.write("times.csv", "student,handed_in\n" + apart + ",2027-03-03 10:00\n");
@@ -363,7 +363,7 @@ TEST_F(ClassFiles, AdjustmentsComeBeforeLatenessAndStayWithinTheTask) {
                      "1 submission has no time in hand_ins and counts as in time: bo"}));
 }
 
-TEST_F(ClassFiles, AdjustmentsOfNobodyAndOfNoTaskAreRefused) {
+TEST_F(ClassFiles, AdjustmentsOfUnknownStudentsOrTasksAreRefused) {
     const std::vector<SubmissionMark> marks = {submission("jane", {{"13.1", 1}}),
                                                submission("m\xfcller", {{"13.1", 1}})};
     const auto said = [&](const std::string& row) {
@@ -377,13 +377,13 @@ TEST_F(ClassFiles, AdjustmentsOfNobodyAndOfNoTaskAreRefused) {
     EXPECT_EQ(class_standing(marks, read_class_file({}, folder.path() / "marks"), {}).students[1].points(), 2);
 }
 
-TEST_F(ClassFiles, WithoutARosterAnExtensionForNobodyIsReported) {
+TEST_F(ClassFiles, WithoutARosterAnExtensionForAnUnknownStudentIsReported) {
     const ClassFile policy = read(some_labs + "[[extension]]\nstudent = \"jnae\"\ndays = 3\n");
     const std::vector marks = {submission("jane", {{"13.1", 1}})};
     EXPECT_EQ(class_standing(marks, policy, {}).notes, Cells{"1 extension is for nobody who handed in: jnae"});
 }
 
-TEST_F(ClassFiles, WhoWaitsForAGradeHasNotForgottenToHandIn) {
+TEST_F(ClassFiles, AnUngradedSubmissionIsNotReportedAsMissing) {
     const std::vector marks = {submission("jane", {{"13.1", 1}})};
     const ClassStanding standing = class_standing(marks, read(some_students), {}, {"jane", "joe"});
     EXPECT_EQ(standing.students.at(1).state(), "not graded yet");
@@ -391,7 +391,7 @@ TEST_F(ClassFiles, WhoWaitsForAGradeHasNotForgottenToHandIn) {
     EXPECT_EQ(standing.notes, Cells{});
 }
 
-TEST_F(ClassFiles, WhatTheMachineCouldNotGradeHasNoPoints) {
+TEST_F(ClassFiles, ALabThatTheMachineCouldNotGradeHasNoMark) {
     std::vector marks = {submission("jane", {{"13.1", 1}, {"14.1", 1}})};
     marks[0].labs[0].tasks[0].checks[0].outcome = Outcome::machine;
     const ClassStanding standing = class_standing(marks, {}, {});

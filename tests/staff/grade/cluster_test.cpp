@@ -52,7 +52,7 @@ Variables array_task(const std::string& task, const std::string& min, const std:
 }
 
 // These are the values that Slurm 22.05 sets for the tasks of such an array.
-TEST(Shards, OfASlurmArrayAreTheirPlaceInARowOfNumbers) {
+TEST(Shards, OfASlurmArrayAreNumberedByTheirPosition) {
     const struct {
         const char* array;
         Variables variables;
@@ -69,7 +69,7 @@ TEST(Shards, OfASlurmArrayAreTheirPlaceInARowOfNumbers) {
     }
 }
 
-TEST(Shards, OfAListOrASingleTaskSaysWhatWouldBeRight) {
+TEST(Shards, OfAListOrASingleTaskAreRefusedWithAdvice) {
     for (const Variables& variables : {array_task("2", "2", "5", "1", "2"), array_task("5", "2", "5", "1", "2"),
                                        array_task("7", "3", "11", "1", "3"), array_task("4", "4", "4", "1", "1")}) {
         const Environment job(variables);
@@ -79,7 +79,7 @@ TEST(Shards, OfAListOrASingleTaskSaysWhatWouldBeRight) {
     }
 }
 
-TEST(Processors, OfAJobAreThoseThatSlurmGave) {
+TEST(Processors, OfAJobAreThoseAllocatedBySlurm) {
     {
         const Environment job({{"SLURM_JOB_ID", "7"}, {"SLURM_CPUS_ON_NODE", "8"}, {"SLURM_CPUS_PER_TASK", "2"}});
         EXPECT_EQ(processors_from_slurm(), 2);
@@ -96,7 +96,7 @@ TEST(Processors, OfAJobAreThoseThatSlurmGave) {
     EXPECT_EQ(processors_from_slurm(), std::nullopt);
 }
 
-TEST(Roster, IsForItsOwnerAlone) {
+TEST(Roster, IsReadableOnlyByItsOwner) {
     const TemporaryFolder folder;
     fs::permissions(folder.write("class.json", "{}"), fs::perms(0644));  // as an earlier version left it
     write_roster(folder.path(), {.course = "c", .seed = "secret", .labs = {}, .submissions = {}});
@@ -104,7 +104,7 @@ TEST(Roster, IsForItsOwnerAlone) {
     EXPECT_EQ(read_roster(folder.path())->seed, "secret");
 }
 
-TEST(Roster, KeepsTheFirstFigureOfEachSolutionAndDoesWithoutAny) {
+TEST(Roster, KeepsEachSolutionsFirstTimeAndAllowsNone) {
     const TemporaryFolder folder;
     fs::create_directory(folder.path() / "results");
     folder.write(
@@ -180,7 +180,7 @@ protected:
 };
 using Calls = std::vector<std::string>;
 
-TEST_F(ClusterTest, IsAnArrayOfPartsAndALastJobWhenAllOfThemHaveEnded) {
+TEST_F(ClusterTest, SubmitsAnArrayOfPartsAndALastJobAfterThem) {
     send_class(marks_, 3, 2, {"--trust"});
     EXPECT_EQ(short_calls(), (Calls{"relief-part/part-%a.log --cpus-per-task=2 --array=1,2,3 part.sh",
                                     "relief-report/last.log --cpus-per-task=2 --dependency=afterany:11 last.sh 1 1"}));
@@ -195,7 +195,7 @@ TEST_F(ClusterTest, IsAnArrayOfPartsAndALastJobWhenAllOfThemHaveEnded) {
     EXPECT_EQ(fs::status(marks_ / "slurm").permissions(), fs::perms::owner_all) << "others can read logs with marks";
 }
 
-TEST_F(ClusterTest, TellsTheSeedToNoCommandNoJobAndNoFileOfItsOwn) {
+TEST_F(ClusterTest, KeepsTheSeedOutOfCommandsJobsAndScripts) {
     send_class(marks_, 3, 0, {});
     for (const char* file : {"calls", "environment"})
         EXPECT_FALSE(contains(read_file(folder_.path() / file), "secret")) << read_file(folder_.path() / file);
@@ -203,7 +203,7 @@ TEST_F(ClusterTest, TellsTheSeedToNoCommandNoJobAndNoFileOfItsOwn) {
         EXPECT_FALSE(contains(read_file(entry.path()), "secret")) << entry.path();
 }
 
-TEST_F(ClusterTest, AJobGetsTheUsersVariablesButNotThoseOfTheJobThatSendsIt) {
+TEST_F(ClusterTest, AJobInheritsTheUsersVariablesButNotTheSubmittingJobs) {
     const Environment job({{"SLURM_CPUS_PER_TASK", "64"}, {"SLURM_CONF", "/etc/x.conf"}, {"SBATCH_PARTITION", "long"}});
     send_class(marks_, 1, 0, {});
     const std::string environment = read_file(folder_.path() / "environment");
@@ -211,7 +211,7 @@ TEST_F(ClusterTest, AJobGetsTheUsersVariablesButNotThoseOfTheJobThatSendsIt) {
     EXPECT_TRUE(contains(environment, "SLURM_CONF=/etc/x.conf\n") && contains(environment, "SBATCH_PARTITION=long\n"));
 }
 
-TEST_F(ClusterTest, PartsThatLackResultsAreSentAgainAwayFromTheirNodes) {
+TEST_F(ClusterTest, PartsWithoutResultsAreResubmittedExcludingTheirNodes) {
     send_class(marks_, 3, 0, {});
     // Part 1: ann, dan; 2: ben, eva; 3: cem, fay. Part 2 is complete.
     for (const char* name : {"ann", "ben", "eva"}) give_result(name);
@@ -224,7 +224,7 @@ TEST_F(ClusterTest, PartsThatLackResultsAreSentAgainAwayFromTheirNodes) {
                                     "relief-report/last.log --dependency=afterany:11:12 last.sh 2 1"}));
 }
 
-TEST_F(ClusterTest, ANodeIsAvoidedAsLongAsAnotherOneCanTakeThePart) {
+TEST_F(ClusterTest, ANodeIsExcludedWhileAnotherCanRunThePart) {
     send_class(marks_, 1, 0, {});
     folder_.write("a class's marks/slurm/part-1.nodes", "g2\ng1\n");
     for (const auto& [nodes, avoided] :
@@ -244,7 +244,7 @@ TEST_F(ClusterTest, ANodeIsAvoidedAsLongAsAnotherOneCanTakeThePart) {
         << "nobody knows of others";
 }
 
-TEST_F(ClusterTest, ALastJobThatFailsHasASubstituteElsewhereTwice) {
+TEST_F(ClusterTest, AFailedLastJobIsReplacedOnAnotherNodeTwice) {
     send_class(marks_, 3, 0, {});
     fs::remove(folder_.path() / "calls");
     const Environment job({{"SLURM_JOB_ID", "12"}, {"SLURMD_NODENAME", "g1"}});
@@ -282,13 +282,13 @@ TEST_F(ClusterTest, StatesComeFromResultsAndFromSlurm) {
     EXPECT_EQ(states()[2], "3 0/2 unknown   ") << "only Slurm can say";
 }
 
-TEST_F(ClusterTest, WhatSlurmRefusesIsSaidInItsWords) {
+TEST_F(ClusterTest, ARefusalBySlurmIsReportedVerbatim) {
     tool("sbatch", "echo 'sbatch: error: invalid partition specified: lnog' >&2; exit 1");
     EXPECT_EQ(message_of([&] { send_class(marks_, 3, 0, {}); }),
               "Slurm takes no job: sbatch: error: invalid partition specified: lnog");
 }
 
-TEST_F(ClusterTest, AResultCountsIfItIsWholeOfThisCourseAndNotTheMachinesFault) {
+TEST_F(ClusterTest, AResultCountsIfCompleteOfThisCourseAndNotAMachineFailure) {
     give_result("ann");
     give_result("ben", "another course");
     folder_.write("a class's marks/results/cem.json", read_file(result_file(marks_, "ann")).substr(0, 100));

@@ -147,7 +147,7 @@ TEST(Canvas, TakesTheGradebook) {
     EXPECT_EQ(rows.back(), (Cells{"Not There", "99", "sis99", "away", "", "0"}));
 }
 
-TEST(Canvas, GetsEveryShareOfAPoint) {
+TEST(Canvas, KeepsFractionsOfAPoint) {
     HostileClass some;
     LabStanding& lab = some.standing.students[0].labs[0];
     lab.late_share = 1;
@@ -421,7 +421,7 @@ TEST(JUnit, IsReadByAntAndJenkins) {
 }
 
 // surefire-test-report.xsd: the root is a suite with exactly these attributes. Times have at most three decimals.
-TEST(JUnit, IsReadAsSurefiresToo) {
+TEST(JUnit, MatchesTheSurefireSchema) {
     const HostileClass some;
     for (const Standing& one : some.standing.students) {
         const Element suite = Xml(to_surefire(one)).root();
@@ -434,7 +434,7 @@ TEST(JUnit, IsReadAsSurefiresToo) {
     }
 }
 
-TEST(Table, ShowsTheSameMaximumForAllAndWhatChanged) {
+TEST(Table, ShowsOneMaximumForAllAndEachChange) {
     const HostileClass some;
     const std::vector<std::string> lines = split(to_table(some.standing), '\n');
     EXPECT_TRUE(contains(lines.at(1), "2.7/4")) << lines[1];

@@ -94,7 +94,7 @@ std::string found(const json& result, const std::string& outcome) {
 
 using Outcomes = std::set<std::string>;
 
-TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
+TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
     const std::string solution = course_file(shader);
@@ -201,7 +201,7 @@ TEST(Grade, AClassOfShadersGetsTheMarksItHasEarned) {
 }
 
 // Green flipped before 1.2 gives the very pictures of a bitangent that is flipped in it.
-TEST(Grade, NoMistakeIsNamedAtATaskThatIsRight) {
+TEST(Grade, NoMistakeIsNamedForACorrectTask) {
     const TemporaryFolder folder;
     const char* const file = "shaders/01_specular_highlights/task.glsl";
     folder.write(std::string("jane/") + file, replaced(course_file(file), "vec3(direction.xy * strength,",
@@ -220,7 +220,7 @@ TEST(Grade, NoMistakeIsNamedAtATaskThatIsRight) {
     EXPECT_EQ(joe[1]["mistake"], "bitangent-flipped");
 }
 
-TEST(Grade, HostileProgramsAreToldApartAndHarmNobody) {
+TEST(Grade, HostileProgramsAreClassifiedAndContained) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
     const fs::path secret = folder.write("secret.txt", "the answer is 42");
@@ -326,7 +326,7 @@ static const int before = [] {
 }
 
 // A class with a few of these would wait for each of them twice.
-TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsStartedOnce) {
+TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsNotRestarted) {
     const LabEntry& lab = find_lab("05");
     Stage stage(has_namespaces() ? Isolation::namespaces : Isolation::limits);
     stage.add(lab);
@@ -341,7 +341,7 @@ TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsStartedOnce) {
 }
 
 // Otherwise a busy machine would let a submission compute for longer than an idle one does.
-TEST(Grade, ProcessorTimeIsBoundedByWhatTheSolutionTookWhereTheClassWasStarted) {
+TEST(Grade, ProcessorTimeIsLimitedByTheSolutionsTimeOnTheFirstMachine) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
     folder.write(std::string("slow/") + cpp, course_file(cpp));
@@ -372,7 +372,7 @@ TEST(Grade, ProcessorTimeIsBoundedByWhatTheSolutionTookWhereTheClassWasStarted) 
     EXPECT_EQ(outcomes(with(4, {"--resume", "--shard", "1/2", "-o", output.string()}), "5.2"), Outcomes{"passed"});
 }
 
-TEST(Grade, KilledHalfWayItGoesOnWhereItWas) {
+TEST(Grade, ResumesAfterBeingKilled) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
     std::vector<std::string> words;
@@ -422,7 +422,7 @@ TEST(Grade, KilledHalfWayItGoesOnWhereItWas) {
     EXPECT_EQ(result_of(output, "s2")["points"], 11);
 }
 
-TEST(Grade, AResultIsNeverThereWithoutItsPage) {
+TEST(Grade, AResultNeverExistsWithoutItsPage) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
     folder.write(std::string("jane/") + shader, starter_of(course_file(shader), shader));
@@ -433,7 +433,7 @@ TEST(Grade, AResultIsNeverThereWithoutItsPage) {
     EXPECT_FALSE(fs::exists(output / "results/jane.json"));
 }
 
-TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
+TEST(Grade, CodeTunedToTheKnownViewsFailsInHiddenOnes) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
     const char* const file = "shaders/03_height_to_normal/task.glsl";
@@ -489,7 +489,7 @@ TEST(Grade, WhatIsTunedToTheKnownViewsFailsInHiddenOnes) {
     EXPECT_TRUE(contains(run(grade(other)).out, "4 graded, 0 unchanged"));
 }
 
-TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
+TEST(Grade, PartsMergeIntoTheWholeClassAndNoStudentIsLost) {
     const TemporaryFolder folder;
     std::vector<std::string> paths;
     for (int i = 0; i < 5; ++i) {
@@ -566,7 +566,7 @@ TEST(Grade, PartsOfAClassMakeTheWholeAndNobodyIsForgotten) {
     EXPECT_TRUE(contains(merged().err, "names other submissions"));
 }
 
-TEST(Grade, WhenTheMachineFailsNobodyLosesAMark) {
+TEST(Grade, AMachineFailureCostsNoMarks) {
     if (!has_namespaces()) GTEST_SKIP() << "without namespaces a removed program cannot be told from one that crashed";
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out", temporary = folder.path() / "tmp";
@@ -636,7 +636,7 @@ TEST(Grade, AnAutograderForGradescopeHasTheCourseAndTwoScripts) {
         << "when the machine fails there is no mark";
 }
 
-TEST(Grade, RefusesWhereNothingKeepsASubmissionFromTheMachine) {
+TEST(Grade, RefusesToRunWithoutIsolationUnlessTrusted) {
     const TemporaryFolder folder;
     folder.write(std::string("jane/") + shader, course_file(shader));
     const std::string jane = (folder.path() / "jane").string(), output = (folder.path() / "out").string();
@@ -691,7 +691,7 @@ TEST(Grade, ANameOfAnyBytesIsGradedShownAndResumed) {
     EXPECT_TRUE(contains(resumed.out, "0 graded, 2 unchanged")) << resumed.out;
 }
 
-TEST(Grade, SubmissionsOfOneNameAreLeftOutAndTheClassGoesOn) {
+TEST(Grade, SubmissionsOfEqualNameAreSkippedAndTheOthersGraded) {
     const TemporaryFolder folder;
     const std::string output = (folder.path() / "out").string();
     folder.write("a/jane\u0301/notes.txt", "");  // two characters, and one
@@ -708,7 +708,7 @@ TEST(Grade, SubmissionsOfOneNameAreLeftOutAndTheClassGoesOn) {
     EXPECT_FALSE(fs::exists(output + "/results/jan\u00e9.json"));
 }
 
-TEST(Grade, ALinkInATaskFilesPlaceIsCalledALink) {
+TEST(Grade, ALinkInPlaceOfATaskFileIsReportedAsALink) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
     const fs::path work = folder.write("work/task.glsl", course_file(shader)).parent_path();
@@ -721,7 +721,7 @@ TEST(Grade, ALinkInATaskFilesPlaceIsCalledALink) {
 }
 
 // As on a machine where others have used up what a user may run.
-TEST(Grade, ACompilerThatCannotForkIsTheMachinesFault) {
+TEST(Grade, ACompilerThatCannotForkIsAMachineFailure) {
     if (geteuid() != 0) GTEST_SKIP() << "only root's submissions run as another user, who alone can be bounded";
     const TemporaryFolder folder;
     folder.write(std::string("jane/") + cpp, course_file(cpp));
@@ -732,7 +732,7 @@ TEST(Grade, ACompilerThatCannotForkIsTheMachinesFault) {
     EXPECT_TRUE(contains(graded.err, "(machine: the machine failed: ")) << graded.err;
 }
 
-TEST(Grade, AClassFileAndAdjustmentsChangePointsAndNoVerdict) {
+TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
     folder.write(std::string("jane/") + shader, course_file(shader));
@@ -866,7 +866,7 @@ TEST(Grade, TestsItselfOnAWholeLab) {
     EXPECT_FALSE(contains(tested.out, "a sample")) << tested.out;
 }
 
-TEST(Grade, NoticesMutantsOfASolutionAndSaysWhichItDoesNot) {
+TEST(Grade, KillsMutantsOfASolutionAndListsTheSurvivors) {
     const Result tested = run(grade({"--mutate", "2", "--sample", "12", "--jobs", "2", "--json"}));
     EXPECT_EQ(tested.code, 0) << tested.err;
     const json all = json::parse(tested.out);
@@ -901,7 +901,7 @@ TEST(Grade, TestsItselfOnASampleOfSomeLabs) {
     EXPECT_TRUE(contains(tested.out, "\nonly a sample: ")) << tested.out;
 }
 
-TEST(Grade, IsTimedByABenchmarkWhoseWorkIsRight) {
+TEST(Grade, TheBenchmarkTimesAGraderThatPassesTheSolution) {
     const TemporaryFolder folder;
     const Result timed = run({relief_program(), "bench", "grade", "--set", "tasks=shaders", "--quick", "--repeats", "1",
                               "-o", folder.path().string()});

@@ -26,7 +26,7 @@ std::set<std::string> changes(const std::string& statement) {
 }
 using Changes = std::set<std::string>;
 
-TEST(Mutants, ComeByRule) {
+TEST(Mutants, FollowTheRules) {
     EXPECT_EQ(changes("return a + b;"), (Changes{"+ -> -"}));
     EXPECT_EQ(changes("return -a;"), (Changes{"- -> "}));
     EXPECT_EQ(changes("return a < b;"), (Changes{"< -> <=", "< -> >"}));
@@ -56,7 +56,7 @@ std::string function(const std::string& signature) {
     return "// TASK 1.1: x\n" + signature + " {\n    // TASK 1.2\n    //[solution\n    return x;\n    //]\n}\n";
 }
 
-TEST(Mutants, ReplaceEachPartOfAResultByZeroOneAndThePartAfterIt) {
+TEST(Mutants, ReplaceEachComponentOfAResultByZeroOneAndTheNextComponent) {
     EXPECT_EQ(outputs(function("float f(float x)")), (Changes{"f() -> 0.0", "f() -> 1.0"}));
     EXPECT_EQ(outputs(function("bool f()")), (Changes{"f() -> false", "f() -> true"}));
     EXPECT_EQ(outputs(function("glm::dvec2 f(const glm::dvec2& x)")),
@@ -73,7 +73,7 @@ TEST(Mutants, ReplaceEachPartOfAResultByZeroOneAndThePartAfterIt) {
     EXPECT_EQ(outputs("//[solution\nconst float x = 1.5;\n//]\n"), Changes{}) << "no function";
 }
 
-TEST(Mutants, CallTheSolutionByAnotherNameWhereTheyReplaceAnOutput) {
+TEST(Mutants, RenameTheSolutionToReplaceAnOutput) {
     const std::string text =
         "// TASK 1.1\n//(region\nvec2 f(vec2 x, float y[9],\n       int z) {\n    //[solution\n    return x;\n    "
         "//]\n}\n//)\n";
@@ -87,7 +87,7 @@ TEST(Mutants, CallTheSolutionByAnotherNameWhereTheyReplaceAnOutput) {
               "    return result;\n}\n//)\n");
 }
 
-TEST(Mutants, BelongToTheTaskThatTheFileNamesLast) {
+TEST(Mutants, BelongToTheLastTaskNamedAbove) {
     const std::vector<Mutant> mutants = mutants_of(
         "//[solution\nint a = 1;\n//]\n// TASK 2.1: TASK 2.9 is next\n// TASK 2.10\n//[solution\nint b = 7;\n//]\n",
         "task.cpp");

@@ -48,7 +48,7 @@ TEST_F(Sandbox, HasAClearedEnvironment) {
     EXPECT_EQ(done.output, "A PATH PWD ");
 }
 
-TEST_F(Sandbox, TellsEndingsApart) {
+TEST_F(Sandbox, DistinguishesHowAProgramEnds) {
     EXPECT_EQ(shell("sleep 60", {.wall = 0.3}).ending, Ending::out_of_time);
     EXPECT_EQ(shell("while :; do :; done", {.wall = 10, .cpu = 1}).ending, Ending::out_of_time);
     const ProcessResult crashed = shell("kill -SEGV $$");
@@ -137,7 +137,7 @@ TEST_F(Sandbox, LeavesNoControlGroupBehind) {
 }
 
 // Tests every isolation level.
-TEST_F(Sandbox, RefusesSystemCallsThatNoProgramOfAStudentNeeds) {
+TEST_F(Sandbox, BlocksSystemCallsThatNoSubmissionNeeds) {
     const auto python = [](Isolation level, const std::string& script, bool makes_processes) {
         const std::string prelude = R"(
 import ctypes, mmap, os, socket, threading
@@ -180,14 +180,14 @@ t = threading.Thread(target=lambda: print('thread done')); t.start(); t.join()
     }
 }
 
-TEST_F(Sandbox, ACommandThatCannotBeStartedIsTheMachinesFault) {
+TEST_F(Sandbox, ACommandThatCannotStartIsNotReportedAsACrash) {
     const ProcessResult none =
         run_sandboxed({.command = {"/nowhere/at/all"}, .limits = {.wall = 10}}, {.isolation = isolation_.level});
     EXPECT_NE(none.ending, Ending::crashed);
     EXPECT_FALSE(none.succeeded());
 }
 
-TEST_F(Sandbox, ARequestComesOnlyWhenItIsAskedFor) {
+TEST_F(Sandbox, ARequestIsSentOnlyWhenAskedFor) {
     const std::string request(300000, 'r');  // more than a pipe holds
     const auto ask = [&](const std::string& script) {
         return run_sandboxed({.command = {"/usr/bin/python3", "-c", "import os, select, sys\n" + script},
@@ -226,7 +226,7 @@ TEST_F(Sandbox, LeavesNoProcessBehind) {
     EXPECT_FALSE(left());
 }
 
-TEST_F(Sandbox, SeesNothingOfTheMachine) {
+TEST_F(Sandbox, HidesTheMachine) {
     const TemporaryFolder folder;
     const fs::path secret = folder.write("secret", "the answer");
     const fs::path open = folder.write("open/file", "yours");

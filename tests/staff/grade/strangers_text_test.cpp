@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-TEST(StrangersText, IsShownWithoutWhatControlsAScreenOrTurnsText) {
+TEST(StrangersText, IsShownWithoutControlAndBidiCharacters) {
     EXPECT_EQ(printable("plain \xc3\xbc \xe6\x97\xa5 \xf0\x9f\x99\x82"),
               "plain \xc3\xbc \xe6\x97\xa5 \xf0\x9f\x99\x82");
     EXPECT_EQ(printable("a\n\x1b[31m\x7f"), "a\\x0a\\x1b[31m\\x7f");
@@ -22,14 +22,14 @@ TEST(StrangersText, IsShownWithoutWhatControlsAScreenOrTurnsText) {
     EXPECT_EQ(printable_lines("a\n\tb\r\xe2\x80\xa8", 100), "a\n\tb\\x0d\\u2028");
 }
 
-TEST(StrangersText, IsUtf8WhateverItsBytes) {
+TEST(StrangersText, IsUtf8ForAnyBytes) {
     EXPECT_EQ(printable("m\xfcller"), "m\\xfcller");
     EXPECT_EQ(printable("\xc0\xaf \xed\xa0\x80 \xf5 \xe2\x82"), "\\xc0\\xaf \\xed\\xa0\\x80 \\xf5 \\xe2\\x82");
     EXPECT_EQ(printable("12345\xc3\xbc", 6), "12345...") << "a character was cut in two";
     EXPECT_EQ(printable(std::string(1000, 'x')).size(), 203u);
 }
 
-TEST(StrangersText, HasOneFormForALetterWithAnAccent) {
+TEST(StrangersText, ComposesAccentedLetters) {
     EXPECT_EQ(composed("Zoe\u0308 Nguye\u0302\u0303n"), "Zo\u00eb Nguy\u1ec5n") << "Annex 15: composed twice";
     EXPECT_EQ(composed("\u212bke"), "\u00c5ke") << "a sign for a letter is the letter";
     EXPECT_EQ(composed("\ufb01"), "\ufb01") << "a ligature stays: names that look alike are not all the same";
@@ -38,7 +38,7 @@ TEST(StrangersText, HasOneFormForALetterWithAnAccent) {
     EXPECT_EQ(composed("jane"), "jane");
 }
 
-TEST(StrangersText, GoesThroughJsonAndComesBackAsItWas) {
+TEST(StrangersText, RoundTripsThroughJson) {
     std::string all;
     for (int i = 0; i < 256; ++i) all += char(i);
     for (const std::string& bytes : {std::string("m\xfcller"), std::string("m\xc3\xbcller"), all,

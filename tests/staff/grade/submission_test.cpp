@@ -33,7 +33,7 @@ TEST(Sha256, IsThatOfThePublishedExamples) {  // the examples of FIPS 180-4, and
     EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(Submission, OfAFolderIsItsTaskFilesWhereverTheyLie) {
+TEST(Submission, OfAFolderIsItsTaskFilesAtAnyDepth) {
     const TemporaryFolder folder;
     folder.write("jane/my work/shaders/01_a/task.glsl", "mine");
     folder.write("jane/old/my work/shaders/01_a/task.glsl", "older");
@@ -46,7 +46,7 @@ TEST(Submission, OfAFolderIsItsTaskFilesWhereverTheyLie) {
     EXPECT_EQ(found.problem, "");
 }
 
-TEST(Submission, OfAnArchiveIsTheSameAsOfItsFolder) {
+TEST(Submission, OfAnArchiveEqualsThatOfItsFolder) {
     const TemporaryFolder folder;
     folder.write("jane/shaders/01_a/task.glsl", "mine");
     folder.write("jane/build/huge.o", std::string(3 << 20, 'x'));
@@ -90,7 +90,7 @@ TEST(Submission, MayBePackedInAFolderOfAnyName) {
     }
 }
 
-TEST(Submission, SaysWhichOfFoldersSideBySideIsGraded) {
+TEST(Submission, ReportsWhichOfSeveralFoldersIsGraded) {
     const TemporaryFolder folder;
     for (const char* name : {"jane", "joe"}) folder.write(name + std::string("/") + shader, "mine");
     const std::string doubt = read_submission(folder.path(), wanted).doubt;
@@ -100,7 +100,7 @@ TEST(Submission, SaysWhichOfFoldersSideBySideIsGraded) {
     EXPECT_EQ(read_submission(folder.path() / "joe", wanted).doubt, "");
 }
 
-TEST(Submission, OfAFileThatAnArchiveHasTwiceIsTheLast) {
+TEST(Submission, TakesTheLastOfDuplicateFilesInAnArchive) {
     const TemporaryFolder folder;
     const fs::path tar = python(folder, "a.tar", R"(
 with tarfile.open(path, "w") as t:
@@ -109,7 +109,7 @@ with tarfile.open(path, "w") as t:
     EXPECT_EQ(read_submission(tar, wanted).files.at(shader), "newer");
 }
 
-TEST(Submission, IsReadWhateverLinksLieInIt) {
+TEST(Submission, IsReadDespiteBrokenOrCyclicLinks) {
     const TemporaryFolder folder;
     folder.write("jane/shaders/01_a/task.glsl", "mine");
     fs::create_symlink("loop", folder.path() / "jane/loop");
@@ -121,7 +121,7 @@ TEST(Submission, IsReadWhateverLinksLieInIt) {
     EXPECT_EQ(found.ignored_count, 3u);
 }
 
-TEST(Submission, TakesNothingThroughALinkOrFromOutside) {
+TEST(Submission, IgnoresLinksAndPathsThatLeadOutside) {
     const TemporaryFolder folder;
     const fs::path secret = folder.write("secret/01_a/task.glsl", "secret");
     fs::create_directories(folder.path() / "jane/shaders/01_a");
@@ -168,7 +168,7 @@ TEST(Submission, NamesWithQuotesAndNewlinesAreShownOnOneLine) {
     EXPECT_EQ(found.ignored[0], "it's \"odd\"\\x0a\\x1b[31m & <b>.txt");
 }
 
-TEST(Submission, ATaskThatMayNotBeReadIsAProblemAndNotMissing) {
+TEST(Submission, AnUnreadableTaskIsAProblemAndNotMissing) {
     if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
     const TemporaryFolder folder;
     folder.write("shaders/01_a/task.glsl", "mine");
@@ -200,7 +200,7 @@ TEST(Submission, RefusesATaskFileOfMoreThanAMebibyte) {
     EXPECT_EQ(read_submission(folder.path() / "joe", wanted).files.count(shader), 1u);
 }
 
-TEST(Submission, AnArchiveThatUnpacksToGigabytesIsLeftInTime) {
+TEST(Submission, StopsUnpackingAnArchiveThatExceedsTheLimit) {
     const TemporaryFolder folder;
     // A gzip file may consist of several concatenated ones: here 600 times the same MiB of zeros after a tar header.
     const fs::path tar = python(folder, "bomb.tar.gz", R"(
@@ -247,7 +247,7 @@ with open(path, "wb") as f: f.write(gzip.compress(info.tobuf(tarfile.PAX_FORMAT)
     EXPECT_EQ(read_submission(folder.path() / "many", wanted).problem, "has more than 20000 files and folders");
 }
 
-TEST(Submission, WhatIsNoArchiveOrDamagedSaysSo) {
+TEST(Submission, AnInvalidOrDamagedArchiveIsReported) {
     const TemporaryFolder folder;
     const fs::path text = folder.write("a.zip", "no archive");
     EXPECT_TRUE(contains(read_submission(text, wanted).problem, "not a zip or tar archive, or damaged"));

@@ -10,7 +10,7 @@ const std::string solution =
     "#include x\n// TASK 1.1 (2 points): a\nint a = 1;\n\n// TASK 1.2: see TASK 1.1\nint b = 2;\n// TASK 1.10: c\nint "
     "c = 3;\n";
 
-TEST(Transplant, TakesOneTaskAndWhatStandsBeforeAll) {
+TEST(Transplant, TakesOneTaskAndTheTextBeforeTheFirst) {
     const std::string submitted =
         "#include x\nint mine;\n// TASK 1.1 (2 points): a\nint a = 10;\n// TASK 1.2: see TASK 1.1\nint b = 20;\n"
         "    //  TASK 1.1 again\n// TASK 1.10.\nint c = 30;";
@@ -45,7 +45,7 @@ TEST(Transplant, TakesHelpersThatTheTaskUsesFromPartsOfOtherTasks) {
         << "which of the two an #if leaves is not known";
 }
 
-TEST(Transplant, PutsHelpersOfCppInsideTheNamespaceThatTheFileCloses) {
+TEST(Transplant, PutsCppHelpersInsideTheFilesNamespace) {
     const std::string two =
         "namespace relief {\n// TASK 2.1: a\nint a() { return 1; }\n// TASK 2.2: b\nint b() { return 2; }\n}  // end\n";
     EXPECT_EQ(with_one_task(two,
@@ -57,7 +57,7 @@ TEST(Transplant, PutsHelpersOfCppInsideTheNamespaceThatTheFileCloses) {
               "namespace {\ntemplate <class T>\nT half(T x) { return x / T{2}; }\n}\n}  // end\n");
 }
 
-TEST(Transplant, NeedsTheTasksLine) {
+TEST(Transplant, RequiresTheTaskLine) {
     EXPECT_FALSE(with_one_task(solution, "int a = 10;\n", "1.1"));
     EXPECT_FALSE(with_one_task(solution, "// TASK 1.10: c\n", "1.1"));
     EXPECT_FALSE(with_one_task(solution, "", "1.1"));

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(TwinText, HasDoublesForFloatsAndNamesOfItsOwn) {
+TEST(TwinText, UsesDoublesForFloatsAndItsOwnNames) {
     const TwinText twin = twin_text(
         "#include \"common/unfinished.glsl\"\n"
         "const float least = 0.5f;\n"
@@ -101,7 +101,7 @@ TEST(TwinFunctions, KeepFourteenDigits) {
         EXPECT_LT(largest_error(call, low, high, exact), 1e-14) << call << " from " << low << " to " << high;
 }
 
-TEST(WatchedShader, KeepsTheLinesOfTheFilesForACompilersMessages) {
+TEST(WatchedShader, KeepsTheSourceLinesInCompilerMessages) {
     const TemporaryFolder folder;
     folder.write("task.glsl", "float half_of(float a) {\n    return 0.5 * a;\n}\n");
     const fs::path stage =
@@ -131,7 +131,7 @@ TEST(WatchedShader, KeepsTheLinesOfTheFilesForACompilersMessages) {
     EXPECT_EQ(kept, before.size());
 }
 
-TEST(WatchedShader, LeavesProgramsWithoutTaskFunctionsAsTheyAre) {
+TEST(WatchedShader, KeepsProgramsWithoutTaskFunctionsUnchanged) {
     std::vector<WatchedFunction> functions;
     std::vector<ShaderSource> stages = {{"a.vert", "#version 410 core\nvoid main() {}\n", {}, {}}};
     EXPECT_TRUE(watch_functions(stages, {"task.glsl"}, {}, functions).empty());

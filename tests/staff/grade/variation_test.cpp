@@ -19,7 +19,7 @@ Manifest varied() {
     return manifest;
 }
 
-TEST(Slowness, IsToldAboveTwentyTimesTheSolutionWithItsFigure) {
+TEST(Slowness, IsReportedAboveTwentyTimesTheSolutionsTime) {
     EXPECT_EQ(slowness(2.0, 0.1), "");
     EXPECT_EQ(slowness(6.9, 0.2), "it takes 34 times the processor time of the solution, 6.9 seconds");
     EXPECT_EQ(slowness(0.9, 0.001), "") << "the first picture of a process may take so long";
@@ -56,7 +56,7 @@ TEST(Variation, StaysInItsRangesAndIsNeverTheKnownView) {
     EXPECT_EQ(maps, (std::set<std::string>{"a", "b", "c"}));
 }
 
-TEST(Variation, LeavesWhatACheckIsAbout) {
+TEST(Variation, KeepsTheKnobsThatACheckSets) {
     Shot shot;
     shot.set = {{"map", "posts"}};
     const Shot hidden = Variation(varied(), "01", "x", 0).vary(shot);
@@ -77,7 +77,7 @@ private:
     std::map<std::string, std::string> words_;
 };
 
-TEST(Shard, IsReadFromWordsAndFromWhatRunsJobArrays) {
+TEST(Shard, IsReadFromTheOptionOrTheJobArrayVariables) {
     const auto parts = [](const std::string& text) {
         const Shard shard = shard_of(text);
         return std::pair{shard.index, shard.count};
@@ -102,7 +102,7 @@ TEST(Shard, IsReadFromWordsAndFromWhatRunsJobArrays) {
     EXPECT_THROW(shard_of(""), UsageError);
 }
 
-TEST(Roster, ComesBackAsItWasWritten) {
+TEST(Roster, RoundTripsThroughItsFile) {
     const TemporaryFolder folder;
     EXPECT_FALSE(read_roster(folder.path()));
     const Roster roster{"c", "s\xff", {"01_x"}, {{"o'd \"d\"\n", "h", "/a/b"}, {"jane", "", "/c"}}};

@@ -66,7 +66,7 @@ protected:
                                 {"labs/01/lab.toml", {"lab 1"}}};
 };
 
-TEST_F(DeliveryTest, ANewFolderHasEveryFileAndNothingElseButTheRecord) {
+TEST_F(DeliveryTest, ANewFolderHasEveryFileAndOnlyTheRecordBesides) {
     std::map<std::string, std::string> all = all_below(folder_);
     EXPECT_EQ(all.erase(".relief-handout"), 1u);
     EXPECT_EQ(all.size(), first_.size());
@@ -77,20 +77,20 @@ TEST_F(DeliveryTest, ANewFolderHasEveryFileAndNothingElseButTheRecord) {
     EXPECT_EQ(delivered_choice(folder_), "1");
 }
 
-TEST_F(DeliveryTest, TheSameAgainTouchesNothing) {
+TEST_F(DeliveryTest, DeliveringTheSameFilesChangesNothing) {
     const auto before = fs::last_write_time(file(".relief-handout"));
     EXPECT_TRUE(again(first_).changed_nothing());
     EXPECT_EQ(fs::last_write_time(file(".relief-handout")), before);
 }
 
-TEST_F(DeliveryTest, WhatItsOwnerLeftAloneIsRenewed) {
+TEST_F(DeliveryTest, UneditedFilesAreUpdated) {
     const Delivery done = again_with("labs/01/task.cpp", "starter 2");
     EXPECT_EQ(done.updated, Names{"labs/01/task.cpp"});
     EXPECT_EQ(text("labs/01/task.cpp"), "starter 2");
     EXPECT_TRUE(done.added.empty() && done.removed.empty() && done.kept.empty());
 }
 
-TEST_F(DeliveryTest, WhatItsOwnerChangedStaysAndTheNewTextLiesBesideIt) {
+TEST_F(DeliveryTest, EditedFilesAreKeptAndTheNewTextIsWrittenBeside) {
     write("labs/01/task.cpp", "my work");
     EXPECT_TRUE(again(first_).changed_nothing()) << "the course has no news";
     EXPECT_FALSE(fs::exists(file("labs/01/task.cpp.new")));
@@ -109,7 +109,7 @@ TEST_F(DeliveryTest, WhatItsOwnerChangedStaysAndTheNewTextLiesBesideIt) {
     EXPECT_FALSE(fs::exists(file("labs/01/task.cpp.new2"))) << "what nobody changed is renewed there too";
 }
 
-TEST_F(DeliveryTest, WhatLiesBesideAFileIsNotWrittenOverEither) {
+TEST_F(DeliveryTest, ExistingNewFilesAreNotOverwritten) {
     write("labs/01/task.cpp", "my work");
     write("labs/01/task.cpp.new", "my notes");
     const Delivery done = again_with("labs/01/task.cpp", "starter 2");
@@ -121,7 +121,7 @@ TEST_F(DeliveryTest, WhatLiesBesideAFileIsNotWrittenOverEither) {
     EXPECT_EQ(text("labs/01/task.cpp.new3"), "starter 3");
 }
 
-TEST_F(DeliveryTest, WhoTakesTheNewTextOverIsUpToDate) {
+TEST_F(DeliveryTest, AnAcceptedNewTextCountsAsUnedited) {
     write("labs/01/task.cpp", "my work");
     again_with("labs/01/task.cpp", "starter 2");
     write("labs/01/task.cpp", "starter 2");
@@ -130,7 +130,7 @@ TEST_F(DeliveryTest, WhoTakesTheNewTextOverIsUpToDate) {
     EXPECT_EQ(again_with("labs/01/task.cpp", "starter 3").updated, Names{"labs/01/task.cpp"});
 }
 
-TEST_F(DeliveryTest, AFileOfTheStudentsWhereTheCourseHasANewOneStays) {
+TEST_F(DeliveryTest, AStudentsFileIsKeptWhereTheCourseAddsOne) {
     write("labs/02/task.cpp", "what I had found before");
     const Delivery done = again_with("labs/02/task.cpp", "starter");
     EXPECT_EQ(text("labs/02/task.cpp"), "what I had found before");
@@ -138,7 +138,7 @@ TEST_F(DeliveryTest, AFileOfTheStudentsWhereTheCourseHasANewOneStays) {
     EXPECT_EQ(done.kept.size(), 1u);
 }
 
-TEST_F(DeliveryTest, WhatIsMissingComesBackAndWhatIsMoreStays) {
+TEST_F(DeliveryTest, MissingFilesAreRestoredAndExtraFilesAreKept) {
     fs::remove(file("README.md"));
     write("notes/mine.txt", "mine");
     EXPECT_EQ(again(first_).added, Names{"README.md"});
@@ -146,7 +146,7 @@ TEST_F(DeliveryTest, WhatIsMissingComesBackAndWhatIsMoreStays) {
     EXPECT_EQ(text("notes/mine.txt"), "mine");
 }
 
-TEST_F(DeliveryTest, WhatTheCourseHasNoMoreGoesUnlessItWasChanged) {
+TEST_F(DeliveryTest, FilesDroppedByTheCourseAreRemovedUnlessEdited) {
     write("labs/01/task.cpp", "my work");
     HandedFiles less = first_;
     less.erase("labs/01/task.cpp"), less.erase("labs/01/lab.toml"), less.erase("relief");
@@ -164,7 +164,7 @@ TEST_F(DeliveryTest, WhatTheCourseHasNoMoreGoesUnlessItWasChanged) {
     EXPECT_FALSE(fs::exists(file("labs"))) << "a folder that is empty then goes too";
 }
 
-TEST_F(DeliveryTest, NothingIsWrittenOrRemovedThroughALink) {
+TEST_F(DeliveryTest, LinksAreNeverFollowed) {
     const fs::path outside = outer_.path() / "outside";
     make_folder(outside / "labs/01");
     write_file(outside / "labs/01/task.cpp", "starter 1");
@@ -186,7 +186,7 @@ TEST_F(DeliveryTest, NothingIsWrittenOrRemovedThroughALink) {
     EXPECT_EQ(again(second).added, (Names{"labs/01/task.cpp", "labs/02/lab.toml"}));
 }
 
-TEST_F(DeliveryTest, AFolderWhereAFileShouldBeAndTheOtherWayRoundStay) {
+TEST_F(DeliveryTest, AFolderInPlaceOfAFileAndViceVersaIsKept) {
     fs::remove(file("README.md")), make_folder(file("README.md"));
     fs::remove_all(file("labs")), write("labs", "I like files");
     const Delivery done = again_with("README.md", "new");
@@ -228,7 +228,7 @@ TEST_F(DeliveryTest, AnotherFolderIsRefusedAndNotTouched) {
     EXPECT_TRUE(contains(message_of([&] { deliver(first_, "1", other.path() / "thesis.txt"); }), "is there already"));
 }
 
-TEST_F(DeliveryTest, ARecordThatWasTamperedWithNamesItsLineOrReachesNothingOutside) {
+TEST_F(DeliveryTest, ATamperedRecordIsReportedAndReachesNothingOutside) {
     const std::string record = text(".relief-handout");
     write(".relief-handout", "nonsense\n" + record);
     const std::string message = message_of([&] { again(first_); });

@@ -74,7 +74,7 @@ protected:
     static inline std::map<std::string, std::string>* texts_ = nullptr;
 };
 
-TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeNoVariantAndNoHiddenCheck) {
+TEST_F(StudentsCourse, ContainsNoSolutionMistakeVariantOrHiddenCheck) {
     texts_ = new std::map(texts());
     size_t lines = 0, hidden = 0, mistakes = 0, variants = 0;
     for (const std::string& lab : *labs_) {
@@ -101,13 +101,13 @@ TEST_F(StudentsCourse, HoldsNoSolutionNoMistakeNoVariantAndNoHiddenCheck) {
     delete texts_;
 }
 
-TEST(Shape, OfCodeDoesNotKnowNamesButKnowsWhatIsDone) {
+TEST(Shape, OfCodeIgnoresNamesButKeepsOperations) {
     EXPECT_EQ(shape_of("a = max(b.xy, 0.5f) * glm::sin( c );  // why"), "@ = max ( @ . xy , 0.5 ) * sin ( @ ) ; ");
     EXPECT_EQ(expressions_of({"vec3 a = normalize(b.xyz - dot(b.xyz, c) * c);", "return short_;"}),
               std::vector<std::string>{"normalize ( @ . xyz - dot ( @ . xyz , @ ) * @ ) "});
 }
 
-TEST_F(StudentsCourse, HoldsNoSolutionUnderOtherNames) {
+TEST_F(StudentsCourse, ContainsNoSolutionWithRenamedIdentifiers) {
     std::map<std::string, std::string> shapes;
     for (const auto& [path, text] : texts())
         if (!path.ends_with(".toml") && !path.ends_with(".obj"))
@@ -127,7 +127,7 @@ TEST_F(StudentsCourse, HoldsNoSolutionUnderOtherNames) {
     EXPECT_GT(looked_for, 30u);
 }
 
-TEST_F(StudentsCourse, HoldsNothingThatAKnownMistakeOrAVariantIsAnEditOf) {
+TEST_F(StudentsCourse, ContainsNoSolutionTextThatAMistakeOrVariantEdits) {
     size_t looked_for = 0;
     const auto look_for = [&](const Edit& edit) {
         if (!fs::exists(course() / edit.file)) return;
@@ -200,7 +200,7 @@ TEST_F(StudentsCourse, IsTheCourseWithoutFoldersNamedStaffAndWithStarters) {
         EXPECT_FALSE(fs::exists(course() / top)) << top;
 }
 
-TEST_F(StudentsCourse, HasTheTruthAsPicturesOnly) {
+TEST_F(StudentsCourse, ContainsTheTruthOnlyAsPictures) {
     for (const std::string& lab : *labs_) {
         size_t pictures = 0;
         for (const auto& entry : fs::directory_iterator(course() / "labs" / lab / "expected"))
@@ -212,7 +212,7 @@ TEST_F(StudentsCourse, HasTheTruthAsPicturesOnly) {
     }
 }
 
-TEST_F(StudentsCourse, IsNeverWrittenOverWhatSomebodyElsePutThere) {
+TEST_F(StudentsCourse, NeverOverwritesForeignFiles) {
     const TemporaryFolder other;
     other.write("thesis.txt", "years");
     const Result taken = hand_out(other.path());
@@ -231,7 +231,7 @@ TEST_F(StudentsCourse, IsNeverWrittenOverWhatSomebodyElsePutThere) {
     EXPECT_TRUE(contains(nowhere.err, "-o FOLDER")) << nowhere.err;
 }
 
-TEST_F(StudentsCourse, OfSomeLabsIsAPartOfTheWholeAndGrowsIntoIt) {
+TEST_F(StudentsCourse, OfSomeLabsIsASubsetAndCanBeExtended) {
     const TemporaryFolder outer;
     const fs::path part = outer.path() / "part";
     ASSERT_EQ(hand_out(part, {"--labs", "10"}).code, 0);
@@ -279,7 +279,7 @@ TEST_F(StudentsCourse, OfSomeLabsIsAPartOfTheWholeAndGrowsIntoIt) {
     EXPECT_TRUE(grown == whole);
 }
 
-TEST_F(StudentsCourse, BuildsSaysWhatIsUnfinishedAndGivesEveryPointForTheSolutions) {
+TEST_F(StudentsCourse, BuildsReportsUnfinishedTasksAndGivesFullPointsForSolutions) {
     const fs::path build = course() / "build";
     const auto ninja = [&](const char* target) {
         const Result built =

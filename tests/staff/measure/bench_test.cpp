@@ -15,7 +15,7 @@
 namespace relief {
 namespace {
 
-TEST(Quantile, LiesBetweenTwoValuesInProportion) {
+TEST(Quantile, InterpolatesBetweenTwoValues) {
     EXPECT_EQ(quantile({3, 1, 2}, 0.5), 2);
     EXPECT_EQ(quantile({4, 1, 3, 2}, 0.5), 2.5);
     EXPECT_EQ(quantile({7}, 0.9), 7);
@@ -52,7 +52,7 @@ struct Machine {
     }
 };
 
-TEST(BenchTurns, GiveNanosecondsAnItem) {
+TEST(BenchTurns, ReportNanosecondsPerItem) {
     Machine machine;
     const auto times = machine.time({machine.subject("slow", 0.5), machine.subject("quick", 0.01)}, 3);
     EXPECT_NEAR(times[0].median, 0.5e9 / 10, 1);
@@ -74,14 +74,14 @@ TEST(BenchTurns, RunAllMethodsInEachRoundInChangingOrder) {
     EXPECT_GT(rounds.size(), 1u);
 }
 
-TEST(BenchTurns, RepeatWhatIsShorterThanAMillisecond) {
+TEST(BenchTurns, RepeatRunsShorterThanAMillisecond) {
     Machine machine;
     const auto times = machine.time({machine.subject("short", 1e-5)}, 1);
     EXPECT_GE(machine.ran.size(), 100u);
     EXPECT_NEAR(times[0].median, 1e-5 * 1e9 / 10, 1e-3);
 }
 
-TEST(BenchTurns, SeeADriftOfTheMachineInAllMethodsAlike) {
+TEST(BenchTurns, SpreadADriftOfTheMachineOverAllMethods) {
     // Each run takes slightly longer than the one before. The medians differ by less than that drift.
     Machine machine;
     double slower = 1;
@@ -113,7 +113,7 @@ BenchRow measured(const std::string& method) {
     return row;
 }
 
-TEST(BenchCsv, HasAFieldForEachColumnWhateverTheTextsHold) {
+TEST(BenchCsv, HasAFieldForEachColumnForAnyText) {
     std::vector<BenchRow> rows = {measured("plain, \"quoted\""), measured("peer"), measured("broken")};
     rows[0].knobs = {{"a", "1"}, {"b", "2"}}, rows[0].items = 7, rows[0].bytes_per_item = 16;
     rows[0].error = {1, 2, 3, "degree"}, rows[0].work = {{"taps", 1398101}, {"visits", 2.5}};
@@ -153,7 +153,7 @@ TEST(BenchTable, ShowsEveryMethodWithItsFigures) {
         EXPECT_TRUE(contains(table, part)) << part;
 }
 
-TEST(BenchTopics, AllMakeMethodsThatRunAndMeasureErrors) {
+TEST(BenchTopics, HaveMethodsThatRunAndMeasureErrors) {
     for (const BenchTopic& topic : bench_topics()) {
         // This program has no context and no labs. The test `baseline` runs the other topics.
         if (topic.draws || topic.only_time) continue;
@@ -186,7 +186,7 @@ TEST(BenchTopics, MeasureTangentsOnATorusWithoutAFoldedTriangle) {
     }
 }
 
-TEST(BenchTopics, HaveWhatIsUsual) {
+TEST(BenchTopics, IncludeTheUsualMethodAsAPeer) {
     for (const BenchTopic& topic : bench_topics()) {
         if (topic.draws || topic.only_time || topic.name == "intersection") continue;
         bool has_usual = false;
@@ -206,7 +206,7 @@ BenchSubject prepared(const std::string& topic_name, const std::string& method_n
     throw std::runtime_error(topic_name + " has no " + method_name);
 }
 
-TEST(Peers, ComputeWhatIsComparedWithThem) {
+TEST(Peers, ComputeTheComparedQuantities) {
     ASSERT_TRUE(has_peers()) << "built without libassimp-dev or libembree-dev";
     // The peers are less accurate, but they compute the tangents of this mesh and the slopes of this map. Other units,
     // signs or orders would give errors of tens of degrees.

@@ -7,7 +7,7 @@
 namespace relief {
 namespace {
 
-TEST(Stability, OfHitsHoldsWherePeersHold) { expect_course_holds_where_peers_do(hit_sweeps({.quick = true})); }
+TEST(Stability, HitsAreStableWherePeersAre) { expect_course_holds_where_peers_do(hit_sweeps({.quick = true})); }
 
 /// Returns the verdicts of a scene's methods, by name.
 std::map<std::string, BenchSweep> sweeps_of(const std::string& input) {
@@ -18,7 +18,7 @@ std::map<std::string, BenchSweep> sweeps_of(const std::string& input) {
     return sweeps;
 }
 
-TEST(Stability, AFloatOfTenThousandTilesIsOffByATexelUnlessWholeTilesAreDropped) {
+TEST(Stability, FloatUvLoseATexelAtTenThousandTilesUnlessWrapped) {
     const auto sweeps = sweeps_of("hits-tiles");
     const BenchSweep::Place exact = sweeps.at("windows").places[2], usual = sweeps.at("usual").places[2];
     ASSERT_EQ(exact.hardness, 1e4);

@@ -29,7 +29,7 @@ std::vector<BenchRow> run(const std::vector<BenchMethod>& methods, int repeats =
     return run_scene(topic, {{{"map", "bricks"}}, "frame", methods}, {.settings = {.repeats = repeats}}, machine);
 }
 
-TEST(RunScene, TellsWhatEachMethodHas) {
+TEST(RunScene, ReportsTimesErrorAndWorkOfEachMethod) {
     const auto rows = run({good("one", 0.5), good("two")}, 3);
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_TRUE(rows[0].is_measured());
@@ -46,7 +46,7 @@ void crash(int signal) {
     std::raise(signal);
 }
 
-TEST(RunScene, ACrashIsARowAndTheOthersGoOn) {
+TEST(RunScene, ACrashIsReportedInItsRowAndOthersContinue) {
     // As a method is prepared, and as it is timed.
     const BenchMethod early{"early", {}, []() -> BenchSubject {
                                 crash(SIGSEGV);
@@ -62,7 +62,7 @@ TEST(RunScene, ACrashIsARowAndTheOthersGoOn) {
     }
 }
 
-TEST(RunScene, WhatThrowsIsARowWithItsMessage) {
+TEST(RunScene, AnExceptionIsReportedInItsRow) {
     const BenchMethod early{"early", {}, []() -> BenchSubject { throw Error("no such map"); }};
     const BenchMethod late{"late", {}, [] {
                                return BenchSubject{.run = [calls = 0]() mutable {
@@ -77,13 +77,13 @@ TEST(RunScene, WhatThrowsIsARowWithItsMessage) {
     EXPECT_EQ(rows[1].repeats, 2);
 }
 
-TEST(RunScene, WhatIsNotANumberIsARowThatSaysSo) {
+TEST(RunScene, ANonFiniteErrorIsReportedInItsRow) {
     const auto rows = run({good("nan", std::nan("")), good("infinite", INFINITY), good("one")});
     for (const size_t i : {0u, 1u}) EXPECT_TRUE(contains(rows[i].state, "not a number")) << rows[i].state;
     EXPECT_TRUE(rows[2].is_measured());
 }
 
-TEST(RunScene, ReportsAfterEveryStepSoThatNothingKnownIsLost) {
+TEST(RunScene, ReportsAfterEveryStep) {
     const BenchTopic topic{"topic", "help", "question?", {}};
     const BenchScene scene{{}, "frame", {good("one"), good("two")}};
     const BenchSettings settings{.repeats = 2};
@@ -100,7 +100,7 @@ TEST(RunScene, ReportsAfterEveryStepSoThatNothingKnownIsLost) {
     EXPECT_EQ(measured_first, 1) << "the first method is known before the second is begun";
 }
 
-TEST(RunScene, PicturesComeAlong) {
+TEST(RunScene, ReturnsThePictures) {
     const BenchMethod method{"seen", {}, [] {
                                  Image picture(2, 1, 3, 8);
                                  picture.values = {0, 1, 0.2f, 0.4f, 0.6f, 0.8f};
@@ -121,7 +121,7 @@ BenchRow row_of(const std::string& method, double taps, double error) {
     return row;
 }
 
-TEST(BenchCsv, IsReadAsItWasWritten) {
+TEST(BenchCsv, RoundTripsThroughText) {
     const std::vector<BenchRow> rows = {row_of("one, \"two\"", 7.25, 0.125)};
     const auto read = read_bench_csv(bench_csv(rows, {}));
     ASSERT_EQ(read.size(), 1u);
@@ -131,7 +131,7 @@ TEST(BenchCsv, IsReadAsItWasWritten) {
     EXPECT_EQ(read[0].error.wrong, 0.25);
 }
 
-TEST(BenchCsv, ThatIsBrokenIsAnErrorWithItsLine) {
+TEST(BenchCsv, ABrokenFileIsAnErrorWithItsLine) {
     const std::string text = bench_csv(std::vector{row_of("one", 1, 1), row_of("two", 1, 1)}, {});
     EXPECT_THROW(read_bench_csv(""), Error);
     EXPECT_THROW(read_bench_csv("a,b\n1,2\n"), Error);
@@ -143,7 +143,7 @@ TEST(BenchCsv, ThatIsBrokenIsAnErrorWithItsLine) {
     }
 }
 
-TEST(Baseline, AcceptsWhatIsTheSameOrLess) {
+TEST(Baseline, AcceptsEqualOrSmallerValues) {
     const std::vector<BenchRow> before = {row_of("a", 100, 1)};
     EXPECT_TRUE(compare_with_baseline(before, before, 0.02).worse.empty());
     const auto less = compare_with_baseline(std::vector{row_of("a", 90, 0.5)}, before, 0.02);
@@ -161,7 +161,7 @@ TEST(Baseline, FailsWhenWorkOrErrorGrows) {
     EXPECT_FALSE(compare_with_baseline(std::vector{row_of("a", std::nan(""), 1)}, before, 0.02).worse.empty());
 }
 
-TEST(Baseline, FailsForWhatIsNewGoneOrWithoutResult) {
+TEST(Baseline, FailsForNewMissingOrFailedRows) {
     const std::vector<BenchRow> before = {row_of("a", 100, 1)};
     const auto other = compare_with_baseline(std::vector{row_of("b", 100, 1)}, before, 0.02);
     ASSERT_EQ(other.worse.size(), 2u);
@@ -182,14 +182,14 @@ std::vector<BenchRow> timed_rows() {
     return rows;
 }
 
-TEST(ParetoFront, HoldsWhatNoOtherIsBetterThan) {
+TEST(ParetoFront, ContainsThePointsThatNoOtherDominates) {
     const std::vector<std::pair<double, double>> points = {{1, 5}, {2, 3}, {3, 3}, {4, 1}, {4, 1}, {5, 2}};
     EXPECT_EQ(pareto_front(points), (std::vector<bool>{true, true, false, true, true, false}));
     const auto rows = timed_rows();
     EXPECT_EQ(front_of(rows, {0, 1, 2, 3}), (std::vector<size_t>{0, 1, 3}));
 }
 
-TEST(BenchPlot, HasEachPointWithItsName) {
+TEST(BenchPlot, LabelsEveryPoint) {
     const BenchTopic topic{"parallax", "help", "Which & why?", {}};
     const auto plot = bench_plot(topic, timed_rows(), {.cpu = "A <CPU>", .renderer = "llvmpipe"});
     ASSERT_TRUE(plot) << "gnuplot (Debian package gnuplot-nox) is missing";
@@ -203,7 +203,7 @@ TEST(BenchPlot, HasEachPointWithItsName) {
     EXPECT_FALSE(contains(*plot, "<title>Gnuplot")) << "a screen reader would say so";
 }
 
-TEST(BenchPlot, OfTimesAloneAreBars) {
+TEST(BenchPlot, DrawsBarsIfThereAreOnlyTimes) {
     auto rows = timed_rows();
     for (BenchRow& row : rows) row.error = {};
     const auto plot = bench_plot({"grade", "help", "question?", {}}, rows, {});
@@ -233,7 +233,7 @@ std::vector<std::string> left_of(const std::vector<std::pair<std::string, std::v
     return names;
 }
 
-TEST(Only, KeepsWhatHasTheValues) {
+TEST(Only, KeepsMethodsWithTheGivenValues) {
     EXPECT_EQ(left_of({}).size(), 6u);
     EXPECT_EQ(left_of({{"map", {"posts"}}, {"steps", {"16"}}}), std::vector<std::string>{"posts linear steps=16"});
     EXPECT_EQ(left_of({{"method", {"walk"}}}), (std::vector<std::string>{"bricks walk ", "posts walk "}));

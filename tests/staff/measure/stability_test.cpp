@@ -14,7 +14,7 @@ namespace {
 
 BenchSweep sweep_of(std::vector<BenchSweep::Place> places) { return {0.5, "", std::move(places)}; }
 
-TEST(Verdict, SaysFromWhereOnAMethodIsWrong) {
+TEST(Verdict, NamesTheRangesWhereAMethodIsWrong) {
     EXPECT_EQ(verdict_of(sweep_of({{1, 0.1}, {10, 0.5}}), "degree"), "keeps 0.5 degrees for all inputs of this sweep.");
     EXPECT_EQ(verdict_of(sweep_of({{1, 0.1}, {10, 0.6}, {100, 9}}), "degree"),
               "off by more than 0.5 degrees from 10 on.");
@@ -25,7 +25,7 @@ TEST(Verdict, SaysFromWhereOnAMethodIsWrong) {
               "off by more than 0.5 degrees from 10 to 100 and from 10000 on.");
 }
 
-TEST(Verdict, NamesWhatIsNotFiniteOrDoesNotEndBesideWhatIsWrong) {
+TEST(Verdict, NamesNonFiniteAndEndlessRangesAsWell) {
     EXPECT_EQ(verdict_of(sweep_of({{1, 0}, {10, 2}, {100, 0, 0.5}}), "texel"),
               "off by more than 0.5 texels at 10, not finite from 100 on.");
     EXPECT_EQ(verdict_of(sweep_of({{1, 0}, {10, 0, 0, 0.01}}), "texel"), "does not end from 10 on.");
@@ -34,7 +34,7 @@ TEST(Verdict, NamesWhatIsNotFiniteOrDoesNotEndBesideWhatIsWrong) {
     EXPECT_EQ(verdict_of(sweep, "texel"), "off by more than 0.5 texels everywhere. A float has 24 digits.");
 }
 
-TEST(Swept, CountsPlacesAndTakesTheErrorOfThoseThatHold) {
+TEST(Swept, CountsFailedPlacesAndAveragesTheErrorOfTheOthers) {
     const BenchSubject subject = swept(sweep_of({{1, 0.1}, {10, 0.3}, {100, 7}, {1e3, 0, 1}, {1e4, 0, 0, 1}}), "texel");
     EXPECT_EQ(subject.work, (BenchWork{{"wrong", 1}, {"not_finite", 1}, {"endless", 1}}));
     EXPECT_DOUBLE_EQ(subject.error.mean, 0.2);
@@ -42,7 +42,7 @@ TEST(Swept, CountsPlacesAndTakesTheErrorOfThoseThatHold) {
     EXPECT_DOUBLE_EQ(swept(sweep_of({{1, 2}, {10, 4}}), "texel").error.mean, 3) << "where nothing holds: of all";
 }
 
-TEST(Tally, KeepsErrorsApartFromWhatHasNone) {
+TEST(Tally, SeparatesErrorsFromNonFiniteAndEndlessOnes) {
     Tally tally;
     for (const double error : {1.0, 3.0, double(NAN), double(INFINITY)}) tally.add(error);
     tally.endless();
@@ -79,11 +79,11 @@ TEST(SweepScene, IsMeasuredInAProcessWithoutTimesAndWrittenWithItsPlaces) {
     EXPECT_TRUE(contains(script, "'none'")) << script;
 }
 
-TEST(Stability, OfTangentsHoldsWherePeersHold) { expect_course_holds_where_peers_do(tangent_sweeps({.quick = true})); }
-TEST(Stability, OfFormatsAndAnglesHoldsWherePeersHold) {
+TEST(Stability, TangentsAreStableWherePeersAre) { expect_course_holds_where_peers_do(tangent_sweeps({.quick = true})); }
+TEST(Stability, FormatsAndAnglesAreStableWherePeersAre) {
     expect_course_holds_where_peers_do(codec_sweeps({.quick = true}));
 }
-TEST(Stability, OfNormalsFromHeightsHoldsWherePeersHold) {
+TEST(Stability, NormalsFromHeightsAreStableWherePeersAre) {
     expect_course_holds_where_peers_do(height_sweeps({.quick = true}));
 }
 

@@ -70,7 +70,7 @@ TEST(StudentPage, ShowsASubmissionAsText) {
     EXPECT_GT(times_escaped(student_page(mark, pictures, PageFor::student)), 15);
 }
 
-TEST(StudentPage, TakesANewStandingAndKeepsTheRest) {
+TEST(StudentPage, UpdatesTheStandingAndKeepsTheRest) {
     SubmissionMark mark = some_submission();
     mark.name = "jane", mark.labs[0].lab = "02_lab", mark.labs[0].tasks[0].id = "2.1";
     ClassFile policy;
@@ -124,7 +124,7 @@ TEST(BenchPage, ShowsRowsAndMachinesAsText) {
     EXPECT_GT(times_escaped(bench_page(std::vector{std::move(result)}, [](const auto&, const auto&) {})), 20);
 }
 
-TEST(StudentPage, TellsAHintOnceInATask) {
+TEST(StudentPage, ShowsAHintOncePerTask) {
     SubmissionMark mark = some_submission();
     std::vector<CheckMark>& checks = mark.labs[0].tasks[0].checks;
     for (CheckMark& check : checks) check.outcome = Outcome::wrong, check.look_at = "mind the sign", check.view = "";

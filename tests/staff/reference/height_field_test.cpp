@@ -46,7 +46,7 @@ double first_hit_by_force(const HeightField& field, const Ray& ray, double bend 
     return high;
 }
 
-TEST(HeightField, ARayThatBendsHitsWhereBruteForceSaysOrLeavesThroughTheTop) {
+TEST(HeightField, ABentRayHitsLikeBruteForceOrLeavesThroughTheTop) {
     const HeightField rough = random_field(3, 16, 16, true);
     std::mt19937 random(4);
     std::uniform_real_distribution<> share(0, 1);
@@ -91,7 +91,7 @@ TEST(HeightField, RepeatsWhenItWraps) {
             EXPECT_NEAR(tile.height(place + shift), tile.height(place), 1e-14);
 }
 
-TEST(HeightField, RefusesAMapThatIsEmptyOrNotANumber) {
+TEST(HeightField, RefusesAnEmptyMapAndNanHeights) {
     EXPECT_THROW(HeightField(Image(), true), Error);
     EXPECT_THROW(HeightField(Image(2, 2, 3), true), Error);
     Image holed(3, 2, 1);
@@ -99,7 +99,7 @@ TEST(HeightField, RefusesAMapThatIsEmptyOrNotANumber) {
     EXPECT_TRUE(contains(message_of([&] { HeightField(holed, true); }), "column 2, row 1"));
 }
 
-TEST(FirstHit, LookingStraightDownIsExactlyAtTheHeight) {
+TEST(FirstHit, StraightDownIsExactlyAtTheHeight) {
     const HeightField map = random_field(2, 8, 8, true);
     for (const glm::dvec2 place : {glm::dvec2(0.5, 0.5), glm::dvec2(3, 3), glm::dvec2(0, 7.9), glm::dvec2(7.7, 0.2)}) {
         const auto hit = map.first_hit(down(place, {0, 0}), 1);
@@ -110,7 +110,7 @@ TEST(FirstHit, LookingStraightDownIsExactlyAtTheHeight) {
     }
 }
 
-TEST(FirstHit, OnAFlatMapIsWhereTheRayHasThatHeight) {
+TEST(FirstHit, OnAFlatMapIsAtTheMapsHeight) {
     for (const double height : {0.0, 0.25, 1.0})
         for (const glm::dvec2 along :
              {glm::dvec2(0, 0), glm::dvec2(3, -7), glm::dvec2(1e5, 2e5), glm::dvec2(-1e-9, 0)}) {
@@ -120,7 +120,7 @@ TEST(FirstHit, OnAFlatMapIsWhereTheRayHasThatHeight) {
         }
 }
 
-TEST(FirstHit, OnARampIsWhereTwoLinesMeet) {
+TEST(FirstHit, OnARampIsTheIntersectionOfTwoLines) {
     const HeightField ramp = field(101, 3, false, [](int x, int) { return x / 100.0; });
     // The height (x - 0.5) / 100 equals 1 - t at x = 20.5 + 40 t: t = 0.8 / 1.4.
     const auto hit = ramp.first_hit(down({20.5, 1.3}, {40, 0}), 1);
@@ -157,7 +157,7 @@ TEST(FirstHit, FindsAPostOfOneTexel) {
     EXPECT_FALSE(post.first_hit({{0.5, 31.4, 0.5}, {1, 0, 0}}, 64)) << "beside it";
 }
 
-TEST(FirstHit, OnAPlateauAtTheRaysOwnHeightIsItsEdge) {
+TEST(FirstHit, OnAPlateauAtTheRaysHeightIsThePlateausEdge) {
     const HeightField plateau = field(16, 4, false, [](int x, int) { return x >= 8; });
     const auto hit = plateau.first_hit({{0.5, 1.7, 1}, {1, 0, 0}}, 16);
     ASSERT_TRUE(hit) << "to touch is to hit";
@@ -165,7 +165,7 @@ TEST(FirstHit, OnAPlateauAtTheRaysOwnHeightIsItsEdge) {
     EXPECT_FALSE(plateau.first_hit({{0.5, 1.7, 1 + 1e-9}, {1, 0, 0}}, 16));
 }
 
-TEST(FirstHit, IsWithinAHairOfBruteForceOnRandomMaps) {
+TEST(FirstHit, MatchesBruteForceOnRandomMaps) {
     const unsigned seed = 4;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
@@ -189,7 +189,7 @@ TEST(FirstHit, IsWithinAHairOfBruteForceOnRandomMaps) {
     EXPECT_GE(compared, 598) << "the others are grazes between two of its steps";
 }
 
-TEST(FirstHit, DoesNotDependOnTheTileThatTheRayBeginsIn) {
+TEST(FirstHit, DoesNotDependOnTheStartTile) {
     const HeightField map = random_field(6, 16, 8, true);
     for (const glm::dvec2 along : {glm::dvec2(30, 11), glm::dvec2(-5, 17), glm::dvec2(0, -20)}) {
         const auto here = map.first_hit(down({15.9, 0.1}, along), 1);
@@ -201,7 +201,7 @@ TEST(FirstHit, DoesNotDependOnTheTileThatTheRayBeginsIn) {
     }
 }
 
-TEST(FirstHit, IsFoundAlongTheVeryLinesBetweenCells) {
+TEST(FirstHit, IsFoundAlongTheLinesBetweenCells) {
     const HeightField map = random_field(7, 8, 8, true);
     for (const glm::dvec2 along : {glm::dvec2(7, 0), glm::dvec2(0, -7), glm::dvec2(6, 6), glm::dvec2(-6, 6)}) {
         const Ray ray = down({2.5, 2.5}, along);
@@ -211,7 +211,7 @@ TEST(FirstHit, IsFoundAlongTheVeryLinesBetweenCells) {
     }
 }
 
-TEST(FirstHit, AtGrazingAnglesIsFiniteOrSaysWhyNot) {
+TEST(FirstHit, AtGrazingAnglesIsFiniteOrReportsTheCellLimit) {
     const HeightField map = random_field(8, 32, 32, true);
     for (const double degrees : {80.0, 89.0, 89.9, 89.99}) {
         const double reach = 20 * std::tan(degrees * M_PI / 180);
@@ -225,7 +225,7 @@ TEST(FirstHit, AtGrazingAnglesIsFiniteOrSaysWhyNot) {
     EXPECT_FALSE(low.first_hit({{0, 4.5, 0.7}, {1, 0, 0}}, 1000));
 }
 
-TEST(FirstHit, OfARayThatIsNotARayIsNothing) {
+TEST(FirstHit, IsEmptyForInvalidRays) {
     const HeightField map = random_field(9, 4, 4, true);
     const double nan = std::nan("");
     for (const double broken : {nan, infinity, -infinity}) {
@@ -250,7 +250,7 @@ TEST(FirstHit, DoesNotChangeWithTheScaleOfTheDirection) {
     }
 }
 
-TEST(IsLit, EverywhereOnAFlatMapAndNowhereFromBelow) {
+TEST(IsLit, IsTrueEverywhereOnAFlatMapAndNowhereFromBelow) {
     const HeightField flat = field(4, 4, true, [](int, int) { return 0.5; });
     for (const glm::dvec3 up : {glm::dvec3(0, 0, 1), glm::dvec3(1, 2, 0.01), glm::dvec3(-300, 1, 0.1)})
         EXPECT_TRUE(flat.is_lit({1.2, 3.4}, up));
@@ -268,7 +268,7 @@ TEST(IsLit, AWallThrowsAShadowAsLongAsItsHeightOverTheSlopeOfTheLight) {
     EXPECT_FALSE(wall.is_lit({20.6, 1}, light)) << "the other one";
 }
 
-TEST(IsLit, LightAlongASlopeGrazesAndPasses) {
+TEST(IsLit, IsTrueForLightThatGrazesASlope) {
     const HeightField ramp = field(11, 2, false, [](int x, int) { return x / 16.0; });
     EXPECT_TRUE(ramp.is_lit({2.3, 1}, {1, 0, 1 / 16.0}));
     EXPECT_FALSE(ramp.is_lit({2.3, 1}, {1, 0, 0.99 / 16}));

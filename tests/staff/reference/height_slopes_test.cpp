@@ -51,7 +51,7 @@ glm::dvec3 decoded(const Image& normals, int x, int y) {
     return {texel[0] * 2.0 - 1, texel[1] * 2.0 - 1, texel[2] * 2.0 - 1};
 }
 
-TEST(NormalsFromHeights, AreTheDefinitionsUpToRoundingForEverySizeFilterAndBorder) {
+TEST(NormalsFromHeights, MatchTheDefinitionForEverySizeFilterAndBorder) {
     const unsigned seed = 21;
     const int sizes[][2] = {{1, 1}, {1, 7},  {9, 1},  {2, 2},  {3, 5},   {4, 4},
                             {5, 3}, {10, 6}, {11, 2}, {12, 9}, {33, 17}, {40, 4}};
@@ -73,7 +73,7 @@ TEST(NormalsFromHeights, AreTheDefinitionsUpToRoundingForEverySizeFilterAndBorde
             }
 }
 
-TEST(NormalsFromHeights, OfAPlaneAreExactRightUpToAnEnd) {
+TEST(NormalsFromHeights, OfAPlaneAreExactUpToTheBorder) {
     const Image plane = heights(9, 8, [](int x, int y) { return x / 16.0 - y / 32.0; });  // exact in floats
     for (const F filter : filters) {
         const Image normals =
@@ -85,7 +85,7 @@ TEST(NormalsFromHeights, OfAPlaneAreExactRightUpToAnEnd) {
     }
 }
 
-TEST(NormalsFromHeights, OfAShiftedTileAreTheShiftedNormals) {
+TEST(NormalsFromHeights, ShiftWithTheTile) {
     const int width = 37, height = 21;
     const Image map = random_heights(22, width, height);
     const Image shifted =
@@ -105,7 +105,7 @@ TEST(NormalsFromHeights, OfAShiftedTileAreTheShiftedNormals) {
     }
 }
 
-TEST(NormalsFromHeights, AreTheSameForAnyNumberOfThreadsAndInMemoryThatIsThere) {
+TEST(NormalsFromHeights, AreEqualForAnyNumberOfThreadsAndInAReusedImage) {
     const Image map = random_heights(23, 200, 150);
     for (const F filter : filters) {
         const NormalOptions options{.texels_u = 5, .texels_v = 4, .filter = filter, .level_strengths = {0.5, 2}};
@@ -118,7 +118,7 @@ TEST(NormalsFromHeights, AreTheSameForAnyNumberOfThreadsAndInMemoryThatIsThere) 
     }
 }
 
-TEST(NormalsFromHeights, OfALargeMapAreThoseOfItsParts) {
+TEST(NormalsFromHeights, OfALargeMapMatchTheDefinitionInSampledRows) {
     // Large enough for writes that bypass the caches: 1100 x 1000 texels of 12 bytes. With 1101 columns, rows begin at
     // any alignment.
     const Image map = random_heights(24, 1101, 1000);
@@ -129,7 +129,7 @@ TEST(NormalsFromHeights, OfALargeMapAreThoseOfItsParts) {
             ASSERT_LT(glm::length(decoded(normals, x, y) - normal_at(map, x, y, options)), 6e-7) << x << ", " << y;
 }
 
-TEST(NormalsFromHeights, StayUnitWhateverTheHeightsAre) {
+TEST(NormalsFromHeights, StayUnitForAnyHeights) {
     const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
     for (const double odd : {nan, infinity, -infinity, 1e38, -1e38, 1e-40, -0.0})
         for (const F filter : filters) {
@@ -150,7 +150,7 @@ TEST(NormalsFromHeights, StayUnitWhateverTheHeightsAre) {
     for (size_t i = 0; i < spline.values.size(); ++i) ASSERT_TRUE(std::isfinite(spline.values[i]));
 }
 
-TEST(NormalsFromHeights, RefuseWhatIsNotAHeightMap) {
+TEST(NormalsFromHeights, RefuseImagesOfSeveralChannels) {
     EXPECT_THROW(normals_from_heights(Image(4, 4, 3), {}), Error);
     EXPECT_EQ(normals_from_heights(Image(0, 0, 1), {}).pixel_count(), 0u);
 }
@@ -213,7 +213,7 @@ TEST(SlopeFilter, DampsAPlaneWaveByItsGain) {
     expect(F::spline, 3 * sx / (2 + cx), 3 * sy / (2 + cy));
 }
 
-TEST(SlopeFilter, CostsWhatIsKnownOfItOnPlaneWaves) {
+TEST(SlopeFilter, HasTheKnownErrorOnPlaneWaves) {
     struct Row {
         double wavelength;
         F filter;
@@ -243,7 +243,7 @@ TEST(SlopeFilter, CostsWhatIsKnownOfItOnPlaneWaves) {
     EXPECT_NEAR(wave_error(F::spline, 8).direction, 0.032, 0.001);
 }
 
-TEST(SlopeFilter, CostsWhatIsKnownOfItOnHeightsOf8And16Bits) {
+TEST(SlopeFilter, HasTheKnownErrorOn8And16BitHeights) {
     // Rounding is noise with a standard deviation of 1/sqrt(12) of a step. This is the rms error of the normal of a
     // flat, dithered map, in degrees.
     const auto rms = [](F filter, double amplitude, int steps) {
@@ -270,7 +270,7 @@ TEST(SlopeFilter, CostsWhatIsKnownOfItOnHeightsOf8And16Bits) {
     }
 }
 
-TEST(LevelStrengths, OfOneChangeNothingAndOfZeroSmoothTheFinestDetailAway) {
+TEST(LevelStrengths, OfOneChangeNothingAndOfZeroRemoveTheFinestDetail) {
     const Image map = random_heights(28, 40, 30);
     EXPECT_EQ(normals_from_heights(map, {.level_strengths = {1, 1, 1}}).values, normals_from_heights(map, {}).values);
     // The cubic B-spline has a zero of fourth order at a wavelength of two texels, so the finest level contains that
@@ -284,7 +284,7 @@ TEST(LevelStrengths, OfOneChangeNothingAndOfZeroSmoothTheFinestDetailAway) {
     for (size_t i = 0; i < doubled.values.size(); ++i) ASSERT_NEAR(doubled.values[i], twice.values[i], 1e-6);
 }
 
-TEST(LevelStrengths, OfAllLevelsTogetherAreAStrength) {
+TEST(LevelStrengths, OfAllLevelsActAsOneStrength) {
     // All levels of the tile are doubled, and only the mean is left. So all slopes are doubled.
     const Image map = random_heights(29, 16, 16);
     const Image all = normals_from_heights(map, {.level_strengths = {2, 2, 2, 2, 2}}),
@@ -296,7 +296,7 @@ TEST(LevelStrengths, OfAllLevelsTogetherAreAStrength) {
     for (const float value : odd.values) EXPECT_TRUE(std::isfinite(value)) << "more levels than the map has";
 }
 
-TEST(HeightsFromColor, AreTheValuesOfAGreyPictureAndTheLuminanceOfAnother) {
+TEST(HeightsFromColor, KeepGreyValuesAndTakeTheLuminanceOfColours) {
     Image color(2, 1, 4, 8);
     color.values = {0.4f, 0.4f, 0.4f, 0.1f, 1, 0, 0, 1};
     const Image stored = heights_from_color(color, ColorSpace::srgb);

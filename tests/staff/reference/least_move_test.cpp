@@ -16,7 +16,7 @@ Image flat(float height) {
     return image;
 }
 
-TEST(LeastMove, OfAPlainIsWhatTheRayIsApartFromItWhereItIsSaidToMeetIt) {
+TEST(LeastMove, OnAPlaneEqualsTheGapAtTheClaimedHit) {
     const HeightField field(flat(0.5f), true);
     const Ray ray{{3, 3, 1}, {4, 2, -1}};
     // On a plane, every claimed t has the plane's own height.
@@ -30,7 +30,7 @@ Image tent() {
     return image;
 }
 
-TEST(LeastMove, OfAPlaceBehindATentIsTheTentAboveTheRay) {
+TEST(LeastMove, BehindATentIsTheTentsHeightAboveTheRay) {
     const HeightField field(tent(), true);
     // Along the tent's ridge, from its left foot to beyond its right foot: z = 1 - t, x = 3.5 + 4 t.
     const Ray ray{{3.5, 4.5, 1}, {4, 0, -1}};
@@ -45,7 +45,7 @@ TEST(LeastMove, OfAPlaceBehindATentIsTheTentAboveTheRay) {
     EXPECT_NEAR(least_move(field, ray, 0.1).t, 0.1, 1e-12);
 }
 
-TEST(LeastMove, FindsATopBetweenTheLinesOfACell) {
+TEST(LeastMove, FindsAMaximumInsideACell) {
     const HeightField field(tent(), true);
     // The ray crosses a cell along whose diagonal the tent falls from 1 to 0 as (1 - a)². It begins below the chord of
     // the surface.
@@ -59,7 +59,7 @@ TEST(LeastMove, FindsATopBetweenTheLinesOfACell) {
     EXPECT_NEAR(-move.height, largest, 1e-9);
 }
 
-TEST(LeastMove, IsNothingExactlyAtTheFirstHit) {
+TEST(LeastMove, IsZeroAtTheFirstHit) {
     const HeightField field(make_height_map(HeightMap::stones, 64), true);
     std::mt19937 random(17);
     std::uniform_real_distribution<double> place(0, 64), reach(-60, 60);
@@ -75,7 +75,7 @@ TEST(LeastMove, IsNothingExactlyAtTheFirstHit) {
     }
 }
 
-TEST(LeastMove, IsNoMoreThanASurfaceIsOff) {
+TEST(LeastMove, NeverExceedsTheHeightErrorOfTheSurface) {
     // The hits on another relief, whose heights differ by at most 0.05, are wrong by at most 0.05.
     const Image image = make_height_map(HeightMap::stones, 64);
     Image other = image;

@@ -22,7 +22,7 @@ TEST(Masks, WiresCoverTheirShareOfATileAndTile) {
     EXPECT_FALSE(is_wire({0.5 / wires, 0}));
 }
 
-TEST(Masks, LeavesTileAcrossAndLeaveTheirBordersFree) {
+TEST(Masks, LeavesTileHorizontallyAndKeepTheirBordersFree) {
     for (int i = 0; i < 5000; ++i) {
         const glm::dvec2 uv(i * 0.618033988749895, i / 5000.0);
         EXPECT_EQ(leaf_at(uv).has_value(), leaf_at(uv - glm::dvec2(7, 0)).has_value());

@@ -12,7 +12,7 @@
 namespace relief {
 namespace {
 
-TEST(MeshRays, MeetATriangleWhereItsPlaneIs) {
+TEST(MeshRays, HitATriangleOnItsPlane) {
     const glm::dvec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);  // counter-clockwise seen from +z
     const auto hit = [&](const Ray& ray) { return triangle_hit(ray, axes_of(ray.direction), a, b, c); };
     const glm::dvec4 front = hit({{0.25, 0.5, 3}, {0, 0, -2}});
@@ -51,7 +51,7 @@ std::vector<glm::dvec3> places_on_edges(const Mesh& mesh, size_t count) {
     return places;
 }
 
-TEST(MeshRays, LeaveAClosedMeshNowhereThroughEdgesAndVerticesWhateverItsSizeAndOrder) {
+TEST(MeshRays, NeverEscapeAClosedMeshThroughEdgesOrVertices) {
     std::mt19937 random(5);
     for (const float size : {1.0f, 1e-6f, 1e6f}) {
         Mesh mesh = make_cube_sphere({.radius = size, .cells = 12});
@@ -70,7 +70,7 @@ TEST(MeshRays, LeaveAClosedMeshNowhereThroughEdgesAndVerticesWhateverItsSizeAndO
     }
 }
 
-TEST(MeshRays, FindEveryHitThatASearchOfAllTrianglesFinds) {
+TEST(MeshRays, FindTheSameHitsAsBruteForce) {
     const Mesh mesh = make_torus({.sides = 24, .rows = 12});
     const TriangleTree tree = build_tree(mesh);
     std::mt19937 random(9);

@@ -21,7 +21,7 @@ void expect_tangent(const glm::dvec4& tangent, const glm::dvec3& along, double h
     EXPECT_EQ(tangent.w, handedness);
 }
 
-TEST(MikkTSpace, OfOneTriangleIsItsDpDu) {
+TEST(MikkTSpace, EqualsDpDuOnOneTriangle) {
     Mesh mesh{{flat_vertex({0, 0}, {0, 0}), flat_vertex({2, 0}, {1, 0}), flat_vertex({0, 2}, {0, 1})}, {0, 1, 2}};
     for (const glm::dvec4& t : mikktspace_reference(mesh)) expect_tangent(t, {1, 0, 0}, 1);
     // u along y, v along -x: a quarter turn.
@@ -82,7 +82,7 @@ TEST(MikkTSpace, AMirroredPairKeepsTwoTangentsAtItsSharedEdge) {
     for (int i = 3; i < 6; ++i) expect_tangent(tangents[size_t(i)], {-1, 0, 0}, -1);
 }
 
-TEST(MikkTSpace, TwoFansThatTouchAtAVertexOnlyAreTwoGroups) {
+TEST(MikkTSpace, TwoFansThatShareOnlyAVertexFormTwoGroups) {
     // Opposite triangles at the origin, u along x in one and along y in the other; the uv of the vertex is the same.
     const Mesh mesh{{flat_vertex({0, 0}, {0, 0}), flat_vertex({1, 0}, {1, 0}), flat_vertex({0, 1}, {0, 1}),
                      flat_vertex({-1, 0}, {0, 1}), flat_vertex({0, -1}, {-1, 0})},
@@ -92,7 +92,7 @@ TEST(MikkTSpace, TwoFansThatTouchAtAVertexOnlyAreTwoGroups) {
     expect_tangent(tangents[3], {0, 1, 0}, 1);
 }
 
-TEST(MikkTSpace, ATriangleWithoutAreaInUvTakesItsNeighboursTangent) {
+TEST(MikkTSpace, ADegenerateUvTriangleTakesItsNeighboursTangent) {
     // The second triangle's uv lie on a line.
     const Mesh mesh{{flat_vertex({0, 0}, {0, 0}), flat_vertex({1, 0}, {1, 0}), flat_vertex({0, 1}, {0, 1}),
                      flat_vertex({1, 1}, {1, 0})},
@@ -103,7 +103,7 @@ TEST(MikkTSpace, ATriangleWithoutAreaInUvTakesItsNeighboursTangent) {
     EXPECT_EQ(glm::dvec3(tangents[4]), glm::dvec3(0)) << "nobody there to take it from";
 }
 
-TEST(MikkTSpace, ATriangleWithoutAreaInUvTakesTheHandednessOfTheFirstGroupThatReachesIt) {
+TEST(MikkTSpace, ADegenerateUvTriangleTakesTheHandednessOfItsFirstGroup) {
     // Three quads in a row. The mirror line runs through the middle one, and groups from both sides reach both of its
     // triangles.
     Mesh mesh = mirrored_grid(3, 1);
@@ -166,7 +166,7 @@ TEST(MikkTSpaceFast, AgreesWithTheTwinOnRandomTriangles) {
     }
 }
 
-TEST(MikkTSpaceFast, AgreesWithTheTwinWhereTrianglesHaveNoAreaInUv) {
+TEST(MikkTSpaceFast, AgreesWithTheTwinOnDegenerateUv) {
     expect_same(mirrored_grid(7, 9));
     for (unsigned seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -57,7 +57,7 @@ Cost cost(F encoder, F decoder, double lowest, int count) {
 constexpr double sphere = -1, hemisphere = 0, cone60 = 0.5;
 constexpr int samples = 500'000;
 
-TEST(NormalFormat, CostsWhatCigolleEtAlPublished) {
+TEST(NormalFormat, HasTheErrorPublishedByCigolleEtAl) {
     // "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2), 2014: mean and maximum in
     // degrees.
     struct Row {
@@ -77,7 +77,7 @@ TEST(NormalFormat, CostsWhatCigolleEtAlPublished) {
     }
 }
 
-TEST(NormalFormat, CostsWhatIsKnownOfItOnSphereHemisphereAndCone) {
+TEST(NormalFormat, HasTheKnownErrorOnSphereHemisphereAndCone) {
     struct Row {
         F encoder, decoder;
         double part, mean, largest;
@@ -113,7 +113,7 @@ TEST(NormalFormat, HalfIsWithinHalfAStepOfEachComponent) {
     EXPECT_GT(measured.largest, glm::degrees(0x1p-12)) << "or it keeps more bits than it should";
 }
 
-TEST(NormalFormat, KeepsAFlatTexelExactlyOrTiltsItByWhatItsZeroIsOff) {
+TEST(NormalFormat, KeepsAFlatTexelOrTiltsItByTheErrorOfItsZeroCode) {
     const glm::dvec3 flat(0, 0, 1);
     for (const NormalFormatInfo& info : normal_formats()) {
         const double error = round_trip(info.format, flat);
@@ -149,7 +149,7 @@ TEST(NormalFormat, KeepsTheAxesAndTheFoldsOfTheOctahedronWithEitherSignOfZero) {
     }
 }
 
-TEST(NormalFormat, RebuildsZAtTheHorizonWithoutNanAndAsBadlyAsItMust) {
+TEST(NormalFormat, RebuildsZAtTheHorizonWithoutNanWithTheExpectedError) {
     double largest = 0;
     for (double degrees = 0; degrees <= 10; degrees += 0.001) {
         const double t = glm::radians(degrees);
@@ -177,7 +177,7 @@ TEST(NormalFormat, EncodesADirectionOfAnyLength) {
     EXPECT_EQ(encode_normal(F::unorm8, {0, 0, 5e-324}), encode_normal(F::unorm8, {0, 0, 1})) << "a denormal";
 }
 
-TEST(NormalFormat, TakesWhatHasNoDirectionForStraightUp) {
+TEST(NormalFormat, EncodesAVectorWithoutDirectionAsStraightUp) {
     const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
     for (const NormalFormatInfo& info : normal_formats())
         for (const glm::dvec3 none : {glm::dvec3(0), glm::dvec3(-0.0), glm::dvec3(nan, 0, 1),
@@ -201,7 +201,7 @@ TEST(NormalFormat, DecodesEveryCodeToAUnitVector) {
         }
 }
 
-TEST(NormalFormat, GivesAnOctahedralCodeBackUnlessItsPlaceHasTwo) {
+TEST(NormalFormat, RoundTripsOctahedralCodesExceptDuplicates) {
     // On the rim of the square, where an edge is folded onto itself, two codes are one direction. Also, -128 means
     // -127.
     for (int x = -126; x <= 126; ++x)
@@ -222,7 +222,7 @@ TEST(NormalFormat, ThePreciseEncoderIsNeverWorse) {
     }
 }
 
-TEST(NormalFormat, HasANameOfItsOwnAtItsPlace) {
+TEST(NormalFormat, HasADistinctNameAtItsIndex) {
     std::map<std::string_view, int> names;
     for (const NormalFormatInfo& info : normal_formats()) {
         EXPECT_EQ(&info_of(info.format), &info);
@@ -230,7 +230,7 @@ TEST(NormalFormat, HasANameOfItsOwnAtItsPlace) {
     }
 }
 
-TEST(Half, ComesBackTheSameFromEveryBitPattern) {
+TEST(Half, RoundTripsEveryBitPattern) {
     for (int bits = 0; bits < 65536; ++bits) {
         const double value = double_from_half(uint16_t(bits));
         if (std::isnan(value))

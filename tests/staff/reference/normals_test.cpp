@@ -29,7 +29,7 @@ void expect_slopes(const Image& normals, int x, int y, double du, double dv, dou
 
 constexpr NormalOptions both_filters[] = {{.filter = SlopeFilter::central}, {.filter = SlopeFilter::sobel}};
 
-TEST(Normals, OfAFlatMapAreStraight) {
+TEST(Normals, OfAFlatMapPointStraightUp) {
     for (const NormalOptions& options : both_filters) {
         const Image normals = normals_from_heights(heights(3, 2, [](int, int) { return 0.7; }), options);
         EXPECT_EQ(normals.channels, 3);
@@ -43,7 +43,7 @@ TEST(Normals, OfAFlatMapAreStraight) {
     EXPECT_EQ(normals_from_heights(Image(1, 1, 1), {}).values, (std::vector<float>{0.5f, 0.5f, 1.0f}));
 }
 
-TEST(Normals, OfASlopeOfOneStandAt45DegreesAgainstIt) {
+TEST(Normals, OfASlopeOfOneLean45DegreesAgainstIt) {
     const float against = float(0.5 - 0.5 / std::numbers::sqrt2), up = float(0.5 + 0.5 / std::numbers::sqrt2);
     for (const NormalOptions& options : both_filters) {
         const Image along_u = normals_from_heights(heights(5, 5, [](int x, int) { return x; }), options);
@@ -73,7 +73,7 @@ TEST(Normals, OfAPlaneAreExactWithBothFiltersAndAnyTexelShape) {
     }
 }
 
-TEST(Normals, OfASlopeBeyondAllMeasureLieDownInItsDirection) {
+TEST(Normals, OfAnInfiniteSlopeLieFlatInItsDirection) {
     Image plane(24, 24, 1);
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x) *plane.pixel(x, y) = float(3 * x + 4 * y) / 128;
@@ -88,7 +88,7 @@ TEST(Normals, OfASlopeBeyondAllMeasureLieDownInItsDirection) {
         }
 }
 
-TEST(Normals, AtTheBorderSeeTheOtherSideOrLookBackWithoutLosingAnOrder) {
+TEST(Normals, AtTheBorderWrapOrUseSecondOrderOneSidedDifferences) {
     const Image row = heights(4, 1, [](int x, int) { return x * x; });  // 0 1 4 9, of slopes 0 2 4 6
     const Image tile = normals_from_heights(row, {.wrap = true}), cut = normals_from_heights(row, {.wrap = false});
     expect_slopes(tile, 0, 0, (1.0 - 9.0) / 2, 0);
@@ -100,7 +100,7 @@ TEST(Normals, AtTheBorderSeeTheOtherSideOrLookBackWithoutLosingAnOrder) {
     expect_slopes(normals_from_heights(column, {.wrap = false}), 0, 3, 0, -6);
 }
 
-TEST(Normals, SobelWeighsTheNeighbouringRowsOneTwoOne) {
+TEST(Normals, SobelWeightsTheRowsOneTwoOne) {
     Image spike(5, 5, 1);
     *spike.pixel(2, 2) = 1;
     const Image central = normals_from_heights(spike, {}),
@@ -111,7 +111,7 @@ TEST(Normals, SobelWeighsTheNeighbouringRowsOneTwoOne) {
     expect_slopes(sobel, 1, 1, 0.125, -0.125);
 }
 
-TEST(Normals, AreOfSecondOrder) {
+TEST(Normals, ConvergeInSecondOrder) {
     // On a sine tile with a known slope, half the texel size gives a quarter of the error.
     const auto largest_error = [](int size) {
         const double turn = 2 * std::numbers::pi / size;

@@ -26,7 +26,7 @@ TEST(Occlusion, OfAnEndlessGrooveIsTheCosineOfItsSlope) {
     }
 }
 
-TEST(Occlusion, OfAReliefIsWhatRaysFind) {
+TEST(Occlusion, OfAReliefMatchesRayTracing) {
     constexpr double texels = 12;
     for (const HeightMap kind : {HeightMap::stones, HeightMap::bricks}) {
         const Image map = make_height_map(kind, 64);

@@ -50,7 +50,7 @@ const HeightField& fbm() {
     return field;
 }
 
-TEST(Parallax, LinearStepsMissWhatWasMeasuredOnAMapOfThisKind) {
+TEST(Parallax, LinearStepsHaveTheErrorMeasuredOnASimilarMap) {
     // Taps, mean error in texels, share wrong. They were measured on another map of the same spectrum, hence the factor
     // of 2.
     struct Row {
@@ -69,7 +69,7 @@ TEST(Parallax, LinearStepsMissWhatWasMeasuredOnAMapOfThisKind) {
     }
 }
 
-TEST(Parallax, LinearStepsAreWrongAsOftenAsHandout11Says) {
+TEST(Parallax, LinearStepsHaveTheErrorRateOfHandout11) {
     // Per cent, rounded as in the handout.
     struct Row {
         int steps;

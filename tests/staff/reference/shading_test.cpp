@@ -16,7 +16,7 @@ double degrees_between(glm::dvec3 a, glm::dvec3 b) {
     return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
 }
 
-TEST(Displaced, ByFullHeightOrByNoScaleIsTheBase) {
+TEST(Displaced, AtFullHeightOrWithoutScaleEqualsTheBase) {
     const SurfacePoint base = point_on(SphereShape{}, {0.3, 0.6});
     for (const DisplacedPoint& same : {displace(base, {1, {0, 0}}, 0.2), displace(base, {0.3, {5, 7}}, 0)}) {
         EXPECT_EQ(same.position, base.position);
@@ -24,7 +24,7 @@ TEST(Displaced, ByFullHeightOrByNoScaleIsTheBase) {
     }
 }
 
-TEST(Displaced, SphereByAConstantIsASmallerSphere) {
+TEST(Displaced, SphereWithConstantHeightIsASmallerSphere) {
     const DisplacedPoint inner = displace(point_on(SphereShape{.radius = 2}, {0.3, 0.6}), {0.25, {0, 0}}, 0.4);
     EXPECT_NEAR(glm::length(inner.position), 2 - 0.3, 1e-14);
     EXPECT_LT(degrees_between(inner.normal, inner.position), 1e-12);
@@ -50,7 +50,7 @@ TEST(Displaced, HasTheNormalOfItsOwnFiniteDifferences) {
     check(QuadShape{}), check(ColumnShape{.top_radius = 0.7f}), check(SphereShape{});
 }
 
-TEST(Displaced, WithoutTheTurningOfTheBaseIsOff) {
+TEST(Displaced, NormalsAreWrongIfTheBasesCurvatureIsIgnored) {
     // Slope 1 at a depth of 0.05 radii: Blinn's approximation has an error of atan(1 / (1 - 0.05)) - atan(1), 1.47
     // degrees.
     SurfacePoint base = point_on(ColumnShape{}, {0, 0.5});
@@ -71,7 +71,7 @@ TEST(TangentFrame, IsAtRightAnglesAndKeepsTheNormalAndTheHandedness) {
     }
 }
 
-TEST(TangentFrame, ThereAndBackAgainIsTheSameDirection) {
+TEST(TangentFrame, RoundTripsADirection) {
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.3, -0.5, 0.9)), normal(1, 2, -3);
     const glm::dvec4 tangent(0.5, -1, 2, -1);
     EXPECT_LT(
@@ -79,7 +79,7 @@ TEST(TangentFrame, ThereAndBackAgainIsTheSameDirection) {
         1e-15);
 }
 
-TEST(CotangentFrame, HasTheGradientsOfUAndVAlsoWhereTheyAreSheared) {
+TEST(CotangentFrame, HasTheGradientsOfUAndVEvenIfSheared) {
     // P = (x, y, 0), u = x + y / 2, v = y: the gradients are (1, 1/2) and (0, 1).
     const double longer = std::sqrt(1.25);
     for (const double side : {1.0, -1.0}) {  // the screen's y axis may have either direction
@@ -103,7 +103,7 @@ TEST(BlinnPhong, IsLambertAndTheScaledHighlightAtItsPeak) {
     EXPECT_EQ(blinn_phong(albedo, 1, 10, up, up, -up), albedo) << "opposite: nothing between them";
 }
 
-TEST(TessellationLevel, FollowsDistanceSizeAndErrorWithinWhatGlTakes) {
+TEST(TessellationLevel, FollowsDistanceSizeAndErrorWithinTheGlRange) {
     const auto by_distance = [](double away) {
         return level_by_distance({-1, 0, 0}, {1, 0, 0}, {0, away, 0}, 2, 10, 6, 0);
     };
@@ -126,7 +126,7 @@ TEST(TessellationLevel, FollowsDistanceSizeAndErrorWithinWhatGlTakes) {
     EXPECT_EQ(level_by_error(errors, tolerated(0, 1000, 1, 0)), 1) << "nothing is pressed in";
 }
 
-TEST(ReliefBounds, HoldTheReliefAndNothingIsFurtherIn) {
+TEST(ReliefBounds, ContainTheReliefTightly) {
     // A patch of a wall that faces +z, with a depth of 0.5: its relief lies 0.3 to 0.1 below the wall, along the axis.
     const glm::dvec4 sphere = relief_bounds({1, 2, 3, 0.5}, {0, 0, 1}, 0, 0.4, 0.8, 0.5);
     EXPECT_LT(glm::distance(sphere, glm::dvec4(1, 2, 3 - 0.2, 0.6)), 1e-15);
@@ -134,7 +134,7 @@ TEST(ReliefBounds, HoldTheReliefAndNothingIsFurtherIn) {
     EXPECT_NEAR(relief_bounds({0, 0, 0, 1}, {0, 0, 1}, 0.1, 0, 0, 0.5).w, 1.05, 1e-15);
 }
 
-TEST(FacesAway, FromWhereConeAndSphereLeaveOff) {
+TEST(FacesAway, BeginsWhereTheConeAndTheSphereEnd) {
     const auto from = [](double degrees, double slope, double radius) {
         const double angle = glm::radians(degrees);
         return faces_away({0, 0, 1}, slope, {0, 0, 0, radius}, {10 * std::sin(angle), 0, 10 * std::cos(angle)});
@@ -149,7 +149,7 @@ TEST(FacesAway, FromWhereConeAndSphereLeaveOff) {
     EXPECT_FALSE(from(180, 1e30, 0));
 }
 
-TEST(StoredNormals, GiveBackTheFlatTexelExactlyWhereTheFormatCan) {
+TEST(StoredNormals, RestoreTheFlatTexelExactlyIfTheFormatAllows) {
     EXPECT_EQ(decode_normal_128({128.0 / 255, 128.0 / 255, 1}), glm::dvec3(0, 0, 1));
     // 128 of 255 stands for 1/255, a tilt of 0.3178 degrees.
     EXPECT_NEAR(degrees_between(decode_normal({128.0 / 255, 128.0 / 255, 1}), {0, 0, 1}), 0.3178, 5e-5);
@@ -162,7 +162,7 @@ TEST(StoredNormals, GiveBackTheFlatTexelExactlyWhereTheFormatCan) {
     EXPECT_EQ(decode_octahedral({-0.0, -1}), glm::dvec3(0, -1, 0)) << "the sign of 0 counts as 1";
 }
 
-TEST(TangentSpace, AnInterpolatedFrameGivesBackWhatWasStoredInItAndIsNotGramSchmidts) {
+TEST(TangentSpace, AnInterpolatedFrameRoundTripsAndDiffersFromGramSchmidt) {
     // Half-way between two corners of a cube with averaged normals. Both the normal and the tangent are shorter and
     // lean.
     const glm::dvec3 normal(0.4, 0, 0.577), n(0, 0, 1);

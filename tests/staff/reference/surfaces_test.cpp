@@ -44,7 +44,7 @@ TEST(Surfaces, HaveTheDerivativesOfTheirOwnPositionsAndNormals) {
 }
 
 /// A mesh vertex is a point of its surface, rounded to floats, if the uv are repeated once.
-TEST(Surfaces, AreTheOnesThatTheMeshesStandFor) {
+TEST(Surfaces, MatchTheirMeshes) {
     const auto compare = [](const Mesh& mesh, const auto& shape, const char* name) {
         for (const Vertex& vertex : mesh.vertices) {
             const SurfacePoint point = point_on(shape, glm::dvec2(vertex.uv));
@@ -60,7 +60,7 @@ TEST(Surfaces, AreTheOnesThatTheMeshesStandFor) {
     compare(make_sphere(sphere), sphere, "sphere");
 }
 
-TEST(Surfaces, ARayToAPlaceMeetsItThereOrEarlier) {
+TEST(Surfaces, ARayToAPointHitsThereOrEarlier) {
     const unsigned seed = 5;
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
@@ -81,7 +81,7 @@ TEST(Surfaces, ARayToAPlaceMeetsItThereOrEarlier) {
     });
 }
 
-TEST(Surfaces, AreMissedBesideAndBehind) {
+TEST(Surfaces, AreMissedByRaysBesideAndBehind) {
     for_each_shape([](const auto& shape, const char* name) {
         EXPECT_FALSE(first_hit(shape, Ray{{9, 9, 9}, {1, 0, 0}})) << name;
         EXPECT_FALSE(first_hit(shape, Ray{{0, 0, 9}, {0, 0, 1}})) << name << ", behind";
@@ -93,7 +93,7 @@ TEST(Surfaces, AreMissedBesideAndBehind) {
     EXPECT_FALSE(first_hit(cone, Ray{{0.3, 3, 3}, {0, 0, -1}})) << "the other half of the double cone";
 }
 
-TEST(Surfaces, KeepTheirDigitsFromFarAway) {
+TEST(Surfaces, KeepTheirPrecisionFromFarAway) {
     // A sphere of 1.3 m seen from 10,000 km. The hit is exact to the rounding of that distance.
     const auto far = first_hit(sphere, Ray{{0, 0, 1e7}, {0, 0, -1}});
     ASSERT_TRUE(far);

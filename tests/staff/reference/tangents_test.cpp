@@ -64,14 +64,14 @@ TangentReport report_of(const Mesh& mesh, M method = M::mikktspace) {
     return report;
 }
 
-TEST(Tangents, OfATriangleAreItsDpDuWithAnyMethod) {
+TEST(Tangents, OfATriangleEqualDpDuForEveryMethod) {
     for (const M method : methods)
         for (const glm::vec4& t : corner_tangents(triangle(), method)) EXPECT_EQ(t, glm::vec4(1, 0, 0, 1));
     EXPECT_EQ(report_of(triangle()).text(), "3 corners, none fell back");
     EXPECT_TRUE(corner_tangents({}, M::angle).empty());
 }
 
-TEST(Tangents, OfAShapeAreItsAnalyticOnesAndSplitNothing) {
+TEST(Tangents, OfAShapeMatchTheAnalyticOnesAndSplitNoVertex) {
     for (const Mesh& mesh : {make_quad({.columns = 4, .rows = 3}), make_column({.sides = 64, .rows = 6})})
         for (const M method : {M::uniform, M::area, M::angle, M::mikktspace}) {
             const Mesh solved = with_tangents(mesh, method);
@@ -86,7 +86,7 @@ TEST(Tangents, OfAShapeAreItsAnalyticOnesAndSplitNothing) {
         }
 }
 
-TEST(Tangents, PerFaceAreFacetsAndSplitEachVertexBetweenThem) {
+TEST(Tangents, PerFaceSplitEachVertexBetweenFacets) {
     const Mesh roof = jittered_torus(6, 5, 50);
     const Mesh solved = with_tangents(roof, M::per_face);
     expect_usable(solved);
@@ -115,7 +115,7 @@ TEST(Tangents, HandednessMakesTheBitangentRunAlongV) {
         for (const glm::vec4& t : corner_tangents(torus, method)) EXPECT_EQ(t.w, -1);
 }
 
-TEST(Tangents, AtAFlatQuadWhoseUvFlipInsideKeepTwoSides) {
+TEST(Tangents, OfAFlatQuadWithFlippedUvKeepTwoHandednesses) {
     Mesh quad = make_quad({});
     quad.vertices[3].uv = {0.8f, -0.3f};  // mirrors the uv of the first triangle
     expect_all_usable(quad);
@@ -123,7 +123,7 @@ TEST(Tangents, AtAFlatQuadWhoseUvFlipInsideKeepTwoSides) {
     for (int i = 0; i < 6; ++i) EXPECT_EQ(tangents[size_t(i)].w, i < 3 ? -1 : 1);
 }
 
-TEST(Tangents, OfATriangleAreOfOneHandednessWhateverItsUv) {
+TEST(Tangents, OfATriangleShareOneHandednessForAnyUv) {
     std::vector<Mesh> meshes = {mirrored_grid(7, 101), mirrored_grid(1, 5)};
     for (unsigned seed = 0; seed < 20; ++seed) meshes.push_back(torus_with_rounded_uv(seed));
     for (unsigned seed = 0; seed < 60; ++seed) meshes.push_back(random_soup(seed, 30));
@@ -144,7 +144,7 @@ TEST(Tangents, OfATriangleAreOfOneHandednessWhateverItsUv) {
         }
 }
 
-TEST(Tangents, WithoutAreaInUvFallBackAndSaySo) {
+TEST(Tangents, OfDegenerateUvFallBackAndAreReported) {
     Mesh mesh = triangle();
     for (Vertex& vertex : mesh.vertices) vertex.uv = {0.5f, 0.25f};
     EXPECT_EQ(fell_back(report_of(mesh), TangentFallback::degenerate_uv), 3u);
@@ -154,7 +154,7 @@ TEST(Tangents, WithoutAreaInUvFallBackAndSaySo) {
     expect_all_usable(mesh);
 }
 
-TEST(Tangents, WithoutAreaInSpaceFallBackAndSaySo) {
+TEST(Tangents, OfDegenerateTrianglesFallBackAndAreReported) {
     Mesh mesh = triangle();
     mesh.vertices[2].position = mesh.vertices[1].position;
     EXPECT_EQ(fell_back(report_of(mesh), TangentFallback::zero_area), 3u);
@@ -167,7 +167,7 @@ TEST(Tangents, WithoutAreaInSpaceFallBackAndSaySo) {
     expect_all_usable(mesh);
 }
 
-TEST(Tangents, AlongTheNormalFallBackAndSaySo) {
+TEST(Tangents, ParallelToTheNormalFallBackAndAreReported) {
     Mesh mesh = triangle();
     for (Vertex& vertex : mesh.vertices) vertex.normal = {1, 0, 0};
     EXPECT_EQ(fell_back(report_of(mesh), TangentFallback::parallel_to_normal), 3u);
@@ -178,7 +178,7 @@ TEST(Tangents, AlongTheNormalFallBackAndSaySo) {
     }
 }
 
-TEST(Tangents, NearlyAlongTheNormalAreStillDpDu) {
+TEST(Tangents, NearlyParallelToTheNormalStillEqualDpDu) {
     Mesh mesh = triangle();
     for (const float lean : {1e-3f, 1e-4f, 1e-5f, 1e-6f})
         for (const M method : {M::per_face, M::uniform, M::area, M::angle, M::mikktspace}) {
@@ -191,7 +191,7 @@ TEST(Tangents, NearlyAlongTheNormalAreStillDpDu) {
         }
 }
 
-TEST(Tangents, OfBadNormalsAreThoseOfTheFacesOwn) {
+TEST(Tangents, WithBadNormalsUseTheFaceNormal) {
     for (const glm::vec3 bad : {glm::vec3(0), glm::vec3(NAN, 0, 1), glm::vec3(0, INFINITY, 0)}) {
         Mesh mesh = triangle();
         for (Vertex& vertex : mesh.vertices) vertex.normal = bad;
@@ -205,7 +205,7 @@ TEST(Tangents, OfBadNormalsAreThoseOfTheFacesOwn) {
     expect_all_usable(longer);
 }
 
-TEST(Tangents, OfANeighbourAreBetterThanNone) {
+TEST(Tangents, AreInheritedFromANeighbourIfDegenerate) {
     Mesh mesh = triangle();
     mesh.vertices.push_back(flat_vertex({1, 1}, {1, 0}));  // degenerate in uv with vertices 1 and 2
     mesh.vertices[2].uv = {0, 1};
@@ -234,7 +234,7 @@ TEST(Tangents, ANanInOneVertexSpoilsNoOther) {
         }
 }
 
-TEST(Tangents, OfATriangleWithABadNumberBesideMirroredOnesAreOfOneHandedness) {
+TEST(Tangents, OfATriangleWithANonFiniteVertexShareOneHandedness) {
     const auto number = [](Vertex& vertex, int which) -> float& {
         return which < 3 ? vertex.position[which] : which < 5 ? vertex.uv[which - 3] : vertex.normal[which - 5];
     };
@@ -252,7 +252,7 @@ TEST(Tangents, OfATriangleWithABadNumberBesideMirroredOnesAreOfOneHandedness) {
                 }
 }
 
-TEST(Tangents, DoNotChangeWithTheSizeOfPositionsAndUv) {
+TEST(Tangents, DoNotDependOnTheScaleOfPositionsAndUv) {
     const Mesh torus = jittered_torus(8, 6, 53);
     for (const M method : methods) {
         const auto plain = corner_tangents(torus, method);
@@ -301,7 +301,7 @@ TEST(Tangents, OfRandomTrianglesAreUsable) {
     }
 }
 
-TEST(Tangents, OfAFanOfTenThousandTrianglesAreSolvedOnceEach) {
+TEST(Tangents, OfAFanOfTenThousandTrianglesAreAccurate) {
     Mesh fan;
     fan.vertices.push_back(flat_vertex({0, 0}, {0.5f, 0.5f}));
     const uint32_t count = 10'000;
@@ -333,7 +333,7 @@ TEST(Tangents, AreTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(Tangents, OfAMeshWithAWrongIndexAreAnError) {
+TEST(Tangents, RejectAMeshWithAWrongIndex) {
     Mesh mesh = triangle();
     mesh.indices[1] = 3;
     EXPECT_TRUE(contains(message_of([&] { corner_tangents(mesh, M::angle); }), "index 3 of a mesh with 3 vertices"));
@@ -341,7 +341,7 @@ TEST(Tangents, OfAMeshWithAWrongIndexAreAnError) {
     EXPECT_TRUE(contains(message_of([&] { with_tangents(mesh, M::angle); }), "three indices"));
 }
 
-TEST(Tangents, ByAnglesAreNearestToDpDuOnAJitteredTorus) {
+TEST(Tangents, WeightedByAngleAreClosestToDpDuOnAJitteredTorus) {
     // 4096 triangles. Known for a mesh like this: angle and MikkTSpace 0.27 degrees, uniform 0.48, area 0.66.
     const Mesh torus = jittered_torus(64, 32, 55);
     const auto error = [&](M method) {
@@ -359,7 +359,7 @@ TEST(Tangents, ByAnglesAreNearestToDpDuOnAJitteredTorus) {
     RecordProperty("angle", std::to_string(angle));
 }
 
-TEST(Angles, AreThoseOfAtan2) {
+TEST(Angles, MatchAtan2) {
     std::mt19937 random(56);
     std::uniform_real_distribution<> turn(0, M_PI), size(-70, 70);
     for (int i = 0; i < 3000; ++i) {

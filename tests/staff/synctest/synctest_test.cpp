@@ -31,7 +31,7 @@ Image screenshot_by(const SyncRenderer& renderer) {
     return screenshot(render_synctest(renderer, bake_synctest_map(512, 8), side, side));
 }
 
-TEST(Synctest, TheMapsOwnFrameIsFlatToTwoTenthsAndOthersAreNot) {
+TEST(Synctest, IsFlatToTwoTenthsOnlyInTheMapsOwnFrame) {
     const struct {
         SyncRenderer renderer;
         double mean;  ///< degrees, as lab 07 measures its cube on the GPU
@@ -51,7 +51,7 @@ TEST(Synctest, TheMapsOwnFrameIsFlatToTwoTenthsAndOthersAreNot) {
     EXPECT_LT(fine.mean, 0.02) << "what is left with 16 bits is the filtering between texels";
 }
 
-TEST(Synctest, NamesEachRendererByAScreenshot) {
+TEST(Synctest, IdentifiesEachRendererFromAScreenshot) {
     for (const SyncRenderer& renderer : sync_renderers()) {
         const SyncJudgement judgement = judge_synctest(screenshot_by(renderer));
         ASSERT_TRUE(judgement.renderer()) << renderer.text();
@@ -61,7 +61,7 @@ TEST(Synctest, NamesEachRendererByAScreenshot) {
     }
 }
 
-TEST(Synctest, TakesTheConventionsOfOtherEngines) {
+TEST(Synctest, AcceptsTheConventionsOfOtherEngines) {
     const Image normals =
         render_synctest({SyncFrame::gram_schmidt, SyncSlip::none}, bake_synctest_map(512, 8), side, side);
     const auto expect_gram_schmidt = [](const Image& picture, const char* what) {
@@ -93,7 +93,7 @@ TEST(Synctest, TakesTheConventionsOfOtherEngines) {
         "a wide picture");
 }
 
-TEST(Synctest, FromAnotherCameraOnlyFlatnessIsTold) {
+TEST(Synctest, FromAnotherCameraReportsOnlyFlatness) {
     Image shifted(side, side, 3, 8);
     const Image picture = screenshot_by({SyncFrame::gram_schmidt, SyncSlip::none});
     for (int y = 0; y < side; ++y) std::copy_n(picture.pixel(12, y), (side - 12) * 3, shifted.pixel(0, y));
