@@ -16,11 +16,27 @@ namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
 
 // The floors, from the ground up. Rooms on one floor do not include each other.
-const std::map<std::string, int> floors = {
-    {"base", 0},          {"image", 1},        {"mesh", 1},           {"height", 2}, {"inspect", 2}, {"staff/reference", 3},
-    {"gl", 4},            {"context", 5},      {"lab", 6},            {"kit", 7},    {"check", 8},
-    {"staff/handout", 9}, {"staff/grade", 9},  {"staff/measure", 10}, {"staff/synctest", 10}, {"pages", 10}, {"staff/pages", 11},
-    {"window", 11},       {"staff/slides", 11}, {"app", 12},           {"staff/app", 13}};
+const std::map<std::string, int> floors = {{"base", 0},
+                                           {"image", 1},
+                                           {"mesh", 1},
+                                           {"height", 2},
+                                           {"inspect", 2},
+                                           {"staff/reference", 3},
+                                           {"gl", 4},
+                                           {"context", 5},
+                                           {"lab", 6},
+                                           {"kit", 7},
+                                           {"check", 8},
+                                           {"staff/handout", 9},
+                                           {"staff/grade", 9},
+                                           {"staff/measure", 10},
+                                           {"staff/synctest", 10},
+                                           {"pages", 10},
+                                           {"staff/pages", 11},
+                                           {"window", 11},
+                                           {"staff/slides", 11},
+                                           {"app", 12},
+                                           {"staff/app", 13}};
 
 /// Returns the files and headers that a text includes, by "" or <>.
 Lines includes_of(const std::string& text) {
@@ -33,7 +49,8 @@ Lines includes_of(const std::string& text) {
 
 /// Returns the room of a file: "gl", "staff/grade", or "labs", "labs/staff", "assets", "assets/staff".
 std::string part_of(const std::string& path) {
-    static const std::regex room("(?:framework/((?:staff/)?[^/]+)/.*|(labs)/[^/]+/(?:(staff)/)?.*|(assets)/(?:(staff)/)?.*)");
+    static const std::regex room(
+        "(?:framework/((?:staff/)?[^/]+)/.*|(labs)/[^/]+/(?:(staff)/)?.*|(assets)/(?:(staff)/)?.*)");
     std::smatch match;
     if (!std::regex_match(path, match, room)) return path;
     if (match[1].matched) return match[1];
@@ -50,14 +67,16 @@ std::string mistake(const std::string& file, const std::string& include) {
         if (include.starts_with(folder) && (folder != "assets/" || !file.starts_with(folder)))
             return "nothing is built upon that folder";
     const std::string from = part_of(file), to = part_of(include);
-    if (include.starts_with("assets/staff/") && !is_the_staffs(from)) return "everybody's files know nothing of the staff's";
+    if (include.starts_with("assets/staff/") && !is_the_staffs(from))
+        return "everybody's files know nothing of the staff's";
     if (!include.starts_with("framework/")) return "";
     if (!floors.contains(to)) return "names no room of the framework";
     if (is_the_staffs(to) && !is_the_staffs(from)) return "everybody's files know nothing of the staff's";
     if (from.starts_with("labs")) {
         if (to == "lab" && include != "framework/lab/lab.h") return "of that room a lab includes lab.h alone";
-        return floors.at(to) <= floors.at("kit") && to != "context" ? ""
-                                                                    : "a lab does not know of contexts or what is above labs";
+        return floors.at(to) <= floors.at("kit") && to != "context"
+                   ? ""
+                   : "a lab does not know of contexts or what is above labs";
     }
     if (from.starts_with("assets")) return floors.at(to) < floors.at("gl") ? "" : "the textures are made without GL";
     if (!floors.contains(from)) return "is in no room of the framework";
@@ -77,8 +96,8 @@ Lines wrong_arrows(const std::string& file, const std::string& text) {
 /// Returns the includes of libraries that only one other file may include.
 Lines wrong_libraries(const std::string& file, const std::string& text) {
     static const std::regex window_file("framework/(context/[a-z]+_window|window/menu[a-z_]*)\\.(cpp|h)");
-    const bool cpu =
-        part_of(file).starts_with("assets") || (floors.contains(part_of(file)) && floors.at(part_of(file)) < floors.at("gl"));
+    const bool cpu = part_of(file).starts_with("assets") ||
+                     (floors.contains(part_of(file)) && floors.at(part_of(file)) < floors.at("gl"));
     Lines wrong;
     for (const std::string& include : includes_of(text)) {
         const bool image = include.starts_with("OpenImageIO/"),

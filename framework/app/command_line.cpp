@@ -34,9 +34,9 @@ int open_menu_or_gallery(const std::string& lab_folder) {
     try {
         return run_menu({.lab_folder = lab_folder});
     } catch (const NoWindow& error) {
-        print_note(fmt::format(
-            "{}; all is built, and the course page is made instead, which takes minutes (Ctrl-C ends it)",
-            error.what()));
+        print_note(
+            fmt::format("{}; all is built, and the course page is made instead, which takes minutes (Ctrl-C ends it)",
+                        error.what()));
     }
     return make_gallery({}, {}, {});
 }

@@ -28,12 +28,12 @@ struct Likeness {
     double share() const { return differ > 0 ? double(agree) / double(differ) : 0; }
 };
 
-/// Lower bound of share() for a match, in each check. One of the 24 values that distinguish mistakes may differ, such as
-/// a pixel at an edge with another driver.
+/// Lower bound of share() for a match, in each check. One of the 24 values that distinguish mistakes may differ, such
+/// as a pixel at an edge with another driver.
 constexpr double min_agreement = 0.94;
 
-/// Returns whether a check's picture matches the mistake's. A mistake that does not change the check matches only if the
-/// check passed.
+/// Returns whether a check's picture matches the mistake's. A mistake that does not change the check matches only if
+/// the check passed.
 bool is_like(const Likeness& one, bool passed);
 
 /// Returns a known mistake's hint for a message. After a single failed check the hint is only a possibility, because

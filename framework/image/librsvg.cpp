@@ -29,8 +29,7 @@ void check(bool done, GError* error) {
 relief::Image relief_draw_svg(const std::string& svg, glm::ivec2 size) {
     GError* error = nullptr;
     // Data without a base address cannot refer to other files.
-    const Drawing drawing(
-        rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
+    const Drawing drawing(rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(svg.data()), svg.size(), &error));
     check(drawing != nullptr, error);
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.x, size.y));
     const Pen pen(cairo_create(surface.get()));

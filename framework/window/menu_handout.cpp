@@ -266,8 +266,7 @@ void Handout::draw_picture(const Span& image, float width) {
     const auto [place, is_new] = pictures_.try_emplace(image.target);
     std::unique_ptr<HandoutPicture>& picture = place->second;
     try {
-        if (is_new)
-            picture = std::make_unique<HandoutPicture>((file_.parent_path() / image.target).lexically_normal());
+        if (is_new) picture = std::make_unique<HandoutPicture>((file_.parent_path() / image.target).lexically_normal());
         if (picture) picture->draw(width);
     } catch (const Error& error) {
         print_event(fmt::format("handout: {}: {}", image.target, error.what()));

@@ -48,7 +48,7 @@ private:
     std::vector<Block> blocks_;
     std::map<const Block*, std::vector<std::vector<FormulaCell>>> formulas_;  ///< of formula blocks
     std::vector<KnobText> knobs_;
-    std::string clicked_;  ///< "name" or "name=value", in this frame
+    std::string clicked_;                                              ///< "name" or "name=value", in this frame
     std::map<std::string, std::unique_ptr<HandoutPicture>> pictures_;  ///< by target; null if it cannot be shown
 };
 

@@ -64,8 +64,8 @@ void HandoutPicture::draw_diagram(float width) {
     const int rows = std::max(1, int(std::lround(double(columns) * size_.y / size_.x)));
     if (drawn_ != glm::ivec2(columns, rows)) {
         drawn_ = {columns, rows};
-        texture_.emplace(name_, [this] { return draw_svg(svg_, drawn_); },
-                         TextureOptions{.wrap = Wrap::clamp, .mips = false});
+        texture_.emplace(
+            name_, [this] { return draw_svg(svg_, drawn_); }, TextureOptions{.wrap = Wrap::clamp, .mips = false});
     }
     const GLuint texture = *texture_;  // before drawing its background: creating it may throw
     const ImVec2 cursor = ImGui::GetCursorScreenPos(), at(std::floor(cursor.x), std::floor(cursor.y));

@@ -169,9 +169,9 @@ TEST(Markdown, AcceptsAnyText) {
 
 TEST(Markdown, ALineHasCodeBetweenBackticksAndIsPlainWithoutThem) {
     const std::string line = "`along` is *divided*: times `depth`";
-    EXPECT_EQ(line_with_code(line), (Spans{{.text = "along", .code = true},
-                                           {.text = " is *divided*: times "},
-                                           {.text = "depth", .code = true}}));
+    EXPECT_EQ(
+        line_with_code(line),
+        (Spans{{.text = "along", .code = true}, {.text = " is *divided*: times "}, {.text = "depth", .code = true}}));
     EXPECT_EQ(plain_text(line_with_code(line)), "along is *divided*: times depth");
     EXPECT_EQ(line_with_code("a ` b"), (Spans{{.text = "a "}, {.text = " b"}}));
     EXPECT_EQ(line_with_code(""), Spans{});

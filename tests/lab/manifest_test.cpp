@@ -22,7 +22,8 @@ Manifest load(const std::string& text, const std::string& grading = "") {
 /// Returns the error of loading these texts, without the folder: "lab.toml:2: ...".
 std::string refusal(const std::string& text, const std::string& grading = "") {
     const std::string message = message_of([&] { load(text, grading); });
-    return message.substr(std::min(message.size(), message.rfind(grading.empty() ? "lab.toml:" : "staff/grading.toml:")));
+    return message.substr(
+        std::min(message.size(), message.rfind(grading.empty() ? "lab.toml:" : "staff/grading.toml:")));
 }
 
 TEST(Manifest, IsReadWhole) {
@@ -140,7 +141,8 @@ TEST(Manifest, AMistakeIsNamedWithItsLine) {
          "lab.toml:6: 'points' must be a whole number"},
         {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { size = [0, 8] }\n", "lab.toml:4: 'size' must be from 1 to"},
         {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { size = [8.5, 8] }\n", "lab.toml:4: 'size' must be"},
-        {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { time = -3e9 }\n", "lab.toml:4: 'time' must be from -2000000000"},
+        {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { time = -3e9 }\n",
+         "lab.toml:4: 'time' must be from -2000000000"},
         {"title = \"A\"\n[[golden]]\nname = \"a\"\nshot = { set = { steps = [1] } }\n",
          "lab.toml:4: 'steps' must be a number"},
         {"title = \"A\"\n[[golden]]\nname = \"../a\"\n", "lab.toml:3: '../a' names a file: use a-z"},
@@ -285,13 +287,15 @@ TEST(Manifest, AnInvalidCheckMistakeOrEquivalentIsReportedWithItsLine) {
         {mistake + "edits = [{ file = \"x\", find = \"a\", replace = \"a\" }]\n",
          "staff/grading.toml:5: 'replace' is what stands there"},
         {equivalent, "staff/grading.toml:2: an equivalent has 'edits'"},
-        {"[[equivalent]]\nid = \"e\"\ntask = \"1.1\"\n" + edits, "staff/grading.toml:1: [[equivalent]] must have a 'why'"},
+        {"[[equivalent]]\nid = \"e\"\ntask = \"1.1\"\n" + edits,
+         "staff/grading.toml:1: [[equivalent]] must have a 'why'"},
         {equivalent + "hint = \"h\"\n" + edits, "staff/grading.toml:5: unknown key of [[equivalent]], 'hint'"},
         {equivalent + "edits = [{ file = \"shaders/x/task.glsl\", fnid = \"a\", find = \"a\", replace = \"b\" }]\n",
          "staff/grading.toml:5: unknown key of [[equivalent]].edits, 'fnid'"},
         {equivalent + "edits = [{ file = \"shaders/x/lab.frag\", find = \"a\", replace = \"b\" }]\n",
          "staff/grading.toml:5: 'shaders/x/lab.frag' is no task's file"},
-        {"[[equivalent]]\nid = \"e\"\ntask = \"1.2\"\nwhy = \"w\"\n" + edits, "staff/grading.toml:3: unknown task '1.2'"},
+        {"[[equivalent]]\nid = \"e\"\ntask = \"1.2\"\nwhy = \"w\"\n" + edits,
+         "staff/grading.toml:3: unknown task '1.2'"},
         {equivalent + edits + equivalent + edits, "staff/grading.toml:7: two equivalents are named 'e'"},
     };
     for (const auto& [text, message] : staffs_texts) {

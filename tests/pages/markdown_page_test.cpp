@@ -34,9 +34,9 @@ TEST(MarkdownPage, ListsAreNestedAndClosed) {
 TEST(MarkdownPage, TextIsEscapedAndStyled) {
     EXPECT_EQ(shown("a `<b>&'` **c *d***"),
               "<p>a<code>&lt;b&gt;&amp;&#39;</code><strong>c</strong><strong><em>d</em></strong></p>");
-    EXPECT_EQ(
-        shown("```\n<x>\n```\n\n> q\n\n---"),
-        "<pre tabindex=\"0\" role=\"region\" aria-label=\"code 1\">&lt;x&gt;</pre><blockquote><p>q</p></blockquote><hr>");
+    EXPECT_EQ(shown("```\n<x>\n```\n\n> q\n\n---"),
+              "<pre tabindex=\"0\" role=\"region\" aria-label=\"code "
+              "1\">&lt;x&gt;</pre><blockquote><p>q</p></blockquote><hr>");
 }
 
 TEST(MarkdownPage, FoldsTheMeasurementsOfANumber) {

@@ -70,9 +70,9 @@ const std::set<std::pair<std::string, std::string>> not_escaped = {
     {"framework/pages/block", "math"},  // formula.cpp's
     {"framework/pages/page", "page.style"},
     {"framework/pages/page", "page.script"},
-    {"framework/staff/pages/bench", "section"},  // topic.mustache, possibly from an earlier run
+    {"framework/staff/pages/bench", "section"},     // topic.mustache, possibly from an earlier run
     {"framework/staff/pages/mistakes", "article"},  // mistake.mustache, from another process
-    {"framework/staff/pages/topic", "chief"},    // gnuplot's SVG
+    {"framework/staff/pages/topic", "chief"},       // gnuplot's SVG
     {"framework/staff/pages/topic", "chief_narrow"},
     {"framework/staff/pages/topic", "plot"}};
 

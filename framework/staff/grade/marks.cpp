@@ -224,7 +224,8 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
     }
     const std::vector<TaskIds> first = put_right_first(manifest(), said);
     const std::vector<std::string> all_hints = hints(manifest(), said, first);
-    for (size_t i = 0; i < marks.size(); ++i) marks[i].look_at = !verdicts[i].is_own      ? all_hints[i]
+    for (size_t i = 0; i < marks.size(); ++i)
+        marks[i].look_at = !verdicts[i].is_own       ? all_hints[i]
                            : said[i].look_at.empty() ? checks[i].look_at
                                                      : said[i].look_at;
     lab.tasks = task_marks(marks);

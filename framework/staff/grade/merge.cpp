@@ -134,8 +134,7 @@ ClassReport report_of(const std::string& seed, std::vector<SubmissionMark> marks
     report.isolation.level = Isolation::namespaces;
     for (SubmissionMark& mark : marks) {
         for (const LabMark& lab : mark.labs) report.times.add(lab.times);
-        if (mark.isolation == name_of(Isolation::limits))
-            report.isolation = {Isolation::limits, "in a part of it"};
+        if (mark.isolation == name_of(Isolation::limits)) report.isolation = {Isolation::limits, "in a part of it"};
         report.seconds += mark.seconds;
         report.marks.push_back(std::move(mark));
     }

@@ -28,8 +28,8 @@ public:
     MistakeNames(const LabViews& views, const DrawnChecks& solution);
 
     /// Returns the mistake that agrees best with the pictures of the task's checks, of the mistakes that every compared
-    /// check is like (see is_like()). Returns nothing if there is none. `compared`: for each check, whether its pictures
-    /// may be compared. They may not if the check was not drawn, or if another task may have spoilt it.
+    /// check is like (see is_like()). Returns nothing if there is none. `compared`: for each check, whether its
+    /// pictures may be compared. They may not if the check was not drawn, or if another task may have spoilt it.
     std::optional<NamedMistake> name(const std::string& task, const DrawnChecks& drawn,
                                      const std::vector<bool>& compared) const;
 

@@ -14,9 +14,9 @@ std::string printable(std::string_view text, size_t max_length = 200);
 /// The same, but keeps line breaks and tabs.
 std::string printable_lines(std::string_view text, size_t max_length);
 
-/// Returns a person's name in the form in which names are compared: Unicode's normal form C (Unicode Standard Annex 15),
-/// in which an accent and its letter are one character. macOS and some spreadsheets write two. Text that is not UTF-8 is
-/// unchanged.
+/// Returns a person's name in the form in which names are compared: Unicode's normal form C (Unicode Standard Annex
+/// 15), in which an accent and its letter are one character. macOS and some spreadsheets write two. Text that is not
+/// UTF-8 is unchanged.
 std::string composed(std::string text);
 
 /// Convert any bytes to UTF-8, which JSON requires, and back without loss. Valid UTF-8 is unchanged. Any other byte

@@ -17,8 +17,8 @@ namespace relief {
 namespace {
 
 // Libraries try these, and fall back to other calls.
-constexpr const char* absent[] = {"memfd_create", "memfd_secret", "clone3", "io_uring_setup", "io_uring_enter",
-                                  "io_uring_register"};
+constexpr const char* absent[] = {"memfd_create",   "memfd_secret",   "clone3",
+                                  "io_uring_setup", "io_uring_enter", "io_uring_register"};
 
 constexpr const char* refused[] = {
     // Memory and messages that outlive their process.
@@ -30,13 +30,13 @@ constexpr const char* refused[] = {
     // The network, and other programs on this machine.
     "socket",
     // Namespaces and mounts.
-    "unshare", "setns", "chroot", "pivot_root", "mount", "umount2", "mount_setattr", "move_mount", "open_tree", "fsopen",
-    "fsmount", "fsconfig", "fspick", "name_to_handle_at", "open_by_handle_at",
+    "unshare", "setns", "chroot", "pivot_root", "mount", "umount2", "mount_setattr", "move_mount", "open_tree",
+    "fsopen", "fsmount", "fsconfig", "fspick", "name_to_handle_at", "open_by_handle_at",
     // The kernel itself.
     "bpf", "userfaultfd", "add_key", "request_key", "keyctl", "fanotify_init", "init_module", "finit_module",
-    "delete_module", "kexec_load", "kexec_file_load", "reboot", "swapon", "swapoff", "syslog", "quotactl", "quotactl_fd",
-    "acct", "settimeofday", "clock_settime", "clock_adjtime", "adjtimex", "sethostname", "setdomainname", "iopl",
-    "ioperm", "modify_ldt", "personality", "vhangup", "lookup_dcookie"};
+    "delete_module", "kexec_load", "kexec_file_load", "reboot", "swapon", "swapoff", "syslog", "quotactl",
+    "quotactl_fd", "acct", "settimeofday", "clock_settime", "clock_adjtime", "adjtimex", "sethostname", "setdomainname",
+    "iopl", "ioperm", "modify_ldt", "personality", "vhangup", "lookup_dcookie"};
 
 constexpr const char* makers[] = {"fork", "vfork"};
 
@@ -71,8 +71,8 @@ std::string call_filter(bool makes_processes) {
     for (const char* name : absent) refuse(filter, name, ENOSYS);
     for (const char* name : refused) refuse(filter, name, EPERM);
     if (makes_processes) {
-        for (const uint64_t space : {CLONE_NEWUSER, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWNET, CLONE_NEWIPC, CLONE_NEWUTS,
-                                     CLONE_NEWCGROUP})
+        for (const uint64_t space :
+             {CLONE_NEWUSER, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWNET, CLONE_NEWIPC, CLONE_NEWUTS, CLONE_NEWCGROUP})
             refuse_clone(filter, space, space);
     } else {
         for (const char* name : makers) refuse(filter, name, EPERM);

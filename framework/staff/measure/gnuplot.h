@@ -16,7 +16,7 @@ std::string gnuplot_text(const std::string& text);
 /// The layout of a panel, in pixels.
 struct GnuplotPanel {
     glm::ivec2 size;
-    int below = 60;        ///< height of the part below the axis
+    int below = 60;         ///< height of the part below the axis
     int least_columns = 2;  ///< minimum number of columns, even for fewer panels
     int most_columns = 4;
 };
@@ -36,8 +36,8 @@ std::string gnuplot_panel(const std::string& panel, const PanelStyle& style);
 
 /// Runs a script and returns the SVG. Labels with a hypertext "#17 its name" become elements `class="point"
 /// data-row="17"` with the name as their title. Names of elements begin with `name`, so that a page can hold several
-/// plots. `title` names the whole plot for a screen reader. Returns nothing if gnuplot is not installed; throws Error if
-/// it fails.
+/// plots. `title` names the whole plot for a screen reader. Returns nothing if gnuplot is not installed; throws Error
+/// if it fails.
 std::optional<std::string> run_gnuplot(const std::string& script, const std::string& name, const std::string& title);
 
 }  // namespace relief

@@ -173,8 +173,12 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic grade_topic() {
-    return {"grade", "grading submissions, compared with a plain loop of build, draw, idiff",
-            "How long does a submission take to grade?", scenes, false, true};
+    return {"grade",
+            "grading submissions, compared with a plain loop of build, draw, idiff",
+            "How long does a submission take to grade?",
+            scenes,
+            false,
+            true};
 }
 
 }  // namespace relief

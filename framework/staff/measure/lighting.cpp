@@ -96,8 +96,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 BenchTopic lighting_topic() {
     return {"lighting",
             "pictures at 512 x 512: parts of the shading, compiled in or left out, and the normal without them",
-            "What does each part of the shading cost?", scenes,
-            true};
+            "What does each part of the shading cost?", scenes, true};
 }
 
 }  // namespace relief

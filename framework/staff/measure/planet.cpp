@@ -91,8 +91,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic planet_topic() {
     return {"planet", "maps of lab 09's planet by formula and size, in degrees against time; frames by levels",
-            "Which normals does a planet need?", scenes,
-            true};
+            "Which normals does a planet need?", scenes, true};
 }
 
 }  // namespace relief

@@ -17,8 +17,8 @@
 namespace relief {
 namespace {
 
-constexpr const char *quiet_color = "#6b655a", *front_color = "#a34a16", *pale_color = "#c2bbae", *peer_color = "#23629b",
-                     *text_color = gnuplot_text_color;
+constexpr const char *quiet_color = "#6b655a", *front_color = "#a34a16", *pale_color = "#c2bbae",
+                     *peer_color = "#23629b", *text_color = gnuplot_text_color;
 
 bool is_timed(const BenchRow& row) { return row.is_measured() && row.repeats > 0; }
 
@@ -44,7 +44,8 @@ public:
         const std::string title = first.scene.empty() ? first.topic : knob_text(first.scene);
         std::string text = fmt::format(
             "unset arrow\nunset label\nunset logscale\nunset grid\nunset ylabel\nset autoscale\nset format\n"
-            "set xtics autofreq font ',{0}'\nset ytics autofreq font ',{0}'\nset title {1} noenhanced font ',{2}'\nset border 3 lc "
+            "set xtics autofreq font ',{0}'\nset ytics autofreq font ',{0}'\nset title {1} noenhanced font ',{2}'\nset "
+            "border 3 lc "
             "rgb '#8a857b'\n"
             "set tics nomirror textcolor rgb '{3}'\nset key off\n",
             style_.axes, gnuplot_text(title), style_.title, text_color);

@@ -60,8 +60,9 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 
 BenchTopic stability_topic() {
     return {.name = "stability",
-            .help = "error against how hard the input is: where methods are wrong, not finite, or do not end (seeds: "
-                    "tangents 1, formats 3, rays 5, rays against a mesh 7)",
+            .help =
+                "error against how hard the input is: where methods are wrong, not finite, or do not end (seeds: "
+                "tangents 1, formats 3, rays 5, rays against a mesh 7)",
             .question = "From where on is each method wrong?",
             .scenes = scenes,
             .draws = true,

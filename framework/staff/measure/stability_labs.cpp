@@ -133,8 +133,7 @@ BenchScene far_displacement(const BenchSettings& settings) {
 BenchScene adaptive_displacement(const BenchSettings& settings) {
     std::vector<SweptMethod> methods;
     for (const auto& [name, knobs, why, peer] :
-         {std::tuple{"by-error", BenchKnobs{{"method", "error"}},
-                     "Levels follow the error on the screen.", false},
+         {std::tuple{"by-error", BenchKnobs{{"method", "error"}}, "Levels follow the error on the screen.", false},
           {"by-size", BenchKnobs{{"method", "size"}, {"segment", "8"}},
            "Eight pixels a segment: too many where the ground is flat, too few where it is steep.", true}})
         methods.push_back({name, 1, why,

@@ -113,10 +113,8 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
         };
         if (fs::exists(floor))
             for (const std::string samples : {"1", "4"})  // a shot has four
-                scene.methods.push_back({"floor",
-                                         {{"shaders", "cached"}, {"samples", samples}},
-                                         [=] { return at_least(samples); },
-                                         true});
+                scene.methods.push_back(
+                    {"floor", {{"shaders", "cached"}, {"samples", samples}}, [=] { return at_least(samples); }, true});
         else
             print_note(fmt::format("there is no {}: it is built with the tests", floor.string()));
         for (const bool with_cache : {true, false}) {
@@ -135,8 +133,12 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
 }  // namespace
 
 BenchTopic start_topic() {
-    return {"start", "one picture at 512 x 512 from the start of the process, compared with one hand-written quad",
-            "How long does the first picture take?", scenes, false, true};
+    return {"start",
+            "one picture at 512 x 512 from the start of the process, compared with one hand-written quad",
+            "How long does the first picture take?",
+            scenes,
+            false,
+            true};
 }
 
 }  // namespace relief

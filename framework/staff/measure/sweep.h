@@ -20,9 +20,9 @@ double with_digits(double number, int digits);
 /// holds). Its work counts the points that are wrong, not finite or endless.
 BenchSubject swept(BenchSweep sweep, const std::string& unit);
 
-/// Returns one line, which ends with the sweep's own sentence. It begins with "keeps 0.001 degrees for all inputs of this
-/// sweep", or with "off by more than 0.001 degrees from 1e10 on, not finite from 1e13 on". `unit` is the unit of the
-/// error.
+/// Returns one line, which ends with the sweep's own sentence. It begins with "keeps 0.001 degrees for all inputs of
+/// this sweep", or with "off by more than 0.001 degrees from 1e10 on, not finite from 1e13 on". `unit` is the unit of
+/// the error.
 std::string verdict_of(const BenchSweep& sweep, const std::string& unit);
 
 /// Return a gnuplot script of one panel, or of a panel for each scene: error over hardness on log axes, peers in blue.

@@ -96,14 +96,15 @@ private:
 
     /// Returns the fields of a check that a student may see without its views.
     static Fields secret(const TaskMark& task, const CheckMark& check) {
-        return {{"open", check.outcome != Outcome::passed},
-                {"badge", badge(check.outcome)},
-                {"name", check.hidden ? "a" : check.name},
-                {"hidden", check.hidden},
-                {"hidden_view", false},
-                {"said", ""},
-                {"facts", facts({{"found", found_for_students(check)}, {"look at", with_code(first_hint(task, check))}})},
-                {"pictures", Value()}};
+        return {
+            {"open", check.outcome != Outcome::passed},
+            {"badge", badge(check.outcome)},
+            {"name", check.hidden ? "a" : check.name},
+            {"hidden", check.hidden},
+            {"hidden_view", false},
+            {"said", ""},
+            {"facts", facts({{"found", found_for_students(check)}, {"look at", with_code(first_hint(task, check))}})},
+            {"pictures", Value()}};
     }
 
     /// Returns the texts as facts, one of which can contain code; empty ones are omitted.

@@ -1,8 +1,8 @@
 // The planet of lab 09 in double precision: gradient, normal, grid and first hit.
 #pragma once
 
-#include "patches.h"
 #include "dual.h"
+#include "patches.h"
 
 namespace relief::planet {
 

@@ -79,8 +79,8 @@ TEST(Normals, OfAnInfiniteSlopeLieFlatInItsDirection) {
         for (int x = 0; x < 24; ++x) *plane.pixel(x, y) = float(3 * x + 4 * y) / 128;
     for (const double texels : {1e3, 1e18, 1e21, 1e30})
         for (const SlopeFilter filter : {SlopeFilter::central, SlopeFilter::sobel, SlopeFilter::spline}) {
-            const Image normals = normals_from_heights(
-                plane, {.texels_u = texels, .texels_v = texels, .filter = filter, .wrap = false});
+            const Image normals =
+                normals_from_heights(plane, {.texels_u = texels, .texels_v = texels, .filter = filter, .wrap = false});
             const float* const texel = normals.pixel(12, 12);
             // Rows run down and v runs up: the normal is (-3, 4) / 5, horizontal. At 1e3 it still rises by 1 / 39.
             EXPECT_NEAR(2 * texel[0] - 1, -0.6, 1e-3) << texels;
