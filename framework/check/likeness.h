@@ -32,8 +32,8 @@ struct Likeness {
 /// as a pixel at an edge with another driver.
 constexpr double min_agreement = 0.94;
 
-/// Returns whether a check's picture matches the mistake's. A mistake that does not change the check matches only if
-/// the check passed.
+/// Returns whether a check's picture matches the mistake's. If neither picture differs from the solution's, they match
+/// only if the check passed.
 bool is_like(const Likeness& one, bool passed);
 
 /// Returns a known mistake's hint for a message. After a single failed check the hint is only a possibility, because

@@ -11,19 +11,19 @@
 namespace relief {
 namespace {
 
-/// The longest part of a compiler's output that is kept, in bytes.
+/// Maximum length of a compiler's output that is kept, in bytes.
 constexpr size_t longest_log = size_t{16} << 10;
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// The line of a compiler's output that says what is wrong.
+/// Returns the first line with an error in a compiler's output; the first line at all if there is none.
 std::string first_error(const std::string& output) {
     const size_t error = output.find("error:");
     const size_t begin = error == std::string::npos ? 0 : output.rfind('\n', error) + 1;
     return first_line(output.substr(begin));
 }
 
-/// The verdict about the student's code, from how its process ended.
+/// Returns the verdict about the student's code after its process ended early.
 Judgement blame(const ProcessResult& result, const std::string& problem) {
     switch (result.ending) {
         case Ending::out_of_time:
@@ -47,10 +47,10 @@ Judgement blame(const ProcessResult& result, const std::string& problem) {
     return {Outcome::crashed, fmt::format("the program ends in the middle, with exit code {}{}", result.code, said)};
 }
 
-/// The first line of untrusted output, made printable.
+/// Returns the first line of untrusted output, made printable.
 std::string message(const std::string& text) { return printable(first_line(text), 400); }
 
-/// Draws the shots of a staged course, by as many processes as that takes.
+/// Draws the shots of a staged course. Starts another process whenever one dies.
 class StagedDrawing {
 public:
     StagedDrawing(const Stage& stage, const LabEntry& lab, const StagedCourse& course, const std::vector<Shot>& shots,
@@ -65,10 +65,10 @@ public:
           wall_left_(2 * limits.wall()),
           cpu_left_(2 * limits.cpu) {}
 
-    /// Whether the program holds code of a student.
+    /// Returns whether the program contains a student's code.
     bool has_own_program() const { return course_.program.parent_path() == course_.folder->path(); }
 
-    /// The shots from `from` to `end`. A process that dies takes one shot with it.
+    /// Draws the shots in [from, end). Each process that dies loses one shot.
     void draw(size_t from, size_t end) {
         bool tried_again = false;
         while (from < end) {
@@ -84,13 +84,14 @@ public:
             attempt_.draw += result.wall;
             DrawnShots drawn = read_drawings(result.output, rest);
             attempt_.cpu += drawn.cpu;
-            // A process that dies cannot be asked what it has used: no more than either of these.
+            // A dead process cannot report its processor time; both values are upper bounds of it.
             cpu_left_ -= std::min(result.wall, limits_.cpu);
             for (Drawn& shot : drawn.shots) keep(std::move(shot), attempt_.shots[from++]);
             if (drawn.phase == DrawingPhase::done || from == end) return;
             const Judgement why = blame(result, drawn.problem);
             const bool has_context = drawn.phase == DrawingPhase::ready;
-            // Before there is a context no student's shader has run. A program of the student's may have done anything.
+            // No student's shader runs before there is a context. So the machine is to blame, unless the program itself
+            // contains a student's code.
             const bool is_machines = why.outcome == Outcome::machine || (!has_context && !has_own_program());
             if (is_machines && tried_again)
                 return fail(from, end, {Outcome::machine, "the machine failed: " + why.found});
@@ -98,7 +99,7 @@ public:
                 tried_again = true;
                 continue;
             }
-            // Whoever waits for a loop without an end waits once, and not for each check.
+            // The grader waits for an endless loop only once, not in every check.
             if (why.outcome == Outcome::out_of_time)
                 ended_ = {why.outcome, "not drawn, since a check before it is out of time: " + why.found};
             if (!has_context || !drawn.problem.empty()) return fail(from, end, why);
@@ -112,7 +113,8 @@ private:
         ProcessJob job;
         job.command = {course_.program.string(), "draw-checks", "--course", course_.folder->path().string()};
         job.environment = {{"LC_ALL", "C.UTF-8"}, {"HOME", "/tmp"}, {"LD_LIBRARY_PATH", course_.libraries.string()}};
-        // In the sandbox's own memory, gone with it: the next shot need not compile the same shader again.
+        // Later shots of this process reuse compiled shaders. The cache lies in the sandbox's own memory and ends with
+        // it.
         if (stage_.isolation() != Isolation::limits) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
         job.request = drawing_request(lab_, shots, renderer_);
         job.asks = drawing_asks();
@@ -146,10 +148,10 @@ private:
     const AttemptLimits& limits_;
     Attempt& attempt_;
     double wall_left_, cpu_left_;     ///< seconds
-    std::optional<Judgement> ended_;  ///< why nothing more is drawn
+    std::optional<Judgement> ended_;  ///< why no more shots are drawn
 };
 
-/// The verdict about a C++ task that was not compiled.
+/// Returns the verdict about a C++ task whose compilation failed.
 Judgement blame(const Compiled& compiled) {
     if (compiled.ending == Ending::failed)
         return {Outcome::machine, "the machine failed: " + message(compiled.message)};
@@ -179,7 +181,7 @@ Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& file
         return result;
     }
     StagedDrawing drawing(stage, lab, course, shots, renderer, limits, result);
-    // Shaders cannot tell what they were asked for; a student's program can.
+    // A shader cannot reveal which shots were requested; a student's program can.
     const size_t first = drawing.has_own_program() ? std::min(apart, shots.size()) : shots.size();
     drawing.draw(0, first);
     result.log = printable_lines(result.log, longest_log);

@@ -17,28 +17,29 @@ struct DrawnAttempt {
     Outcome outcome = Outcome::broken;  ///< only if there is no image
     std::string error;                  ///< one line, see printable()
     bool told = false;                  ///< the lab itself sent the image or the error
-    double cpu = 0;                     ///< seconds of processor time if it did, as the process says
+    double cpu = 0;                     ///< seconds of processor time if `told`, as the process reports them
 };
 
 struct Attempt {
     std::vector<DrawnAttempt> shots;  ///< one for each requested shot
     double compile = 0, draw = 0;     ///< seconds
-    double cpu = 0;                   ///< seconds of processor time for drawing, as the processes say: see DrawnShots
+    double cpu = 0;                   ///< seconds of processor time for drawing, as reported: see DrawnShots
     std::string log;                  ///< the compiler's messages, or empty
 };
 
 struct AttemptLimits {
-    /// Seconds of processor time for one process that draws; all together have twice that, the compiler thrice.
+    /// Seconds of processor time for one drawing process. All processes together have twice that, the compiler thrice.
     double cpu = 120;
     size_t memory = size_t{2} << 30;  ///< bytes of address space
-    /// Only for who waits instead of computing: processor time is the bound that holds on a busy machine, too.
+    /// Returns the limit of wall time, in seconds. It is loose, and stops processes that wait instead of computing: on
+    /// a busy machine, only processor time is a fair limit.
     double wall() const { return 5 * cpu; }
 };
 
 /// Draws `shots` of a lab that was added to the stage. If a process dies, the shot that it was drawing fails, and
-/// another process draws the rest; but if it ran out of time, the rest is out of time, too. A C++ task could reveal
-/// what it was asked to draw: so the shots from `apart` on are requested from a process of their own, and its log is
-/// not kept. Never throws because of what the files do.
+/// another process draws the remaining shots. If the process ran out of time, the remaining shots are out of time, too.
+/// A C++ task could reveal the shots that it was asked to draw. So a separate process draws the shots from index
+/// `apart` on, and its log is not kept. Failures of the files become outcomes, not exceptions.
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
                 const Renderer& renderer, const AttemptLimits& limits, size_t apart = size_t(-1));
 

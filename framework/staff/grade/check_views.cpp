@@ -10,7 +10,8 @@
 namespace relief {
 namespace {
 
-/// Nothing for a check that compares with another check. Throws Error if this view has no exact values.
+/// Returns the expected picture of a view; nothing for a check that compares with another check. Throws Error if this
+/// view has no exact values.
 std::optional<Image> expected_in(const LabEntry& lab, const CheckInfo& check, const Shot& shot,
                                  const DrawnAttempt& solution) {
     if (check.against == "truth") return truth_of(*make_lab(lab, shot), shot);
@@ -69,7 +70,7 @@ void LabViews::bound_by(double solution_cpu) {
 
 size_t LabViews::hidden_count() const { return count_hidden(views_); }
 
-/// Returns the processor time of the solution in the views that it takes.
+/// Chooses the hidden views that the solution passes. Returns the solution's processor time there, in seconds.
 double LabViews::find_hidden_views(const CourseFiles& solution) {
     constexpr int attempts = 4;
     std::vector<CheckViews> best = views_;
@@ -99,7 +100,7 @@ void LabViews::keep_passing_views(const DrawnChecks& solution) {
             passes[i] = false;  // this view has no exact values
         }
     }
-    // A check that compares with another needs that one's hidden view, which may need a third one's.
+    // A check that compares with another needs the other's hidden view, which may in turn need a third check's.
     for (bool changed = true; changed;) {
         changed = false;
         for (size_t i = 0; i < views_.size(); ++i) {
@@ -112,7 +113,7 @@ void LabViews::keep_passing_views(const DrawnChecks& solution) {
         if (!passes[i]) views_[i].hidden.reset();
 }
 
-/// The check itself if it does not compare with another.
+/// Returns the check that this check compares with; the check itself if there is none.
 size_t LabViews::compared_with(size_t check) const {
     const std::string& against = manifest_.checks[check].against;
     if (against == "truth" || against == "solution") return check;
@@ -131,7 +132,7 @@ DrawnChecks LabViews::draw(const CourseFiles& files, const std::vector<bool>& ch
     result.checks.resize(views_.size());
     std::vector<Shot> shots;
     std::vector<DrawnAttempt*> places;
-    double cpu = 0;  // of the solution for these shots
+    double cpu = 0;  // the solution's processor time for these shots
     const auto add = [&](const View& view, DrawnAttempt& place) {
         shots.push_back(view.shot);
         places.push_back(&place);

@@ -12,22 +12,23 @@ namespace relief {
 /// How submissions are drawn.
 struct GradeSetup {
     Isolation isolation = Isolation::namespaces;
-    /// Limit of processor time for drawing a lab once. All its processes together have twice that, the compiler three
-    /// times. 0: ten times what the solution takes, but at least 10.
+    /// Limit of processor time for drawing a lab once, in seconds. All its processes together have twice that, the
+    /// compiler three times. 0: ten times the solution's processor time, but at least 10 seconds.
     double seconds = 0;
     size_t memory = size_t{2} << 30;  ///< bytes of address space
-    std::string seed = {};            ///< of the hidden views; empty: there are none
+    std::string seed = {};            ///< seed of the hidden views; empty: no hidden views
     Renderer renderer = {};
 };
 
 struct View {
     Shot shot;
     std::optional<Image> expected = {};  ///< empty if the check compares with another check
-    double solution_cpu = 0;             ///< seconds of processor time that the solution takes
+    double solution_cpu = 0;             ///< the solution's processor time in seconds
 };
 
-/// "it takes 34 times the processor time of the solution, 6.9 seconds": above 20 times; else empty. Below 0.05 seconds
-/// the solution counts as 0.05: the first picture of a process takes that more than those after it.
+/// Returns "it takes 34 times the processor time of the solution, 6.9 seconds" for more than 20 times; else empty. Both
+/// arguments are in seconds. A smaller `solution_cpu` counts as 0.05, because the first picture of a process takes 0.05
+/// seconds more than later ones.
 std::string slowness(double cpu, double solution_cpu);
 
 struct CheckViews {
@@ -35,7 +36,7 @@ struct CheckViews {
     std::optional<View> hidden = {};
 };
 
-/// What a set of files draws for one check. A view that was not requested stays empty.
+/// The drawn views of one check. A view that was not requested stays empty.
 struct DrawnViews {
     DrawnAttempt own, hidden;
 };
@@ -47,8 +48,8 @@ struct DrawnChecks {
     std::string log = {};                 ///< the compiler's messages, or empty
 };
 
-/// What a check compares in one view. `other_shot` and `other` belong to the check named by `check.against`; they are
-/// the view's own if that is not a check.
+/// The two sides of a check's comparison in one view. `other_shot` and `other` belong to the check named by
+/// `check.against`. If that names no check, they are the view's own.
 struct Comparison {
     const CheckInfo& check;
     const View& view;
@@ -61,34 +62,34 @@ struct Comparison {
 
 enum class WhichViews { own, hidden, both };
 
-/// Draws and judges the checks of one lab. Threads may share it.
+/// Draws and judges the checks of one lab. Its const functions are thread-safe.
 class LabViews {
 public:
-    /// Draws the solution in the sandbox. Throws Error if the lab has no checks, or if its solution fails one: then no
-    /// mark on this machine can be trusted. A check has no hidden view if the solution fails there.
+    /// Draws the solution in the sandbox. Throws Error if the lab has no checks, or if its solution fails one, because
+    /// then no mark on this machine can be trusted. A check gets no hidden view if the solution fails there.
     LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup);
 
     const LabEntry& lab() const { return lab_; }
     const Manifest& manifest() const { return manifest_; }
     bool has_hidden(size_t check) const { return views_[check].hidden.has_value(); }
     size_t hidden_count() const;
-    /// Seconds of processor time that the solution takes here, with all hidden views.
+    /// Returns the solution's processor time on this machine in seconds, hidden views included.
     double solution_cpu() const { return solution_cpu_; }
-    /// Derives the limit from `solution_cpu` seconds instead, measured elsewhere; does nothing if the setup has a
-    /// limit. Throws Error if this machine is so much slower that its own solution exceeds that limit.
+    /// Derives the limit from `solution_cpu` seconds, such as another machine's measurement. Does nothing if the setup
+    /// has a limit. Throws Error if this machine is so slow that the solution exceeds the derived limit.
     void bound_by(double solution_cpu);
-    /// What the solution draws in the checks' own views. Can be taken once.
+    /// Moves out the solution's pictures in the checks' own views. Call it at most once.
     DrawnChecks take_solution() { return std::move(solution_); }
 
-    /// Draws these checks, and those that they compare with. A C++ task's process is not asked for public and hidden
-    /// pictures together.
+    /// Draws the checks that are true in `checks`, and the checks that they compare with. For C++ tasks, separate
+    /// processes draw public and hidden pictures; see attempt().
     DrawnChecks draw(const CourseFiles& files, const std::vector<bool>& checks, WhichViews which) const;
 
     Comparison own(size_t check, const DrawnChecks& drawn) const;
-    /// Only for a check with a hidden view.
+    /// Precondition: the check has a hidden view.
     Comparison hidden(size_t check, const DrawnChecks& drawn) const;
     Judgement judge(const Comparison& comparison) const;
-    /// See slowness() above; of the check's own view, or else of its hidden one.
+    /// Returns slowness() of the check's own view; if that is empty, of its hidden view.
     std::string slowness(size_t check, const DrawnChecks& drawn) const;
 
 private:

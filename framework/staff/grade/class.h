@@ -31,7 +31,7 @@ struct ClassReport {
     std::vector<SubmissionMark> marks;  ///< in the order of the submissions
     /// Submissions in class.json that cannot be read here. They have no mark.
     std::vector<std::string> lost;
-    /// Names that several submissions have. None of those is graded, and a message has named them.
+    /// Names that several submissions share. These submissions are not graded, and a message has named them.
     std::vector<std::string> doubled;
     IsolationReport isolation;
     std::string seed;

@@ -1,5 +1,6 @@
-// Marks in the formats of other programs. Every export applies the class file to the grader's verdict. Only JUnit's has
-// the verdict itself, check by check. tests/staff/grade/exports_test.cpp tests each against the rules of its format.
+// Exports marks in the formats of other programs. Every export applies the class file to the grader's verdict. Only the
+// JUnit export contains the verdict itself, check by check. tests/staff/grade/exports_test.cpp tests each export
+// against the rules of its format.
 #pragma once
 
 #include <map>

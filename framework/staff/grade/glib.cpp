@@ -5,7 +5,7 @@
 
 #include "framework/staff/grade/strangers_text.h"
 
-/// Leaves the text as it is if it is not UTF-8.
+/// Converts the text to Unicode's normal form C. Leaves it unchanged if it is not UTF-8.
 extern "C" void relief_compose(std::string& text) {
     const std::unique_ptr<char, decltype(&g_free)> composed(
         g_utf8_normalize(text.data(), gssize(text.size()), G_NORMALIZE_DEFAULT_COMPOSE), &g_free);

@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// Why a task cannot be drawn, from its file alone; or nothing.
+/// Returns why a task cannot be drawn, from its file alone; or nothing.
 std::optional<Judgement> judge_file(const TaskInfo& task, const Submission& submission, const OtherShaders& others) {
     if (const auto refused = submission.refused.find(task.file); refused != submission.refused.end())
         return Judgement{Outcome::broken, fmt::format("{} is {}", task.file, refused->second)};
@@ -34,7 +34,7 @@ std::optional<Judgement> judge_file(const TaskInfo& task, const Submission& subm
     return {};
 }
 
-/// By check: why it cannot be drawn, or nothing.
+/// Returns for each check why it cannot be drawn, or nothing.
 std::vector<std::optional<Judgement>> judge_files(const Manifest& manifest, const Submission& submission,
                                                   const OtherShaders& others) {
     std::map<std::string, Judgement> given_up;  // by task
@@ -78,11 +78,11 @@ bool LabMark::graded() const {
     return true;
 }
 
-/// What is said of a check, and in which of its views.
+/// The judgement of a check, and the view that it belongs to.
 struct LabGrader::Verdict {
     Judgement said;
     bool in_hidden_view = false;
-    bool is_own = false;  ///< it fails without the mistakes of other tasks, too
+    bool is_own = false;  ///< the check also fails with the solutions of all other tasks
 };
 
 LabGrader::LabGrader(const LabEntry& lab, const Stage& stage, GradeSetup setup)
@@ -98,9 +98,9 @@ LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn
     return {{hidden.outcome, "correct in the check's own view, but not in a hidden one: " + hidden.found}, true};
 }
 
-/// One mistake costs its own task. So a task that loses points beside others, or in a check that depends on others, is
-/// drawn again, with the solution of all other tasks; what passes then has passed. Where that draws nothing, the first
-/// verdict stands.
+/// Lets a mistake cost points only in its own task. A task is drawn again with the solutions of all other tasks if
+/// another task loses points, too, or if a failed check depends on other tasks. A check that passes then has passed. If
+/// the new attempt draws nothing, the first verdict stands.
 void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdict>& verdicts,
                                  DrawnChecks& drawn) const {
     const std::vector<CheckInfo>& checks = manifest().checks;
@@ -127,7 +127,7 @@ void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdi
         DrawnChecks alone = views_.draw(files, wanted, WhichViews::both);
         drawn.compile += alone.compile;
         drawn.draw += alone.draw;
-        // Checks compare with each other: all are judged before any picture is taken away.
+        // Checks compare with each other. So all are judged before the loop below moves pictures out of `alone`.
         std::vector<size_t> decided;
         for (size_t i = 0; i < checks.size(); ++i) {
             if (!wanted[i]) continue;
@@ -153,7 +153,7 @@ void LabGrader::keep_pictures(const Comparison& shown, bool is_hidden, std::vect
     kept.push_back({lab().folder, &manifest(), std::move(check), is_hidden, *drawn, *expected});
 }
 
-/// `marks`: by check.
+/// Returns the marks of all tasks. `marks` is in the manifest's order of checks.
 std::vector<TaskMark> LabGrader::task_marks(const std::vector<CheckMark>& marks) const {
     std::vector<TaskMark> tasks;
     for (const TaskInfo& info : manifest().tasks) {
@@ -175,7 +175,7 @@ void LabGrader::name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std:
                               const std::vector<TaskIds>& first, const std::vector<Judgement>& said,
                               const std::vector<bool>& is_drawn) const {
     std::vector<bool> compared;
-    std::map<std::string, size_t> failures;  // by task, those that may be its own
+    std::map<std::string, size_t> failures;  // by task: number of failures that it may have caused itself
     for (size_t i = 0; i < said.size(); ++i) {
         compared.push_back(verdicts[i].is_own || (is_drawn[i] && first[i].empty()));
         if (compared[i] && said[i].outcome != Outcome::passed) ++failures[manifest().checks[i].task];

@@ -14,7 +14,7 @@ namespace relief {
 struct CheckMark {
     std::string name;
     Outcome outcome = Outcome::machine;
-    std::string found;         ///< the measured values, or the error; and what takes too long, see slowness()
+    std::string found;         ///< the measured values or the error, then slowness() if the task is slow
     std::string look_at = {};  ///< the hint; empty if the check passed
     std::string view = {};     ///< the hidden view, if the check failed only there; never shown to students
     bool hidden = false;
@@ -22,20 +22,20 @@ struct CheckMark {
 
 struct TaskMark {
     std::string id, title, file;
-    int of = 0;         ///< points that can be reached
+    int of = 0;         ///< maximum number of points
     double points = 0;  ///< each passed check earns an equal share
     std::vector<CheckMark> checks = {};
-    std::string mistake = {}, hint = {};  ///< of the known mistake that its pictures show, or empty
+    std::string mistake = {}, hint = {};  ///< id and hint of the known mistake that its pictures show, or empty
 };
-/// The mark of a task without checks and points.
+/// Returns the mark of a task before grading: no checks, no points.
 TaskMark empty_mark(const TaskInfo& task);
 
-/// The two pictures that a failed check compared; they have one shape. `drawn` comes from the submission and is not
-/// trusted.
+/// The two pictures that a failed check compared; they have the same shape. `drawn` comes from the submission and is
+/// not trusted.
 struct CheckPictures {
     std::string lab;  ///< folder
     const Manifest* manifest;
-    CheckInfo check;           ///< its shot is the one that was drawn
+    CheckInfo check;           ///< with the shot that was drawn
     bool hidden_view = false;  ///< the shot is a hidden view, not the check's own
     Image drawn, expected;
 };
@@ -59,10 +59,10 @@ struct LabMark {
 
     double points() const;
     int max_points() const;
-    bool graded() const;  ///< no check failed through the grader's fault
+    bool graded() const;  ///< returns whether no check failed through the grader's fault
 };
 
-/// Grades one lab: the solution is drawn once, then many threads may grade submissions.
+/// Grades one lab. Draws the solution once, in the constructor. mark() is thread-safe.
 class LabGrader {
 public:
     /// Throws Error if the solution does not get all points on this machine; see LabViews.
@@ -73,10 +73,11 @@ public:
     /// See LabViews.
     double solution_cpu() const { return views_.solution_cpu(); }
     void bound_by(double solution_cpu) { views_.bound_by(solution_cpu); }
-    /// Number of checks that have a hidden view.
+    /// Returns the number of checks that have a hidden view.
     size_t hidden_views() const { return views_.hidden_count(); }
 
-    /// Adds to `pictures` what failed checks compared; their manifest pointer is this grader's.
+    /// Grades a submission. Adds to `pictures` the pictures that failed checks compared; they point to this grader's
+    /// manifest. `with_names`: whether to name known mistakes.
     LabMark mark(const Submission& submission, std::vector<CheckPictures>* pictures = nullptr,
                  bool with_names = true) const;
 

@@ -63,9 +63,9 @@ Samples MistakeNames::samples_of(const MistakeInfo& mistake) const {
     return samples;
 }
 
-/// Returns the agreement with a mistake over all compared checks: the share of the values that differ from the solution
-/// in which the drawing is like the mistake. Returns 0 if a check is not like it. (A check may pass in its own view,
-/// which is compared, and fail in a hidden one.)
+/// Returns the agreement with a mistake over all compared checks: among the values that differ from the solution, the
+/// share in which the drawing matches the mistake. Returns 0 if a check does not match. (A check may pass in its own
+/// view, which is compared, and fail in a hidden one.)
 double MistakeNames::agreement(const Signature& signature, const std::vector<Sample>& drawn,
                                const std::vector<bool>& compared) const {
     Likeness sum;

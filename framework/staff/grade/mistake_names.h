@@ -27,9 +27,9 @@ public:
     /// `solution`: the solution's pictures in the checks' own views.
     MistakeNames(const LabViews& views, const DrawnChecks& solution);
 
-    /// Returns the mistake that agrees best with the pictures of the task's checks, of the mistakes that every compared
-    /// check is like (see is_like()). Returns nothing if there is none. `compared`: for each check, whether its
-    /// pictures may be compared. They may not if the check was not drawn, or if another task may have spoilt it.
+    /// Returns the mistake that agrees best with the pictures of the task's checks. Considers only mistakes that match
+    /// in every compared check (see is_like()); returns nothing if there is none. `compared`: for each check, whether
+    /// its pictures may be compared. They may not if the check was not drawn, or if another task may have spoilt it.
     std::optional<NamedMistake> name(const std::string& task, const DrawnChecks& drawn,
                                      const std::vector<bool>& compared) const;
 

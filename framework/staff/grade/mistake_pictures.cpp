@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-/// A difference that a person sees, and in how many of the pixels.
+/// A person sees a difference of `visible` in at least this share of the pixels.
 constexpr double visible = 8.0 / 255 + 1e-6, visible_share = 0.05;
 
 double share_that_differs(const Image& a, const Image& b) {
@@ -43,9 +43,9 @@ double contrast_of(const Image& picture) {
 struct MistakePictures::Candidate {
     MistakePicture shown;
     bool right_has_contrast, wrong_has_contrast, is_lit;
-    double share;  ///< of the pixels that differ visibly
+    double share;  ///< share of the pixels that differ visibly
 
-    /// `right` and `wrong`: as they are seen.
+    /// `right` and `wrong`: the images as a person sees them.
     Candidate(MistakePicture picture, const Image& right, const Image& wrong)
         : shown(std::move(picture)),
           right_has_contrast(contrast_of(right) >= min_contrast),
@@ -90,7 +90,7 @@ std::vector<DrawnAttempt> MistakePictures::draw(const MistakeInfo& mistake, cons
     return drawn;
 }
 
-/// The shot, scaled to the longer side, of its probe or of the light.
+/// Returns the shot, scaled so that its longer side has `side_` pixels. `probe`: whether to keep its probe.
 Shot MistakePictures::enlarged(Shot shot, bool probe) const {
     const double scale = double(side_) / std::max(shot.size.x, shot.size.y);
     shot.size = glm::max(glm::ivec2(glm::dvec2(shot.size) * scale + 0.5), 1);
@@ -113,10 +113,10 @@ const MistakePictures::Right& MistakePictures::right(const CheckInfo& check) {
 }
 
 MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
-    // All at once: a mistake in C++ is compiled for them.
+    // All shots in one call, so that a mistake in C++ is compiled only once.
     struct Look {
         const CheckInfo* check;
-        size_t own, other, lit, probe;  ///< places among the shots
+        size_t own, other, lit, probe;  ///< indices of shots
     };
     std::vector<Look> looks;
     std::vector<Shot> shots;
@@ -148,7 +148,7 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
         shown.right = good.lit, shown.wrong = lit.image.value_or(Image());
         Candidate picture(shown, good.lit, shown.wrong);
         const bool is_seen = picture.share >= visible_share;
-        // A difference that nobody sees in the picture is looked for in the probe.
+        // An invisible difference in the picture may be visible in the probe.
         if (is_seen || !check.shot.probe || !probe.image) consider(std::move(picture));
         if (!check.shot.probe || !probe.image) continue;
         const auto [wrong_seen, right_seen] =
@@ -165,7 +165,8 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
     return std::move(best->shown);
 }
 
-/// The screenshot without a probe that shows the mistake best, if it is visible in one of them.
+/// Returns the pair that shows the mistake best in the views of screenshots without a probe. Returns nothing if it is
+/// invisible in all of them.
 std::optional<MistakePictures::Candidate> MistakePictures::in_a_screenshot(const MistakeInfo& mistake) {
     std::vector<const GoldenInfo*> goldens;
     std::vector<Shot> shots;

@@ -1,5 +1,4 @@
-// Pictures of known mistakes: draws a lab with a mistake in place of its solution, and finds the check that shows it
-// best.
+// Draws a lab with a known mistake in place of its solution, and finds the check that shows the mistake best.
 #pragma once
 
 #include <map>
@@ -20,35 +19,37 @@ struct MistakePicture {
     Image right = {}, wrong = {};            ///< `wrong` is empty if the mistake draws nothing: see `said`
 };
 
-/// The contrast of an image in [0, 1]: the largest distance, over the channels, between the 1st and the 99th
-/// percentile.
+/// Returns the contrast of an image in [0, 1]: the maximum over the channels of the distance between the 1st and the
+/// 99th percentile.
 double contrast_of(const Image& picture);
-/// An image with less contrast looks blank: a tenth of the way from black to white.
+/// An image with less contrast looks blank. 1 is the distance from black to white.
 constexpr double min_contrast = 0.1;
 
-/// The mistakes of one lab. A mistake in shaders is drawn in the current context. A mistake in C++ is compiled and
-/// drawn by a separate process, like a submission; the first one prepares the stage for that.
+/// Draws the mistakes of one lab. A mistake in shaders is drawn in the current context. A mistake in C++ is compiled
+/// and drawn by a separate process, like a submission; the first such mistake creates the stage.
 class MistakePictures {
 public:
-    /// `renderer`: as the current context draws. `side`: the longer side of best()'s images, in pixels.
+    /// `renderer`: for mistakes in C++; should match the current context. `side`: the longer side of best()'s images,
+    /// in pixels.
     explicit MistakePictures(const LabEntry& lab, const Renderer& renderer = {}, int side = 256);
 
     const Manifest& manifest() const { return manifest_; }
 
-    /// The result of each shot: an image as draw_shot() makes it, or the error. `light`: see draw_shot(); throws
-    /// UsageError if the mistake is in C++.
+    /// Returns the result of each shot: an image as draw_shot() returns it, or the error. `light`: see draw_shot();
+    /// throws UsageError with `light` if the mistake is in C++.
     std::vector<DrawnAttempt> draw(const MistakeInfo& mistake, const std::vector<Shot>& shots, bool light = false);
 
-    /// The images that show the mistake best, of the views of the checks that fail: a pair of which both have contrast
-    /// comes before one of which only the right one has; then a pair of pictures that differ visibly (5 % of the pixels
-    /// by more than 8/255) before one of the check's probe; then the pair that differs most. Without contrast in both,
-    /// the views of the lab's screenshots are tried, too. Throws Error if no check fails. Needs a context.
+    /// Returns the pair of images that shows the mistake best, among the views of the failed checks. First prefers a
+    /// pair with contrast in both images to a pair with contrast only in the right one. Then prefers pictures that
+    /// differ visibly (5 % of the pixels by more than 8/255) to the check's probe. Then prefers the largest difference.
+    /// Also tries the views of the lab's screenshots if no pair has contrast in both images. Throws Error if no check
+    /// fails. Needs a current context.
     MistakePicture best(const MistakeInfo& mistake);
 
 private:
     struct Right {
         std::optional<Image> expected;  ///< see expectation()
-        Image lit, probe;               ///< of the solution; `probe` is empty if the check has none
+        Image lit, probe;               ///< the solution's images; `probe` is empty if the check has none
     };
     const Right& right(const CheckInfo& check);
     Shot enlarged(Shot shot, bool probe) const;
@@ -59,7 +60,7 @@ private:
     Renderer renderer_;
     int side_;
     Manifest manifest_;
-    std::unique_ptr<Stage> stage_;  ///< once there was a mistake in C++
+    std::unique_ptr<Stage> stage_;  ///< null until the first mistake in C++
     std::map<const CheckInfo*, Right> right_;
 };
 

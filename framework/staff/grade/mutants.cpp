@@ -17,13 +17,13 @@ namespace {
 
 struct Token {
     enum Kind { name, number, sign } kind;
-    size_t begin, end;  ///< in the text
+    size_t begin, end;  ///< positions in the text
 };
 
 bool is_name_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Of a piece of code, without comments, strings and preprocessor lines.
+/// The tokens of a piece of code, without comments, strings and preprocessor lines.
 class Tokens {
 public:
     Tokens(const std::string& text, size_t begin, size_t end) : text_(text) {
@@ -36,7 +36,7 @@ public:
         return std::string_view(text_).substr(list_[i].begin, list_[i].end - list_[i].begin);
     }
     bool is(size_t i, std::string_view what) const { return text(i) == what; }
-    /// The place of the bracket that closes the one at `open`, or size().
+    /// Returns the index of the bracket that closes the one at `open`, or size().
     size_t closing(size_t open) const {
         int depth = 0;
         for (size_t i = open; i < size(); ++i) {
@@ -88,7 +88,7 @@ constexpr std::array<std::pair<const char*, const char*>, 22> operators = {{
     {"<=", "<"},  {"<=", ">="}, {">=", ">"}, {">=", "<="},        {"==", "!="}, {"!=", "=="},
     {"&&", "||"}, {"||", "&&"}, {"!", ""},   {"?", "&& false ?"},
 }};
-/// What can be replaced by its first argument.
+/// Functions whose call can be replaced by its first argument.
 constexpr std::array droppable = {"normalize", "clamp", "max",  "min",   "abs",  "sqrt",
                                   "fract",     "floor", "ceil", "round", "sign", "exp2"};
 constexpr std::array<std::pair<const char*, const char*>, 8> twins = {{{"max", "min"},
@@ -100,7 +100,7 @@ constexpr std::array<std::pair<const char*, const char*>, 8> twins = {{{"max", "
                                                                        {"tan", "sin"},
                                                                        {"round", "floor"}}};
 constexpr std::array no_calls = {"if", "for", "while", "switch", "return", "sizeof", "unfinished"};
-/// Their arguments can change places.
+/// Functions whose arguments can be swapped without effect.
 constexpr std::array commutative = {"max", "min", "dot", "distance"};
 
 template <class List>
@@ -108,12 +108,13 @@ bool has(const List& list, std::string_view word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// A part of a function's result that cannot be divided: `.origin.x`, `[1].z`, or nothing for the whole of a float.
+/// A scalar part of a function's result: `.origin.x`, `[1].z`, or an empty path for a scalar result.
 struct Leaf {
     std::string path, type;
 };
 
-/// The parts of a result of this type. `structs` has the text that declares structs. Empty for other types.
+/// Returns the scalar parts of a result of this type. `structs`: the text that declares structs. Empty for an unknown
+/// type.
 std::vector<Leaf> leaves_of(std::string type, const std::string& structs) {
     if (type.starts_with("glm::")) type = type.substr(5);
     if (has(std::array{"float", "double", "int", "bool"}, type)) return {{"", type}};
@@ -136,7 +137,7 @@ std::vector<Leaf> leaves_of(std::string type, const std::string& structs) {
     const size_t declared = structs.find("struct " + type + " {");
     if (declared == std::string::npos) return {};
     const Tokens tokens(structs, structs.find('{', declared) + 1, structs.find("\n}", declared));
-    std::string part;  // the type of the fields that follow
+    std::string part;  // type of the current field
     for (size_t i = 0; i < tokens.size(); ++i) {
         if (part.empty()) {
             part = tokens.text(i);
@@ -175,7 +176,7 @@ private:
 
     static std::vector<std::pair<size_t, size_t>> solutions(const std::string& text,
                                                             const std::filesystem::path& file) {
-        solution_lines(text, file);  // throws where marks do not match
+        solution_lines(text, file);  // throws if marks do not match
         std::vector<std::pair<size_t, size_t>> parts;
         const std::string open = "//[solution";
         for (size_t at = text.find(open); at != std::string::npos; at = text.find(open, at + 1))
@@ -183,7 +184,7 @@ private:
         return parts;
     }
 
-    /// The first task, if it stands before all.
+    /// Returns the last task named before this place; the first task of the file for a place before all tasks.
     std::string task_at(size_t place) const {
         const std::string word = "TASK ";
         size_t at = text_.rfind(word, place);
@@ -210,8 +211,9 @@ private:
               on_one_line(now), text_.substr(0, begin) + now + text_.substr(end)});
     }
 
-    /// Each part of the result of the function with this solution, by 0, by 1 and by the part after it. The function
-    /// gets another name, and one that calls it takes its place.
+    /// Replaces each scalar part of a function's result with 0, with 1, and with the next part of the same type.
+    /// Renames the function, and adds one under the old name that calls it and changes the result. `solution`: position
+    /// of the solution in the function.
     void outputs(size_t solution, const std::string& structs) {
         static const std::regex signature(R"(^([\w:]+) (\w+)\(([^{}()]*)\) \{\s*(//[^\n]*\s*)*$)");
         const size_t body = text_.rfind(") {\n", solution);
@@ -344,7 +346,7 @@ private:
                 inside -= tokens.is(j, ")") || tokens.is(j, "]") || tokens.is(j, "}");
             }
         }
-        size_t first = i;  // std::max is dropped with its std::
+        size_t first = i;  // includes the qualifier: "std::" of std::max
         while (first >= 2 && tokens.is(first - 1, "::")) first -= 2;
         const size_t whole_begin = tokens[first].begin, whole_end = tokens[close].end;
         if (has(droppable, name)) {
@@ -367,7 +369,7 @@ private:
         return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end + 1 - begin);
     }
 
-    /// A statement that changes something: `x = 1;`, `x[i] += 2;`, not `float x = 1;` and not `return`.
+    /// Drops an assignment: `x = 1;`, `x[i] += 2;`, but neither `float x = 1;` nor `return`.
     void statement(const Tokens& tokens, size_t i) {
         if (tokens[i].kind != Token::name || has(no_calls, tokens.text(i)) || tokens.is(i, "const")) return;
         size_t end = i, assigns = 0;

@@ -21,13 +21,13 @@
 namespace relief {
 namespace {
 
-/// A person sees that: so much of a channel, in so many of the pixels.
+/// A difference that a person sees: `visible` in a channel, in at least `visible_share` of the pixels.
 constexpr double visible = 8.0 / 255 + 1e-6, visible_share = 0.002;
 constexpr int random_views = 24;
 constexpr glm::ivec2 view_size{96, 96};
 constexpr AttemptLimits looking{.cpu = 600};
 
-/// Sets some of a lab's knobs: numbers more often to an end of their range than to any other value.
+/// Sets a third of a lab's knobs at random. Half of the numbers are at an end of their range.
 class RandomKnobs final : public Knobs {
 public:
     RandomKnobs(std::mt19937& dice, Shot& shot) : dice_(dice), shot_(shot) {}
@@ -56,7 +56,7 @@ private:
     Shot& shot_;
 };
 
-/// Every check's view as it is and without its probe, every reference screenshot, and views at random.
+/// Returns every check's view with and without its probe, every reference screenshot, and random views.
 std::vector<Shot> views_of(const LabEntry& entry, const Manifest& manifest, const std::string& seed) {
     std::vector<Shot> shots;
     const auto add = [&](Shot shot) {
@@ -89,7 +89,7 @@ std::vector<Shot> views_of(const LabEntry& entry, const Manifest& manifest, cons
     return shots;
 }
 
-/// Of a task in C++: `task.h` beside it.
+/// Returns the header of a C++ task, `task.h` beside it; empty for other tasks.
 std::string header_of(const std::string& file) {
     const std::filesystem::path header = (course_root() / file).replace_extension(".h");
     return std::filesystem::exists(header) ? read_file(header) : "";
@@ -164,12 +164,12 @@ private:
             look(result, submission.files);
     }
 
-    /// Looks for a difference in every view.
+    /// Compares every view, and records the largest difference.
     void look(MutantResult& result, const CourseFiles& files) const {
         const std::vector<DrawnAttempt> drawn = attempt(stage_, lab_, files, views_, setup_.renderer, looking).shots;
         for (size_t i = 0; i < views_.size(); ++i) {
             if (!right_[i].image && !drawn[i].image) continue;
-            double largest = 1, share = 1;  // only one of them draws anything
+            double largest = 1, share = 1;  // if only one of them draws an image
             if (right_[i].image && drawn[i].image) {
                 if (right_[i].image->values == drawn[i].image->values) continue;
                 const auto [one, other] = shown(views_[i].probe, *right_[i].image, *drawn[i].image);
@@ -186,8 +186,8 @@ private:
         if (result.share >= visible_share) result.fate = MutantFate::survived;
     }
 
-    /// The pictures in which `visible` counts. A vector's curve from dark to bright hides what a mutant moves: there,
-    /// 1 is a sixteenth of the usual size.
+    /// Returns two pictures to compare with `visible`. A vector's tone curve would hide small differences. So its pair
+    /// is black and the error, in which 1 is a sixteenth of the usual size.
     std::pair<Image, Image> shown(const Probe& probe, const Image& one, const Image& other) const {
         if (!probe) return {one, other};
         const ProbeColors colors = grader_.manifest().probe(probe.name).colors();
@@ -213,7 +213,7 @@ private:
     CourseFiles solution_;
     std::vector<Shot> views_;
     std::vector<DrawnAttempt> right_;
-    std::vector<std::string> files_;  ///< of each mutant
+    std::vector<std::string> files_;  ///< by mutant: name of its file
 };
 
 }  // namespace

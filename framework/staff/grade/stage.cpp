@@ -34,10 +34,10 @@ bool is_inside(const std::string& path, const std::string& folder) {
     return path == folder || path.starts_with(folder + "/");
 }
 
-/// As a handout has it, a folder named `staff` stays with the staff.
+/// Returns whether a path is inside a folder named `staff`, which a handout leaves out.
 bool is_the_staffs(const fs::path& path) { return std::find(path.begin(), path.end(), "staff") != path.end(); }
 
-/// Every file below a folder of the course, by its name in the course, in order.
+/// Returns every file below a folder of the course, relative to the course, sorted.
 std::vector<std::string> all_files_below(const std::string& folder) {
     std::vector<std::string> files;
     if (fs::is_directory(course_root() / folder))
@@ -47,14 +47,14 @@ std::vector<std::string> all_files_below(const std::string& folder) {
     return files;
 }
 
-/// Without the staff's.
+/// Returns the same without the staff's files.
 std::vector<std::string> files_below(const std::string& folder) {
     std::vector<std::string> files = all_files_below(folder);
     std::erase_if(files, is_the_staffs);
     return files;
 }
 
-/// Whatever the umask says: the sandbox's user is another one.
+/// Creates a folder that the sandbox's user can read, independent of the umask.
 void make_public(const fs::path& folder) {
     if (fs::exists(folder)) return;
     make_public(folder.parent_path());
@@ -86,8 +86,8 @@ namespace {
 
 const std::string prefix = "relief-grade-";
 
-/// The folders of runs that were killed. A run that lives holds a lock on its own, on whichever machine it is; one that
-/// has just begun may not hold it yet.
+/// Removes the folders of killed runs. A live run on any machine holds a lock on its folder. A run that has just begun
+/// may not hold its lock yet, so young folders stay.
 void remove_abandoned() {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), ignored)) {
@@ -105,10 +105,10 @@ PublicFolder::PublicFolder(const fs::path& parent, const std::string& name) {
     std::string path = (parent / (name + "-XXXXXX")).string();
     if (!mkdtemp(path.data())) throw Error({path}, "cannot make this folder");
     path_ = path;
-    if (geteuid() == 0) fs::permissions(path_, fs::perms(0755));  // only then is the sandbox's user another
+    if (geteuid() == 0) fs::permissions(path_, fs::perms(0755));  // as root, the sandbox runs as another user
 }
 PublicFolder::~PublicFolder() {
-    std::error_code ignored;  // it lies among the system's temporary files
+    std::error_code ignored;  // the system cleans its temporary files
     fs::remove_all(path_, ignored);
 }
 
@@ -118,7 +118,7 @@ Stage::Stage(Isolation isolation)
       lock_(open(folder_.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     flock(lock_, LOCK_SH);
     remove_abandoned();
-    // A submission sees all of /usr, and the library that it runs with.
+    // A submission can read all of /usr, and so would find the solutions in a course there.
     if (is_inside(fs::weakly_canonical(course_root()).string(), "/usr"))
         throw Error("the course is below /usr, which every submission can read: move it to another folder");
     copy_programs();
@@ -129,11 +129,11 @@ Stage::Stage(Isolation isolation)
 void Stage::copy_programs() {
     for (const char* name : {"librelief.so", "librelief-staff.so", "relief-openimageio.so"})
         put(folder_.path() / "bin" / name, read_file(executable_folder() / name), true);
-    // The running program, whatever it is called: `relief`, or a lab's own.
+    // The running program may be `relief` or a lab's own.
     put(folder_.path() / "bin" / "relief", read_file(executable_path()), true);
 }
 
-/// With what the build made of them: so no drawing opens a library to read a picture.
+/// Copies the assets and the textures that the build converted from them. So drawing needs no library for image files.
 void Stage::copy_assets() {
     for (const std::string& file : files_below("assets"))
         if (!is_source(file)) put(folder_.path() / file, read_file(course_root() / file));
@@ -162,7 +162,7 @@ constexpr size_t compiler_memory = size_t{2} << 30;
 
 Words Stage::compiler(const LabEntry& lab) const {
     const std::string include = (folder_.path() / "students" / lab.folder / "include").string();
-    // As the build has it (see the top CMakeLists.txt), but for -O1: a task runs for milliseconds.
+    // The build's options (see the top CMakeLists.txt), except -O1: a task runs for milliseconds.
     return {RELIEF_COMPILER,
             "-std=c++20",
             "-O1",
@@ -170,7 +170,7 @@ Words Stage::compiler(const LabEntry& lab) const {
             "-ffp-contract=off",
             "-fno-math-errno",
             "-fno-trapping-math",
-            "-fmax-errors=20",  // ten thousand of them take minutes, and nobody reads them
+            "-fmax-errors=20",  // ten thousand errors take minutes
             "-DFMT_SHARED",
             "-DRELIEF_LAB_FOLDER=\"" + lab.folder + "\"",
             "-I" + include,
@@ -179,7 +179,7 @@ Words Stage::compiler(const LabEntry& lab) const {
             include + "/glad"};
 }
 
-/// Our own sources, so not in the sandbox; by the same means all the same.
+/// Runs a command on the course's own sources, which need no sandbox. Throws Error if it fails.
 void Stage::must(const Words& command, const char* what) const {
     const ProcessResult done =
         run_process({.command = command, .limits = {.wall = 600, .cpu = 600, .file = size_t{1} << 30}});
@@ -187,7 +187,7 @@ void Stage::must(const Words& command, const char* what) const {
         throw Error(fmt::format("cannot {}: {}", what, done.errors.substr(0, done.errors.find('\n'))));
 }
 
-/// Headers, the lab's objects, and the library that students build: no answer is in them.
+/// Prepares the headers, the lab's objects, and the library that students build. None of them contains an answer.
 void Stage::build_lab(const LabEntry& lab, LabPart& part) {
     const fs::path here = folder_.path() / "students" / lab.folder, include = here / "include",
                    build = RELIEF_BUILD_FOLDER;
@@ -204,7 +204,7 @@ void Stage::build_lab(const LabEntry& lab, LabPart& part) {
         "namespace relief { [[noreturn]] void draw_request(const char* course); }\n"
         "int main(int, char** words) { relief::draw_request(words[3]); }\n");
 
-    // What the tasks' starters include, compiled once: nine tenths of the time that a task takes.
+    // Precompiles the headers that the tasks' starters include: they take nine tenths of a task's compile time.
     std::string includes;
     for (const auto& [name, text] : part.sources)
         for (const std::string& line : split(text, '\n'))
@@ -247,7 +247,7 @@ StagedCourse Stage::course(const LabEntry& lab, const CourseFiles& files) const 
     };
     for (const auto& starter : part.shaders) put(root / starter.first, text(starter));
     for (const auto& starter : part.sources) put(root / starter.first, text(starter));
-    put(root / "labs/README.md", "");  // a course is known by labs/ and shaders/
+    put(root / "labs/README.md", "");  // the program recognises a course by labs/ and shaders/
     fs::create_directory_symlink(folder_.path() / "shaders/common", root / "shaders/common");
     fs::create_directory_symlink(folder_.path() / "assets", root / "assets");
     course.program = folder_.path() / "bin/relief";
@@ -259,8 +259,8 @@ StagedCourse Stage::course(const LabEntry& lab, const CourseFiles& files) const 
 
 namespace {
 
-/// Whether a compiler could not start its parts, or write its files. What it says of a source begins with the place in
-/// it; but a source can call its place what it likes.
+/// Returns whether a compiler perhaps could not start its subprocesses, or write its files. Messages about a source
+/// begin with a place in it. But a source can imitate a message of the compiler with #line, so this is only a guess.
 bool may_be_the_machines(const ProcessResult& done) {
     static const std::regex own(
         "(^|\n)[^ :\n]*(sh: [0-9]+: Cannot fork|(\\+\\+|cc|gcc|clang|collect2|ld|as)(-[0-9]+)?: "
@@ -270,7 +270,7 @@ bool may_be_the_machines(const ProcessResult& done) {
            (done.ending == Ending::exited && done.code != 0 && std::regex_search(done.errors, own));
 }
 
-/// How a compiler ended. Limits hold for each of its parts: the part that one ends is only told of in the text.
+/// Returns how a compiler ended. A limit may end only a subprocess; then only the message tells.
 Ending ending_of(const ProcessResult& compiler) {
     static const std::regex time("CPU time limit exceeded"),
         memory("virtual memory exhausted|out of memory allocating|Killed signal terminated program");
@@ -284,8 +284,8 @@ Ending ending_of(const ProcessResult& compiler) {
 Compiled Stage::compile(const LabEntry& lab, StagedCourse& course, double cpu, double wall) const {
     if (labs_.at(lab.folder).sources.empty()) return {};
     ProcessResult done = run_compiler(lab, course, cpu, wall);
-    if (may_be_the_machines(done)) done = run_compiler(lab, course, cpu, wall);  // others may be done by now
-    // Our own code in its place tells whose fault it is.
+    if (may_be_the_machines(done)) done = run_compiler(lab, course, cpu, wall);  // the machine may be less busy now
+    // If the starters fail in the same way, the machine is to blame.
     if (may_be_the_machines(done) && may_be_the_machines(run_compiler(lab, this->course(lab, {}), cpu, wall)))
         done.ending = Ending::failed;
     Compiled compiled{.ending = ending_of(done), .message = {}, .seconds = done.wall, .stopped = done.stopped};
@@ -302,7 +302,7 @@ ProcessResult Stage::run_compiler(const LabEntry& lab, const StagedCourse& cours
     const LabPart& part = labs_.at(lab.folder);
     const fs::path& root = course.folder->path();
     const fs::path library = folder_.path() / "students" / lab.folder;
-    // The program comes back through the pipe, so that nothing need be writable but the sandbox's own memory.
+    // The program comes back through the pipe, so that only the sandbox's own memory need be writable.
     Words command = {"/bin/sh", "-c", "cd \"$1\" && shift && \"$@\" -o /tmp/program && cat /tmp/program", "sh",
                      root.string()};
     for (const std::string& word : compiler(lab)) command.push_back(word);

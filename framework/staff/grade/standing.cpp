@@ -79,7 +79,7 @@ public:
     }
 
 private:
-    /// The points of each adjustment become those that it adds.
+    /// Returns the standing of a student in a lab. Sets the points of each adjustment to the points that it adds.
     LabStanding of(const CountedLab& counted, const std::string& student, const SubmissionMark* mark,
                    std::vector<Adjustment>& adjustments) const {
         const LabMark* const graded = mark ? mark->lab(counted.folder) : nullptr;
@@ -112,7 +112,7 @@ private:
     void add_lateness(LabStanding& lab, const std::string& student) const {
         const AssignedLab* const assigned = policy_.lab(lab.lab);
         if (!assigned || !assigned->due) return;
-        // The longer of a student's extensions for the lab and for all labs.
+        // Takes the longer of two extensions: for this lab and for all labs.
         for (const std::string& scope : {lab.lab, std::string()})
             if (const auto found = extensions_.find({student, scope});
                 found != extensions_.end() && found->second->days > lab.extension_days) {

@@ -16,16 +16,16 @@ using Names = std::set<std::string>;
 
 bool is_of_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// One definition of GLSL or C++ outside of any other: a function, a constant, a type, a macro, or an unnamed
-/// namespace with all that is in it.
+/// One top-level definition in GLSL or C++: a function, a constant, a type, a macro, or an unnamed namespace with its
+/// contents.
 struct Definition {
     std::string text;
-    Names defines;  ///< the names that it gives; empty if they are not known
-    Names uses;     ///< all words in it
+    Names defines;  ///< the defined names; empty if unknown
+    Names uses;     ///< all words in the text
 };
 
-/// The definitions in one part of a task file. A part may close a bracket that an earlier one has opened; what follows
-/// that is passed over.
+/// The definitions in one part of a task file. A part may close a bracket that an earlier part has opened; the text
+/// after that bracket is ignored.
 class Definitions {
 public:
     explicit Definitions(std::string_view text) : text_(text) {
@@ -33,9 +33,10 @@ public:
         }
     }
     const std::vector<Definition>& list() const { return list_; }
-    /// Where the part ends, or closes a bracket of an earlier part.
+    /// Returns the position of the part's end, or of the bracket that closes an earlier part's.
     size_t end() const { return at_; }
-    /// Whether parts of it are for some compilers only: then no definition can be taken out of it.
+    /// Returns whether the part has a directive other than #define, such as #if. Then no definition can be taken out of
+    /// it.
     bool has_conditions() const { return has_conditions_; }
 
 private:
@@ -45,7 +46,7 @@ private:
         at_ = found == std::string_view::npos ? text_.size() : found + end.size();
     }
 
-    /// Takes a token, a comment or a preprocessor line. False at the end.
+    /// Reads a token, a comment or a preprocessor line. Returns false at the end.
     bool step() {
         if (at_ >= text_.size()) return false;
         const char c = text_[at_];
@@ -104,7 +105,7 @@ private:
     void sign(char c) {
         ++at_;
         const bool opens = c == '(' || c == '[' || c == '{', closes = c == ')' || c == ']' || c == '}';
-        // A name comes before the first of these signs, in a namespace as well.
+        // The defined name precedes the first of these signs, also inside a namespace.
         if ((opens || c == '=' || c == ';') && !is_named_ && depth_ == (is_namespace_ ? 1 : 0) && !last_.empty()) {
             if (!(is_namespace_ && depth_ == 0)) names_.insert(last_), is_named_ = true;
         }
@@ -113,7 +114,7 @@ private:
         if (depth_ == 0 && (c == ';' || (c == '}' && !is_type_ && !ends_later()))) finish();
     }
 
-    /// Whether a semicolon belongs to the definition that this brace closes.
+    /// Returns whether the definition continues after the closing brace: a ';' or ',' follows.
     bool ends_later() const {
         const size_t next = text_.find_first_not_of(" \t\r\n", at_);
         return next != std::string_view::npos && (text_[next] == ';' || text_[next] == ',');
@@ -153,8 +154,8 @@ Names words_of(std::string_view text) {
     return words;
 }
 
-/// The definitions of other parts that this part uses, directly or through one another, and that the solution does not
-/// have: by part, their text.
+/// Returns for each submitted part the text of the definitions that the task needs from it. These are used by the task
+/// directly or through each other, and the solution does not define them.
 std::vector<std::string> helpers(const std::vector<TaskPart>& submitted, const std::string& task,
                                  const std::vector<TaskPart>& solution) {
     Names known, wanted;

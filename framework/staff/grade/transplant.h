@@ -1,4 +1,4 @@
-// One task of a submission in the course's own files, so that it is marked apart from mistakes in other tasks.
+// Transplants one task of a submission into the course's own files, so that mistakes in other tasks cost it no points.
 #pragma once
 
 #include <optional>
@@ -6,11 +6,11 @@
 
 namespace relief {
 
-/// `solution`, the text of a task file, with the part of `submitted` that is about `task` ("11.2") in place of its own.
-/// See task_parts(). The text before the first task is the submission's: it may hold what all its tasks use. So are
-/// functions, constants, types and macros that the task's part uses and that the submission has in the part of another
-/// task: they are added to the solution of that task, unless the solution has the same name, or `#if` surrounds them.
-/// Nothing if the submission does not have the task's line.
+/// Returns the task file `solution` with the part for `task` ("11.2") replaced by the part in `submitted`; see
+/// task_parts(). Also takes the text before the first task from the submission, because all its tasks may use it. The
+/// submitted part may use functions, constants, types and macros from the part of another task. These are added to the
+/// solution of that other task, unless the solution defines the same name or that part contains a directive such as
+/// `#if`. Returns nothing if the submission does not have the task's line.
 std::optional<std::string> with_one_task(const std::string& solution, const std::string& submitted,
                                          const std::string& task);
 
