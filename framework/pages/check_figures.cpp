@@ -15,8 +15,8 @@
 namespace relief {
 namespace {
 
-/// The smallest difference between pictures that gets the last colour of the map: eight times what a pixel may be off,
-/// which is picture_step.
+/// Lower bound of the difference that gets the last colour of a map of pictures: eight times picture_step, the allowed
+/// difference of a pixel.
 constexpr double picture_scale = 16.0 / 255, picture_step = 2.0 / 255;
 
 const char* sign_of(Outcome outcome) {
@@ -91,7 +91,7 @@ ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const 
     Image error = error_image(drawn, expected, probe ? probe->error : ErrorMetric::distance);
     const ErrorSummary summary = summarize(error);
     double largest = std::max<double>(summary.p99, probe ? allowed : picture_scale);
-    if (largest <= 0) largest = summary.largest;  // where less than 1 % of the pixels differ
+    if (largest <= 0) largest = summary.largest;  // if less than 1 % of the pixels differ
     if (!(largest > 0) || !std::isfinite(largest)) largest = 1;
     const double visible = probe ? allowed : picture_step;
     shown.differs = fmt::format("{} of {} pixels are off by more than {}; the mean is {}, the largest {}",
@@ -117,7 +117,7 @@ double largest_limit(const Limits& limits) {
 Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
                      DrawnBy who) {
     const ProbeInfo* const probe = check.shot.probe ? &manifest.probe(check.shot.probe.name) : nullptr;
-    // The limit is on the scale: what passes stays dark, however small its own differences are.
+    // The scale reaches at least the limit, so that the map of a passed check stays dark.
     const ComparedImages shown = compare_images(probe, drawn, expected, largest_limit(check.limits));
     const std::string whose = who == DrawnBy::reader ? "your" : "the submission's",
                       what = probe ? probe->name + " is" : "lab draws";

@@ -11,7 +11,7 @@
 namespace relief {
 namespace {
 
-/// A knob's values as texts, where it has a few that are named.
+/// Finds a knob's values as texts, if it has a few named ones.
 class ValuesOf final : public Knobs {
 public:
     explicit ValuesOf(const std::string& wanted) : wanted_(wanted) {}
@@ -35,7 +35,7 @@ private:
     const std::string& wanted_;
 };
 
-/// Of the scale of errors: three, from one end to the other.
+/// Ratio of the two ends of the scale of errors: three decades.
 constexpr double decades = 1000;
 
 double rounded_up(double value) {
@@ -46,7 +46,7 @@ double rounded_up(double value) {
     return 10 * power;
 }
 
-/// A truth that does not depend on the method is computed once. Whether it does is asked in a few pixels.
+/// Computes each exact picture once. Compares a few pixels to find whether the exact values depend on the method.
 class Truths {
 public:
     const Image& of(const Lab& lab, const Shot& shot) {
@@ -80,7 +80,7 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
     if (known.found && values.empty())
         throw UsageError(
             fmt::format("[compare]: the knob {} has no named values: say which, values = [\"1\", \"2\"]", info.knob));
-    if (!known.found) set_knob(*lab.make(), info.knob, "");  // says which there are
+    if (!known.found) set_knob(*lab.make(), info.knob, "");  // throws an error that lists the knobs
 
     Comparison result;
     result.knob = info.knob;
@@ -96,11 +96,11 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
         method.picture = render_shot(*drawn, shot);
         if (!probe) continue;
         shot.probe = probe;
-        shot.size = shot.size * 3 / 4;  // a probe has no edges to be smooth, and its truth is what takes time
+        shot.size = shot.size * 3 / 4;  // a probe needs no smooth edges, and its exact values are slow to compute
         const Image* truth = nullptr;
         try {
             truth = &truths.of(*drawn, shot);
-        } catch (const UsageError&) {  // no truth, as in a student's course
+        } catch (const UsageError&) {  // no exact values, as in a student's course
             probe = {};
             continue;
         }
@@ -120,7 +120,7 @@ std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& m
 }
 
 Image error_map(const Comparison& comparison, const Image& error) {
-    Image place = error;  // along the scale
+    Image place = error;  // position on the scale, in [0, 1]
     for (float& value : place.values)
         if (std::isfinite(value)) value = float(std::max(0.0, std::log(value / comparison.min) / std::log(decades)));
     return visualize_error(place, 1);

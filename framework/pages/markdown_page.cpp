@@ -53,7 +53,7 @@ public:
         return fields;
     }
 
-    /// Of all blocks: closes what is open.
+    /// Returns the fields after the last block, which close all open lists.
     Fields end() {
         Fields fields = nothing();
         fields["closed"] = close_lists(0);
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    /// Each name of block.mustache for which a block may have no value.
+    /// Returns an empty value for each optional name of block.mustache.
     static Fields nothing() {
         return {{"closed", ""}, {"heading", ""},  {"paragraph", ""}, {"figure", ""}, {"item", ""}, {"quote", ""},
                 {"code", ""},   {"formulas", ""}, {"measured", ""},  {"table", ""},  {"rule", ""}, {"number", ""}};
@@ -89,7 +89,7 @@ private:
         fields["opened"] = std::move(opened);
     }
 
-    /// A paragraph that is one picture.
+    /// Returns the figure of a paragraph that consists of one picture; else an empty value.
     Value figure(const Block& block) const {
         if (block.spans.size() != 1 || !block.spans.front().image) return {};
         const Span& span = block.spans.front();
@@ -100,7 +100,7 @@ private:
                       {"text", span.text},         {"command", picture->command}};
     }
 
-    /// Lines of a label, formulas and notes. Words before a line's first formula are its label.
+    /// Returns lines, each with a label, formulas and notes. Words before a line's first formula are its label.
     static List formulas(const std::string& text) {
         List lines;
         for (const std::vector<FormulaCell>& line : formula_lines(text)) {
@@ -152,7 +152,7 @@ private:
                          : Value()}};
     }
 
-    /// "What you see, and what to look at" is what-you-see-and-what-to-look-at; a second one has a number.
+    /// Returns a heading's id: "Why, and how" becomes why-and-how. A repeated id gets a number.
     std::string id_of(const Block& heading) {
         std::string id;
         for (const char c : plain_text(heading.spans)) {
@@ -168,9 +168,9 @@ private:
     }
 
     const PagePlaces& places_;
-    std::vector<std::string> lists_;  ///< those that are open, each with an open item
+    std::vector<std::string> lists_;  ///< open lists, each with an open item
     std::map<std::string, int> ids_;
-    int boxes_ = 0;  ///< that scroll: each has a number, since no two landmarks of a page may have one name
+    int boxes_ = 0;  ///< count of scrolling boxes; numbers them, because landmarks of a page need unique names
 };
 
 }  // namespace
