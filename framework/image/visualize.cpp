@@ -72,7 +72,7 @@ double usual_size(const Image& probe, int first_channel, int channels) {
 
 namespace {
 
-/// The curve of one channel, and where it is black and bright.
+/// The tone curve of one channel, and the values that it maps to black and to full brightness.
 class Channel {
 public:
     Channel(const Image& probe, size_t channel, double usual, bool is_signed) : is_signed_(is_signed), usual_(usual) {
@@ -85,7 +85,7 @@ public:
         largest_ = std::max(std::abs(lowest_), std::abs(highest_));
     }
     double largest() const { return largest_; }
-    /// `rounding`: what is too small to be seen beside other channels.
+    /// Widens the range of a constant channel. `rounding`: smaller values are rounding errors of the other channels.
     void finish(double rounding) {
         if (is_signed_) {
             highest_ = std::max(largest_, rounding), lowest_ = -highest_;
@@ -94,14 +94,14 @@ public:
         }
         largest_ = std::max(largest_, rounding), usual_ = std::max(usual_, rounding), scale_ = largest_ / usual_;
     }
-    /// In [-1, 1], with the sign of the value.
+    /// Returns the curve's result in [-1, 1], with the sign of the value.
     double curve(double value) const {
         const double x = std::abs(value) / usual_;
         return scale_ > 0 ? std::copysign(x * (1 + x / (scale_ * scale_)) / (1 + x), value) : 0;
     }
     float shade(double value) const {
         const double black = curve(lowest_), white = curve(highest_);
-        if (!(white > black)) return is_signed_ ? 0.5f : 0.0f;  // 0 everywhere
+        if (!(white > black)) return is_signed_ ? 0.5f : 0.0f;  // the channel is 0 everywhere
         return float(std::clamp((curve(value) - black) / (white - black), 0.0, 1.0));
     }
 
@@ -111,7 +111,7 @@ private:
     double lowest_ = std::numeric_limits<double>::max(), highest_ = std::numeric_limits<double>::lowest(), largest_ = 0;
 };
 
-/// With the exposure that another image of the same quantity has.
+/// Returns the picture of a probe. The usual sizes are those of `exposed`, an image of the same quantity.
 Image colored(const Image& probe, ProbeColors colors, const Image& exposed) {
     const int channels = std::min(probe.channels, 3);
     std::vector<Channel> scales;
