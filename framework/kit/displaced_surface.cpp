@@ -122,7 +122,8 @@ float DisplacedSurface::most_level(int draws) const {
 float DisplacedSurface::most_level(const Program& program, float wanted, int draws) const {
     const float certain = most_level(draws);
     if (wanted <= certain) return finest_level;
-    // Patches that are culled or far away need few; each of the others grows with the square of its level at most.
+    // Culled and distant patches need few triangles. The triangles of any other patch grow at most with the square of
+    // its level.
     const float coarse = std::min(8.0f, certain);
     program.set("u_most_level", coarse);
     glEnable(GL_RASTERIZER_DISCARD);

@@ -48,14 +48,14 @@ public:
     /// Draws likewise, and returns the number of triangles from the tessellator. Waits until they are drawn.
     int draw_and_count() const;
 
-    /// Maximum number of triangles that the tessellator may make for one picture: seconds of a software renderer.
+    /// Maximum number of triangles from the tessellator in one picture: a few seconds with a software renderer.
     static constexpr double most_triangles = 1e7;
     static constexpr float finest_level = 64;  ///< the maximum level that OpenGL guarantees
     /// Returns the highest level with which `draws` of the surface stay below most_triangles if each patch has it. At
     /// most finest_level.
     float most_level(int draws = 1) const;
     /// Returns the same for patches whose control shader chooses levels up to `wanted` and clamps them to the uniform
-    /// u_most_level. If the number of patches does not tell, it counts triangles by a coarse draw that shows nothing.
+    /// u_most_level. If the number of patches gives no bound, counts triangles with a coarse, invisible draw.
     /// Precondition: the program is in use, and all other uniforms are set.
     float most_level(const Program& program, float wanted, int draws) const;
 

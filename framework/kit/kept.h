@@ -11,7 +11,7 @@ namespace relief {
 template <class Value, class... Inputs>
 class Kept {
 public:
-    /// Returns the result of `make`. Calls it only if `inputs` differ from those of the previous call.
+    /// Returns the result of `make`. Calls it only if `inputs` differ from the inputs of the previous call.
     template <class Make>
     Value& get(const std::tuple<Inputs...>& inputs, Make make) {
         if (inputs_ != inputs) {

@@ -19,7 +19,8 @@ constexpr ColumnShape column_shape{.bottom_radius = ReliefSurface::column_radius
 constexpr float around_column = 2 * glm::pi<float>() * ReliefSurface::column_radius;
 constexpr float around_urn = 3.2f, up_urn = 2.4f;  // metres per unit of uv, at the urn's middle
 
-/// Takes (x, y, 1) of gl_FragCoord to the direction of that pixel's view ray in the world, of any length.
+/// Returns the matrix from (x, y, 1) of gl_FragCoord to the direction of that pixel's view ray in the world. The
+/// direction is not normalised.
 glm::dmat3 world_from_pixel(const Camera& camera) {
     GLint viewport[4];
     glGetIntegerv(GL_VIEWPORT, viewport);
@@ -92,7 +93,7 @@ void ReliefSurface::set(const Program& program, const Frame& frame, const glm::d
 }
 
 void ReliefSurface::set_view_ray(const Program& program, const Frame& frame, const glm::dmat4& world_from_model) const {
-    if (glGetUniformLocation(program, "u_base_from_pixel") < 0) return;  // labs 10 and 11 take interpolated rays
+    if (glGetUniformLocation(program, "u_base_from_pixel") < 0) return;  // labs 10 and 11 use interpolated rays
     program.set("u_is_flat", shape == wall);
     if (shape != wall) return;
     const ReliefMapping here = mapping();

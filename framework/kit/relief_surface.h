@@ -42,8 +42,8 @@ public:
     int shift = 0;  ///< tiles; mapping() returns the remainder of dividing by 4
 
 private:
-    /// For shaders/12_relief_exact/surface.frag: the view rays of a wall, by pixels. Nothing where the program has
-    /// none.
+    /// Sets the view rays of a wall by pixel, for shaders/12_relief_exact/surface.frag. Does nothing if the program has
+    /// no such uniform.
     void set_view_ray(const Program& program, const Frame& frame, const glm::dmat4& world_from_model) const;
 
     struct Shaped {
