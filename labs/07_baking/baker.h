@@ -76,7 +76,7 @@ private:
     // Index 0 of of_shape_ is the ammonite, 1 the cube.
     struct OfShape {
         Kept<std::unique_ptr<HighModel>, Model, int, bool> high;  ///< by fineness and cord
-        /// By fineness and overlapping islands. Index 1 has the other diagonals than the bake.
+        /// By fineness and overlapping islands. Index 1 has the opposite diagonals of the bake's mesh.
         std::array<Kept<std::unique_ptr<GpuMesh>, Model, int, bool>, 2> low;
         std::unique_ptr<Baked> baked;
         std::optional<Baked::Report> report;

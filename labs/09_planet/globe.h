@@ -28,12 +28,13 @@ struct MapRecipe {
 /// Returns the definition that chooses a mapping in shaders/09_planet/grid.glsl.
 Define mapping_define(Mapping mapping);
 
-/// What one picture may use, in all of its views: seconds and half a gigabyte with a software renderer. As many tiles
-/// of 16 to 256 texels fit into a map of 16384 texels a side, which OpenGL promises.
+/// Limits of one picture, over all its views: seconds and half a gigabyte with a software renderer. That many texels,
+/// in tiles of 16 to 256 texels a side, fit into a texture of 16384 texels a side, the minimum that OpenGL guarantees.
 constexpr int most_vertices = 2'200'000, most_texels = 6'000'000;
-/// Of a patch, with its skirts.
+/// Returns the number of vertices of a patch of quads x quads quads, including its skirts.
 constexpr int vertices_of_patch(int quads) { return (quads + 1) * (quads + 5); }
-/// Texels along the side of each of so many patches: `wanted`, or half as many until they fit; at least 16.
+/// Returns the texels along the side of each patch: `wanted`, halved until all patches have at most `most` texels; at
+/// least 16.
 constexpr int texels_that_fit(int wanted, size_t patches, int most) {
     while (wanted > 16 && double(patches) * (wanted + 2) * (wanted + 2) > most) wanted /= 2;
     return wanted;

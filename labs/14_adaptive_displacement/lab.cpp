@@ -128,7 +128,7 @@ private:
     int draws_of_picture() const {
         return (view_ == both ? 2 : 1) * (wire_ ? 3 : 1) + (view_ != above && levels_of_ == patches ? 1 : 0);
     }
-    /// That an edge can have, with a little of what fractions round up to.
+    /// Maximum level of an edge, with a margin for fractions that round up.
     float highest_level() const {
         return method_ == uniform       ? level_
                : method_ == by_distance ? std::exp2(std::max(finest_, coarsest_))

@@ -166,7 +166,8 @@ private:
         return groups;
     }
 
-    /// Returns from where on its displaced cells are cut less finely than the budget asks, metres; else infinity.
+    /// Returns the distance in metres beyond which displaced cells are coarser than the budget asks; infinity if none
+    /// is.
     double draw_wall(const FrameBudget& budget, bool shows_methods) {
         const Frame& frame = budget.frame;
         const Define purpose = frame.probe ? Define(frame.probe) : shows_methods ? "METHOD_COLORS" : "";

@@ -221,7 +221,7 @@ double finest_reach(const FrameBudget& budget, const MapErrors& maps, const std:
     struct Cell {
         double level, away;
     };
-    // As shaders/17_time_and_error/wall.tesc has it at the corner of the cell that needs most.
+    // The level that shaders/17_time_and_error/wall.tesc chooses at the corner of the cell that needs the highest.
     std::vector<Cell> all;
     for (const glm::dvec2& low : cells) {
         double pixels = 0, away = INFINITY;
@@ -255,7 +255,7 @@ double finest_reach(const FrameBudget& budget, const MapErrors& maps, const std:
         return sum;
     };
     if (triangles(INFINITY) <= most_triangles) return INFINITY;
-    double reach = 1024;  // beyond all that the wall has
+    double reach = 1024;  // longer than the wall
     while (reach > 1e-3 && triangles(reach) > most_triangles) reach /= 1.25;
     return reach;
 }

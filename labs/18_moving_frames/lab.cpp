@@ -129,7 +129,7 @@ private:
         bool unrolled = false;
     };
 
-    /// The body of the knob; view = four shows the tube whatever the knob says.
+    /// Returns the body of the knob; with view = four always the tube.
     const Body& body() const { return shape_ == serpent_shape ? serpent : tube; }
     Pose pose() const {
         return {.bend = double(bend_),

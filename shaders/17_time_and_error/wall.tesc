@@ -22,7 +22,7 @@ uniform float u_errors[12];  // of squares of 1, 2, 4, ... texels of the height 
 uniform int u_levels;
 uniform float u_texels;      // of the height map, a metre
 uniform vec3 u_eye;
-uniform float u_reach;       // from where on cells are cut less finely than the budget asks, metres
+uniform float u_reach;       // distance beyond which cells are coarser than the budget asks, metres
 
 float level_of(vec2 a, vec2 b) {
     vec4 from = u_clip_from_world * vec4(a, 0.0, 1.0), to = u_clip_from_world * vec4(b, 0.0, 1.0);
@@ -36,7 +36,7 @@ float level_of(vec2 a, vec2 b) {
         float side = exp2(floor(coarsest_level(u_errors, u_levels, u_shares[1] * tolerance))) / u_texels;
         level = exp2(ceil(log2(clamp(distance(a, b) / side, 1.0, 64.0))));
     }
-    // What the picture can take; a power of two, so that vertices stay on the lattice.
+    // Limits the number of triangles of the picture. The level stays a power of two, so vertices stay on the lattice.
     float away = distance(vec3(0.5 * (a + b), 0.0), u_eye);
     return u_reach > away ? level : min(level, exp2(floor(log2(max(64.0 * u_reach / away, 1.0)))));
 }
