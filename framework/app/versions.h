@@ -4,7 +4,7 @@
 namespace relief::versions {
 
 extern const char* const relief;  ///< the project's version
-extern const char* const commit;  ///< of the source folder when the build was configured
+extern const char* const commit;  ///< the source folder's commit when the build was configured
 extern const char* const compiler;
 extern const char* const libraries;  ///< with their versions
 

@@ -85,7 +85,7 @@ void ErrorMap::compare(Stage& stage) {
         const Image error = error_image(values, *truth, probe.error);
         error_ = summarize(error);
         const std::string nothing = nothing_to_compare(values, *truth, error_);
-        if (!nothing.empty() && error_.missing + error_.not_finite == 0)  // those are shown in magenta
+        if (!nothing.empty() && error_.missing + error_.not_finite == 0)  // otherwise these pixels are magenta
             throw Error(sentence(fmt::format("probe {}: {}", probe.name, nothing)));
         one_sided_ = one_sided(values, *truth).count();
         const double scale = error_.p99 > 0 ? error_.p99 : 1;

@@ -30,7 +30,7 @@ struct SlidesArguments {
 using Words = std::vector<std::string>;
 
 fs::path source_folder() { return course_root() / "slides"; }
-/// Handouts use these as well.
+/// Returns the folder of drawings, which handouts use, too.
 fs::path drawings_folder() { return course_root() / "assets" / "diagrams"; }
 
 /// Returns the names of the requested decks, or of all, without .md.
@@ -125,7 +125,7 @@ fs::path marp() {
     return program;
 }
 
-/// A deck whose buttons below the slides are a landmark of their own: Marp leaves them outside of all.
+/// Returns a deck in which the buttons below the slides are a landmark. Marp leaves them outside of all landmarks.
 std::string with_landmark(std::string html) {
     constexpr std::string_view buttons = "<div class=\"bespoke-marp-osc\"";
     if (const size_t at = html.find(buttons); at != std::string::npos)
