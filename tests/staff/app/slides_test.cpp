@@ -1,5 +1,5 @@
-// The decks of slides: every lab has one, and in a browser every picture is there, every formula is set and no slide
-// runs out of its frame. Without solutions none can be read there.
+// The decks of slides: every lab has one. In a browser every picture loads, every formula is typeset, and no slide
+// overflows its frame. A deck without solutions does not contain any.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-/// What is wrong with the slides of the page that is open, a line each.
+/// A script that returns the problems of all slides in the open page, one line each.
 constexpr const char* find_problems = R"js((async () => {
   const found = [], sections = [...document.querySelectorAll('svg[data-marpit-svg] section')];
   const style = document.createElement('style');  // slides that are not shown are not laid out
@@ -87,7 +87,7 @@ Names problems_of(const fs::path& page) {
     if (answer.contains("exceptionDetails")) throw std::runtime_error(answer["exceptionDetails"].dump(1));
     Names problems = answer["result"]["value"];
     for (const std::string& complaint : browser().complaints())
-        // That a slide was laid out while it is hidden is what is done here.
+        // Ignores the browser's remarks about the layout of hidden slides, which this test forces.
         if (!contains(complaint, "\"level\":\"verbose\"")) problems.push_back(complaint);
     return problems;
 }
@@ -112,7 +112,7 @@ std::string complaint(const std::string& text) {
     return message_of([&] { deck(text); });
 }
 
-// ---- what is put into a deck ----
+// ---- the text of a deck ----
 
 TEST(Deck, FiguresNameTheCommandsThatDrawThem) {
     const Deck one = deck("a ![w:3 x](<shot 10 --set view=one>) b ![bg y](<bench parallax --quick>)\n\n![z](z.svg)\n");
@@ -175,7 +175,7 @@ TEST(Slides, EveryLabHasADeckWithPicturesCodeMistakesAndAnExercise) {
     EXPECT_TRUE(std::find(names.begin(), names.end(), "00_relief") != names.end()) << "the opening deck";
     EXPECT_TRUE(std::find(names.begin(), names.end(), "90_where_it_breaks") != names.end()) << "of all labs";
     for (const LabEntry& lab : registry()) {
-        if (lab.number >= 20) continue;  // somebody's own
+        if (lab.number >= 20) continue;  // not one of the course's labs
         if (std::find(names.begin(), names.end(), lab.folder) == names.end()) {
             ADD_FAILURE() << "slides/" << lab.folder << ".md is missing";
             continue;
@@ -188,7 +188,7 @@ TEST(Slides, EveryLabHasADeckWithPicturesCodeMistakesAndAnExercise) {
     }
 }
 
-/// Without blanks, since a slide may break lines elsewhere.
+/// Returns the text without white space, because a slide may break lines elsewhere.
 std::string packed(std::string text) {
     std::erase_if(text, [](unsigned char c) { return std::isspace(c); });
     return text;
@@ -235,7 +235,7 @@ TEST(Slides, ShowNoSolutionWithRenamedIdentifiers) {
     EXPECT_GT(shown_when_asked, 10) << "or this test looks at nothing";
 }
 
-/// All decks, made once; where they are made otherwise already they may be looked at there.
+/// Returns the folder of all decks, which the first call makes.
 const fs::path& made_slides() {
     static const TemporaryFolder folder;
     static const Result result =

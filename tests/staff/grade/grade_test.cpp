@@ -1,5 +1,5 @@
-// `relief grade` as an instructor runs it: a class in which some are careless and some hostile. Where this machine has
-// no namespaces the class is graded with --trust, and what only namespaces keep is left out; the first lines say so.
+// `relief grade` as an instructor runs it, for a class with careless and hostile submissions. On a machine without
+// namespaces it grades with --trust, and omits the cases that need namespaces; the first lines of output say so.
 #include <fcntl.h>
 #include <sys/file.h>
 
@@ -55,7 +55,7 @@ std::string replaced(std::string text, const std::string& find, const std::strin
     return at == std::string::npos ? text : text.replace(at, find.size(), by);
 }
 
-/// The solution of the C++ tasks, but for what task 5.2's function does first.
+/// Returns the solution of the C++ tasks with `lines` at the start of task 5.2's function, and `top` at file scope.
 std::string cpp_that(const std::string& lines, const std::string& top = "") {
     const std::string text = replaced(course_file(cpp), "    const auto& p = triangle.position;\n",
                                       lines + "\n    const auto& p = triangle.position;\n");
@@ -74,7 +74,7 @@ json result_of(const fs::path& output, const std::string& name) {
     }
 }
 
-/// The outcomes of a submission's checks, each once.
+/// Returns the different outcomes of a submission's checks, of one task or of all.
 std::set<std::string> outcomes(const json& result, const std::string& task = "") {
     std::set<std::string> all;
     for (const json& lab : result.value("labs", json::array()))
@@ -99,8 +99,8 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
     const fs::path output = folder.path() / "out";
     const std::string solution = course_file(shader);
     const std::string odd = "o'd \"d\"\n<b>";
-    // The software renderer ends a loop by itself, after 65,535 turns: each has to be slow, or a limit that is ten
-    // times what the solution took on a busy machine is not reached.
+    // The software renderer ends a loop by itself after 65,535 iterations. So each iteration must be slow to reach the
+    // limit, ten times the solution's time on a busy machine.
     std::string slow;
     for (int i = 0; i < 16; ++i) slow += "x += sin(cos(sin(cos(x + float(j)))));";
     std::map<std::string, std::string> works = {
@@ -140,7 +140,7 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
     EXPECT_LT(truncated["labs"][0]["tasks"][0]["points"], 3);
     EXPECT_EQ(truncated["labs"][0]["tasks"][3]["points"], 4);
     const auto at_the_rim = [](const json& result) { return result["labs"][0]["tasks"][2]["checks"][1]; };  // needs 2.1
-    // A mistake in 2.1, an unfinished 2.1 and a 2.1 that does not compile cost nothing of 2.3.
+    // Task 2.3 loses no points if 2.1 has a mistake, is unfinished, or does not compile.
     for (const char* name : {"truncated", "begun", "misspelt"}) {
         EXPECT_EQ(at_the_rim(result_of(output, name))["outcome"], "passed") << name;
         EXPECT_EQ(at_the_rim(result_of(output, name))["found"], "passed with the solution of the other tasks") << name;
@@ -162,7 +162,7 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
         << result_of(output, "flat")["problem"];
     EXPECT_TRUE(contains(std::string(result_of(output, "damaged")["problem"]), "damaged"));
 
-    // What a stranger calls himself is data in every file, and a plain file name.
+    // A submission's name is only data in every file, and becomes a plain file name.
     int odd_ones = 0;
     for (const auto& entry : fs::directory_iterator(output / "results"))
         odd_ones += json::parse(read_file(entry.path()))["name"] == odd &&
@@ -175,8 +175,7 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
     EXPECT_FALSE(contains(page, "\n<b>")) << "a name has become markup";
     EXPECT_TRUE(contains(page, "<code>2.1\u00a0truncated</code>"));
     EXPECT_FALSE(contains(page, "<img")) << "the class's page must stay small";
-    // Each has a page, with pictures of what did not pass where something was drawn, and of nothing else.
-    // Three a check of 2.1.
+    // Each submission has a page. It has pictures only of failed checks that drew something: three per check of 2.1.
     const std::map<std::string, size_t> figures = {
         {"good", 0}, {"untouched", 0}, {"truncated", 9}, {"misspelt", 0}, {"nan", 6}};
     for (const auto& [name, count] : figures) {
@@ -200,7 +199,7 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
     EXPECT_TRUE(some_hidden) << "a hidden check must not be shown to its student";
 }
 
-// Green flipped before 1.2 gives the very pictures of a bitangent that is flipped in it.
+// A flip of green before task 1.2 gives the same pictures as a flipped bitangent in 1.2.
 TEST(Grade, NoMistakeIsNamedForACorrectTask) {
     const TemporaryFolder folder;
     const char* const file = "shaders/01_specular_highlights/task.glsl";
@@ -235,7 +234,7 @@ TEST(Grade, HostileProgramsAreClassifiedAndContained) {
         {"prints", cpp_that("for (;;) std::puts(\"much\");")},
         {"forges", cpp_that("", "static const int before = [] { " + forged + " std::fflush(stdout); return 0; }();\n")},
         {"never-compiles", cpp_that("", "template <int n> struct A : A<n - 1>, B<n> {};\n")},
-        // Before main there is no request to be read, in no place where one might look for it.
+        // Before main() there is no request to read on any descriptor where one might look for it.
         {"looks-early", cpp_that("", R"(#include <poll.h>
 static const int before = [] {
     char text[400] = {};
@@ -248,7 +247,7 @@ static const int before = [] {
     return 0;
 }();
 )")},
-        // One who asks in main's place gets it; but what was asked from a hidden view is nothing that he can say.
+        // A program that asks before main() gets its request. The student must not see the request of a hidden view.
         {"asks-early", cpp_that("", R"(
 static const int before = [] {
     static char text[1 << 16];
@@ -264,7 +263,7 @@ static const int before = [] {
          "template <int depth, long n> struct T { T<depth - 1, 2 * n> a; T<depth - 1, 2 * n + 1> b; };\n"
          "template <long n> struct T<0, n> {};\nT<60, 1> tree;\n"},
     };
-    if (has_namespaces()) {  // without them these would do what they mean to
+    if (has_namespaces()) {  // without namespaces, these attacks would succeed
         works["bombs"] = cpp_that("for (;;) fork();");
         works["reads"] =
             cpp_that("std::ifstream file(\"" + secret.string() +
@@ -278,7 +277,7 @@ static const int before = [] {
         folder.write(name + "/" + cpp, text);
         words.push_back((folder.path() / name).string());
     }
-    // Three times as long is enough to compile honest code.
+    // The compiler gets three times as long, enough for honest code.
     words.insert(words.end(), {"-o", output.string(), "--seconds", "4"});
     const Result graded = run(grade(words));
     EXPECT_EQ(graded.code, 0) << graded.err;
@@ -321,11 +320,11 @@ static const int before = [] {
     EXPECT_FALSE(contains(result_of(output, "reads").dump(), "the answer is"))
         << "a submission has read a file of ours";
     EXPECT_FALSE(of("refers").contains("passed"));
-    // The task that is only in the shader is not there, and every other task of the good one is whole.
+    // The submission lacks the shader, and so only the task in it.
     EXPECT_EQ(outcomes(result_of(output, "good"), "5.4"), Outcomes{"unfinished"});
 }
 
-// A class with a few of these would wait for each of them twice.
+// Otherwise the grader would wait for each such submission twice.
 TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsNotRestarted) {
     const LabEntry& lab = find_lab("05");
     Stage stage(has_namespaces() ? Isolation::namespaces : Isolation::limits);
@@ -340,7 +339,7 @@ TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsNotRestarted) {
     EXPECT_EQ(stalled.shots[1].error, "not drawn, since a check before it is out of time: " + stalled.shots[0].error);
 }
 
-// Otherwise a busy machine would let a submission compute for longer than an idle one does.
+// Otherwise a submission could compute for longer on a busy machine than on an idle one.
 TEST(Grade, ProcessorTimeIsLimitedByTheSolutionsTimeOnTheFirstMachine) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
@@ -350,7 +349,7 @@ TEST(Grade, ProcessorTimeIsLimitedByTheSolutionsTimeOnTheFirstMachine) {
     json roster = json::parse(read_file(output / "class.json"));
     json& figure = roster["solution_cpu_seconds"]["05_tangent_basis"];
     EXPECT_GT(figure.get<double>(), 0);
-    // By what this process has used: as much on any machine.
+    // Uses 12 seconds of processor time, on any machine.
     folder.write(std::string("slow/") + cpp,
                  cpp_that("for (timespec used{}; used.tv_sec < 12;) clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);",
                           "#include <time.h>\n"));
@@ -367,7 +366,7 @@ TEST(Grade, ProcessorTimeIsLimitedByTheSolutionsTimeOnTheFirstMachine) {
     EXPECT_EQ(outcomes(on_a_fast_machine, "5.2"), Outcomes{"out_of_time"});
     EXPECT_TRUE(contains(on_a_fast_machine.dump(), "it needs more processor time than is allowed"))
         << on_a_fast_machine.dump(1);
-    // What a machine has measured that is slower holds in every part.
+    // A slower machine's measurement holds in every part of the class.
     fs::remove(output / "results/slow.json");
     EXPECT_EQ(outcomes(with(4, {"--resume", "--shard", "1/2", "-o", output.string()}), "5.2"), Outcomes{"passed"});
 }
@@ -413,7 +412,7 @@ TEST(Grade, ResumesAfterBeingKilled) {
     EXPECT_EQ(fs::last_write_time(before[0]), written) << "it was graded twice";
     EXPECT_EQ(fs::last_write_time(page_of(before[0])), page_written) << "its pictures are lost";
     EXPECT_TRUE(contains(second.out, std::to_string(before.size()) + " unchanged")) << second.out;
-    // A changed one is graded again, and half a result counts for none.
+    // A changed submission is graded again, and a truncated result counts as missing.
     folder.write(std::string("s1/") + shader, starter_of(course_file(shader), shader));
     fs::resize_file(output / "results/s2.json", 100);
     const Result third = run(grade(words));
@@ -441,9 +440,9 @@ TEST(Grade, CodeTunedToTheKnownViewsFailsInHiddenOnes) {
     folder.write(std::string("tuned/") + file,
                  replaced(course_file(file), "return normalize(vec3(-slope * texels, 1.0));",
                           "return normalize(vec3(-slope * (texels.x == texels.y ? vec2(14.0) : texels), 1.0));"));
-    // Right, but by what another file may know.
+    // Correct, but includes a file that may contain answers.
     folder.write(std::string("borrows/") + file, "  # include \"common/height_cell.glsl\"\n" + course_file(file));
-    // Or as if it were the lab's shader: that one's main would not be called.
+    // Renames the lab's main(), which would then not be called.
     folder.write(std::string("takes-over/") + file, course_file(file) + "#define main labs_main\n");
     std::vector<std::string> words = {"-o", output.string()};
     for (const char* name : {"honest", "tuned", "borrows", "takes-over"})
@@ -478,7 +477,7 @@ TEST(Grade, CodeTunedToTheKnownViewsFailsInHiddenOnes) {
     EXPECT_TRUE(contains(page, "hidden view</span>")) << "its pictures are of the view that is right";
     EXPECT_TRUE(contains(page, "src=\"data:image/png;base64,"));
 
-    // The seed stays the folder's, and another one asks for other marks.
+    // The folder keeps its seed. Another seed requires new marks.
     const Result again = run(grade(words));
     EXPECT_TRUE(contains(again.out, "0 graded, 4 unchanged")) << again.out;
     EXPECT_EQ(json::parse(read_file(output / "class.json"))["seed"], "midterm");
@@ -582,7 +581,7 @@ TEST(Grade, AMachineFailureCostsNoMarks) {
         Process grader(grade(words), {.folder = {}, .environment = {{"TMPDIR", temporary.string()}}});
         for (int i = 0; i < 6000 && !fs::exists(output / "results/a.json") && grader.running(); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        // Somebody tidies up.
+        // Simulates a person who cleans up temporary files.
         for (const auto& entry : fs::directory_iterator(temporary)) fs::remove_all(entry.path() / "bin");
         const Result failed = grader.wait();
         EXPECT_EQ(failed.code, 1);
@@ -615,7 +614,7 @@ TEST(Grade, AnAutograderForGradescopeHasTheCourseAndTwoScripts) {
     EXPECT_EQ(refused.code, 2);
     EXPECT_TRUE(contains(refused.err, "has other files in it")) << refused.err;
 
-    // What Gradescope runs, with a grader that only says how it was called.
+    // Runs the script for Gradescope with a stand-in for the grader that records its arguments.
     run({relief_program(), "grade", "--gradescope", "-o", output.string(), "--lab", "2", "--seed", "o'x"});
     folder.write("autograder/source/course/relief",
                  "#!/bin/sh\nprintf '%s\\n' \"$RELIEF_SEED\" \"$@\" > called\n[ -e fail ] && exit 1\n"
@@ -665,7 +664,7 @@ TEST(Grade, TwoGradersDoNotShareAFolder) {
         EXPECT_EQ(refused.code, 1);
         EXPECT_TRUE(contains(refused.err, "another grader is at work in '" + output.string() + "'")) << refused.err;
         EXPECT_TRUE(fs::is_empty(output)) << "something was written beside the other one";
-        flock(other, LOCK_SH);  // a part of a class
+        flock(other, LOCK_SH);  // the lock that a part of a class holds
         std::vector<std::string> part = words;
         part.insert(part.end(), {"--shard", "1/2", "--seed", "x"});
         EXPECT_EQ(run(part).code, 0);
@@ -694,7 +693,7 @@ TEST(Grade, ANameOfAnyBytesIsGradedShownAndResumed) {
 TEST(Grade, SubmissionsOfEqualNameAreSkippedAndTheOthersGraded) {
     const TemporaryFolder folder;
     const std::string output = (folder.path() / "out").string();
-    folder.write("a/jane\u0301/notes.txt", "");  // two characters, and one
+    folder.write("a/jane\u0301/notes.txt", "");  // the same name in two characters, and below in one
     folder.write("b/jan\u00e9/notes.txt", "");
     folder.write("c/joe/notes.txt", "");
     std::vector<std::string> words;
@@ -720,7 +719,7 @@ TEST(Grade, ALinkInPlaceOfATaskFileIsReportedAsALink) {
               "there is no task file in it: 'shaders/02_normal_map_storage' is a link, and links are not followed");
 }
 
-// As on a machine where others have used up what a user may run.
+// Simulates a machine on which other programs have used up a user's processes.
 TEST(Grade, ACompilerThatCannotForkIsAMachineFailure) {
     if (geteuid() != 0) GTEST_SKIP() << "only root's submissions run as another user, who alone can be bounded";
     const TemporaryFolder folder;
@@ -753,7 +752,7 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     EXPECT_TRUE(contains(plain.out, "11/11")) << plain.out;
     const std::string verdict = read_file(output / "results/jane.json");
 
-    // Labs 01 and 02 are of 5 and 11 points.
+    // Labs 01 and 02 have 5 and 11 points.
     const Result first = with({"--class", (folder.path() / "class.toml").string()});
     EXPECT_EQ(first.code, 0) << first.err;
     EXPECT_TRUE(contains(first.out, "2 unchanged")) << first.out;
@@ -763,7 +762,7 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     EXPECT_TRUE(contains(read_file(output / "canvas.csv"), "jane,,,jd,,0.00,9.90\n"))
         << read_file(output / "canvas.csv");
 
-    // The next runs know the file, and take what people add.
+    // Later runs know the class file, and apply the adjustments that people add.
     folder.write("out/adjustments.csv", "student,task,points,note\njane,2.1,-1,\"see, me\"\nkim,1.1,2,on paper\n");
     const Result second = run(grade({"--resume", "-o", output.string()}));
     EXPECT_EQ(second.code, 0) << second.err;
@@ -786,7 +785,7 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     const Result merged = run({relief_program(), "grade", "--merge", output.string()});
     EXPECT_TRUE(contains(merged.out, "9/16  adjusted by -1")) << merged.out << merged.err;
 
-    // Whoever is not named in a run is said to be left out, gets no mark, and keeps the page for the next one.
+    // A run that does not name a student says so and gives no mark, but keeps the student's page for the next run.
     const Result without_jane = run(grade({words[1], "-o", output.string()}));
     EXPECT_TRUE(contains(without_jane.err, "1 student handed in before")) << without_jane.err;
     EXPECT_TRUE(contains(read_file(output / "results.csv"), "\njane,not graded yet,,"))
@@ -797,7 +796,7 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     EXPECT_TRUE(contains(page, "9 of 16 points"));
     EXPECT_FALSE(contains(page, "Nothing was handed in")) << "the page is that of her submission";
 
-    // A mistake in them is found before anything is graded, and costs nothing.
+    // A mistake in the adjustments is reported before anything is graded.
     folder.write("out/adjustments.csv", "student,task,points,note\njane,2.1,lots,x\n");
     const Result refused = run(grade({"--resume", "-o", output.string()}));
     EXPECT_EQ(refused.code, 1);
@@ -872,7 +871,7 @@ TEST(Grade, KillsMutantsOfASolutionAndListsTheSurvivors) {
     const json all = json::parse(tested.out);
     EXPECT_EQ(all["mutants"].size(), 12u);
     EXPECT_GE(all["kill_rate"].get<double>(), 0.97);
-    // Checks that do not see a vector's length let some mutants pass, and the difference is found by looking.
+    // Checks that ignore a vector's length let some mutants pass. The comparison of pictures then finds the difference.
     const CourseCopy blind;
     blind.edit("labs/02_normal_map_storage/lab.toml", "name = \"normal\"\n", "name = \"normal\"\nany_length = true\n");
     std::vector<std::string> words = {"grade", "--mutate", "2", "--sample", "24", "--jobs", "2"};
@@ -884,7 +883,7 @@ TEST(Grade, KillsMutantsOfASolutionAndListsTheSurvivors) {
     EXPECT_TRUE(contains(blindly.err, "fewer than 97 % of the mutants that can be seen are killed")) << blindly.err;
 }
 
-// Every third lab, two of them with tasks in C++; `relief test --all` has all of them, whole.
+// Tests every third lab, two of them with tasks in C++. `relief test --all` tests all labs completely.
 TEST(Grade, TestsItselfOnASampleOfSomeLabs) {
     const std::vector<std::string> labs = {"03", "06", "09", "12", "15", "18"};
     std::vector<std::string> words = {"--self-test", "--sample", "1", "--jobs", "2"};

@@ -1,4 +1,4 @@
-// Mutants: each rule changes the solution, and nothing else.
+// Mutants: each rule changes only the solution.
 #include "framework/staff/grade/mutants.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 const std::string head = "// TASK 1.1: x + 1\nfloat f(float x) {\n    //[solution\n    ";
 const std::string tail = "\n    //]starter\n    //| return 1.0 - x;\n    //]\n}\n";
 
-/// "was -> now" of each mutant of one statement.
+/// Returns "was -> now" for each mutant of one statement.
 std::set<std::string> changes(const std::string& statement) {
     std::set<std::string> all;
     for (const Mutant& mutant : mutants_of(head + statement + tail, "task.glsl")) {
@@ -45,7 +45,7 @@ TEST(Mutants, FollowTheRules) {
     EXPECT_EQ(changes("return x;  // a + b"), Changes{}) << "words of a comment stay";
 }
 
-/// "part: values" of each output of a function that is in the text.
+/// Returns "was -> now" for each mutant of a function's outputs.
 std::set<std::string> outputs(const std::string& text, const std::string& header = {}) {
     std::set<std::string> all;
     for (const Mutant& mutant : mutants_of(text, "task.glsl", header))

@@ -1,4 +1,4 @@
-// One task of a submission among the solutions of the others.
+// One task of a submission among the solutions of all other tasks.
 #include "framework/staff/grade/transplant.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(Transplant, TakesOneTaskAndTheTextBeforeTheFirst) {
     EXPECT_EQ(with_one_task(solution, solution, "1.2"), solution);
 }
 
-// A mistake in the other task then costs this one nothing.
+// So a mistake in another task costs this task no points.
 TEST(Transplant, TakesHelpersThatTheTaskUsesFromPartsOfOtherTasks) {
     const std::string submitted =
         "#include x\n// TASK 1.1: a\nfloat f(float);  // see \"g\"\n#define HALF(x) \\\n    (0.5 * (x))\nint a = 10;\n"

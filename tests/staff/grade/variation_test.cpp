@@ -1,4 +1,4 @@
-// Hidden views, and the parts that a class is graded in.
+// Hidden views, and the parts in which a class is graded.
 #include "framework/staff/grade/variation.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// relief bench's scenes in processes of their own, what it writes, and what it holds work to.
+// relief bench: its scenes in separate processes, its output, and the baseline of work.
 #include "framework/staff/measure/run.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ BenchMethod good(const std::string& name, double error = 1) {
             }};
 }
 
-/// Seen by the parent alone: what a method does to memory stays in its own process.
+/// Runs a scene of these methods. Each method runs in its own process, so its changes of memory are invisible here.
 std::vector<BenchRow> run(const std::vector<BenchMethod>& methods, int repeats = 2) {
     const BenchTopic topic{"topic", "help", "question?", {}};
     BenchMachine machine;
@@ -40,14 +40,14 @@ TEST(RunScene, ReportsTimesErrorAndWorkOfEachMethod) {
     EXPECT_GT(rows[1].times.median, 0);
 }
 
-/// Also where a sanitizer would catch the signal and end the process by itself.
+/// Ends the process by a signal, even with a sanitizer, which would otherwise catch the signal.
 void crash(int signal) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
 
 TEST(RunScene, ACrashIsReportedInItsRowAndOthersContinue) {
-    // As a method is prepared, and as it is timed.
+    // Crashes during preparation, and during timing.
     const BenchMethod early{"early", {}, []() -> BenchSubject {
                                 crash(SIGSEGV);
                                 return {};
