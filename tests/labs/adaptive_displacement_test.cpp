@@ -407,7 +407,7 @@ TEST(AdaptiveDisplacement, EveryPixelIsFiniteForAnyMapSurfaceAndView) {
     }
 }
 
-// Labs 13, 14 and 17. Patches are counted where they were hit by the time that a picture took.
+// Labs 13, 14 and 17, with the knobs that make the most triangles.
 TEST(Displacement, BoundsItsTrianglesAtExtremeKnobs) {
     const std::vector<std::pair<const char*, std::vector<Knob>>> ends = {
         {"13", {{"view", "one"}, {"surface", "globe"}, {"patches", "32"}, {"level", "64"}}},
@@ -425,7 +425,8 @@ TEST(Displacement, BoundsItsTrianglesAtExtremeKnobs) {
                                             [](const auto& one) { return one.first == "triangles"; });
         ASSERT_NE(triangles, subject.work.end());
         EXPECT_GT(triangles->second, 1e5) << lab;
-        // A fractional level is cut up to two times more often: half as many more of level 8. A count comes before.
+        // A fractional level rounds up by up to two segments: at level 8, half as many triangles more. The lab's own
+        // count adds a coarse draw.
         EXPECT_LT(triangles->second, 1.6 * DisplacedSurface::most_triangles) << lab << " " << set[1].second;
     }
 }

@@ -1,5 +1,5 @@
-// Every lab as a course: solutions pass, starters say that they are unfinished, and each known mistake is caught. That
-// correct variants pass is `relief grade --self-test`.
+// Every lab as a course: solutions pass, starters report that they are unfinished, and each known mistake is caught.
+// `relief grade --self-test` tests that correct variants pass.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -33,20 +33,7 @@ class Course : public testing::TestWithParam<LabEntry> {
 protected:
     Manifest manifest_ = load_manifest(GetParam());
 
-    struct Used {
-        double share;
-        std::string check;
-    };
-    static inline std::vector<Used> used_;
-
-    static void TearDownTestSuite() {
-        std::sort(used_.begin(), used_.end(), [](const Used& a, const Used& b) { return a.share > b.share; });
-        for (size_t i = 0; i < std::min<size_t>(10, used_.size()); ++i)
-            std::printf("%.0f %% of a limit: %s\n", 100 * used_[i].share, used_[i].check.c_str());
-        used_.clear();
-    }
-
-    /// The course's own labs have tasks; a new one need not.
+    /// Returns whether the lab is one of the course's own, which all have tasks.
     bool is_of_the_course() const { return GetParam().number < 20; }
     std::set<std::string> task_files() const {
         std::set<std::string> files;
@@ -101,8 +88,8 @@ TEST_P(Course, HasDistinctCorrectVariantsOfEachTask) {
     }
 }
 
-/// Whether a picture of the solution has the values that the lab's fingerprints were made with. Another Mesa may draw
-/// single pixels at an edge otherwise.
+/// Returns whether at least 90 % of a solution's values match the lab's fingerprints. Another Mesa version may draw
+/// single pixels at an edge differently.
 bool has_values(const Image& drawn, const Fingerprints::Places& places) {
     const Sample now = sample_at(drawn, "", places.values);
     size_t near = 0;
@@ -137,7 +124,7 @@ TEST_P(Course, TheSolutionPassesEveryCheckAndFingerprintsAreUpToDate) {
     }
 }
 
-// Else a student would learn from the mark.
+// Otherwise a student would learn this only from the mark.
 TEST_P(Course, TheStudentsChecksRejectAShaderThatReachesBeyondItsTask) {
     for (const std::string& file : task_files()) {
         if (!is_shader(file)) continue;
@@ -152,8 +139,8 @@ TEST_P(Course, TheStudentsChecksRejectAShaderThatReachesBeyondItsTask) {
     }
 }
 
-// Or whoever stores the picture of a check that students have would pass. What is one value everywhere is no picture:
-// the question whether edges agree, the kind of a map.
+// Otherwise a submission that stores the picture of a public check would pass. Excludes checks whose picture has the
+// same value everywhere, such as whether edges agree, or the kind of a map.
 TEST_P(Course, AHiddenViewDiffersFromTheKnownCheck) {
     const Variation variation(manifest_, GetParam().folder, "words", 0);
     for (const CheckInfo& check : manifest_.checks) {
@@ -178,7 +165,7 @@ TEST_P(Course, AStarterIsUnfinishedInEveryCheckAndPaintsTheChequer) {
     for (const CheckInfo& check : manifest_.checks)
         EXPECT_EQ(run_check(GetParam(), manifest_, check, expected[check.name]).outcome, Outcome::unfinished)
             << check.name;
-    // A shader's hole is seen in the lab's first picture.
+    // An unfinished task in a shader is visible in the lab's first picture.
     if (!std::any_of(manifest_.tasks.begin(), manifest_.tasks.end(),
                      [](const auto& task) { return is_shader(task.file); }))
         return;
@@ -197,7 +184,8 @@ bool has_cpp(const std::vector<Edit>& edits) {
     return std::any_of(edits.begin(), edits.end(), [](const Edit& edit) { return !is_shader(edit.file); });
 }
 
-/// So many of them, spread evenly and always the same; all with RELIEF_ALL_MISTAKES, as `relief test --all` has it.
+/// Returns a fixed sample of `count` evenly spaced elements. Returns all if RELIEF_ALL_MISTAKES is set, as by
+/// `relief test --all`.
 template <class Thing>
 std::vector<const Thing*> sample_of(std::vector<const Thing*> all, size_t count) {
     if (std::getenv("RELIEF_ALL_MISTAKES") || all.size() <= count) return all;
@@ -206,7 +194,8 @@ std::vector<const Thing*> sample_of(std::vector<const Thing*> all, size_t count)
     return sample;
 }
 
-/// Of the mistakes or variants in shaders so many, and none in C++: each of those is a program to build.
+/// Returns a sample of mistakes or variants in shaders. Leaves out those in C++ unless RELIEF_ALL_MISTAKES is set: each
+/// needs a build.
 template <class Thing>
 std::vector<const Thing*> sample_of(const std::vector<Thing>& things, size_t count) {
     std::vector<const Thing*> wanted;
@@ -215,13 +204,13 @@ std::vector<const Thing*> sample_of(const std::vector<Thing>& things, size_t cou
     return sample_of(std::move(wanted), count);
 }
 
-/// What the checks of a lab say of a mistake in one task, each drawn once.
+/// The judgements of all checks about a mistake in one task, and samples of their pictures.
 struct Said {
     std::vector<Judgement> judgements;
     Samples samples;
 };
 
-/// The tasks that each check waits for, by the checks of `manifest` alone, as `relief check` finds them.
+/// Returns the tasks that each check waits for, found like in `relief check`, from the checks of `manifest` only.
 std::vector<TaskIds> waits(const Manifest& manifest, const Fingerprints& fingerprints, const Said& said) {
     std::set<std::string> recognised;
     for (const auto& [task, name] : name_mistakes(fingerprints, manifest, said.judgements, said.samples))
@@ -229,7 +218,8 @@ std::vector<TaskIds> waits(const Manifest& manifest, const Fingerprints& fingerp
     return put_right_first(manifest, said.judgements, recognised);
 }
 
-/// What the grader draws of a task whose part has a mistake, and of every other task, is that part among solutions.
+/// Expects that a mistake changes only its own task's part of a file. Then with_one_task() gives the file with the
+/// mistake for that task, and the solution for every other task.
 void expect_one_changed_part(const CourseFiles& files, const Manifest& manifest, const MistakeInfo& mistake) {
     for (const auto& [file, text] : files) {
         const std::string solution = read_file(course_root() / file);
@@ -241,8 +231,8 @@ void expect_one_changed_part(const CourseFiles& files, const Manifest& manifest,
     }
 }
 
-// Those in shaders; of those in C++ a sample, see above. Each costs points of its own task alone. So does the grader
-// mark it, which draws a task among the solutions of all others; in `relief check`, which has none, other checks wait.
+// Tests all mistakes in shaders, and a sample of the mistakes in C++. Each mistake costs points only in its own task.
+// The grader draws a task among the solutions of all others. `relief check` has no solutions, so other checks wait.
 TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
     Expectations expected;
     for (const CheckInfo& check : manifest_.checks) expected[check.name] = expectation(GetParam(), check);
@@ -302,7 +292,7 @@ TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
     }
 }
 
-// As students have it: with the pictures of the handout, and without hidden checks.
+// Tests the students' course: with the pictures of the handout, and without hidden checks.
 TEST_P(Course, OnlyKnownMistakesAreNamed) {
     if (!fs::exists(fingerprints_file(GetParam()))) GTEST_SKIP() << "a lab of someone's own";
     const std::string grading = "labs/" + GetParam().folder + "/staff/grading.toml";
@@ -341,7 +331,7 @@ TEST_P(Course, OnlyKnownMistakesAreNamed) {
                 continue;
             }
             ++(said.failed ? seen : unseen);
-            // Hints of mistakes that no public check tells apart are joined.
+            // Mistakes that no public check distinguishes have one joined hint.
             const bool is_right = contains(said.named, hint_with_same(manifest_, first));
             named += is_right;
             if (said.failed && !is_right) others += "\n  " + mistake->id + " is named '" + said.named + "'";
@@ -355,7 +345,8 @@ TEST_P(Course, OnlyKnownMistakesAreNamed) {
     EXPECT_GE(double(named), 0.9 * double(seen)) << others;
 }
 
-/// The lines of a task file without the marks of regions, each with the task that it belongs to ("" before the first).
+/// Returns the lines of a task file without the marks of regions. Each has the task that it belongs to ("" before the
+/// first task).
 std::vector<std::pair<std::string, std::string>> lines_by_task(const std::string& text) {
     static const std::regex region("[ \t]*//[()].*"), heading("// TASK ([0-9.]+) \\(.*");
     std::vector<std::pair<std::string, std::string>> lines;
@@ -368,15 +359,14 @@ std::vector<std::pair<std::string, std::string>> lines_by_task(const std::string
     return lines;
 }
 
-/// `text` with the starter of one task and the solutions of all others.
+/// Returns `text` with the starter of one task and the solutions of all others.
 std::string starter_of_task(const std::string& text, const std::string& file, const std::string& task) {
     std::string before, own, after;
     for (const auto& [of, line] : lines_by_task(text)) (of == task ? own : own.empty() ? before : after) += line + '\n';
     return before + starter_of(own, file) + after;
 }
 
-/// What a starter gives, and wrong values in its place that do not tell that they are wrong: near it, far from it
-/// either way, and none at all.
+/// The versions of a wrong result, besides unfinished(): near the right value, far from it in both directions, and NaN.
 constexpr int wrong_versions = 4;
 std::string not_yet() {
     std::string text = "const float no_number = uintBitsToFloat(0x7fc00000u);\n";
@@ -394,8 +384,9 @@ std::string not_yet() {
     return text;
 }
 
-/// A task file that has every task's starter as well: a uniform says which of them is in use, counted from 1. So a
-/// lab's programs are compiled once for all of them. (Each block of a solution is the whole body of a function.)
+/// Returns a task file that also contains every task's starter. A uniform selects one of them, counted from 1. So a
+/// lab's programs are compiled once for all starters. Precondition: each block of a solution is the whole body of a
+/// function.
 std::string with_starters(const std::string& text, const std::vector<TaskInfo>& tasks) {
     std::string result, solution, starter;
     std::string* part = &result;
@@ -408,7 +399,7 @@ std::string with_starters(const std::string& text, const std::vector<TaskInfo>& 
         } else if (word == "//]") {
             const auto is_own = [&, id = task](const TaskInfo& info) { return info.id == id; };
             const auto at = std::find_if(tasks.begin(), tasks.end(), is_own) - tasks.begin() + 1;
-            // By another name: the text is not to look unfinished.
+            // Renames the call, so that the text does not look unfinished.
             starter = std::regex_replace(starter, std::regex("\\bunfinished\\("), "not_yet(");
             result += "if (u_starter == " + std::to_string(at) + ") {\n" + starter + "}\n" + solution;
             solution.clear(), starter.clear(), part = &result;
@@ -421,7 +412,7 @@ std::string with_starters(const std::string& text, const std::vector<TaskInfo>& 
     return result;
 }
 
-/// Sets u_starter and u_wrong in every program that has them, whoever uses it.
+/// Sets u_starter and u_wrong in every program that has them, whenever a lab binds it.
 class StarterInUse {
 public:
     StarterInUse() : before_(glad_glUseProgram) { real_ = before_, glad_glUseProgram = use_program; }
@@ -442,7 +433,7 @@ private:
     PFNGLUSEPROGRAMPROC before_;
 };
 
-/// Whether a known mistake in the shader of a task fails a check.
+/// Returns whether a known mistake in the shader of a task fails a check.
 bool is_failed_by_mistake(const LabEntry& lab, const Manifest& manifest, const std::string& task,
                           const CheckInfo& check, const std::optional<Image>& expected) {
     return std::any_of(manifest.mistakes.begin(), manifest.mistakes.end(), [&](const MistakeInfo& mistake) {
@@ -452,10 +443,10 @@ bool is_failed_by_mistake(const LabEntry& lab, const Manifest& manifest, const s
     });
 }
 
-// A student who reads "waits for task 1.2" must not wait for nothing, and one who has done all that a check needs must
-// not be called wrong; where something else is wrong, that is to be named and no mistake of this task.
+// A check must wait only for tasks that it needs. It must not fail while a task that it needs is missing. If the cause
+// of a failure is another task, the student must be sent to that task.
 TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
-    Manifest blind = manifest_;  // draws, whatever is missing
+    Manifest blind = manifest_;  // draws even if needed tasks are missing
     for (CheckInfo& check : blind.checks) check.needs.clear();
     Expectations expected;
     for (const CheckInfo& check : blind.checks) expected[check.name] = expectation(GetParam(), check);
@@ -497,7 +488,7 @@ TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
             if (check.outcome != "passed") needs[check.name].insert(task.id);
     }
     for (const CheckInfo& check : manifest_.checks) {
-        // Held against another picture it is worth no more than that one.
+        // A check that compares with another check also depends on the other's tasks.
         std::set<std::string> all = needs[check.name], wrong = leans_on[check.name];
         for (const CheckInfo* last = &check; last->against != "truth" && last->against != "solution";) {
             last = &manifest_.check(last->against);

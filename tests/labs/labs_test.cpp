@@ -1,4 +1,4 @@
-// What every lab must do, whichever labs there are: all of this also holds a new lab to the contract.
+// The contract of every lab, tested on all labs of the course, and on a new lab.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ protected:
     Image picture(const Shot& wanted) const { return render_shot(*make_lab(GetParam(), wanted), wanted); }
 };
 
-/// One lab in a small picture, as in the menu: programs are compiled once.
+/// One lab for several small pictures, so that its programs are compiled once, as in the menu.
 class SmallLab {
 public:
     SmallLab(const LabEntry& entry, Shot shot) : shot_(small(std::move(shot))), lab_(make_lab(entry, shot_)) {}
@@ -52,7 +52,7 @@ private:
     Target target_{TargetKind::picture, shot_.size};
 };
 
-/// All values of a knob at which something may break: its ends, or each of its choices.
+/// Returns the extreme values of a knob: the ends of its range, or all of its choices.
 std::vector<std::string> extremes(const KnobText& knob) {
     std::vector<std::string> values;
     std::string range = knob.range;
@@ -66,7 +66,7 @@ std::vector<std::string> extremes(const KnobText& knob) {
     return values;
 }
 
-/// Whether a knob is there to make the same picture by other work.
+/// Returns whether a knob only selects another way to the same picture.
 bool finds_it_in_another_way(const LabEntry& lab, const std::string& knob) {
     return (lab.name == "obj_materials" && knob == "programs") ||
            (lab.name == "parallax_occlusion" && knob == "skip") || (lab.name == "relief_exact" && knob == "method") ||
@@ -137,7 +137,7 @@ TEST_P(EveryLab, IgnoresAKnobWhereItsHelpExcludesIt) {
         }
 }
 
-// In the window a shader may not compile while its author types; the frame after the mend is as if it always had.
+// In the window a shader may not compile while its author types. Once it compiles again, the picture is as before.
 TEST_P(EveryLab, ADrawThatThrowsChangesNoKnobAndNotTheNextPicture) {
     std::vector<std::string> views = {""};
     for (const KnobText& knob : describe_knobs(*make_lab(GetParam(), shot())))
@@ -153,8 +153,8 @@ TEST_P(EveryLab, ADrawThatThrowsChangesNoKnobAndNotTheNextPicture) {
             return all;
         };
         const std::vector<std::string> before = values();
-        // Each program of the picture fails in its turn: one more compiles in every frame. That of the labels always
-        // does, or it would be the last, and nothing would be left to fail after a caption.
+        // Each program of the picture fails once: one more program compiles in every frame. The program of the labels
+        // always compiles. Otherwise it would fail last, and no program would fail after a caption.
         bool is_broken = true;
         for (int frame = 0; is_broken && frame < 50; ++frame) {
             is_broken = false;
@@ -210,7 +210,7 @@ void expect_no_repetition(const Image& probe, const ProbeInfo& info) {
                 [=](const float* color) { return double(color[c]); });
         return;
     }
-    // Each scale of single numbers gets lighter with every step. Values below 0 have one of their own if it matters.
+    // Each scale of single numbers rises in lightness. If the sign matters, values below 0 have a separate scale.
     for (const double sign : {1.0, -1.0})
         expect_rising(
             probe, picture, info.name, [=](const float* v) { return sign * *v >= 0 ? std::abs(double(*v)) : NAN; },

@@ -1,4 +1,4 @@
-// Pictures of known mistakes: what is drawn, in shaders and in C++, and which check is chosen to show it.
+// Pictures of known mistakes in shaders and in C++, and the choice of the check that shows each of them.
 #include "framework/staff/grade/mistake_pictures.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ double share_that_differs(const Image& a, const Image& b) {
     return double(difference(a, b, 8.0 / 255).pixels_over) / double(a.pixel_count());
 }
 
-/// The images as the page of mistakes shows them.
+/// Returns the images as the page of mistakes shows them.
 std::pair<Image, Image> as_shown(MistakePictures& pictures, const MistakePicture& shown) {
     if (!shown.is_probe) return {shown.right, shown.wrong};
     const auto [wrong, right] =
@@ -43,8 +43,8 @@ void expect_shown(const LabEntry& lab, MistakePictures& pictures, const MistakeI
     EXPECT_EQ(right.channels, 3);
 }
 
-// All labs take minutes, and are for `relief test --all`. Lab 11 has views of level ground, lab 16 values without a
-// bound.
+// `relief test --all` tests all labs, which takes minutes. Here, lab 11 has views of level ground, and lab 16 unbounded
+// values.
 TEST(MistakePictures, HaveContrast) {
     const bool all = std::getenv("RELIEF_ALL_MISTAKES") != nullptr;
     for (const LabEntry& lab : registry()) {
@@ -55,7 +55,7 @@ TEST(MistakePictures, HaveContrast) {
             const MistakePicture shown = pictures.best(mistake);
             const auto [right, wrong] = as_shown(pictures, shown);
             EXPECT_GE(contrast_of(right), min_contrast) << number << " " << mistake.id;
-            // One colour is all that there is of places that are not numbers.
+            // NaN has only one colour, and so no contrast.
             const bool is_broken = std::any_of(shown.wrong.values.begin(), shown.wrong.values.end(),
                                                [](float value) { return std::isnan(value); });
             if (is_broken) continue;

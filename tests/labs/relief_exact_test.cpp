@@ -1,4 +1,4 @@
-// Lab 12: the exact hit is exact, on every map and from every side, and so is what follows from it.
+// Lab 12: the exact hit is exact on every map and from every side. So are the values that depend on it.
 #include "framework/gl/counters.h"
 #include "framework/kit/relief_material.h"
 #include "framework/staff/reference/height_field.h"

@@ -1,4 +1,4 @@
-// Lab 05: which method comes nearest to dP/du, and what is not drawn costs nothing.
+// Lab 05: which method comes nearest to dP/du. Hidden parts cost no work.
 #include <cmath>
 
 #include "framework/gl/counters.h"
