@@ -1,4 +1,4 @@
-// What a student is told to do next, when tasks lean on each other.
+// The next step for a student whose tasks depend on each other.
 #include "framework/check/check.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ CheckInfo check(const char* task, std::vector<std::string> needs) {
     return info;
 }
 
-/// 1.3 is seen through 1.1 and 1.2; 1.1 and 1.2 lean on each other, and each has a check of its own.
+/// The checks of 1.3 depend on 1.1 and 1.2. 1.1 and 1.2 depend on each other, and each also has a check of its own.
 Manifest manifest() {
     Manifest manifest;
     manifest.checks = {check("1.1", {}), check("1.1", {"1.2"}), check("1.2", {}), check("1.2", {"1.1"}),
@@ -72,7 +72,7 @@ TEST(PutRightFirst, IsTheOneTaskThatExplainsAllFailures) {
 
 TEST(PutRightFirst, PrefersTheTaskWithMoreFailedChecksIfTwoExplainAll) {
     Manifest all = manifest();
-    all.checks[0].needs = {"1.2"};  // 1.1 is seen only through 1.2
+    all.checks[0].needs = {"1.2"};  // every check of 1.1 needs 1.2
     const std::vector<Judgement> said = {wrong, wrong, right, wrong, right};
     EXPECT_EQ(put_right_first(all, said), (std::vector<TaskIds>{{}, {}, {}, {"1.1"}, {}}));
     EXPECT_EQ(put_right_first(all, said, {"1.2"}), (std::vector<TaskIds>{{"1.2"}, {"1.2"}, {}, {}, {}}))
@@ -102,7 +102,7 @@ TEST(PutRightFirst, NeverFormsACycle) {
             std::vector<Judgement> said;
             for (unsigned i = 0; i < 5; ++i) said.push_back(set >> i & 1 ? wrong : right);
             const std::vector<TaskIds> before = put_right_first(all, said);
-            // From each check to the failed ones of a task that it waits for, until one waits for none.
+            // From each check, follows failed checks of the task that it waits for, up to one that waits for no task.
             std::set<size_t> ends;
             for (size_t round = 0; round < 5; ++round)
                 for (size_t i = 0; i < 5; ++i) {

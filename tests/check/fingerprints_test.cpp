@@ -62,7 +62,7 @@ TEST(Fingerprints, NameTheMistakeThatMatchesAllFailedChecks) {
     EXPECT_EQ(named({right, right, {Outcome::broken, "no number"}}, {{2, {.error = "no number"}}}, "1.2"), "");
 }
 
-// A mistake that nobody has listed may fail one check as a listed one does.
+// An unlisted mistake may fail one check in the same way as a listed mistake.
 TEST(Fingerprints, NameNoMistakeThatAPassedCheckContradicts) {
     const Sample half = drawn({0.5f, 2, 1.5f});
     EXPECT_EQ(named({wrong, wrong, right}, {{0, half}, {1, drawn({2, nan})}}), "halves");

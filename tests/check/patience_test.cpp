@@ -1,4 +1,4 @@
-// Whoever waits for a check is told which, and a check that does not end is given up.
+// Patience reports the check that is running, and gives up a check that does not end.
 #include "framework/check/patience.h"
 
 #include <gtest/gtest.h>

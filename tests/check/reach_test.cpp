@@ -1,4 +1,5 @@
-// A task's shader is its functions: what would change the lab's other shaders is refused, and nothing else.
+// A task's shader may contain only its functions. Text that could change the lab's other shaders is refused, other text
+// is not.
 #include "framework/check/reach.h"
 
 #include <optional>
@@ -83,7 +84,7 @@ TEST(Reach, EveryStageHasTheHarnessBeforeTheTask) {
         }
         if (!task) continue;
         ++stages;
-        // A function of the same name in the task is then a second one, which the compiler refuses.
+        // A function of the same name in the task is then a redefinition, which the compiler refuses.
         EXPECT_LT(harness.value_or(*task), *task) << entry.path();
     }
     EXPECT_GE(stages, 30u);
