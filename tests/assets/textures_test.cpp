@@ -37,7 +37,8 @@ TEST_P(Surface, IsMadeAsItLiesInTheRepository) { expect_made_as_kept(GetParam())
 TEST_P(Surface, TilesWithoutASeam) {
     const Image heights = read_image(course_root() / "assets" / (std::string(GetParam()) + "_height.png"));
     const int n = heights.width;
-    // The mean step from one row (or column) to the next: across the border as inside, within the spread of those.
+    // The mean step from one row (or column) to the next must be the same across the border as inside, within the
+    // spread of the steps inside.
     const auto mean_step = [&](int at, bool columns) {
         double sum = 0;
         for (int i = 0; i < n; ++i) {

@@ -90,7 +90,7 @@ TEST(Visualize, SingleNumbersAreHeatScaledByTheLargest) {
     EXPECT_EQ(probe_color({0}, ErrorMetric::absolute), error_color(0, 1)) << "nothing to scale by";
 }
 
-/// What becomes of the values of a vector's first channel, whose others are 0 and twice as large.
+/// Returns the shades of a vector's first channel. The second channel is 0, and the third is twice the first.
 std::vector<float> shades(const std::vector<float>& values, bool is_signed = false) {
     Image probe(int(values.size()), 1, 3);
     for (size_t i = 0; i < values.size(); ++i) probe.values[3 * i] = values[i], probe.values[3 * i + 2] = 2 * values[i];
@@ -101,8 +101,8 @@ std::vector<float> shades(const std::vector<float>& values, bool is_signed = fal
 }
 using Shades = std::vector<float>;
 
-// Of sizes 2, 4 and 8 the usual one is 4, and L is 2: half the usual size is 0.5 (1 + 0.5 / 4) / 1.5 = 0.375, the usual
-// size itself 1.25 / 2, and the largest 1.
+// The usual size of 2, 4 and 8 is 4, so L = 2. Half the usual size becomes 0.5 (1 + 0.5 / 4) / 1.5 = 0.375, the usual
+// size 1.25 / 2, and the maximum 1.
 TEST(Visualize, EachChannelOfAVectorSpansItsMinimumToItsMaximum) {
     EXPECT_EQ(shades({0, 2, 4, 8}), (Shades{0, 0.375f, 0.625f, 1}));
     EXPECT_EQ(shades({2, 4, 4, 8}), (Shades{0, 0.4f, 0.4f, 1})) << "0.375 is black";

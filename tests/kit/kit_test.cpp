@@ -1,4 +1,4 @@
-// What labs share: values that are kept, measurements, truths by rays, lights, materials.
+// The common parts of labs: kept values, measurements, exact values by rays, lights, materials.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -102,7 +102,7 @@ TEST(Light, HasTheDirectionOfItsYawAndPitch) {
     expect_near(lamp_at(90, 3, 2), {3, 2, 0});
 }
 
-/// A lab that is nothing but its material.
+/// A lab that has only a material.
 class MaterialLab final : public Lab {
 public:
     ReliefMaterial material;
@@ -112,7 +112,7 @@ public:
 
 class OwnMap : public testing::Test {
 protected:
-    /// The material with this picture as its map, of 256 x 256 texels.
+    /// Returns the material with this picture as its map, of 256 x 256 texels.
     void use(const Image& image) {
         const auto file = folder_.path() / "map.exr";
         write_image(file, image);

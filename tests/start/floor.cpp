@@ -1,10 +1,10 @@
-// The least that a picture costs: a context, one textured and lit quad at 512 x 512, a file. As somebody would write it
-// by hand with the same libraries, and with nothing of the framework; `relief bench start` holds `relief shot` to it.
-// Built twice: floor-png TEXTURE.png OUT.png SAMPLES reads and writes with libpng, floor-ppm TEXTURE.ppm OUT.ppm
-// SAMPLES by itself. SAMPLES: of a pixel; a shot has four.
+// The minimum cost of a picture: a context, one textured and lit quad at 512 x 512, and a file. A hand-written program
+// with the same libraries and without the framework. `relief bench start` compares `relief shot` with it. Built twice:
+// floor-png TEXTURE.png OUT.png SAMPLES uses libpng, and floor-ppm TEXTURE.ppm OUT.ppm SAMPLES needs no library for
+// files. SAMPLES: samples per pixel; a shot has four.
 #include <glad/gl.h>  // before osmesa.h, which would bring the system's gl.h
 
-// glad takes these names back at its end, and the header of Mesa 25 wants them.
+// glad undefines these names at its end, but the header of Mesa 25 needs them.
 #ifndef APIENTRY
     #define APIENTRY GLAD_API_PTR
 #endif
