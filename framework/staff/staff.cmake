@@ -1,11 +1,11 @@
-# librelief-staff and its modules: all that stays with the staff. Programs are linked to it where it is there, and it
-# brings its own commands.
+# librelief-staff and its modules: the code that stays with the staff. Programs are linked to the library if it exists,
+# and it registers its own commands.
 
 # Links no GL.
 file(GLOB reference_sources CONFIGURE_DEPENDS framework/staff/reference/*.cpp)
 add_library(relief_reference OBJECT ${reference_sources})
 target_link_libraries(relief_reference PUBLIC relief_cpu PRIVATE relief_warnings)
-# Vectors pass between functions that are all inlined: how they would be passed otherwise does not matter.
+# Suppresses the warning about the ABI of vector arguments: all functions that take them are inlined.
 set_source_files_properties(framework/staff/reference/normals_row.cpp framework/staff/reference/tangent_faces.cpp
   PROPERTIES COMPILE_OPTIONS -Wno-psabi)
 
@@ -19,7 +19,7 @@ target_link_libraries(relief_staff PUBLIC relief_framework
   PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json PkgConfig::libseccomp relief_warnings)
 relief_takes_precompiled_headers(relief_reference relief_staff)
 relief_is_cold(relief_staff ${staff_sources})
-# C++ tasks are compiled when they are graded, as the build compiles.
+# The grader compiles C++ tasks with the build's compiler.
 set_source_files_properties(framework/staff/grade/stage.cpp PROPERTIES COMPILE_DEFINITIONS
   "RELIEF_COMPILER=\"${CMAKE_CXX_COMPILER}\";RELIEF_BUILD_FOLDER=\"${PROJECT_BINARY_DIR}\"")
 
@@ -29,13 +29,13 @@ add_library(relief_archive MODULE framework/staff/grade/libarchive.cpp)
 target_link_libraries(relief_archive PRIVATE relief_staff PkgConfig::libarchive relief_warnings)
 set_target_properties(relief_archive PROPERTIES PREFIX "" OUTPUT_NAME relief-archive)
 add_dependencies(relief_modules relief_archive)
-# Opened when a name is not ASCII. GLib is there, since librsvg needs it.
+# Opened when a name is not ASCII. GLib is always installed, because librsvg needs it.
 pkg_check_modules(glib REQUIRED IMPORTED_TARGET glib-2.0)
 add_library(relief_unicode MODULE framework/staff/grade/glib.cpp)
 target_link_libraries(relief_unicode PRIVATE relief_staff PkgConfig::glib relief_warnings)
 set_target_properties(relief_unicode PROPERTIES PREFIX "" OUTPUT_NAME relief-unicode)
 add_dependencies(relief_modules relief_unicode)
-# Opened when `relief bench` measures what others do of the same; where they are not installed it does without.
+# Opened when `relief bench` measures other libraries for the same purpose. Without them it omits these rows.
 pkg_check_modules(assimp IMPORTED_TARGET assimp)
 find_package(embree 4 QUIET)  # Debian 13
 if(NOT embree_FOUND)
