@@ -69,9 +69,9 @@ private:
     void mark(size_t texel, Mark what) { result_.marks[texel] |= what; }
     bool covered(size_t texel) const { return !std::isnan(vectors_[texel].x); }
 
-    /// Vectors that all face red or green are those of a surface whose channels are in another order, or of something
-    /// flat in object space. The slopes tell x from y. Turning an object never makes a mirror image of its axes, so
-    /// what is one has its channels in another order; so has what is only in another order, with no axis turned around.
+    /// Detects swapped channels. If all vectors face red or green, either the channels are in another order, or this is
+    /// the object-space map of a flat object. The slopes distinguish x from y. A rotation of an object never mirrors
+    /// its axes, so a mirrored arrangement has swapped channels. So has a mere permutation without negated axes.
     void find_order() {
         const std::optional<FacedAxis> faced = faced_axis(as_.statistics);
         if (!faced || faced->axis == 2) return;
@@ -598,8 +598,8 @@ private:
     Recognition as_;
     bool eight_bits_ = false;
     bool axes_swapped_ = false;  ///< red is along v
-    std::string order_;          ///< of the channels, where it is not red, green, blue
-    std::string faced_;          ///< by all vectors: a colour
+    std::string order_;          ///< order of the channels, in words; empty for red, green, blue
+    std::string faced_;          ///< the colour that all vectors face, in words
     std::vector<glm::vec3> vectors_;
     Slopes slopes_;
     Inspection result_;

@@ -30,9 +30,9 @@ struct VectorStatistics {
     double median_off = 0;  ///< median of | |n| - 1 |
     double unit = 0;        ///< share with a length from 0.9 to 1.1
     double away = 0;        ///< share whose unit vector has z < -0.05
-    glm::dvec3 below{0};    ///< for each axis, share whose unit vector has less than -0.05 there
-    glm::dvec3 above{0};    ///< and more than 0.05
-    double longest_xy = 0;  ///< length of (x, y)
+    glm::dvec3 below{0};    ///< for each axis, share whose unit vector has a component < -0.05
+    glm::dvec3 above{0};    ///< the same for a component > 0.05
+    double longest_xy = 0;  ///< maximum length of (x, y)
     double long_xy = 0;     ///< its 99.5 % quantile
     double red_green = 0;   ///< correlation of x and y
     glm::dvec3 mean{0};     ///< mean of the unit vectors
@@ -52,7 +52,7 @@ struct Recognition {
 
 Recognition recognize(const Image& map);
 
-/// The axis that all vectors face, as the normals of a surface in its tangent space face z.
+/// The axis that all vectors face; for a surface's normals in tangent space it is z.
 struct FacedAxis {
     int axis;       ///< 0 to 2
     bool downward;  ///< they face its negative end

@@ -266,7 +266,7 @@ TEST(Inspect, RecognisesObjectSpaceMapsAndTheirFaults) {
     }
 }
 
-/// The map whose channel k has channel order[k] of the map.
+/// Returns the map with channel order[k] of `map` in channel k.
 Image reordered(const Image& map, const std::array<int, 3>& order) {
     return changed(map, [&](glm::vec3& c) { c = {c[order[0]], c[order[1]], c[order[2]]}; });
 }
@@ -284,9 +284,9 @@ TEST(Inspect, IdentifiesEachChannelOrder) {
         if (map.bits != 8) continue;
         const Inspection as_it_is = inspect(map);
         EXPECT_EQ(verdict(as_it_is, "order"), "") << name;
-        if (verdict(as_it_is, "green") != "up") continue;  // its slopes tell no order
+        if (verdict(as_it_is, "green") != "up") continue;  // its slopes cannot distinguish orders
         for (const auto& [order, finding, right] : orders) {
-            // A stitch of the quilt is nearly its own transpose: red and green are as good a field when swapped.
+            // A stitch of the quilt is nearly its own transpose, so a swap of red and green also gives a height field.
             if (name == "assets/quilt" && order[2] == 2) continue;
             const Inspection told = inspect(reordered(map, order));
             EXPECT_EQ(verdict(told, finding), right) << name;
@@ -296,8 +296,8 @@ TEST(Inspect, IdentifiesEachChannelOrder) {
 }
 
 TEST(Inspect, IdentifiesChannelOrdersWithAFlippedAxisExceptFlatObjects) {
-    // Turning an axis around makes a mirror image of an order that was none, and none of one that was. A rotation of a
-    // floor or a wall can have the latter; it is no fault.
+    // Negating an axis mirrors an order, or makes a mirrored order a rotation. The map of a rotated floor or wall can
+    // have that rotation, so it is no fault.
     const Image map = normals_of(HeightMap::stones, 256, 16, 8);
     std::array<int, 3> order = {0, 1, 2};
     do {
@@ -307,7 +307,7 @@ TEST(Inspect, IdentifiesChannelOrdersWithAFlippedAxisExceptFlatObjects) {
                 inspect(reordered(with_vectors(map, [&](glm::vec3& n) { n[axis] = -n[axis]; }), order));
             const auto where = [&] { return fmt::format("{}{}{}, {} turned", order[0], order[1], order[2], axis); };
             if (order[2] == 2) {
-                EXPECT_GE(told.faults(), 1) << where();  // as in red, green, blue
+                EXPECT_GE(told.faults(), 1) << where();  // z stays in blue, so other faults are found
             } else if (odd) {
                 EXPECT_EQ(told.faults(), 0) << where();
                 EXPECT_NE(told.find("kind")->reason.find("flat"), std::string::npos) << where();
@@ -321,7 +321,7 @@ TEST(Inspect, IdentifiesChannelOrdersWithAFlippedAxisExceptFlatObjects) {
 TEST(Inspect, CallsNoObjectSpaceMapSwapped) {
     const Image object = asset("quilt_object.png");
     EXPECT_EQ(verdict(inspect(object), "order"), "");
-    // A flat thing that faces each of six ways, as y is up and as z is up: stones of a floor, a ceiling and four walls.
+    // A flat object in six directions, with y up and with z up: stones of a floor, a ceiling and four walls.
     const std::vector<std::function<glm::vec3(glm::vec3)>> turns = {
         [](glm::vec3 n) { return glm::vec3(n.x, n.z, -n.y); }, [](glm::vec3 n) { return glm::vec3(n.x, -n.z, n.y); },
         [](glm::vec3 n) { return glm::vec3(n.z, n.y, -n.x); }, [](glm::vec3 n) { return glm::vec3(-n.z, n.y, n.x); },
