@@ -62,7 +62,7 @@ public:
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
         if (normals_from_ == from_map && map_ == own) return {};
         const bool has_map = normals_from_ == from_map && map_ == bricks;
-        // Without a tangent nobody can say which way the bumps lean.
+        // Without a tangent, the direction of the bumps is undefined.
         if (has_map && strength_ != 0 && (trouble_ == along_normal || trouble_ == missing)) return {};
         const frames::Pose pose{frames::Shape(shape_), world_from_model(), has_map ? double(strength_) : 0.0,
                                 glm::radians(double(turn_))};

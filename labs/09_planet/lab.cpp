@@ -86,7 +86,7 @@ public:
         std::vector<View> views = views_of(asked);
         for (View& view : views) {
             view.plan.most_patches = most_patches(view, views.size());
-            if (view.is_flat) cover_with_patches(view, views.size());  // for the texels of its maps
+            if (view.is_flat) cover_with_patches(view, views.size());  // limits the texels of its maps
         }
         std::vector<Tile> tiles;
         for (const View& view : views) tiles.push_back(view.tile);
@@ -121,7 +121,7 @@ private:
         Eye seen_from;
         MapRecipe recipe;
         std::vector<Leaf> leaves;
-        std::string title, bounded;  ///< the second: of which there would be more
+        std::string title, bounded;  ///< `bounded`: the limits that reduced patches or texels, in words; or empty
     };
 
     Shape shape() const { return {{seed_, detail_, height_}, Mapping(mapping_), 8 << quads_}; }
@@ -256,12 +256,13 @@ private:
         view.recipe.normals = Normals::one_scale;
     }
 
-    /// Returns the largest number of patches that one of `views` may have.
+    /// Returns the maximum number of patches of a view, if the picture has `views` views.
     static size_t most_patches(const View& view, size_t views) {
         return size_t(most_vertices) / views / size_t(vertices_of_patch(view.plan.shape.quads));
     }
 
-    /// Covers the planet with at most as many patches, and texels in their maps, as one of `views` may have.
+    /// Covers the planet with patches. Limits their number, and the texels of their maps, to one view's share of
+    /// `views`.
     static void cover_with_patches(View& view, size_t views) {
         view.plan.most_patches = most_patches(view, views);
         Cover all = cover(view.plan);

@@ -237,7 +237,7 @@ void balance(const Shape& shape, std::vector<Leaf>& all) {
 
 namespace {
 
-/// The place of a patch among all leaves: a quarter after the other, and so on within each.
+/// Returns a key that sorts leaves by face, and within a face along a Z-order curve.
 std::pair<int, uint64_t> order_of(const PatchId& id) {
     uint64_t code = 0;
     for (int bit = id.level; bit-- > 0;) code = code << 2 | uint64_t(id.y >> bit & 1) << 1 | uint64_t(id.x >> bit & 1);
@@ -257,7 +257,7 @@ Cover cover(const Plan& plan, const Rules& rules) {
                                                            plan.pixels, plan.eye.field_of_view_rad) /
                                           plan.radius;
     const double from_centre = glm::length(plan.eye.place);
-    /// A leaf that should be split, the more urgently the nearer it is for its level.
+    /// A leaf to split. `need` is larger for a leaf that is nearer to the eye, relative to its level.
     struct Split {
         double need;
         size_t leaf;
@@ -303,7 +303,7 @@ Cover cover(const Plan& plan, const Rules& rules) {
         return result;
     };
     Cover result = grown_to(plan.most_patches);
-    // Neighbours of two levels were split once more.
+    // Splits that keep neighbours within one level may exceed the limit. Then a smaller limit is tried.
     for (size_t most = plan.most_patches; result.leaves.size() > plan.most_patches && most > 6;) {
         most = most * 3 / 4;
         result = grown_to(most);

@@ -87,7 +87,7 @@ struct Plan {
     bool skirts = true;
     double pixels = 512;  ///< height of the picture
     Eye eye;
-    size_t most_patches = 6144;  ///< at least 6, the faces; the patches that need it most are split first
+    size_t most_patches = 6144;  ///< at least 6, one per face; patches with the greatest need are split first
 };
 
 struct Leaf {
@@ -111,7 +111,7 @@ bool is_outside(const Eye& eye, const glm::dvec3& middle, double radius);
 /// most.
 struct Cover {
     std::vector<Leaf> leaves;
-    bool is_bounded = false;  ///< the plan asks for more patches than its most_patches
+    bool is_bounded = false;  ///< most_patches has reduced the number of patches
 };
 Cover cover(const Plan& plan, const Rules& rules = students_rules());
 inline std::vector<Leaf> leaves(const Plan& plan, const Rules& rules = students_rules()) {

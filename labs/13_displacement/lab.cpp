@@ -140,7 +140,7 @@ private:
         labels_.caption(size, tile, -1, grouped(triangles) + " triangles", {0.62f, 0.63f, 0.65f});
     }
 
-    /// Clamps a level to the finest that the whole picture can take.
+    /// Clamps a level so that the whole picture stays within its limit of triangles.
     float bounded(float level) const {
         const int tiles = int(tiles_of_view({1, 1}).size()), passes = show_ == light ? 1 : 2;
         return std::min(level, surface_.most_level(tiles * passes));

@@ -123,8 +123,8 @@ private:
         return Camera(orbit, double(eye.size.x) / std::max(1, eye.size.y));
     }
 
-    /// How often a picture draws the surface: for each view its triangles, and their edges, which take twice as
-    /// long; holes are counted once.
+    /// Returns the cost of a picture in draws of the surface: one for the triangles of each view, two for their edges,
+    /// and one for the search for holes.
     int draws_of_picture() const {
         return (view_ == both ? 2 : 1) * (wire_ ? 3 : 1) + (view_ != above && levels_of_ == patches ? 1 : 0);
     }
@@ -280,7 +280,7 @@ private:
 
     int view_ = both, method_ = by_error, levels_of_ = edges, spacing_ = 1, cull_ = cull_all;
     float level_ = 8, nearest_ = 1, farthest_ = 16, finest_ = 5, coarsest_ = 0, segment_ = 8, budget_ = 4;
-    float most_level_ = DisplacedSurface::finest_level;  ///< that this draw may use
+    float most_level_ = DisplacedSurface::finest_level;  ///< maximum level in this draw
     bool fade_ = false, wire_ = false;
     float fade_begin_ = 6, fade_end_ = 12;
     DistantLight light_{-60, 30};

@@ -48,7 +48,7 @@ void main() {
     o_color = share;
 #else
     vec2 size = vec2(textureSize(s_mask, u_level)), uv = u_part * (0.5 + 0.5 * v_clip);
-    // A pixel's middle may lie on the border of two texels, where rounding would choose one of them.
+    // A pixel's centre may lie on the border of two texels. The small offset chooses one, independent of rounding.
     float cover = share_at((floor(uv * size + 1.0 / 2048.0) + 0.5) / size);
     vec3 light = mix(vec3(0.012, 0.016, 0.03), vec3(0.75, 0.68, 0.55), cover);
     o_color = finished(vec4(srgb_from_linear(light), 1.0), gl_FragCoord.xy);

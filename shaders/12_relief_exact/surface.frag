@@ -28,9 +28,9 @@ uniform float u_turns_from;    // x in pixels: to its right the picture shows th
 uniform sampler2D s_albedo;
 uniform sampler2D s_normals;
 
-// On a flat base the view ray comes from the pixel, in double precision. A wall has 10^4 to 10^7 texels, and interpolated
-// uv are off by 0.03 to 10 of them: such a ray misses the post that it should hit. On curved bases uv are small, and the
-// normals are interpolated in any case.
+// On a flat base the view ray is computed from the pixel in double precision. A wall has 10^4 to 10^7 texels, and
+// interpolated uv have an error of 0.03 to 10 texels: such a ray misses the post that it should hit. On curved bases uv
+// are small, and the normals are interpolated in any case.
 uniform bool u_is_flat;
 uniform dmat3 u_base_from_pixel;  // takes (x, y, 1) to a direction along tangent, bitangent and normal
 uniform dvec3 u_eye_over_base;    // uv in tiles, and metres above the base
@@ -76,7 +76,7 @@ float lit_at(vec2 uv, float height, vec3 to_light, int iterations) {
 #endif
 }
 
-// Where a view ray enters the relief.
+// The point at which a view ray enters the relief.
 struct Entry {
     dvec2 uv;     // tiles
     bool faces;   // the ray comes from the front of the base
@@ -91,7 +91,7 @@ Entry entry_at(vec3 to_eye, mat3 frame) {
         return Entry(dvec2(v_uv), seen.z > 0.0, slant, -seen.xy / slant);
     }
     dvec3 way = normalize(u_base_from_pixel * dvec3(gl_FragCoord.xy, 1.0));
-    // The rasteriser rounds outlines: a pixel there may have a ray that misses the base.
+    // The rasteriser rounds outlines, so the ray of a pixel there may miss the base.
     double side = u_eye_over_base.z > 0.0 ? 1.0 : -1.0, falls = max(-side * way.z, 1e-9lf);
     dvec2 uv = u_eye_over_base.xy + way.xy * u_tiles_per_metre * (side * u_eye_over_base.z / falls);
     dvec2 ends = dvec2(u_shift + u_repeat);
@@ -110,9 +110,9 @@ void main() {
     bool faces = entry.faces;
     float slant = entry.slant;
     vec2 size = vec2(textureSize(s_heights, 0)), across = entry.across;
-    vec2 dx = dFdx(v_uv), dy = dFdy(v_uv);  // of the base: neighbours may hit far apart
+    vec2 dx = dFdx(v_uv), dy = dFdy(v_uv);  // of the base, because hits of neighbours may differ by many texels
 
-    // A float holds the place without its whole tiles.
+    // Without its whole tiles, a float is precise enough for the position.
     dvec2 tile = floor(entry.uv);
     vec2 start = vec2(entry.uv - tile);
     ReliefRay view = ReliefRay(start * size - 0.5, across * u_depth * size, vec3(1.0, -1.0, 0.0));

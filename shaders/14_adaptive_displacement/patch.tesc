@@ -25,7 +25,7 @@ patch out float c_unfinished;
 uniform vec3 u_eye;
 uniform vec4 u_planes[6];
 uniform float u_scale;              // of the relief, metres
-uniform float u_most_level;         // that the picture can take
+uniform float u_most_level;         // maximum level, for the picture's limit of triangles
 uniform float u_level;              // for UNIFORM
 uniform vec4 u_by_distance;         // nearest, farthest, exponents there
 uniform float u_pixels_per_radian;
@@ -157,7 +157,7 @@ void main() {
         }
         //)
 #endif
-        // Neighbours clamp the edge between them alike.
+        // Both neighbours of an edge clamp it to the same level.
         edges = min(edges, u_most_level);
         inside = min(inside, u_most_level);
         for (int i = 0; i < CORNERS; ++i) {

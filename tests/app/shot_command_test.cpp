@@ -60,7 +60,7 @@ TEST_F(ShotCommand, GivesTheSameBitsOnOsmesaAndEgl) {
 }
 
 TEST_F(ShotCommand, DrawsTheLevelsOfAMaskAlikeWhateverTheProcessorCan) {
-    // A third of the pixels' middles lie on the border of two texels.
+    // A third of the pixels' centres lie on the border of two texels.
     const auto levels = [&](std::map<std::string, std::string> environment) {
         const Result result =
             run({relief_program(), "shot", "08", "--set", "view=levels", "--size", "720x480", "-o", "-"},
@@ -263,7 +263,7 @@ std::string libraries_of(const std::vector<std::string>& arguments) {
 }
 
 TEST_F(ShotCommand, AnErrorWithoutAPixelToCompareSaysWhyAndFails) {
-    // From inside of the planet its exact ground has no near side.
+    // An eye inside the planet sees no front side of the exact ground.
     const Result result = run({relief_program(), "shot", "09", "--size", "64x48", "--set", "view=planet", "--camera",
                                "20,12,0.5", "--error", "normal", "-o", file("e.png").string()});
     EXPECT_EQ(result.code, 1);

@@ -214,13 +214,13 @@ TEST(Planet, DrawsWithinItsBoundsAtTheEndsOfItsKnobs) {
         {{"budget", "0.25"}, {"cull", "none"}, {"quads", "8"}, {"texels", "256"}}};
     for (const char* view : {"compare", "planet", "pole", "patches", "faces", "mountains", "frames"})
         for (std::vector<Knob> set : ends) {
-            if (view != std::string("compare") && set != ends[0]) continue;  // the others have other maps only
+            if (view != std::string("compare") && set != ends[0]) continue;  // the other settings change only the maps
             set.emplace_back("view", view);
             const Shot shot = shot_of("09", set, "", {160, 120});
             const int64_t before = counters().texture_bytes;
             const auto lab = make_lab(find_lab("09"), shot);
             EXPECT_NO_THROW(draw_shot(*lab, shot)) << view;
-            // 16 bytes a texel. A map has places for up to 64 patches more, which may be twice as many.
+            // A texel has 16 bytes. A map has room for up to 64 more patches, which may double their number.
             EXPECT_LE(counters().texture_bytes - before, 2 * 16 * int64_t(most_texels)) << view;
         }
 }

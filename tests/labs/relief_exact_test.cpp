@@ -59,8 +59,8 @@ TEST(ReliefExact, AtMostOneRayInTenThousandMissesByATwentiethOfATexel) {
         }
 }
 
-/// The error of a picture in texels, and where it comes from: the probe `ray` gives the ray that the search had, and a
-/// walk in double precision gives the hit of that very ray.
+/// The errors of a picture in texels, by cause. The probe `ray` gives the ray of the search, and a walk in double
+/// precision gives the exact hit of the same ray.
 struct Sources {
     std::vector<double> total, ray, search;
 };
@@ -101,7 +101,7 @@ TEST(ReliefExact, IsExactToATenthOfATexelOnTheLargestWalls) {
         std::vector<Knob> knobs;
         int pixels;
     };
-    // The largest map takes seconds to make, and its exact rays a tenth of a second each.
+    // The largest map takes seconds to generate, and a tenth of a second for each exact ray.
     const End ends[] = {{ReliefMaterial::texels_512, {{"size", "512"}}, 64},
                         {ReliefMaterial::texels_512, {{"size", "512"}, {"repeat", "8"}, {"mirror", "on"}}, 64},
                         {ReliefMaterial::texels_512, {{"size", "512"}, {"repeat", "8"}, {"stretch", "0.25"}}, 48},
@@ -118,8 +118,7 @@ TEST(ReliefExact, IsExactToATenthOfATexelOnTheLargestWalls) {
             const Sources found = sources_of(shot, material.heights());
             EXPECT_GT(found.total.size(), size_t(pixels) * size_t(pixels) / 4);
             const auto where = [&] { return fmt::format("{} at {} degrees", knobs.back().first, yaw); };
-            // Not the ray's alone: along a row of posts, a ray that is 0.03 texels off misses one and lands far behind
-            // it.
+            // Also tests the total: a ray with an error of 0.03 texels can miss a post and hit far behind it.
             EXPECT_LE(of_99_percent(found.ray), 0.1) << where();
             EXPECT_LE(of_99_percent(found.search), 0.1) << where();
             EXPECT_LE(of_99_percent(found.total), 0.1) << where();
@@ -349,8 +348,8 @@ TEST(ReliefExact, AtExtremeKnobsNoRayStallsAndWindowsReachNoLimit) {
         std::vector<Knob> knobs;
         double yaw;
     };
-    // A constant that is added to t left 3 and 10 % of the first and the second, and 11 % of the third. Rays from
-    // interpolated places left 0.02 to 1.4 %.
+    // With a constant added to t, 3, 10 and 11 % of the pixels of the first three views were wrong. With rays from
+    // interpolated positions, 0.02 to 1.4 % were.
     const End ends[] = {
         {{{"size", "256"}, {"depth", "1"}, {"extent", "3"}}, 86},
         {{{"size", "256"}, {"depth", "1"}, {"extent", "64"}}, 86},
@@ -367,7 +366,7 @@ TEST(ReliefExact, AtExtremeKnobsNoRayStallsAndWindowsReachNoLimit) {
             const auto lab = make_lab(find_lab("12"), shot);
             Tally tally;
             tally.add(error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::distance));
-            // Rays that graze an edge, one or two of 5000: a float's t moves them over it.
+            // One or two of 5000 rays graze an edge, and the rounding of t to a float moves them over it.
             EXPECT_LE(tally.share(), 0.0005) << method << ", " << end.yaw << ", " << knobs[0].second;
         }
     for (const auto& [yaw, stretch] : {std::pair(84.0, "1"), {89.5, "0.25"}, {89.9, "4"}}) {

@@ -154,7 +154,7 @@ private:
 
     int columns() const { return (frame_.size.x + block_side - 1) / block_side; }
 
-    /// Lists the triangles of each block of pixels, so that a pixel looks at few of them.
+    /// Lists the triangles of each block of pixels, so that a pixel tests only a few of them.
     void find_blocks() {
         const int rows = (frame_.size.y + block_side - 1) / block_side;
         blocks_.resize(size_t(columns() * rows));
@@ -312,9 +312,9 @@ private:
         return sum + passed * sky(ray.direction);
     }
 
-    /// Rays along the side of a pixel: `most`, or fewer where the whole picture would need too many.
+    /// Returns the number of rays along the side of a pixel: `most`, or fewer if the picture would need too many.
     int rays_along(int most) const {
-        constexpr double most_rays = 1 << 24;  // some seconds
+        constexpr double most_rays = 1 << 24;  // a few seconds
         const double pixels = double(frame_.size.x) * frame_.size.y;
         return std::clamp(int(std::sqrt(most_rays / std::max(1.0, pixels))), 1, most);
     }
@@ -357,7 +357,7 @@ private:
     const Frame& frame_;
     static constexpr int block_side = 16;  // pixels
     std::vector<Triangle> triangles_;
-    std::vector<std::vector<int>> blocks_;  ///< of pixels, row by row: the triangles that may cover some of them
+    std::vector<std::vector<int>> blocks_;  ///< by block of pixels, row by row: the triangles that may overlap it
     std::vector<MapKind> kinds_;            ///< by piece
     std::vector<int> ranks_;
     std::map<const Piece*, const ExactMap*> colors_, highlights_, bumps_;

@@ -12,7 +12,7 @@ namespace {
 struct Seen {
     double distance = std::numeric_limits<double>::infinity();
     glm::dvec2 texel{};
-    glm::dvec4 ray{};  ///< as the probe has it
+    glm::dvec4 ray{};  ///< value of the probe `ray`
     double lit = 0;
     bool is_ball = false;
 };
