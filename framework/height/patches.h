@@ -51,8 +51,8 @@ struct PatchHeights {
 std::vector<PatchHeights> measure_patches(std::span<const HeightCorner> points, int corners, const Image& heights,
                                           bool with_errors = true);
 
-/// Places along a side at which the errors of each of so many patches are measured at most: 128, or fewer so that all
-/// together stay below 64 million, which takes seconds.
+/// Returns the maximum number of samples along a side for the errors of `patches` patches: a power of two from 16 to
+/// 128. Chosen so that all patches together have at most 64 million samples, which take seconds, if 16 allow that.
 int densest_samples(size_t patches);
 
 }  // namespace relief

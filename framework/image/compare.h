@@ -40,11 +40,12 @@ struct OneSided {
     size_t measured = 0, truth = 0;
     size_t count() const { return measured + truth; }
 };
-/// The shapes must agree.
+/// Counts pixels with a surface in only one of the two images. Precondition: the images have the same shape.
 OneSided one_sided(const Image& measured, const Image& truth);
-/// Gives these pixels of an error image the error `value`.
+/// Sets pixels with a surface in only one of the two images to the error `value`.
 void mark_one_sided(Image& error, const Image& measured, const Image& truth, double value);
-/// Why summarize() found no pixel to compare, as a sentence without its full stop; empty if there is one.
+/// Returns why summarize() found no pixel to compare, as a sentence without its full stop; empty if there is such a
+/// pixel.
 std::string nothing_to_compare(const Image& measured, const Image& truth, const ErrorSummary& summary);
 
 }  // namespace relief

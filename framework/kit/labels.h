@@ -57,7 +57,7 @@ private:
     std::vector<Corner>& corners_of_this_draw();
 
     std::vector<Corner> corners_;
-    int64_t draw_ = 0;  ///< whose corners they are: draws_begun()
+    int64_t draw_ = 0;  ///< draws_begun() of the draw to which corners_ belong
     std::optional<Uploaded> uploaded_;
     Programs program_{"common/label.vert", "common/label.frag"};
     Texture letters_ = load_texture("labels.png", {.wrap = Wrap::clamp});

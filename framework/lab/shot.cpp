@@ -80,8 +80,9 @@ std::vector<std::string> list_of(const std::string& range) {
     return values;
 }
 
-/// A value of a toggle or a choice that alone gives exact values, as --set takes it, and for which probe; empty if
-/// there is none. By trying, on one pixel: a lab has enough to do with knowing what it can compute.
+/// Returns a knob's setting that alone provides exact values, in the form of --set, and the probe that gets them. Tries
+/// all values of toggles and choices on one pixel, so that labs need not describe when they have exact values. Empty if
+/// there is no such setting.
 std::pair<std::string, std::string> knob_with_truth(const LabEntry& entry, Shot shot) {
     std::vector<std::string> probes = {shot.probe.name};
     if (!shot.probe) {
@@ -92,7 +93,7 @@ std::pair<std::string, std::string> knob_with_truth(const LabEntry& entry, Shot 
     const auto lab = make_lab(entry, shot);
     std::vector<KnobText> knobs = describe_knobs(*lab);
     std::erase_if(knobs, [](const KnobText& knob) { return knob.range.find(" to ") != std::string::npos; });
-    // What is off changes the scene less than another one does.
+    // Tries toggles first, because they change the scene less than choices.
     std::stable_partition(knobs.begin(), knobs.end(), [](const KnobText& knob) { return knob.range == "on, off"; });
     for (const KnobText& knob : knobs) {
         for (const std::string& value : list_of(knob.range)) {

@@ -31,7 +31,7 @@ Frame frame_of(const Shot& shot, const Target& target);
 /// Sets GL to the state that Frame promises, clears nothing, lets the lab draw, and restores that state. Throws the
 /// lab's exceptions, and Error for GL errors.
 void draw_lab(Lab& lab, const Frame& frame);
-/// The number of calls of draw_lab() so far, also of those that threw. It tells what belongs to the present draw.
+/// Returns the number of calls of draw_lab() so far, including calls that threw. It identifies the current draw.
 int64_t draws_begun();
 
 /// Makes a lab and sets the shot's knobs. Needs no context. Throws UsageError for an unknown knob or value.

@@ -37,7 +37,7 @@ std::string finished(const std::string& svg, const std::string& topic, const std
         } else if (constexpr std::string_view own = "<title>Gnuplot</title>"; rest.starts_with(own)) {
             result += "<title>" + escaped_markup(title) + "</title>";
             at += own.size();
-        } else if (rest.starts_with("<title>$")) {  // what was plotted, in gnuplot's words
+        } else if (rest.starts_with("<title>$")) {  // gnuplot's own name of the plotted data
             at += rest.find("</title>") + 8;
         } else {
             const auto name = std::find_if(std::begin(names), std::end(names),

@@ -117,7 +117,7 @@ private:
         const bool has_group = sums_[corner.group] != glm::dvec3(0),
                    has_own = corner.face->why == TangentFallback::none;
         const bool can_inherit = solver_.method != TangentMethod::per_face && lender < corners_.size();
-        // One handedness for all corners of a triangle. An invisible triangle may inherit it, which differs by corner.
+        // All corners of a triangle have the same handedness. Only an invisible triangle may inherit it per corner.
         const bool is_invisible = corner.face->in_no_group && corner.face->why != TangentFallback::not_finite;
         const bool has_side = !is_invisible || !can_inherit;
         const float own = side((has_side ? corner : corners_[lender]).face->handedness);
