@@ -224,7 +224,7 @@ TEST(Grade, HostileProgramsAreClassifiedAndContained) {
     const fs::path output = folder.path() / "out";
     const fs::path secret = folder.write("secret.txt", "the answer is 42");
     const std::string forged =
-        "char frame[16] = \"1RLF\"; for (int i = 0; i < 1000; ++i) fwrite(frame, 1, 16, stdout);";
+        "char frame[20] = \"1RLF\"; for (int i = 0; i < 1000; ++i) fwrite(frame, 1, 20, stdout);";
     std::map<std::string, std::string> works = {
         {"good", course_file(cpp)},
         {"loops", cpp_that("for (volatile int i = 0;; i = i + 1) {}")},
@@ -251,7 +251,7 @@ static const int before = [] {
         {"asks-early", cpp_that("", R"(
 static const int before = [] {
     static char text[1 << 16];
-    if (write(1, "1RLF\0\0\0\0\0\0\0\0\0\0\0\0", 16) < 0) _exit(2);
+    if (write(1, "1RLF\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 20) < 0) _exit(2);
     ssize_t size = 0;
     for (ssize_t got = 0; (got = read(97, text + size, sizeof text - 1 - size)) > 0;) size += got;
     std::fprintf(stderr, "asked: %s", size > 190 ? text + size - 190 : "");
@@ -759,7 +759,7 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     EXPECT_TRUE(contains(first.out, "9.9/16  late: 1.1 less")) << first.out;
     EXPECT_TRUE(contains(first.err, "1 student of the roster handed nothing in: kim")) << first.err;
     EXPECT_TRUE(contains(first.err, "1 submission is not on the roster: bo")) << first.err;
-    EXPECT_TRUE(contains(read_file(output / "canvas.csv"), "jane,,,jd,,0.00,9.90\n"))
+    EXPECT_TRUE(contains(read_file(output / "canvas.csv"), "jane,,,jd,,0,9.9\n"))
         << read_file(output / "canvas.csv");
 
     // Later runs know the class file, and apply the adjustments that people add.
