@@ -52,7 +52,9 @@ public:
         good_ = false;
         text_ += fmt::format(" (at least {})", rounded(*min, digits_for(value, *min)));
     }
-    Judgement judgement() const { return {good_ ? Outcome::passed : Outcome::wrong, text_, used_}; }
+    Judgement judgement() const {
+        return {.outcome = good_ ? Outcome::passed : Outcome::wrong, .found = text_, .used = used_};
+    }
 
 private:
     /// Returns three, or as many digits as distinguish a value from its limit, at most nine.

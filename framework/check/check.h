@@ -30,11 +30,11 @@ using TaskIds = std::vector<std::string>;
 struct Judgement {
     Outcome outcome = Outcome::broken;
     std::string found = {};  ///< the measured and the allowed value, or the error
-    /// The maximum over all limits of value / upper bound and of lower bound / value; at most 1 if the check passed.
-    double used = 0;
     /// The task whose part of a file holds the compiler's error; no other task can be the cause. Else empty.
     std::string culprit = {};
     std::string look_at = {};  ///< a hint from the measured values, which replaces the check's own; or empty
+    /// The maximum over all limits of value / upper bound and of lower bound / value; at most 1 if the check passed.
+    double used = 0;
 };
 
 struct CheckResult {
