@@ -33,6 +33,20 @@ class Course : public testing::TestWithParam<LabEntry> {
 protected:
     Manifest manifest_ = load_manifest(GetParam());
 
+    struct Used {
+        double share;
+        std::string check;
+    };
+    static inline std::vector<Used> used_;
+
+    /// Prints the ten checks whose solutions use the largest share of a limit.
+    static void TearDownTestSuite() {
+        std::sort(used_.begin(), used_.end(), [](const Used& a, const Used& b) { return a.share > b.share; });
+        for (size_t i = 0; i < std::min<size_t>(10, used_.size()); ++i)
+            std::printf("%.0f %% of a limit: %s\n", 100 * used_[i].share, used_[i].check.c_str());
+        used_.clear();
+    }
+
     /// Returns whether the lab is one of the course's own, which all have tasks.
     bool is_of_the_course() const { return GetParam().number < 20; }
     std::set<std::string> task_files() const {
