@@ -1,5 +1,7 @@
 #include "framework/check/starter.h"
 
+#include <algorithm>
+
 #include "framework/base/error.h"
 #include "framework/base/text.h"
 
