@@ -143,8 +143,7 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
         report["points"] = points, report["of"] = manifest.points(), report["waiting"] = waiting;
         fmt::print("{}\n", report.dump(2));
     } else {
-        fmt::print("{} of {} points{}\n", points_text(points), manifest.points(),
-                   waiting > 0 ? fmt::format(", {} waiting", points_text(waiting)) : "");
+        fmt::print("{}\n", points_text(tasks));
     }
     if (open || !page.empty()) {
         if (page.empty()) page = course_root() / "build" / "check" / (lab.folder + ".html");

@@ -251,6 +251,15 @@ std::string points_text(const TaskResult& result) {
                        names_of({others.begin(), others.end()}));
 }
 
+std::string points_text(const std::vector<TaskResult>& tasks) {
+    double points = 0, waiting = 0;
+    int of = 0;
+    for (const TaskResult& task : tasks)
+        points += task.points(), waiting += task.waiting_points(), of += task.task->points;
+    return fmt::format("{} of {} points{}", points_text(points), of,
+                       waiting > 0 ? fmt::format(", {} waiting", points_text(waiting)) : "");
+}
+
 TaskIds missing_tasks(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written) {
     TaskIds missing;
     for (const std::string& task : check.needs)

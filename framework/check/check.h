@@ -64,6 +64,9 @@ std::string points_text(double points);
 /// "2.25 of 3 points", and "0.75 waiting for 1.2" if checks wait for other tasks.
 std::string points_text(const TaskResult& result);
 
+/// Returns the points of a whole lab: "4.25 of 5 points", and ", 0.75 waiting" if checks wait for other tasks.
+std::string points_text(const std::vector<TaskResult>& tasks);
+
 /// The tasks that the check needs and that are not written.
 TaskIds missing_tasks(const CheckInfo& check, const std::function<bool(const std::string& task)>& is_written);
 /// "waits for task 1.2, which is not written yet"; `state` is "written" or "right".

@@ -44,7 +44,8 @@ public:
     TaskState state(const TaskInfo& task) const;
     /// Its checks without their pictures; one that has not run yet is unfinished.
     TaskResult of(const TaskInfo& task) const;
-    double points() const;
+    /// Returns the points of the lab, as `relief check` prints them.
+    std::string points() const;
     /// Returns the hint of the known mistake that the task's pictures show. Empty if none is known, or if some checks
     /// have not run.
     std::string mistake(const TaskInfo& task) const;

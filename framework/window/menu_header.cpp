@@ -55,9 +55,9 @@ void draw_tasks(const Checks& checks, float right, MenuWish& wish) {
     const auto& tasks = checks.manifest().tasks;
     if (tasks.empty()) return;
     // The sum is unknown until every check has run once.
-    const std::string points =
-        checks.is_whole() ? fmt::format("{} of {} points", points_text(checks.points()), checks.manifest().points())
-                          : fmt::format("checked {} of {}", checks.count(), checks.manifest().checks.size());
+    const std::string points = checks.is_whole()
+                                   ? checks.points()
+                                   : fmt::format("checked {} of {}", checks.count(), checks.manifest().checks.size());
     float width = ImGui::CalcTextSize(points.c_str()).x + ImGui::GetStyle().ItemSpacing.x * 2;
     std::vector<std::string> lines;
     for (const TaskInfo& task : tasks) {
