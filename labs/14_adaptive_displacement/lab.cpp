@@ -4,6 +4,8 @@
 // only the normal map is left. Your tasks: shaders/14_adaptive_displacement/task.glsl
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "framework/image/visualize.h"
 #include "framework/kit/displaced_surface.h"
 #include "framework/kit/labels.h"
@@ -168,7 +170,8 @@ private:
         const float most =
             surface_.most_level(program, highest_level(), purpose.text.starts_with("PROBE_") ? 1 : draws_of_picture());
         most_level_ = std::min(most_level_, most);
-        program.set("u_most_level", most);
+        // Without a bound the task's own maximum must show, also if it is missing.
+        program.set("u_most_level", most < DisplacedSurface::finest_level ? most : std::numeric_limits<float>::max());
         if (one_sided) glEnable(GL_CULL_FACE);
         // A probe has no caption for the count. Its caller may have a query of its own running.
         int triangles = 0;

@@ -31,7 +31,7 @@ std::string cell(const std::string& text) { return defused(printable(text, 2000)
 
 /// Returns points for other systems, which round as they like: the sum of shares, without the digits that binary
 /// fractions add.
-std::string decimal(double points) { return fmt::format("{:.10g}", points); }
+std::string decimal(double points) { return rounded(points, 10); }
 
 // ---- XML ----
 
