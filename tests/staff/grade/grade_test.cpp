@@ -141,10 +141,11 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
     EXPECT_EQ(truncated["labs"][0]["tasks"][3]["points"], 4);
     const auto at_the_rim = [](const json& result) { return result["labs"][0]["tasks"][2]["checks"][1]; };  // needs 2.1
     // Task 2.3 loses no points if 2.1 has a mistake, is unfinished, or does not compile.
-    for (const char* name : {"truncated", "begun", "misspelt"}) {
+    for (const char* name : {"truncated", "begun", "misspelt"})
         EXPECT_EQ(at_the_rim(result_of(output, name))["outcome"], "passed") << name;
+    // Truncated codes can pass by themselves: their error at the rim is just within the limit, depending on the view.
+    for (const char* name : {"begun", "misspelt"})
         EXPECT_EQ(at_the_rim(result_of(output, name))["found"], "passed with the solution of the other tasks") << name;
-    }
     EXPECT_EQ(outcomes(result_of(output, "begun"), "2.2"), Outcomes{"passed"});
     EXPECT_EQ(outcomes(result_of(output, "misspelt"), "2.1"), Outcomes{"broken"});
     const auto begin = solution.begin(), spelt = begin + std::ptrdiff_t(solution.find("return code / 255.0"));
