@@ -74,8 +74,6 @@ Fields badge(Outcome outcome, size_t count) {
             {"words", outcome_words(outcome)}};
 }
 
-namespace {}  // namespace
-
 ComparedImages compare_images(const ProbeInfo* probe, const Image& drawn, const Image& expected, double allowed) {
     if (!drawn.same_shape(expected) || drawn.pixel_count() == 0) {
         const auto show = [&](const Image& image) {
