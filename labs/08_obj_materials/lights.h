@@ -3,9 +3,12 @@
 
 #include <glm/glm.hpp>
 
+#include "framework/kit/choices.h"
+
 namespace relief::materials {
 
 enum Lamp { spot_lamp, point_lamp, sun };
+inline constexpr auto lamps = choices<Lamp>({{spot_lamp, "spot", "LAMP"}, {point_lamp, "point", "LAMP"}, {sun, "sun"}});
 
 /// Light is linear: 1 is white paper in full light. Lengths are in metres.
 struct Lights {

@@ -12,6 +12,7 @@
 #include "framework/kit/light.h"
 #include "framework/kit/numbers.h"
 #include "framework/kit/relief_material.h"
+#include "framework/kit/window_triangle.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -81,6 +82,33 @@ TEST(Numbers, LeaveFramebufferAndViewport) {
     EXPECT_EQ(std::vector<int>(viewport, viewport + 4), (std::vector<int>{1, 2, 30, 40}));
     EXPECT_EQ(GLuint(framebuffer), GLuint(frame));
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+TEST(WindowTriangle, CoversEachPixelWhateverTheDepthAndRestoresTheDepthTest) {
+    const auto source = [](const char* stage, const char* text) {
+        ShaderSource made;
+        made.stage = stage, made.text = text;
+        return made;
+    };
+    const Program program(
+        {source("a.vert",
+                "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
+                "gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0); }\n"),
+         source("a.frag", "#version 410 core\nout vec4 o_color;\nvoid main() { o_color = vec4(7.0); }\n")});
+    WindowTriangle triangle;
+    for (const bool is_on : {true, false}) {
+        const Image drawn = draw_numbers({5, 3}, [&] {
+            glClearDepth(0);
+            glClear(GL_DEPTH_BUFFER_BIT);
+            glClearDepth(1);
+            (is_on ? glEnable : glDisable)(GL_DEPTH_TEST);
+            glUseProgram(program);
+            triangle.draw();
+            EXPECT_EQ(bool(glIsEnabled(GL_DEPTH_TEST)), is_on);
+        });
+        for (const float value : drawn.values) EXPECT_EQ(value, 7);
+    }
+    glEnable(GL_DEPTH_TEST);
 }
 
 TEST(TruthOfRays, IsTheHitOfEachPixelsRayAndInfinityWithoutAHit) {
