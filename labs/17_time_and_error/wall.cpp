@@ -5,6 +5,7 @@
 
 #include "framework/height/levels.h"
 #include "framework/image/mips.h"
+#include "framework/mesh/clip.h"
 
 namespace relief::budget {
 namespace {
@@ -45,37 +46,14 @@ struct Projection {
     glm::dvec2 half_size;
 };
 
-/// A place on the wall's front, and the same in clip space.
-struct Corner {
-    glm::dvec2 place;
-    glm::dvec4 clip;
-};
-
-/// Returns the polygon of a patch that is in the picture (Sutherland and Hodgman 1974), empty if there is none. The
-/// picture is grown by a pixel on each side, for samples that are not at the centres of pixels.
-std::vector<Corner> seen_of(const Patch& patch, const FrameBudget& budget) {
+/// Returns the polygon of a patch that is in the picture, empty if there is none. The picture is grown by a pixel on
+/// each side, for samples that are not at the centres of pixels.
+std::vector<ClipCorner> seen_of(const Patch& patch, const FrameBudget& budget) {
     const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
-    std::vector<Corner> polygon;
+    std::vector<ClipCorner> polygon;
     for (const glm::dvec2 place : {patch.low, {patch.high.x, patch.low.y}, patch.high, {patch.low.x, patch.high.y}})
         polygon.push_back({place, clip_from_world * glm::dvec4(place, 0, 1)});
-    for (int plane = 0; plane < 6; ++plane) {
-        const int axis = plane / 2;
-        const double grown = axis < 2 ? 1 + 2.0 / std::max(1, budget.frame.size[axis]) : 1;
-        const auto inside = [&](const Corner& corner) {
-            return grown * corner.clip.w + (plane % 2 == 0 ? corner.clip[axis] : -corner.clip[axis]);
-        };
-        std::vector<Corner> kept;
-        for (size_t i = 0; i < polygon.size(); ++i) {
-            const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-            const double in_a = inside(a), in_b = inside(b);
-            if (in_a >= 0) kept.push_back(a);
-            if ((in_a >= 0) == (in_b >= 0)) continue;
-            const double share = in_a / (in_a - in_b);
-            kept.push_back({glm::mix(a.place, b.place, share), glm::mix(a.clip, b.clip, share)});
-        }
-        polygon = std::move(kept);
-    }
-    return polygon;
+    return clipped(std::move(polygon), 1.0 + 2.0 / glm::dvec2(glm::max(budget.frame.size, 1)));
 }
 
 struct Interval {
@@ -93,7 +71,7 @@ struct Bounds {
 /// Returns the bounds of the pixels in the polygon `seen`, which is not empty. When a place moves along the normal, its
 /// pixel moves by the length of a vector (a run) times the inverse distance ahead. The inverse distance and the run are
 /// linear on the screen. So the inverse distance and the length of the run have their maxima at corners.
-Bounds bounds_of(const std::vector<Corner>& seen, const FrameBudget& budget) {
+Bounds bounds_of(const std::vector<ClipCorner>& seen, const FrameBudget& budget) {
     const Projection projection(budget.frame);
     const glm::dvec3 eye = projection.eye;
     Bounds bounds{{0, 0}, {0, 0}, {INFINITY, 0}, false};
@@ -153,7 +131,7 @@ Methods methods_of(const Bounds& bounds, const FrameBudget& budget, const MapErr
 }
 
 /// Returns whether triangles for the patch take less time than the search in its pixels.
-bool is_better_displaced(const Patch& patch, const std::vector<Corner>& seen, const Bounds& bounds,
+bool is_better_displaced(const Patch& patch, const std::vector<ClipCorner>& seen, const Bounds& bounds,
                          const FrameBudget& budget, const MapErrors& maps) {
     if (!(patch.methods & (bit(parallax) | bit(exact)))) return false;
     const glm::dvec2 size = patch.high - patch.low;
@@ -241,7 +219,7 @@ std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps)
     const std::vector<double> columns = lines(eye.x);
     for (size_t i = 0; i + 1 < columns.size(); ++i) {
         Patch patch{{columns[i], wall_low.y}, {columns[i + 1], wall_high.y}, 0, false};
-        if (const std::vector<Corner> seen = seen_of(patch, budget); !seen.empty()) {
+        if (const std::vector<ClipCorner> seen = seen_of(patch, budget); !seen.empty()) {
             const Bounds bounds = bounds_of(seen, budget);
             patch.methods = methods_of(bounds, budget, maps), patch.may_leave = bounds.may_leave;
             if (is_better_displaced(patch, seen, bounds, budget, maps)) {
