@@ -3,59 +3,9 @@
 #include <algorithm>
 
 namespace relief::baking {
-namespace {
-
-/// Returns an image of `count` texels, the lowest row first, for shaders/07_baking/walk.glsl. `texel(i)` returns a
-/// vec4.
-template <class Source>
-Image data_image(size_t count, const Source& texel) {
-    constexpr int row = 1 << row_bits;
-    Image image(row, int(std::max<size_t>(1, (count + row - 1) / row)), 4);
-    for (size_t i = 0; i < count; ++i) {
-        const glm::vec4 value = texel(i);
-        std::copy_n(&value.x, 4, image.pixel(int(i % row), image.height - 1 - int(i / row)));
-    }
-    return image;
-}
-
-Texture data_texture(const char* title, std::function<Image()> make) {
-    return {title, std::move(make), TextureOptions{.wrap = Wrap::clamp, .mips = false}};
-}
-
-Image node_image(const TriangleTree& tree) {
-    return data_image(tree.nodes.size() * 2, [&](size_t i) {
-        const TreeNode& node = tree.nodes[i / 2];
-        // Floats represent whole numbers up to 2^24 exactly.
-        return i % 2 == 0 ? glm::vec4(node.low, float(node.skip))
-                          : glm::vec4(node.high, float(node.first * node_radix + node.count));
-    });
-}
-
-Image corner_image(const TriangleTree& tree, const Mesh& mesh) {
-    return data_image(tree.triangles.size() * 3, [&](size_t i) {
-        const uint32_t vertex = mesh.indices[size_t(tree.triangles[i / 3]) * 3 + i % 3];
-        return glm::vec4(mesh.vertices[vertex].position, float(vertex));
-    });
-}
-
-Image normal_image(const Mesh& mesh) {
-    return data_image(mesh.vertices.size(),
-                      [&](size_t i) { return glm::vec4(mesh.vertices[i].normal, mesh.vertices[i].uv.x); });
-}
-
-}  // namespace
-
-HighModel::HighModel(const Model& model, int fineness, bool cord)
-    : mesh(make_high(model, high_finenesses[size_t(fineness)], cord)),
-      tree(build_tree(mesh)),
-      nodes(data_texture("boxes", [this] { return node_image(tree); })),
-      corners(data_texture("corners", [this] { return corner_image(tree, mesh); })),
-      normals(data_texture("normals", [this] { return normal_image(mesh); })),
-      uploaded(upload([this] { return mesh; })) {}
-
-const HighModel& Baker::high(const Recipe& recipe) {
+const RayMesh& Baker::high(const Recipe& recipe) {
     return *of_shape(recipe).high.get({recipe.model, recipe.high, recipe.cord}, [&] {
-        return std::make_unique<HighModel>(recipe.model, recipe.high, recipe.cord);
+        return std::make_unique<RayMesh>(make_high(recipe.model, high_finenesses[size_t(recipe.high)], recipe.cord));
     });
 }
 
@@ -103,16 +53,12 @@ const Baked& Baker::bake(const Recipe& recipe) {
 
 /// Draws the coarse model into its map, where each texel casts its ray.
 void Baker::cast_rays(const Program& program, const Recipe& recipe, const TexelTarget& texels) {
-    const HighModel& fine = high(recipe);
     const GpuMesh& coarse = low(recipe, false);
     const float nothing[2][4] = {{-1, -1, -1, 0}, {0, 0, 0, 0}};  // black, and no hit
     texels.begin();
     for (const GLint attachment : {0, 1}) glClearBufferfv(GL_COLOR, attachment, nothing[attachment]);
     glUseProgram(program);
-    program.set("s_nodes", 0, fine.nodes);
-    program.set("s_corners", 1, fine.corners);
-    program.set("s_normals", 2, fine.normals);
-    program.set("u_nodes", int(fine.tree.nodes.size()));
+    high(recipe).set(program, 0);
     program.set("u_take", recipe.take);
     const bool is_cube = recipe.model.shape == Shape::cube;
     program.set("u_reach",

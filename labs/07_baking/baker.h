@@ -8,13 +8,13 @@
 #include "framework/gl/texel_target.h"
 #include "framework/kit/choices.h"
 #include "framework/kit/kept.h"
+#include "framework/kit/ray_mesh.h"
 #include "framework/kit/window_triangle.h"
-#include "framework/mesh/tree.h"
 #include "models.h"
 
 namespace relief::baking {
 
-#include "shaders/07_baking/shared.glsl"
+#include "shaders/07_baking/takes.glsl"
 
 /// The frame that is made of the interpolated normal and tangent.
 enum NormalFrame { interpolated, each_unit, gram_schmidt, vertex_bitangent };
@@ -45,15 +45,6 @@ struct Recipe {
     double reach_at(const glm::dvec2& uv) const { return double(reach) * model.unit(uv); }
 };
 
-/// The fine model: its mesh, and the textures that walk.glsl reads.
-struct HighModel {
-    HighModel(const Model& model, int fineness, bool cord);
-    Mesh mesh;
-    TriangleTree tree;
-    Texture nodes, corners, normals;
-    GpuMesh uploaded;
-};
-
 struct Baked {
     Recipe recipe;
     std::array<GLuint, 3> programs;  ///< the programs that made it
@@ -70,7 +61,7 @@ struct Baked {
 class Baker {
 public:
     /// Returns the high model of a recipe, made again if it has changed.
-    const HighModel& high(const Recipe& recipe);
+    const RayMesh& high(const Recipe& recipe);
     /// Returns the low model of a recipe. Its quads are cut along the diagonals of the bake, or along the other ones.
     const GpuMesh& low(const Recipe& recipe, bool other_diagonal);
     /// Returns the map of a recipe, baked again if the recipe or a shader has changed. Keeps one map for the ammonite
@@ -90,7 +81,7 @@ private:
     Programs cover_{"07_baking/bake.vert", "07_baking/cover.frag"};
     // Index 0 of of_shape_ is the ammonite, 1 the cube.
     struct OfShape {
-        Kept<std::unique_ptr<HighModel>, Model, int, bool> high;  ///< by fineness and cord
+        Kept<std::unique_ptr<RayMesh>, Model, int, bool> high;  ///< by fineness and cord
         /// By fineness and overlapping islands. Index 1 has the opposite diagonals of the bake's mesh.
         std::array<Kept<std::unique_ptr<GpuMesh>, Model, int, bool>, 2> low;
         std::unique_ptr<Baked> baked;

@@ -1,15 +1,16 @@
 // The triangles of the fine model, and the walk of a ray through their tree.
 
 #include "common/mesh_rays.glsl"
+#include "common/ray_mesh.glsl"
 #include "common/unfinished.glsl"
-#include "07_baking/shared.glsl"
+#include "07_baking/takes.glsl"
 #include "07_baking/task.glsl"
 
-uniform sampler2D s_nodes;    // two texels per node: low, next node after a miss; high, triangles (see node_radix)
-uniform sampler2D s_corners;  // three texels per triangle: position, number of the vertex
-uniform sampler2D s_normals;  // one texel per vertex: normal, turn
+uniform sampler2D s_nodes;
+uniform sampler2D s_corners;
+uniform sampler2D s_normals;  // u is the turn
 uniform int u_nodes;
-uniform int u_take;           // take_nearest, take_first or take_last
+uniform int u_take;
 
 vec4 row_texel(sampler2D map, int i) { return texelFetch(map, ivec2(i & ((1 << row_bits) - 1), i >> row_bits), 0); }
 
