@@ -13,7 +13,6 @@
 #include "framework/gl/light_target.h"
 #include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
-#include "framework/kit/light.h"
 #include "framework/kit/numbers.h"
 #include "framework/kit/tiles.h"
 #include "framework/kit/window_triangle.h"
@@ -56,16 +55,11 @@ public:
         knobs.choice("alpha", surfaces_.alpha, Surfaces::alphas.names, "what a mask does with a pixel");
         knobs.slider("threshold", surfaces_.threshold, 0.05f, 0.95f, "for alpha = test: what is above it stays");
         knobs.slider("fence", surfaces_.fence, 0.5f, 8, "tiles of wire to one of the file's");
-        knobs.group("Lantern");
-        knobs.choice("lamp", lamp_, lamps.names, "the lantern with its cone, without it, or daylight");
-        knobs.slider("range", range_, 0, 20, "how far the lantern reaches, metres");
-        knobs.slider("cone", cone_, 0, 64, "exponent of the lantern's cone; 0 shines all around");
-        knobs.slider("lamp_height", lamp_height_, 0, 3, "height of the lantern's light above the ground, metres");
-        light_.knobs(knobs, -5, 90);
+        lights_.knobs(knobs);
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        const Lights lights = this->lights();
+        const Lights lights = lights_.lights();
         if (view_ == lamp_cut) {
             if (probe.name != "lamp" || !true_share) return {};
             return image_of_values(frame.size, [&](int x, int y) {
@@ -118,10 +112,6 @@ private:
         });
     }
 
-    Lights lights() const {
-        return lights_of(Lamp(lamp_), light_.direction<double>(), double(range_), double(cone_), double(lamp_height_));
-    }
-
     std::vector<View> views_of(const Frame& frame) const {
         const Tile whole{{0, 0}, frame.size};
         const bool with_maps = maps_ != maps_off;
@@ -152,7 +142,7 @@ private:
         if (frame.probe.name == "layers") glClearColor(0, 0, 0, 0);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         surfaces_.draw(frame, drawn(maps_ != maps_off),
-                       {.pass = Pass::probe, .filter = surfaces_.filter, .lights = lights()});
+                       {.pass = Pass::probe, .filter = surfaces_.filter, .lights = lights_.lights()});
     }
 
     /// Draws the views into a target of floats, so that glass is blended as light, and encodes the sum at the end.
@@ -169,7 +159,7 @@ private:
             surfaces_.draw(frame_in(frame, tile), drawn(has_maps),
                            {.pass = is_flat ? Pass::flat : Pass::light,
                             .filter = view_ == ground && !frame.probe ? comparisons[i].filter : surfaces_.filter,
-                            .lights = lights(),
+                            .lights = lights_.lights(),
                             .target = &*target_});
         }
         glDisable(GL_SCISSOR_TEST);
@@ -206,8 +196,8 @@ private:
         program.set("u_forward", -row(2));
         program.set("u_right", row(0) * (up * frame.size.x / frame.size.y));
         program.set("u_up", row(1) * up);
-        program.set("u_to_sun", light_.direction());
-        program.set("u_day", lamp_ == sun && !is_flat ? 1.0f : 0.0f);
+        program.set("u_to_sun", lights_.distant.direction());
+        program.set("u_day", lights_.lamp == sun && !is_flat ? 1.0f : 0.0f);
         glDepthMask(GL_FALSE);
         window_.draw();
         glDepthMask(GL_TRUE);
@@ -233,7 +223,7 @@ private:
         glViewport(0, 0, frame.size.x, frame.size.y);
         const Program& program = cut_.with(frame.probe);
         glUseProgram(program);
-        set_lamp(program, lights());
+        set_lamp(program, lights_.lights());
         program.set("u_middle", glm::vec2(frame.size) / 2.0f);
         program.set("u_pixel", metres_per_pixel(frame.size));
         window_.draw();
@@ -269,7 +259,7 @@ private:
             const Image errors = draw_numbers(size, [&] {
                 surfaces_.draw(
                     frame, drawn(true),
-                    {.pass = Pass::filter_error, .filter = comparisons[comparison].filter, .lights = lights()});
+                    {.pass = Pass::filter_error, .filter = comparisons[comparison].filter, .lights = lights_.lights()});
             });
             double off = 0, sum = 0;
             for (size_t i = 0; i < errors.values.size(); i += 4)
@@ -291,9 +281,8 @@ private:
     std::array<Kept<double, std::vector<std::string>, int>, comparisons.size()> errors_;
     Labels labels_;
 
-    int view_ = garden, file_ = garden_file, maps_ = maps_on, lamp_ = spot_lamp;
-    float range_ = 7, cone_ = 2, lamp_height_ = 1.45f;
-    DistantLight light_{.yaw = 165, .pitch = 4};
+    int view_ = garden, file_ = garden_file, maps_ = maps_on;
+    LightKnobs lights_;
 };
 
 RELIEF_LAB(ObjMaterials);
