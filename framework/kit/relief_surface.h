@@ -28,6 +28,13 @@ public:
     /// 1, s_normals to 2. Preconditions: the program is in use, and the viewport is the frame's.
     void set(const Program& program, const Frame& frame, const glm::dmat4& world_from_model = glm::dmat4(1)) const;
     void draw() const;
+    /// The windows of the heights, and their texture: a layer for each quadrant.
+    struct Windows {
+        HeightWindows heights;
+        Texture texture;
+    };
+    /// Returns the windows of heights(), made again when these have changed. Throws as height_windows() does.
+    const Windows& windows() const;
     /// Sets the inputs of exact_hit() in shaders/common/exact_hit.glsl: s_windows on `unit`, and u_window_extent. Does
     /// nothing if the permutation does not use them.
     void set_exact_hit(const Program& program, int unit) const;
@@ -52,12 +59,6 @@ private:
     };
     const Shaped& shaped() const;
     mutable Kept<Shaped, int, float> shaped_;  ///< inputs: shape and extent
-
-    struct Windows {
-        HeightWindows heights;
-        Texture texture;
-    };
-    const Windows& windows() const;
     mutable Kept<Windows, int> windows_;  ///< input: the material's version
 };
 

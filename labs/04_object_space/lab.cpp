@@ -4,9 +4,11 @@
 // and see which map follows. Your tasks: shaders/04_object_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "framework/kit/choices.h"
 #include "framework/kit/labels.h"
 #include "framework/kit/light.h"
 #include "framework/kit/tiles.h"
+#include "framework/kit/window_triangle.h"
 #include "framework/lab/lab.h"
 #include "quilt.h"
 #include "truth.h"
@@ -28,7 +30,7 @@ public:
 
     void knobs(Knobs& knobs) override {
         knobs.choice("view", view_, views, "every map, or one of them");
-        knobs.choice("map", map_, maps, "for view = one: the map of the column");
+        knobs.choice("map", map_, maps.names, "for view = one: the map of the column");
         knobs.slider("twist", twist_, -180, 180, "twist of the column from its foot to its top, degrees");
         knobs.slider("rotate", rotate_, -180, 180, "rotation of the column about the vertical, degrees");
         knobs.slider("translate", translate_, -1, 1, "movement of the column to the side, metres");
@@ -46,8 +48,8 @@ private:
     enum View { every, one };
     enum Map { world, object, tangent };
     static constexpr std::array views = {"every", "one"};
-    static constexpr std::array maps = {"world", "object", "tangent"};
-    static constexpr std::array defines = {"WORLD_MAP", "OBJECT_MAP", "TANGENT_MAP"};
+    static constexpr auto maps = choices<Map>(
+        {{world, "world", "WORLD_MAP"}, {object, "object", "OBJECT_MAP"}, {tangent, "tangent", "TANGENT_MAP"}});
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         return tiles_of(size, view_ == one ? 1 : int(maps.size()));
@@ -65,7 +67,7 @@ private:
 
     void draw_column(const Frame& frame, const Tile& tile, int map) const {
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-        const Program& surface = surface_.with({frame.probe, defines[size_t(map)]});
+        const Program& surface = surface_.with({frame.probe, maps.define(map)});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_world_from_model", world_from_model());
@@ -78,17 +80,14 @@ private:
     }
 
     void describe(glm::ivec2 size, const Tile& tile, int map) {
-        labels_.caption(size, tile, 0, std::string(maps[size_t(map)]) + " space");
+        labels_.caption(size, tile, 0, std::string(maps.names[size_t(map)]) + " space");
         if (!show_map_) return;
         const int side = std::min(tile.size.x, tile.size.y) / 5, gap = side / 8;
         glViewport(tile.corner.x + gap, tile.corner.y + gap, side, side);
         const Program& inset = inset_.with();
         glUseProgram(inset);
         inset.set("s_normals", 0, texture(map));
-        glDisable(GL_DEPTH_TEST);
-        glBindVertexArray(nothing_.layout());
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glEnable(GL_DEPTH_TEST);
+        window_.draw();
     }
 
     Programs surface_{"04_object_space/column.vert", "04_object_space/column.frag"};
@@ -97,7 +96,7 @@ private:
     Texture object_ = load_texture("quilt_object.png", ColorSpace::linear);
     Texture tangent_ = load_texture("quilt_tangent.png", ColorSpace::linear);
     GpuMesh column_ = upload([] { return make_column(quilt::column); });
-    GpuMesh nothing_ = upload([] { return Mesh{}; });
+    WindowTriangle window_;
     Labels labels_;
 
     int view_ = every, map_ = tangent;

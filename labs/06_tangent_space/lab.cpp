@@ -6,6 +6,7 @@
 
 #include "framework/base/error.h"
 #include "framework/image/own_picture.h"
+#include "framework/kit/choices.h"
 #include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
 #include "framework/kit/light.h"
@@ -56,7 +57,7 @@ public:
         knobs.slider("light_height", light_height_, -3, 3, "height of the light, metres");
         knobs.slider("light_distance", light_distance_, 0, 5, "distance of the light from the axis, metres");
         knobs.group("Faults");
-        knobs.choice("trouble", trouble_, troubles, "faults in the tangents of the vertices");
+        knobs.choice("trouble", trouble_, troubles.names, "faults in the tangents of the vertices");
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
@@ -90,9 +91,10 @@ private:
     static constexpr std::array maps = {"bricks", "one-texel"};
     static constexpr std::array spaces = {"world", "tangent"};
     static constexpr std::array orders = {"product", "one-by-one"};
-    static constexpr std::array troubles = {"none", "leaning", "along-normal", "missing"};
-
-    static constexpr std::array trouble_defines = {"", "TANGENT_LEANING", "TANGENT_ALONG_NORMAL", "NO_TANGENT"};
+    static constexpr auto troubles = choices<Trouble>({{none, "none"},
+                                                       {leaning, "leaning", "TANGENT_LEANING"},
+                                                       {along_normal, "along-normal", "TANGENT_ALONG_NORMAL"},
+                                                       {missing, "missing", "NO_TANGENT"}});
 
     Way chosen() const {
         return {"", gram_schmidt_ ? "" : "AS_INTERPOLATED", inverse_transpose_ ? "" : "MODEL_MATRIX",
@@ -119,7 +121,7 @@ private:
         const Program& surface =
             map ? surface_.with({frame.probe, "NORMAL_MAP", way.frame, way.normals, way.turn,
                                  turn_ != 0 ? "TURNED" : "", light_in_ == tangent_space ? "IN_TANGENT_SPACE" : "",
-                                 trouble_defines[size_t(trouble_)], order_ == 1 ? "ONE_BY_ONE" : ""})
+                                 troubles.define(trouble_), order_ == 1 ? "ONE_BY_ONE" : ""})
                 : surface_.with({frame.probe, way.normals, order_ == 1 ? "ONE_BY_ONE" : ""});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());

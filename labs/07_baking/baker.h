@@ -6,37 +6,43 @@
 #include <optional>
 
 #include "framework/gl/texel_target.h"
+#include "framework/kit/choices.h"
 #include "framework/kit/kept.h"
-#include "framework/mesh/tree.h"
+#include "framework/kit/ray_mesh.h"
+#include "framework/kit/window_triangle.h"
 #include "models.h"
 
 namespace relief::baking {
 
-/// The definitions that choose a program's frame. A bake can store in the first three.
-inline constexpr std::array frame_defines = {"", "EACH_UNIT", "GRAM_SCHMIDT", "VERTEX_BITANGENT"};
+#include "shaders/07_baking/takes.glsl"
 
-/// Everything that a bake depends on. `high`, `low`, `frame`, `take` and `bits` are indices into a knob's choices.
+/// The frame that is made of the interpolated normal and tangent.
+enum NormalFrame { interpolated, each_unit, gram_schmidt, vertex_bitangent };
+inline constexpr auto frames = choices<NormalFrame>({{interpolated, "interpolated"},
+                                                     {each_unit, "each-unit", "EACH_UNIT"},
+                                                     {gram_schmidt, "gram-schmidt", "GRAM_SCHMIDT"},
+                                                     {vertex_bitangent, "vertex-bitangent", "VERTEX_BITANGENT"}});
+constexpr size_t bake_frames = 3;  ///< a bake can store in the first three
+
+enum class Take { nearest = take_nearest, first = take_first, last = take_last };
+inline constexpr auto takes = choices<Take>({{Take::nearest, "nearest"}, {Take::first, "first"}, {Take::last, "last"}});
+
+/// The formats of a map, by the bits of a channel.
+inline constexpr std::array bit_counts = {"8", "16", "float"};
+inline constexpr std::array<GLenum, 3> formats = {GL_RGBA8, GL_RGBA16, GL_RGBA32F};
+
+/// Everything that a bake depends on. `high`, `low` and `bits` are indices into a knob's choices.
 struct Recipe {
     Model model;
     int high = 0, low = 1;
     bool cord = false, overlapping = false, object_space = false, rays_of_face = false;
-    int frame = 0;  ///< interpolated, each-unit, gram-schmidt
-    int take = 0;   ///< nearest, first, last
+    int frame = interpolated, take = take_nearest;
     float reach = 0.42f;
     int size = 256, bits = 0, padding = 8;
     bool operator==(const Recipe&) const = default;
 
     /// Returns the reach in metres at a place of the map. `reach` itself is in Model::unit().
     double reach_at(const glm::dvec2& uv) const { return double(reach) * model.unit(uv); }
-};
-
-/// The fine model: its mesh, and the textures that walk.glsl reads.
-struct HighModel {
-    HighModel(const Model& model, int fineness, bool cord);
-    Mesh mesh;
-    TriangleTree tree;
-    Texture nodes, corners, normals;
-    GpuMesh uploaded;
 };
 
 struct Baked {
@@ -55,7 +61,7 @@ struct Baked {
 class Baker {
 public:
     /// Returns the high model of a recipe, made again if it has changed.
-    const HighModel& high(const Recipe& recipe);
+    const RayMesh& high(const Recipe& recipe);
     /// Returns the low model of a recipe. Its quads are cut along the diagonals of the bake, or along the other ones.
     const GpuMesh& low(const Recipe& recipe, bool other_diagonal);
     /// Returns the map of a recipe, baked again if the recipe or a shader has changed. Keeps one map for the ammonite
@@ -75,17 +81,19 @@ private:
     Programs cover_{"07_baking/bake.vert", "07_baking/cover.frag"};
     // Index 0 of of_shape_ is the ammonite, 1 the cube.
     struct OfShape {
-        Kept<std::unique_ptr<HighModel>, Model, int, bool> high;  ///< by fineness and cord
+        Kept<std::unique_ptr<RayMesh>, Model, int, bool> high;  ///< by fineness and cord
         /// By fineness and overlapping islands. Index 1 has the opposite diagonals of the bake's mesh.
         std::array<Kept<std::unique_ptr<GpuMesh>, Model, int, bool>, 2> low;
         std::unique_ptr<Baked> baked;
         std::optional<Baked::Report> report;
     };
     OfShape of_shape_[2];
-    std::optional<VertexArrayName> nothing_;
+    WindowTriangle window_;
 
     OfShape& of_shape(const Recipe& recipe) { return of_shape_[recipe.model.shape == Shape::cube ? 1 : 0]; }
-    void draw_window();
+    void cast_rays(const Program& program, const Recipe& recipe, const TexelTarget& texels);
+    void grow_islands(const Program& program, const Recipe& recipe, const TexelTarget& from, const TexelTarget& to);
+    void round_texels(const Program& program, const TexelTarget& texels, const TexelTarget& map);
 };
 
 }  // namespace relief::baking

@@ -5,6 +5,10 @@
 namespace relief::baking {
 namespace {
 
+constexpr glm::vec3 high_color{0.86f, 0.72f, 0.52f}, low_color{0.55f, 0.62f, 0.70f}, cage_color{0.36f, 0.40f, 0.46f};
+constexpr glm::vec3 hit_color{0.36f, 0.78f, 0.42f}, miss_color{0.93f, 0.28f, 0.20f}, wrong_color{0.68f, 0.36f, 0.95f},
+    unwritten_color{0.85f, 0.0f, 0.85f};
+
 /// Calls draw(from, to) for the section of each triangle by a half plane: from the z axis towards `outwards`.
 template <class Draw>
 void cut_mesh(const Mesh& mesh, const glm::dvec3& outwards, const Draw& draw) {
@@ -23,68 +27,136 @@ void cut_mesh(const Mesh& mesh, const glm::dvec3& outwards, const Draw& draw) {
     }
 }
 
-}  // namespace
+/// The coarse model as the bake cuts it: places of the map on its triangles.
+class CoarseModel {
+public:
+    explicit CoarseModel(const Recipe& recipe)
+        : fineness_(low_finenesses[size_t(recipe.low)]), mesh_(make_low(recipe.model, fineness_, false, false)) {}
 
-std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Image& hits, float share) {
-    constexpr glm::vec3 high_color{0.86f, 0.72f, 0.52f}, low_color{0.55f, 0.62f, 0.70f},
-        cage_color{0.36f, 0.40f, 0.46f};
-    std::vector<CutLine> lines;
-    if (recipe.model.shape == Shape::cube) return lines;
-    // The section goes through the centres of a column of texels.
-    const int column = std::clamp(int((1.0f / 16 + 14.0f / 16 * share) * float(recipe.size)), 0, recipe.size - 1);
-    const double u = (column + 0.5) / recipe.size;
-    const double angle = 2 * glm::pi<double>() * turn_at({u, 0.0});
-    const double side = recipe.model.shape == Shape::mirrored ? -1 : 1;
-    const glm::dvec3 outwards(side * std::cos(angle), std::sin(angle), 0);
-    const auto flat = [&](const glm::dvec3& place) { return glm::vec2(glm::dot(place, outwards), place.z); };
-    const auto add = [&](const glm::dvec3& a, const glm::dvec3& b, glm::vec3 color, float width) {
-        lines.push_back({flat(a), flat(b), color, width});
-    };
-    // Finds the place on the coarse model of a texel's centre. Quads are cut along the diagonals of the bake.
-    const Fineness fineness = low_finenesses[size_t(recipe.low)];
-    const Mesh low = make_low(recipe.model, fineness, false, false);
+    const Mesh& mesh() const { return mesh_; }
+
     struct Place {
         glm::dvec3 position, outwards;
     };
-    const auto place_of = [&](int whorl, double s, double t) {
-        const double x = std::clamp(s, 0.0, 1.0) * fineness.columns, y = std::clamp(t, 0.0, 1.0) * fineness.sides;
-        const int i = std::min(int(x), fineness.columns - 1), j = std::min(int(y), fineness.sides - 1);
+    /// Returns the place at (s, t) in [0, 1] of a whorl's strip.
+    Place at(int whorl, double s, double t) const {
+        const double x = std::clamp(s, 0.0, 1.0) * fineness_.columns, y = std::clamp(t, 0.0, 1.0) * fineness_.sides;
+        const int i = std::min(int(x), fineness_.columns - 1), j = std::min(int(y), fineness_.sides - 1);
         const double a = x - i, b = y - j;
-        const size_t row = size_t(fineness.sides) + 1;
-        const size_t first = size_t(whorl) * size_t(fineness.columns + 1) * row + size_t(i) * row + size_t(j);
-        const Vertex &v00 = low.vertices[first], &v10 = low.vertices[first + row], &v11 = low.vertices[first + row + 1],
-                     &v01 = low.vertices[first + 1];
+        const size_t row = size_t(fineness_.sides) + 1;
+        const size_t first = size_t(whorl) * size_t(fineness_.columns + 1) * row + size_t(i) * row + size_t(j);
+        const Vertex &v00 = mesh_.vertices[first], &v10 = mesh_.vertices[first + row],
+                     &v11 = mesh_.vertices[first + row + 1], &v01 = mesh_.vertices[first + 1];
         const auto mixed = [&](auto member) {
             const glm::dvec3 p = v00.*member, q = a > b ? v10.*member : v01.*member, r = v11.*member;
             return a > b ? (1 - a) * p + (a - b) * q + b * r : (1 - b) * p + (b - a) * q + a * r;
         };
-        return Place{mixed(&Vertex::position), glm::normalize(mixed(&Vertex::normal))};
-    };
-    const double s = (u - 1.0 / 16) / (14.0 / 16);
-    for (int whorl = 0; whorl < whorls; ++whorl) {
-        const int strip = recipe.overlapping ? std::max(whorl, 1) : whorl;
-        const int begin = (1 + 5 * strip) * recipe.size / 16, texels = recipe.size / 4;
-        const double reach = recipe.reach_at({u, (1 + 5 * whorl) / 16.0 + 0.1});
-        for (int j = 0; j < texels; ++j) {
-            const Place here = place_of(whorl, s, (j + 0.5) / texels);
-            const float* const hit = hits.pixel(column, recipe.size - 1 - (begin + j));
-            const glm::vec3 color = hit[2] > 0      ? unwritten_color
-                                    : hit[1] == 0   ? miss_color
-                                    : hit[1] < 1.5f ? hit_color
-                                                    : wrong_color;
-            const double end = hit[1] == 0 ? -reach : double(hit[0]);
-            add(here.position + reach * here.outwards, here.position + end * here.outwards, color,
-                color == hit_color ? 0.7f : 1.6f);
-        }
-        constexpr int steps = 96;
-        for (int j = 0; j < steps; ++j) {
-            const Place a = place_of(whorl, s, double(j) / steps), b = place_of(whorl, s, double(j + 1) / steps);
-            add(a.position + reach * a.outwards, b.position + reach * b.outwards, cage_color, 1);
-        }
+        return {mixed(&Vertex::position), glm::normalize(mixed(&Vertex::normal))};
     }
-    cut_mesh(low, outwards, [&](const auto& a, const auto& b) { add(a, b, low_color, 1.2f); });
-    cut_mesh(high, outwards, [&](const auto& a, const auto& b) { add(a, b, high_color, 1.8f); });
-    return lines;
+
+private:
+    Fineness fineness_;
+    Mesh mesh_;
+};
+
+/// Collects lines, projected onto the half plane from the z axis towards `outwards`.
+class Section {
+public:
+    explicit Section(const glm::dvec3& outwards) : outwards_(outwards) {}
+
+    void add(const glm::dvec3& a, const glm::dvec3& b, glm::vec3 color, float width) {
+        lines.push_back({flat(a), flat(b), color, width});
+    }
+    void add_mesh(const Mesh& mesh, glm::vec3 color, float width) {
+        cut_mesh(mesh, outwards_, [&](const auto& a, const auto& b) { add(a, b, color, width); });
+    }
+
+    std::vector<CutLine> lines;
+
+private:
+    glm::vec2 flat(const glm::dvec3& place) const { return glm::vec2(glm::dot(place, outwards_), place.z); }
+    glm::dvec3 outwards_;
+};
+
+/// Adds the rays of a column of texels of a whorl: from the cage to their hits. `hits` are those of the column from the
+/// strip's lower end on.
+void add_rays(Section& section, const CoarseModel& coarse, int whorl, double s, double reach,
+              const std::vector<glm::vec3>& hits) {
+    for (size_t j = 0; j < hits.size(); ++j) {
+        const auto here = coarse.at(whorl, s, (double(j) + 0.5) / double(hits.size()));
+        const glm::vec3 hit = hits[j];
+        const glm::vec3 color = hit.z > 0      ? unwritten_color
+                                : hit.y == 0   ? miss_color
+                                : hit.y < 1.5f ? hit_color
+                                               : wrong_color;
+        const double end = hit.y == 0 ? -reach : double(hit.x);
+        section.add(here.position + reach * here.outwards, here.position + end * here.outwards, color,
+                    color == hit_color ? 0.7f : 1.6f);
+    }
+}
+
+void add_cage(Section& section, const CoarseModel& coarse, int whorl, double s, double reach) {
+    constexpr int steps = 96;
+    for (int j = 0; j < steps; ++j) {
+        const auto a = coarse.at(whorl, s, double(j) / steps), b = coarse.at(whorl, s, double(j + 1) / steps);
+        section.add(a.position + reach * a.outwards, b.position + reach * b.outwards, cage_color, 1);
+    }
+}
+
+}  // namespace
+
+std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Image& hits, float share) {
+    if (recipe.model.shape == Shape::cube) return {};
+    // The section goes through the centres of a column of texels.
+    const float across = float(border) + float(1 - 2 * border) * share;
+    const int column = std::clamp(int(across * float(recipe.size)), 0, recipe.size - 1);
+    const double u = (column + 0.5) / recipe.size, s = (u - border) / (1 - 2 * border);
+    const double angle = 2 * glm::pi<double>() * turn_at({u, 0.0});
+    const double side = recipe.model.shape == Shape::mirrored ? -1 : 1;
+    Section section({side * std::cos(angle), std::sin(angle), 0});
+    const CoarseModel coarse(recipe);
+    for (int whorl = 0; whorl < whorls; ++whorl) {
+        const double low = border + step * (recipe.overlapping ? std::max(whorl, 1) : whorl);
+        const int begin = int(low * recipe.size), texels = int(strip * recipe.size);
+        std::vector<glm::vec3> of_column;
+        for (int j = begin; j < begin + texels; ++j) {
+            const float* const hit = hits.pixel(column, recipe.size - 1 - j);
+            of_column.emplace_back(hit[0], hit[1], hit[2]);
+        }
+        const double reach = recipe.reach_at({u, border + step * whorl + 0.1});
+        add_rays(section, coarse, whorl, s, reach, of_column);
+        add_cage(section, coarse, whorl, s, reach);
+    }
+    section.add_mesh(coarse.mesh(), low_color, 1.2f);
+    section.add_mesh(high, high_color, 1.8f);
+    return std::move(section.lines);
+}
+
+void CutDrawing::draw(const Tile& tile, const std::vector<CutLine>& lines) {
+    glm::vec2 low(INFINITY), high(-INFINITY);
+    for (const CutLine& line : lines)
+        low = glm::min(low, glm::min(line.from, line.to)), high = glm::max(high, glm::max(line.from, line.to));
+    const glm::vec2 size(tile.size), extent = glm::max(high - low, 1e-6f);
+    const float scale = 0.84f * std::min(size.x / extent.x, size.y / extent.y);
+    const float line_width = std::max(1.0f, 0.003f * std::min(size.x, size.y));
+    std::vector<Corner> corners;
+    for (const CutLine& line : lines) {
+        const glm::vec2 a = (line.from - (low + high) / 2.0f) * scale, b = (line.to - (low + high) / 2.0f) * scale;
+        const float length = glm::length(b - a);
+        if (!(length > 0)) continue;
+        const glm::vec2 aside = glm::vec2(a.y - b.y, b.x - a.x) / length * (0.5f * line_width * line.width);
+        for (const glm::vec2 place : {a - aside, b - aside, b + aside, a - aside, b + aside, a + aside})
+            corners.push_back({place / size * 2.0f, glm::vec4(line.color, 1)});
+    }
+    if (corners.empty()) return;
+    corners_.fill<Corner>(corners);
+    if (!layout_) corners_.attach(layout_.emplace());
+    glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
+    glUseProgram(program_.with());
+    glDisable(GL_DEPTH_TEST);
+    glBindVertexArray(*layout_);
+    glDrawArrays(GL_TRIANGLES, 0, corners_.count());
+    glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace relief::baking

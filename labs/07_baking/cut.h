@@ -1,7 +1,12 @@
 // A section through the whorls: the fine and the coarse model, the cage, and the rays of a column of texels.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "baker.h"
+#include "framework/gl/vertex_stream.h"
+#include "framework/kit/tiles.h"
 
 namespace relief::baking {
 
@@ -16,7 +21,19 @@ struct CutLine {
 /// recipe. A cube has no lines.
 std::vector<CutLine> cut_lines(const Recipe& recipe, const Mesh& high, const Image& hits, float share);
 
-constexpr glm::vec3 hit_color{0.36f, 0.78f, 0.42f}, miss_color{0.93f, 0.28f, 0.20f}, wrong_color{0.68f, 0.36f, 0.95f},
-    unwritten_color{0.85f, 0.0f, 0.85f};
+class CutDrawing {
+public:
+    /// Draws the whole section in the middle of a tile. Sets the viewport.
+    void draw(const Tile& tile, const std::vector<CutLine>& lines);
+
+private:
+    Programs program_{"07_baking/lines.vert", "07_baking/lines.frag"};
+    std::optional<VertexArrayName> layout_;
+    struct Corner {
+        glm::vec2 place;  ///< in clip coordinates
+        glm::vec4 color;
+    };
+    VertexStream corners_{{{0, 2, GL_FLOAT, offsetof(Corner, place)}, {1, 4, GL_FLOAT, offsetof(Corner, color)}}};
+};
 
 }  // namespace relief::baking

@@ -16,33 +16,21 @@ namespace relief::baking {
 class Baking final : public Lab {
 public:
     void draw(const Frame& frame) override {
-        const std::vector<View> views = views_of(frame);
-        // Bakes first: they change the framebuffer.
-        std::vector<const Baked*> baked;
-        for (const View& view : views)
-            baked.push_back(view.sight.shown == Shown::mapped || view.draws != Draws::model
-                                ? &baker_.bake(view.sight.recipe)
-                                : nullptr);
-        const bool wants_report = !frame.probe && (view_ == map || view_ == rays);
-        const Baked::Report report = wants_report ? baker_.report(*baked[0]) : Baked::Report{};
-        const bool shows_cut = view_ == rays && !frame.probe;
-        const std::vector<CutLine> no_lines, &lines = shows_cut ? cut_of(*baked[0]) : no_lines;
+        std::vector<View> views = views_of(frame);
+        // Bakes and reads back first: that changes the framebuffer.
+        for (View& view : views)
+            if (view.needs_map()) view.baked = &baker_.bake(view.sight.recipe);
+        std::optional<Baked::Report> report;
+        if (!frame.probe && (view_ == map || view_ == rays)) report = baker_.report(*views[0].baked);
+        if (!frame.probe && view_ == rays) views[0].cut = &cut_of(*views[0].baked);
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glViewport(0, 0, frame.size.x, frame.size.y);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        for (size_t i = 0; i < views.size(); ++i) {
-            const View& view = views[i];
-            if (view.draws == Draws::model)
-                draw_model(frame_in(frame, view.tile), view, baked[i]);
-            else if (view.draws == Draws::map)
-                draw_map(frame, view.tile, *baked[i]);
-            else if (view.draws == Draws::cover)
-                glViewport(0, 0, frame.size.x, frame.size.y), baker_.draw_cover(view.sight.recipe);
-            else if (shows_cut)
-                draw_cut(view.tile, lines);
+        for (const View& view : views) {
+            draw_view(frame, view);
             if (!view.title.empty()) labels_.caption(frame.size, view.tile, 0, view.title);
         }
-        if (wants_report) describe(frame.size, views[0].tile, report);
+        if (report) describe(frame.size, views[0].tile, *report);
         labels_.draw(frame);
     }
 
@@ -55,11 +43,13 @@ public:
         knobs.slider("cut", cut_, 0, 1, "for view = rays: where the cut is, in turns");
         knobs.group("Bake");
         knobs.choice("map", space_, spaces, "space of the map's normals");
-        knobs.choice("bake_frame", bake_frame_, bake_frames, "frame in which the bake stores a normal");
-        knobs.choice("frame", frame_, frames, "frame in which the renderer reads it");
+        knobs.choice("bake_frame", bake_frame_, std::span(frames.names).first(bake_frames),
+                     "frame in which the bake stores a normal");
+        knobs.choice("frame", frame_, frames.names, "frame in which the renderer reads it");
         knobs.choice("diagonal", diagonal_, diagonals, "the renderer cuts quads as the bake did, or the other way");
         knobs.choice("rays", ray_normals_, ray_normals, "direction of a ray: the interpolated normal, or the face's");
-        knobs.choice("take", take_, takes, "which hit counts: the nearest to the coarse model, the first, or the last");
+        knobs.choice("take", take_, takes.names,
+                     "which hit counts: the nearest to the coarse model, the first, or the last");
         knobs.slider("reach", reach_, 0, 0.6f, "distance of the cage, in radii of the tube");
         knobs.group("Shell");
         knobs.slider("gap", gap_, 0, 0.4f, "free space between the whorls, in radii of the tube");
@@ -71,8 +61,8 @@ public:
         knobs.steps("padding", padding_, 0, 16, "texels by which the map goes on around its islands");
         knobs.choice("level", level_, levels, "mip level of the map that is read");
         knobs.group("Models");
-        knobs.choice("low", low_, lows, "triangles of the coarse model");
-        knobs.choice("high", high_, highs, "triangles of the fine model");
+        knobs.choice("low", low_, low_names, "triangles of the coarse model");
+        knobs.choice("high", high_, high_names, "triangles of the fine model");
         light_.knobs(knobs);
     }
 
@@ -95,34 +85,39 @@ private:
     static constexpr std::array shapes = {"ammonite", "mirrored", "cube"};
     static constexpr std::array wears = {"map", "nothing", "high"};
     static constexpr std::array spaces = {"tangent", "object"};
-    static constexpr std::array bake_frames = {"interpolated", "each-unit", "gram-schmidt"};
-    static constexpr std::array frames = {"interpolated", "each-unit", "gram-schmidt", "vertex-bitangent"};
     static constexpr std::array diagonals = {"same", "other"};
     static constexpr std::array ray_normals = {"smooth", "face"};
-    static constexpr std::array takes = {"nearest", "first", "last"};
     static constexpr std::array islands = {"apart", "overlapping"};
     static constexpr std::array sizes = {"64", "128", "256", "512", "1024"};
-    static constexpr std::array bit_counts = {"8", "16", "float"};
     static constexpr std::array levels = {"mip", "0", "1", "2", "3", "4", "5"};
-    static constexpr std::array lows = {"100", "500", "2000"};
-    static constexpr std::array highs = {"16k", "131k", "1M"};
 
     enum class Draws { model, map, cover, cut };
     struct View {
-        Tile tile;
+        Tile tile{};
         Draws draws = Draws::model;
-        Sight sight;
-        int frame = 0;
-        std::string title;
+        Sight sight{};
+        int frame = interpolated;  ///< the renderer's
+        std::string title{};
+        const Baked* baked = nullptr;
+        const std::vector<CutLine>* cut = nullptr;
+
+        bool needs_map() const { return sight.shown == Shown::mapped || draws != Draws::model; }
     };
 
     Recipe recipe(Shape shape) const {
-        Recipe recipe;
-        recipe.model = {shape, gap_};
-        recipe.high = high_, recipe.low = low_, recipe.cord = cord_;
-        recipe.overlapping = islands_ == 1, recipe.object_space = space_ == 1, recipe.rays_of_face = ray_normals_ == 1;
-        recipe.frame = bake_frame_, recipe.take = take_, recipe.reach = reach_;
-        recipe.size = 64 << size_, recipe.bits = bits_, recipe.padding = padding_;
+        Recipe recipe{.model = {shape, gap_},
+                      .high = high_,
+                      .low = low_,
+                      .cord = cord_,
+                      .overlapping = islands_ == 1,
+                      .object_space = space_ == 1,
+                      .rays_of_face = ray_normals_ == 1,
+                      .frame = bake_frame_,
+                      .take = take_,
+                      .reach = reach_,
+                      .size = 64 << size_,
+                      .bits = bits_,
+                      .padding = padding_};
         if (shape == Shape::cube) {  // resets settings without effect on the cube, so that they do not cause a bake
             recipe.high = 0, recipe.low = 0, recipe.cord = recipe.overlapping = false, recipe.model.gap = 0;
         }
@@ -136,44 +131,59 @@ private:
     /// Returns the views of the picture, each in its tile. A probe of the map has one view.
     std::vector<View> views_of(const Frame& frame) const {
         const Shape chosen = Shape(shape_);
-        const Tile whole{{0, 0}, frame.size};
-        if (frame.probe && frame.probe.name != "normal")
-            return {{whole, frame.probe.name == "cover" ? Draws::cover : Draws::map, {recipe(chosen)}, 0, ""}};
-        if (view_ == one)
-            return {{whole, Draws::model, {recipe(chosen), Shown(2 - wears_), diagonal_ == 1}, frame_, ""}};
-        if (view_ == map) return {{whole, Draws::map, {recipe(chosen)}, 0, ""}};
-        if (view_ == rays) return {{whole, Draws::cut, {recipe(chosen)}, 0, ""}};
         std::vector<View> views;
-        const auto add = [&](Draws draws, Shape shape, Shown shown, int read_in, std::string title) {
-            views.push_back({{}, draws, {recipe(shape), shown, diagonal_ == 1}, read_in, std::move(title)});
-        };
-        if (view_ == cube) {
-            for (size_t i = 0; i < frames.size(); ++i) add(Draws::model, Shape::cube, Shown::mapped, int(i), frames[i]);
-        } else {
-            const Shape shape = chosen == Shape::cube ? Shape::ammonite : chosen;
-            add(Draws::model, shape, Shown::high, 0, fmt::format("{} triangles", high_triangles()));
-            add(Draws::model, shape, Shown::low, 0, std::to_string(low_triangles()));
-            add(Draws::model, shape, Shown::mapped, frame_, fmt::format("{} and a map", low_triangles()));
-            add(Draws::model, Shape::cube, Shown::mapped, bake_frame_, "flat: one frame");
-            add(Draws::model, Shape::cube, Shown::mapped, bake_frame_ == 2 ? 0 : 2, "another frame");
-            add(Draws::map, shape, Shown::nothing, 0, "the map");
-        }
+        if (frame.probe && frame.probe.name != "normal")
+            views = {{.draws = frame.probe.name == "cover" ? Draws::cover : Draws::map, .sight = {recipe(chosen)}}};
+        else if (view_ == one)
+            views = {{.sight = {recipe(chosen), Shown(2 - wears_), diagonal_ == 1}, .frame = frame_}};
+        else if (view_ == map)
+            views = {{.draws = Draws::map, .sight = {recipe(chosen)}}};
+        else if (view_ == rays)
+            views = {{.draws = Draws::cut, .sight = {recipe(chosen)}}};
+        else
+            views = view_ == cube ? cubes() : models(chosen == Shape::cube ? Shape::ammonite : chosen);
         const std::vector<Tile> tiles = tiles_of(frame.size, int(views.size()));
         for (size_t i = 0; i < views.size(); ++i) views[i].tile = tiles[i];
         return views;
     }
 
-    void draw_model(const Frame& frame, const View& view, const Baked* baked) {
+    View view_of_model(Shape shape, Shown shown, int read_in, std::string title) const {
+        return {.sight = {recipe(shape), shown, diagonal_ == 1}, .frame = read_in, .title = std::move(title)};
+    }
+
+    /// Returns the cube by each of the renderer's frames.
+    std::vector<View> cubes() const {
+        std::vector<View> views;
+        for (size_t i = 0; i < frames.size(); ++i)
+            views.push_back(view_of_model(Shape::cube, Shown::mapped, int(i), frames.names[i]));
+        return views;
+    }
+
+    std::vector<View> models(Shape shape) const {
+        const int other_frame = bake_frame_ == gram_schmidt ? interpolated : gram_schmidt;
+        return {view_of_model(shape, Shown::high, interpolated, fmt::format("{} triangles", high_triangles())),
+                view_of_model(shape, Shown::low, interpolated, std::to_string(low_triangles())),
+                view_of_model(shape, Shown::mapped, frame_, fmt::format("{} and a map", low_triangles())),
+                view_of_model(Shape::cube, Shown::mapped, bake_frame_, "flat: one frame"),
+                view_of_model(Shape::cube, Shown::mapped, other_frame, "another frame"),
+                {.draws = Draws::map, .sight = {recipe(shape), Shown::nothing}, .title = "the map"}};
+    }
+
+    void draw_view(const Frame& frame, const View& view) {
+        if (view.draws == Draws::model) return draw_model(frame_in(frame, view.tile), view);
+        if (view.draws == Draws::map) return draw_map(frame, view.tile, *view.baked);
+        if (view.draws == Draws::cover) return baker_.draw_cover(view.sight.recipe);
+        if (view.cut) cut_drawing_.draw(view.tile, *view.cut);
+    }
+
+    void draw_model(const Frame& frame, const View& view) {
         const auto& [recipe, shown, other_diagonal] = view.sight;
         glViewport(view.tile.corner.x, view.tile.corner.y, view.tile.size.x, view.tile.size.y);
         const bool has_map = shown == Shown::mapped, is_cube = recipe.model.shape == Shape::cube;
-        const Define mirror = is_cube && !frame.probe ? "MIRROR" : "";
+        const Define space = recipe.object_space ? "OBJECT_SPACE" : frames.define(view.frame);
         const Program& surface =
-            !has_map ? surface_.with({frame.probe, mirror})
-            : recipe.object_space
-                ? surface_.with({frame.probe, mirror, "MAP", level_ > 0 ? "ONE_LEVEL" : "", "OBJECT_SPACE"})
-                : surface_.with(
-                      {frame.probe, mirror, "MAP", level_ > 0 ? "ONE_LEVEL" : "", frame_defines[size_t(view.frame)]});
+            surface_.with({frame.probe, is_cube && !frame.probe ? "MIRROR" : "", has_map ? "MAP" : "",
+                           has_map && level_ > 0 ? "ONE_LEVEL" : "", has_map ? space : ""});
         glUseProgram(surface);
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_eye", frame.camera.eye());
@@ -181,7 +191,7 @@ private:
         if (has_map) {
             surface.set("s_map", 0);
             surface.set("u_level", float(std::max(0, level_ - 1)));
-            baked->map.bind(0);
+            view.baked->map.bind(0);
         }
         const GpuMesh& mesh = shown == Shown::high ? baker_.high(recipe).uploaded : baker_.low(recipe, other_diagonal);
         glBindVertexArray(mesh.layout());
@@ -208,62 +218,13 @@ private:
         baked.texels.bind(2, 1);
         baked.texels.bind(1, 0);
         baked.map.bind(0);
-        draw_triangles(nothing_, 3);
-    }
-
-    static void draw_triangles(std::optional<VertexArrayName>& layout, GLsizei count) {
-        if (!layout) layout.emplace();
-        glDisable(GL_DEPTH_TEST);
-        glBindVertexArray(*layout);
-        glDrawArrays(GL_TRIANGLES, 0, count);
-        glEnable(GL_DEPTH_TEST);
+        window_.draw();
     }
 
     const std::vector<CutLine>& cut_of(const Baked& baked) {
         return cut_lines_.get({baked.recipe, baked.programs, cut_}, [&] {
             return cut_lines(baked.recipe, baker_.high(baked.recipe).mesh, baked.texels.read(1), cut_);
         });
-    }
-
-    void draw_cut(const Tile& tile, const std::vector<CutLine>& lines) {
-        struct Corner {
-            glm::vec2 place;
-            glm::vec4 color;
-        };
-        // Centres the whole section in the tile.
-        glm::vec2 low(INFINITY), high(-INFINITY);
-        for (const CutLine& line : lines)
-            low = glm::min(low, glm::min(line.from, line.to)), high = glm::max(high, glm::max(line.from, line.to));
-        const glm::vec2 size(tile.size), extent = glm::max(high - low, 1e-6f);
-        const float scale = 0.84f * std::min(size.x / extent.x, size.y / extent.y);
-        const float line_width = std::max(1.0f, 0.003f * std::min(size.x, size.y));
-        std::vector<Corner> corners;
-        for (const CutLine& line : lines) {
-            const glm::vec2 a = (line.from - (low + high) / 2.0f) * scale, b = (line.to - (low + high) / 2.0f) * scale;
-            const float length = glm::length(b - a);
-            if (!(length > 0)) continue;
-            const glm::vec2 aside = glm::vec2(a.y - b.y, b.x - a.x) / length * (0.5f * line_width * line.width);
-            const glm::vec2 places[] = {a - aside, b - aside, b + aside, a - aside, b + aside, a + aside};
-            for (const glm::vec2 place : places) corners.push_back({place / size * 2.0f, glm::vec4(line.color, 1)});
-        }
-        if (corners.empty()) return;
-        if (!lines_) {
-            lines_.emplace();
-            glBindVertexArray(lines_->layout);
-            glBindBuffer(GL_ARRAY_BUFFER, lines_->corners);
-            for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
-            glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(Corner), nullptr);
-            glVertexAttribPointer(1, 4, GL_FLOAT, GL_FALSE, sizeof(Corner),
-                                  reinterpret_cast<const void*>(offsetof(Corner, color)));
-        }
-        glBindBuffer(GL_ARRAY_BUFFER, lines_->corners);
-        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(corners.size() * sizeof(Corner)), corners.data(), GL_STREAM_DRAW);
-        glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
-        glUseProgram(line_program_.with());
-        glDisable(GL_DEPTH_TEST);
-        glBindVertexArray(lines_->layout);
-        glDrawArrays(GL_TRIANGLES, 0, GLsizei(corners.size()));
-        glEnable(GL_DEPTH_TEST);
     }
 
     /// Writes the results of the rays, and which settings make them wrong.
@@ -284,16 +245,11 @@ private:
                             {1.0f, 0.62f, 0.45f});
     }
 
-    struct Lines {
-        VertexArrayName layout;
-        BufferName corners;
-    };
     Programs surface_{"07_baking/surface.vert", "07_baking/surface.frag"};
     Programs map_{"07_baking/window.vert", "07_baking/map.frag"};
-    Programs line_program_{"07_baking/lines.vert", "07_baking/lines.frag"};
     Baker baker_;
-    std::optional<VertexArrayName> nothing_;
-    std::optional<Lines> lines_;
+    WindowTriangle window_;
+    CutDrawing cut_drawing_;
     Kept<std::vector<CutLine>, Recipe, std::array<GLuint, 3>, float> cut_lines_;
     Labels labels_;
 

@@ -8,7 +8,6 @@ namespace {
 constexpr double two_pi = 2 * glm::pi<double>();
 constexpr int ribs = 15;      // per turn
 constexpr double seam = 0.9;  // of the map's strips: angle around the tube from the outermost line, radians
-constexpr double border = 1.0 / 16, strip = 1.0 / 4, step = strip + border;
 
 /// Returns the height of the ribs, in radii of the tube. They bend forwards, and fade where the next whorl lies on
 /// them.

@@ -18,6 +18,9 @@ constexpr double cord_height = 0.28, cord_radius = 0.08;         ///< of its mid
 constexpr float cube_side = 1.05f;
 constexpr glm::vec3 cube_centre{0.17f, 0, 0};  // the middle of the ammonite
 
+/// The map: strips of the whorls, or squares of the cube's faces, with borders around them. In uv.
+constexpr double border = 1.0 / 16, strip = 1.0 / 4, step = strip + border;
+
 struct Model {
     Shape shape = Shape::ammonite;
     float gap = 0.12f;  ///< between neighbouring whorls, a share of the tube's radius
@@ -36,15 +39,17 @@ struct Fineness {
     int columns, sides;
 };
 constexpr std::array<Fineness, 3> high_finenesses = {{{340, 24}, {728, 90}, {2048, 256}}};
+inline constexpr std::array high_names = {"16k", "131k", "1M"};  ///< their numbers of triangles
 /// For one whorl.
 constexpr std::array<Fineness, 3> low_finenesses = {{{4, 4}, {14, 6}, {28, 12}}};
+inline constexpr std::array low_names = {"100", "500", "2000"};  ///< their numbers of triangles
 
 /// Returns the mesh that is baked. uv.x is the turn at a vertex, so that a hit knows its whorl. On the cord it is 100
 /// more. The cord runs above the last whorl without touching it. The cube has flat faces.
 Mesh make_high(const Model& model, Fineness fineness, bool cord);
 
 /// Returns the mesh that wears the map. Its vertices lie on the tube without ribs and have the tube's normals. Each
-/// whorl is a strip of the map, and each face of the cube a square, with borders at multiples of 1/16. The cube's
+/// whorl is a strip of the map, and each face of the cube a square. The cube's
 /// normals are averaged over three faces. With `overlapping` the inner two whorls share a strip. `other_diagonal` cuts
 /// all quads along the other diagonal.
 Mesh make_low(const Model& model, Fineness fineness, bool overlapping, bool other_diagonal);

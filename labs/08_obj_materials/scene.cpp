@@ -10,34 +10,12 @@
 #include "framework/base/error.h"
 #include "framework/base/paths.h"
 #include "framework/image/asset.h"
+#include "framework/mesh/uv_tangents.h"
 
 namespace relief::materials {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Sets the tangents from the gradients of u and v on each triangle. xyz points along growing u, and w is the
-/// handedness. Degenerate triangles set none.
-void add_tangents(Mesh& mesh) {
-    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        Vertex* corner[3];
-        for (size_t k = 0; k < 3; ++k) corner[k] = &mesh.vertices[mesh.indices[i + k]];
-        const glm::dvec3 a = corner[0]->position, b = corner[1]->position, c = corner[2]->position;
-        const glm::dvec3 face = glm::cross(b - a, c - a);
-        // The gradient of a corner's weight lies across the opposite edge.
-        const std::array across = {glm::cross(face, c - b), glm::cross(face, a - c), glm::cross(face, b - a)};
-        glm::dvec3 along_u(0), along_v(0);
-        for (size_t k = 0; k < 3; ++k)
-            along_u += across[k] * double(corner[k]->uv.x), along_v += across[k] * double(corner[k]->uv.y);
-        if (glm::dot(along_u, along_u) == 0) continue;
-        for (Vertex* vertex : corner) {
-            const glm::dvec3 n = vertex->normal, flat = along_u - n * glm::dot(n, along_u);
-            if (glm::dot(flat, flat) == 0) continue;
-            const double side = glm::dot(glm::cross(n, flat), along_v) < 0 ? -1 : 1;
-            vertex->tangent = glm::vec4(glm::normalize(flat), side);
-        }
-    }
-}
 
 /// Finds the maps of materials and their kinds. Each picture is examined once.
 class Maps {
@@ -78,41 +56,18 @@ private:
     std::map<std::string, MapKind> kinds_;
 };
 
-/// Returns the alpha of a level at (u, v) in tiles by GL's bilinear filter.
-double alpha_at(const Image& level, double u, double v) {
-    const double x = u * level.width - 0.5, y = v * level.height - 0.5;
-    const double left = std::floor(x), low = std::floor(y);
-    const auto texel = [&](double column, double row) {
-        const int w = level.width, h = level.height;
-        return double(*level.pixel(((int(column) % w) + w) % w, ((int(row) % h) + h) % h));
-    };
-    const double bottom = glm::mix(texel(left, low), texel(left + 1, low), x - left);
-    return glm::mix(bottom, glm::mix(texel(left, low + 1), texel(left + 1, low + 1), x - left), y - low);
-}
-
-/// Returns the alpha at 16,384 evenly distributed places, for any size of texels (Roberts 2018).
-std::vector<double> alphas_of(const Image& level) {
-    std::vector<double> alphas;
-    for (int i = 0; i < 1 << 14; ++i) {
-        const double u = (i + 0.5) * 0.7548776662466927, v = (i + 0.5) * 0.5698402909980532;
-        alphas.push_back(alpha_at(level, u - std::floor(u), v - std::floor(v)));
-    }
-    return alphas;
-}
-
 }  // namespace
 
 std::string words(unsigned features) {
-    static const std::array names = {"Kd", "Ks", "norm", "bump", "d", "glass"};
     std::string text;
-    for (size_t i = 0; i < names.size(); ++i)
-        if (features >> i & 1) text.append(text.empty() ? "" : " ").append(names[i]);
+    for (const auto& [feature, word] : feature_words)
+        if (features & feature) text.append(text.empty() ? "" : " ").append(word);
     return text;
 }
 
 Scene make_scene(ObjModel model, bool with_maps, const std::function<MapKind(const Image&)>& kind_of) {
     Scene scene{std::move(model.mesh), {}, 0, std::move(model.notes)};
-    add_tangents(scene.mesh);
+    set_uv_tangents(scene.mesh);
     Maps maps(kind_of, scene.notes);
     std::map<unsigned, int> program_of;
     for (const Subset& subset : model.subsets) {
@@ -169,24 +124,6 @@ ObjModel thousand_tiles() {
                                    "map_Kd bricks_albedo.png\nmap_bump bricks_normal.png\n"}[size_t(i * 7 % 11 % 4)]);
     }
     return parse_obj(obj, mtl, course_root() / "assets" / "thousand.obj");
-}
-
-double share_above(const Image& level, double threshold) {
-    const std::vector<double> alphas = alphas_of(level);
-    return double(std::count_if(alphas.begin(), alphas.end(), [&](double a) { return a > threshold; })) /
-           double(alphas.size());
-}
-
-std::vector<float> kept_scales(const std::vector<Image>& levels) {
-    const double share = share_above(levels.at(0), 0.5);
-    std::vector<float> scales = {1};
-    for (size_t i = 1; i < levels.size(); ++i) {
-        std::vector<double> alphas = alphas_of(levels[i]);
-        const auto place = alphas.begin() + std::ptrdiff_t(double(alphas.size() - 1) * (1 - share));
-        std::nth_element(alphas.begin(), place, alphas.end());
-        scales.push_back(float(0.5 / std::max(*place, 1.0 / 512)));
-    }
-    return scales;
 }
 
 }  // namespace relief::materials

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/mesh/obj.h"
@@ -11,15 +12,24 @@
 
 namespace relief::materials {
 
-/// The features that a material can name, with the values of features.glsl.
+#include "shaders/08_obj_materials/feature_bits.glsl"
+
+/// The features that a material can name.
 enum Feature : unsigned {
-    color_map = 1,
-    highlight_map = 2,
-    normal_map = 4,
-    height_map = 8,
-    mask_map = 16,
-    glass = 32,  ///< its opacity is below 1
+    color_map = COLOR_MAP,
+    highlight_map = HIGHLIGHT_MAP,
+    normal_map = NORMAL_MAP,
+    height_map = HEIGHT_MAP,
+    mask_map = MASK_MAP,
+    glass = GLASS
 };
+/// Their words in an MTL file.
+constexpr std::array<std::pair<Feature, const char*>, 6> feature_words = {{{color_map, "Kd"},
+                                                                           {highlight_map, "Ks"},
+                                                                           {normal_map, "norm"},
+                                                                           {height_map, "bump"},
+                                                                           {mask_map, "d"},
+                                                                           {glass, "glass"}}};
 constexpr unsigned all_features = 63;
 
 /// The triangles of a material, as a range of Scene::mesh.
@@ -53,12 +63,5 @@ Scene make_scene(ObjModel model, bool with_maps, const std::function<MapKind(con
 
 /// Returns a model of a thousand tiles. Each has a material of its own; there are four sets of features.
 ObjModel thousand_tiles();
-
-/// Returns the factor on the alpha of each level of a mask that keeps its coverage: the share of places above 1/2 is
-/// that of level 0 (Castano 2010). Places lie between texels, too, and are filtered bilinearly.
-std::vector<float> kept_scales(const std::vector<Image>& levels);
-
-/// Returns the share of the places of a level whose alpha is above the threshold.
-double share_above(const Image& level, double threshold);
 
 }  // namespace relief::materials

@@ -6,6 +6,7 @@
 
 #include "framework/base/text.h"
 #include "framework/height/bounds.h"
+#include "framework/kit/choices.h"
 #include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
 #include "framework/kit/light.h"
@@ -49,7 +50,7 @@ public:
         knobs.choice("view", view_, views, "methods side by side, or one picture by the knobs");
         knobs.choice("show", show_, shows, "for view = compare: the picture, the error, or both");
         knobs.group("March");
-        knobs.choice("count", chosen_.count, counts, "rule for the number of steps");
+        knobs.choice("count", chosen_.count, counts.names, "rule for the number of steps");
         knobs.steps("steps", steps_, 1, 512, "steps of the march; with count = angle: of a level ray");
         knobs.steps("least_steps", least_steps_, 1, 512, "for count = angle: steps of a ray straight down");
         knobs.slider("texels_per_step", chosen_.texels_per_step, 0.25f, 8,
@@ -79,8 +80,8 @@ private:
     enum Refine { none, linear, bisection, secant, illinois };
     static constexpr std::array views = {"compare", "one"};
     static constexpr std::array shows = {"both", "picture", "error"};
-    static constexpr std::array counts = {"fixed", "angle", "texel"};
-    static constexpr std::array count_defines = {"", "BY_ANGLE", "BY_TEXEL"};
+    static constexpr auto counts =
+        choices<Count>({{fixed, "fixed"}, {by_angle, "angle", "BY_ANGLE"}, {by_texel, "texel", "BY_TEXEL"}});
     static constexpr std::array refinements = {"none", "linear", "bisection", "secant", "illinois"};
     static constexpr std::array mips = {"base", "footprint"};
     static constexpr std::array lookups = {"fixed-lod", "implicit"};
@@ -126,9 +127,9 @@ private:
 
     /// Returns the program for a frame and a method, in use and with all uniforms set.
     const Program& use(const Frame& frame, const Method& method, const Define& purpose, float level_bias = 0) {
-        const Program& program = program_.with(
-            {purpose, mip_ == footprint ? "FOOTPRINT" : "", lookup_ == implicit ? "IMPLICIT" : "", skip_ ? "SKIP" : "",
-             count_defines[size_t(method.count)], fmt::format("REFINE {}", method.refine)});
+        const Program& program =
+            program_.with({purpose, mip_ == footprint ? "FOOTPRINT" : "", lookup_ == implicit ? "IMPLICIT" : "",
+                           skip_ ? "SKIP" : "", counts.define(method.count), fmt::format("REFINE {}", method.refine)});
         glUseProgram(program);
         surface_.set(program, frame);
         program.set("s_bounds", 3, bounds_.get({surface_.version()}, [this] {

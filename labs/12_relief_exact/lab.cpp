@@ -61,9 +61,9 @@ public:
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
         knobs.choice("view", view_, views, "reliefs and a ball, every method, or one of them");
-        knobs.choice("method", method_, method_names, "how the search skips; the hit is the same");
+        knobs.choice("method", method_, methods.names, "how the search skips; the hit is the same");
         knobs.choice("show", show_, shows, "the light, the iterations of each pixel, or half of each");
-        knobs.choice("shadow", shadow_, shadows, "shadow of the relief on itself");
+        knobs.choice("shadow", shadow_, shadows.names, "shadow of the relief on itself");
         knobs.toggle("write_depth", write_depth_, "write the depth of the hit; off: of the base");
         knobs.toggle("outline", outline_, "end where the relief ends, and curve with a column");
         knobs.toggle("costs", costs_, "show the time and memory of each method's map");
@@ -84,12 +84,12 @@ private:
     enum Shadow { no_shadow, hard, soft };
     static constexpr std::array views = {"scene", "compare", "one"};
     static constexpr std::array shows = {"light", "half-and-half", "iterations"};
-    static constexpr std::array shadows = {"none", "hard", "soft"};
-    static constexpr std::array shadow_defines = {"", "HARD_SHADOW", "SOFT_SHADOW"};
+    static constexpr auto shadows =
+        choices<Shadow>({{no_shadow, "none"}, {hard, "hard", "HARD_SHADOW"}, {soft, "soft", "SOFT_SHADOW"}});
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         const int below = view_ != scene && show_ != show_light ? Labels::scale_height(size) : 0;
-        return tiles_of(size, view_ == compare ? int(method_names.size()) : 1, below);
+        return tiles_of(size, view_ == compare ? int(methods.size()) : 1, below);
     }
     Method method_of(size_t tile) const { return Method(view_ == compare ? int(tile) : method_); }
 
@@ -105,7 +105,7 @@ private:
     }
 
     Skips& skips_of(const ReliefSurface& surface) {
-        return *skips_[&surface].get({surface.version()}, [&] { return std::make_unique<Skips>(surface.heights()); });
+        return *skips_[&surface].get({surface.version()}, [&] { return std::make_unique<Skips>(surface); });
     }
 
     void draw_object(const Frame& frame, const Object& object, Method method, float turns_from) {
@@ -113,7 +113,7 @@ private:
         Skips& skips = skips_of(surface);
         const double radius = object.radius(outline_);
         const Program& program = surface_program_.with(
-            {frame.probe, method_defines[method], frame.probe ? "" : shadow_defines[size_t(shadow_)],
+            {frame.probe, methods.define(method), frame.probe ? "" : shadows.define(shadow_),
              write_depth_ ? "WRITE_DEPTH" : "", outline_ ? "OUTLINE" : "", radius > 0 ? "CURVED" : ""});
         glUseProgram(program);
         surface.set(program, frame, object.world_from_model);
@@ -158,7 +158,7 @@ private:
     }
 
     void describe(glm::ivec2 size, const Tile& tile, Method method, double iterations) {
-        labels_.caption(size, tile, 0, method_names[method]);
+        labels_.caption(size, tile, 0, methods.names[method]);
         if (std::isfinite(iterations)) labels_.caption(size, tile, -1, fmt::format("{:.1f} iterations", iterations));
         if (!costs_) return;
         const Skips::Costs costs = skips_of(surface_).costs(method);

@@ -7,19 +7,24 @@
 #include "framework/gl/counters.h"
 #include "framework/height/bounds.h"
 #include "framework/height/skips.h"
+#include "framework/kit/choices.h"
+#include "framework/kit/relief_surface.h"
 #include "framework/lab/lab.h"
 
 namespace relief::exact {
 
 enum Method : int { walk, coarse, windows, max_mip, cones };
-inline constexpr std::array method_names = {"walk", "coarse", "windows", "max-mips", "cones"};
-inline constexpr std::array method_defines = {"WALK", "COARSE", "WINDOWS", "MAX_MIPS", "CONES"};
+inline constexpr auto methods = choices<Method>({{walk, "walk", "WALK"},
+                                                 {coarse, "coarse", "COARSE"},
+                                                 {windows, "windows", "WINDOWS"},
+                                                 {max_mip, "max-mips", "MAX_MIPS"},
+                                                 {cones, "cones", "CONES"}});
 
 class Skips {
 public:
-    explicit Skips(const Image& heights)
-        : heights_(heights),
-          highest_(heights.values.empty() ? 0 : *std::max_element(heights.values.begin(), heights.values.end())) {}
+    /// Precondition: `surface` outlives this object, and its heights do not change.
+    explicit Skips(const ReliefSurface& surface)
+        : surface_(surface), highest_(std::ranges::max(surface.heights().values)) {}
     Skips(const Skips&) = delete;
 
     /// Sets the uniforms of shaders/12_relief_exact/search.glsl, and binds a texture to unit 3. Precondition: the
@@ -35,15 +40,13 @@ public:
 private:
     void make(Method method);
 
-    const Image& heights_;
+    const ReliefSurface& surface_;
     float highest_;
-    std::array<Costs, method_names.size()> costs_{};
-    std::array<bool, method_names.size()> made_{};
-    HeightWindows windows_;
-    Texture window_texture_{"windows", [this] { return windows_.clearance; }, {.mips = false, .layers = 4}};
-    Texture around_{"highest in 5 x 5", [this] { return highest_in_5x5(heights_); }, {.mips = false}};
-    Texture bounds_{"bounds", [this] { return min_max_atlas(heights_); }, {.mips = false}};
-    Texture cones_{"cones", [this] { return cone_map(heights_); }, {.mips = false}};
+    std::array<Costs, methods.size()> costs_{};
+    std::array<bool, methods.size()> made_{};
+    Texture around_{"highest in 5 x 5", [this] { return highest_in_5x5(surface_.heights()); }, {.mips = false}};
+    Texture bounds_{"bounds", [this] { return min_max_atlas(surface_.heights()); }, {.mips = false}};
+    Texture cones_{"cones", [this] { return cone_map(surface_.heights()); }, {.mips = false}};
 };
 
 }  // namespace relief::exact

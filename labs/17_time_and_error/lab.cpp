@@ -8,6 +8,8 @@
 
 #include "framework/base/text.h"
 #include "framework/gl/patches.h"
+#include "framework/gl/vertex_stream.h"
+#include "framework/kit/choices.h"
 #include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
 #include "framework/kit/light.h"
@@ -16,33 +18,33 @@
 #include "framework/kit/tiles.h"
 #include "truth.h"
 
-namespace relief {
-
-using namespace budget;
+namespace relief::budget {
 
 class TimeAndError final : public Lab {
 public:
     TimeAndError() { surface_.material.asset_texels = 512, surface_.depth = 0.03f; }
 
     void draw(const Frame& frame) override {
-        const auto tiles = tiles_of_view(frame.size);
-        Shares shares;
-        if (!frame.probe) shares = shares_of_methods(frame_in(frame, tiles.back()));
+        const std::vector<Tile> tiles = tiles_of_view(frame.size);
+        // Measures first, in a framebuffer of its own.
+        const bool is_measured = view_ != picture && !frame.probe;
+        const Shares shares = is_measured ? shares_of_methods(frame_in(frame, tiles.back())) : Shares{};
         glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         for (size_t i = 0; i < tiles.size(); ++i) {
-            const bool shows_methods = view_ == methods_only || (view_ == both && i == 1);
-            glViewport(tiles[i].corner.x, tiles[i].corner.y, tiles[i].size.x, tiles[i].size.y);
-            const double reach = draw_wall(frame_budget(frame_in(frame, tiles[i])), shows_methods);
+            const Tile& tile = tiles[i];
+            const bool shows_methods = view_ == methods_only || i == 1;
+            glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
+            const double reach = draw_wall(frame_budget(frame_in(frame, tile)), shows_methods);
             if (std::isfinite(reach))
-                labels_.caption(frame.size, tiles[i], 1,
+                labels_.caption(frame.size, tile, 1,
                                 fmt::format("triangles coarser beyond {}", amount_of(reach, "metre", 2)));
             if (shows_methods)
-                describe_methods(frame.size, tiles[i], shares);
+                list_methods(frame.size, tile, shares);
             else
                 labels_.caption(
-                    frame.size, tiles[i], 0,
-                    method_ == automatic ? "budget " + amount_of(budget_, "pixel") : methods[size_t(method_)]);
+                    frame.size, tile, 0,
+                    method_ == automatic ? "budget " + amount_of(budget_, "pixel") : methods.names[size_t(method_)]);
         }
         labels_.draw(frame);
     }
@@ -51,7 +53,7 @@ public:
         knobs.group("Picture");
         knobs.slider("budget", budget_, 0.25f, 16, "tolerated error of the relief, pixels");
         knobs.choice("view", view_, views, "the picture, the methods as colours, or both");
-        knobs.choice("method", method_, methods, "the cheapest that keeps the budget, or one everywhere");
+        knobs.choice("method", method_, methods.names, "the cheapest that keeps the budget, or one everywhere");
         knobs.toggle("spend", spend_, "for one method: thin the relief by the budget; off: as in labs 11 to 13");
         knobs.group("Costs");
         knobs.slider("exact_taps", exact_taps_, 0, 1000, "taps of a march that take as long as an exact search");
@@ -72,8 +74,14 @@ public:
 private:
     enum View { both, picture, methods_only };
     static constexpr std::array views = {"both", "picture", "methods"};
-    static constexpr int automatic = 0;  ///< choice 0 of the knob; the methods of wall.h follow
-    static constexpr std::array methods = {"auto", "plain", "normal-map", "parallax", "exact", "displacement"};
+    /// The values of the knob: `automatic`, then 1 + each Method. The definition compiles a method in.
+    static constexpr int automatic = 0, first_method = 1;
+    static constexpr auto methods = choices<int>({{automatic, "auto"},
+                                                  {first_method + plain, "plain", "PLAIN"},
+                                                  {first_method + normal_map, "normal-map", "NORMAL_MAP"},
+                                                  {first_method + parallax, "parallax", "PARALLAX"},
+                                                  {first_method + exact, "exact", "EXACT"},
+                                                  {first_method + displacement, "displacement", "DISPLACEMENT"}});
     static constexpr std::array<glm::vec3, method_count> colors = {{{0.10f, 0.12f, 0.22f},
                                                                     {0.05f, 0.25f, 0.42f},
                                                                     {0.14f, 0.45f, 0.20f},
@@ -81,18 +89,6 @@ private:
                                                                     {0.65f, 0.08f, 0.06f}}};
     static constexpr glm::ivec2 measured{96, 96};
 
-    /// The key of a program: its methods, and whether view rays may leave the wall.
-    struct Group {
-        Methods methods;
-        bool may_leave;
-        bool operator<(const Group& other) const {
-            return std::pair(methods, may_leave) < std::pair(other.methods, other.may_leave);
-        }
-    };
-    struct Uploaded {
-        VertexArrayName layout;
-        BufferName places;
-    };
     /// Share of the picture that each method draws, in [0, 1].
     using Shares = std::optional<std::array<double, method_count>>;
 
@@ -111,101 +107,90 @@ private:
         double thinning = 0.875, precision = 0.125;
         if (method_ != automatic && !spend_) {
             thinning = 0;
-            precision = method_ - 1 == displacement ? 1 : 0;
+            precision = method_ - first_method == displacement ? 1 : 0;
         }
-        return {frame,
-                budget_ * smaller,
-                double(surface_.depth),
-                thinning,
-                precision,
-                double(exact_taps_),
-                triangle_taps_ * smaller * smaller};
+        return {.frame = frame,
+                .pixels = budget_ * smaller,
+                .scale = double(surface_.depth),
+                .thinning = thinning,
+                .precision = precision,
+                .exact_taps = double(exact_taps_),
+                .triangle_taps = triangle_taps_ * smaller * smaller};
     }
 
-    /// Returns the vertices to draw, by the program that draws them. If `shows_methods`, each pixel chooses its method
+    /// Returns whether a probe asks every pixel for the inputs of its choice, even if its patch has only one method.
+    static bool is_of_choice(const Probe& probe) {
+        return probe.name == "pixels" || probe.name == "left" || probe.name == "level" || probe.name == "bumps";
+    }
+
+    /// Returns the patches with the methods that each is drawn with. If `shows_methods`, each pixel chooses its method
     /// itself and shows it.
-    std::map<Group, std::vector<glm::vec2>> groups_of(const FrameBudget& budget, const std::string& probe,
-                                                      bool shows_methods) const {
-        // These probes ask every pixel for the inputs of its choice, even if its patch has only one method.
-        const bool is_of_choice = probe == "pixels" || probe == "left" || probe == "level" || probe == "bumps";
-        std::map<Group, std::vector<glm::vec2>> groups;
-        const auto add = [](std::vector<glm::vec2>& places, const glm::dvec2& low, const glm::dvec2& high,
-                            bool is_cell) {
-            const std::array<glm::vec2, 4> c = {{{low.x, low.y}, {high.x, low.y}, {high.x, high.y}, {low.x, high.y}}};
-            if (is_cell)
-                places.insert(places.end(), c.begin(), c.end());
-            else
-                places.insert(places.end(), {c[0], c[1], c[2], c[0], c[2], c[3]});
-        };
-        const Methods forced = method_ == automatic ? 0 : bit(Method(method_ - 1));
-        if (forced != 0 && forced != bit(displacement) && !is_of_choice) {
-            if (budget.frame.camera.eye().z > 0) add(groups[{forced, true}], wall_low, wall_high, false);
-            return groups;
+    std::vector<Patch> patches_of(const FrameBudget& budget, bool shows_methods) const {
+        const Probe& probe = budget.frame.probe;
+        const Methods forced = method_ == automatic ? 0 : bit(Method(method_ - first_method));
+        if (forced != 0 && forced != bit(displacement) && !is_of_choice(probe)) {
+            if (budget.frame.camera.eye().z <= 0) return {};
+            return {{.low = wall_low, .high = wall_high, .methods = forced, .may_leave = true}};
         }
         std::vector<Patch> patches = patches_for(budget, map_errors());
         for (Patch& patch : patches) {
             if (forced != 0) patch.methods = forced;
-            if (is_of_choice)
-                patch.methods = any_of_a_pixel;
-            else if (probe == "method" && patch.methods != bit(displacement))
+            if (is_of_choice(probe) || (probe.name == "method" && patch.methods != bit(displacement)))
                 patch.methods = any_of_a_pixel;
             else if (!shows_methods)
                 // The most expensive method replaces the others: its search ends at once in a relief that is thinned
                 // to a plane.
                 patch.methods = std::bit_floor(patch.methods);
         }
-        for (const Patch& patch : joined(patches)) {
-            const bool is_displaced = patch.methods == bit(displacement);
-            if (patch.methods != 0 && !is_displaced)
-                add(groups[{patch.methods, patch.may_leave}], patch.low, patch.high, false);
-            if (!is_displaced && (is_of_choice || !patch.behind)) continue;
-            for (double x = patch.low.x; x < patch.high.x; x += cell_metres)
-                for (double y = patch.low.y; y < patch.high.y; y += cell_metres)
-                    add(groups[{bit(displacement), false}], {x, y}, glm::dvec2(x, y) + cell_metres, true);
-        }
-        return groups;
+        return joined(patches);
     }
 
-    /// Returns the distance in metres beyond which displaced cells are coarser than the budget asks; infinity if none
-    /// is.
+    /// Draws the patches, one draw call for each program. Returns the distance in metres beyond which displaced cells
+    /// are coarser than the budget asks; infinity if none is.
     double draw_wall(const FrameBudget& budget, bool shows_methods) {
-        const Frame& frame = budget.frame;
-        const Define purpose = frame.probe ? Define(frame.probe) : shows_methods ? "METHOD_COLORS" : "";
-        if (!uploaded_) {
-            uploaded_.emplace();
-            glBindVertexArray(uploaded_->layout);
-            glBindBuffer(GL_ARRAY_BUFFER, uploaded_->places);
-            glEnableVertexAttribArray(0);
-            glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
-        }
-        glBindVertexArray(uploaded_->layout);
-        glBindBuffer(GL_ARRAY_BUFFER, uploaded_->places);
         double reach = INFINITY;
-        for (const auto& [group, places] : groups_of(budget, frame.probe.name, shows_methods)) {
-            const bool displaced = group.methods == bit(displacement);
-            glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(places.size() * sizeof(glm::vec2)), places.data(), GL_STREAM_DRAW);
-            const Program& program =
-                (displaced ? displaced_ : flat_)
-                    .with({purpose, fmt::format("METHODS {}", group.methods), group.may_leave ? "MAY_LEAVE" : ""});
-            set(program, budget, displaced ? map_errors().pieces() : map_errors().levels);
-            if (displaced) {
-                std::vector<glm::dvec2> cells;
-                for (size_t i = 0; i < places.size(); i += 4) cells.emplace_back(places[i]);
-                reach = finest_reach(budget, map_errors(), cells);
+        const bool with_behind = !is_of_choice(budget.frame.probe);
+        for (const auto& [group, corners] : groups_of(patches_of(budget, shows_methods), with_behind)) {
+            bind(corners);
+            const bool is_displaced = group.methods == bit(displacement);
+            const Program& program = program_of(group, budget.frame.probe, shows_methods);
+            glUseProgram(program);
+            set(program, budget, is_displaced ? map_errors().pieces() : map_errors().levels);
+            if (is_displaced) {
+                reach = finest_reach(budget, map_errors(), corners);
                 program.set("u_reach", reach);
-                draw_patches(int(places.size()) / 4, 4);
+                draw_patches(int(corners.size()) / 4, 4);
             } else {
-                glDrawArrays(GL_TRIANGLES, 0, GLsizei(places.size()));
+                glDrawArrays(GL_TRIANGLES, 0, GLsizei(corners.size()));
             }
         }
         return reach;
     }
 
+    /// Uploads the corners, and binds the vertex array that reads them.
+    void bind(std::span<const glm::vec2> corners) {
+        corners_.fill(corners);
+        if (!layout_) corners_.attach(layout_.emplace());
+        glBindVertexArray(*layout_);
+    }
+
+    const Program& program_of(const Group& group, const Probe& probe, bool shows_methods) const {
+        const auto part = [&](Method method) {
+            return group.methods & bit(method) ? methods.define(first_method + method) : "";
+        };
+        const Define purpose = probe ? Define(probe) : shows_methods ? "METHOD_COLORS" : "";
+        const Define only =
+            std::has_single_bit(group.methods) ? fmt::format("ONLY_METHOD {}", std::countr_zero(group.methods)) : "";
+        return (group.methods == bit(displacement) ? displaced_ : flat_)
+            .with({purpose, part(plain), part(normal_map), part(parallax), part(exact), part(displacement), only,
+                   group.may_leave ? "MAY_LEAVE" : ""});
+    }
+
     /// Sets the uniforms. `errors` are piece_errors() if the program displaces, and otherwise level_errors().
+    /// Precondition: the program is in use.
     void set(const Program& program, const FrameBudget& budget, const std::vector<float>& errors) {
         const MapErrors& maps = map_errors();
         const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
-        glUseProgram(program);
         surface_.material.set(program);
         surface_.set_exact_hit(program, 3);
         program.set("u_clip_from_world", clip_from_world);
@@ -233,7 +218,6 @@ private:
     /// Returns the share of each method, measured on a small copy of the picture. The budget and the cost of a triangle
     /// are scaled down with it, so that each place gets the same method. Returns nothing before the tasks are written.
     Shares shares_of_methods(Frame frame) {
-        if (view_ == picture) return {};
         const double smaller = double(measured.y) / std::max(1, frame.size.y);
         frame.size = measured;
         frame.probe = {"method"};
@@ -250,14 +234,14 @@ private:
         return shares;
     }
 
-    void describe_methods(glm::ivec2 size, const Tile& tile, const Shares& shares) {
+    void list_methods(glm::ivec2 size, const Tile& tile, const Shares& shares) {
         const float line = std::min(Labels::line_height(size) * 0.85f, 0.055f * float(tile.size.y)), gap = line * 0.3f;
         glm::vec2 place(float(tile.corner.x) + gap * 2,
                         float(size.y - tile.corner.y) - (line + gap) * method_count - gap);
         for (size_t i = method_count; i-- > 0; place.y += line + gap) {
             labels_.rectangle(place, {line * 1.4f, line}, glm::vec4(glm::pow(colors[i], glm::vec3(1 / 2.2f)), 1));
             const std::string share = shares ? fmt::format(" {:.0f} %", 100 * (*shares)[i]) : "";
-            labels_.text(std::string(methods[i + 1]) + share, place + glm::vec2(line * 1.9f, 0), line);
+            labels_.text(methods.names[first_method + i] + share, place + glm::vec2(line * 1.9f, 0), line);
         }
     }
 
@@ -266,7 +250,8 @@ private:
                         "17_time_and_error/surface.frag"};
     ReliefSurface surface_;
     mutable Kept<MapErrors, int> map_errors_;  ///< by the surface's version
-    std::optional<Uploaded> uploaded_;
+    std::optional<VertexArrayName> layout_;
+    VertexStream corners_{{{0, 2, GL_FLOAT, 0}}};
     Labels labels_;
 
     int view_ = both, method_ = automatic;
@@ -277,4 +262,4 @@ private:
 
 RELIEF_LAB(TimeAndError);
 
-}  // namespace relief
+}  // namespace relief::budget

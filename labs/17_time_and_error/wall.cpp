@@ -5,6 +5,7 @@
 
 #include "framework/height/levels.h"
 #include "framework/image/mips.h"
+#include "framework/mesh/clip.h"
 
 namespace relief::budget {
 namespace {
@@ -26,37 +27,33 @@ std::vector<double> lines(double foot) {
     return all;
 }
 
-/// A place on the wall's front, and the same in clip space.
-struct Corner {
-    glm::dvec2 place;
-    glm::dvec4 clip;
+/// The camera of a frame.
+struct Projection {
+    explicit Projection(const Frame& frame)
+        : eye(frame.camera.eye()),
+          clip_from_world(frame.camera.clip_from_world()),
+          along(clip_from_world * glm::dvec4(0, 0, 1, 0)),
+          half_size(glm::dvec2(frame.size) / 2.0) {}
+
+    /// Returns the speed of a point's pixel when the point moves along the normal, in pixels, times the distance ahead.
+    glm::dvec2 run(const glm::dvec4& clip) const {
+        return half_size * (glm::dvec2(along) - glm::dvec2(clip) / clip.w * along.w);
+    }
+
+    glm::dvec3 eye;
+    glm::dmat4 clip_from_world;
+    glm::dvec4 along;  ///< a metre along the wall's normal, in clip space
+    glm::dvec2 half_size;
 };
 
-/// Returns the polygon of a patch that is in the picture (Sutherland and Hodgman 1974), empty if there is none. The
-/// picture is grown by a pixel on each side, for samples that are not at the centres of pixels.
-std::vector<Corner> seen_of(const Patch& patch, const FrameBudget& budget) {
+/// Returns the polygon of a patch that is in the picture, empty if there is none. The picture is grown by a pixel on
+/// each side, for samples that are not at the centres of pixels.
+std::vector<ClipCorner> seen_of(const Patch& patch, const FrameBudget& budget) {
     const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
-    std::vector<Corner> polygon;
+    std::vector<ClipCorner> polygon;
     for (const glm::dvec2 place : {patch.low, {patch.high.x, patch.low.y}, patch.high, {patch.low.x, patch.high.y}})
         polygon.push_back({place, clip_from_world * glm::dvec4(place, 0, 1)});
-    for (int plane = 0; plane < 6; ++plane) {
-        const int axis = plane / 2;
-        const double grown = axis < 2 ? 1 + 2.0 / std::max(1, budget.frame.size[axis]) : 1;
-        const auto inside = [&](const Corner& corner) {
-            return grown * corner.clip.w + (plane % 2 == 0 ? corner.clip[axis] : -corner.clip[axis]);
-        };
-        std::vector<Corner> kept;
-        for (size_t i = 0; i < polygon.size(); ++i) {
-            const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-            const double in_a = inside(a), in_b = inside(b);
-            if (in_a >= 0) kept.push_back(a);
-            if ((in_a >= 0) == (in_b >= 0)) continue;
-            const double share = in_a / (in_a - in_b);
-            kept.push_back({glm::mix(a.place, b.place, share), glm::mix(a.clip, b.clip, share)});
-        }
-        polygon = std::move(kept);
-    }
-    return polygon;
+    return clipped(std::move(polygon), 1.0 + 2.0 / glm::dvec2(glm::max(budget.frame.size, 1)));
 }
 
 struct Interval {
@@ -74,17 +71,16 @@ struct Bounds {
 /// Returns the bounds of the pixels in the polygon `seen`, which is not empty. When a place moves along the normal, its
 /// pixel moves by the length of a vector (a run) times the inverse distance ahead. The inverse distance and the run are
 /// linear on the screen. So the inverse distance and the length of the run have their maxima at corners.
-Bounds bounds_of(const std::vector<Corner>& seen, const FrameBudget& budget) {
-    const glm::dvec3 eye = budget.frame.camera.eye();
-    const glm::dvec4 along = budget.frame.camera.clip_from_world() * glm::dvec4(0, 0, 1, 0);
-    const glm::dvec2 half_size = glm::dvec2(budget.frame.size) / 2.0;
+Bounds bounds_of(const std::vector<ClipCorner>& seen, const FrameBudget& budget) {
+    const Projection projection(budget.frame);
+    const glm::dvec3 eye = projection.eye;
     Bounds bounds{{0, 0}, {0, 0}, {INFINITY, 0}, false};
     std::vector<glm::dvec2> runs;
     glm::dvec2 sum(0), low(INFINITY), high(-INFINITY);
     for (const auto& [place, clip] : seen) {
         bounds.ahead = {std::min(bounds.ahead.min, clip.w), std::max(bounds.ahead.max, clip.w)};
         bounds.reach.max = std::max(bounds.reach.max, glm::distance(place, glm::dvec2(eye)) / eye.z);
-        runs.push_back(half_size * (glm::dvec2(along) - glm::dvec2(clip) / clip.w * along.w));
+        runs.push_back(projection.run(clip));
         sum += runs.back();
         low = glm::min(low, place);
         high = glm::max(high, place);
@@ -135,7 +131,7 @@ Methods methods_of(const Bounds& bounds, const FrameBudget& budget, const MapErr
 }
 
 /// Returns whether triangles for the patch take less time than the search in its pixels.
-bool is_better_displaced(const Patch& patch, const std::vector<Corner>& seen, const Bounds& bounds,
+bool is_better_displaced(const Patch& patch, const std::vector<ClipCorner>& seen, const Bounds& bounds,
                          const FrameBudget& budget, const MapErrors& maps) {
     if (!(patch.methods & (bit(parallax) | bit(exact)))) return false;
     const glm::dvec2 size = patch.high - patch.low;
@@ -152,6 +148,34 @@ bool is_better_displaced(const Patch& patch, const std::vector<Corner>& seen, co
     const double off = budget.precision * budget.pixels / (bounds.pixels_per_metre.max * budget.scale);
     const double side = std::exp2(whole_level(maps.pieces(), off)) / maps.texels;
     return side * 64 >= cell_metres && pays(std::min(side, cell_metres));  // the tessellator's limit is 64
+}
+
+/// A displaced cell: the highest level of its edges, and its distance from the eye in metres.
+struct Cell {
+    double level, away;
+};
+
+/// Returns the cell whose lower corner is `low`. Its level is the one that shaders/17_time_and_error/wall.tesc chooses
+/// at the corner that needs the highest.
+Cell cell_at(const glm::dvec2& low, const Projection& projection, const FrameBudget& budget, const MapErrors& maps) {
+    Cell cell{1, INFINITY};
+    double pixels = 0;
+    bool is_before = false, is_behind = false;
+    for (const glm::dvec2 corner : {glm::dvec2(0, 0), {cell_metres, 0}, {cell_metres, cell_metres}, {0, cell_metres}}) {
+        const glm::dvec3 place(low + corner, 0);
+        const glm::dvec4 clip = projection.clip_from_world * glm::dvec4(place, 1);
+        cell.away = std::min(cell.away, glm::distance(projection.eye, place));
+        (clip.w > 0 ? is_before : is_behind) = true;
+        if (clip.w > 0) pixels = std::max(pixels, glm::length(projection.run(clip)) / clip.w);
+    }
+    if (is_before) cell.level = 64;
+    if (!is_before || is_behind) return cell;
+    const double tolerance = budget.pixels / std::max(pixels * budget.scale, 1e-30);
+    const double side = std::exp2(whole_level(maps.pieces(), budget.precision * tolerance)) / maps.texels;
+    cell.level = 2 * budget.thinning * tolerance >= double(maps.range.y - maps.range.x)
+                     ? 1
+                     : std::exp2(std::ceil(std::log2(std::clamp(cell_metres / side, 1.0, 64.0))));
+    return cell;
 }
 
 }  // namespace
@@ -195,7 +219,7 @@ std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps)
     const std::vector<double> columns = lines(eye.x);
     for (size_t i = 0; i + 1 < columns.size(); ++i) {
         Patch patch{{columns[i], wall_low.y}, {columns[i + 1], wall_high.y}, 0, false};
-        if (const std::vector<Corner> seen = seen_of(patch, budget); !seen.empty()) {
+        if (const std::vector<ClipCorner> seen = seen_of(patch, budget); !seen.empty()) {
             const Bounds bounds = bounds_of(seen, budget);
             patch.methods = methods_of(bounds, budget, maps), patch.may_leave = bounds.may_leave;
             if (is_better_displaced(patch, seen, bounds, budget, maps)) {
@@ -213,39 +237,11 @@ std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps)
     return patches;
 }
 
-double finest_reach(const FrameBudget& budget, const MapErrors& maps, const std::vector<glm::dvec2>& cells) {
-    if (2 * 64.0 * 64.0 * double(cells.size()) <= most_triangles) return INFINITY;
-    const glm::dmat4 clip_from_world = budget.frame.camera.clip_from_world();
-    const glm::dvec3 eye = budget.frame.camera.eye();
-    const glm::dvec4 along = clip_from_world * glm::dvec4(0, 0, 1, 0);
-    struct Cell {
-        double level, away;
-    };
-    // The level that shaders/17_time_and_error/wall.tesc chooses at the corner of the cell that needs the highest.
+double finest_reach(const FrameBudget& budget, const MapErrors& maps, const std::vector<glm::vec2>& cells) {
+    if (2 * 64.0 * 64.0 * double(cells.size() / 4) <= most_triangles) return INFINITY;
+    const Projection projection(budget.frame);
     std::vector<Cell> all;
-    for (const glm::dvec2& low : cells) {
-        double pixels = 0, away = INFINITY;
-        bool is_before = false, is_behind = false;
-        for (const glm::dvec2 corner :
-             {glm::dvec2(0, 0), {cell_metres, 0}, {cell_metres, cell_metres}, {0, cell_metres}}) {
-            const glm::dvec4 clip = clip_from_world * glm::dvec4(low + corner, 0, 1);
-            away = std::min(away, glm::distance(eye, glm::dvec3(low + corner, 0)));
-            (clip.w > 0 ? is_before : is_behind) = true;
-            if (clip.w <= 0) continue;
-            const glm::dvec2 run =
-                glm::dvec2(budget.frame.size) / 2.0 * (glm::dvec2(along) - glm::dvec2(clip) / clip.w * along.w);
-            pixels = std::max(pixels, glm::length(run) / clip.w);
-        }
-        double level = is_before ? 64 : 1;
-        if (is_before && !is_behind) {
-            const double tolerance = budget.pixels / std::max(pixels * budget.scale, 1e-30);
-            const double side = std::exp2(whole_level(maps.pieces(), budget.precision * tolerance)) / maps.texels;
-            level = 2 * budget.thinning * tolerance >= double(maps.range.y - maps.range.x)
-                        ? 1
-                        : std::exp2(std::ceil(std::log2(std::clamp(cell_metres / side, 1.0, 64.0))));
-        }
-        all.push_back({level, away});
-    }
+    for (size_t i = 0; i < cells.size(); i += 4) all.push_back(cell_at(glm::dvec2(cells[i]), projection, budget, maps));
     const auto triangles = [&](double reach) {
         double sum = 0;
         for (const auto& [level, away] : all) {
@@ -273,6 +269,26 @@ std::vector<Patch> joined(const std::vector<Patch>& patches) {
         }
     }
     return joined;
+}
+
+std::map<Group, std::vector<glm::vec2>> groups_of(const std::vector<Patch>& patches, bool with_behind) {
+    std::map<Group, std::vector<glm::vec2>> groups;
+    for (const Patch& patch : patches) {
+        const glm::vec2 low(patch.low), high(patch.high), lower_right(high.x, low.y), upper_left(low.x, high.y);
+        const bool is_displaced = patch.methods == bit(displacement);
+        if (patch.methods != 0 && !is_displaced) {
+            std::vector<glm::vec2>& corners = groups[{patch.methods, patch.may_leave}];
+            corners.insert(corners.end(), {low, lower_right, high, low, high, upper_left});
+        }
+        if (!is_displaced && !(patch.behind && with_behind)) continue;
+        std::vector<glm::vec2>& corners = groups[{bit(displacement), false}];
+        for (double x = patch.low.x; x < patch.high.x; x += cell_metres)
+            for (double y = patch.low.y; y < patch.high.y; y += cell_metres)
+                for (const glm::dvec2 corner :
+                     {glm::dvec2(0, 0), {cell_metres, 0}, {cell_metres, cell_metres}, {0, cell_metres}})
+                    corners.push_back(glm::dvec2(x, y) + corner);
+    }
+    return groups;
 }
 
 }  // namespace relief::budget

@@ -1,6 +1,8 @@
 // The wall of lab 17: the errors of its maps, and the methods that each of its patches needs.
 #pragma once
 
+#include <compare>
+#include <map>
 #include <vector>
 
 #include "framework/lab/lab.h"
@@ -67,13 +69,23 @@ std::vector<Patch> patches_for(const FrameBudget& budget, const MapErrors& maps)
 constexpr double most_triangles = 6e6;
 /// Returns the distance from the eye up to which displaced cells get the level that the budget asks for, at most 64.
 /// Farther cells get a level that falls with distance, so that all cells together have at most most_triangles. Infinity
-/// if no cell has to be coarser. `cells` are lower corners.
-double finest_reach(const FrameBudget& budget, const MapErrors& maps, const std::vector<glm::dvec2>& cells);
+/// if no cell has to be coarser. `cells` has the four corners of each cell, the lower left one first.
+double finest_reach(const FrameBudget& budget, const MapErrors& maps, const std::vector<glm::vec2>& cells);
 
 /// Returns the patches that are drawn, with neighbours merged if they have the same methods. This saves time: along an
 /// edge the renderer shades blocks of pixels for both triangles. With twenty pieces in place of one a grazing search
 /// takes a third longer.
 std::vector<Patch> joined(const std::vector<Patch>& patches);
+
+/// The key of a program: its methods, and whether view rays may leave the wall.
+struct Group {
+    Methods methods;
+    bool may_leave;
+    auto operator<=>(const Group&) const = default;
+};
+/// Returns the corners that each program draws: three for a triangle, or four for a displaced cell. `with_behind`:
+/// patches with `behind` are also drawn as cells.
+std::map<Group, std::vector<glm::vec2>> groups_of(const std::vector<Patch>& patches, bool with_behind);
 
 /// Returns the level of the normal map whose texels have the area of a pixel that shows a place one metre ahead. It may
 /// be negative. At `ahead` metres the level is this + 1.5 log2(ahead), clamped to at least 0. Derivation: let the eye

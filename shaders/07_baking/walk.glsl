@@ -1,16 +1,18 @@
-// The triangles of the fine model, and the walk of a ray through their tree. All textures are 1024 texels wide.
+// The triangles of the fine model, and the walk of a ray through their tree.
 
 #include "common/mesh_rays.glsl"
+#include "common/ray_mesh.glsl"
 #include "common/unfinished.glsl"
+#include "07_baking/takes.glsl"
 #include "07_baking/task.glsl"
 
-uniform sampler2D s_nodes;    // two texels per node: low, next node after a miss; high, 8 first + count of triangles
-uniform sampler2D s_corners;  // three texels per triangle: position, number of the vertex
-uniform sampler2D s_normals;  // one texel per vertex: normal, turn
+uniform sampler2D s_nodes;
+uniform sampler2D s_corners;
+uniform sampler2D s_normals;  // u is the turn
 uniform int u_nodes;
-uniform int u_take;           // the nearest hit, the first, or the last
+uniform int u_take;
 
-vec4 row_texel(sampler2D map, int i) { return texelFetch(map, ivec2(i & 1023, i >> 10), 0); }
+vec4 row_texel(sampler2D map, int i) { return texelFetch(map, ivec2(i & ((1 << row_bits) - 1), i >> row_bits), 0); }
 
 struct Found {
     float height;  // metres above the coarse model; 1e30 if nothing was found
@@ -19,8 +21,8 @@ struct Found {
 };
 
 bool is_better(float height, bool is_front, float best) {
-    if (u_take == 1) return is_front && (best > 1e29 || height > best);
-    if (u_take == 2) return is_front && (best > 1e29 || height < best);
+    if (u_take == take_first) return is_front && (best > 1e29 || height > best);
+    if (u_take == take_last) return is_front && (best > 1e29 || height < best);
     return takes(height, is_front, best);
 }
 
@@ -39,7 +41,7 @@ Found walk(BakeRay ray, float reach) {
             node = int(low.w);
             continue;
         }
-        int first = int(high.w) / 8, last = first + int(high.w) % 8;  // none in an inner node
+        int first = int(high.w) / node_radix, last = first + int(high.w) % node_radix;  // none in an inner node
         for (int i = first; i < last; ++i) {
             vec4 hit = triangle_hit(ray.origin, ray.direction, shear, row_texel(s_corners, 3 * i).xyz,
                                     row_texel(s_corners, 3 * i + 1).xyz, row_texel(s_corners, 3 * i + 2).xyz);

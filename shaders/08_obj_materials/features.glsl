@@ -1,12 +1,7 @@
 // The features of a material. A program is compiled for one set of features, FEATURES. With BRANCHES it is compiled for
 // all of them, and each pixel tests u_features.
 
-#define COLOR_MAP 1
-#define HIGHLIGHT_MAP 2
-#define NORMAL_MAP 4
-#define HEIGHT_MAP 8
-#define MASK_MAP 16
-#define GLASS 32
+#include "08_obj_materials/feature_bits.glsl"
 
 //(has
 #ifdef BRANCHES

@@ -16,11 +16,11 @@ uniform float u_part;  // part of the mask that is shown
 layout(location = 0) out vec4 o_color;
 
 float share(float alpha, float change) {
-#if ALPHA == 0
+#if defined ALPHA_TEST
     return alpha > u_threshold ? 1.0 : 0.0;
-#elif ALPHA == 1
+#elif defined ALPHA_KEEP
     return covered(alpha, change, u_scale) >= 0.5 ? 1.0 : 0.0;
-#elif ALPHA == 2
+#elif defined ALPHA_TO_COVERAGE
     return covered(alpha, change, u_scale);
 #else
     return alpha;  // on average

@@ -19,7 +19,7 @@ vec3 light_from(vec3 to_light, vec3 light, vec3 normal, vec3 to_eye, vec3 color,
 vec3 shaded(vec3 place, vec3 normal, vec3 to_eye, vec3 color, vec4 shine, bool is_thin) {
     vec3 light = color * mix(u_ground, u_sky, 0.5 + 0.5 * normal.y);
     light += light_from(u_to_sun, u_sun, normal, to_eye, color, shine, is_thin);
-#if LAMP != 2
+#ifdef LAMP
     vec3 from_lamp = place - u_lamp;
     float share = lamp_share(from_lamp);
     if (share > 0.0) {

@@ -17,19 +17,19 @@ vec4 by_samples(sampler2D map, vec2 uv, vec2 right, vec2 up) {
     return sum / 1024.0;
 }
 
-/// Reads a map by FILTER:
-///  0: the nearest texel of level 0
-///  1: trilinear; the mip level fits the longer side of the footprint
-///  2: anisotropic; up to TAPS samples along the longer side, whose mip level fits the shorter side
-///  3: 1024 samples
+/// Reads a map by the filter that is defined:
+///  NEAREST_TEXEL: the nearest texel of level 0
+///  MIP_LEVELS: trilinear; the mip level fits the longer side of the footprint
+///  TAPS: anisotropic; up to TAPS samples along the longer side, whose mip level fits the shorter side
+///  MANY_SAMPLES: 1024 samples
 vec4 filtered(sampler2D map, vec2 uv) {
     vec2 right = dFdx(uv), up = dFdy(uv);
-#if FILTER == 0
+#if defined NEAREST_TEXEL
     vec2 size = vec2(textureSize(map, 0));
     return textureLod(map, (floor(uv * size) + 0.5) / size, 0.0);
-#elif FILTER == 1
+#elif defined MIP_LEVELS
     return texture(map, uv);
-#elif FILTER == 2
+#elif defined TAPS
     bool is_wide = dot(right, right) > dot(up, up);
     vec2 longer = is_wide ? right : up, shorter = is_wide ? up : right;
     float taps = clamp(ceil(length(longer) / max(length(shorter), 1e-12)), 1.0, float(TAPS));

@@ -5,7 +5,7 @@
 #include "common/unfinished.glsl"
 #include "08_obj_materials/task.glsl"
 #include "08_obj_materials/maps.glsl"
-#if LAMP != 2
+#ifdef LAMP
 #include "08_obj_materials/lamp.glsl"
 #endif
 #include "08_obj_materials/light.glsl"
@@ -70,9 +70,9 @@ float mask_share() {
     vec2 right = dFdx(v_uv), up = dFdy(v_uv);
     float level = min(level_of(s_mask, right, up), 11.0);
     float alpha = textureLod(s_mask, v_uv, level).r, change = fwidth(alpha);
-#if ALPHA == 0
+#if defined ALPHA_TEST
     return alpha > u_threshold ? 1.0 : 0.0;
-#elif ALPHA == 3
+#elif defined ALPHA_HASHED
 #ifdef PROBE_coverage
     return alpha;
 #else
@@ -82,7 +82,7 @@ float mask_share() {
     int finer = int(level);
     float scale = mix(u_scales[finer], u_scales[min(finer + 1, 11)], level - float(finer));
     float share = covered(alpha, change, scale);
-#if ALPHA == 1
+#ifdef ALPHA_KEEP
     return share >= 0.5 ? 1.0 : 0.0;
 #else
     return share;
@@ -108,7 +108,7 @@ void main() {
 #elif defined PROBE_normal
     o_color = probed(vec4(normal_here(to_eye), 0.0));
 #elif defined PROBE_lamp
-#if LAMP != 2
+#ifdef LAMP
     o_color = probed(vec4(lamp_share(v_place - u_lamp), 0.0, 0.0, 0.0));
 #else
     o_color = vec4(0.0);
@@ -135,7 +135,7 @@ void main() {
 #ifdef STORED
     light = srgb_from_linear(light);
 #endif
-#if ALPHA != 2
+#ifndef ALPHA_TO_COVERAGE
     if (share < 0.5) discard;
 #endif
     o_color = HAS(GLASS) ? over(light, u_opacity) : vec4(light, share);

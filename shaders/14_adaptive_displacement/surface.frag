@@ -3,6 +3,7 @@
 
 #include "common/unfinished.glsl"
 #include "14_adaptive_displacement/task.glsl"
+#include "14_adaptive_displacement/verdict.glsl"
 #include "common/heat.glsl"
 #include "common/light.glsl"
 #include "common/srgb.glsl"
@@ -58,9 +59,9 @@ void main() {
     // Flat shading shows the triangles.
     vec3 normal = normalize(cross(dFdx(v_position), dFdy(v_position)));
     float shade = 0.62 + 0.5 * max(dot(normal, u_to_light), 0.0);
-    vec3 color = v_verdict == 1   ? vec3(0.16, 0.20, 0.28)
-                 : v_verdict == 2 ? vec3(0.34, 0.27, 0.25)
-                                  : mix(vec3(0.62, 0.70, 0.72), heat(0.24 + 0.73 * log2(v_level) / 6.0), v_left);
+    vec3 color = v_verdict == verdict_outside ? OUTSIDE_COLOR
+                 : v_verdict == verdict_away  ? AWAY_COLOR
+                                              : mix(FADED_COLOR, heat(0.24 + 0.73 * log2(v_level) / 6.0), v_left);
     o_color = finished(vec4(color * shade, 1.0), gl_FragCoord.xy);
 #else
     o_color = finished(vec4(srgb_from_linear(lit(texture(s_albedo, v_uv).rgb)), 1.0), gl_FragCoord.xy);

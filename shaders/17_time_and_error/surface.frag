@@ -1,9 +1,10 @@
 #version 410 core
-// A wall within the budget. METHODS has a bit for each method that is compiled in. If there are several, each pixel
-// chooses the cheapest one that keeps the budget.
+// A wall within the budget. PLAIN, NORMAL_MAP, PARALLAX, EXACT and DISPLACEMENT compile a method in. If there are
+// several, each pixel chooses the cheapest one that keeps the budget. If there is one, it is ONLY_METHOD.
 
 #include "common/unfinished.glsl"
 #include "17_time_and_error/task.glsl"
+#include "common/height_cell.glsl"
 
 // A search reads heights by these two functions only, which count the reads.
 int heights_read = 0;
@@ -11,26 +12,17 @@ float read_height(sampler2D heights, vec2 place, float level) {
     ++heights_read;
     return textureLod(heights, place, level).x;
 }
-vec4 read_cell(sampler2D heights, vec2 place) {
+vec4 read_cell(sampler2D heights, ivec2 cell) {
     ++heights_read;
-    return textureGather(heights, place);
+    return cell_corners(heights, cell);
 }
-#define textureGather read_cell
+#define READ_CELL read_cell
 #include "common/exact_hit.glsl"
-#undef textureGather
 #include "common/light.glsl"
 #include "common/srgb.glsl"
 
-#define PLAIN 1
-#define NORMAL 2
-#define PARALLAX 4
-#define EXACT 8
-#define DISPLACEMENT 16
-#define HAS(methods) ((METHODS & (methods)) != 0)
-#define IS_ONE ((METHODS & (METHODS - 1)) == 0)
-
 in vec2 v_place;  // on the wall's front, or of the displaced point; metres
-#if METHODS == DISPLACEMENT
+#ifdef DISPLACEMENT
 in float v_height;
 in float v_unfinished;
 #else
@@ -64,7 +56,6 @@ uniform vec4 u_window_extent;
 
 layout(location = 0) out vec4 o_color;
 
-const int displacement = 4;
 const float shininess = 48.0;
 
 // A ray enters at `place`, at height 1 and t = 0, and reaches height 0 at place + along.
@@ -110,17 +101,17 @@ struct Choice {
 
 Choice look(Ray ray) {
     Choice c = Choice(0.0, vec2(0.5 * (u_range.x + u_range.y)), 0.0, 0.0);
-#if HAS(PARALLAX | EXACT)
+#if defined PARALLAX || defined EXACT
     //(spend
     c.pixels = pixels_per_metre(v_clip, u_clip_along, u_size);
     float tolerance = tolerated(u_budget, c.pixels, u_scale);
     c.left = thinned(u_range.x, u_range.y, u_shares[0] * tolerance);
     //)
-#if HAS(PARALLAX)
+#ifdef PARALLAX
     float off = u_shares[1] * tolerance;
     c.level = coarsest_level(u_errors, u_levels, off);
     c.taps = max(1.0, (c.left.y - c.left.x) * length(ray.along * u_texels) * exp2(-floor(c.level)));
-#if !IS_ONE
+#ifndef ONLY_METHOD
     if (off < u_errors[0]) c.taps = 1e30;  // even level 0 is off by more
 #else
     // Without another method the march has to keep the budget by shorter steps. Half the step halves the error.
@@ -133,9 +124,9 @@ Choice look(Ray ray) {
 
 //(chosen
 int chosen(Choice c, float bumps) {
-#if IS_ONE
-    return METHODS == PLAIN ? plain : METHODS == NORMAL ? normal_map : METHODS == PARALLAX ? parallax : exact;
-#elif HAS(PARALLAX)
+#ifdef ONLY_METHOD
+    return ONLY_METHOD;
+#elif defined PARALLAX
     return cheapest(c.left, bumps, c.taps, u_exact_taps);
 #else
     return cheapest(c.left, bumps, 1e30, u_exact_taps);
@@ -145,10 +136,10 @@ int chosen(Choice c, float bumps) {
 
 float seen(Ray ray, Choice c, int method) {
     vec2 between = 1.0 - c.left.yx;
-#if HAS(PARALLAX)
+#ifdef PARALLAX
     if (method == parallax) return marched(ray, between, c.level, c.taps);
 #endif
-#if HAS(EXACT)
+#ifdef EXACT
     if (method == exact) return exact_hit(s_heights, s_windows, u_window_extent, ray.place, ray.along, between);
 #endif
     return between.y;
@@ -170,14 +161,14 @@ vec3 lit(vec2 place, float height, float level, float bumps, vec3 to_eye) {
 void main() {
     // The level whose texels have the area of a pixel: see first_level() in wall.h.
     float level = max(u_first_level - 1.5 * log2(gl_FragCoord.w), 0.0), bumps = 0.0;
-#if HAS(NORMAL | PARALLAX | EXACT | DISPLACEMENT)
+#if defined NORMAL_MAP || defined PARALLAX || defined EXACT || defined DISPLACEMENT
     bumps = bumps_left(level, u_flat_level, u_budget);
 #endif
-#if METHODS == DISPLACEMENT
+#ifdef DISPLACEMENT
     is_unfinished = is_unfinished || v_unfinished > 0.0;
     vec2 place = v_place;
     float height = v_height;
-    int method = displacement;
+    int method = ONLY_METHOD;
 #else
     vec3 into = vec3(v_place, 0.0) - u_eye;
     Ray ray = Ray(v_place, into.xy * (u_scale / -into.z));

@@ -3,6 +3,11 @@
 #include "common/cell_walk.glsl"
 #include "common/height_cell.glsl"
 
+// How the search reads a cell. A shader that counts the reads defines another function before it includes this file.
+#ifndef READ_CELL
+#define READ_CELL cell_corners
+#endif
+
 // Returns the first t in [between.x, between.y] at which the ray is on or below the bilinear surface. Returns between.y
 // if there is none, or if max_iterations are not enough. The ray goes from `uv` at height 1, t = 0, to uv + along at
 // height 0, t = 1. The search walks from cell to cell (Amanatides and Woo 1987).
@@ -26,7 +31,7 @@ float exact_hit(sampler2D heights, sampler2DArray windows, vec4 extent, vec2 uv,
     for (int i = 0; i < last && t < between.y; ++i) {
         vec2 cell = way * passed, place = first + cell, leaves = (passed + 1.0 - ahead) * per_cell;
         float end = clamp(min(leaves.x, leaves.y), t, between.y);
-        vec3 gap = gap_above_cell(cell_corners(heights, ivec2(place)), vec3(start + t * march - cell, 1.0 - t),
+        vec3 gap = gap_above_cell(READ_CELL(heights, ivec2(place)), vec3(start + t * march - cell, 1.0 - t),
                                   vec3(start + end * march - cell, 1.0 - end));
         if (closes(gap)) return mix(t, end, first_closing(gap));
         vec2 block_ends = (floor((first_ahead + passed) * per_block) + 1.0) * block - first_ahead;
@@ -45,7 +50,7 @@ float exact_hit(sampler2D heights, sampler2DArray windows, vec4 extent, vec2 uv,
     //| for (int i = 0; i < last && t < between.y; ++i) {
     //|     vec2 cell = way * passed, leaves = (passed + 1.0 - ahead) * per_cell;
     //|     float end = clamp(min(leaves.x, leaves.y), t, between.y);
-    //|     vec3 gap = gap_above_cell(cell_corners(heights, ivec2(first + cell)),
+    //|     vec3 gap = gap_above_cell(READ_CELL(heights, ivec2(first + cell)),
     //|                               vec3(start + t * march - cell, 1.0 - t), vec3(start + end * march - cell, 1.0 - end));
     //|     if (closes(gap)) return mix(t, end, first_closing(gap));
     //|     passed = next_cell(passed, leaves, ahead + end * abs(march));

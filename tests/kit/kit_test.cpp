@@ -7,14 +7,26 @@
 #include <stdexcept>
 
 #include "framework/image/file.h"
+#include "framework/kit/choices.h"
 #include "framework/kit/kept.h"
 #include "framework/kit/light.h"
 #include "framework/kit/numbers.h"
+#include "framework/kit/ray_mesh.h"
 #include "framework/kit/relief_material.h"
+#include "framework/kit/window_triangle.h"
 #include "tests/support.h"
 
 namespace relief {
 namespace {
+
+TEST(Choices, HoldNamesAndDefinitionsByValue) {
+    enum Method { none, by_size };
+    static constexpr auto methods = choices<Method>({{none, "none"}, {by_size, "size", "BY_SIZE 2"}});
+    EXPECT_EQ(methods.size(), 2u);
+    EXPECT_STREQ(methods.names[by_size], "size");
+    EXPECT_EQ(methods.define(by_size).text, "BY_SIZE 2");
+    EXPECT_EQ(methods.define(none).text, "") << "defines nothing";
+}
 
 TEST(Kept, IsRecomputedOnlyWhenAnInputChanges) {
     Kept<std::string, int, std::string> kept;
@@ -71,6 +83,67 @@ TEST(Numbers, LeaveFramebufferAndViewport) {
     EXPECT_EQ(std::vector<int>(viewport, viewport + 4), (std::vector<int>{1, 2, 30, 40}));
     EXPECT_EQ(GLuint(framebuffer), GLuint(frame));
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+TEST(WindowTriangle, CoversEachPixelWhateverTheDepthAndRestoresTheDepthTest) {
+    const auto source = [](const char* stage, const char* text) {
+        ShaderSource made;
+        made.stage = stage, made.text = text;
+        return made;
+    };
+    const Program program(
+        {source("a.vert",
+                "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
+                "gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0); }\n"),
+         source("a.frag", "#version 410 core\nout vec4 o_color;\nvoid main() { o_color = vec4(7.0); }\n")});
+    WindowTriangle triangle;
+    for (const bool is_on : {true, false}) {
+        const Image drawn = draw_numbers({5, 3}, [&] {
+            glClearDepth(0);
+            glClear(GL_DEPTH_BUFFER_BIT);
+            glClearDepth(1);
+            (is_on ? glEnable : glDisable)(GL_DEPTH_TEST);
+            glUseProgram(program);
+            triangle.draw();
+            EXPECT_EQ(bool(glIsEnabled(GL_DEPTH_TEST)), is_on);
+        });
+        for (const float value : drawn.values) EXPECT_EQ(value, 7);
+    }
+    glEnable(GL_DEPTH_TEST);
+}
+
+TEST(RayMesh, HasItsTreeCornersAndNormalsInItsTextures) {
+    const RayMesh mesh(make_sphere({.radius = 1, .sides = 40, .rows = 30}));  // textures of several rows
+    const auto texels = [](const Texture& texture) {
+        bind(0, texture);
+        GLint width = 0, height = 0;
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
+        EXPECT_EQ(width, 1024);
+        std::vector<glm::vec4> all(size_t(width) * size_t(height));
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, all.data());
+        return all;
+    };
+    const std::vector<glm::vec4> nodes = texels(mesh.nodes), corners = texels(mesh.corners),
+                                 normals = texels(mesh.normals);
+    size_t triangles = 0;
+    for (size_t i = 0; i < mesh.tree.nodes.size(); ++i) {
+        const TreeNode& node = mesh.tree.nodes[i];
+        ASSERT_EQ(nodes[2 * i], glm::vec4(node.low, float(node.skip)));
+        ASSERT_EQ(glm::vec3(nodes[2 * i + 1]), node.high);
+        const int content = int(nodes[2 * i + 1].w);
+        ASSERT_EQ(content % 8, int(node.count));
+        if (node.count > 0) {
+            ASSERT_EQ(content / 8, int(node.first));
+        }
+        triangles += size_t(node.count);
+    }
+    ASSERT_EQ(triangles * 3, mesh.mesh.indices.size());
+    for (size_t i = 0; i < triangles * 3; ++i) {
+        const size_t vertex = mesh.mesh.indices[mesh.tree.triangles[i / 3] * 3 + i % 3];
+        ASSERT_EQ(corners[i], glm::vec4(mesh.mesh.vertices[vertex].position, float(vertex)));
+        ASSERT_EQ(glm::vec3(normals[vertex]), mesh.mesh.vertices[vertex].normal);
+    }
 }
 
 TEST(TruthOfRays, IsTheHitOfEachPixelsRayAndInfinityWithoutAHit) {

@@ -152,16 +152,6 @@ TEST(ObjMaterials, AnInvalidFileThrowsAOneLineError) {
     }
 }
 
-TEST(ObjMaterials, TangentsPointAlongIncreasingUAndMarkMirroredUv) {
-    const auto tangent = [](const char* uvs) {
-        const std::string obj = std::string("v 0 0 0\nv 1 0 0\nv 1 1 0\n") + uvs + "f 1/1 2/2 3/3\n";
-        return make_scene(parse_obj(obj), true, kind_of).mesh.vertices.at(0).tangent;
-    };
-    EXPECT_EQ(tangent("vt 0 0\nvt 1 0\nvt 1 1\n"), glm::vec4(1, 0, 0, 1));
-    EXPECT_EQ(tangent("vt 0 0\nvt -1 0\nvt -1 1\n"), glm::vec4(-1, 0, 0, -1));
-    EXPECT_EQ(tangent("vt 0 0\nvt 0 -1\nvt 1 -1\n"), glm::vec4(0, 1, 0, 1));
-}
-
 TEST(ObjMaterials, AMapsKindIsThatOf99PercentOfItsTexels) {
     Image grey(20, 20, 3, 8), normals(20, 20, 4, 8);
     for (size_t i = 0; i < grey.pixel_count(); ++i)

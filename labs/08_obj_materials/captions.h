@@ -1,0 +1,16 @@
+// The words beside the garden of lab 08.
+#pragma once
+
+#include "framework/kit/labels.h"
+#include "scene.h"
+
+namespace relief::materials {
+
+/// Lists the materials below a tile: name, features and triangles, in the colour of the program. `highlight` is the
+/// number of a material, from 1 on, or 0.
+void list_materials(Labels& labels, glm::ivec2 size, const Tile& tile, const Scene& scene, int highlight);
+
+/// Writes the scene's notes along the lower edge.
+void write_notes(Labels& labels, glm::ivec2 size, const Scene& scene);
+
+}  // namespace relief::materials

@@ -1,0 +1,36 @@
+// The picture of a mask's mip levels: how each rule for alpha draws them, and what they cover.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "framework/kit/kept.h"
+#include "framework/kit/labels.h"
+#include "framework/kit/window_triangle.h"
+#include "surfaces.h"
+
+namespace relief::materials {
+
+class MaskLevels {
+public:
+    static constexpr const char* mask = "wire_mask.png";
+
+    /// Draws levels 0 to 5 side by side. A picture has a row for each rule in Surfaces::alphas, with captions in
+    /// `labels`. A probe has one row, by `alpha`.
+    void draw(const Frame& frame, Labels& labels, int alpha, float threshold);
+
+private:
+    static constexpr int levels_shown = 6;
+
+    void draw_level(int level, int alpha, float threshold, const Define& purpose);
+    double measure(int level, int alpha, float threshold);
+
+    Programs program_{"08_obj_materials/window.vert", "08_obj_materials/levels.frag"};
+    WindowTriangle window_;
+    std::optional<Texture> texture_;
+    std::vector<float> scales_;
+    std::array<Kept<double, float, int>, Surfaces::alphas.size() * levels_shown> coverages_;
+};
+
+}  // namespace relief::materials
