@@ -4,15 +4,23 @@
 
 #include <map>
 #include <memory>
-#include <utility>
+#include <set>
+#include <span>
 
 #include "framework/gl/texel_target.h"
 #include "patches.h"
 
 namespace relief::planet {
 
+/// The grids of SphereMapping, in shaders/09_planet/grid.glsl.
+inline constexpr auto mappings = Choices({{"equal-angle"}, {"gnomonic", "GNOMONIC"}, {"lat-long", "LAT_LONG"}});
+
 /// The formula for normals from heights: by the metric (tasks 9.2 and 9.3), or by common approximations.
 enum class Normals : int { metric, right_angled, b_by_cross, one_scale };
+inline constexpr auto normal_rules =
+    Choices({{"metric"}, {"right-angled", "RIGHT_ANGLED"}, {"b-by-cross", "B_BY_CROSS"}, {"one-scale", "ONE_SCALE"}});
+/// The factor on the slopes of a level.
+inline constexpr auto strengths = Choices({{"2^level"}, {"1+2^level", "STRENGTH_PLUS_1"}, {"none", "STRENGTH_NONE"}});
 
 /// Everything that a normal map depends on.
 struct MapRecipe {
@@ -20,13 +28,13 @@ struct MapRecipe {
     Normals normals = Normals::metric;
     int texels = 64;  ///< along a patch's side, without the gutter
     bool gutter = true;
-    int strength = 0;     ///< choice of a factor on the slopes of level l: 2^l, (1 + 2^l) / 2, or 1
+    int strength = 0;     ///< of `strengths`
     bool slopes = false;  ///< the map holds slopes in place of normals, for the probe `slope`
     bool operator==(const MapRecipe&) const = default;
 };
 
 /// Returns the definition that chooses a mapping in shaders/09_planet/grid.glsl.
-Define mapping_define(Mapping mapping);
+inline Define mapping_define(SphereMapping mapping) { return mappings.define(int(mapping)); }
 
 /// Limits of one picture, over all its views: seconds and half a gigabyte with a software renderer. That many texels,
 /// in tiles of 16 to 256 texels a side, fit into a texture of 16384 texels a side, the minimum that OpenGL guarantees.
@@ -45,9 +53,10 @@ public:
     /// Makes the vertices and, with `maps`, the maps of these patches, and drops all others. May change the framebuffer
     /// and the viewport.
     void prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, bool maps);
-    /// Draws patch `i` of the prepared ones. Sets its uniforms: u_middle, u_minus, u_centre, u_map_corner. Without
-    /// `precise` floats are subtracted in the shader, which shows their rounding. Precondition: the program is in use.
-    void draw(const Program& program, const Plan& plan, size_t i, bool precise) const;
+    /// Draws patch `i` of the prepared ones, as seen by `eye`. Sets its uniforms: u_middle, u_minus, u_centre,
+    /// u_map_corner. Without `precise` floats are subtracted in the shader, which shows their rounding. Precondition:
+    /// the program is in use.
+    void draw(const Program& program, size_t i, const Plan& plan, const Eye& eye, bool precise) const;
     void bind_maps(int unit) const {
         if (map_) map_->bind(unit);
     }
@@ -62,30 +71,37 @@ private:
         float is_skirt;
         glm::vec2 local;
     };
+    /// A patch's share of the buffer and of the map.
     struct Slot {
         int place = 0;
         glm::dvec3 middle;  ///< of the patch, radii
-        bool has_vertices = false, has_map = false;
+        bool has_map = false;
     };
     struct Buffers {
-        VertexArrayName layout;
+        VertexArrayName layout, nothing;
         BufferName vertices, indices;
     };
-    void make_buffers(int quads);
-    void make_vertices(const Shape& shape, const std::vector<PatchId>& fresh);
-    /// Returns the programs that fill the maps: of heights, then of normals.
-    std::pair<const Program&, const Program&> programs_of(const MapRecipe& recipe) const;
-    void make_maps(const MapRecipe& recipe, const std::vector<PatchId>& fresh);
-    void set_patch(const Program& program, const MapRecipe& recipe, const PatchId& id) const;
-    int tile_columns() const { return 16; }
+    using Patches = std::set<SpherePatch>;
+    void drop_outdated(const MapRecipe& recipe, bool maps);
+    void make_room(int quads, int patches);
+    void make_indices();
+    std::vector<SpherePatch> take_slots(const Shape& shape, const Patches& wanted);
+    std::vector<Vertex> vertices_of(const Shape& shape, const SpherePatch& patch) const;
+    void make_vertices(const Shape& shape, const std::vector<SpherePatch>& fresh);
+    const Program& heights_program(const MapRecipe& recipe) const;
+    const Program& normals_program(const MapRecipe& recipe) const;
+    /// Makes the maps of the patches without one, in two passes for each batch of patches.
+    void make_maps(const MapRecipe& recipe);
+    void draw_heights(const MapRecipe& recipe, std::span<const SpherePatch> patches, const TexelTarget& heights);
+    void draw_normals(const MapRecipe& recipe, std::span<const SpherePatch> patches, const TexelTarget& heights);
+    void set_patch(const Program& program, const MapRecipe& recipe, const SpherePatch& patch) const;
 
     Programs heights_{"09_planet/window.vert", "09_planet/heights.frag"};
     Programs normals_{"09_planet/window.vert", "09_planet/normals.frag"};
     std::optional<Buffers> buffers_;
-    std::optional<VertexArrayName> nothing_;
     std::unique_ptr<TexelTarget> map_;
-    std::map<PatchId, Slot> slots_;
-    std::vector<PatchId> drawn_;
+    std::map<SpherePatch, Slot> slots_;
+    std::vector<SpherePatch> drawn_;
     MapRecipe recipe_;
     std::array<GLuint, 2> programs_{};
     int capacity_ = 0, quads_ = 0, index_count_ = 0;
