@@ -12,21 +12,6 @@ constexpr int batch_columns = 8;  // heights are computed for 8 x 8 tiles at a t
 
 glm::ivec2 tile(int index, int columns, int size) { return glm::ivec2(index % columns, index / columns) * size; }
 
-/// Returns the index of a vertex on the border of a patch. Edges 0 to 3 go around it, `at` from 0 to quads along each.
-int border_vertex(int quads, int edge, int at) {
-    const int side = quads + 1;
-    switch (edge) {
-        case 0:
-            return at;
-        case 1:
-            return at * side + quads;
-        case 2:
-            return quads * side + quads - at;
-        default:
-            return (quads - at) * side;
-    }
-}
-
 }  // namespace
 
 void set_ground(const Program& program, const Ground& ground) {
@@ -65,45 +50,21 @@ void Globe::drop_outdated(const MapRecipe& recipe, bool maps) {
 /// Makes buffers for this many patches, unless they have room. New ones are empty.
 void Globe::make_room(int quads, int patches) {
     if (!buffers_) buffers_.emplace();
-    if (quads == quads_ && patches <= capacity_) return;
-    if (quads != quads_) {
-        quads_ = quads;
-        make_indices();
-    }
+    if (quads == shape_.quads && patches <= capacity_) return;
+    shape_.quads = quads;
     capacity_ = (patches / 64 + 1) * 64;
     slots_.clear(), map_.reset();
-    const int side = quads_ + 1;
     glBindVertexArray(buffers_->layout);
+    const std::vector<uint32_t> indices = shape_.indices();  // the same triangles for all patches
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_->indices);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(uint32_t)), indices.data(),
+                 GL_STATIC_DRAW);
     glBindBuffer(GL_ARRAY_BUFFER, buffers_->vertices);
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(Vertex)) * capacity_ * side * (side + 4), nullptr, GL_DYNAMIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(Vertex)) * capacity_ * shape_.vertices(), nullptr, GL_DYNAMIC_DRAW);
     for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
     glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
     glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex),
                           reinterpret_cast<const void*>(offsetof(Vertex, local)));
-}
-
-/// All patches have the same triangles. The skirts come last, so that they can be left out.
-void Globe::make_indices() {
-    const int side = quads_ + 1;
-    std::vector<uint32_t> indices;
-    const auto quad = [&](int a, int b, int c, int d) {
-        for (const int corner : {a, b, d, a, d, c}) indices.push_back(uint32_t(corner));
-    };
-    for (int y = 0; y < quads_; ++y)
-        for (int x = 0; x < quads_; ++x) {
-            const int a = y * side + x;
-            quad(a, a + 1, a + side, a + side + 1);
-        }
-    for (int edge = 0; edge < 4; ++edge)
-        for (int i = 0; i < quads_; ++i) {
-            const int below = side * side + edge * side + i;
-            quad(below, below + 1, border_vertex(quads_, edge, i), border_vertex(quads_, edge, i + 1));
-        }
-    index_count_ = int(indices.size());
-    glBindVertexArray(buffers_->layout);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_->indices);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(uint32_t)), indices.data(),
-                 GL_STATIC_DRAW);
 }
 
 /// Gives each patch without a slot a free one. Returns these patches.
@@ -131,12 +92,11 @@ std::vector<Globe::Vertex> Globe::vertices_of(const Shape& shape, const SpherePa
             // Subtracted in double: the small difference fits a float, which is exact to a millionth of it.
             vertices.push_back({place - middle, 0, local});
         }
-    for (int edge = 0; edge < 4; ++edge)
-        for (int at = 0; at <= shape.quads; ++at) {
-            Vertex vertex = vertices[size_t(border_vertex(shape.quads, edge, at))];
-            vertex.is_skirt = 1;
-            vertices.push_back(vertex);
-        }
+    for (int i = 0; i < shape_.skirt_vertices(); ++i) {
+        Vertex vertex = vertices[size_t(shape_.hangs_from(i))];
+        vertex.is_skirt = 1;
+        vertices.push_back(vertex);
+    }
     return vertices;
 }
 
@@ -241,8 +201,8 @@ void Globe::draw(const Program& program, size_t i, const Plan& plan, const Eye& 
     program.set("u_centre", slot.middle);
     program.set("u_map_corner", map_ ? map_corner(i) : glm::ivec2(0));
     glBindVertexArray(buffers_->layout);
-    const int count = plan.skirts ? index_count_ : index_count_ - skirt_triangles() * 3;
-    glDrawElementsBaseVertex(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr, slot.place * vertices_of_patch(quads_));
+    glDrawElementsBaseVertex(GL_TRIANGLES, 3 * triangles_of_patch(plan.skirts), GL_UNSIGNED_INT, nullptr,
+                             slot.place * shape_.vertices());
 }
 
 }  // namespace relief::planet

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "framework/gl/texel_target.h"
+#include "framework/mesh/skirted_patch.h"
 #include "patches.h"
 
 namespace relief::planet {
@@ -39,8 +40,6 @@ inline Define mapping_define(SphereMapping mapping) { return mappings.define(int
 /// Limits of one picture, over all its views: seconds and half a gigabyte with a software renderer. That many texels,
 /// in tiles of 16 to 256 texels a side, fit into a texture of 16384 texels a side, the minimum that OpenGL guarantees.
 constexpr int most_vertices = 2'200'000, most_texels = 6'000'000;
-/// Returns the number of vertices of a patch of quads x quads quads, including its skirts.
-constexpr int vertices_of_patch(int quads) { return (quads + 1) * (quads + 5); }
 /// Returns the texels along the side of each patch: `wanted`, halved until all patches have at most `most` texels; at
 /// least 16.
 constexpr int texels_that_fit(int wanted, size_t patches, int most) {
@@ -62,8 +61,9 @@ public:
     }
     /// Returns the lower left texel of the tile of patch `i` in the map.
     glm::ivec2 map_corner(size_t i) const;
-    int triangles_of_patch() const { return index_count_ / 3; }
-    int skirt_triangles() const { return 8 * quads_; }
+    int triangles_of_patch(bool skirts) const {
+        return shape_.grid_indices() / 3 + (skirts ? 2 * 4 * shape_.quads : 0);
+    }
 
 private:
     struct Vertex {
@@ -84,7 +84,6 @@ private:
     using Patches = std::set<SpherePatch>;
     void drop_outdated(const MapRecipe& recipe, bool maps);
     void make_room(int quads, int patches);
-    void make_indices();
     std::vector<SpherePatch> take_slots(const Shape& shape, const Patches& wanted);
     std::vector<Vertex> vertices_of(const Shape& shape, const SpherePatch& patch) const;
     void make_vertices(const Shape& shape, const std::vector<SpherePatch>& fresh);
@@ -104,7 +103,8 @@ private:
     std::vector<SpherePatch> drawn_;
     MapRecipe recipe_;
     std::array<GLuint, 2> programs_{};
-    int capacity_ = 0, quads_ = 0, index_count_ = 0;
+    SkirtedPatch shape_{0};
+    int capacity_ = 0;  ///< patches
 };
 
 /// Sets the uniforms of shaders/09_planet/heights.glsl. Precondition: the program is in use.

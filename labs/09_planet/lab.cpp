@@ -195,7 +195,7 @@ private:
                                          [](const Leaf& leaf) { return leaf.state == Leaf::drawn; });
         labels_.caption(size, view.tile, 0,
                         view.shows_patches ? fmt::format("{} patches", count)
-                                           : fmt::format("{} triangles", count * globe.triangles_of_patch()));
+                                           : fmt::format("{} triangles", count * globe.triangles_of_patch(true)));
     }
 
     Settings settings_;

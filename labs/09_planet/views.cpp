@@ -162,7 +162,7 @@ std::vector<View> views_of(const Settings& settings, const Frame& frame) {
     std::vector<View> views = views_by_knobs(settings, frame);
     for (View& view : views) {
         view.plan.most_patches =
-            size_t(most_vertices) / views.size() / size_t(vertices_of_patch(view.plan.shape.quads));
+            size_t(most_vertices) / views.size() / size_t(SkirtedPatch{view.plan.shape.quads}.vertices());
         view.most_texels = most_texels / int(views.size());
     }
     return views;
