@@ -68,7 +68,7 @@ private:
     };
 
     std::vector<Tile> tiles_of_view(glm::ivec2 frame) const {
-        return tiles_of(frame, settings_.view == Settings::one ? 1 : int(Settings::filters.names.size()),
+        return tiles_of(frame, settings_.view == Settings::one ? 1 : int(Settings::filters.size()),
                         settings_.shows_error() ? Labels::scale_height(frame) : 0);
     }
     int filter_of(size_t tile) const { return settings_.view == Settings::one ? settings_.filter : int(tile); }
@@ -212,7 +212,7 @@ private:
     }
 
     void describe(glm::ivec2 size, const Tile& tile, int filter, const ErrorSummary& error) {
-        labels_.caption(size, tile, 0, Settings::filters.name(filter));
+        labels_.caption(size, tile, 0, Settings::filters.names[size_t(filter)]);
         if (error.count > 0 && !settings_.is_derived())
             labels_.caption(size, tile, -1,
                             fmt::format("mean {}~ max {}~", rounded(error.mean, 2), rounded(error.largest, 2)));

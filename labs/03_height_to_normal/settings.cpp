@@ -12,20 +12,20 @@ namespace relief::heights {
 
 void Settings::knobs(Knobs& knobs) {
     knobs.group("Picture");
-    knobs.choice("view", view, views, "every filter, or one of them");
-    knobs.choice("filter", filter, filters, "for view = one: the filter of the wall");
-    knobs.choice("show", show, shows,
+    knobs.choice("view", view, views.names, "every filter, or one of them");
+    knobs.choice("filter", filter, filters.names, "for view = one: the filter of the wall");
+    knobs.choice("show", show, shows.names,
                  "the lit relief, the error compared with the exact slope, or half of each; or what else heights give: "
                  "how open a place is to the sky, how glossy by its normals' spread");
     knobs.group("Map");
-    knobs.choice_or_picture("source", map.source, own, MapSettings::sources,
+    knobs.choice_or_picture("source", map.source, own, MapSettings::sources.names,
                             "a known function, the bricks' height map, or the bricks' colours");
     knobs.choice("size", map.size_choice, MapSettings::sizes, "texels along each side of the map (source waves)");
     knobs.choice("bits", map.bits_choice, MapSettings::bit_counts, "bits per stored height (source waves)");
     knobs.slider("depth", map.depth, 0, 64, "depth of the relief: texels of a height of 1");
     knobs.slider("stretch", map.stretch, 0.25f, 4, "width of a texel divided by its height");
     knobs.toggle("wrap", map.wrap, "continue the map at its other side; off: it ends at its border");
-    knobs.choice("where", map.where, MapSettings::places,
+    knobs.choice("where", map.where, MapSettings::places.names,
                  "the map is computed by a fragment shader, or by the framework on the CPU");
     knobs.group("Strength of detail");
     knobs.slider("fine", map.fine, 0, 3, "strength of detail of one texel");

@@ -13,11 +13,11 @@ namespace relief::heights {
 /// The knobs that the maps depend on.
 struct MapSettings {
     enum Source { waves, bricks, colors, own };
-    static constexpr auto sources = Choices({{"waves"}, {"bricks"}, {"colors"}});
-    static constexpr auto sizes = Choices({{"32"}, {"64"}, {"128"}, {"256"}});
-    static constexpr auto bit_counts = Choices({{"float"}, {"16"}, {"8"}});
+    static constexpr auto sources = choices<Source>({{waves, "waves"}, {bricks, "bricks"}, {colors, "colors"}});
     enum Where { gpu, cpu };
-    static constexpr auto places = Choices({{"gpu"}, {"cpu"}});
+    static constexpr auto places = choices<Where>({{gpu, "gpu"}, {cpu, "cpu"}});
+    static constexpr std::array sizes = {"32", "64", "128", "256"};  // 32 << size_choice
+    static constexpr std::array bit_counts = {"float", "16", "8"};   // 32 >> bits_choice
 
     int source = waves, size_choice = 1, bits_choice = 0, where = gpu;
     bool wrap = true;
@@ -38,12 +38,19 @@ Image own_picture(Image picture);
 
 struct Settings {
     enum View { every, one };
-    static constexpr auto views = Choices({{"every"}, {"one"}});
-    static constexpr auto filters = Choices(  // SlopeFilter
-        {{"forward"}, {"central"}, {"sobel", "SOBEL"}, {"scharr"}, {"fourth-order"}, {"spline"}});
+    static constexpr auto views = choices<View>({{every, "every"}, {one, "one"}});
+    static constexpr auto filters = choices<SlopeFilter>({{SlopeFilter::forward, "forward"},
+                                                          {SlopeFilter::central, "central"},
+                                                          {SlopeFilter::sobel, "sobel", "SOBEL"},
+                                                          {SlopeFilter::scharr, "scharr"},
+                                                          {SlopeFilter::fourth_order, "fourth-order"},
+                                                          {SlopeFilter::spline, "spline"}});
     enum Show { half_and_half, light, error_map, occlusion, gloss };
-    static constexpr auto shows = Choices(
-        {{"half-and-half", "ERROR"}, {"light"}, {"error", "ERROR"}, {"occlusion", "DERIVED"}, {"gloss", "DERIVED"}});
+    static constexpr auto shows = choices<Show>({{half_and_half, "half-and-half", "ERROR"},
+                                                 {light, "light"},
+                                                 {error_map, "error", "ERROR"},
+                                                 {occlusion, "occlusion", "DERIVED"},
+                                                 {gloss, "gloss", "DERIVED"}});
 
     int view = every, filter = int(SlopeFilter::sobel), show = half_and_half, repeat = 2;
     float light_yaw = -50, light_height = 1.1f;

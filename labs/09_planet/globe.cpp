@@ -117,7 +117,7 @@ const Program& Globe::heights_program(const MapRecipe& recipe) const {
 const Program& Globe::normals_program(const MapRecipe& recipe) const {
     return normals_.with({mapping_define(recipe.shape.mapping), recipe.gutter ? "" : "NO_GUTTER",
                           recipe.slopes ? "PROBE_slope" : normal_rules.define(int(recipe.normals)),
-                          strengths.define(recipe.strength)});
+                          strengths.define(int(recipe.strength))});
 }
 
 void Globe::set_patch(const Program& program, const MapRecipe& recipe, const SpherePatch& patch) const {

@@ -14,14 +14,21 @@
 namespace relief::planet {
 
 /// The grids of SphereMapping, in shaders/09_planet/grid.glsl.
-inline constexpr auto mappings = Choices({{"equal-angle"}, {"gnomonic", "GNOMONIC"}, {"lat-long", "LAT_LONG"}});
+inline constexpr auto mappings = choices<SphereMapping>({{SphereMapping::equal_angle, "equal-angle"},
+                                                         {SphereMapping::gnomonic, "gnomonic", "GNOMONIC"},
+                                                         {SphereMapping::lat_long, "lat-long", "LAT_LONG"}});
 
 /// The formula for normals from heights: by the metric (tasks 9.2 and 9.3), or by common approximations.
 enum class Normals : int { metric, right_angled, b_by_cross, one_scale };
-inline constexpr auto normal_rules =
-    Choices({{"metric"}, {"right-angled", "RIGHT_ANGLED"}, {"b-by-cross", "B_BY_CROSS"}, {"one-scale", "ONE_SCALE"}});
-/// The factor on the slopes of a level.
-inline constexpr auto strengths = Choices({{"2^level"}, {"1+2^level", "STRENGTH_PLUS_1"}, {"none", "STRENGTH_NONE"}});
+inline constexpr auto normal_rules = choices<Normals>({{Normals::metric, "metric"},
+                                                       {Normals::right_angled, "right-angled", "RIGHT_ANGLED"},
+                                                       {Normals::b_by_cross, "b-by-cross", "B_BY_CROSS"},
+                                                       {Normals::one_scale, "one-scale", "ONE_SCALE"}});
+/// The factor on the slopes of a level l: 2^l, (1 + 2^l) / 2, or 1.
+enum class Strength : int { doubling, plus_one, none };
+inline constexpr auto strengths = choices<Strength>({{Strength::doubling, "2^level"},
+                                                     {Strength::plus_one, "1+2^level", "STRENGTH_PLUS_1"},
+                                                     {Strength::none, "none", "STRENGTH_NONE"}});
 
 /// Everything that a normal map depends on.
 struct MapRecipe {
@@ -29,7 +36,7 @@ struct MapRecipe {
     Normals normals = Normals::metric;
     int texels = 64;  ///< along a patch's side, without the gutter
     bool gutter = true;
-    int strength = 0;     ///< of `strengths`
+    Strength strength = Strength::doubling;
     bool slopes = false;  ///< the map holds slopes in place of normals, for the probe `slope`
     bool operator==(const MapRecipe&) const = default;
 };

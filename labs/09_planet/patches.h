@@ -45,9 +45,11 @@ struct Eye {
 };
 
 enum class Levels : int { uniform, distance, error };
-inline constexpr auto level_rules = Choices({{"uniform"}, {"distance"}, {"error"}});
+inline constexpr auto level_rules =
+    choices<Levels>({{Levels::uniform, "uniform"}, {Levels::distance, "distance"}, {Levels::error, "error"}});
 enum class Cull : int { none, outside, horizon };
-inline constexpr auto culls = Choices({{"none"}, {"outside"}, {"horizon"}});
+inline constexpr auto culls =
+    choices<Cull>({{Cull::none, "none"}, {Cull::outside, "outside"}, {Cull::horizon, "horizon"}});
 
 /// The input of cover(): everything that decides which patches a picture needs.
 struct Plan {

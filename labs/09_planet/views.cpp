@@ -60,7 +60,7 @@ View view_in(const Settings& s, const Frame& frame, const Tile& tile, const char
                        .normals = Normals(s.normals),
                        .texels = 16 << s.texels,
                        .gutter = s.gutter,
-                       .strength = s.strength,
+                       .strength = Strength(s.strength),
                        .slopes = frame.probe.name == "slope"},
             .by_vertices = s.lit_by == Settings::lit_by_vertices};
 }

@@ -98,7 +98,7 @@ private:
     }
 
     void describe(glm::ivec2 size, const Tile& tile, const Scene& scene, int way) {
-        labels_.caption(size, tile, 0, Settings::ways.name(way));
+        labels_.caption(size, tile, 0, Settings::ways.names[size_t(way)]);
         const ErrorSummary& error = measure(scene, way);
         if (error.missing == 0 && error.not_finite == 0)
             labels_.caption(size, tile, -1, fmt::format("{:.1f}~ off, {:.0f}~ at most", error.mean, error.largest));

@@ -9,21 +9,22 @@ namespace relief::moving_frames {
 
 struct Settings {
     enum View { the_flock, four_ways, unrolled_skin, one_body };
-    static constexpr auto views = Choices({{"flock"}, {"four"}, {"skin"}, {"one"}});
+    static constexpr auto views =
+        choices<View>({{the_flock, "flock"}, {four_ways, "four"}, {unrolled_skin, "skin"}, {one_body, "one"}});
     enum Shape { tube_shape, serpent_shape };
-    static constexpr auto shapes = Choices({{"tube"}, {"serpent", "SERPENT"}});
+    static constexpr auto shapes = choices<Shape>({{tube_shape, "tube"}, {serpent_shape, "serpent", "SERPENT"}});
     enum Way { matrix, inverse_transpose, unit_cofactors, gradient };
-    static constexpr auto ways = Choices({{"matrix"},
-                                          {"inverse-transpose", "INVERSE_TRANSPOSE"},
-                                          {"unit-cofactors", "UNIT_COFACTORS"},
-                                          {"gradient", "GRADIENT"}});
+    static constexpr auto ways = choices<Way>({{matrix, "matrix"},
+                                               {inverse_transpose, "inverse-transpose", "INVERSE_TRANSPOSE"},
+                                               {unit_cofactors, "unit-cofactors", "UNIT_COFACTORS"},
+                                               {gradient, "gradient", "GRADIENT"}});
     enum Blend { linear, dual_quaternion };
-    static constexpr auto blends = Choices({{"linear"}, {"dual-quaternion", "DUAL"}});
-    enum Sums { even, not_even };
-    static constexpr auto sums = Choices({{"even"}, {"uneven", "UNEVEN"}});
+    static constexpr auto blends = choices<Blend>({{linear, "linear"}, {dual_quaternion, "dual-quaternion", "DUAL"}});
+    enum Sum { even, not_even };
+    static constexpr auto sums = choices<Sum>({{even, "even"}, {not_even, "uneven", "UNEVEN"}});
     enum Signs { alike, opposite };
-    static constexpr auto signs_of = Choices({{"alike"}, {"opposite"}});
-    static constexpr auto triangle_counts = Choices({{"288"}, {"3072"}, {"6144"}, {"12288"}});
+    static constexpr auto signs_of = choices<Signs>({{alike, "alike"}, {opposite, "opposite"}});
+    static constexpr std::array triangle_counts = {"288", "3072", "6144", "12288"};  // of `finenesses`
     static constexpr std::array<Fineness, 4> finenesses = {{{24, 6}, {96, 16}, {128, 24}, {192, 32}}};
 
     int view = the_flock, shape = serpent_shape, way = gradient, blend = linear, weights = even, signs = alike;
@@ -48,13 +49,13 @@ struct Settings {
 
     void knobs(Knobs& knobs) {
         knobs.group("Picture");
-        knobs.choice("view", view, views,
+        knobs.choice("view", view, views.names,
                      "a serpent and its flock; four normals of a bent tube; one skin unrolled, and its errors; or one "
                      "body");
-        knobs.choice("shape", shape, shapes, "a tube with one joint, or a serpent with thirteen");
+        knobs.choice("shape", shape, shapes.names, "a tube with one joint, or a serpent with thirteen");
         knobs.group("Skin");
-        knobs.choice("normal_by", way, ways, "how the skin moves its normals");
-        knobs.choice("blend", blend, blends,
+        knobs.choice("normal_by", way, ways.names, "how the skin moves its normals");
+        knobs.choice("blend", blend, blends.names,
                      "bones blended as matrices, or as dual quaternions (which do not stretch)");
         knobs.slider("bend", bend, 0, 150,
                      "bend of the tube's joint, degrees; a serpent's joints take a third at most");
@@ -62,8 +63,9 @@ struct Settings {
         knobs.slider("stretch", stretch, 0, 2,
                      "stretch of a bone along itself: the tube's second, the serpent's middle one");
         knobs.slider("weights_over", over, 0, 6, "length of a joint, over which weights change, radii");
-        knobs.choice("weights", weights, sums, "weights that sum to 1, or do not");
-        knobs.choice("signs", signs, signs_of, "dual quaternions of neighbours alike, or opposite (the same motions)");
+        knobs.choice("weights", weights, sums.names, "weights that sum to 1, or do not");
+        knobs.choice("signs", signs, signs_of.names,
+                     "dual quaternions of neighbours alike, or opposite (the same motions)");
         knobs.toggle("folds", folds, "paint blue where the skin folds over itself");
         knobs.group("Bodies");
         knobs.steps("instances", instances, 1, most_instances, "bodies, the first one included");

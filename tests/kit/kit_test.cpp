@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "framework/image/file.h"
+#include "framework/kit/choices.h"
 #include "framework/kit/culling.h"
 #include "framework/kit/kept.h"
 #include "framework/kit/light.h"
@@ -17,6 +18,15 @@
 
 namespace relief {
 namespace {
+
+TEST(Choices, HoldNamesAndDefinitionsByValue) {
+    enum Method { none, by_size };
+    static constexpr auto methods = choices<Method>({{none, "none"}, {by_size, "size", "BY_SIZE 2"}});
+    EXPECT_EQ(methods.size(), 2u);
+    EXPECT_STREQ(methods.names[by_size], "size");
+    EXPECT_EQ(methods.define(by_size).text, "BY_SIZE 2");
+    EXPECT_EQ(methods.define(none).text, "") << "defines nothing";
+}
 
 TEST(Kept, IsRecomputedOnlyWhenAnInputChanges) {
     Kept<std::string, int, std::string> kept;
