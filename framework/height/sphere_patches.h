@@ -68,7 +68,7 @@ struct Cover {
     bool is_bounded = false;  ///< most_patches has reduced the number of patches
 };
 
-/// What a picture needs of a patch. A drawn patch is split if `split` is 1 or more; patches with the largest value are
+/// The state of a patch in a picture, and its need of a split. A drawn patch is split if `split` is 1 or more; patches with the largest value are
 /// split first.
 struct PatchNeed {
     Leaf::State state = Leaf::drawn;

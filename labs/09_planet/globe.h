@@ -68,9 +68,7 @@ public:
     }
     /// Returns the lower left texel of the tile of patch `i` in the map.
     glm::ivec2 map_corner(size_t i) const;
-    int triangles_of_patch(bool skirts) const {
-        return shape_.grid_indices() / 3 + (skirts ? 2 * 4 * shape_.quads : 0);
-    }
+    int triangles_of_patch(bool skirts) const { return grid_.grid_indices() / 3 + (skirts ? 2 * 4 * grid_.quads : 0); }
 
 private:
     struct Vertex {
@@ -89,18 +87,18 @@ private:
         BufferName vertices, indices;
     };
     using Patches = std::set<SpherePatch>;
-    void drop_outdated(const MapRecipe& recipe, bool maps);
-    void make_room(int quads, int patches);
-    std::vector<SpherePatch> take_slots(const Shape& shape, const Patches& wanted);
-    std::vector<Vertex> vertices_of(const Shape& shape, const SpherePatch& patch) const;
-    void make_vertices(const Shape& shape, const std::vector<SpherePatch>& fresh);
-    const Program& heights_program(const MapRecipe& recipe) const;
-    const Program& normals_program(const MapRecipe& recipe) const;
+    void drop_outdated(const MapRecipe& before, bool maps);
+    void make_room(int patches);
+    std::vector<SpherePatch> take_slots(const Patches& wanted);
+    std::vector<Vertex> vertices_of(const SpherePatch& patch) const;
+    void make_vertices(const std::vector<SpherePatch>& fresh);
+    const Program& heights_program() const;
+    const Program& normals_program() const;
     /// Makes the maps of the patches without one, in two passes for each batch of patches.
-    void make_maps(const MapRecipe& recipe);
-    void draw_heights(const MapRecipe& recipe, std::span<const SpherePatch> patches, const TexelTarget& heights);
-    void draw_normals(const MapRecipe& recipe, std::span<const SpherePatch> patches, const TexelTarget& heights);
-    void set_patch(const Program& program, const MapRecipe& recipe, const SpherePatch& patch) const;
+    void make_maps();
+    void draw_heights(std::span<const SpherePatch> patches, const TexelTarget& heights);
+    void draw_normals(std::span<const SpherePatch> patches, const TexelTarget& heights);
+    void set_patch(const Program& program, const SpherePatch& patch) const;
 
     Programs heights_{"09_planet/window.vert", "09_planet/heights.frag"};
     Programs normals_{"09_planet/window.vert", "09_planet/normals.frag"};
@@ -110,7 +108,7 @@ private:
     std::vector<SpherePatch> drawn_;
     MapRecipe recipe_;
     std::array<GLuint, 2> programs_{};
-    SkirtedPatch shape_{0};
+    SkirtedPatch grid_{0};
     int capacity_ = 0;  ///< patches
 };
 

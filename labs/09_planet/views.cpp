@@ -65,7 +65,7 @@ View view_in(const Settings& s, const Frame& frame, const Tile& tile, const char
             .by_vertices = s.lit_by == Settings::lit_by_vertices};
 }
 
-// What makes a view another one than the knobs' own.
+// Changes to a view of the knobs.
 
 View seen_by(View view, const Eye& eye) {
     view.plan.eye = view.seen_from = eye;
