@@ -68,8 +68,8 @@ struct Cover {
     bool is_bounded = false;  ///< most_patches has reduced the number of patches
 };
 
-/// The state of a patch in a picture, and its need of a split. A drawn patch is split if `split` is 1 or more; patches with the largest value are
-/// split first.
+/// The state of a patch in a picture, and its need of a split. A drawn patch is split if `split` is 1 or more; patches
+/// with the largest value are split first.
 struct PatchNeed {
     Leaf::State state = Leaf::drawn;
     double split = 0;
