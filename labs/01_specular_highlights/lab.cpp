@@ -5,6 +5,8 @@
 #include <array>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "floor.h"
+#include "framework/kit/culling.h"
 #include "framework/kit/light.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
@@ -66,13 +68,13 @@ private:
     void draw_scene(const Frame& frame, glm::ivec2 corner, glm::ivec2 size, bool with_map,
                     std::optional<glm::ivec2> shown = {}) {
         if (size.x <= 0) return;
-        const glm::vec2 part = 2.0f * glm::vec2(shown.value_or(glm::ivec2(0, size.x))) / float(size.x) - 1.0f;
+        const glm::dvec2 part = 2.0 * glm::dvec2(shown.value_or(glm::ivec2(0, size.x))) / double(size.x) - 1.0;
         glViewport(corner.x, corner.y, size.x, size.y);
         const Camera camera = size == frame.size ? frame.camera : frame_in(frame, {corner, size}).camera;
         const glm::vec3 light = lamp_at(light_yaw_, 2.8f, light_height_);
         const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : ""});
         glUseProgram(surface);
-        const glm::mat4 clip_from_world(camera.clip_from_world());
+        const glm::dmat4 clip_from_world = camera.clip_from_world();
         surface.set("u_clip_from_world", clip_from_world);
         surface.set("u_eye", camera.eye());
         surface.set("u_light", light);
@@ -85,31 +87,21 @@ private:
         for (const glm::vec3 place : colonnade::places)
             if (may_be_seen(clip_from_world, place + colonnade::middle, colonnade::column_reach, part))
                 draw_mesh(surface, column_, glm::translate(glm::mat4(1), place));
-        surface.set("s_albedo", 0, paving_albedo_);
+        if (!floor_) floor_.emplace();
+        floor_->bind_albedo(surface);  // the balls have it, too
         surface.set("s_normal", 1, paving_normal_);
         glEnable(GL_CULL_FACE);  // a ball is closed, so its back faces are never visible
         for (const glm::vec3 place : colonnade::places)
             if (may_be_seen(clip_from_world, place + colonnade::top, colonnade::ball.radius, part))
                 draw_mesh(surface, ball_, glm::translate(glm::mat4(1), place + colonnade::top));
         glDisable(GL_CULL_FACE);
-        draw_mesh(surface, floor_, glm::rotate(glm::mat4(1), glm::radians(-90.0f), {1, 0, 0}));
+        floor_->draw(surface);
 
         if (frame.probe || !may_be_seen(clip_from_world, light, lamp_scale * colonnade::ball.radius, part)) return;
         const Program& lamp = surface_.with("LAMP");
         glUseProgram(lamp);
         lamp.set("u_clip_from_world", clip_from_world);
         draw_mesh(lamp, ball_, glm::scale(glm::translate(glm::mat4(1), light), glm::vec3(lamp_scale)));
-    }
-
-    /// Returns whether a sphere may be visible between two x of the picture, from -1 at its left to 1 at its right.
-    /// Culling saves time in `wipe`, where most columns of bricks are in one half only: hidden triangles cost as much
-    /// as visible ones.
-    static bool may_be_seen(const glm::mat4& clip_from_world, glm::vec3 centre, float radius, glm::vec2 columns) {
-        const glm::mat4 rows = glm::transpose(clip_from_world);
-        const auto is_inside = [&](glm::vec4 plane) {
-            return glm::dot(plane, glm::vec4(centre, 1)) >= -radius * glm::length(glm::vec3(plane));
-        };
-        return is_inside(rows[0] - columns[0] * rows[3]) && is_inside(columns[1] * rows[3] - rows[0]);
     }
 
     static void draw_line(const Frame& frame, int x) {
@@ -129,9 +121,8 @@ private:
     Programs surface_{"01_specular_highlights/surface.vert", "01_specular_highlights/surface.frag"};
     Texture bricks_albedo_ = load_texture("bricks_albedo.png", ColorSpace::srgb);
     Texture bricks_normal_ = load_texture("bricks_normal.png", ColorSpace::linear);
-    Texture paving_albedo_ = load_texture("paving_albedo.png", ColorSpace::srgb);
     Texture paving_normal_ = load_texture("paving_normal.png", ColorSpace::linear);
-    GpuMesh floor_ = upload([] { return make_quad(colonnade::ground); });
+    std::optional<colonnade::Floor> floor_;
     GpuMesh column_ = upload([] { return make_column(colonnade::column); });
     GpuMesh ball_ = upload([] { return make_sphere(colonnade::ball); });
 

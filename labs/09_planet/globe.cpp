@@ -2,24 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <utility>
 
 #include "framework/base/parallel.h"
 
 namespace relief::planet {
 namespace {
 
-constexpr std::array normals_defines = {"", "RIGHT_ANGLED", "B_BY_CROSS", "ONE_SCALE"};
-constexpr std::array strength_defines = {"", "STRENGTH_PLUS_1", "STRENGTH_NONE"};
+constexpr int map_columns = 16;   // tiles of a map, side by side
 constexpr int batch_columns = 8;  // heights are computed for 8 x 8 tiles at a time
 
 glm::ivec2 tile(int index, int columns, int size) { return glm::ivec2(index % columns, index / columns) * size; }
 
 }  // namespace
-
-Define mapping_define(Mapping mapping) {
-    return mapping == Mapping::lat_long ? "LAT_LONG" : mapping == Mapping::gnomonic ? "GNOMONIC" : "";
-}
 
 void set_ground(const Program& program, const Ground& ground) {
     program.set("u_seed", ground.seed);
@@ -31,198 +26,189 @@ void set_ground(const Program& program, const Ground& ground) {
     }
 }
 
-void Globe::make_buffers(int quads) {
-    quads_ = quads;
-    const int side = quads + 1;
-    std::vector<uint32_t> indices;
-    const auto quad = [&](uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
-        indices.insert(indices.end(), {a, b, d, a, d, c});
+void Globe::prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, bool maps) {
+    drop_outdated(std::exchange(recipe_, recipe), maps);
+    drawn_.clear();
+    for (const Leaf& leaf : patches) drawn_.push_back(leaf.id);
+    const Patches wanted(drawn_.begin(), drawn_.end());
+    std::erase_if(slots_, [&](const auto& slot) { return !wanted.contains(slot.first); });
+    make_room(int(wanted.size()));
+    make_vertices(take_slots(wanted));
+    if (maps) make_maps();
+}
+
+/// Drops vertices and maps that another recipe or program made.
+void Globe::drop_outdated(const MapRecipe& before, bool maps) {
+    const auto drop_maps = [&] {
+        for (auto& [id, slot] : slots_) slot.has_map = false;
     };
-    for (int y = 0; y < quads; ++y)
-        for (int x = 0; x < quads; ++x) {
-            const uint32_t a = uint32_t(y * side + x);
-            quad(a, a + 1, a + uint32_t(side), a + uint32_t(side) + 1);
-        }
-    // The skirts come last, so that they can be left out.
-    for (int edge = 0; edge < 4; ++edge)
-        for (int i = 0; i < quads; ++i) {
-            const auto border = [&](int at) {
-                return uint32_t(edge == 0   ? at
-                                : edge == 1 ? at * side + quads
-                                : edge == 2 ? quads * side + quads - at
-                                            : (quads - at) * side);
-            };
-            const uint32_t below = uint32_t(side * side + edge * side + i);
-            quad(below, below + 1, border(i), border(i + 1));
-        }
-    index_count_ = int(indices.size());
+    if (!(recipe_.shape == before.shape)) slots_.clear();
+    if (!maps || recipe_.texels != before.texels) map_.reset();
+    if (!map_ || !(recipe_ == before)) drop_maps();
+    if (!maps) return;
+    // A program gets another name when its shaders are saved and compiled again.
+    const std::array<GLuint, 2> programs = {heights_program(), normals_program()};
+    if (std::exchange(programs_, programs) != programs) drop_maps();
+}
+
+/// Makes buffers for this many patches, unless they have room. New ones are empty.
+void Globe::make_room(int patches) {
+    if (!buffers_) buffers_.emplace();
+    if (recipe_.shape.quads == grid_.quads && patches <= capacity_) return;
+    grid_.quads = recipe_.shape.quads;
+    capacity_ = (patches / 64 + 1) * 64;
+    slots_.clear(), map_.reset();
     glBindVertexArray(buffers_->layout);
+    const std::vector<uint32_t> indices = grid_.indices();  // the same triangles for all patches
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_->indices);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(indices.size() * sizeof(uint32_t)), indices.data(),
                  GL_STATIC_DRAW);
-}
-
-void Globe::make_vertices(const Shape& shape, const std::vector<PatchId>& fresh) {
-    const int side = shape.quads + 1, count = side * side + 4 * side;
-    std::vector<std::vector<Vertex>> made(fresh.size());
-    parallel_each(fresh.size(), 0, [&](size_t i) {
-        const PatchId& id = fresh[i];
-        const glm::dvec3 middle = slots_.at(id).middle;
-        std::vector<Vertex>& vertices = made[i];
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
-                const glm::dvec2 local = glm::dvec2(x, y) / double(shape.quads);
-                const glm::dvec3 r = direction_at(shape.mapping, id.face, id.on_face(local));
-                // Subtracted in double: the small difference fits a float, which is exact to a millionth of it.
-                vertices.push_back({(1 + height(shape.ground, r)) * r - middle, 0, local});
-            }
-        for (int edge = 0; edge < 4; ++edge)
-            for (int at = 0; at < side; ++at) {
-                Vertex vertex = vertices[size_t(edge == 0   ? at
-                                                : edge == 1 ? at * side + side - 1
-                                                : edge == 2 ? (side - 1) * side + side - 1 - at
-                                                            : (side - 1 - at) * side)];
-                vertex.is_skirt = 1;
-                vertices.push_back(vertex);
-            }
-    });
     glBindBuffer(GL_ARRAY_BUFFER, buffers_->vertices);
-    for (size_t i = 0; i < fresh.size(); ++i)
-        glBufferSubData(GL_ARRAY_BUFFER, GLintptr(sizeof(Vertex)) * count * slots_.at(fresh[i]).place,
-                        GLsizeiptr(sizeof(Vertex) * made[i].size()), made[i].data());
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(Vertex)) * capacity_ * grid_.vertices(), nullptr, GL_DYNAMIC_DRAW);
+    for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
+    glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                          reinterpret_cast<const void*>(offsetof(Vertex, local)));
 }
 
-void Globe::set_patch(const Program& program, const MapRecipe& recipe, const PatchId& id) const {
-    program.set("u_face", glm::mat3(face_axes(recipe.shape.mapping, id.face)));
-    program.set("u_patch", glm::ivec2(id.x, id.y));
-    program.set("u_level", id.level);
-    program.set("u_texels", recipe.texels);
-}
-
-std::pair<const Program&, const Program&> Globe::programs_of(const MapRecipe& recipe) const {
-    const Define mapping = mapping_define(recipe.shape.mapping), gutter = recipe.gutter ? "" : "NO_GUTTER";
-    return {heights_.with({mapping, gutter}),
-            normals_.with({mapping, gutter, recipe.slopes ? "PROBE_slope" : normals_defines[size_t(recipe.normals)],
-                           strength_defines[size_t(recipe.strength)]})};
-}
-
-void Globe::make_maps(const MapRecipe& recipe, const std::vector<PatchId>& fresh) {
-    if (fresh.empty()) return;
-    const int tile_side = recipe.texels + 2, heights_side = recipe.texels + 4;
-    const size_t batch = batch_columns * batch_columns;
-    const int rows = int(std::min<size_t>(batch, fresh.size()) + batch_columns - 1) / batch_columns;
-    const TexelTarget heights({batch_columns * heights_side, rows * heights_side}, {GL_RGBA32F});
-    const auto [low, high] = programs_of(recipe);
-    glDisable(GL_DEPTH_TEST);
-    glBindVertexArray(*nothing_);
-    for (size_t begin = 0; begin < fresh.size(); begin += batch) {
-        const size_t end = std::min(fresh.size(), begin + batch);
-        heights.begin();
-        glUseProgram(low);
-        set_ground(low, recipe.shape.ground);
-        for (size_t i = begin; i < end; ++i) {
-            const glm::ivec2 corner = tile(int(i - begin), batch_columns, heights_side);
-            glViewport(corner.x, corner.y, heights_side, heights_side);
-            set_patch(low, recipe, fresh[i]);
-            low.set("u_corner", corner);
-            glDrawArrays(GL_TRIANGLES, 0, 3);
-        }
-        map_->begin();
-        glUseProgram(high);
-        high.set("s_heights", 0);
-        heights.bind(0);
-        for (size_t i = begin; i < end; ++i) {
-            const glm::ivec2 corner = tile(slots_.at(fresh[i]).place, tile_columns(), tile_side);
-            glViewport(corner.x, corner.y, tile_side, tile_side);
-            set_patch(high, recipe, fresh[i]);
-            high.set("u_corner", corner);
-            high.set("u_heights_corner", tile(int(i - begin), batch_columns, heights_side));
-            glDrawArrays(GL_TRIANGLES, 0, 3);
-        }
-    }
-    glEnable(GL_DEPTH_TEST);
-}
-
-void Globe::prepare(const MapRecipe& recipe, const std::vector<Leaf>& patches, bool maps) {
-    if (!buffers_) buffers_.emplace(), nothing_.emplace();
-    // A program gets another name when its shaders are saved and compiled again.
-    std::array<GLuint, 2> programs = programs_;
-    if (maps) {
-        const auto [heights, normals] = programs_of(recipe);
-        programs = {heights, normals};
-    }
-    if (!(recipe.shape == recipe_.shape)) slots_.clear();
-    if (!(recipe == recipe_) || programs != programs_)
-        for (auto& [id, slot] : slots_) slot.has_map = false;
-    const bool other_tiles = recipe.texels != recipe_.texels;
-    recipe_ = recipe, programs_ = programs;
-
-    drawn_.clear();
-    for (const Leaf& leaf : patches) drawn_.push_back(leaf.id);
-    const std::set<PatchId> wanted(drawn_.begin(), drawn_.end());
-    std::erase_if(slots_, [&](const auto& slot) { return !wanted.contains(slot.first); });
-    const bool other_quads = recipe.shape.quads != quads_;
-    if (other_quads) make_buffers(recipe.shape.quads);
-    if (other_quads || int(wanted.size()) > capacity_) {
-        capacity_ = (int(wanted.size()) / 64 + 1) * 64;
-        slots_.clear(), map_.reset();
-        const int side = quads_ + 1;
-        glBindVertexArray(buffers_->layout);
-        glBindBuffer(GL_ARRAY_BUFFER, buffers_->vertices);
-        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(Vertex)) * capacity_ * side * (side + 4), nullptr,
-                     GL_DYNAMIC_DRAW);
-        for (const GLuint location : {0u, 1u}) glEnableVertexAttribArray(location);
-        glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
-        glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex),
-                              reinterpret_cast<const void*>(offsetof(Vertex, local)));
-    }
-    if (other_tiles || !maps) map_.reset();
-    if (!map_)
-        for (auto& [id, slot] : slots_) slot.has_map = false;
-
+/// Gives each patch without a slot a free one. Returns these patches.
+std::vector<SpherePatch> Globe::take_slots(const Patches& wanted) {
+    const Shape& shape = recipe_.shape;
     std::vector<bool> taken(size_t(capacity_), false);
     for (const auto& [id, slot] : slots_) taken[size_t(slot.place)] = true;
-    std::vector<PatchId> bare, plain;
-    for (int next = 0; const PatchId& id : wanted) {
-        const auto [found, is_new] = slots_.try_emplace(id);
-        Slot& slot = found->second;
-        if (is_new) {
-            while (taken[size_t(next)]) ++next;
-            slot.place = next++;
-            const glm::dvec3 r = direction_at(recipe.shape.mapping, id.face, id.on_face({0.5, 0.5}));
-            slot.middle = (1 + height(recipe.shape.ground, r)) * r;
-        }
-        if (!slot.has_vertices) bare.push_back(id), slot.has_vertices = true;
-        if (maps && !slot.has_map) plain.push_back(id), slot.has_map = true;
+    std::vector<SpherePatch> fresh;
+    for (int next = 0; const SpherePatch& id : wanted) {
+        if (slots_.contains(id)) continue;
+        while (taken[size_t(next)]) ++next;
+        const glm::dvec3 middle = shape.place(direction_at(shape.mapping, id.face, id.on_face({0.5, 0.5})));
+        slots_[id] = {.place = next++, .middle = middle};
+        fresh.push_back(id);
     }
-    make_vertices(recipe.shape, bare);
-    if (maps && !map_) {
-        map_ = std::make_unique<TexelTarget>(
-            glm::ivec2(tile_columns(), (capacity_ + tile_columns() - 1) / tile_columns()) * (recipe.texels + 2),
-            std::initializer_list<GLenum>{GL_RGBA32F});
+    return fresh;
+}
+
+std::vector<Globe::Vertex> Globe::vertices_of(const SpherePatch& patch) const {
+    const Shape& shape = recipe_.shape;
+    const glm::dvec3 middle = slots_.at(patch).middle;
+    std::vector<Vertex> vertices;
+    for (int y = 0; y <= shape.quads; ++y)
+        for (int x = 0; x <= shape.quads; ++x) {
+            const glm::dvec2 local = glm::dvec2(x, y) / double(shape.quads);
+            const glm::dvec3 place = shape.place(direction_at(shape.mapping, patch.face, patch.on_face(local)));
+            // Subtracted in double: the small difference fits a float, which is exact to a millionth of it.
+            vertices.push_back({place - middle, 0, local});
+        }
+    for (int i = 0; i < grid_.skirt_vertices(); ++i) {
+        Vertex vertex = vertices[size_t(grid_.hangs_from(i))];
+        vertex.is_skirt = 1;
+        vertices.push_back(vertex);
+    }
+    return vertices;
+}
+
+void Globe::make_vertices(const std::vector<SpherePatch>& fresh) {
+    std::vector<std::vector<Vertex>> made(fresh.size());
+    parallel_each(fresh.size(), 0, [&](size_t i) { made[i] = vertices_of(fresh[i]); });
+    glBindBuffer(GL_ARRAY_BUFFER, buffers_->vertices);
+    for (size_t i = 0; i < fresh.size(); ++i) {
+        const GLsizeiptr bytes = GLsizeiptr(sizeof(Vertex) * made[i].size());
+        glBufferSubData(GL_ARRAY_BUFFER, bytes * slots_.at(fresh[i]).place, bytes, made[i].data());
+    }
+}
+
+const Program& Globe::heights_program() const {
+    return heights_.with({mapping_define(recipe_.shape.mapping), recipe_.gutter ? "" : "NO_GUTTER"});
+}
+
+const Program& Globe::normals_program() const {
+    return normals_.with({mapping_define(recipe_.shape.mapping), recipe_.gutter ? "" : "NO_GUTTER",
+                          recipe_.slopes ? "PROBE_slope" : normal_rules.define(int(recipe_.normals)),
+                          strengths.define(int(recipe_.strength))});
+}
+
+void Globe::set_patch(const Program& program, const SpherePatch& patch) const {
+    program.set("u_face", glm::mat3(face_axes(recipe_.shape.mapping, patch.face)));
+    program.set("u_patch", glm::ivec2(patch.x, patch.y));
+    program.set("u_level", patch.level);
+    program.set("u_texels", recipe_.texels);
+}
+
+void Globe::make_maps() {
+    if (!map_) {
+        const int rows = (capacity_ + map_columns - 1) / map_columns;
+        map_ = std::make_unique<TexelTarget>(glm::ivec2(map_columns, rows) * (recipe_.texels + 2),
+                                             std::initializer_list<GLenum>{GL_RGBA32F});
         map_->bind(0);
         for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
             glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
     }
-    make_maps(recipe, plain);
+    std::vector<SpherePatch> fresh;
+    for (auto& [id, slot] : slots_)
+        if (!slot.has_map) fresh.push_back(id);
+    if (fresh.empty()) return;
+
+    const size_t batch = batch_columns * batch_columns;
+    const int rows = int(std::min(batch, fresh.size()) + batch_columns - 1) / batch_columns;
+    const TexelTarget heights(glm::ivec2(batch_columns, rows) * (recipe_.texels + 4), {GL_RGBA32F});
+    glDisable(GL_DEPTH_TEST);
+    glBindVertexArray(buffers_->nothing);
+    for (size_t begin = 0; begin < fresh.size(); begin += batch) {
+        const std::span patches = std::span(fresh).subspan(begin, std::min(batch, fresh.size() - begin));
+        draw_heights(patches, heights);
+        draw_normals(patches, heights);
+    }
+    glEnable(GL_DEPTH_TEST);
+}
+
+void Globe::draw_heights(std::span<const SpherePatch> patches, const TexelTarget& heights) {
+    const Program& program = heights_program();
+    const int side = recipe_.texels + 4;
+    heights.begin();
+    glUseProgram(program);
+    set_ground(program, recipe_.shape.ground);
+    for (int i = 0; const SpherePatch& patch : patches) {
+        const glm::ivec2 corner = tile(i++, batch_columns, side);
+        glViewport(corner.x, corner.y, side, side);
+        set_patch(program, patch);
+        program.set("u_corner", corner);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+}
+
+void Globe::draw_normals(std::span<const SpherePatch> patches, const TexelTarget& heights) {
+    const Program& program = normals_program();
+    const int side = recipe_.texels + 2;
+    map_->begin();
+    glUseProgram(program);
+    program.set("s_heights", 0);
+    heights.bind(0);
+    for (int i = 0; const SpherePatch& patch : patches) {
+        Slot& slot = slots_.at(patch);
+        const glm::ivec2 corner = tile(slot.place, map_columns, side);
+        glViewport(corner.x, corner.y, side, side);
+        set_patch(program, patch);
+        program.set("u_corner", corner);
+        program.set("u_heights_corner", tile(i++, batch_columns, recipe_.texels + 4));
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        slot.has_map = true;
+    }
 }
 
 glm::ivec2 Globe::map_corner(size_t i) const {
-    return tile(slots_.at(drawn_[i]).place, tile_columns(), recipe_.texels + 2);
+    return tile(slots_.at(drawn_[i]).place, map_columns, recipe_.texels + 2);
 }
 
-void Globe::draw(const Program& program, const Plan& plan, size_t i, bool precise) const {
+void Globe::draw(const Program& program, size_t i, const Plan& plan, const Eye& eye, bool precise) const {
     const Slot& slot = slots_.at(drawn_[i]);
     // Precise: subtracts in double and rounds the difference. Otherwise rounds both, and the shader subtracts.
-    const glm::dvec3 middle = slot.middle * plan.radius, eye = plan.eye.place * plan.radius;
-    program.set("u_middle", precise ? glm::vec3(middle - eye) : glm::vec3(middle));
-    program.set("u_minus", precise ? glm::vec3(0) : glm::vec3(eye));
+    const glm::dvec3 middle = slot.middle * plan.radius, from = eye.place * plan.radius;
+    program.set("u_middle", precise ? glm::vec3(middle - from) : glm::vec3(middle));
+    program.set("u_minus", precise ? glm::vec3(0) : glm::vec3(from));
     program.set("u_centre", slot.middle);
     program.set("u_map_corner", map_ ? map_corner(i) : glm::ivec2(0));
-    const int side = quads_ + 1;
     glBindVertexArray(buffers_->layout);
-    const int count = plan.skirts ? index_count_ : index_count_ - skirt_triangles() * 3;
-    glDrawElementsBaseVertex(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr, slot.place * side * (side + 4));
+    glDrawElementsBaseVertex(GL_TRIANGLES, 3 * triangles_of_patch(plan.skirts), GL_UNSIGNED_INT, nullptr,
+                             slot.place * grid_.vertices());
 }
 
 }  // namespace relief::planet

@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <numeric>
 
 namespace relief::moving_frames {
 namespace {
@@ -133,6 +134,20 @@ glm::dvec3 posed(const Body& body, const Pose& pose, const std::vector<Bone>& bo
     const glm::dvec3 turned = rest * (w * w - glm::dot(v, v)) + 2.0 * (glm::dot(v, rest) * v + w * glm::cross(v, rest));
     const glm::dvec3 moved = 2.0 * (w * d - motion.dual.w * v + glm::cross(v, d));
     return (turned + moved) / glm::dot(motion.real, motion.real);
+}
+
+Ball ball_of(const Body& body, const Pose& pose) {
+    constexpr int rings = 48, sides = 8;
+    const std::vector<Bone> bones = bones_of(body, pose);
+    std::vector<glm::dvec3> places;
+    for (int i = 0; i <= rings; ++i)
+        for (int j = 0; j < sides; ++j)
+            places.push_back(posed(body, pose, bones, {double(j) / sides, double(i) / rings}));
+    const glm::dvec3 centre = std::accumulate(places.begin(), places.end(), glm::dvec3(0)) / double(places.size());
+    double radius = 0;
+    for (const glm::dvec3& place : places) radius = std::max(radius, glm::distance(centre, place));
+    // The margin bounds the skin between the sampled places.
+    return {centre, radius + body.length / rings * std::max(1.0, pose.stretch) + 0.1 * body.radius};
 }
 
 Mesh make_skin(const Body& body, int rings, int sides) {

@@ -66,10 +66,24 @@ std::vector<Bone> bones_of(const Body& body, const Pose& pose);
 /// Returns the posed position of a place of the skin, in metres.
 glm::dvec3 posed(const Body& body, const Pose& pose, const std::vector<Bone>& bones, glm::dvec2 uv);
 
+/// A bounding sphere of a posed body, in the body's coordinates.
+struct Ball {
+    glm::dvec3 centre;
+    double radius;
+};
+Ball ball_of(const Body& body, const Pose& pose);
+
 /// The four bones that move a vertex, and their weights.
 struct Bound {
     std::array<uint8_t, 4> bones;
     glm::vec4 weights;
+};
+
+/// The number of rings and sides of a skin's triangles.
+struct Fineness {
+    int rings, sides;
+    int triangles() const { return 2 * rings * sides; }
+    bool operator==(const Fineness&) const = default;
 };
 
 /// Returns the skin at rest, as 2 * rings * sides triangles. Vertices on both sides of the seam have the same position.

@@ -1,30 +1,13 @@
 // The exact values of lab 18's probes.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "framework/base/from_staff.h"
 #include "framework/lab/lab.h"
-#include "skin.h"
+#include "scene.h"
 
 namespace relief::moving_frames {
-
-/// The number of rings and sides of a skin's triangles.
-struct Fineness {
-    int rings, sides;
-    int triangles() const { return 2 * rings * sides; }
-    bool operator==(const Fineness&) const = default;
-};
-
-struct Scene {
-    bool is_serpent;
-    Pose pose;
-    std::array<glm::dmat3, material_count> materials;  ///< texture transforms, applied after the instance's
-    std::vector<Instance> instances;                   ///< the first one has more triangles than the others
-    Fineness fine, coarse;
-    bool unrolled;  ///< the picture is the first one's skin, u to the right and v up, both from 0 to 1
-};
 
 /// Returns the exact values of a probe at the place of the skin that a pixel's triangle shows:
 ///  - `normal`: unit normal in the world

@@ -10,12 +10,6 @@
 #include "common/light.glsl"
 #include "common/srgb.glsl"
 
-// The order of `ways` in lab.cpp.
-#define MATRIX 0
-#define INVERSE_TRANSPOSE 1
-#define UNIT_COFACTORS 2
-#define GRADIENT 3
-
 in vec2 v_uv;
 in vec3 v_world;
 flat in mat3 v_world_from_model;
@@ -23,15 +17,21 @@ flat in vec3 v_origin;
 flat in mat3 v_texture;
 
 uniform mat3 u_materials[8];    // texture transforms
-uniform vec3 u_backs[8];        // colours
-uniform vec3 u_bellies[8];
 uniform sampler2D s_scales;     // normals, and heights in the fourth channel
 uniform float u_relief;         // strength of the normals
 uniform vec3 u_eye;
 uniform vec3 u_to_light;
-uniform float u_fog;            // share of light that is lost per metre
 uniform bool u_folds;           // paint the skin where it folds over itself
-uniform float u_error_scale;    // error of the brightest colour, degrees
+
+// The colours of the materials.
+const vec3 backs[8] = vec3[](vec3(0.05, 0.26, 0.24), vec3(0.28, 0.10, 0.05), vec3(0.06, 0.13, 0.32),
+                             vec3(0.30, 0.24, 0.05), vec3(0.17, 0.06, 0.20), vec3(0.10, 0.20, 0.07),
+                             vec3(0.22, 0.22, 0.23), vec3(0.33, 0.05, 0.06));
+const vec3 bellies[8] = vec3[](vec3(0.62, 0.55, 0.34), vec3(0.66, 0.48, 0.28), vec3(0.50, 0.55, 0.58),
+                               vec3(0.60, 0.60, 0.42), vec3(0.58, 0.42, 0.45), vec3(0.58, 0.60, 0.36),
+                               vec3(0.62, 0.60, 0.56), vec3(0.64, 0.40, 0.28));
+const float fog = 0.028;         // share of light that is lost per metre
+const float error_scale = 30.0;  // error of the brightest colour (pale yellow), degrees
 
 layout(location = 0) out vec4 o_color;
 
@@ -100,20 +100,25 @@ vec3 by_inverse(vec3 normal, mat3 m) {
     return abs(size) > 1e-12 ? transpose(inverse(m)) * normal : m * normal;
 }
 
+// Returns the normal moved by the derivative of the motion, which is exact.
+vec3 exact_normal(vec3 normal, Moves moves) { return moved_normal(normal, v_world_from_model * moves.jacobian); }
+
 //(ways
-vec3 skin_normal(vec3 normal, Moves moves, int way) {
-    if (way == GRADIENT) return moved_normal(normal, v_world_from_model * moves.jacobian);
+// Returns the normal by the knob `normal_by`.
+vec3 skin_normal(vec3 normal, Moves moves) {
+#if defined GRADIENT
+    return exact_normal(normal, moves);
+#else
     vec3 posed = moves.blend * normal;
-#if !defined DUAL && !defined RIGID
-    if (way == INVERSE_TRANSPOSE) posed = by_inverse(normal, moves.blend);
-    if (way == UNIT_COFACTORS) {
-        posed = vec3(0.0);
-        for (int i = 0; i < 4; ++i)
-            posed += moves.influence.weights[i] *
-                     unit_or(u_bone_normals[moves.influence.first + i] * normal, vec3(0.0));
-    }
+#if defined INVERSE_TRANSPOSE && !defined DUAL && !defined RIGID
+    posed = by_inverse(normal, moves.blend);
+#elif defined UNIT_COFACTORS && !defined DUAL && !defined RIGID
+    posed = vec3(0.0);
+    for (int i = 0; i < 4; ++i)
+        posed += moves.influence.weights[i] * unit_or(u_bone_normals[moves.influence.first + i] * normal, vec3(0.0));
 #endif
     return by_inverse(posed, v_world_from_model);
+#endif
 }
 //)
 
@@ -147,7 +152,7 @@ float lamps(vec3 mirrored) {
 }
 #endif
 
-vec3 lit(Rest rest, Moves moves, int way) {
+vec3 lit(Rest rest, Moves moves) {
     vec3 to_eye = normalize(u_eye - v_world);
     vec3 normal = rest.normal;
     float height = 0.7;
@@ -159,8 +164,8 @@ vec3 lit(Rest rest, Moves moves, int way) {
     if (abs(determinant(frame)) > 1e-6) normal = normalize(transpose(inverse(frame)) * scale);
     height = texel.a;
 #endif
-    normal = unit_or(skin_normal(normal, moves, way), to_eye);
-    vec3 smooth_normal = unit_or(skin_normal(rest.normal, moves, way), to_eye);
+    normal = unit_or(skin_normal(normal, moves), to_eye);
+    vec3 smooth_normal = unit_or(skin_normal(rest.normal, moves), to_eye);
 #ifdef ZEBRA
     vec3 clay = vec3(0.36, 0.25, 0.17);
     vec3 light = clay * mix(vec3(0.05, 0.055, 0.065), vec3(0.16, 0.18, 0.21), 0.5 + 0.5 * normal.y);
@@ -171,7 +176,7 @@ vec3 lit(Rest rest, Moves moves, int way) {
 #else
     int material = passed_material();
     float belly = 1.0 - smoothstep(-0.75, -0.05, -cos(turn_rad * v_uv.x));
-    vec3 albedo = mix(u_backs[material], u_bellies[material], belly);
+    vec3 albedo = mix(backs[material], bellies[material], belly);
     // Saddles along the back, darker.
     float saddle = sin(turn_rad * 9.0 * v_uv.y + 1.3 * sin(turn_rad * v_uv.x * 2.0));
     albedo *= mix(1.0, 0.42, (1.0 - belly) * smoothstep(0.15, 0.55, saddle));
@@ -192,7 +197,7 @@ vec3 lit(Rest rest, Moves moves, int way) {
     light = mix(wet, light, smoothstep(0.062, 0.07, away));
 #endif
     vec3 away_from_eye = v_world - u_eye;
-    return mix(mist(normalize(away_from_eye), u_to_light), light, exp(-u_fog * max(length(away_from_eye) - 9.0, 0.0)));
+    return mix(mist(normalize(away_from_eye), u_to_light), light, exp(-fog * max(length(away_from_eye) - 9.0, 0.0)));
 #endif
 }
 
@@ -209,7 +214,7 @@ void main() {
     Rest rest = rest_at(v_uv);
     Moves moves = moves_at(rest.position);
 #if defined PROBE_normal
-    o_color = probed(vec4(unit_or(skin_normal(rest.normal, moves, WAY), vec3(0.0, 0.0, 1.0)), 0.0));
+    o_color = probed(vec4(unit_or(skin_normal(rest.normal, moves), vec3(0.0, 0.0, 1.0)), 0.0));
 #elif defined PROBE_tangent
     mat2x3 along = directions_at(rest);
     float handedness = dot(cross(along[0], along[1]), rest.normal) < 0.0 ? -1.0 : 1.0;
@@ -226,14 +231,14 @@ void main() {
 #elif defined PROBE_material
     o_color = probed(vec4(passed_material(), 0.0, 0.0, 0.0));
 #elif defined MEASURE || defined ERROR
-    vec3 wrong = skin_normal(rest.normal, moves, WAY), right = skin_normal(rest.normal, moves, GRADIENT);
+    vec3 wrong = skin_normal(rest.normal, moves), right = exact_normal(rest.normal, moves);
     float off = degrees_between(wrong, right);
 #ifdef MEASURE
     o_color = measured(vec4(off, 0.0, 0.0, 0.0));
 #else
-    o_color = finished(vec4(with_folds(heat(off / u_error_scale), moves), 1.0), gl_FragCoord.xy);
+    o_color = finished(vec4(with_folds(heat(off / error_scale), moves), 1.0), gl_FragCoord.xy);
 #endif
 #else
-    o_color = finished(vec4(with_folds(srgb_from_linear(lit(rest, moves, WAY)), moves), 1.0), gl_FragCoord.xy);
+    o_color = finished(vec4(with_folds(srgb_from_linear(lit(rest, moves)), moves), 1.0), gl_FragCoord.xy);
 #endif
 }

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 #include "framework/image/file.h"
 #include "framework/kit/choices.h"
+#include "framework/kit/culling.h"
 #include "framework/kit/kept.h"
 #include "framework/kit/light.h"
 #include "framework/kit/numbers.h"
@@ -164,6 +166,31 @@ TEST(TruthOfRays, IsTheHitOfEachPixelsRayAndInfinityWithoutAHit) {
         }
     EXPECT_GT(empty, 0);
     EXPECT_LT(empty, size.x * size.y);
+}
+
+TEST(Culling, KeepsEverySphereThatReachesIntoThePicture) {
+    const Camera camera({.yaw = 30, .pitch = 20, .distance = 3}, 1.5);
+    const glm::dmat4 clip_from_world = camera.clip_from_world();
+    std::mt19937 random(1);
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    for (int i = 0; i < 2000; ++i) {
+        const double left = between(-1, 1), right = between(left, 1);
+        const Ray ray = camera.ray({between(left, right), between(-1, 1)});
+        const glm::dvec3 seen = ray.at(between(0.1, 20));
+        const double radius = between(0.01, 5);
+        const glm::dvec3 aside(between(-1, 1), between(-1, 1), between(-1, 1));
+        const glm::dvec3 centre = seen + radius * 0.999 / std::max(1.0, glm::length(aside)) * aside;
+        EXPECT_TRUE(may_be_seen(clip_from_world, centre, radius, {left, right})) << i;
+    }
+}
+
+TEST(Culling, DropsSpheresBesideAndBehindThePicture) {
+    const Camera camera({.yaw = 30, .pitch = 20, .distance = 3}, 1.5);
+    for (const glm::dvec2 beside : {glm::dvec2(-1.2, 0), {1.2, 0}, {0, -1.2}, {0, 1.2}})
+        EXPECT_FALSE(may_be_seen(camera.clip_from_world(), camera.ray(beside).at(5), 0.1));
+    EXPECT_FALSE(may_be_seen(camera.clip_from_world(), camera.ray({0, 0}).at(-0.2), 0.1));
+    EXPECT_FALSE(may_be_seen(camera.clip_from_world(), camera.ray({0.2, 0}).at(5), 0.1, {-1, 0}));
+    EXPECT_TRUE(may_be_seen(camera.clip_from_world(), camera.ray({0.2, 0}).at(5), 0.1, {0, 1}));
 }
 
 TEST(Light, HasTheDirectionOfItsYawAndPitch) {

@@ -25,18 +25,18 @@ glm::dvec3 exact_normal(const Ground& ground, const glm::dvec3& r) {
     return glm::normalize((1 + h.value) * r - h.gradient);
 }
 
-glm::dvec3 exact_direction(Mapping mapping, int face, const glm::dvec2& st) {
+glm::dvec3 exact_direction(SphereMapping mapping, int face, const glm::dvec2& st) {
     const double quarter = glm::quarter_pi<double>();
     const glm::dmat3 axes = face_axes(mapping, face);
-    if (mapping == Mapping::lat_long) {
+    if (mapping == SphereMapping::lat_long) {
         const double lon = 2 * quarter * st.x, lat = 2 * quarter * st.y;
         return axes * glm::dvec3(std::cos(lat) * std::sin(lon), std::sin(lat), std::cos(lat) * std::cos(lon));
     }
-    const glm::dvec2 on_cube = mapping == Mapping::gnomonic ? st : glm::tan(quarter * st);
+    const glm::dvec2 on_cube = mapping == SphereMapping::gnomonic ? st : glm::tan(quarter * st);
     return glm::normalize(axes * glm::dvec3(on_cube, 1));
 }
 
-std::pair<glm::dvec3, glm::dvec3> exact_tangents(Mapping mapping, int face, const glm::dvec2& st) {
+std::pair<glm::dvec3, glm::dvec3> exact_tangents(SphereMapping mapping, int face, const glm::dvec2& st) {
     const double e = 1e-5;
     const auto along = [&](glm::dvec2 step) {
         return (exact_direction(mapping, face, st + step) - exact_direction(mapping, face, st - step)) / (2 * e);
@@ -85,7 +85,7 @@ std::optional<double> exact_hit(const Shape& shape, const Ray& ray) {
         const double radius = glm::length(at);
         return radius > 0 ? radius - 1 - height(shape.ground, at / radius) : -1.0;
     };
-    const double top = 1 + measured(shape).highest, b = glm::dot(ray.origin, ray.direction);
+    const double top = 1 + patches_of(shape).highest(), b = glm::dot(ray.origin, ray.direction);
     const double root = b * b - (glm::dot(ray.origin, ray.origin) - top * top);
     if (root <= 0) return {};
     const double end = -b + std::sqrt(root);
@@ -114,10 +114,10 @@ const glm::dvec4 nothing(std::numeric_limits<double>::infinity());
 std::optional<Image> from_an_eye(glm::ivec2 size, const Probe& probe, const Sight& sight) {
     const Plan& plan = sight.plan;
     const Ground& ground = plan.shape.ground;
-    std::map<PatchId, Leaf::State> known;
+    std::map<SpherePatch, Leaf::State> known;
     if (probe.name == "level" || probe.name == "skirt")
-        for (const Leaf& leaf : leaves(plan, exact_rules())) known[leaf.id] = leaf.state;
-    const Measured& errors = measured(plan.shape);
+        for (const Leaf& leaf : cover(plan, exact_rules()).leaves) known[leaf.id] = leaf.state;
+    const PatchedSphere::ByLevel& errors = patches_of(plan.shape).errors();
     return image_of_values(size, [&](int x, int y) {
         const Ray ray = sight.seen_from.ray({(x + 0.5) / size.x * 2 - 1, 1 - (y + 0.5) / size.y * 2});
         const auto t = exact_hit(plan.shape, ray);
@@ -128,11 +128,10 @@ std::optional<Image> from_an_eye(glm::ivec2 size, const Probe& probe, const Sigh
         if (probe.name == "normal") return glm::dvec4(exact_normal(ground, r), 0);
         const auto [face, st] = face_place(plan.shape.mapping, r);
         for (int level = 0; level <= deepest_level; ++level) {
-            const glm::ivec2 at(glm::clamp((st + 1.0) / 2.0, 0.0, 1 - 1e-12) * double(1 << level));
-            const auto found = known.find({face, level, at.x, at.y});
+            const auto found = known.find(patch_at(face, st, level));
             if (found == known.end()) continue;
             if (probe.name == "skirt")
-                return glm::dvec4(exact_rules().skirt_depth(errors.errors, level) * plan.radius, 0, 0, 0);
+                return glm::dvec4(exact_rules().skirt_depth(errors, level) * plan.radius, 0, 0, 0);
             const double value = found->second == Leaf::drawn ? level : found->second == Leaf::hidden ? -1 : -2;
             return glm::dvec4(value, 0, 0, 0);
         }
@@ -142,7 +141,7 @@ std::optional<Image> from_an_eye(glm::ivec2 size, const Probe& probe, const Sigh
 
 std::optional<Image> spread_out(glm::ivec2 size, const Probe& probe, const Sight& sight) {
     const Shape& shape = sight.plan.shape;
-    const bool is_lat_long = shape.mapping == Mapping::lat_long;
+    const bool is_lat_long = shape.mapping == SphereMapping::lat_long;
     const std::vector<Tile> tiles = tile_grid(size, is_lat_long ? 2 : 3, is_lat_long ? 1 : 2);
     const double across = double(1 << sight.plan.level);
     return image_of_values(size, [&](int x, int y) {

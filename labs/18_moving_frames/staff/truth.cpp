@@ -29,8 +29,7 @@ glm::dvec3 unit(const glm::dvec3& v) {
 
 class ExactScene {
 public:
-    explicit ExactScene(const Scene& scene)
-        : scene_(scene), body_(scene.is_serpent ? serpent : tube), bones_(bones_of(body_, scene.pose)) {}
+    explicit ExactScene(const Scene& scene) : scene_(scene), body_(scene.body), bones_(bones_of(body_, scene.pose)) {}
 
     glm::dvec4 value(const Instance& instance, glm::dvec2 uv, const std::string& probe) const {
         const Rest rest = rest_at(body_, uv);

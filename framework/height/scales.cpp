@@ -1,4 +1,4 @@
-#include "scales.h"
+#include "framework/height/scales.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "framework/base/parallel.h"
 
-namespace relief::moving_frames {
+namespace relief {
 namespace {
 
 constexpr int columns = 2, rows = 4;
@@ -51,4 +51,4 @@ Image make_scales(int texels) {
     return image;
 }
 
-}  // namespace relief::moving_frames
+}  // namespace relief

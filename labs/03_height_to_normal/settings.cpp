@@ -1,0 +1,71 @@
+#include "settings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/image/asset.h"
+#include "framework/image/mips.h"
+#include "framework/image/resample.h"
+#include "heights.h"
+
+namespace relief::heights {
+
+void Settings::knobs(Knobs& knobs) {
+    knobs.group("Picture");
+    knobs.choice("view", view, views.names, "every filter, or one of them");
+    knobs.choice("filter", filter, filters.names, "for view = one: the filter of the wall");
+    knobs.choice("show", show, shows.names,
+                 "the lit relief, the error compared with the exact slope, or half of each; or what else heights give: "
+                 "how open a place is to the sky, how glossy by its normals' spread");
+    knobs.group("Map");
+    knobs.choice_or_picture("source", map.source, own, MapSettings::sources.names,
+                            "a known function, the bricks' height map, or the bricks' colours");
+    knobs.choice("size", map.size_choice, MapSettings::sizes, "texels along each side of the map (source waves)");
+    knobs.choice("bits", map.bits_choice, MapSettings::bit_counts, "bits per stored height (source waves)");
+    knobs.slider("depth", map.depth, 0, 64, "depth of the relief: texels of a height of 1");
+    knobs.slider("stretch", map.stretch, 0.25f, 4, "width of a texel divided by its height");
+    knobs.toggle("wrap", map.wrap, "continue the map at its other side; off: it ends at its border");
+    knobs.choice("where", map.where, MapSettings::places.names,
+                 "the map is computed by a fragment shader, or by the framework on the CPU");
+    knobs.group("Strength of detail");
+    knobs.slider("fine", map.fine, 0, 3, "strength of detail of one texel");
+    knobs.slider("middle", map.middle, 0, 3, "strength of detail of two texels");
+    knobs.slider("coarse", map.coarse, 0, 3, "strength of detail of four texels");
+    knobs.group("Wall and light");
+    knobs.steps("repeat", repeat, 1, 4, "repeats of the map along each side of the wall: look for seams");
+    knobs.slider("light_yaw", light_yaw, -180, 180, "direction of the light around the wall, degrees");
+    knobs.slider("light_height", light_height, -2, 2, "height of the light, metres");
+}
+
+Image own_picture(Image picture) {
+    for (float& value : picture.values) value = std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0;
+    const Image whole = resampled(picture, MapSettings::picture_size, MapSettings::picture_size);
+    return channels_of(whole, 0, is_nearly_grey(whole) ? 1 : 3);
+}
+
+namespace {
+
+/// Returns an asset at a quarter of its size.
+Image asset(const char* file) {
+    const Image whole = read_asset(file);
+    Image small = mip_chain(whole, whole.channels == 3 ? ColorSpace::srgb : ColorSpace::linear).at(2);
+    small.bits = 32;
+    return small;
+}
+
+}  // namespace
+
+Image Settings::color_picture() const {
+    return map.source == MapSettings::own ? own.image() : asset("bricks_albedo.png");
+}
+
+Image Settings::stored_heights() const {
+    Image heights = map.source == MapSettings::bricks ? asset("bricks_height.png")
+                    : map.source == MapSettings::own  ? own.image()
+                                                      : sample(map.size(), map.bits());
+    heights.bits = 32;  // stored heights are rounded already; do not round the results
+    return map.keeps_strengths() ? heights
+                                 : with_level_strengths(heights, {map.fine, map.middle, map.coarse}, map.wrap, 0);
+}
+
+}  // namespace relief::heights
