@@ -75,7 +75,6 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        if (displace_ && place() == Place::court) return {};  // displaced triangles have no exact intersection here
         return court::truth(frame, probe, lighting());
     }
 
@@ -104,7 +103,7 @@ private:
     Lighting lighting() const {
         Lighting all;
         all.scene = make_scene(place(), double(tilt_));
-        all.has_puddles = place() == Place::court;
+        all.is_displaced = is_displaced();
         all.to_sun = light_.direction<double>(), all.sun_yaw_rad = glm::radians(double(light_.yaw));
         all.lamps = lamps_, all.lamp_color = lamp_colors, all.lamp_place = lamp_places, all.ambient = ambient;
         all.exponent = double(exponent_), all.roughness = double(roughness_);
@@ -346,8 +345,7 @@ private:
     void describe_pixel(const Frame& frame) {
         const glm::ivec2 at = glm::clamp(glm::ivec2(pixel_ * glm::vec2(frame.size)), glm::ivec2(0), frame.size - 1);
         const Terms drawn = terms_at(frame, at);
-        const std::optional<Terms> exact =
-            is_displaced() ? std::nullopt : exact_terms(frame.ray(at.x, at.y), lighting());
+        const std::optional<Terms> exact = exact_terms(frame.ray(at.x, at.y), lighting());
         const float line = Labels::line_height(frame.size), wide = Labels::width("x", line);
         const glm::vec2 cross = glm::vec2(at) + 0.5f;
         for (const glm::vec4 color : {glm::vec4(0, 0, 0, 0.6f), glm::vec4(1, 0.95f, 0.7f, 1)}) {

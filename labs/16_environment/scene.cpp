@@ -192,9 +192,10 @@ Ground ground_at(const glm::dvec2& place) {
     return sum;
 }
 
-double floor_height(const glm::dvec2& place) {
-    const double above = std::max(0.0, ground_at(place).height - water);
-    return rise * above * above;
+Ground floor_at(const glm::dvec2& place) {
+    const Ground ground = ground_at(place);
+    const double above = std::max(0.0, ground.height - water);
+    return {rise * above * above, 2 * rise * above * ground.slope};
 }
 
 const std::vector<Lobe>& sky_lobes() {

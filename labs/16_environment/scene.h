@@ -71,7 +71,8 @@ constexpr int ground_waves = 6;
 extern const std::array<glm::dvec4, ground_waves> ground_terms;
 constexpr double water = -0.06;
 constexpr double rise = 0.075;  ///< metres: the displaced floor is rise * (ground - water)^2 above its puddles
-double floor_height(const glm::dvec2& place);
+/// Returns the height of the displaced floor in metres, and its derivatives along x and z.
+Ground floor_at(const glm::dvec2& place);
 
 /// Returns the linear light of the evening sky in a unit direction. The sun's azimuth is +z.
 glm::dvec3 sky(const glm::dvec3& direction);
