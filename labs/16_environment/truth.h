@@ -2,13 +2,19 @@
 #pragma once
 
 #include "framework/base/from_staff.h"
+#include "framework/kit/choices.h"
 #include "framework/lab/lab.h"
 #include "scene.h"
 
 namespace relief::court {
 
 enum class Fresnel { whole, schlick, exact };
+inline constexpr auto fresnels = choices<Fresnel>({{Fresnel::whole, "whole", "FRESNEL_WHOLE"},
+                                                   {Fresnel::schlick, "schlick"},
+                                                   {Fresnel::exact, "exact", "FRESNEL_EXACT"}});
 enum class Gloss { map, even, mirror };
+inline constexpr auto glosses = choices<Gloss>(
+    {{Gloss::map, "map"}, {Gloss::even, "even", "GLOSS_EVEN"}, {Gloss::mirror, "mirror", "GLOSS_MIRROR"}});
 
 /// A scene, its lights, and the terms of the lighting that are switched on.
 struct Lighting {
