@@ -5,12 +5,13 @@
 #include <fmt/format.h>
 
 #include "framework/gl/cube_texture.h"
-#include "framework/gl/texel_target.h"
+#include "framework/kit/evening_sky.h"
 #include "framework/kit/labels.h"
 #include "framework/kit/light.h"
 #include "framework/kit/tiles.h"
 #include "framework/lab/lab.h"
 #include "occlusion.h"
+#include "one_pixel.h"
 #include "stage.h"
 #include "sun_shadow.h"
 #include "truth.h"
@@ -67,8 +68,8 @@ public:
         knobs.slider("tilt", stage_.tilt, -89, 89, "how steep the groove or the plane is, degrees");
         knobs.choice("level", level_, levels.names, "mip level of the surfaces' maps");
         knobs.group("One pixel");
-        knobs.slider("pixel_x", pixel_.x, 0, 1, "for view = one-pixel: place from the left, in widths");
-        knobs.slider("pixel_y", pixel_.y, 0, 1, "for view = one-pixel: place from the top, in heights");
+        knobs.slider("pixel_x", pixel_.place.x, 0, 1, "for view = one-pixel: place from the left, in widths");
+        knobs.slider("pixel_y", pixel_.place.y, 0, 1, "for view = one-pixel: place from the top, in heights");
         light_.knobs(knobs, -90, 90);
     }
 
@@ -136,6 +137,14 @@ private:
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         draw_surfaces(frame, purpose);
         if (!frame.probe) draw_sky(frame);
+    }
+
+    /// Writes the terms of the light at a pixel, as drawn and exact.
+    void describe_pixel(const Frame& frame) {
+        draw_shadow_and_occlusion(frame, "TERMS");
+        const Terms drawn = pixel_.draw(frame, [&] { draw_surfaces(frame, "TERMS"); });
+        const glm::ivec2 at = pixel_.in(frame);
+        pixel_.describe(frame, drawn, exact_terms(frame.ray(at.x, at.y), lighting()), labels_);
     }
 
     /// Returns whether a picture depends on a quantity. The light depends on all of them.
@@ -209,73 +218,6 @@ private:
         program.set("s_sky", 5, sky_map_);
     }
 
-    // ---- one pixel
-
-    /// Writes the terms of the light at a pixel, and beside them the exact ones.
-    void describe_pixel(const Frame& frame) {
-        const glm::ivec2 at = glm::clamp(glm::ivec2(pixel_ * glm::vec2(frame.size)), glm::ivec2(0), frame.size - 1);
-        const std::optional<Terms> exact = exact_terms(frame.ray(at.x, at.y), lighting());
-        const auto numbers = [](const Terms& of) {
-            const auto grey = [](const glm::dvec3& light) {
-                return glm::dot(light, glm::dvec3(0.2126, 0.7152, 0.0722));
-            };
-            return std::array{grey(of.ambient), of.occlusion, grey(of.lamps), of.shadow,
-                              grey(of.mirror),  of.share,     grey(of.light)};
-        };
-        static constexpr std::array names = {"light of the sky", "  x occlusion", "+ lamps", "  (shadow",
-                                             "+ mirrored sky",   "  (share",      "= light"};
-        const auto drawn = numbers(terms_at(frame, at)), right = numbers(exact.value_or(Terms{}));
-        std::vector<std::string> lines = {
-            fmt::format("{:20} {:>8}{}", "", "shader", exact ? fmt::format(" {:>8}", "double") : "")};
-        for (size_t i = 0; i < names.size(); ++i)
-            lines.push_back(fmt::format("{:20} {:8.4f}{}{}", names[i], drawn[i],
-                                        exact ? fmt::format(" {:8.4f}", right[i]) : "",
-                                        std::string_view(names[i]).starts_with("  (") ? ")" : ""));
-        const float line = Labels::line_height(frame.size), wide = Labels::width("x", line);
-        const float top = float(frame.size.y) - (float(lines.size()) + 0.6f) * line;
-        draw_cross(glm::vec2(at) + 0.5f, line);
-        for (size_t i = 0; i < lines.size(); ++i) labels_.text(lines[i], {wide, top + float(i) * line}, line);
-    }
-
-    /// Returns the terms that the shader computes at a pixel, or default ones if there is no surface.
-    Terms terms_at(const Frame& frame, glm::ivec2 at) {
-        if (!pixel_target_)
-            pixel_target_.emplace(glm::ivec2(1),
-                                  std::initializer_list<GLenum>{GL_RGBA32F, GL_RGBA32F, GL_RGBA32F, GL_RGBA32F}, false,
-                                  true);
-        draw_shadow_and_occlusion(frame, "TERMS");
-        pixel_target_->begin();
-        constexpr float nothing[] = {0, 0, 0, 0};
-        for (int i = 0; i < 4; ++i) glClearBufferfv(GL_COLOR, i, nothing);
-        glClear(GL_DEPTH_BUFFER_BIT);
-        glViewport(-at.x, at.y + 1 - frame.size.y, frame.size.x, frame.size.y);
-        draw_surfaces(frame, "TERMS");
-        std::array<glm::dvec4, 4> values;
-        for (size_t i = 0; i < 4; ++i) {
-            const Image texel = pixel_target_->read(i);
-            for (int c = 0; c < 4; ++c) values[i][c] = double(texel.values[size_t(c)]);
-        }
-        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
-        glViewport(0, 0, frame.size.x, frame.size.y);
-        return {.ambient = values[0],
-                .lamps = values[1],
-                .mirror = values[2],
-                .light = values[3],
-                .occlusion = values[0].w,
-                .shadow = values[1].w,
-                .share = values[2].w};
-    }
-
-    /// Marks a place by a bright cross on a dark one, with a gap in its middle.
-    void draw_cross(glm::vec2 middle, float reach) {
-        for (const auto& [color, thick] :
-             {std::pair(glm::vec4(0, 0, 0, 0.6f), 3.0f), std::pair(glm::vec4(1, 0.95f, 0.7f, 1), 1.0f)})
-            for (const float begin : {-1.0f, 0.3f}) {
-                labels_.rectangle(middle + glm::vec2(begin * reach, -thick / 2), {0.7f * reach, thick}, color);
-                labels_.rectangle(middle + glm::vec2(-thick / 2, begin * reach), {thick, 0.7f * reach}, color);
-            }
-    }
-
     struct Maps {
         Texture albedo, normals, packed;
     };
@@ -293,7 +235,7 @@ private:
     }
     Programs surface_{"16_environment/scene.vert", "16_environment/surface.frag"};
     Programs sky_{"16_environment/window.vert", "16_environment/sky.frag"};
-    CubeTexture sky_map_{"evening sky", sky_texels, sky};
+    CubeTexture sky_map_{"evening sky", sky_texels, evening_sky};
     std::array<Maps, materials> maps_ = {
         maps_of("paving"), maps_of("bricks"), maps_of("paving"),
         Maps{load_texture("marble_albedo.png", ColorSpace::srgb), even("flat normal", {0.5f, 0.5f, 1}),
@@ -302,14 +244,13 @@ private:
     Stage stage_;
     SunShadow shadow_;
     Occlusion occlusion_;
-    std::optional<TexelTarget> pixel_target_;
+    OnePixel pixel_;
     Labels labels_;
 
     int view_ = court_, fresnel_ = int(Fresnel::schlick), gloss_ = int(Gloss::map), normal_for_ = all_lights;
     int lamps_ = 2, level_ = mip;
     bool reflection_ = true, seamless_ = true, map_occlusion_ = true;
     float exponent_ = 256, roughness_ = 0;
-    glm::vec2 pixel_{0.7f, 0.93f};
     DistantLight light_{.yaw = 162, .pitch = 10};
 };
 

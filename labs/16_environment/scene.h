@@ -74,14 +74,4 @@ constexpr double rise = 0.075;  ///< metres: the displaced floor is rise * (grou
 /// Returns the height of the displaced floor in metres, and its derivatives along x and z.
 Ground floor_at(const glm::dvec2& place);
 
-/// Returns the linear light of the evening sky in a unit direction. The sun's azimuth is +z.
-glm::dvec3 sky(const glm::dvec3& direction);
-/// A spherical Gaussian: color exp(sharpness (dot(direction, middle) - 1)). The sky is a sum of lobes.
-struct Lobe {
-    glm::dvec3 color;
-    double sharpness;
-    glm::dvec3 middle;
-};
-const std::vector<Lobe>& sky_lobes();
-
 }  // namespace relief::court

@@ -3,6 +3,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "framework/gl/counters.h"
+#include "framework/kit/evening_sky.h"
 #include "framework/staff/reference/occlusion.h"
 #include "labs/16_environment/scene.h"
 #include "tests/labs/shots.h"
@@ -220,7 +221,7 @@ TEST(Environment, AtAVertexOfTheFloorTheExactMirrorImageIsThatOfTheHeightsSlope)
         Shot shot = court_shot("", {{"gloss", "mirror"}, {"normal_for", "lamps"}, {"light_yaw", "0"}}, {1, 1});
         shot.camera = {.yaw = 160, .pitch = 50, .distance = 1, .target = {place.x, height(place), place.y}};
         const glm::dvec3 along = Camera(shot.camera, 1).ray({0, 0}).direction;
-        const glm::dvec3 expected = court::sky(glm::reflect(along, face));
+        const glm::dvec3 expected = evening_sky(glm::reflect(along, face));
         const Image exact = exact_floor(shot, "reflection", "true");
         // Positions are floats: 1e-6 metres change the slope of a hump by less than 1e-5.
         for (int c = 0; c < 3; ++c)

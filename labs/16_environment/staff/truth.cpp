@@ -7,6 +7,7 @@
 
 #include "framework/image/asset.h"
 #include "framework/image/color.h"
+#include "framework/kit/evening_sky.h"
 #include "framework/kit/numbers.h"
 #include "framework/staff/reference/mesh_rays.h"
 
@@ -266,10 +267,10 @@ private:
         glm::dvec3 from = 2 * glm::dot(normal, to_eye) * normal - to_eye;
         from -= 2 * std::min(0.0, glm::dot(from, surface.face)) * surface.face;
         from = turned(from);
-        if (lighting_.gloss == Gloss::mirror) return sky(from);
+        if (lighting_.gloss == Gloss::mirror) return evening_sky(from);
         const double m = surface.exponent;
         glm::dvec3 sum(0);
-        const std::vector<Lobe>& lobes = sky_lobes();
+        const std::vector<Lobe>& lobes = evening_lobes();
         const double least = std::exp(-20 / std::max(m, 1e-9));  // a smaller cosine has a power below 2.1e-9
         for (size_t i = 0; i < lobes.size(); ++i) {
             const double k = lobes[i].sharpness;
@@ -310,7 +311,7 @@ private:
     static const std::vector<Places>& places_of_lobes() {
         static const std::vector<Places> all = [] {
             std::vector<Places> made;
-            for (const Lobe& lobe : sky_lobes()) {
+            for (const Lobe& lobe : evening_lobes()) {
                 const double k = std::max(lobe.sharpness, 1e-3);
                 made.push_back(places_around(
                     lobe.middle, [k](double u) { return 1 + std::log(u + (1 - u) * std::exp(-2 * k)) / k; }));
