@@ -71,7 +71,7 @@ public:
         sea.shininess = double(shininess_), sea.to_light = light_.direction<double>();
         sea.displaced = displace_, sea.whole_spread = level_ == int(levels.size()) - 1;
         sea.exact_fresnel = fresnel_ == 1;
-        return ocean::truth(frame, probe, sea);
+        return ocean::truth(frame_in(frame, {{0, 0}, frame.size}), probe, sea);  // as drawn
     }
 
 private:

@@ -71,6 +71,11 @@ TEST(Ocean, TheNormalsOfTheMapsAreWithin03Degrees) {
     EXPECT_LT(error_of("15", from_above(near_sea({{"normals", "analytic"}}), "normal")).mean, 0.002);
 }
 
+TEST(Ocean, AProbeAgreesWithItsExactValuesInAPictureThatIsHigherThanWide) {
+    const Shot shot = from_above(near_sea({{"normals", "analytic"}, {"waves", "first"}}), "normal", {32, 64});
+    EXPECT_LT(error_of("15", shot).mean, 0.002);  // as in a square
+}
+
 /// The error of a rule that combines two normals: mean error in degrees, and the steepness of its sea relative to the
 /// exact one. Each of the two maps is scaled to the root mean square slope `rms`.
 struct RuleError {
