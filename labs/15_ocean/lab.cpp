@@ -207,10 +207,7 @@ private:
     void draw_sky(const Frame& frame) {
         const Program& program = sky_.with();
         glUseProgram(program);
-        const ViewAxes axes = view_axes(frame.camera);
-        program.set("u_forward", axes.forward);
-        program.set("u_right", axes.right * (axes.half_height * frame.size.x / frame.size.y));
-        program.set("u_up", axes.up * axes.half_height);
+        set_rays(program, frame);
         program.set("u_to_light", light_.direction());
         window_.draw();
     }
@@ -238,15 +235,13 @@ private:
     }
 
     const Program& program_of(const View& view, const Define& purpose, bool is_raised) const {
-        if (purpose.text == "WIRE")
-            return sea_.with({purpose, water_.is_used(0) ? "FIRST" : "", water_.is_used(1) ? "SECOND" : "",
-                              is_raised ? "" : "FLAT", combines.define(mean), level_ > 0 ? "ONE_LEVEL" : ""});
-        const int far = view.is_error() ? plain : view.far;
+        const bool is_wire = purpose.text == "WIRE", is_light = !is_wire && !view.is_error();
+        const int far = is_light ? view.far : plain;
         return sea_.with({purpose, water_.is_used(0) ? "FIRST" : "", water_.is_used(1) ? "SECOND" : "",
-                          is_raised ? "" : "FLAT", combines.define(view.rule), sources.define(source_),
-                          fars.define(far), far == samples ? fmt::format("SIDE {}", 8 << samples_) : "",
-                          view.is_error() ? "" : fresnels.define(fresnel_),
-                          level_ > 0 || view.is_error() ? "ONE_LEVEL" : ""});
+                          is_raised ? "" : "FLAT", combines.define(is_wire ? mean : view.rule),
+                          sources.define(is_wire ? maps : source_), fars.define(far),
+                          far == samples ? fmt::format("SIDE {}", 8 << samples_) : "",
+                          is_light ? fresnels.define(fresnel_) : "", level_ > 0 || view.is_error() ? "ONE_LEVEL" : ""});
     }
 
     Programs sea_{"15_ocean/sea.vert", "15_ocean/sea.tesc", "15_ocean/sea.tese", "15_ocean/sea.frag"};

@@ -179,10 +179,7 @@ private:
             program.set("u_roughness", roughness_);
             program.set("u_exponent", exponent_);
             program.set("u_side", float(sky_texels));
-            const Maps& maps = maps_[size_t(material)];
-            program.set("s_albedo", 0, maps.albedo);
-            program.set("s_normals", 1, maps.normals);
-            program.set("s_packed", 2, maps.packed);
+            maps_.set(program, material);
             if (has_occlusion) occlusion_.set(program);
             if (has_shadow) shadow_.set(program);
             return program;
@@ -192,10 +189,7 @@ private:
     void draw_sky(const Frame& frame) {
         const Program& program = sky_.with();
         glUseProgram(program);
-        const ViewAxes axes = view_axes(frame.camera);
-        program.set("u_forward", axes.forward);
-        program.set("u_right", axes.right * (axes.half_height * frame.size.x / frame.size.y));
-        program.set("u_up", axes.up * axes.half_height);
+        set_rays(program, frame);
         set_sky(program);
         glDepthFunc(GL_LEQUAL);  // the sky is at the far plane, so it shows where nothing was drawn
         glBindVertexArray(nothing_.layout());
@@ -218,30 +212,12 @@ private:
         program.set("s_sky", 5, sky_map_);
     }
 
-    struct Maps {
-        Texture albedo, normals, packed;
-    };
-    static Maps maps_of(const std::string& name) {
-        return {load_texture((name + "_albedo.png").c_str(), ColorSpace::srgb),
-                load_texture((name + "_normal.png").c_str(), ColorSpace::linear),
-                load_texture((name + "_packed.png").c_str(), ColorSpace::linear)};
-    }
-    static Texture even(const char* title, const glm::vec3& value) {
-        return Texture(title, [value] {
-            Image texel(1, 1, 3);
-            for (int c = 0; c < 3; ++c) texel.values[size_t(c)] = value[c];
-            return texel;
-        });
-    }
     Programs surface_{"16_environment/scene.vert", "16_environment/surface.frag"};
     Programs sky_{"16_environment/window.vert", "16_environment/sky.frag"};
     CubeTexture sky_map_{"evening sky", sky_texels, evening_sky};
-    std::array<Maps, materials> maps_ = {
-        maps_of("paving"), maps_of("bricks"), maps_of("paving"),
-        Maps{load_texture("marble_albedo.png", ColorSpace::srgb), even("flat normal", {0.5f, 0.5f, 1}),
-             even("polish", {float(marble_gloss), 1, 1})}};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Stage stage_;
+    MaterialMaps maps_;
     SunShadow shadow_;
     Occlusion occlusion_;
     OnePixel pixel_;

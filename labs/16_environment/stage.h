@@ -1,4 +1,4 @@
-// The scene of lab 16 on the GPU: a mesh for each material.
+// The scene of lab 16 on the GPU: a mesh and maps for each material.
 #pragma once
 
 #include <fmt/format.h>
@@ -62,6 +62,38 @@ private:
     }
 
     Kept<Meshes, int, float, bool> meshes_;
+};
+
+/// The colour, the normals, and gloss, height and occlusion of each material.
+class MaterialMaps {
+public:
+    void set(const Program& program, Material material) const {
+        const Maps& maps = maps_[size_t(material)];
+        program.set("s_albedo", 0, maps.albedo);
+        program.set("s_normals", 1, maps.normals);
+        program.set("s_packed", 2, maps.packed);
+    }
+
+private:
+    struct Maps {
+        Texture albedo, normals, packed;
+    };
+    static Maps maps_of(const std::string& name) {
+        return {load_texture((name + "_albedo.png").c_str(), ColorSpace::srgb),
+                load_texture((name + "_normal.png").c_str(), ColorSpace::linear),
+                load_texture((name + "_packed.png").c_str(), ColorSpace::linear)};
+    }
+    static Texture even(const char* title, const glm::vec3& value) {
+        return Texture(title, [value] {
+            Image texel(1, 1, 3);
+            for (int c = 0; c < 3; ++c) texel.values[size_t(c)] = value[c];
+            return texel;
+        });
+    }
+    std::array<Maps, materials> maps_ = {
+        maps_of("paving"), maps_of("bricks"), maps_of("paving"),
+        Maps{load_texture("marble_albedo.png", ColorSpace::srgb), even("flat normal", {0.5f, 0.5f, 1}),
+             even("polish", {float(marble_gloss), 1, 1})}};
 };
 
 }  // namespace relief::court
