@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/mesh/parallelogram.h"
 #include "framework/mesh/shapes.h"
 
 namespace relief::court {
@@ -63,36 +64,6 @@ Scene make_plane(double tilt, bool has_board) {
     return scene;
 }
 
-/// Adds a quad as a grid of cells x cells. uv are in tiles of its material.
-void add_quad(Mesh& mesh, const Quad& quad, int cells) {
-    const auto first = uint32_t(mesh.vertices.size());
-    const glm::dvec3 normal = glm::normalize(glm::cross(quad.right, quad.up));
-    const Axes axes = axes_of(normal);
-    const double tile = tile_of[size_t(quad.material)];
-    for (int row = 0; row <= cells; ++row)
-        for (int column = 0; column <= cells; ++column) {
-            const glm::dvec3 place =
-                quad.corner + quad.right * (double(column) / cells) + quad.up * (double(row) / cells);
-            mesh.vertices.push_back({place, normal, glm::vec4(axes.right, 1),
-                                     glm::dvec2(glm::dot(place, axes.right), glm::dot(place, axes.up)) / tile});
-        }
-    for (int row = 0; row < cells; ++row)
-        for (int column = 0; column < cells; ++column) {
-            const uint32_t a = first + uint32_t(row * (cells + 1) + column), b = a + 1, c = a + uint32_t(cells) + 1;
-            mesh.indices.insert(mesh.indices.end(), {a, b, c + 1, a, c + 1, c});
-        }
-}
-
-void add(Mesh& mesh, Mesh part, const glm::dvec3& place, const glm::vec2& tiles) {
-    const auto first = uint32_t(mesh.vertices.size());
-    for (Vertex& vertex : part.vertices) {
-        vertex.position = glm::vec3(glm::dvec3(vertex.position) + place);
-        vertex.uv *= tiles;
-        mesh.vertices.push_back(vertex);
-    }
-    for (const uint32_t index : part.indices) mesh.indices.push_back(first + index);
-}
-
 }  // namespace
 
 Scene make_scene(Place place, double tilt) {
@@ -101,39 +72,41 @@ Scene make_scene(Place place, double tilt) {
                                     : make_plane(tilt, place == Place::board);
 }
 
-Axes axes_of(const glm::dvec3& normal) {
-    const glm::dvec3 across = glm::cross(glm::dvec3(0, 1, 0), normal);
-    const double sine = glm::length(across);
-    const glm::dvec3 right = sine > 1e-6 ? across / sine : glm::dvec3(1, 0, 0);
-    return {right, glm::cross(normal, right)};
-}
-
 Mesh mesh_of(const Scene& scene, Material material, bool displaced) {
     Mesh mesh;
+    const double tile = tile_of[size_t(material)];
     for (const Quad& quad : scene.quads)
-        if (quad.material == material) add_quad(mesh, quad, material == Material::floor && displaced ? 24 : 1);
+        if (quad.material == material)
+            append(mesh, make_parallelogram({.corner = quad.corner,
+                                             .right = quad.right,
+                                             .up = quad.up,
+                                             .cells = material == Material::floor && displaced ? 24 : 1,
+                                             .tile = tile}));
     for (const Box& box : scene.boxes) {
         if (box.material != material) continue;
         const glm::dvec3 middle = (box.low + box.high) / 2.0, reach = (box.high - box.low) / 2.0;
         for (int side = 0; side < 6; ++side) {
             glm::dvec3 normal(0);
             normal[side / 2] = side % 2 == 0 ? 1 : -1;
-            const Axes axes = axes_of(normal);
+            const PlaneAxes axes = plane_axes(normal);
             const glm::dvec3 right = axes.right * reach, up = axes.up * reach;
-            add_quad(mesh, {middle + normal * reach - right - up, 2.0 * right, 2.0 * up, material}, 1);
+            append(mesh, make_parallelogram({.corner = middle + normal * reach - right - up,
+                                             .right = 2.0 * right,
+                                             .up = 2.0 * up,
+                                             .tile = tile}));
         }
     }
     if (material != Material::marble) return mesh;
     for (const Column& column : scene.columns)
-        add(mesh,
-            make_column({.bottom_radius = float(column.radius),
-                         .top_radius = float(column.radius),
-                         .height = float(column.height),
-                         .sides = 28,
-                         .rows = 1}),
-            column.foot, {1, column.height / tile_of[size_t(material)]});
+        append(mesh,
+               make_column({.bottom_radius = float(column.radius),
+                            .top_radius = float(column.radius),
+                            .height = float(column.height),
+                            .sides = 28,
+                            .rows = 1}),
+               column.foot, {1, column.height / tile});
     for (const Ball& ball : scene.balls)
-        add(mesh, make_sphere({.radius = float(ball.radius), .sides = 28, .rows = 14}), ball.centre, {1, 0.5});
+        append(mesh, make_sphere({.radius = float(ball.radius), .sides = 28, .rows = 14}), ball.centre, {1, 0.5});
     return mesh;
 }
 

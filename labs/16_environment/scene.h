@@ -50,13 +50,6 @@ enum class Place { court, groove, plane, board };
 /// about the z axis. The board lies above the plane and casts a shadow on it. The court has no tilt.
 Scene make_scene(Place place, double tilt);
 
-/// The unit directions of u and v on a plane, as seen from its front: u to the right, v up.
-struct Axes {
-    glm::dvec3 right, up;
-};
-/// Returns the axes of a plane with a unit normal. On a horizontal plane u is +x.
-Axes axes_of(const glm::dvec3& normal);
-
 /// Returns the triangles of one material. With `displaced` the court's floor is a grid.
 Mesh mesh_of(const Scene& scene, Material material, bool displaced);
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "framework/gl/depth_target.h"
+#include "framework/mesh/parallelogram.h"
 #include "stage.h"
 
 namespace relief::court {
@@ -58,7 +59,7 @@ private:
         double width, depths;  ///< of the box, metres
     };
     static View view_from(const glm::dvec3& to_sun, const Scene& scene, bool is_displaced) {
-        const Axes axes = axes_of(to_sun);  // valid for a sun at the zenith, too
+        const PlaneAxes axes = plane_axes(to_sun);  // valid for a sun at the zenith, too
         const glm::dmat3 light_from_world = glm::transpose(glm::dmat3(axes.right, axes.up, to_sun));
         const double top = is_displaced ? 0.3 : 0;
         glm::dvec3 low(INFINITY), high(-INFINITY);

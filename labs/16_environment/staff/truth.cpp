@@ -9,6 +9,7 @@
 #include "framework/image/color.h"
 #include "framework/kit/evening_sky.h"
 #include "framework/kit/numbers.h"
+#include "framework/mesh/parallelogram.h"
 #include "framework/staff/reference/mesh_rays.h"
 
 namespace relief::court {
@@ -183,7 +184,8 @@ private:
         if (!std::isfinite(first.t)) return first;
         const glm::dvec3 place = ray.at(first.t);
         const double tile = tile_of[size_t(first.material)];
-        const Axes axes = axes_of(is_raised(first.material) ? glm::dvec3(0, 1, 0) : first.face);  // of its flat plane
+        const PlaneAxes axes =
+            plane_axes(is_raised(first.material) ? glm::dvec3(0, 1, 0) : first.face);  // of its flat plane
         first.tangent = axes.right;
         first.uv = glm::dvec2(glm::dot(place, axes.right), glm::dot(place, axes.up)) / tile;
         if (is_raised(first.material)) {
@@ -296,7 +298,7 @@ private:
     /// the angle that bounds a share of the lobe.
     template <class CosineOf>
     static Places places_around(const glm::dvec3& middle, CosineOf cosine_of) {
-        const Axes axes = axes_of(middle);
+        const PlaneAxes axes = plane_axes(middle);
         Places found;
         for (int ring = 0; ring < rings; ++ring) {
             const double cosine = cosine_of((ring + 0.5) / rings), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
@@ -343,7 +345,7 @@ private:
     /// Returns the share of 1024 cosine-distributed rays (Hammersley points) that meet no occluder.
     double openness(const Surface& surface) const {
         constexpr int rays = 1024;
-        const Axes axes = axes_of(surface.face);
+        const PlaneAxes axes = plane_axes(surface.face);
         const Scene occluders = within_reach(surface.place);
         int free = 0;
         for (int i = 0; i < rays; ++i) {
