@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "framework/kit/choices.h"
+#include "framework/kit/kept.h"
 #include "framework/kit/labels.h"
 #include "framework/kit/light.h"
 #include "framework/kit/numbers.h"

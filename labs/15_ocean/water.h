@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <ranges>
 
-#include "framework/kit/kept.h"
 #include "framework/lab/lab.h"
 #include "task.h"
 #include "truth.h"
@@ -76,16 +76,11 @@ public:
     double segment_exponent(double tolerated) const {
         constexpr double first = -10;
         constexpr int steps = 16, count = 20 * steps;  // to an exponent of 10
-        const std::array<double, 4> sea = {is_used(0) ? amplitude(0) : 0, is_used(1) ? amplitude(1) : 0,
-                                           double(tiles[0]), double(tiles[1])};
-        const std::vector<double>& errors = segment_errors_.get({sea}, [&] {
-            std::vector<double> made;
-            for (int i = 0; i < count; ++i) made.push_back(segment_error(sea, std::exp2(first + double(i) / steps)));
-            return made;
+        const std::vector<Layer> used = layers();
+        const int too_long = *std::ranges::partition_point(std::views::iota(0, count), [&](int i) {
+            return segment_error(used, std::exp2(first + double(i) / steps)) <= tolerated;
         });
-        if (errors.back() <= tolerated) return endless;
-        const auto place = std::upper_bound(errors.begin(), errors.end(), tolerated) - errors.begin();
-        return first + double(std::max<std::ptrdiff_t>(0, place - 1)) / steps;
+        return too_long == count ? endless : first + double(std::max(0, too_long - 1)) / steps;
     }
 
     /// Sets the uniforms of shaders/15_ocean/maps.glsl and the waves' formula. Places are relative to the eye.
@@ -116,14 +111,13 @@ private:
     /// Tiles per second. They are binary fractions, so that the sea repeats exactly after 128 seconds.
     static constexpr std::array<glm::dvec2, 2> velocities = {{{1.0 / 128, 9.0 / 128}, {-5.0 / 128, 31.0 / 128}}};
 
-    /// `sea` has the amplitudes and the tiles of both maps.
-    static double segment_error(const std::array<double, 4>& sea, double length) {
+    static double segment_error(const std::vector<Layer>& used, double length) {
         double sum = 0;
-        for (size_t map = 0; map < 2; ++map)
-            for (const Wave& wave : waves_of(int(map))) {
-                const double turns = glm::length(glm::dvec2(wave.k)) * sea[map + 2] / tile_metres * length,
+        for (const Layer& layer : used)
+            for (const Wave& wave : waves_of(layer.map)) {
+                const double turns = glm::length(glm::dvec2(wave.k)) * layer.tiles / tile_metres * length,
                              angle = 2 * glm::pi<double>() * turns,
-                             part = sea[map] * wave.amplitude * std::min(1.0, angle * angle / 8);
+                             part = layer.amplitude * wave.amplitude * std::min(1.0, angle * angle / 8);
                 sum += part * part / 2;
             }
         return 2 * std::sqrt(sum);
@@ -137,7 +131,6 @@ private:
               normals(fmt::format("normals {}", map + 1), [map] { return make_maps(map).normals; }) {}
     };
     std::array<Textures, 2> textures_ = {Textures(0), Textures(1)};
-    mutable Kept<std::vector<double>, std::array<double, 4>> segment_errors_;
 };
 
 }  // namespace relief::ocean
