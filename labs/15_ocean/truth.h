@@ -26,7 +26,8 @@ struct Sea {
     bool exact_fresnel = false;
 };
 
-/// Returns the exact values of a probe, by sums of cosines, where the ray through a pixel's centre first hits the sea:
+/// Returns the exact values of a probe, by sums of cosines, where the ray through a pixel's centre first hits the sea,
+/// from above or from below:
 ///  - `normal`: unit normal
 ///  - `slope`: slope along x and along z
 ///  - `height`: metres

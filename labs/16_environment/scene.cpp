@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 
+#include "framework/mesh/parallelogram.h"
 #include "framework/mesh/shapes.h"
 
 namespace relief::court {
@@ -64,73 +64,6 @@ Scene make_plane(double tilt, bool has_board) {
     return scene;
 }
 
-/// Adds a quad as a grid of cells x cells. uv are in tiles of its material.
-void add_quad(Mesh& mesh, const Quad& quad, int cells) {
-    const auto first = uint32_t(mesh.vertices.size());
-    const glm::dvec3 normal = glm::normalize(glm::cross(quad.right, quad.up));
-    const Axes axes = axes_of(normal);
-    const double tile = tile_of[size_t(quad.material)];
-    for (int row = 0; row <= cells; ++row)
-        for (int column = 0; column <= cells; ++column) {
-            const glm::dvec3 place =
-                quad.corner + quad.right * (double(column) / cells) + quad.up * (double(row) / cells);
-            mesh.vertices.push_back({place, normal, glm::vec4(axes.right, 1),
-                                     glm::dvec2(glm::dot(place, axes.right), glm::dot(place, axes.up)) / tile});
-        }
-    for (int row = 0; row < cells; ++row)
-        for (int column = 0; column < cells; ++column) {
-            const uint32_t a = first + uint32_t(row * (cells + 1) + column), b = a + 1, c = a + uint32_t(cells) + 1;
-            mesh.indices.insert(mesh.indices.end(), {a, b, c + 1, a, c + 1, c});
-        }
-}
-
-void add(Mesh& mesh, Mesh part, const glm::dvec3& place, const glm::vec2& tiles) {
-    const auto first = uint32_t(mesh.vertices.size());
-    for (Vertex& vertex : part.vertices) {
-        vertex.position = glm::vec3(glm::dvec3(vertex.position) + place);
-        vertex.uv *= tiles;
-        mesh.vertices.push_back(vertex);
-    }
-    for (const uint32_t index : part.indices) mesh.indices.push_back(first + index);
-}
-
-glm::dvec3 toward(double yaw, double pitch) {
-    const double y = glm::radians(yaw), p = glm::radians(pitch);
-    return {std::sin(y) * std::cos(p), std::sin(p), std::cos(y) * std::cos(p)};
-}
-
-std::vector<Lobe> make_sky() {
-    std::vector<Lobe> lobes = {
-        {{0.012, 0.028, 0.085}, 0, {0, 1, 0}},     // everywhere
-        {{0.006, 0.045, 0.150}, 1.6, {0, 1, 0}},   // the zenith
-        {{0.140, 0.050, 0.040}, 4, toward(0, 0)},  // the evening's half
-        {{0.420, 0.130, 0.030}, 18, toward(-12, 0)},  {{0.420, 0.130, 0.030}, 18, toward(14, 0)},
-        {{0.700, 0.320, 0.080}, 55, toward(0, 7)},                                                 // around the sun
-        {{6.000, 3.800, 1.700}, 1300, toward(0, 10)}, {{0.075, 0.032, 0.070}, 5, toward(180, 6)},  // the belt of Venus
-        {{0.110, 0.040, 0.070}, 6, toward(75, 2)},    {{0.120, 0.042, 0.070}, 6, toward(-75, 2)},
-    };
-    // Banks of clouds: rows of small lobes.
-    struct Bank {
-        double yaw, pitch, length;
-        int count;
-        double sharpness;
-        glm::dvec3 color;
-    };
-    for (const Bank& bank :
-         {Bank{24, 5, 50, 26, 3000, {0.30, 0.09, 0.04}}, Bank{-30, 6, 40, 20, 2800, {0.30, 0.10, 0.05}},
-          Bank{-14, 15, 44, 22, 2200, {0.62, 0.20, 0.08}}, Bank{30, 18, 50, 22, 1800, {0.56, 0.19, 0.10}},
-          Bank{54, 11, 40, 20, 2600, {0.40, 0.12, 0.08}}, Bank{-52, 12, 40, 18, 2400, {0.40, 0.12, 0.08}},
-          Bank{10, 26, 44, 18, 1300, {0.30, 0.11, 0.10}}, Bank{62, 25, 50, 18, 1100, {0.22, 0.085, 0.10}},
-          Bank{-38, 30, 50, 18, 900, {0.20, 0.08, 0.10}}, Bank{30, 38, 60, 16, 500, {0.12, 0.055, 0.085}}})
-        for (int i = 0; i < bank.count; ++i) {
-            const double at = (i + 0.5) / bank.count - 0.5, wave = std::sin(2.4 * i + bank.yaw);
-            lobes.push_back({bank.color * (1.0 - 2.4 * at * at) * (0.8 + 0.35 * wave),
-                             bank.sharpness * (1 + 0.4 * wave),
-                             toward(bank.yaw + at * bank.length, bank.pitch + 0.8 * wave - 5 * at * at)});
-        }
-    return lobes;
-}
-
 }  // namespace
 
 Scene make_scene(Place place, double tilt) {
@@ -139,39 +72,41 @@ Scene make_scene(Place place, double tilt) {
                                     : make_plane(tilt, place == Place::board);
 }
 
-Axes axes_of(const glm::dvec3& normal) {
-    const glm::dvec3 across = glm::cross(glm::dvec3(0, 1, 0), normal);
-    const double sine = glm::length(across);
-    const glm::dvec3 right = sine > 1e-6 ? across / sine : glm::dvec3(1, 0, 0);
-    return {right, glm::cross(normal, right)};
-}
-
 Mesh mesh_of(const Scene& scene, Material material, bool displaced) {
     Mesh mesh;
+    const double tile = tile_of[size_t(material)];
     for (const Quad& quad : scene.quads)
-        if (quad.material == material) add_quad(mesh, quad, material == Material::floor && displaced ? 24 : 1);
+        if (quad.material == material)
+            append(mesh, make_parallelogram({.corner = quad.corner,
+                                             .right = quad.right,
+                                             .up = quad.up,
+                                             .cells = material == Material::floor && displaced ? 24 : 1,
+                                             .tile = tile}));
     for (const Box& box : scene.boxes) {
         if (box.material != material) continue;
         const glm::dvec3 middle = (box.low + box.high) / 2.0, reach = (box.high - box.low) / 2.0;
         for (int side = 0; side < 6; ++side) {
             glm::dvec3 normal(0);
             normal[side / 2] = side % 2 == 0 ? 1 : -1;
-            const Axes axes = axes_of(normal);
+            const PlaneAxes axes = plane_axes(normal);
             const glm::dvec3 right = axes.right * reach, up = axes.up * reach;
-            add_quad(mesh, {middle + normal * reach - right - up, 2.0 * right, 2.0 * up, material}, 1);
+            append(mesh, make_parallelogram({.corner = middle + normal * reach - right - up,
+                                             .right = 2.0 * right,
+                                             .up = 2.0 * up,
+                                             .tile = tile}));
         }
     }
     if (material != Material::marble) return mesh;
     for (const Column& column : scene.columns)
-        add(mesh,
-            make_column({.bottom_radius = float(column.radius),
-                         .top_radius = float(column.radius),
-                         .height = float(column.height),
-                         .sides = 28,
-                         .rows = 1}),
-            column.foot, {1, column.height / tile_of[size_t(material)]});
+        append(mesh,
+               make_column({.bottom_radius = float(column.radius),
+                            .top_radius = float(column.radius),
+                            .height = float(column.height),
+                            .sides = 28,
+                            .rows = 1}),
+               column.foot, {1, column.height / tile});
     for (const Ball& ball : scene.balls)
-        add(mesh, make_sphere({.radius = float(ball.radius), .sides = 28, .rows = 14}), ball.centre, {1, 0.5});
+        append(mesh, make_sphere({.radius = float(ball.radius), .sides = 28, .rows = 14}), ball.centre, {1, 0.5});
     return mesh;
 }
 
@@ -192,23 +127,10 @@ Ground ground_at(const glm::dvec2& place) {
     return sum;
 }
 
-double floor_height(const glm::dvec2& place) {
-    const double above = std::max(0.0, ground_at(place).height - water);
-    return rise * above * above;
-}
-
-const std::vector<Lobe>& sky_lobes() {
-    static const std::vector<Lobe> lobes = make_sky();
-    return lobes;
-}
-
-glm::dvec3 sky(const glm::dvec3& direction) {
-    glm::dvec3 sum(0);
-    for (const Lobe& lobe : sky_lobes()) {
-        const double power = lobe.sharpness * (glm::dot(direction, lobe.middle) - 1);
-        if (power > -40) sum += lobe.color * std::exp(power);
-    }
-    return sum;
+Ground floor_at(const glm::dvec2& place) {
+    const Ground ground = ground_at(place);
+    const double above = std::max(0.0, ground.height - water);
+    return {rise * above * above, 2 * rise * above * ground.slope};
 }
 
 }  // namespace relief::court

@@ -50,13 +50,6 @@ enum class Place { court, groove, plane, board };
 /// about the z axis. The board lies above the plane and casts a shadow on it. The court has no tilt.
 Scene make_scene(Place place, double tilt);
 
-/// The unit directions of u and v on a plane, as seen from its front: u to the right, v up.
-struct Axes {
-    glm::dvec3 right, up;
-};
-/// Returns the axes of a plane with a unit normal. On a horizontal plane u is +x.
-Axes axes_of(const glm::dvec3& normal);
-
 /// Returns the triangles of one material. With `displaced` the court's floor is a grid.
 Mesh mesh_of(const Scene& scene, Material material, bool displaced);
 
@@ -71,16 +64,7 @@ constexpr int ground_waves = 6;
 extern const std::array<glm::dvec4, ground_waves> ground_terms;
 constexpr double water = -0.06;
 constexpr double rise = 0.075;  ///< metres: the displaced floor is rise * (ground - water)^2 above its puddles
-double floor_height(const glm::dvec2& place);
-
-/// Returns the linear light of the evening sky in a unit direction. The sun's azimuth is +z.
-glm::dvec3 sky(const glm::dvec3& direction);
-/// A spherical Gaussian: color exp(sharpness (dot(direction, middle) - 1)). The sky is a sum of lobes.
-struct Lobe {
-    glm::dvec3 color;
-    double sharpness;
-    glm::dvec3 middle;
-};
-const std::vector<Lobe>& sky_lobes();
+/// Returns the height of the displaced floor in metres, and its derivatives along x and z.
+Ground floor_at(const glm::dvec2& place);
 
 }  // namespace relief::court

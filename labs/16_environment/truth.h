@@ -2,18 +2,24 @@
 #pragma once
 
 #include "framework/base/from_staff.h"
+#include "framework/kit/choices.h"
 #include "framework/lab/lab.h"
 #include "scene.h"
 
 namespace relief::court {
 
 enum class Fresnel { whole, schlick, exact };
+inline constexpr auto fresnels = choices<Fresnel>({{Fresnel::whole, "whole", "FRESNEL_WHOLE"},
+                                                   {Fresnel::schlick, "schlick"},
+                                                   {Fresnel::exact, "exact", "FRESNEL_EXACT"}});
 enum class Gloss { map, even, mirror };
+inline constexpr auto glosses = choices<Gloss>(
+    {{Gloss::map, "map"}, {Gloss::even, "even", "GLOSS_EVEN"}, {Gloss::mirror, "mirror", "GLOSS_MIRROR"}});
 
 /// A scene, its lights, and the terms of the lighting that are switched on.
 struct Lighting {
     Scene scene;
-    bool has_puddles = false;
+    bool is_displaced = false;  ///< the floor rises above its puddles
     glm::dvec3 to_sun{0, 1, 0};
     double sun_yaw_rad = 0;
     int lamps = 1;                           ///< the first is the sun
@@ -33,7 +39,9 @@ struct Terms {
     double occlusion = 1, shadow = 1, share = 0;
 };
 
-/// Returns the exact values of a probe at the place that the ray of each pixel hits:
+/// Returns the exact values of a probe at the place that the ray of each pixel hits. Columns and balls are round. A
+/// displaced floor has the triangles that are drawn and, at each of their places, the normal of floor_at(), as in the
+/// shader: this lab is about the light at a place, so the error does not contain that of the triangles.
 ///  - `normal`: the bumped normal
 ///  - `reflection`: light of the mirrored sky
 ///  - `fresnel`: share of the light that is mirrored

@@ -9,21 +9,16 @@
 #include "common/heat.glsl"
 #include "common/srgb.glsl"
 
-// The order of `combines`, `sources` and `fars` in lab.cpp.
+// The rules for the normal of two maps: values of COMBINE.
 #define MEAN 0
 #define WHITEOUT 1
 #define UDN 2
 #define RNM 3
 #define SLOPES 4
 
-#define MAPS 0
-#define HEIGHTS 1
-#define ANALYTIC 2
-
-#define PLAIN 0
-#define TOKSVIG 1
-#define LEAN 2
-#define SAMPLES 3
+#if defined FAR_LEAN || defined FAR_SAMPLES
+#define FROM_MOMENTS
+#endif
 
 in vec3 v_place;
 
@@ -64,11 +59,11 @@ vec2 slope_by_heights(sampler2D waves, vec2 uv, int map) {
 }
 
 vec2 map_slope(sampler2D waves, sampler2D normals, vec2 place, int map) {
-#if NORMALS == ANALYTIC
+#ifdef NORMALS_ANALYTIC
     return exact_slope(place, map);
 #else
     vec2 uv = map_uv(place, map) * u_detail;
-#if NORMALS == HEIGHTS
+#ifdef NORMALS_BY_HEIGHTS
     return slope_by_heights(waves, uv, map);
 #else
     return slope_of(read_map(normals, uv), amplitude(map), tiles(map));
@@ -95,7 +90,7 @@ vec3 combined(vec2 first, vec2 second, int rule) {
 }
 
 vec3 normal_at(vec2 place, int rule) {
-#if NORMALS == ANALYTIC
+#ifdef NORMALS_ANALYTIC
     vec2 slope = vec2(0.0);
 #ifdef FIRST
     slope += exact_slope(place, 0);
@@ -131,7 +126,7 @@ struct Water {
     vec3 variance;  // along x, along z, covariance
 };
 
-#if FAR == LEAN || FAR == SAMPLES
+#ifdef FROM_MOMENTS
 void add_map(inout Water water, sampler2D waves, sampler2D moments, vec2 place, int map) {
     vec2 uv = map_uv(place, map), mean = read_map(waves, uv).xy;
     water.mean += mean * (amplitude(map) * tiles(map));
@@ -147,7 +142,7 @@ void add_map(inout Water water, sampler2D normals, vec2 place, int map) {
 
 Water water_at(vec2 place, vec3 normal, int rule) {
     Water water = Water(vec2(0.0), vec3(0.0));
-#if FAR == LEAN || FAR == SAMPLES
+#ifdef FROM_MOMENTS
 #ifdef FIRST
     add_map(water, s_waves_1, s_moments_1, place, 0);
 #endif
@@ -157,7 +152,7 @@ Water water_at(vec2 place, vec3 normal, int rule) {
     if (rule != SLOPES) water.mean = -normal.xz / normal.y;
 #else
     water.mean = -normal.xz / normal.y;
-#if FAR == TOKSVIG
+#ifdef FAR_TOKSVIG
 #ifdef FIRST
     add_map(water, s_normals_1, place, 0);
 #endif
@@ -169,7 +164,7 @@ Water water_at(vec2 place, vec3 normal, int rule) {
     return water;
 }
 
-#if FAR == SAMPLES
+#ifdef FAR_SAMPLES
 // Returns the mean of the light over SIDE x SIDE places of the pixel's footprint, from level 0.
 float sampled_highlight(vec3 position, vec2 wanted) {
     float reach = max(0.0, length(wanted) - u_steepest);
@@ -199,7 +194,7 @@ float glitter(vec3 position, Water water) {
     bool seen;
     vec2 wanted = sun_slope(-normalize(position), seen);
     if (!seen) return 0.0;
-#if FAR == SAMPLES
+#ifdef FAR_SAMPLES
     return sampled_highlight(position, wanted);
 #else
     return highlight(wanted - water.mean, water.variance, u_shininess);
@@ -276,7 +271,7 @@ void main() {
 #else
     o_color = probed(vec4(map_slope(s_waves_2, s_normals_2, v_place.xy, 1), 0.0, 0.0));
 #endif
-#elif defined PROBE_glitter && COMBINE == SLOPES && (FAR == LEAN || FAR == SAMPLES)
+#elif defined PROBE_glitter && COMBINE == SLOPES && defined FROM_MOMENTS
     o_color = probed(vec4(glitter(position, water_at(v_place.xy, vec3(0.0, 1.0, 0.0), SLOPES)), 0.0, 0.0, 0.0));
 #else
     vec3 normal = normal_at(v_place.xy, rule), to_eye = -normalize(position);

@@ -7,17 +7,6 @@
 #include "16_environment/task.glsl"
 #include "common/srgb.glsl"
 
-// The order of `fresnels`, `glosses` and `biases` in lab.cpp.
-#define WHOLE 0
-#define SCHLICK 1
-#define EXACT 2
-
-#define EVEN 1
-#define MIRROR 2
-
-#define CONSTANT 1
-#define PLANE 2
-
 in vec3 v_position;
 in vec3 v_normal;
 in vec3 v_tangent;
@@ -97,10 +86,10 @@ Surface surface_at() {
     surface.normal = normalize(mat3(tangent, cross(surface.face, tangent), surface.face) * bump);
     surface.gloss = maps.r;
     surface.occlusion = maps.b;
-#if GLOSS == EVEN
+#if defined GLOSS_EVEN
     surface.gloss = 1.0;
     surface.exponent = u_exponent;
-#elif GLOSS == MIRROR
+#elif defined GLOSS_MIRROR
     surface.exponent = u_exponent;
 #else
     surface.exponent = sharpness(maps, u_roughness, u_exponent);
@@ -109,9 +98,9 @@ Surface surface_at() {
 }
 
 float mirrored_share(float straight, float cosine) {
-#if FRESNEL == WHOLE
+#if defined FRESNEL_WHOLE
     return 1.0;
-#elif FRESNEL == EXACT
+#elif defined FRESNEL_EXACT
     float eta = (1.0 + sqrt(straight)) / (1.0 - sqrt(straight)), c = clamp(cosine, 0.0, 1.0);
     float within = sqrt(1.0 - (1.0 - c * c) / (eta * eta));
     float s = (c - eta * within) / (c + eta * within), p = (within - eta * c) / (within + eta * c);
@@ -128,9 +117,9 @@ float shadow_at(Surface surface) {
     vec3 normal = u_light_from_world * surface.face;
     if (normal.z <= 0.0) return 0.0;
     float bias = 0.0;
-#if BIAS == CONSTANT
+#if defined BIAS_CONSTANT
     bias = u_shadow.x;
-#elif BIAS == PLANE
+#elif defined BIAS_PLANE
     // The plane is that of the triangle, which on a round shape differs from the plane of the interpolated normal.
     vec3 plane = u_light_from_world * cross(dFdx(v_position), dFdy(v_position));
     plane *= inversesqrt(max(dot(plane, plane), 1e-24));
@@ -156,6 +145,14 @@ float open_at() {
     return dot(weights, shares) / dot(weights, vec4(1.0));
 #else
     return 1.0;
+#endif
+}
+
+float occlusion_at(Surface surface) {
+#ifdef OCCLUSION
+    return open_at() * surface.occlusion;
+#else
+    return open_at();
 #endif
 }
 
@@ -185,11 +182,17 @@ vec3 lamps_at(Surface surface, vec3 to_eye, float shadow) {
 
 vec3 mirrored_sky(Surface surface, vec3 to_eye, vec3 normal) {
     float level = 0.0;
-#if GLOSS != MIRROR
+#ifndef GLOSS_MIRROR
     level = blur_level(surface.exponent, u_side);
 #endif
     return sky_at(mirrored(to_eye, normal, surface.face), level);
 }
+
+float share_at(Surface surface, vec3 to_eye, vec3 normal) {
+    return surface.gloss * mirrored_share(surface.straight, dot(normal, to_eye));
+}
+
+vec4 shown(vec3 value) { return finished(vec4(srgb_from_linear(value), 1.0), gl_FragCoord.xy); }
 
 void main() {
     Surface surface = surface_at();
@@ -210,37 +213,22 @@ void main() {
     o_color = probed(vec4(shadow_at(surface), 0.0, 0.0, 0.0));
 #elif defined PROBE_occlusion
     o_color = probed(vec4(open_at(), 0.0, 0.0, 0.0));
-#elif defined SHOW
-    vec3 shown = vec3(0.0);
-    float share = surface.gloss * mirrored_share(surface.straight, dot(mirror_normal, to_eye));
-    float occlusion = open_at();
-#ifdef OCCLUSION
-    occlusion *= surface.occlusion;
-#endif
-#if SHOW == 1
-    shown = ambient_at(surface);
-#elif SHOW == 2
-    shown = lamps_at(surface, to_eye, 1.0);
-#elif SHOW == 3
-    shown = mirrored_sky(surface, to_eye, mirror_normal);
-#elif SHOW == 4
-    shown = vec3(occlusion);
-#elif SHOW == 5
-    shown = vec3(shadow_at(surface));
-#elif SHOW == 6
-    shown = vec3(share);
-#endif
-#if SHOW < 4
-    shown = exposed(shown);
-#endif
-    o_color = finished(vec4(srgb_from_linear(shown), 1.0), gl_FragCoord.xy);
+#elif defined SHOW_ambient
+    o_color = shown(exposed(ambient_at(surface)));
+#elif defined SHOW_lamps
+    o_color = shown(exposed(lamps_at(surface, to_eye, 1.0)));
+#elif defined SHOW_reflection
+    o_color = shown(exposed(mirrored_sky(surface, to_eye, mirror_normal)));
+#elif defined SHOW_occlusion
+    o_color = shown(vec3(occlusion_at(surface)));
+#elif defined SHOW_shadow
+    o_color = shown(vec3(shadow_at(surface)));
+#elif defined SHOW_share
+    o_color = shown(vec3(share_at(surface, to_eye, mirror_normal)));
 #else
-    float shadow = shadow_at(surface), occlusion = open_at();
-#ifdef OCCLUSION
-    occlusion *= surface.occlusion;
-#endif
+    float shadow = shadow_at(surface), occlusion = occlusion_at(surface);
     vec3 ambient = ambient_at(surface), lamps = lamps_at(surface, to_eye, shadow), mirror = vec3(0.0);
-    float share = surface.gloss * mirrored_share(surface.straight, dot(mirror_normal, to_eye));
+    float share = share_at(surface, to_eye, mirror_normal);
 #ifdef REFLECTION
     mirror = share * mirrored_sky(surface, to_eye, mirror_normal);
 #endif
@@ -253,7 +241,7 @@ void main() {
 #elif defined PROBE_light
     o_color = probed(vec4(light, 0.0));
 #else
-    o_color = finished(vec4(srgb_from_linear(exposed(light)), 1.0), gl_FragCoord.xy);
+    o_color = shown(exposed(light));
 #endif
 #endif
 }

@@ -3,6 +3,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "framework/gl/counters.h"
+#include "framework/kit/evening_sky.h"
 #include "framework/staff/reference/occlusion.h"
 #include "labs/16_environment/scene.h"
 #include "tests/labs/shots.h"
@@ -144,7 +145,7 @@ TEST(Environment, ADisplacedFloorCastsAndReceivesShadows) {
         for (int x = 0; x < 128; x += 2) {
             const Ray ray = frame.ray(x, y);
             double t = (0.2 - ray.origin.y) / ray.direction.y;
-            const auto above = [&](const glm::dvec3& p) { return p.y - court::floor_height({p.x, p.z}); };
+            const auto above = [&](const glm::dvec3& p) { return p.y - court::floor_at({p.x, p.z}).height; };
             while (above(ray.at(t)) > 0) t += 0.002;
             const glm::dvec3 from = ray.at(t);
             if (std::abs(from.x) > 6.2 || from.z < 1.6 || from.z > 6.5) continue;  // no other object casts shadows here
@@ -162,6 +163,82 @@ TEST(Environment, ADisplacedFloorCastsAndReceivesShadows) {
     for (size_t i = 0; i < flat.values.size(); i += 4)
         if (std::isfinite(flat.values[i])) hidden -= flat.values[i] < 1;
     EXPECT_GT(hidden, count / 20) << "a flat floor casts none";
+}
+
+// ---- the exact values of a displaced floor
+
+/// The side of a cell of the displaced floor, metres: the court of 14 metres has 24 along each side.
+constexpr double cell = 14.0 / 24;
+
+/// Returns the exact values of a probe on the displaced floor, or on the flat one.
+Image exact_floor(Shot shot, const char* probe, const char* displaced) {
+    shot.probe.name = probe;
+    shot.set.emplace_back("displace", displaced);
+    return truth_of(*make_lab(find_lab("16"), shot), shot);
+}
+
+TEST(Environment, APuddleHasTheExactValuesOfAFlatFloor) {
+    Shot shot = court_shot("", {}, {64, 64});
+    shot.camera = {.yaw = 0, .pitch = 89, .distance = 9, .target = {0, 0, 3}};
+    const Frame frame = {0, shot.size, 0, Camera(shot.camera, 1), {}};
+    for (const char* probe : {"normal", "reflection", "fresnel", "exponent"}) {
+        const Image displaced = exact_floor(shot, probe, "true"), flat = exact_floor(shot, probe, "false");
+        int puddles = 0, humps = 0;
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x) {
+                const Ray ray = frame.ray(x, y);
+                const glm::dvec3 hit = ray.at(-ray.origin.y / ray.direction.y);
+                if (std::abs(hit.x) > 5 || hit.z < 1 || hit.z > 5) continue;  // no bench, no wall
+                // A triangle with all corners in a puddle is flat.
+                const glm::dvec2 corner = glm::floor((glm::dvec2(hit.x, hit.z) + 7.0) / cell) * cell - 7.0;
+                double highest = 0;
+                for (int i = 0; i < 4; ++i)
+                    highest = std::max(highest, court::floor_at(corner + cell * glm::dvec2(i % 2, i / 2)).height);
+                if (highest > 0 || court::floor_at({hit.x, hit.z}).height > 0) {
+                    humps += displaced.pixel(x, y)[0] != flat.pixel(x, y)[0];
+                    continue;
+                }
+                ++puddles;
+                // The roundings of a hit differ, by 1e-15 metres; a texel of the maps is 1/256 metres wide.
+                for (int c = 0; c < 3; ++c)
+                    EXPECT_NEAR(displaced.pixel(x, y)[c], flat.pixel(x, y)[c], 1e-4) << probe << " " << x << ", " << y;
+            }
+        EXPECT_GT(puddles, 100);
+        EXPECT_GT(humps, 100);
+    }
+}
+
+TEST(Environment, AtAVertexOfTheFloorTheExactMirrorImageIsThatOfTheHeightsSlope) {
+    int slanted = 0;
+    for (const glm::ivec2 vertex : {glm::ivec2(6, 21), {6, 15}, {5, 21}, {8, 15}, {9, 16}, {14, 15}}) {
+        const glm::dvec2 place = cell * glm::dvec2(vertex) - 7.0;
+        const auto height = [](const glm::dvec2& at) { return court::floor_at(at).height; };
+        const double step = 1e-5, rise_x = height(place + glm::dvec2(step, 0)) - height(place - glm::dvec2(step, 0)),
+                     rise_z = height(place + glm::dvec2(0, step)) - height(place - glm::dvec2(0, step));
+        const glm::dvec3 face = glm::normalize(glm::dvec3(-rise_x, 2 * step, -rise_z));
+        slanted += face.y < 0.999;
+        // A sky without blur, mirrored by the surface without its bumps. With light_yaw 0 the sky is not turned.
+        Shot shot = court_shot("", {{"gloss", "mirror"}, {"normal_for", "lamps"}, {"light_yaw", "0"}}, {1, 1});
+        shot.camera = {.yaw = 160, .pitch = 50, .distance = 1, .target = {place.x, height(place), place.y}};
+        const glm::dvec3 along = Camera(shot.camera, 1).ray({0, 0}).direction;
+        const glm::dvec3 expected = evening_sky(glm::reflect(along, face));
+        const Image exact = exact_floor(shot, "reflection", "true");
+        // Positions are floats: 1e-6 metres change the slope of a hump by less than 1e-5.
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(exact.values[size_t(c)], expected[c], 1e-4) << vertex.x << ", " << vertex.y;
+    }
+    EXPECT_GE(slanted, 3);
+}
+
+TEST(Environment, ADisplacedFloorIsDrawnWithTheErrorOfAFlatOne) {
+    // Single precision in uv of a few tiles is 1e-6 of a tile, 1e-3 of a texel. Between two texels a normal may differ
+    // by a radian, a share and a gloss by 1; the exponent of a gloss of 1 is 256.
+    for (const auto& [probe, most] : {std::pair{"normal", 0.06}, {"fresnel", 0.001}, {"exponent", 0.256}})
+        for (const char* displaced : {"true", "false"}) {
+            Shot shot = court_shot(probe, {{"displace", displaced}});
+            shot.camera = {.yaw = 0, .pitch = 60, .distance = 7, .target = {0, 0, 3}};
+            EXPECT_LT(error_of("16", shot).p99, most) << probe << ", displaced " << displaced;
+        }
 }
 
 // ---- occlusion

@@ -71,6 +71,11 @@ TEST(Ocean, TheNormalsOfTheMapsAreWithin03Degrees) {
     EXPECT_LT(error_of("15", from_above(near_sea({{"normals", "analytic"}}), "normal")).mean, 0.002);
 }
 
+TEST(Ocean, AProbeAgreesWithItsExactValuesInAPictureThatIsHigherThanWide) {
+    const Shot shot = from_above(near_sea({{"normals", "analytic"}, {"waves", "first"}}), "normal", {32, 64});
+    EXPECT_LT(error_of("15", shot).mean, 0.002);  // as in a square
+}
+
 /// The error of a rule that combines two normals: mean error in degrees, and the steepness of its sea relative to the
 /// exact one. Each of the two maps is scaled to the root mean square slope `rms`.
 struct RuleError {
@@ -180,6 +185,47 @@ TEST(Ocean, IsFiniteForAnySunEyeAndHighlight) {
                 const Image image = draw_shot(*lab, shot);
                 for (const float value : image.values) ASSERT_FALSE(std::isnan(value)) << probe << " at " << height;
             }
+}
+
+TEST(Ocean, AnEyeUnderWaterHasExactValuesWhereItsRaysLeaveTheWater) {
+    Shot shot =
+        shot_of("15", {{"view", "one"}, {"wind", "0"}, {"waves", "first"}, {"amplitude_1", "1.2"}}, "", {12, 12});
+    shot.camera = {.yaw = 180, .pitch = -30, .distance = 12, .target = {0, 3, 0}};  // the eye is 3 metres below
+    const auto lab = make_lab(find_lab("15"), shot);
+    const auto truth = [&](const char* probe) {
+        shot.probe.name = probe;
+        return truth_of(*lab, shot);
+    };
+    const Image heights = truth("height");
+    const auto height = [](const glm::dvec3& place) {
+        double sum = 0;
+        for (const ocean::Wave& wave : waves_of(0))
+            sum += 1.2 * wave.amplitude *
+                   std::cos(2 * glm::pi<double>() * double(0.16f) / tile_metres *
+                                glm::dot(glm::dvec2(wave.k), glm::dvec2(place.x, place.z)) +
+                            wave.phase);
+        return sum;
+    };
+    const Frame frame = {0, shot.size, 0, Camera(shot.camera, 1), {}};
+    ASSERT_LT(frame.camera.eye().y, -2.9);
+    int hits = 0;
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 12; ++x) {
+            // The reference goes along the ray in steps of a millimetre until it is above the waves.
+            const Ray ray = frame.ray(x, y);
+            double t = 0;
+            while (t < 30 && ray.at(t).y < height(ray.at(t))) t += 0.001;
+            if (t >= 30) continue;
+            ++hits;
+            // A step changes the height by at most its own length, since no wave is steeper than 45 degrees.
+            EXPECT_NEAR(*heights.pixel(x, y), height(ray.at(t)), 0.001) << x << ", " << y;
+        }
+    EXPECT_GT(hits, 75);
+    for (const char* displaced : {"true", "false"}) {
+        set_knob(*lab, "displace", displaced);
+        for (const char* probe : {"normal", "slope", "reflection", "fresnel", "sigma", "glitter"})
+            for (const float value : truth(probe).values) ASSERT_FALSE(std::isnan(value)) << probe;
+    }
 }
 
 TEST(Ocean, AWholeSpreadWithoutCovarianceOrWavesIsASingleSlope) {

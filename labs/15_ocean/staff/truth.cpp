@@ -81,20 +81,24 @@ public:
         right_ = right * pixel, up_ = up * pixel;
     }
 
-    /// Returns the first hit of the ray with the sea. With waves it takes steps that cannot pass the surface, since
-    /// slopes are bounded by steepest_.
+    /// Returns the first hit of the ray with the sea, from the eye's side of it: above or below. With waves it takes
+    /// steps that cannot pass the surface, since slopes are bounded by steepest_. An eye in the surface hits nothing.
     std::optional<glm::dvec3> hit(const Ray& ray) const {
-        const double level = ray.direction.y < 0 ? -ray.origin.y / ray.direction.y : INFINITY;
-        if (!sea_.displaced) return level > 0 && std::isfinite(level) ? std::optional(at(ray, level)) : std::nullopt;
+        if (!sea_.displaced) {
+            const double level = -ray.origin.y / ray.direction.y;
+            return level > 0 && std::isfinite(level) ? std::optional(at(ray, level)) : std::nullopt;
+        }
         const double rate =
             std::abs(ray.direction.y) + steepest_ * glm::length(glm::dvec2(ray.direction.x, ray.direction.z));
-        double t = ray.origin.y > highest_ ? (highest_ - ray.origin.y) / std::min(ray.direction.y, -1e-12) : 0;
+        const double toward_eye = ray.origin.y < height(terms_, {ray.origin.x, ray.origin.z}) ? -1 : 1;
+        const double falls = -toward_eye * ray.direction.y, outside = toward_eye * ray.origin.y - highest_;
+        double t = outside > 0 ? outside / std::max(falls, 1e-12) : 0;
         for (int step = 0; step < 4000; ++step) {
             const glm::dvec3 place = at(ray, t);
-            if (ray.direction.y >= 0 && place.y > highest_) return {};
-            const double above = place.y - height(terms_, {place.x, place.z});
-            if (above < 1e-7) return place;
-            t += above / rate;
+            if (falls <= 0 && toward_eye * place.y > highest_) return {};
+            const double away = toward_eye * (place.y - height(terms_, {place.x, place.z}));
+            if (away < 1e-7) return t > 0 ? std::optional(place) : std::nullopt;
+            t += away / rate;
         }
         return at(ray, t);
     }
@@ -132,8 +136,8 @@ private:
     }
 
     /// Calls `take` with the slope at each of 32 x 32 places of the pixel's footprint: a parallelogram of the plane at
-    /// the height of its middle. From one column to the next the angle of a wave grows by a constant. So a product of
-    /// complex numbers turns it, for all rows at once.
+    /// the height of its middle. From one row or column to the next the angle of a wave grows by a constant. So a
+    /// product of complex numbers turns it, and no place needs a sine of its own.
     template <class Take>
     void each_sample(const glm::dvec3& middle, Take take) const {
         const double depth = glm::dot(middle - eye_, forward_);
@@ -150,12 +154,15 @@ private:
         };
         std::vector<Turning> terms(terms_.size());
         for (size_t i = 0; i < terms_.size(); ++i) {
-            const double angle = glm::dot(terms_[i].number, across);
+            const double angle = glm::dot(terms_[i].number, across), row_angle = glm::dot(terms_[i].number, along),
+                         first = glm::dot(terms_[i].number, begin) + terms_[i].phase;
             terms[i].turn_cosine = std::cos(angle), terms[i].turn_sine = std::sin(angle);
+            const double row_cosine = std::cos(row_angle), row_sine = std::sin(row_angle);
+            double cosine = terms_[i].amplitude * std::cos(first), sine = terms_[i].amplitude * std::sin(first);
             for (size_t row = 0; row < side; ++row) {
-                const double at = glm::dot(terms_[i].number, begin + double(row) * along) + terms_[i].phase;
-                terms[i].cosine[row] = terms_[i].amplitude * std::cos(at);
-                terms[i].sine[row] = terms_[i].amplitude * std::sin(at);
+                terms[i].cosine[row] = cosine, terms[i].sine[row] = sine;
+                const double next = cosine * row_cosine - sine * row_sine;
+                sine = cosine * row_sine + sine * row_cosine, cosine = next;
             }
         }
         for (int column = 0; column < side; ++column) {

@@ -7,7 +7,10 @@
 
 #include "framework/image/asset.h"
 #include "framework/image/color.h"
+#include "framework/kit/evening_sky.h"
 #include "framework/kit/numbers.h"
+#include "framework/mesh/parallelogram.h"
+#include "framework/staff/reference/mesh_rays.h"
 
 namespace relief::court {
 namespace {
@@ -62,6 +65,25 @@ double ramp(double low, double high, double x) {
     return t * t * (3 - 2 * t);
 }
 
+/// The triangles of the displaced floor.
+struct RaisedFloor {
+    Mesh mesh;
+    TriangleTree tree;
+
+    explicit RaisedFloor(const Scene& court) : mesh(mesh_of(court, Material::floor, true)) {
+        for (Vertex& vertex : mesh.vertices)
+            vertex.position.y =
+                float(double(vertex.position.y) + floor_at({vertex.position.x, vertex.position.z}).height);
+        tree = build_tree(mesh);
+    }
+    glm::dvec3 normal_of(uint32_t triangle) const {
+        const auto corner = [&](uint32_t i) {
+            return glm::dvec3(mesh.vertices[mesh.indices[3 * triangle + i]].position);
+        };
+        return glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+    }
+};
+
 struct Surface {
     glm::dvec3 place, face, normal, albedo;
     double gloss, occlusion, straight, exponent;
@@ -93,10 +115,17 @@ public:
     }
 
 private:
+    /// Calls `take` for each hit with shapes of the scene, of the displaced floor only for those before `end`.
     template <class Take>
-    void each_hit(const Ray& ray, Take take) const {
-        const Scene& scene = lighting_.scene;
+    void each_hit(const Scene& scene, const Ray& ray, double end, Take take) const {
         for (const Quad& quad : scene.quads) {
+            if (is_raised(quad.material)) {
+                static const RaisedFloor floor(lighting_.scene);  // only the court has one
+                relief::each_hit(floor.tree, floor.mesh, ray, end, [&](const MeshHit& hit) {
+                    take(hit.t, floor.normal_of(hit.triangle), quad.material);
+                });
+                continue;
+            }
             const glm::dvec3 across = glm::cross(quad.right, quad.up);
             const double t = glm::dot(quad.corner - ray.origin, across) / glm::dot(ray.direction, across);
             if (!std::isfinite(t)) continue;
@@ -138,6 +167,8 @@ private:
         }
     }
 
+    bool is_raised(Material material) const { return lighting_.is_displaced && material == Material::floor; }
+
     /// Returns the roots of a t^2 + 2 b t + c, NaN if there are none.
     static std::array<double, 2> roots(double a, double b, double c) {
         const double root = std::sqrt(b * b - a * c);
@@ -146,16 +177,22 @@ private:
 
     Hit first_hit(const Ray& ray) const {
         Hit first;
-        each_hit(ray, [&](double t, const glm::dvec3& face, Material material) {
+        each_hit(lighting_.scene, ray, INFINITY, [&](double t, const glm::dvec3& face, Material material) {
             if (t > 0 && t < first.t && glm::dot(face, ray.direction) < 0)
                 first.t = t, first.face = face, first.material = material;
         });
         if (!std::isfinite(first.t)) return first;
         const glm::dvec3 place = ray.at(first.t);
         const double tile = tile_of[size_t(first.material)];
-        const Axes axes = axes_of(first.face);
+        const PlaneAxes axes =
+            plane_axes(is_raised(first.material) ? glm::dvec3(0, 1, 0) : first.face);  // of its flat plane
         first.tangent = axes.right;
         first.uv = glm::dvec2(glm::dot(place, axes.right), glm::dot(place, axes.up)) / tile;
+        if (is_raised(first.material)) {
+            const glm::dvec2 slope = floor_at({place.x, place.z}).slope;
+            first.face = glm::normalize(glm::dvec3(-slope.x, 1, -slope.y));
+            first.tangent = glm::normalize(axes.right - glm::dot(axes.right, first.face) * first.face);
+        }
         if (first.material == Material::marble && lighting_.scene.quads.size() == 1 && !lighting_.scene.columns.empty())
             first.uv = around(place);
         return first;
@@ -173,9 +210,10 @@ private:
         return {std::atan2(-from.x, -from.z) / (2 * pi), 0.5 * (0.5 + std::asin(glm::clamp(from.y, -1.0, 1.0)) / pi)};
     }
 
-    bool is_free(const Ray& ray, double most) const {
+    bool is_free(const Scene& scene, const Ray& ray, double most) const {
         bool free = true;
-        each_hit(ray, [&](double t, const glm::dvec3&, Material) { free = free && !(t > 1e-9 && t < most); });
+        each_hit(scene, ray, most,
+                 [&](double t, const glm::dvec3&, Material) { free = free && !(t > 1e-9 && t < most); });
         return free;
     }
 
@@ -231,10 +269,10 @@ private:
         glm::dvec3 from = 2 * glm::dot(normal, to_eye) * normal - to_eye;
         from -= 2 * std::min(0.0, glm::dot(from, surface.face)) * surface.face;
         from = turned(from);
-        if (lighting_.gloss == Gloss::mirror) return sky(from);
+        if (lighting_.gloss == Gloss::mirror) return evening_sky(from);
         const double m = surface.exponent;
         glm::dvec3 sum(0);
-        const std::vector<Lobe>& lobes = sky_lobes();
+        const std::vector<Lobe>& lobes = evening_lobes();
         const double least = std::exp(-20 / std::max(m, 1e-9));  // a smaller cosine has a power below 2.1e-9
         for (size_t i = 0; i < lobes.size(); ++i) {
             const double k = lobes[i].sharpness;
@@ -260,7 +298,7 @@ private:
     /// the angle that bounds a share of the lobe.
     template <class CosineOf>
     static Places places_around(const glm::dvec3& middle, CosineOf cosine_of) {
-        const Axes axes = axes_of(middle);
+        const PlaneAxes axes = plane_axes(middle);
         Places found;
         for (int ring = 0; ring < rings; ++ring) {
             const double cosine = cosine_of((ring + 0.5) / rings), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
@@ -275,7 +313,7 @@ private:
     static const std::vector<Places>& places_of_lobes() {
         static const std::vector<Places> all = [] {
             std::vector<Places> made;
-            for (const Lobe& lobe : sky_lobes()) {
+            for (const Lobe& lobe : evening_lobes()) {
                 const double k = std::max(lobe.sharpness, 1e-3);
                 made.push_back(places_around(
                     lobe.middle, [k](double u) { return 1 + std::log(u + (1 - u) * std::exp(-2 * k)) / k; }));
@@ -287,13 +325,28 @@ private:
 
     double shadow(const Surface& surface) const {
         if (glm::dot(surface.face, lighting_.to_sun) <= 0) return 0;
-        return is_free({surface.place + 1e-7 * surface.face, lighting_.to_sun}, INFINITY) ? 1 : 0;
+        return is_free(lighting_.scene, {surface.place + 1e-7 * surface.face, lighting_.to_sun}, INFINITY) ? 1 : 0;
+    }
+
+    /// Returns the scene without boxes and columns beyond the reach of occlusion.
+    Scene within_reach(const glm::dvec3& place) const {
+        Scene near = lighting_.scene;
+        const auto is_far = [&](const glm::dvec3& low, const glm::dvec3& high) {
+            return glm::distance(place, glm::clamp(place, low, high)) > 1.001 * near.reach;
+        };
+        std::erase_if(near.boxes, [&](const Box& box) { return is_far(box.low, box.high); });
+        std::erase_if(near.columns, [&](const Column& column) {
+            const glm::dvec3 side(column.radius, 0, column.radius);
+            return is_far(column.foot - side, column.foot + side + glm::dvec3(0, column.height, 0));
+        });
+        return near;
     }
 
     /// Returns the share of 1024 cosine-distributed rays (Hammersley points) that meet no occluder.
     double openness(const Surface& surface) const {
         constexpr int rays = 1024;
-        const Axes axes = axes_of(surface.face);
+        const PlaneAxes axes = plane_axes(surface.face);
+        const Scene occluders = within_reach(surface.place);
         int free = 0;
         for (int i = 0; i < rays; ++i) {
             double radical = 0;
@@ -302,7 +355,7 @@ private:
             const double square = (i + 0.5) / rays, turn = 2 * pi * radical, r = std::sqrt(square);
             const glm::dvec3 direction =
                 r * (std::cos(turn) * axes.right + std::sin(turn) * axes.up) + std::sqrt(1 - square) * surface.face;
-            free += is_free({surface.place + 1e-7 * surface.face, direction}, lighting_.scene.reach);
+            free += is_free(occluders, {surface.place + 1e-7 * surface.face, direction}, lighting_.scene.reach);
         }
         return double(free) / rays;
     }
