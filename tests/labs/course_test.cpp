@@ -153,6 +153,20 @@ TEST_P(Course, TheStudentsChecksRejectAShaderThatReachesBeyondItsTask) {
     }
 }
 
+// Otherwise some seeds give views that no lab draws, and their checks have no hidden view.
+TEST_P(Course, HiddenViewsStayWithinTheKnobs) {
+    for (const VaryInfo& vary : manifest_.vary) {
+        if (vary.knob == "picture_size") continue;  // a factor, not a knob
+        std::vector<std::string> values = vary.choices;
+        if (values.empty()) values = {fmt::format("{}", vary.low), fmt::format("{}", vary.high)};
+        for (const std::string& value : values) {
+            Shot shot;
+            shot.set = {{vary.knob, value}};
+            EXPECT_NO_THROW(make_lab(GetParam(), shot)) << vary.knob << " " << value;
+        }
+    }
+}
+
 // Otherwise a submission that stores the picture of a public check would pass. Excludes checks whose picture has the
 // same value everywhere, such as whether edges agree, or the kind of a map.
 TEST_P(Course, AHiddenViewDiffersFromTheKnownCheck) {
