@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double any = std::numeric_limits<double>::max();
+constexpr glm::ivec2 usual_check_size{128, 128};
 
 void read_camera(Table parent, Orbit& camera) {
     parent.read("yaw", camera.yaw, -36000, 36000);
@@ -150,8 +151,8 @@ CheckInfo read_check(Table& table, const Manifest& manifest) {
     check.task = table.text("task");
     check.name = table.text("name");
     check.shot.camera = manifest.camera;
-    check.shot.size = {128, 128};
-    if (auto shot = table.table("shot")) check.shot = read_shot(*shot, manifest.camera, check.shot.size);
+    check.shot.size = usual_check_size;
+    if (auto shot = table.table("shot")) check.shot = read_shot(*shot, manifest.camera, usual_check_size);
     table.read("probe", check.shot.probe.name);
     check.against = table.text("against");
     if (auto limits = table.table("limit")) check.limits = read_limits(*limits);
@@ -319,6 +320,33 @@ void read_checks(Table& root, bool hidden, Manifest& manifest) {
     }
 }
 
+/// Adds a check of the picture to each task that has none. A picture takes every task of its lab.
+void add_picture_checks(Manifest& manifest) {
+    std::vector<CheckInfo> added;
+    for (const TaskInfo& task : manifest.tasks) {
+        const auto is_own = [&](const CheckInfo& check) { return check.task == task.id; };
+        const auto first = std::find_if(manifest.checks.begin(), manifest.checks.end(), is_own);
+        if (first == manifest.checks.end() ||
+            std::any_of(manifest.checks.begin(), manifest.checks.end(),
+                        [&](const CheckInfo& check) { return is_own(check) && !check.shot.probe; }))
+            continue;
+        CheckInfo& check = added.emplace_back(*first);
+        check.name = fmt::format("the picture of '{}'", first->name);
+        check.shot.probe = {};
+        check.shot.size = usual_check_size;
+        check.against = "solution";
+        check.limits = {};
+        check.reason.clear();
+        check.look_at = "the picture is made of what the probe shows: return the same wherever you are called";
+        check.hidden = check.added = true;
+        check.needs.clear();
+        check.leans_on.clear();
+        for (const TaskInfo& other : manifest.tasks)
+            if (other.id != task.id) check.needs.push_back(other.id);
+    }
+    manifest.checks.insert(manifest.checks.end(), added.begin(), added.end());
+}
+
 }  // namespace
 
 Manifest load_manifest(const fs::path& file) {
@@ -369,6 +397,7 @@ void add_grading(Manifest& manifest, const std::string& text, const fs::path& fi
     const toml::table parsed = parse_toml(text, file);
     Table root(file, parsed, "a lab's grading");
     read_checks(root, true, manifest);
+    add_picture_checks(manifest);
     std::vector<Table> mistakes = root.tables("mistake");
     for (Table& table : mistakes) {
         MistakeInfo mistake = read_mistake(table, manifest);

@@ -53,6 +53,7 @@ struct CheckInfo {
     std::string reason;   ///< origin of the limits
     std::string look_at;  ///< where to look next when it fails
     bool hidden = false;  ///< from the staff's file: students never get it
+    bool added = false;   ///< by add_grading(), to a task whose other checks all read a probe
     /// The other tasks without which the check cannot pass.
     std::vector<std::string> needs = {};
     /// Other tasks that may be unwritten, but that spoil the check if they are wrong.
@@ -131,7 +132,9 @@ struct Manifest {
 Manifest load_manifest(const std::filesystem::path& file);
 /// Parses the text of a lab.toml alone. `file` appears in messages only.
 Manifest parse_manifest(const std::string& text, const std::filesystem::path& file);
-/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, and knobs that vary.
+/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, and knobs that vary. Then each task
+/// whose checks all read a probe gets a hidden check more: the picture of its first check must be the solution's.
+/// Otherwise a submission could be right in the probe, and wrong in the picture that a person sees.
 void add_grading(Manifest& manifest, const std::string& text, const std::filesystem::path& file);
 Manifest load_manifest(const LabEntry& lab);
 

@@ -217,7 +217,7 @@ edits = [{ file = "shaders/x/task.glsl", find = "a", replace = '''
 two
 lines''' }]
 )");
-    ASSERT_EQ(manifest.checks.size(), 2u);
+    ASSERT_EQ(manifest.checks.size(), 3u) << "the last one is of the picture";
     const CheckInfo& check = manifest.check("near");
     EXPECT_EQ(check.task, "1.1");
     EXPECT_EQ(check.shot.size, glm::ivec2(64, 32));
@@ -241,6 +241,29 @@ lines''' }]
     EXPECT_EQ(manifest.equivalents[0].task, "1.1");
     EXPECT_EQ(manifest.equivalents[0].why, "Without the library.");
     EXPECT_EQ(manifest.equivalents[0].edits.at(0).replace, "two\nlines");
+}
+
+// Otherwise a submission could be right in the probe, and wrong in the picture.
+TEST(Manifest, ATaskWithProbesOnlyGetsAHiddenCheckOfItsPicture) {
+    const std::string second = "[[task]]\nid = \"1.2\"\ntitle = \"T\"\nfile = \"shaders/x/task.glsl\"\n";
+    const std::string of_a_probe =
+        "[[check]]\ntask = \"1.1\"\nname = \"near\"\nshot = { set = { steps = 32 }, size = [24, 8] }\nprobe = \"uv\"\n"
+        "against = \"truth\"\nlimit = { mean = 1 }\nreason = \"r\"\nlook_at = \"x\"\n";
+    const std::string of_a_picture =
+        "[[check]]\ntask = \"1.2\"\nname = \"lit\"\nagainst = \"solution\"\nlook_at = \"x\"\n";
+    const std::string text = with_task + second + of_a_probe + of_a_picture;
+    EXPECT_EQ(load(text).checks.size(), 2u) << "students do not get it";
+    const Manifest manifest = load(text, "vary = { yaw = [0, 1] }\n");
+    ASSERT_EQ(manifest.checks.size(), 3u) << "1.2 has a check of its picture";
+    const CheckInfo& added = manifest.checks.back();
+    EXPECT_EQ(added.name, "the picture of 'near'");
+    EXPECT_EQ(added.task, "1.1");
+    EXPECT_TRUE(added.hidden && added.added);
+    EXPECT_FALSE(added.shot.probe);
+    EXPECT_EQ(added.shot.set, manifest.check("near").shot.set);
+    EXPECT_EQ(added.shot.size, glm::ivec2(128, 128)) << "a picture of a few pixels allows no odd one";
+    EXPECT_EQ(added.against, "solution");
+    EXPECT_EQ(added.needs, std::vector<std::string>{"1.2"}) << "a picture takes all tasks of its lab";
 }
 
 TEST(Manifest, AnInvalidCheckMistakeOrEquivalentIsReportedWithItsLine) {

@@ -145,6 +145,7 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
         const std::optional<Image>& expected = good.expected ? good.expected : drawn[look.other].image;
         if (own.image && expected) shown.said = judge(manifest_, check, *own.image, *expected);
         if (shown.said.outcome == Outcome::passed) continue;
+        if (check.added && best) continue;  // its view was looked at with its task's first check
         shown.right = good.lit, shown.wrong = lit.image.value_or(Image());
         Candidate picture(shown, good.lit, shown.wrong);
         const bool is_seen = picture.share >= visible_share;

@@ -112,6 +112,9 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
          replaced(solution, "return floor(255.0 * (0.5 * normal + 0.5) + 0.5);", "return unfinished(normal);")},
         {"misspelt", replaced(solution, "return code / 255.0", "retrun code / 255.0")},
         {"nan", replaced(solution, "return code / 255.0 * 2.0 - 1.0;", "return sqrt(code - 1e9);")},
+        // A probe has one sample a pixel, a picture has four.
+        {"right-in-probes", replaced(solution, "return code / 255.0 * 2.0 - 1.0;",
+                                     "return gl_SampleID > 0 ? vec3(0.0, 0.0, 1.0) : code / 255.0 * 2.0 - 1.0;")},
         {"loops", replaced(solution, "return code / 255.0 * 2.0 - 1.0;",
                            "float x = 0.0; for (int i = 0; i < 60000; ++i) for (int j = 0; j < 60000; ++j) {" + slow +
                                "} return code / 255.0 * 2.0 - 1.0 + x;")},
@@ -127,8 +130,7 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
     folder.write("flat/task.glsl", solution);
     folder.write("damaged.zip", "PK\x03\x04 no more");
     for (const char* name : {"nothing", "flat", "damaged.zip"}) words.push_back((folder.path() / name).string());
-    // With this seed truncated codes exceed the limit at the rim. With others they are just within it.
-    words.insert(words.end(), {"-o", output.string(), "--seconds", "8", "--seed", "d"});
+    words.insert(words.end(), {"-o", output.string(), "--seconds", "8"});
     const Result graded = run(grade(words));
     EXPECT_EQ(graded.code, 0) << graded.err;
 
@@ -146,6 +148,9 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
         EXPECT_EQ(at_the_rim(result_of(output, name))["outcome"], "passed") << name;
         EXPECT_EQ(at_the_rim(result_of(output, name))["found"], "passed with the solution of the other tasks") << name;
     }
+    EXPECT_EQ(result_of(output, "right-in-probes")["labs"][0]["tasks"][0]["points"], 2.25)
+        << "only the check of the picture fails";
+    EXPECT_EQ(result_of(output, "right-in-probes")["points"], 10.25);
     EXPECT_EQ(outcomes(result_of(output, "begun"), "2.2"), Outcomes{"passed"});
     EXPECT_EQ(outcomes(result_of(output, "misspelt"), "2.1"), Outcomes{"broken"});
     const auto begin = solution.begin(), spelt = begin + std::ptrdiff_t(solution.find("return code / 255.0"));
@@ -178,7 +183,7 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
     EXPECT_FALSE(contains(page, "<img")) << "the class's page must stay small";
     // Each submission has a page. It has pictures only of failed checks that drew something: three per check of 2.1.
     const std::map<std::string, size_t> figures = {
-        {"good", 0}, {"untouched", 0}, {"truncated", 9}, {"misspelt", 0}, {"nan", 6}};
+        {"good", 0}, {"untouched", 0}, {"truncated", 12}, {"misspelt", 0}, {"nan", 9}};
     for (const auto& [name, count] : figures) {
         const std::string own = read_file(output / "submissions" / (name + ".html"));
         size_t found = 0;
