@@ -1,7 +1,7 @@
 // A lawn from above.
 #pragma once
 
-#include "framework/image/image.h"
+#include "framework/core/image/image.h"
 
 namespace relief {
 

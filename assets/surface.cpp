@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "framework/image/color.h"
+#include "framework/core/image/color.h"
 
 namespace relief {
 namespace {

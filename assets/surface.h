@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "assets/noise.h"
-#include "framework/image/image.h"
+#include "framework/core/image/image.h"
 
 namespace relief {
 

@@ -1,4 +1,5 @@
-// The arrows of the house: which room may include which, and which calls and libraries only one file may use.
+// The arrows of the house: which room may include which, and which calls and libraries only one file may use. `core` is
+// what a lab is made of, `course` what a student uses around the labs, `staff` what never leaves.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -16,27 +17,12 @@ namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
 
 // The floors, from the ground up. Rooms on one floor do not include each other.
-const std::map<std::string, int> floors = {{"base", 0},
-                                           {"image", 1},
-                                           {"mesh", 1},
-                                           {"height", 2},
-                                           {"inspect", 2},
-                                           {"staff/reference", 3},
-                                           {"gl", 4},
-                                           {"context", 5},
-                                           {"lab", 6},
-                                           {"kit", 7},
-                                           {"check", 8},
-                                           {"staff/handout", 9},
-                                           {"staff/grade", 9},
-                                           {"staff/measure", 10},
-                                           {"staff/synctest", 10},
-                                           {"pages", 10},
-                                           {"staff/pages", 11},
-                                           {"window", 11},
-                                           {"staff/slides", 11},
-                                           {"app", 12},
-                                           {"staff/app", 13}};
+const std::map<std::string, int> floors = {
+    {"core/base", 0},     {"core/image", 1},    {"core/mesh", 1},      {"core/height", 2},    {"staff/reference", 3},
+    {"core/gl", 4},       {"core/context", 5},  {"core/lab", 6},       {"core/kit", 7},       {"course/inspect", 8},
+    {"course/check", 8},  {"staff/handout", 9}, {"staff/grade", 9},    {"staff/measure", 10}, {"staff/synctest", 10},
+    {"course/pages", 10}, {"staff/pages", 11},  {"course/window", 11}, {"staff/slides", 11},  {"course/app", 12},
+    {"staff/app", 13}};
 
 /// Returns the files and headers that a text includes, by "" or <>.
 Lines includes_of(const std::string& text) {
@@ -47,10 +33,10 @@ Lines includes_of(const std::string& text) {
     return found;
 }
 
-/// Returns the room of a file: "gl", "staff/grade", or "labs", "labs/staff", "assets", "assets/staff".
+/// Returns the room of a file: "core/gl", "staff/grade", or "labs", "labs/staff", "assets", "assets/staff".
 std::string part_of(const std::string& path) {
     static const std::regex room(
-        "(?:framework/((?:staff/)?[^/]+)/.*|(labs)/[^/]+/(?:(staff)/)?.*|(assets)/(?:(staff)/)?.*)");
+        "(?:framework/([^/]+/[^/]+)/.*|(labs)/[^/]+/(?:(staff)/)?.*|(assets)/(?:(staff)/)?.*)");
     std::smatch match;
     if (!std::regex_match(path, match, room)) return path;
     if (match[1].matched) return match[1];
@@ -71,14 +57,16 @@ std::string mistake(const std::string& file, const std::string& include) {
         return "everybody's files know nothing of the staff's";
     if (!include.starts_with("framework/")) return "";
     if (!floors.contains(to)) return "names no room of the framework";
+    if (from.starts_with("core/") && !to.starts_with("core/")) return "the core includes nothing else";
     if (is_the_staffs(to) && !is_the_staffs(from)) return "everybody's files know nothing of the staff's";
     if (from.starts_with("labs")) {
-        if (to == "lab" && include != "framework/lab/lab.h") return "of that room a lab includes lab.h alone";
-        return floors.at(to) <= floors.at("kit") && to != "context"
-                   ? ""
-                   : "a lab does not know of contexts or what is above labs";
+        if (to == "core/lab" && include != "framework/core/lab/lab.h") return "of that room a lab includes lab.h alone";
+        const bool core = to.starts_with("core/") && to != "core/context";
+        return core || (from == "labs/staff" && to == "staff/reference") ? ""
+                                                                         : "a lab includes the core without contexts";
     }
-    if (from.starts_with("assets")) return floors.at(to) < floors.at("gl") ? "" : "the textures are made without GL";
+    if (from.starts_with("assets"))
+        return floors.at(to) < floors.at("core/gl") ? "" : "the textures are made without GL";
     if (!floors.contains(from)) return "is in no room of the framework";
     if (to == from || floors.at(to) < floors.at(from)) return "";
     return "points up, or across";
@@ -95,9 +83,9 @@ Lines wrong_arrows(const std::string& file, const std::string& text) {
 
 /// Returns the includes of libraries that only one other file may include.
 Lines wrong_libraries(const std::string& file, const std::string& text) {
-    static const std::regex window_file("framework/(context/[a-z]+_window|window/menu[a-z_]*)\\.(cpp|h)");
+    static const std::regex window_file("framework/(core/context/[a-z]+_window|course/window/menu[a-z_]*)\\.(cpp|h)");
     const bool cpu = part_of(file).starts_with("assets") ||
-                     (floors.contains(part_of(file)) && floors.at(part_of(file)) < floors.at("gl"));
+                     (floors.contains(part_of(file)) && floors.at(part_of(file)) < floors.at("core/gl"));
     Lines wrong;
     for (const std::string& include : includes_of(text)) {
         const bool image = include.starts_with("OpenImageIO/"),
@@ -105,15 +93,15 @@ Lines wrong_libraries(const std::string& file, const std::string& text) {
         const bool archive = include == "archive.h" || include == "archive_entry.h";
         const bool window =
             include.starts_with("GLFW/") || include.starts_with("imgui") || include.starts_with("backends/imgui");
-        if ((image && file != "framework/image/openimageio.cpp" &&
+        if ((image && file != "framework/core/image/openimageio.cpp" &&
              file != "framework/staff/measure/peers_module.cpp") ||
             ((include.starts_with("librsvg/") || include.starts_with("cairo")) &&
-             file != "framework/image/librsvg.cpp") ||
+             file != "framework/core/image/librsvg.cpp") ||
             (archive && file != "framework/staff/grade/libarchive.cpp") ||
             (include == "glib.h" && file != "framework/staff/grade/glib.cpp") ||
             (include == "seccomp.h" && file != "framework/staff/grade/system_calls.cpp") ||
-            (include == "md4c.h" && file != "framework/base/markdown.cpp") ||
-            (include.starts_with("kainjow/") && file != "framework/pages/template.cpp") ||
+            (include == "md4c.h" && file != "framework/course/pages/markdown.cpp") ||
+            (include.starts_with("kainjow/") && file != "framework/course/pages/template.cpp") ||
             (window && !std::regex_match(file, window_file)) || (gl && cpu))
             wrong.push_back(file + " includes " + include);
     }
@@ -155,13 +143,13 @@ TEST(Arrows, KeepForeignLibrariesInTheirOwnFiles) {
 }
 
 TEST(Sources, RoundNumbersForPeopleInOnePlace) {
-    // The format g writes 1000 as 1e+03 when asked for three digits. rounded() in framework/base/text.h does not.
+    // The format g writes 1000 as 1e+03 when asked for three digits. rounded() in framework/core/base/text.h does not.
     const std::regex general("[:0-9}]g\\}");
     EXPECT_TRUE(std::regex_search(R"(fmt::format("{:>{}.4g}", 1000, 9))", general));
     int places = 0;
     each_source([&](const std::string& file, const std::string& text) {
         if (!std::regex_search(text, general)) return;
-        EXPECT_EQ(file, "framework/base/text.cpp");
+        EXPECT_EQ(file, "framework/core/base/text.cpp");
         ++places;
     });
     EXPECT_EQ(places, 1);
@@ -187,7 +175,7 @@ TEST(Sources, StartProcessesInOnePlace) {
     each_source([&](const std::string& file, const std::string& text) {
         if (handles_processes(text)) places.push_back(file);
     });
-    EXPECT_EQ(places, Lines{"framework/base/process_linux.cpp"});
+    EXPECT_EQ(places, Lines{"framework/core/base/process_linux.cpp"});
 }
 
 TEST(Arrows, FindAPlantedUpwardInclude) {
@@ -195,63 +183,68 @@ TEST(Arrows, FindAPlantedUpwardInclude) {
         const char *file, *include;
         bool right;
     } cases[] = {
-        {"framework/base/text.h", "framework/image/image.h", false},
-        {"framework/image/mips.cpp", "framework/base/error.h", true},
-        {"framework/image/mips.cpp", "framework/mesh/mesh.h", false},
-        {"framework/mesh/shapes.cpp", "framework/image/image.h", false},
-        {"framework/height/maps.h", "framework/image/image.h", true},
-        {"framework/staff/reference/march.h", "framework/image/image.h", true},
-        {"framework/gl/texture.cpp", "framework/context/context.h", false},
-        {"framework/lab/lab.h", "framework/window/menu.h", false},
-        {"framework/lab/lab.h", "framework/gl/program.h", true},
-        {"framework/lab/lab.h", "framework/kit/labels.h", false},
-        {"framework/app/shot.cpp", "framework/staff/grade/mistake_pictures.h", false},
-        {"framework/mesh/obj.cpp", "framework/staff/reference/tangents.h", false},
+        {"framework/core/base/text.h", "framework/core/image/image.h", false},
+        {"framework/core/image/mips.cpp", "framework/core/base/error.h", true},
+        {"framework/core/image/mips.cpp", "framework/core/mesh/mesh.h", false},
+        {"framework/core/mesh/shapes.cpp", "framework/core/image/image.h", false},
+        {"framework/core/height/maps.h", "framework/core/image/image.h", true},
+        {"framework/staff/reference/march.h", "framework/core/image/image.h", true},
+        {"framework/core/gl/texture.cpp", "framework/core/context/context.h", false},
+        {"framework/core/lab/lab.h", "framework/course/window/menu.h", false},
+        {"framework/core/lab/lab.h", "framework/core/gl/program.h", true},
+        {"framework/core/lab/lab.h", "framework/core/kit/labels.h", false},
+        {"framework/core/kit/labels.h", "framework/course/check/check.h", false},
+        {"framework/course/check/check.h", "framework/core/kit/labels.h", true},
+        {"framework/course/inspect/inspect.h", "framework/staff/reference/march.h", false},
+        {"labs/07_baking/lab.cpp", "framework/course/inspect/inspect.h", false},
+        {"framework/course/app/shot.cpp", "framework/staff/grade/mistake_pictures.h", false},
+        {"framework/core/mesh/obj.cpp", "framework/staff/reference/tangents.h", false},
         {"framework/staff/app/bench.cpp", "framework/staff/measure/bench.h", true},
-        {"framework/staff/app/bench.cpp", "framework/app/command.h", true},
-        {"framework/staff/measure/bench.h", "framework/window/menu.h", false},
+        {"framework/staff/app/bench.cpp", "framework/course/app/command.h", true},
+        {"framework/staff/measure/bench.h", "framework/course/window/menu.h", false},
         {"framework/staff/grade/results.cpp", "framework/staff/measure/sweep.h", false},
-        {"framework/staff/grade/results.cpp", "framework/pages/page.h", false},
-        {"framework/window/menu.cpp", "framework/context/context.h", true},
-        {"framework/window/menu.cpp", "framework/unheard_of/x.h", false},
-        {"framework/window/menu.cpp", "../lab/lab.h", false},
-        {"framework/lab/shot.cpp", "labs/07_baking/bake.h", false},
-        {"labs/07_baking/lab.cpp", "framework/lab/lab.h", true},
-        {"labs/07_baking/lab.cpp", "framework/kit/tiles.h", true},
+        {"framework/staff/grade/results.cpp", "framework/course/pages/page.h", false},
+        {"framework/course/window/menu.cpp", "framework/core/context/context.h", true},
+        {"framework/course/window/menu.cpp", "framework/unheard_of/x.h", false},
+        {"framework/course/window/menu.cpp", "../lab/lab.h", false},
+        {"framework/core/lab/shot.cpp", "labs/07_baking/bake.h", false},
+        {"labs/07_baking/lab.cpp", "framework/core/lab/lab.h", true},
+        {"labs/07_baking/lab.cpp", "framework/core/kit/tiles.h", true},
         {"labs/07_baking/lab.cpp", "framework/staff/reference/march.h", false},
         {"labs/07_baking/staff/truth.cpp", "framework/staff/reference/march.h", true},
         {"labs/07_baking/staff/truth.cpp", "framework/staff/grade/marks.h", false},
-        {"labs/07_baking/lab.cpp", "framework/lab/manifest.h", false},
-        {"labs/07_baking/lab.cpp", "framework/context/context.h", false},
-        {"labs/07_baking/lab.cpp", "framework/window/menu.h", false},
+        {"labs/07_baking/lab.cpp", "framework/core/lab/manifest.h", false},
+        {"labs/07_baking/lab.cpp", "framework/core/context/context.h", false},
+        {"labs/07_baking/lab.cpp", "framework/course/window/menu.h", false},
         {"labs/07_baking/lab.cpp", "bake.h", true},
         {"labs/07_baking/lab.cpp", "labs/08_torus/torus.h", false},
-        {"assets/staff/make.cpp", "framework/image/file.h", true},
+        {"assets/staff/make.cpp", "framework/core/image/file.h", true},
         {"assets/staff/make.cpp", "assets/noise.h", true},
         {"assets/bricks.cpp", "assets/staff/quilt.h", false},
-        {"framework/gl/texture.cpp", "assets/noise.h", false},
-        {"assets/staff/make.cpp", "framework/gl/texture.h", false},
+        {"framework/core/gl/texture.cpp", "assets/noise.h", false},
+        {"assets/staff/make.cpp", "framework/core/gl/texture.h", false},
     };
     for (const auto& [file, include, right] : cases)
         for (const auto& [open, close] : {std::pair("#include \"", "\"\n"), {"int x;\n  # include <", ">"}})
             EXPECT_EQ(wrong_arrows(file, std::string(open) + include + close).empty(), right)
                 << file << " includes " << include;
-    EXPECT_TRUE(wrong_arrows("framework/base/a.h", "// #include \"framework/window/menu.h\"\n").empty()) << "a comment";
+    EXPECT_TRUE(wrong_arrows("framework/core/base/a.h", "// #include \"framework/course/window/menu.h\"\n").empty())
+        << "a comment";
 }
 
 TEST(Arrows, FindAPlantedForeignLibrary) {
-    EXPECT_FALSE(wrong_libraries("framework/image/file.cpp", "#include <OpenImageIO/imageio.h>\n").empty());
-    EXPECT_FALSE(wrong_libraries("framework/image/svg.cpp", "#include <librsvg/rsvg.h>\n").empty());
-    EXPECT_FALSE(wrong_libraries("framework/lab/shot.cpp", "#include <GLFW/glfw3.h>\n").empty());
-    EXPECT_FALSE(wrong_libraries("framework/context/window.cpp", "#include <GLFW/glfw3.h>\n").empty());
+    EXPECT_FALSE(wrong_libraries("framework/core/image/file.cpp", "#include <OpenImageIO/imageio.h>\n").empty());
+    EXPECT_FALSE(wrong_libraries("framework/core/image/svg.cpp", "#include <librsvg/rsvg.h>\n").empty());
+    EXPECT_FALSE(wrong_libraries("framework/core/lab/shot.cpp", "#include <GLFW/glfw3.h>\n").empty());
+    EXPECT_FALSE(wrong_libraries("framework/core/context/window.cpp", "#include <GLFW/glfw3.h>\n").empty());
     EXPECT_FALSE(wrong_libraries("labs/07_baking/lab.cpp", "#include <imgui.h>\n").empty());
-    EXPECT_FALSE(wrong_libraries("framework/mesh/shapes.cpp", "#include <glad/gl.h>\n").empty());
-    EXPECT_FALSE(wrong_libraries("framework/pages/page.cpp", "#include <kainjow/mustache.hpp>\n").empty());
+    EXPECT_FALSE(wrong_libraries("framework/core/mesh/shapes.cpp", "#include <glad/gl.h>\n").empty());
+    EXPECT_FALSE(wrong_libraries("framework/course/pages/page.cpp", "#include <kainjow/mustache.hpp>\n").empty());
     EXPECT_FALSE(wrong_libraries("framework/staff/grade/submission.cpp", "#include <glib.h>\n").empty());
-    EXPECT_TRUE(wrong_libraries("framework/image/librsvg.cpp", "#include <librsvg/rsvg.h>\n").empty());
-    EXPECT_TRUE(wrong_libraries("framework/context/glfw_window.cpp", "#include <GLFW/glfw3.h>\n").empty());
-    EXPECT_TRUE(wrong_libraries("framework/window/menu_panel.cpp", "#include <imgui.h>\n").empty());
-    EXPECT_TRUE(wrong_libraries("framework/gl/gl.h", "#include <glad/gl.h>\n").empty());
+    EXPECT_TRUE(wrong_libraries("framework/core/image/librsvg.cpp", "#include <librsvg/rsvg.h>\n").empty());
+    EXPECT_TRUE(wrong_libraries("framework/core/context/glfw_window.cpp", "#include <GLFW/glfw3.h>\n").empty());
+    EXPECT_TRUE(wrong_libraries("framework/course/window/menu_panel.cpp", "#include <imgui.h>\n").empty());
+    EXPECT_TRUE(wrong_libraries("framework/core/gl/gl.h", "#include <glad/gl.h>\n").empty());
 }
 
 // GCC 16 takes no precompiled header that was compiled at another level of optimisation.

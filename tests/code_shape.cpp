@@ -4,7 +4,7 @@
 #include <cctype>
 #include <regex>
 
-#include "framework/base/text.h"
+#include "framework/core/base/text.h"
 
 namespace relief {
 

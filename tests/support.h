@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
 
 namespace relief {
 

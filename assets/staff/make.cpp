@@ -5,9 +5,9 @@
 #include "assets/garden.h"
 #include "assets/staff/textures.h"
 #include "assets/urn.h"
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/image/file.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/image/file.h"
 
 int main(int argc, char** argv) {
     if (argc != 2) {

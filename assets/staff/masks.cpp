@@ -4,7 +4,7 @@
 
 #include "assets/bricks.h"
 #include "assets/surface.h"
-#include "framework/base/parallel.h"
+#include "framework/core/base/parallel.h"
 #include "framework/staff/reference/masks.h"
 
 namespace relief {

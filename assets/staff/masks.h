@@ -1,7 +1,7 @@
 // Lab 08's masks from their formulas, the ivy's colours, and the bricks' highlights.
 #pragma once
 
-#include "framework/image/image.h"
+#include "framework/core/image/image.h"
 
 namespace relief {
 

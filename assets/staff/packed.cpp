@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "framework/image/mips.h"
+#include "framework/core/image/mips.h"
 #include "framework/staff/reference/occlusion.h"
 
 namespace relief {

@@ -1,7 +1,7 @@
 // Three normal maps of a quilted column: in object, world and tangent space.
 #pragma once
 
-#include "framework/image/image.h"
+#include "framework/core/image/image.h"
 
 namespace relief {
 

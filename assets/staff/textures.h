@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/image/image.h"
+#include "framework/core/image/image.h"
 
 namespace relief {
 

@@ -5,9 +5,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "framework/gl/object.h"
-#include "framework/image/asset.h"
-#include "framework/mesh/shapes.h"
+#include "framework/core/gl/object.h"
+#include "framework/core/image/asset.h"
+#include "framework/core/mesh/shapes.h"
 #include "scene.h"
 
 namespace relief::colonnade {

@@ -6,10 +6,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "floor.h"
-#include "framework/kit/culling.h"
-#include "framework/kit/light.h"
-#include "framework/kit/tiles.h"
-#include "framework/lab/lab.h"
+#include "framework/core/kit/culling.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/lab/lab.h"
 #include "scene.h"
 #include "truth.h"
 

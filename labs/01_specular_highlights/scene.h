@@ -4,7 +4,7 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "framework/mesh/shapes.h"
+#include "framework/core/mesh/shapes.h"
 
 namespace relief::colonnade {
 

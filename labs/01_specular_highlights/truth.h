@@ -1,8 +1,8 @@
 // The exact values of lab 01's probes.
 #pragma once
 
-#include "framework/base/from_staff.h"
-#include "framework/lab/lab.h"
+#include "framework/core/base/from_staff.h"
+#include "framework/core/lab/lab.h"
 
 namespace relief::colonnade {
 

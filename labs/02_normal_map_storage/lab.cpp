@@ -8,14 +8,14 @@
 #include <memory>
 
 #include "formats.h"
-#include "framework/base/text.h"
-#include "framework/gl/texel_target.h"
-#include "framework/image/compare.h"
-#include "framework/kit/kept.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/numbers.h"
-#include "framework/kit/tiles.h"
-#include "framework/lab/lab.h"
+#include "framework/core/base/text.h"
+#include "framework/core/gl/texel_target.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/lab/lab.h"
 #include "truth.h"
 
 namespace relief {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "framework/height/lines.h"
+#include "framework/core/height/lines.h"
 
 namespace relief::heights {
 

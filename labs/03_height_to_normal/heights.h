@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "framework/image/image.h"
+#include "framework/core/image/image.h"
 
 namespace relief::heights {
 

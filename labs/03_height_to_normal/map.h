@@ -1,9 +1,9 @@
 // A texture of floats that a fragment shader fills, one fragment a texel.
 #pragma once
 
-#include "framework/gl/gpu_mesh.h"
-#include "framework/image/compare.h"
-#include "framework/image/image.h"
+#include "framework/core/gl/gpu_mesh.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/image/image.h"
 
 namespace relief::heights {
 

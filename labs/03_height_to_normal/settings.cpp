@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/image/asset.h"
-#include "framework/image/mips.h"
-#include "framework/image/resample.h"
+#include "framework/core/image/asset.h"
+#include "framework/core/image/mips.h"
+#include "framework/core/image/resample.h"
 #include "heights.h"
 
 namespace relief::heights {

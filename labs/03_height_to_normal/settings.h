@@ -3,10 +3,10 @@
 
 #include <glm/glm.hpp>
 
-#include "framework/height/lines.h"
-#include "framework/image/own_picture.h"
-#include "framework/kit/choices.h"
-#include "framework/lab/lab.h"
+#include "framework/core/height/lines.h"
+#include "framework/core/image/own_picture.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/lab/lab.h"
 
 namespace relief::heights {
 

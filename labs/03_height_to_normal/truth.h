@@ -1,9 +1,9 @@
 // The exact values of lab 03's probes, and the lab's maps made by the CPU.
 #pragma once
 
-#include "framework/base/from_staff.h"
-#include "framework/height/lines.h"
-#include "framework/lab/lab.h"
+#include "framework/core/base/from_staff.h"
+#include "framework/core/height/lines.h"
+#include "framework/core/lab/lab.h"
 
 namespace relief::heights {
 

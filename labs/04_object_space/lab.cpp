@@ -4,12 +4,12 @@
 // and see which map follows. Your tasks: shaders/04_object_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "framework/kit/choices.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/light.h"
-#include "framework/kit/tiles.h"
-#include "framework/kit/window_triangle.h"
-#include "framework/lab/lab.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/kit/window_triangle.h"
+#include "framework/core/lab/lab.h"
 #include "quilt.h"
 #include "truth.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "framework/base/paths.h"
-#include "framework/mesh/obj.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/mesh/obj.h"
 
 namespace relief::basis {
 namespace {

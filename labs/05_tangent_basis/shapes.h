@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "framework/mesh/mesh.h"
+#include "framework/core/mesh/mesh.h"
 
 namespace relief::basis {
 

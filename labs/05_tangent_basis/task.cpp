@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "framework/base/unfinished.h"
-#include "framework/mesh/frame.h"
+#include "framework/core/base/unfinished.h"
+#include "framework/core/mesh/frame.h"
 
 namespace relief::basis {
 

@@ -1,8 +1,8 @@
 // The exact values of lab 05's probes, and tangents by MikkTSpace.
 #pragma once
 
-#include "framework/base/from_staff.h"
-#include "framework/lab/lab.h"
+#include "framework/core/base/from_staff.h"
+#include "framework/core/lab/lab.h"
 #include "shapes.h"
 
 namespace relief::basis {

@@ -1,6 +1,6 @@
 #include "vertex_tangents.h"
 
-#include "framework/mesh/frame.h"
+#include "framework/core/mesh/frame.h"
 
 namespace relief::basis {
 namespace {

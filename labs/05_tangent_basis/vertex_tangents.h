@@ -1,7 +1,7 @@
 // Tangents for a whole mesh, by the functions of task.cpp.
 #pragma once
 
-#include "framework/mesh/mesh.h"
+#include "framework/core/mesh/mesh.h"
 #include "task.h"
 
 namespace relief::basis {

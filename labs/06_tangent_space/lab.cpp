@@ -4,14 +4,14 @@
 // with rotated textures. Your tasks: shaders/06_tangent_space/task.glsl
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "framework/base/error.h"
-#include "framework/image/own_picture.h"
-#include "framework/kit/choices.h"
-#include "framework/kit/kept.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/light.h"
-#include "framework/kit/tiles.h"
-#include "framework/lab/lab.h"
+#include "framework/core/base/error.h"
+#include "framework/core/image/own_picture.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/lab/lab.h"
 #include "scene.h"
 #include "truth.h"
 

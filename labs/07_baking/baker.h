@@ -5,11 +5,11 @@
 #include <memory>
 #include <optional>
 
-#include "framework/gl/texel_target.h"
-#include "framework/kit/choices.h"
-#include "framework/kit/kept.h"
-#include "framework/kit/ray_mesh.h"
-#include "framework/kit/window_triangle.h"
+#include "framework/core/gl/texel_target.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/kit/ray_mesh.h"
+#include "framework/core/kit/window_triangle.h"
 #include "models.h"
 
 namespace relief::baking {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "baker.h"
-#include "framework/gl/vertex_stream.h"
-#include "framework/kit/tiles.h"
+#include "framework/core/gl/vertex_stream.h"
+#include "framework/core/kit/tiles.h"
 
 namespace relief::baking {
 

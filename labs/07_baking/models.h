@@ -4,7 +4,7 @@
 // together, so a ray that leaves one may hit another.
 #pragma once
 
-#include "framework/lab/lab.h"
+#include "framework/core/lab/lab.h"
 
 namespace relief::baking {
 

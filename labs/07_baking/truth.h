@@ -2,7 +2,7 @@
 #pragma once
 
 #include "baker.h"
-#include "framework/base/from_staff.h"
+#include "framework/core/base/from_staff.h"
 
 namespace relief::baking {
 

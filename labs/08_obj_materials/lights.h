@@ -3,8 +3,8 @@
 
 #include <glm/glm.hpp>
 
-#include "framework/kit/choices.h"
-#include "framework/kit/light.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/light.h"
 
 namespace relief::materials {
 

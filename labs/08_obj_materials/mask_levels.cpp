@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "framework/kit/numbers.h"
+#include "framework/core/kit/numbers.h"
 
 namespace relief::materials {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "framework/kit/kept.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/window_triangle.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/window_triangle.h"
 #include "surfaces.h"
 
 namespace relief::materials {

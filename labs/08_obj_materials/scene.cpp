@@ -7,10 +7,10 @@
 #include <map>
 #include <set>
 
-#include "framework/base/error.h"
-#include "framework/base/paths.h"
-#include "framework/image/asset.h"
-#include "framework/mesh/uv_tangents.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/image/asset.h"
+#include "framework/core/mesh/uv_tangents.h"
 
 namespace relief::materials {
 namespace {

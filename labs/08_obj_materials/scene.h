@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "framework/mesh/obj.h"
+#include "framework/core/mesh/obj.h"
 #include "task.h"
 
 namespace relief::materials {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "framework/base/error.h"
-#include "framework/image/asset.h"
-#include "framework/image/coverage.h"
-#include "framework/image/mips.h"
+#include "framework/core/base/error.h"
+#include "framework/core/image/asset.h"
+#include "framework/core/image/coverage.h"
+#include "framework/core/image/mips.h"
 
 namespace relief::materials {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "framework/gl/light_target.h"
-#include "framework/kit/choices.h"
-#include "framework/lab/lab.h"
+#include "framework/core/gl/light_target.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/lab/lab.h"
 #include "lights.h"
 #include "scene.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "framework/base/unfinished.h"
+#include "framework/core/base/unfinished.h"
 
 namespace relief::materials {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "framework/base/parallel.h"
+#include "framework/core/base/parallel.h"
 
 namespace relief::planet {
 namespace {

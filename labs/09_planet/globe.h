@@ -7,8 +7,8 @@
 #include <set>
 #include <span>
 
-#include "framework/gl/texel_target.h"
-#include "framework/mesh/skirted_patch.h"
+#include "framework/core/gl/texel_target.h"
+#include "framework/core/mesh/skirted_patch.h"
 #include "patches.h"
 
 namespace relief::planet {

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
-#include "framework/kit/labels.h"
-#include "framework/kit/tiles.h"
-#include "framework/lab/lab.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/lab/lab.h"
 #include "task.h"
 #include "truth.h"
 #include "views.h"

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "framework/height/sphere_patches.h"
-#include "framework/kit/choices.h"
-#include "framework/lab/lab.h"
+#include "framework/core/height/sphere_patches.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/lab/lab.h"
 #include "heights.h"
 
 namespace relief::planet {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/base/unfinished.h"
+#include "framework/core/base/unfinished.h"
 
 namespace relief::planet {
 

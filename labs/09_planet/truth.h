@@ -1,7 +1,7 @@
 // The exact values of lab 09's probes.
 #pragma once
 
-#include "framework/base/from_staff.h"
+#include "framework/core/base/from_staff.h"
 #include "patches.h"
 
 namespace relief::planet {

@@ -4,14 +4,14 @@
 // is above, the error in texels below. Your tasks: shaders/10_parallax_offset/task.glsl
 #include <fmt/format.h>
 
-#include "framework/base/text.h"
-#include "framework/image/compare.h"
-#include "framework/kit/kept.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/light.h"
-#include "framework/kit/numbers.h"
-#include "framework/kit/relief_surface.h"
-#include "framework/kit/tiles.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/relief_surface.h"
+#include "framework/core/kit/tiles.h"
 #include "truth.h"
 
 namespace relief {

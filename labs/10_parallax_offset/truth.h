@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "framework/base/from_staff.h"
-#include "framework/kit/relief_surface.h"
+#include "framework/core/base/from_staff.h"
+#include "framework/core/kit/relief_surface.h"
 
 namespace relief::offsets {
 

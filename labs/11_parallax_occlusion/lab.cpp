@@ -4,16 +4,16 @@
 // Your tasks: shaders/11_parallax_occlusion/task.glsl
 #include <fmt/format.h>
 
-#include "framework/base/text.h"
-#include "framework/height/bounds.h"
-#include "framework/kit/choices.h"
-#include "framework/kit/kept.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/light.h"
-#include "framework/kit/numbers.h"
-#include "framework/kit/relief_surface.h"
-#include "framework/kit/tiles.h"
-#include "framework/lab/lab.h"
+#include "framework/core/base/text.h"
+#include "framework/core/height/bounds.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/relief_surface.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/lab/lab.h"
 #include "truth.h"
 
 namespace relief {

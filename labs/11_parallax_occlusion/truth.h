@@ -1,9 +1,9 @@
 // The exact values of lab 11's probes.
 #pragma once
 
-#include "framework/base/from_staff.h"
-#include "framework/lab/lab.h"
-#include "framework/mesh/relief.h"
+#include "framework/core/base/from_staff.h"
+#include "framework/core/lab/lab.h"
+#include "framework/core/mesh/relief.h"
 
 namespace relief::occlusion {
 

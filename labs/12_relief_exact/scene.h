@@ -3,8 +3,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "framework/kit/relief_surface.h"
-#include "framework/lab/lab.h"
+#include "framework/core/kit/relief_surface.h"
+#include "framework/core/lab/lab.h"
 
 namespace relief::exact {
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <chrono>
 
-#include "framework/gl/counters.h"
-#include "framework/height/bounds.h"
-#include "framework/height/skips.h"
-#include "framework/kit/choices.h"
-#include "framework/kit/relief_surface.h"
-#include "framework/lab/lab.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/height/bounds.h"
+#include "framework/core/height/skips.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/relief_surface.h"
+#include "framework/core/lab/lab.h"
 
 namespace relief::exact {
 

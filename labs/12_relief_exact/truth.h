@@ -1,7 +1,7 @@
 // The exact values of lab 12's probes.
 #pragma once
 
-#include "framework/base/from_staff.h"
+#include "framework/core/base/from_staff.h"
 
 #include <optional>
 #include <vector>

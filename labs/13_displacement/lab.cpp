@@ -4,11 +4,11 @@
 // real, up to its outline. Your tasks: shaders/13_displacement/task.glsl
 #include <fmt/format.h>
 
-#include "framework/kit/displaced_surface.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/light.h"
-#include "framework/kit/tiles.h"
-#include "framework/lab/lab.h"
+#include "framework/core/kit/displaced_surface.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/lab/lab.h"
 #include "truth.h"
 
 namespace relief {

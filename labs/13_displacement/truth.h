@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "framework/base/from_staff.h"
-#include "framework/kit/displaced_surface.h"
+#include "framework/core/base/from_staff.h"
+#include "framework/core/kit/displaced_surface.h"
 
 namespace relief::displacement {
 

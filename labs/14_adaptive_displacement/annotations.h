@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/kit/labels.h"
+#include "framework/core/kit/labels.h"
 
 namespace relief::adaptive {
 

@@ -7,14 +7,14 @@
 #include <limits>
 
 #include "annotations.h"
-#include "framework/image/visualize.h"
-#include "framework/kit/choices.h"
-#include "framework/kit/displaced_surface.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/light.h"
-#include "framework/kit/numbers.h"
-#include "framework/kit/tiles.h"
-#include "framework/lab/lab.h"
+#include "framework/core/image/visualize.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/displaced_surface.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/lab/lab.h"
 #include "scene.h"
 
 namespace relief {

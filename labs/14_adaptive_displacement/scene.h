@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "framework/height/patches.h"
-#include "framework/kit/displaced_surface.h"
+#include "framework/core/height/patches.h"
+#include "framework/core/kit/displaced_surface.h"
 
 namespace relief::adaptive {
 

@@ -5,15 +5,15 @@
 // shaders/15_ocean/task.glsl
 #include <fmt/format.h>
 
-#include "framework/kit/choices.h"
-#include "framework/kit/kept.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/light.h"
-#include "framework/kit/numbers.h"
-#include "framework/kit/tiles.h"
-#include "framework/kit/view_axes.h"
-#include "framework/kit/window_triangle.h"
-#include "framework/lab/lab.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/kit/view_axes.h"
+#include "framework/core/kit/window_triangle.h"
+#include "framework/core/lab/lab.h"
 #include "patches.h"
 #include "water.h"
 

@@ -1,7 +1,7 @@
 // The patches of lab 15's sea: rings around the place below the eye, out to the horizon. Near the eye waves raise them.
 #pragma once
 
-#include "framework/kit/view_axes.h"
+#include "framework/core/kit/view_axes.h"
 #include "water.h"
 
 namespace relief::ocean {

@@ -1,7 +1,7 @@
 // Lab 15, your first task: how far the waves have come. The others are in shaders/15_ocean/task.glsl.
 #include "task.h"
 
-#include "framework/base/unfinished.h"
+#include "framework/core/base/unfinished.h"
 
 namespace relief::ocean {
 

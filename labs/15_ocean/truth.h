@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "framework/base/from_staff.h"
-#include "framework/lab/lab.h"
+#include "framework/core/base/from_staff.h"
+#include "framework/core/lab/lab.h"
 
 namespace relief::ocean {
 

@@ -8,7 +8,7 @@
 #include <glm/gtc/constants.hpp>
 #include <ranges>
 
-#include "framework/lab/lab.h"
+#include "framework/core/lab/lab.h"
 #include "task.h"
 #include "truth.h"
 #include "waves.h"

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "framework/image/image.h"
+#include "framework/core/image/image.h"
 
 namespace relief::ocean {
 

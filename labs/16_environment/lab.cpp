@@ -4,12 +4,12 @@
 // its own way. Your tasks: shaders/16_environment/task.glsl
 #include <fmt/format.h>
 
-#include "framework/gl/cube_texture.h"
-#include "framework/kit/evening_sky.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/light.h"
-#include "framework/kit/tiles.h"
-#include "framework/lab/lab.h"
+#include "framework/core/gl/cube_texture.h"
+#include "framework/core/kit/evening_sky.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/lab/lab.h"
 #include "occlusion.h"
 #include "one_pixel.h"
 #include "stage.h"

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "framework/gl/texel_target.h"
-#include "framework/kit/view_axes.h"
-#include "framework/kit/window_triangle.h"
+#include "framework/core/gl/texel_target.h"
+#include "framework/core/kit/view_axes.h"
+#include "framework/core/kit/window_triangle.h"
 #include "stage.h"
 
 namespace relief::court {

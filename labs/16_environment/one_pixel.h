@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "framework/gl/texel_target.h"
-#include "framework/kit/labels.h"
+#include "framework/core/gl/texel_target.h"
+#include "framework/core/kit/labels.h"
 #include "truth.h"
 
 namespace relief::court {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/mesh/parallelogram.h"
-#include "framework/mesh/shapes.h"
+#include "framework/core/mesh/parallelogram.h"
+#include "framework/core/mesh/shapes.h"
 
 namespace relief::court {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "framework/kit/choices.h"
-#include "framework/kit/kept.h"
-#include "framework/lab/lab.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/lab/lab.h"
 #include "scene.h"
 
 namespace relief::court {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "framework/gl/depth_target.h"
-#include "framework/mesh/parallelogram.h"
+#include "framework/core/gl/depth_target.h"
+#include "framework/core/mesh/parallelogram.h"
 #include "stage.h"
 
 namespace relief::court {

@@ -1,9 +1,9 @@
 // The exact values of lab 16's probes.
 #pragma once
 
-#include "framework/base/from_staff.h"
-#include "framework/kit/choices.h"
-#include "framework/lab/lab.h"
+#include "framework/core/base/from_staff.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/lab/lab.h"
 #include "scene.h"
 
 namespace relief::court {

@@ -6,16 +6,16 @@
 
 #include <bit>
 
-#include "framework/base/text.h"
-#include "framework/gl/patches.h"
-#include "framework/gl/vertex_stream.h"
-#include "framework/kit/choices.h"
-#include "framework/kit/kept.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/light.h"
-#include "framework/kit/numbers.h"
-#include "framework/kit/relief_surface.h"
-#include "framework/kit/tiles.h"
+#include "framework/core/base/text.h"
+#include "framework/core/gl/patches.h"
+#include "framework/core/gl/vertex_stream.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/relief_surface.h"
+#include "framework/core/kit/tiles.h"
 #include "truth.h"
 
 namespace relief::budget {

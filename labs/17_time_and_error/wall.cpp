@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/height/levels.h"
-#include "framework/image/mips.h"
-#include "framework/mesh/clip.h"
+#include "framework/core/height/levels.h"
+#include "framework/core/image/mips.h"
+#include "framework/core/mesh/clip.h"
 
 namespace relief::budget {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "framework/lab/lab.h"
+#include "framework/core/lab/lab.h"
 
 namespace relief::budget {
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <span>
 
-#include "framework/gl/gpu_mesh.h"
-#include "framework/gl/vertex_stream.h"
-#include "framework/kit/kept.h"
+#include "framework/core/gl/gpu_mesh.h"
+#include "framework/core/gl/vertex_stream.h"
+#include "framework/core/kit/kept.h"
 #include "skin.h"
 
 namespace relief::moving_frames {

@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 
 #include "bodies.h"
-#include "framework/height/scales.h"
-#include "framework/image/compare.h"
-#include "framework/image/own_picture.h"
-#include "framework/kit/culling.h"
-#include "framework/kit/labels.h"
-#include "framework/kit/numbers.h"
-#include "framework/kit/tiles.h"
-#include "framework/lab/lab.h"
+#include "framework/core/height/scales.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/image/own_picture.h"
+#include "framework/core/kit/culling.h"
+#include "framework/core/kit/labels.h"
+#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/tiles.h"
+#include "framework/core/lab/lab.h"
 #include "truth.h"
 
 namespace relief::moving_frames {

@@ -6,9 +6,9 @@
 
 #include "assets/garden.h"
 #include "assets/urn.h"
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/image/file.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/image/file.h"
 
 namespace relief {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
 
 namespace relief {
 

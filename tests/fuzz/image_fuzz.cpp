@@ -1,5 +1,5 @@
 // The checks in front of OpenImageIO: format by content, size, channels, memory.
-#include "framework/image/file.h"
+#include "framework/core/image/file.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {

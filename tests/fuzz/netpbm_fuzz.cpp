@@ -1,5 +1,5 @@
 // Arbitrary bytes of PPM, PGM and PFM.
-#include "framework/image/netpbm.h"
+#include "framework/core/image/netpbm.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {

@@ -2,7 +2,7 @@
 // Tangents must be computable for every mesh that is read.
 #include <algorithm>
 
-#include "framework/mesh/obj.h"
+#include "framework/core/mesh/obj.h"
 #include "framework/staff/reference/tangents.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -1,5 +1,5 @@
 // Arbitrary bytes of converted pictures. All levels of an accepted chain can be read.
-#include "framework/image/texels.h"
+#include "framework/core/image/texels.h"
 
 #include "tests/fuzz/fuzz.h"
 

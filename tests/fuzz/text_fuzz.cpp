@@ -1,5 +1,5 @@
 // Numbers and words as a user types them.
-#include "framework/base/text.h"
+#include "framework/core/base/text.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t count) {

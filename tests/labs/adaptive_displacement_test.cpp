@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "framework/kit/displaced_surface.h"
+#include "framework/core/kit/displaced_surface.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/reference/tessellation.h"
 #include "labs/14_adaptive_displacement/scene.h"
@@ -420,7 +420,7 @@ TEST(Displacement, BoundsItsTrianglesAtExtremeKnobs) {
          {{"budget", "0.25"}, {"method", "displacement"}, {"map", "posts"}, {"depth", "0.25"}, {"view", "picture"}}}};
     for (const auto& [lab, set] : ends) {
         const Shot shot = shot_of(lab, set, "", {117, 77});
-        const BenchSubject subject = drawn(std::shared_ptr<Lab>(make_lab(find_lab(lab), shot)), shot);
+        const measure::BenchSubject subject = measure::drawn(std::shared_ptr<Lab>(make_lab(find_lab(lab), shot)), shot);
         const auto triangles = std::find_if(subject.work.begin(), subject.work.end(),
                                             [](const auto& one) { return one.first == "triangles"; });
         ASSERT_NE(triangles, subject.work.end());

@@ -1,8 +1,8 @@
 // Lab 07: a baked map is right only with the renderer that it was baked for. A bake runs only when an input changes.
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/gl/counters.h"
-#include "framework/gl/program.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/gl/program.h"
 #include "framework/staff/grade/overlay.h"
 #include "tests/labs/shots.h"
 
@@ -167,7 +167,7 @@ TEST(Baking, RaysOfAnUnwrittenTaskAreNotShownAsMisses) {
     EXPECT_EQ(count(unwritten), 0u);
     ASSERT_NE(task.find(solution), std::string::npos);
     task.replace(task.find(solution), solution.size(), "return unfinished(0.0) > 0.5;");
-    const CourseOverlay overlay(CourseFiles{{file, task}});
+    const grade::CourseOverlay overlay(grade::CourseFiles{{file, task}});
     EXPECT_EQ(count(miss), 0u);
     EXPECT_GT(count(unwritten), 500u);
 }

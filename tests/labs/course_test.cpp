@@ -7,12 +7,12 @@
 #include <regex>
 #include <set>
 
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/base/text.h"
-#include "framework/check/fingerprints.h"
-#include "framework/check/starter.h"
-#include "framework/gl/gl.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/core/gl/gl.h"
+#include "framework/course/check/fingerprints.h"
+#include "framework/course/check/starter.h"
 #include "framework/staff/grade/fingerprint_maker.h"
 #include "framework/staff/grade/mistake_names.h"
 #include "framework/staff/grade/overlay.h"
@@ -54,9 +54,10 @@ protected:
         for (const TaskInfo& task : manifest_.tasks) files.insert(task.file);
         return files;
     }
-    CourseFiles starters() const {
-        CourseFiles files;
-        for (const std::string& file : task_files()) files[file] = starter_of(read_file(course_root() / file), file);
+    grade::CourseFiles starters() const {
+        grade::CourseFiles files;
+        for (const std::string& file : task_files())
+            files[file] = check::starter_of(read_file(course_root() / file), file);
         return files;
     }
 };
@@ -72,8 +73,8 @@ TEST_P(Course, HasTasksChecksAndMistakes) {
         EXPECT_TRUE(contains(
             text, "TASK " + task.id + " (" + std::to_string(task.points) + (task.points == 1 ? " point)" : " points)")))
             << task.id;
-        EXPECT_TRUE(is_unfinished(starter_of(text, task.file), task.id)) << task.id;
-        EXPECT_FALSE(is_unfinished(text, task.id)) << task.id;
+        EXPECT_TRUE(check::is_unfinished(check::starter_of(text, task.file), task.id)) << task.id;
+        EXPECT_FALSE(check::is_unfinished(text, task.id)) << task.id;
         bool is_public = false, reads_the_picture = false;
         for (const CheckInfo& check : manifest_.checks) {
             is_public |= check.task == task.id && !check.hidden;
@@ -95,12 +96,12 @@ TEST_P(Course, HasDistinctCorrectVariantsOfEachTask) {
         static const std::regex no_code("//[^\n]*|\\s+");
         return std::regex_replace(text, no_code, "");
     };
-    std::map<CourseFiles, std::string> seen;
+    std::map<grade::CourseFiles, std::string> seen;
     for (const std::string& file : task_files())
         seen[{{file, code_of(read_file(course_root() / file))}}] = "the solution";
     for (const EquivalentInfo& equivalent : manifest_.equivalents) {
-        CourseFiles code;
-        for (const auto& [file, text] : edited(equivalent.edits)) code[file] = code_of(text);
+        grade::CourseFiles code;
+        for (const auto& [file, text] : grade::edited(equivalent.edits)) code[file] = code_of(text);
         const auto [same, is_new] = seen.emplace(code, equivalent.id);
         EXPECT_TRUE(is_new) << equivalent.id << " is the same program as " << same->second;
     }
@@ -108,29 +109,29 @@ TEST_P(Course, HasDistinctCorrectVariantsOfEachTask) {
 
 /// Returns whether at least 90 % of a solution's values match the lab's fingerprints. Another Mesa version may draw
 /// single pixels at an edge differently.
-bool has_values(const Image& drawn, const Fingerprints::Places& places) {
-    const Sample now = sample_at(drawn, "", places.values);
+bool has_values(const Image& drawn, const check::Fingerprints::Places& places) {
+    const check::Sample now = check::sample_at(drawn, "", places.values);
     size_t near = 0;
     for (size_t i = 0; i < now.values.size(); ++i) {
         const float before = places.solution.values[i];
-        near += is_near(now.values[i], before, drawn.channels == 3 ? 2.0 / 255 : 1e-4 + 1e-3 * std::abs(before));
+        near += check::is_near(now.values[i], before, drawn.channels == 3 ? 2.0 / 255 : 1e-4 + 1e-3 * std::abs(before));
     }
     return double(near) >= 0.9 * double(now.values.size());
 }
 
 TEST_P(Course, TheSolutionPassesEveryCheckAndFingerprintsAreUpToDate) {
-    const Fingerprints fingerprints = load_fingerprints(GetParam(), manifest_);
+    const check::Fingerprints fingerprints = check::load_fingerprints(GetParam(), manifest_);
     const std::string renew = "out of date: ./relief mistakes " + GetParam().two_digits() + " --update renews it";
     if (is_of_the_course() || !fingerprints.mistakes.empty()) {
-        EXPECT_EQ(fingerprints.made_of, fingerprints_made_of(GetParam(), manifest_))
-            << shown(fingerprints_file(GetParam())) << " is " << renew;
+        EXPECT_EQ(fingerprints.made_of, grade::fingerprints_made_of(GetParam(), manifest_))
+            << shown(check::fingerprints_file(GetParam())) << " is " << renew;
     }
-    LabChecker checker(GetParam(), manifest_);
+    check::LabChecker checker(GetParam(), manifest_);
     for (size_t i = 0; i < manifest_.checks.size(); ++i) {
         const CheckInfo& check = manifest_.checks[i];
-        const CheckResult result = checker.run(i, expectation(GetParam(), check));
-        EXPECT_EQ(result.outcome, Outcome::passed) << check.name << ": " << result.found;
-        const double used = judge(manifest_, check, result.drawn, result.expected).used;
+        const check::CheckResult result = checker.run(i, check::expectation(GetParam(), check));
+        EXPECT_EQ(result.outcome, check::Outcome::passed) << check.name << ": " << result.found;
+        const double used = check::judge(manifest_, check, result.drawn, result.expected).used;
         used_.push_back({used, check.task + " " + check.name});
         // Leaves a third of each limit, because another rasteriser may have an error 1.5 times as large.
         if (is_of_the_course()) {
@@ -138,7 +139,7 @@ TEST_P(Course, TheSolutionPassesEveryCheckAndFingerprintsAreUpToDate) {
         }
         const auto places = fingerprints.checks.find(i);
         EXPECT_TRUE(places == fingerprints.checks.end() || has_values(result.drawn, places->second))
-            << shown(fingerprints_file(GetParam())) << ", '" << check.name << "', is " << renew;
+            << shown(check::fingerprints_file(GetParam())) << ", '" << check.name << "', is " << renew;
     }
 }
 
@@ -146,12 +147,13 @@ TEST_P(Course, TheSolutionPassesEveryCheckAndFingerprintsAreUpToDate) {
 TEST_P(Course, TheStudentsChecksRejectAShaderThatReachesBeyondItsTask) {
     for (const std::string& file : task_files()) {
         if (!is_shader(file)) continue;
-        const CourseOverlay overlay(CourseFiles{{file, read_file(course_root() / file) + "#define main mine\n"}});
-        LabChecker checker(GetParam(), manifest_);
+        const grade::CourseOverlay overlay(
+            grade::CourseFiles{{file, read_file(course_root() / file) + "#define main mine\n"}});
+        check::LabChecker checker(GetParam(), manifest_);
         for (size_t i = 0; i < manifest_.checks.size(); ++i) {
             if (manifest_.task(manifest_.checks[i].task).file != file) continue;
-            const CheckResult result = checker.run(i, {});
-            EXPECT_EQ(result.outcome, Outcome::broken);
+            const check::CheckResult result = checker.run(i, {});
+            EXPECT_EQ(result.outcome, check::Outcome::broken);
             EXPECT_EQ(result.found, file + " defines 'main', which the lab's shaders use");
         }
     }
@@ -174,7 +176,7 @@ TEST_P(Course, HiddenViewsStayWithinTheKnobs) {
 // Otherwise a submission that stores the picture of a public check would pass. Excludes checks whose picture has the
 // same value everywhere, such as whether edges agree, or the kind of a map.
 TEST_P(Course, AHiddenViewDiffersFromTheKnownCheck) {
-    const Variation variation(manifest_, GetParam().folder, "words", 0);
+    const grade::Variation variation(manifest_, GetParam().folder, "words", 0);
     for (const CheckInfo& check : manifest_.checks) {
         if (check.hidden) continue;
         const Image known = draw_shot(*make_lab(GetParam(), check.shot), check.shot);
@@ -185,17 +187,18 @@ TEST_P(Course, AHiddenViewDiffersFromTheKnownCheck) {
         if (is_even) continue;
         const Shot varied = variation.vary(check.shot);
         EXPECT_NE(known.values, draw_shot(*make_lab(GetParam(), varied), varied).values)
-            << check.task << " '" << check.name << "': " << view_text(varied);
+            << check.task << " '" << check.name << "': " << grade::view_text(varied);
     }
 }
 
 TEST_P(Course, AStarterIsUnfinishedInEveryCheckAndPaintsTheChequer) {
     if (manifest_.tasks.empty()) GTEST_SKIP() << "a lab of someone's own";
     Expectations expected;
-    for (const CheckInfo& check : manifest_.checks) expected[check.name] = expectation(GetParam(), check);
-    const CourseOverlay overlay(starters());
+    for (const CheckInfo& check : manifest_.checks) expected[check.name] = check::expectation(GetParam(), check);
+    const grade::CourseOverlay overlay(starters());
     for (const CheckInfo& check : manifest_.checks)
-        EXPECT_EQ(run_check(GetParam(), manifest_, check, expected[check.name]).outcome, Outcome::unfinished)
+        EXPECT_EQ(check::run_check(GetParam(), manifest_, check, expected[check.name]).outcome,
+                  check::Outcome::unfinished)
             << check.name;
     // An unfinished task in a shader is visible in the lab's first picture.
     if (!std::any_of(manifest_.tasks.begin(), manifest_.tasks.end(),
@@ -238,26 +241,26 @@ std::vector<const Thing*> sample_of(const std::vector<Thing>& things, size_t cou
 
 /// The judgements of all checks about a mistake in one task, and samples of their pictures.
 struct Said {
-    std::vector<Judgement> judgements;
-    Samples samples;
+    std::vector<check::Judgement> judgements;
+    check::Samples samples;
 };
 
 /// Returns the tasks that each check waits for, found like in `relief check`, from the checks of `manifest` only.
-std::vector<TaskIds> waits(const Manifest& manifest, const Fingerprints& fingerprints, const Said& said) {
+std::vector<check::TaskIds> waits(const Manifest& manifest, const check::Fingerprints& fingerprints, const Said& said) {
     std::set<std::string> recognised;
-    for (const auto& [task, name] : name_mistakes(fingerprints, manifest, said.judgements, said.samples))
+    for (const auto& [task, name] : check::name_mistakes(fingerprints, manifest, said.judgements, said.samples))
         recognised.insert(task);
-    return put_right_first(manifest, said.judgements, recognised);
+    return check::put_right_first(manifest, said.judgements, recognised);
 }
 
 /// Expects that a mistake changes only its own task's part of a file. Then with_one_task() gives the file with the
 /// mistake for that task, and the solution for every other task.
-void expect_one_changed_part(const CourseFiles& files, const Manifest& manifest, const MistakeInfo& mistake) {
+void expect_one_changed_part(const grade::CourseFiles& files, const Manifest& manifest, const MistakeInfo& mistake) {
     for (const auto& [file, text] : files) {
         const std::string solution = read_file(course_root() / file);
         for (const TaskInfo& task : manifest.tasks) {
             if (task.file != file) continue;
-            EXPECT_EQ(with_one_task(solution, text, task.id), task.id == mistake.task ? text : solution)
+            EXPECT_EQ(grade::with_one_task(solution, text, task.id), task.id == mistake.task ? text : solution)
                 << mistake.id << " is of task " << mistake.task << ", and changes task " << task.id;
         }
     }
@@ -267,17 +270,17 @@ void expect_one_changed_part(const CourseFiles& files, const Manifest& manifest,
 // The grader draws a task among the solutions of all others. `relief check` has no solutions, so other checks wait.
 TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
     Expectations expected;
-    for (const CheckInfo& check : manifest_.checks) expected[check.name] = expectation(GetParam(), check);
-    const Fingerprints fingerprints = load_fingerprints(GetParam(), manifest_);
+    for (const CheckInfo& check : manifest_.checks) expected[check.name] = check::expectation(GetParam(), check);
+    const check::Fingerprints fingerprints = check::load_fingerprints(GetParam(), manifest_);
     // Public checks come first.
     Manifest students = manifest_;
     std::erase_if(students.checks, [](const CheckInfo& check) { return check.hidden; });
     const auto expect_others_wait = [&](const Manifest& manifest, const Said& said, const MistakeInfo& mistake) {
-        const std::vector<TaskIds> first = waits(manifest, fingerprints, said);
+        const std::vector<check::TaskIds> first = waits(manifest, fingerprints, said);
         for (size_t i = 0; i < manifest.checks.size(); ++i) {
             const CheckInfo& check = manifest.checks[i];
-            if (said.judgements[i].outcome == Outcome::passed) continue;
-            EXPECT_EQ(first[i], check.task == mistake.task ? TaskIds() : TaskIds{mistake.task})
+            if (said.judgements[i].outcome == check::Outcome::passed) continue;
+            EXPECT_EQ(first[i], check.task == mistake.task ? check::TaskIds() : check::TaskIds{mistake.task})
                 << mistake.id << " in '" << check.name << "' of task " << check.task << ", "
                 << (manifest.checks.size() == manifest_.checks.size() ? "with" : "without")
                 << " hidden checks: " << said.judgements[i].found;
@@ -288,7 +291,7 @@ TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
     for (const MistakeInfo* one : sample_of(std::move(in_cpp), 2)) all.push_back(one);
     for (const MistakeInfo* one : all) {
         const MistakeInfo& mistake = *one;
-        const CourseFiles files = edited(mistake.edits);
+        const grade::CourseFiles files = grade::edited(mistake.edits);
         expect_one_changed_part(files, manifest_, mistake);
         std::string kept;
         bool caught = false;
@@ -297,17 +300,18 @@ TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
             kept += "\n  " + name + ": " + found;
         };
         if (!has_cpp(mistake.edits)) {
-            const CourseOverlay overlay(files);
+            const grade::CourseOverlay overlay(files);
             Said said;
             for (size_t i = 0; i < manifest_.checks.size(); ++i) {
                 const CheckInfo& check = manifest_.checks[i];
-                const CheckResult result = run_check(GetParam(), manifest_, check, expected[check.name]);
+                const check::CheckResult result = check::run_check(GetParam(), manifest_, check, expected[check.name]);
                 said.judgements.push_back({result.outcome, result.found, result.culprit});
                 if (const auto places = fingerprints.checks.find(i); places != fingerprints.checks.end())
-                    said.samples[i] = sample_at(result.drawn, result.found, places->second.values);
-                EXPECT_FALSE(result.outcome == Outcome::broken && contains(result.found, "glsl"))
+                    said.samples[i] = check::sample_at(result.drawn, result.found, places->second.values);
+                EXPECT_FALSE(result.outcome == check::Outcome::broken && contains(result.found, "glsl"))
                     << mistake.id << " does not compile: " << result.found;
-                if (check.task == mistake.task) judge(check.name, result.outcome == Outcome::passed, result.found);
+                if (check.task == mistake.task)
+                    judge(check.name, result.outcome == check::Outcome::passed, result.found);
             }
             expect_others_wait(manifest_, said, mistake);
             said.judgements.resize(students.checks.size());
@@ -326,23 +330,23 @@ TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
 
 // Tests the students' course: with the pictures of the handout, and without hidden checks.
 TEST_P(Course, OnlyKnownMistakesAreNamed) {
-    if (!fs::exists(fingerprints_file(GetParam()))) GTEST_SKIP() << "a lab of someone's own";
+    if (!fs::exists(check::fingerprints_file(GetParam()))) GTEST_SKIP() << "a lab of someone's own";
     const std::string grading = "labs/" + GetParam().folder + "/staff/grading.toml";
     Manifest students = manifest_;
     std::erase_if(students.checks, [](const CheckInfo& check) { return check.hidden; });
     Expectations expected;
-    for (const CheckInfo& check : students.checks) expected[check.name] = expectation(GetParam(), check);
+    for (const CheckInfo& check : students.checks) expected[check.name] = check::expectation(GetParam(), check);
     struct TaskSaid {
         bool failed = false;
         std::string named = {};
     };
     const auto check = [&](const std::vector<Edit>& edits) {
         std::map<std::string, TaskSaid> said;
-        CourseFiles files = edited(edits);
+        grade::CourseFiles files = grade::edited(edits);
         if (std::all_of(files.begin(), files.end(), [](const auto& file) { return is_shader(file.first); })) {
-            const CourseOverlay overlay(files);
-            for (const TaskResult& task :
-                 check_lab(GetParam(), students, [&](const CheckInfo& one) { return expected.at(one.name); }))
+            const grade::CourseOverlay overlay(files);
+            for (const check::TaskResult& task :
+                 check::check_lab(GetParam(), students, [&](const CheckInfo& one) { return expected.at(one.name); }))
                 said[task.task->id] = {task.points() < task.task->points, task.mistake};
         } else {
             files[grading] = "";
@@ -364,7 +368,7 @@ TEST_P(Course, OnlyKnownMistakesAreNamed) {
             }
             ++(said.failed ? seen : unseen);
             // Mistakes that no public check distinguishes have one joined hint.
-            const bool is_right = contains(said.named, hint_with_same(manifest_, first));
+            const bool is_right = contains(said.named, grade::hint_with_same(manifest_, first));
             named += is_right;
             if (said.failed && !is_right) others += "\n  " + mistake->id + " is named '" + said.named + "'";
         }
@@ -395,7 +399,7 @@ std::vector<std::pair<std::string, std::string>> lines_by_task(const std::string
 std::string starter_of_task(const std::string& text, const std::string& file, const std::string& task) {
     std::string before, own, after;
     for (const auto& [of, line] : lines_by_task(text)) (of == task ? own : own.empty() ? before : after) += line + '\n';
-    return before + starter_of(own, file) + after;
+    return before + check::starter_of(own, file) + after;
 }
 
 /// The versions of a wrong result, besides unfinished(): near the right value, far from it in both directions, and NaN.
@@ -470,8 +474,8 @@ bool is_failed_by_mistake(const LabEntry& lab, const Manifest& manifest, const s
                           const CheckInfo& check, const std::optional<Image>& expected) {
     return std::any_of(manifest.mistakes.begin(), manifest.mistakes.end(), [&](const MistakeInfo& mistake) {
         if (mistake.task != task || !is_shader(mistake.edits.front().file)) return false;
-        const CourseOverlay overlay(edited(mistake.edits));
-        return run_check(lab, manifest, check, expected).outcome != Outcome::passed;
+        const grade::CourseOverlay overlay(grade::edited(mistake.edits));
+        return check::run_check(lab, manifest, check, expected).outcome != check::Outcome::passed;
     });
 }
 
@@ -481,13 +485,13 @@ TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
     Manifest blind = manifest_;  // draws even if needed tasks are missing
     for (CheckInfo& check : blind.checks) check.needs.clear();
     Expectations expected;
-    for (const CheckInfo& check : blind.checks) expected[check.name] = expectation(GetParam(), check);
+    for (const CheckInfo& check : blind.checks) expected[check.name] = check::expectation(GetParam(), check);
     std::map<std::string, std::set<std::string>> needs, leans_on;  // by check
-    CourseFiles shaders;
+    grade::CourseFiles shaders;
     for (const std::string& file : task_files())
         if (is_shader(file)) shaders[file] = with_starters(read_file(course_root() / file), manifest_.tasks);
     {
-        const CourseOverlay overlay(shaders);
+        const grade::CourseOverlay overlay(shaders);
         StarterInUse starter;
         for (size_t i = 0; i <= manifest_.tasks.size(); ++i) {
             if (i > 0 && !is_shader(manifest_.tasks[i - 1].file)) continue;
@@ -497,8 +501,8 @@ TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
                     const std::string task = i > 0 ? manifest_.tasks[i - 1].id : "";
                     if (check.task == task || needs[check.name].contains(task) || leans_on[check.name].contains(task))
                         continue;
-                    const CheckResult result = run_check(GetParam(), blind, check, expected[check.name]);
-                    const bool passed = result.outcome == Outcome::passed;
+                    const check::CheckResult result = check::run_check(GetParam(), blind, check, expected[check.name]);
+                    const bool passed = result.outcome == check::Outcome::passed;
                     if (i == 0)
                         EXPECT_TRUE(passed) << check.name << " by the solutions: " << result.found;
                     else if (!passed)
@@ -511,7 +515,7 @@ TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
     for (const TaskInfo& task : manifest_.tasks) {
         if (is_shader(task.file)) continue;
         static const std::regex key("(^|\n)needs = [^\n]*");
-        const CourseFiles files = {
+        const grade::CourseFiles files = {
             {task.file, starter_of_task(read_file(course_root() / task.file), task.file, task.id)},
             {manifest, std::regex_replace(read_file(course_root() / manifest), key, "$1")}};
         const std::vector<VariantCheck> checks = check_variant(GetParam(), files, expected);

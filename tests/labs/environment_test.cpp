@@ -2,8 +2,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "framework/gl/counters.h"
-#include "framework/kit/evening_sky.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/kit/evening_sky.h"
 #include "framework/staff/reference/occlusion.h"
 #include "labs/16_environment/scene.h"
 #include "tests/labs/shots.h"

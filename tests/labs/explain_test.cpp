@@ -3,11 +3,11 @@
 
 #include <cstdlib>
 
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/check/check.h"
-#include "framework/check/explain.h"
-#include "framework/image/compare.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/image/compare.h"
+#include "framework/course/check/check.h"
+#include "framework/course/check/explain.h"
 #include "framework/staff/grade/overlay.h"
 #include "tests/support.h"
 
@@ -64,10 +64,11 @@ protected:
     Said said_of(const std::vector<Edit>& edits, const std::string& task, bool is_mistake) {
         Said said;
         double most = -1;
-        const CourseOverlay overlay(edited(edits));
+        const grade::CourseOverlay overlay(grade::edited(edits));
         for (const CheckInfo& check : manifest_.checks) {
             if (check.task != task) continue;
-            if (is_mistake && run_check(GetParam(), manifest_, check, expected_[check.name]).outcome == Outcome::passed)
+            if (is_mistake &&
+                check::run_check(GetParam(), manifest_, check, expected_[check.name]).outcome == check::Outcome::passed)
                 continue;
             const auto [pixel, off] = worst_pixel(draw(GetParam(), check.shot), right_.at(check.name));
             if (off <= most) continue;
@@ -75,7 +76,8 @@ protected:
             if (is_mistake) break;
         }
         if (!said.check) return said;
-        const Explanation explanation = explain(GetParam(), manifest_, said.check->shot, said.pixel, twins_);
+        const check::Explanation explanation =
+            check::explain(GetParam(), manifest_, said.check->shot, said.pixel, twins_);
         if (explanation.first) said.named = explanation.functions[*explanation.first].function.name;
         return said;
     }
@@ -83,7 +85,7 @@ protected:
     void SetUp() override {
         if (!in_shaders_only()) GTEST_SKIP() << "has no shader tasks";
         for (const CheckInfo& check : manifest_.checks) {
-            expected_[check.name] = expectation(GetParam(), check);
+            expected_[check.name] = check::expectation(GetParam(), check);
             right_.emplace(check.name, draw(GetParam(), check.shot));
         }
     }
@@ -93,7 +95,7 @@ protected:
     }
 
     Manifest manifest_ = load_manifest(GetParam());
-    Twins twins_ = twins_of(manifest_);
+    check::Twins twins_ = check::twins_of(manifest_);
     std::map<std::string, std::optional<Image>> expected_;
     std::map<std::string, Image> right_;
 };
@@ -161,16 +163,16 @@ TEST_P(Explained, BlamesNoFunctionOfACorrectVariant) {
 TEST(Explain, WithoutTwinsValuesAreListedButNoFunctionIsBlamed) {
     const LabEntry& lab = find_lab("10");
     const Manifest manifest = load_manifest(lab);
-    const Twins twins = twins_of(manifest);
-    const CourseOverlay overlay(edited(manifest.mistake("against-the-ray").edits));
-    const Explanation with = explain(lab, manifest, manifest.check("eight layers").shot, {65, 80}, twins);
-    const Explanation without = explain(lab, manifest, manifest.check("eight layers").shot, {65, 80}, {});
+    const check::Twins twins = check::twins_of(manifest);
+    const grade::CourseOverlay overlay(grade::edited(manifest.mistake("against-the-ray").edits));
+    const check::Explanation with = check::explain(lab, manifest, manifest.check("eight layers").shot, {65, 80}, twins);
+    const check::Explanation without = check::explain(lab, manifest, manifest.check("eight layers").shot, {65, 80}, {});
     EXPECT_TRUE(with.first);
     EXPECT_FALSE(without.first);
     EXPECT_EQ(without.value, with.value);
     ASSERT_EQ(without.functions.size(), with.functions.size());
     for (size_t i = 0; i < with.functions.size(); ++i) {
-        const ExplainedCall &one = with.functions[i].shown.front(), &other = without.functions[i].shown.front();
+        const check::ExplainedCall &one = with.functions[i].shown.front(), &other = without.functions[i].shown.front();
         EXPECT_EQ(other.inputs, one.inputs);
         EXPECT_EQ(other.results, one.results);
         EXPECT_TRUE(other.twin.empty());
@@ -183,9 +185,9 @@ TEST(Explain, EqualPassesAreListedOnce) {
     const Manifest manifest = load_manifest(lab);
     Shot shot;
     shot.camera = manifest.camera;
-    const Explanation all = explain(lab, manifest, shot, {200, 200}, {});
+    const check::Explanation all = check::explain(lab, manifest, shot, {200, 200}, {});
     size_t in_earlier_passes = 0, in_the_picture = 0;
-    for (const ExplainedFunction& one : all.functions)
+    for (const check::ExplainedFunction& one : all.functions)
         if (one.function.name == "slope_of") ++(one.pass == 0 ? in_the_picture : in_earlier_passes);
     EXPECT_EQ(in_earlier_passes, 1u);
     EXPECT_EQ(in_the_picture, 1u);

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "framework/gl/object.h"
+#include "framework/core/gl/object.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "framework/lab/shot.h"
+#include "framework/core/lab/shot.h"
 
 namespace relief {
 

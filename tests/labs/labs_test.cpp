@@ -7,13 +7,13 @@
 #include <functional>
 #include <utility>
 
-#include "framework/base/paths.h"
-#include "framework/gl/counters.h"
-#include "framework/gl/program.h"
-#include "framework/image/compare.h"
-#include "framework/image/visualize.h"
-#include "framework/lab/knob_help.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/gl/program.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/image/visualize.h"
+#include "framework/core/lab/knob_help.h"
+#include "framework/core/lab/manifest.h"
 #include "tests/support.h"
 
 namespace relief {

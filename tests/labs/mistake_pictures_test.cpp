@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "framework/base/paths.h"
-#include "framework/image/visualize.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/image/visualize.h"
 #include "tests/support.h"
 
 namespace relief {
@@ -18,18 +18,18 @@ double share_that_differs(const Image& a, const Image& b) {
 }
 
 /// Returns the images as the page of mistakes shows them.
-std::pair<Image, Image> as_shown(MistakePictures& pictures, const MistakePicture& shown) {
+std::pair<Image, Image> as_shown(grade::MistakePictures& pictures, const grade::MistakePicture& shown) {
     if (!shown.is_probe) return {shown.right, shown.wrong};
     const auto [wrong, right] =
         visualize_probes(shown.wrong, shown.right, pictures.manifest().probe(shown.check->shot.probe.name).colors());
     return {right, wrong};
 }
 
-void expect_shown(const LabEntry& lab, MistakePictures& pictures, const MistakeInfo& mistake) {
-    const MistakePicture shown = pictures.best(mistake);
+void expect_shown(const LabEntry& lab, grade::MistakePictures& pictures, const MistakeInfo& mistake) {
+    const grade::MistakePicture shown = pictures.best(mistake);
     const std::string name = lab.folder + ": " + mistake.id;
     EXPECT_EQ(shown.check->task, mistake.task) << name;
-    EXPECT_NE(shown.said.outcome, Outcome::passed) << name;
+    EXPECT_NE(shown.said.outcome, check::Outcome::passed) << name;
     EXPECT_FALSE(shown.said.found.empty()) << name;
     EXPECT_EQ(std::max(shown.right.width, shown.right.height), 256) << name;
     ASSERT_TRUE(shown.wrong.same_shape(shown.right)) << name << ": " << shown.said.found;
@@ -50,23 +50,23 @@ TEST(MistakePictures, HaveContrast) {
     for (const LabEntry& lab : registry()) {
         const std::string number = lab.two_digits();
         if (!all && number != "11" && number != "16") continue;
-        MistakePictures pictures(lab);
+        grade::MistakePictures pictures(lab);
         for (const MistakeInfo& mistake : pictures.manifest().mistakes) {
-            const MistakePicture shown = pictures.best(mistake);
+            const grade::MistakePicture shown = pictures.best(mistake);
             const auto [right, wrong] = as_shown(pictures, shown);
-            EXPECT_GE(contrast_of(right), min_contrast) << number << " " << mistake.id;
+            EXPECT_GE(grade::contrast_of(right), grade::min_contrast) << number << " " << mistake.id;
             // NaN has only one colour, and so no contrast.
             const bool is_broken = std::any_of(shown.wrong.values.begin(), shown.wrong.values.end(),
                                                [](float value) { return std::isnan(value); });
             if (is_broken) continue;
-            EXPECT_GE(contrast_of(wrong), min_contrast) << number << " " << mistake.id;
+            EXPECT_GE(grade::contrast_of(wrong), grade::min_contrast) << number << " " << mistake.id;
         }
     }
 }
 
 TEST(MistakePictures, ShowEachMistakeInAFailedCheckOfItsTaskWithAVisibleDifference) {
     const LabEntry& lab = find_lab("02");
-    MistakePictures pictures(lab);
+    grade::MistakePictures pictures(lab);
     bool any_probe = false, any_light = false;
     for (const MistakeInfo& mistake : pictures.manifest().mistakes) {
         expect_shown(lab, pictures, mistake);
@@ -77,7 +77,7 @@ TEST(MistakePictures, ShowEachMistakeInAFailedCheckOfItsTaskWithAVisibleDifferen
 
 TEST(MistakePictures, AMistakeInCppIsCompiledAndDrawn) {
     const LabEntry& lab = find_lab("05");
-    MistakePictures pictures(lab);
+    grade::MistakePictures pictures(lab);
     for (const MistakeInfo& mistake : pictures.manifest().mistakes)
         if (mistake.edits.front().file.ends_with(".cpp")) return expect_shown(lab, pictures, mistake);
     FAIL() << "there is none";
@@ -89,7 +89,7 @@ TEST(MistakePictures, LeaveTheCourseUnchanged) {
     shot.size = {64, 48}, shot.camera = load_manifest(lab).camera;
     const Image before = render_shot(*make_lab(lab, shot), shot);
     const auto root = course_root();
-    MistakePictures pictures(lab);
+    grade::MistakePictures pictures(lab);
     pictures.draw(pictures.manifest().mistakes.front(), {shot});
     EXPECT_EQ(course_root(), root);
     EXPECT_EQ(render_shot(*make_lab(lab, shot), shot).values, before.values);
@@ -97,7 +97,7 @@ TEST(MistakePictures, LeaveTheCourseUnchanged) {
 
 TEST(MistakePictures, ReportTheLineOfACompileError) {
     const LabEntry& lab = find_lab("02");
-    MistakePictures pictures(lab);
+    grade::MistakePictures pictures(lab);
     MistakeInfo broken = pictures.manifest().mistakes.front();
     broken.edits.front().replace = "nonsense";
     const auto drawn = pictures.draw(broken, {Shot()});

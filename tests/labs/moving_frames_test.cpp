@@ -2,8 +2,8 @@
 #include <glm/gtc/constants.hpp>
 #include <random>
 
-#include "framework/gl/counters.h"
-#include "framework/gl/program.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/gl/program.h"
 #include "labs/18_moving_frames/staff/exact.h"
 #include "tests/labs/shots.h"
 

@@ -1,7 +1,7 @@
 // Lab 08: one program per set of material features, sorted glass, and masks that keep their coverage.
 #include <cmath>
 
-#include "framework/gl/counters.h"
+#include "framework/core/gl/counters.h"
 #include "framework/staff/reference/masks.h"
 #include "labs/08_obj_materials/scene.h"
 #include "tests/labs/shots.h"

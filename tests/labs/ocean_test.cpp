@@ -3,8 +3,8 @@
 #include <glm/gtc/constants.hpp>
 #include <numeric>
 
-#include "framework/gl/counters.h"
-#include "framework/image/mips.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/image/mips.h"
 #include "labs/15_ocean/waves.h"
 #include "tests/labs/shots.h"
 

@@ -4,10 +4,10 @@
 #include <glm/gtx/component_wise.hpp>
 #include <set>
 
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/check/starter.h"
-#include "framework/kit/relief_surface.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/kit/relief_surface.h"
+#include "framework/course/check/starter.h"
 #include "framework/staff/grade/overlay.h"
 #include "framework/staff/reference/relief_sight.h"
 #include "tests/labs/shots.h"
@@ -298,7 +298,7 @@ TEST(ParallaxOffset, ATileOfAnUnwrittenTaskShowsNoFigure) {
     const std::string file = "shaders/10_parallax_offset/task.glsl";
     const std::string solution = read_file(course_root() / file);
     const Shot shot = shot_of("10", {}, "", {640, 480});
-    const CourseOverlay overlay(CourseFiles{{file, starter_of(solution, file)}});
+    const grade::CourseOverlay overlay(grade::CourseFiles{{file, check::starter_of(solution, file)}});
     EXPECT_TRUE(has_only_chequer_below_its_tiles(drawn("10", shot), 5, 3));
 }
 

@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <random>
 
-#include "framework/gl/counters.h"
-#include "framework/gl/program.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/gl/program.h"
 #include "labs/09_planet/globe.h"
 #include "labs/09_planet/staff/exact.h"
 #include "labs/09_planet/task.h"

@@ -1,6 +1,6 @@
 // Lab 12: the exact hit is exact on every map and from every side. So are the values that depend on it.
-#include "framework/gl/counters.h"
-#include "framework/kit/relief_material.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/kit/relief_material.h"
 #include "framework/staff/reference/height_field.h"
 #include "tests/labs/shots.h"
 

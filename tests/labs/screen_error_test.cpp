@@ -5,8 +5,8 @@
 #include <numeric>
 #include <optional>
 
-#include "framework/height/maps.h"
-#include "framework/kit/displaced_surface.h"
+#include "framework/core/height/maps.h"
+#include "framework/core/kit/displaced_surface.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/reference/patches.h"
 #include "tests/labs/shots.h"
@@ -121,7 +121,7 @@ Cost cost_of(const char* map, const Orbit& camera, const char* method, const cha
     const HeightField heights(surface.heights(), true);
 
     Cost cost{};
-    const BenchSubject subject = drawn(lab, shot);
+    const measure::BenchSubject subject = measure::drawn(lab, shot);
     for (const auto& [name, amount] : subject.work)
         if (name == "triangles") cost.triangles = amount;
     const Frame frame = frame_of(shot, Target(TargetKind::probe, shot.size));

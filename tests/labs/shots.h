@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
 
 namespace relief {
 

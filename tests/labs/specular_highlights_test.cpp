@@ -1,8 +1,8 @@
 // Lab 01: its probes at positions with known values, and against their truth.
 #include <gtest/gtest.h>
 
-#include "framework/gl/counters.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/lab/manifest.h"
 
 namespace relief {
 namespace {

@@ -1,7 +1,7 @@
 // Lab 05: which method comes nearest to dP/du. Hidden parts cost no work.
 #include <cmath>
 
-#include "framework/gl/counters.h"
+#include "framework/core/gl/counters.h"
 #include "tests/labs/shots.h"
 
 namespace relief {

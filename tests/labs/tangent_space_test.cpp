@@ -1,7 +1,7 @@
 // Labs 06 and 01: equal pictures, finite pixels, and resources that must not be loaded.
-#include "framework/gl/counters.h"
-#include "framework/gl/program.h"
-#include "framework/gl/texture.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/gl/program.h"
+#include "framework/core/gl/texture.h"
 #include "tests/labs/shots.h"
 
 namespace relief {

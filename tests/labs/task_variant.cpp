@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "framework/check/check.h"
-#include "framework/image/file.h"
+#include "framework/core/image/file.h"
+#include "framework/course/check/check.h"
 #include "tests/process.h"
 #include "tests/support.h"
 
@@ -11,15 +11,16 @@ namespace relief {
 
 namespace fs = std::filesystem;
 
-std::vector<VariantCheck> check_variant(const LabEntry& lab, const CourseFiles& files, const Expectations& expected) {
+std::vector<VariantCheck> check_variant(const LabEntry& lab, const grade::CourseFiles& files,
+                                        const Expectations& expected) {
     const fs::path build = RELIEF_BUILD_FOLDER, source = RELIEF_SOURCE_FOLDER;
     // A separate course folder for the executable. It contains the pictures of the solution, as a handout does.
-    const CourseOverlay course(files);
+    const grade::CourseOverlay course(files);
     fs::create_directories(course.root() / "bin");
     for (const CheckInfo& check : load_manifest(lab).checks) {
         const std::optional<Image>& image = expected.at(check.name);
         if (!image) continue;
-        const fs::path file = expectation_file(lab, check);
+        const fs::path file = check::expectation_file(lab, check);
         fs::create_directories(file.parent_path());
         write_image(file, *image);
     }
@@ -37,7 +38,8 @@ std::vector<VariantCheck> check_variant(const LabEntry& lab, const CourseFiles& 
         if (object.ends_with(".o") && !replaced) command.push_back(entry.path());
     }
     const fs::path program = course.root() / "bin" / ("lab-" + lab.two_digits());
-    const fs::path main = build / "CMakeFiles" / ("lab-" + lab.two_digits() + ".dir") / "framework/app/main.cpp.o";
+    const fs::path main =
+        build / "CMakeFiles" / ("lab-" + lab.two_digits() + ".dir") / "framework/course/app/main.cpp.o";
     for (const std::string& word :
          {main.string(), "-L" + (build / "bin").string(), std::string("-lrelief"),
           "-Wl,-rpath," + (build / "bin").string(), std::string("-lfmt"), std::string("-o"), program.string()})

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "framework/image/image.h"
-#include "framework/lab/registry.h"
+#include "framework/core/image/image.h"
+#include "framework/core/lab/registry.h"
 #include "framework/staff/grade/overlay.h"
 
 namespace relief {
@@ -22,6 +22,7 @@ using Expectations = std::map<std::string, std::optional<Image>>;
 
 /// Runs all checks with the lab's own executable, built with `files` in place of the course's files. Compiles the
 /// sources in `files`. Fails the test if they do not compile.
-std::vector<VariantCheck> check_variant(const LabEntry& lab, const CourseFiles& files, const Expectations& expected);
+std::vector<VariantCheck> check_variant(const LabEntry& lab, const grade::CourseFiles& files,
+                                        const Expectations& expected);
 
 }  // namespace relief

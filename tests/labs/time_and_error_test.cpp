@@ -4,8 +4,8 @@
 #include <set>
 #include <tuple>
 
-#include "framework/gl/counters.h"
-#include "framework/kit/relief_material.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/kit/relief_material.h"
 #include "framework/staff/reference/least_move.h"
 #include "labs/17_time_and_error/wall.h"
 #include "tests/labs/shots.h"

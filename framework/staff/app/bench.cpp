@@ -4,19 +4,19 @@
 #include <algorithm>
 #include <chrono>
 
-#include "framework/app/command.h"
-#include "framework/app/versions.h"
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/paths.h"
-#include "framework/base/text.h"
-#include "framework/image/file.h"
-#include "framework/pages/page.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/file.h"
+#include "framework/course/app/command.h"
+#include "framework/course/app/versions.h"
+#include "framework/course/pages/page.h"
 #include "framework/staff/measure/baseline.h"
 #include "framework/staff/measure/run.h"
 #include "framework/staff/pages/bench_page.h"
 
-namespace relief {
+namespace relief::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,17 +27,17 @@ struct BenchArguments {
     bool quick = false, work = false, update = false;
 };
 
-std::vector<const BenchTopic*> chosen(const std::vector<std::string>& names) {
-    std::vector<const BenchTopic*> topics;
+std::vector<const measure::BenchTopic*> chosen(const std::vector<std::string>& names) {
+    std::vector<const measure::BenchTopic*> topics;
     std::vector<std::string> known;
-    for (const BenchTopic& topic : bench_topics()) {
+    for (const measure::BenchTopic& topic : measure::bench_topics()) {
         known.push_back(topic.name);
         if (names.empty()) topics.push_back(&topic);
     }
     for (const std::string& name : names) {
         const auto found = std::find(known.begin(), known.end(), name);
         if (found == known.end()) throw UsageError(unknown("topic", name, known));
-        topics.push_back(&bench_topics()[size_t(found - known.begin())]);
+        topics.push_back(&measure::bench_topics()[size_t(found - known.begin())]);
     }
     return topics;
 }
@@ -54,8 +54,8 @@ Wanted wanted_of(const std::vector<std::string>& texts) {
     return wanted;
 }
 
-BenchSettings settings_of(const BenchArguments& arguments) {
-    BenchSettings settings{.repeats = arguments.quick ? 3 : 15, .quick = arguments.quick, .pictures = true};
+measure::BenchSettings settings_of(const BenchArguments& arguments) {
+    measure::BenchSettings settings{.repeats = arguments.quick ? 3 : 15, .quick = arguments.quick, .pictures = true};
     if (arguments.repeats.empty()) return settings;
     const int fewest = arguments.quick ? 1 : 10;
     const std::optional<int> repeats = parse_int(arguments.repeats);
@@ -70,58 +70,59 @@ BenchSettings settings_of(const BenchArguments& arguments) {
 /// Measures a topic's scenes in sequence. The rows are a complete table at any time.
 class TopicRun {
 public:
-    TopicRun(const BenchTopic& topic, std::vector<BenchScene> scenes, BenchRun run)
+    TopicRun(const measure::BenchTopic& topic, std::vector<measure::BenchScene> scenes, measure::BenchRun run)
         : topic_(topic), scenes_(std::move(scenes)), run_(std::move(run)) {
-        for (const BenchScene& scene : scenes_)
-            for (BenchRow& row : open_rows(topic, scene)) rows_.push_back(std::move(row));
+        for (const measure::BenchScene& scene : scenes_)
+            for (measure::BenchRow& row : measure::open_rows(topic, scene)) rows_.push_back(std::move(row));
     }
 
-    BenchMachine machine{.cpu = cpu_name(), .compiler = versions::compiler, .commit = versions::commit};
+    measure::BenchMachine machine{
+        .cpu = measure::cpu_name(), .compiler = versions::compiler, .commit = versions::commit};
 
     /// Calls `changed` after each new result.
-    std::vector<BenchRow> measure(const std::function<void(std::span<const BenchRow>)>& changed) {
+    std::vector<measure::BenchRow> measure(const std::function<void(std::span<const measure::BenchRow>)>& changed) {
         int steps = 0;
-        for (const BenchScene& scene : scenes_) steps += steps_of(scene, run_.settings);
+        for (const measure::BenchScene& scene : scenes_) steps += measure::steps_of(scene, run_.settings);
         Progress progress(steps);
         progress.next(topic_.name);
         size_t begin = 0;
-        for (const BenchScene& scene : scenes_) {
-            const std::string name = topic_.name + (scene.knobs.empty() ? "" : ", " + knob_text(scene.knobs));
-            const auto take_over = [&](const std::vector<BenchRow>& rows) {
+        for (const measure::BenchScene& scene : scenes_) {
+            const std::string name = topic_.name + (scene.knobs.empty() ? "" : ", " + measure::knob_text(scene.knobs));
+            const auto take_over = [&](const std::vector<measure::BenchRow>& rows) {
                 std::copy(rows.begin(), rows.end(), rows_.begin() + long(begin));
                 changed(rows_);
             };
-            run_.report = [&](const std::vector<BenchRow>& rows, const std::string& next) {
+            run_.report = [&](const std::vector<measure::BenchRow>& rows, const std::string& next) {
                 take_over(rows);
                 progress.next(name + ": " + next);
             };
-            take_over(run_scene(topic_, scene, run_, machine));
+            take_over(measure::run_scene(topic_, scene, run_, machine));
             begin += scene.methods.size();
         }
         return std::move(rows_);
     }
 
 private:
-    const BenchTopic& topic_;
-    std::vector<BenchScene> scenes_;
-    BenchRun run_;
-    std::vector<BenchRow> rows_;
+    const measure::BenchTopic& topic_;
+    std::vector<measure::BenchScene> scenes_;
+    measure::BenchRun run_;
+    std::vector<measure::BenchRow> rows_;
 };
 
 /// A CSV file that is always a complete table, and at most a second out of date.
 class GrowingTable {
 public:
-    GrowingTable(fs::path file, const BenchMachine& machine) : file_(std::move(file)), machine_(machine) {}
-    void write(std::span<const BenchRow> rows, bool last) {
+    GrowingTable(fs::path file, const measure::BenchMachine& machine) : file_(std::move(file)), machine_(machine) {}
+    void write(std::span<const measure::BenchRow> rows, bool last) {
         const auto now = std::chrono::steady_clock::now();
         if (!last && written_ && now - *written_ < std::chrono::seconds(1)) return;
-        write_file(file_, bench_csv(rows, machine_));
+        write_file(file_, measure::bench_csv(rows, machine_));
         written_ = now;
     }
 
 private:
     fs::path file_;
-    const BenchMachine& machine_;
+    const measure::BenchMachine& machine_;
     std::optional<std::chrono::steady_clock::time_point> written_;
 };
 
@@ -130,38 +131,40 @@ int hold_to_baseline(const BenchArguments& arguments) {
     const Wanted wanted = wanted_of(arguments.set);
     if (arguments.update && (!arguments.topics.empty() || !wanted.empty()))
         throw UsageError("--update renews the whole baseline: it takes neither TOPIC nor --set");
-    std::vector<BenchRow> rows, baseline;
-    BenchMachine machine;
-    for (const BenchTopic* topic : chosen(arguments.topics)) {
+    std::vector<measure::BenchRow> rows, baseline;
+    measure::BenchMachine machine;
+    for (const measure::BenchTopic* topic : chosen(arguments.topics)) {
         if (topic->only_time) continue;
-        const BenchSettings settings{.repeats = 0, .quick = true};
-        TopicRun run(*topic, filter_scenes(*topic, topic->scenes(settings), wanted),
+        const measure::BenchSettings settings{.repeats = 0, .quick = true};
+        TopicRun run(*topic, measure::filter_scenes(*topic, topic->scenes(settings), wanted),
                      {.settings = settings, .context = context_kind(arguments.context), .pinned = true});
-        for (BenchRow& row : run.measure([](auto) {})) rows.push_back(std::move(row));
+        for (measure::BenchRow& row : run.measure([](auto) {})) rows.push_back(std::move(row));
         // Keep only the renderer's first word, so that the file does not depend on the machine.
         if (topic->draws) machine.renderer = run.machine.renderer.substr(0, run.machine.renderer.find(' '));
     }
     if (arguments.update) {
-        for (const BenchRow& row : rows)
-            if (!row.is_measured()) throw Error(row_name(row) + " " + row.state + ": the baseline was not renewed");
-        write_file(file, bench_csv(rows, machine));
+        for (const measure::BenchRow& row : rows)
+            if (!row.is_measured())
+                throw Error(measure::row_name(row) + " " + row.state + ": the baseline was not renewed");
+        write_file(file, measure::bench_csv(rows, machine));
         fmt::print("{}: {} methods\n", file.string(), rows.size());
         return 0;
     }
     try {
-        baseline = read_bench_csv(read_file(file));
+        baseline = measure::read_bench_csv(read_file(file));
     } catch (const Error& error) {
         throw Error({file, error.place().line}, error.what());
     }
     // Compare a partial run only with its part of the baseline.
     if (!arguments.topics.empty() || !wanted.empty())
-        std::erase_if(baseline, [&](const BenchRow& old) {
-            return std::none_of(rows.begin(), rows.end(),
-                                [&](const BenchRow& row) { return row_name(row) == row_name(old); });
+        std::erase_if(baseline, [&](const measure::BenchRow& old) {
+            return std::none_of(rows.begin(), rows.end(), [&](const measure::BenchRow& row) {
+                return measure::row_name(row) == measure::row_name(old);
+            });
         });
     // Compilers and their libraries round differently.
     constexpr double tolerance = 0.02;
-    const BaselineReport report = compare_with_baseline(rows, baseline, tolerance);
+    const measure::BaselineReport report = measure::compare_with_baseline(rows, baseline, tolerance);
     for (const std::string& line : report.worse) print_error(line);
     for (const std::string& line : report.better) print_note("better: " + line);
     fmt::print("{} methods: {}\n", rows.size(),
@@ -175,7 +178,8 @@ int hold_to_baseline(const BenchArguments& arguments) {
 /// Returns a line for each topic, for --help.
 std::string bench_topics_text() {
     std::string text = "Topics (if none is named: all):\n";
-    for (const BenchTopic& topic : bench_topics()) text += fmt::format("  {:<14} {}\n", topic.name, topic.help);
+    for (const measure::BenchTopic& topic : measure::bench_topics())
+        text += fmt::format("  {:<14} {}\n", topic.name, topic.help);
     return text;
 }
 
@@ -183,43 +187,44 @@ std::string bench_topics_text() {
 int run_bench(const BenchArguments& arguments) {
     if (arguments.work) return hold_to_baseline(arguments);
     if (arguments.update) throw UsageError("--update needs --work: --work --update");
-    const BenchSettings settings = settings_of(arguments);
+    const measure::BenchSettings settings = settings_of(arguments);
     const Wanted wanted = wanted_of(arguments.set);
-    const std::vector<const BenchTopic*> topics = chosen(arguments.topics);
+    const std::vector<const measure::BenchTopic*> topics = chosen(arguments.topics);
     // Wrong arguments must be reported before anything is measured.
-    std::vector<std::vector<BenchScene>> scenes;
-    for (const BenchTopic* topic : topics) scenes.push_back(filter_scenes(*topic, topic->scenes(settings), wanted));
+    std::vector<std::vector<measure::BenchScene>> scenes;
+    for (const measure::BenchTopic* topic : topics)
+        scenes.push_back(measure::filter_scenes(*topic, topic->scenes(settings), wanted));
     const fs::path folder = arguments.output.empty() ? course_root() / "build" / "bench" : fs::path(arguments.output);
     make_folder(folder);
 
-    std::vector<TopicResult> results;
+    std::vector<pages::TopicResult> results;
     size_t failed = 0;
     bool is_plotted = true;
     for (size_t i = 0; i < topics.size(); ++i) {
-        const BenchTopic& topic = *topics[i];
-        BenchSettings own = settings;
+        const measure::BenchTopic& topic = *topics[i];
+        measure::BenchSettings own = settings;
         if (topic.sweeps) own.repeats = 0;
         TopicRun run(topic, std::move(scenes[i]), {.settings = own, .context = context_kind(arguments.context)});
         const fs::path file = folder / (topic.name + ".csv");
         GrowingTable table(file, run.machine);
-        TopicResult& result = results.emplace_back();
+        pages::TopicResult& result = results.emplace_back();
         result.topic = &topic;
-        result.rows = run.measure([&](std::span<const BenchRow> rows) { table.write(rows, false); });
+        result.rows = run.measure([&](std::span<const measure::BenchRow> rows) { table.write(rows, false); });
         result.machine = run.machine;
         table.write(result.rows, true);
         failed += size_t(std::count_if(result.rows.begin(), result.rows.end(),
-                                       [](const BenchRow& row) { return !row.is_measured(); }));
-        is_plotted = draw_plots(result) && is_plotted;
+                                       [](const measure::BenchRow& row) { return !row.is_measured(); }));
+        is_plotted = pages::draw_plots(result) && is_plotted;
         if (!result.plot.empty()) write_file(folder / (topic.name + ".svg"), result.plot);
-        fmt::print("{}{}\n\n", bench_table(topic, result.rows), file.string());
+        fmt::print("{}{}\n\n", measure::bench_table(topic, result.rows), file.string());
         std::fflush(stdout);
     }
     if (!is_plotted) print_note("no plots: gnuplot is missing (Debian package gnuplot-nox)");
     const fs::path page = folder / "index.html";
     const auto put = [&](const std::string& name, const Image& picture) {
-        write_beside_page(folder / name, encode_image(picture, ImageFormat::png));
+        pages::write_beside_page(folder / name, encode_image(picture, ImageFormat::png));
     };
-    write_file(page, bench_page(results, put, fs::exists(page) ? read_file(page) : ""));
+    write_file(page, pages::bench_page(results, put, fs::exists(page) ? read_file(page) : ""));
     fmt::print("{}\n", page.string());
     if (failed == 0) return 0;
     print_error(fmt::format("{} methods have no result: their rows give the reason", failed));
@@ -252,4 +257,4 @@ RELIEF_COMMAND(BenchCommand, 10, "bench",
 
 }  // namespace
 
-}  // namespace relief
+}  // namespace relief::app

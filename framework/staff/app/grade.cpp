@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "framework/app/command.h"
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/parallel.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/base/text.h"
+#include "framework/course/app/command.h"
 #include "framework/staff/grade/class.h"
 #include "framework/staff/grade/exports.h"
 #include "framework/staff/grade/gradescope.h"
@@ -21,7 +21,7 @@
 #include "framework/staff/grade/slurm.h"
 #include "framework/staff/pages/summaries.h"
 
-namespace relief {
+namespace relief::app {
 namespace {
 
 struct GradeArguments {
@@ -41,11 +41,11 @@ int whole_number(const std::string& text, const char* option, int low, int high)
     return *value;
 }
 
-ClassOptions options_of(const GradeArguments& arguments) {
-    ClassOptions options;
-    options.jobs = arguments.jobs.empty() ? processors_from_slurm().value_or(int(hardware_threads()))
+grade::ClassOptions options_of(const GradeArguments& arguments) {
+    grade::ClassOptions options;
+    options.jobs = arguments.jobs.empty() ? grade::processors_from_slurm().value_or(int(hardware_threads()))
                                           : whole_number(arguments.jobs, "--jobs", 1, 256);
-    GradeSetup& setup = options.setup;
+    grade::GradeSetup& setup = options.setup;
     if (!arguments.seconds.empty()) setup.seconds = whole_number(arguments.seconds, "--seconds", 1, 3600);
     const char* const seed = std::getenv("RELIEF_SEED");  // not in an argument: any user of the machine can read a
                                                           // command line
@@ -65,21 +65,21 @@ ClassOptions options_of(const GradeArguments& arguments) {
     return options;
 }
 
-void print_isolation(const IsolationReport& isolation) {
+void print_isolation(const grade::IsolationReport& isolation) {
     print_note(fmt::format("isolation: {}{}", name_of(isolation.level),
                            isolation.reason.empty() ? "" : "; " + isolation.reason));
 }
 
-int test_the_grader(ClassOptions& options, int sample) {
+int test_the_grader(grade::ClassOptions& options, int sample) {
     if (options.labs.empty())
         for (const LabEntry& lab : registry())
             if (!load_manifest(lab).checks.empty()) options.labs.push_back(&lab);
-    const IsolationReport isolation = isolation_for(options.trust);
+    const grade::IsolationReport isolation = grade::isolation_for(options.trust);
     options.setup.isolation = isolation.level;
     print_isolation(isolation);
-    SelfTest sum;
+    grade::SelfTest sum;
     for (const LabEntry* lab : options.labs) {
-        const SelfTest test = test_grader(*lab, options.setup, {options.jobs, sample});
+        const grade::SelfTest test = grade::test_grader(*lab, options.setup, {options.jobs, sample});
         sum.mistakes += test.mistakes;
         sum.caught += test.caught;
         sum.left_out += test.left_out;
@@ -106,36 +106,37 @@ int test_the_grader(ClassOptions& options, int sample) {
 
 constexpr double kill_rate_goal = 0.97;
 
-void print_mutants(const LabEntry& lab, const MutationTest& test) {
+void print_mutants(const LabEntry& lab, const grade::MutationTest& test) {
     fmt::print("{:<6}", "task");
-    for (const char* fate : mutant_fates) fmt::print("{:>10}", fate);
+    for (const char* fate : grade::mutant_fates) fmt::print("{:>10}", fate);
     const auto row = [&](const std::string& name, const std::string& task) {
         fmt::print("\n{:<6}", name);
-        for (size_t i = 0; i < mutant_fates.size(); ++i) fmt::print("{:>10}", test.count(MutantFate(i), task));
+        for (size_t i = 0; i < grade::mutant_fates.size(); ++i)
+            fmt::print("{:>10}", test.count(grade::MutantFate(i), task));
     };
     for (const TaskInfo& task : load_manifest(lab).tasks) row(task.id, task.id);
     row("all", "");
     fmt::print("\n");
     for (const auto& [mutant, fate, accused, largest, share, where] : test.results) {
-        if (fate != MutantFate::survived && fate != MutantFate::elsewhere) continue;
+        if (fate != grade::MutantFate::survived && fate != grade::MutantFate::elsewhere) continue;
         fmt::print("{} line {}: {}: {} -> {}\n", mutant.task, mutant.line, mutant.rule, mutant.was,
                    mutant.now.empty() ? "nothing" : mutant.now);
-        if (fate == MutantFate::survived)
+        if (fate == grade::MutantFate::survived)
             fmt::print("    {} % of the pixels differ, by {:.0f}/255 at most: {}\n", rounded(100 * share),
                        255 * largest, where);
         else
             fmt::print("    only other tasks lose points\n");
     }
-    const size_t killed = test.count(MutantFate::killed);
+    const size_t killed = test.count(grade::MutantFate::killed);
     fmt::print(
         "lab {}: {} mutants; {} of {} that can be seen are killed, {} %; {} % of those that lose points lose them in "
         "their own task only; survivors were looked at in {} views; {:.0f} s\n",
         lab.two_digits(), test.results.size(), killed,
-        killed + test.count(MutantFate::elsewhere) + test.count(MutantFate::survived), rounded(100 * test.kill_rate()),
-        rounded(100 * test.own_rate()), test.views, test.seconds);
+        killed + test.count(grade::MutantFate::elsewhere) + test.count(grade::MutantFate::survived),
+        rounded(100 * test.kill_rate()), rounded(100 * test.own_rate()), test.views, test.seconds);
 }
 
-void print_mutants_json(const LabEntry& lab, const MutationTest& test) {
+void print_mutants_json(const LabEntry& lab, const grade::MutationTest& test) {
     nlohmann::ordered_json all = {
         {"lab", lab.folder}, {"views", test.views}, {"kill_rate", test.kill_rate()}, {"own_rate", test.own_rate()}};
     for (const auto& [mutant, fate, accused, largest, share, where] : test.results)
@@ -144,7 +145,7 @@ void print_mutants_json(const LabEntry& lab, const MutationTest& test) {
                                   {"rule", mutant.rule},
                                   {"was", mutant.was},
                                   {"now", mutant.now},
-                                  {"fate", mutant_fates[size_t(fate)]},
+                                  {"fate", grade::mutant_fates[size_t(fate)]},
                                   {"accuses_others", accused},
                                   {"largest", largest},
                                   {"share", share},
@@ -153,16 +154,16 @@ void print_mutants_json(const LabEntry& lab, const MutationTest& test) {
 }
 
 /// Returns 1 if the lab's checks detect too few mutants.
-int mutate(const GradeArguments& arguments, ClassOptions& options, int sample) {
+int mutate(const GradeArguments& arguments, grade::ClassOptions& options, int sample) {
     if (!arguments.output.empty() || !arguments.labs.empty())
         throw UsageError("--mutate takes neither -o nor --lab: it names its lab, and prints what it finds");
     const LabEntry& lab = find_lab(arguments.mutate);
     if (load_manifest(lab).tasks.empty()) throw UsageError(fmt::format("lab {} has no tasks", lab.two_digits()));
-    const IsolationReport isolation = isolation_for(options.trust);
+    const grade::IsolationReport isolation = grade::isolation_for(options.trust);
     options.setup.isolation = isolation.level;
     if (options.setup.seed.empty()) options.setup.seed = "mutants";
     print_isolation(isolation);
-    const MutationTest test = test_mutants(lab, options.setup, {options.jobs, sample});
+    const grade::MutationTest test = grade::test_mutants(lab, options.setup, {options.jobs, sample});
     if (arguments.json)
         print_mutants_json(lab, test);
     else
@@ -173,9 +174,9 @@ int mutate(const GradeArguments& arguments, ClassOptions& options, int sample) {
     return 1;
 }
 
-int make_gradescope(const ClassOptions& options) {
-    const std::string seed = options.setup.seed.empty() ? new_seed() : options.setup.seed;
-    write_gradescope(options.output, options.labs, seed);
+int make_gradescope(const grade::ClassOptions& options) {
+    const std::string seed = options.setup.seed.empty() ? grade::new_seed() : options.setup.seed;
+    grade::write_gradescope(options.output, options.labs, seed);
     fmt::print("{}: setup.sh, run_autograder with the seed, and the course with its solutions\n",
                options.output.string());
     fmt::print(
@@ -186,14 +187,14 @@ int make_gradescope(const ClassOptions& options) {
 }
 
 /// Sets the requested submissions. With --resume they are the submissions of the last run into the folder.
-void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
+void name_submissions(const GradeArguments& arguments, grade::ClassOptions& options) {
     if (arguments.resume) {
         if (!arguments.paths.empty() || !arguments.labs.empty())
             throw UsageError("--resume uses the submissions and labs of the last run: name none");
-        const auto roster = read_roster(options.output);
+        const auto roster = grade::read_roster(options.output);
         if (!roster) throw UsageError(fmt::format("there is nothing to resume in '{}'", options.output.string()));
         for (const std::string& lab : roster->labs) options.labs.push_back(&find_lab(lab));
-        for (const Roster::One& one : roster->submissions) options.submissions.push_back(one.path);
+        for (const grade::Roster::One& one : roster->submissions) options.submissions.push_back(one.path);
     } else {
         if (arguments.paths.empty()) throw UsageError("grade needs submissions: folders or archives of task files");
         options.submissions.assign(arguments.paths.begin(), arguments.paths.end());
@@ -201,16 +202,17 @@ void name_submissions(const GradeArguments& arguments, ClassOptions& options) {
     if (options.keep_roster) return;
     for (const fs::path& path : options.submissions)
         if (std::error_code unknown; !fs::exists(path, unknown))
-            throw UsageError(fmt::format("there is no '{}'", printable(path.string())));
+            throw UsageError(fmt::format("there is no '{}'", grade::printable(path.string())));
 }
 
 }  // namespace
 
-int print_report(const ClassReport& report, const ClassStanding& standing, const fs::path& folder, const Shard& shard) {
-    fmt::print("{}", to_table(standing));
+int print_report(const grade::ClassReport& report, const grade::ClassStanding& standing, const fs::path& folder,
+                 const grade::Shard& shard) {
+    fmt::print("{}", grade::to_table(standing));
     for (const std::string& note : standing.notes) print_note(note);
     size_t failed = 0;
-    for (const SubmissionMark& mark : report.marks) failed += !mark.graded();
+    for (const grade::SubmissionMark& mark : report.marks) failed += !mark.graded();
     fmt::print("{}: {} graded, {} unchanged, {} not graded; {:.1f} s, of them {:.1f} for the solutions\n",
                folder.string(), report.marks.size() - report.taken_over - failed, report.taken_over,
                failed + report.lost.size() + report.doubled.size(), report.seconds, report.prepared);
@@ -221,18 +223,19 @@ int print_report(const ClassReport& report, const ClassStanding& standing, const
     if (!shard.whole())
         print_note(fmt::format("part {} of {} ({}); when all parts are done: relief grade --merge {}", shard.index + 1,
                                shard.count, shard.from, folder.string()));
-    if (!report.lost.empty()) print_error("cannot be read any more, so without a mark: " + some_of(report.lost));
+    if (!report.lost.empty()) print_error("cannot be read any more, so without a mark: " + grade::some_of(report.lost));
     if (failed > 0)
         print_error("the machine failed on some submissions: run the same command again, it repeats only those");
     if (!report.doubled.empty())
-        print_error("without a mark, since their names are not unique: " + some_of(report.doubled));
+        print_error("without a mark, since their names are not unique: " + grade::some_of(report.doubled));
     return failed == 0 && report.lost.empty() && report.doubled.empty() ? 0 : 1;
 }
 
-SubmissionDone pages_into(const fs::path& folder) {
-    return [folder](const SubmissionMark& mark, const std::vector<CheckPictures>& pictures) {
-        for (const PageFor reader : page_readers)
-            write_page(folder / page_file(mark.name, reader), student_page(mark, pictures, reader));
+grade::SubmissionDone pages_into(const fs::path& folder) {
+    return [folder](const grade::SubmissionMark& mark, const std::vector<grade::CheckPictures>& pictures) {
+        for (const pages::PageFor reader : pages::page_readers)
+            pages::write_page(folder / pages::page_file(mark.name, reader),
+                              pages::student_page(mark, pictures, reader));
     };
 }
 
@@ -250,14 +253,15 @@ std::vector<std::string> words_for_jobs(const GradeArguments& arguments) {
 }
 
 /// Copies the pages of graded parts from their own folders into `folder`.
-void bring_pages_of_parts(const ClassReport& report, const fs::path& folder) {
-    for (const fs::path& part : class_parts(folder))
+void bring_pages_of_parts(const grade::ClassReport& report, const fs::path& folder) {
+    for (const fs::path& part : grade::class_parts(folder))
         if (part != folder)
-            for (const SubmissionMark& mark : report.marks)
-                for (const PageFor reader : page_readers)
-                    if (const fs::path page = page_file(mark.name, reader);
-                        fs::exists(part / page) && fs::exists(part / "results" / (file_name_of(mark.name) + ".json")))
-                        write_page(folder / page, read_file(part / page));
+            for (const grade::SubmissionMark& mark : report.marks)
+                for (const pages::PageFor reader : pages::page_readers)
+                    if (const fs::path page = pages::page_file(mark.name, reader);
+                        fs::exists(part / page) &&
+                        fs::exists(part / "results" / (grade::file_name_of(mark.name) + ".json")))
+                        pages::write_page(folder / page, read_file(part / page));
 }
 
 /// Keeps the class file of the command line, or of a part, for write_summaries(). Reads it first, so that a mistake in
@@ -267,15 +271,15 @@ void prepare_class_file(const GradeArguments& arguments, const fs::path& folder,
     const bool is_given = !arguments.class_file.empty();
     fs::path file = arguments.class_file == "none" ? "" : arguments.class_file;
     if (!file.empty() && !fs::is_regular_file(file))
-        throw UsageError(fmt::format("there is no class file '{}'", printable(file.string())));
-    if (!is_given) file = class_file_of(folder);
+        throw UsageError(fmt::format("there is no class file '{}'", grade::printable(file.string())));
+    if (!is_given) file = grade::class_file_of(folder);
     for (const fs::path& part : parts)
-        if (!is_given && file.empty()) file = class_file_of(part);
-    const ClassFile policy = read_class_file(file, folder);
+        if (!is_given && file.empty()) file = grade::class_file_of(part);
+    const grade::ClassFile policy = grade::read_class_file(file, folder);
     for (const LabEntry* lab : labs)
         if (!policy.labs.empty() && !policy.lab(lab->folder))
             throw UsageError(fmt::format("lab {} is not assigned in {}", lab->two_digits(), policy.file.string()));
-    keep_class_file(file, folder);
+    grade::keep_class_file(file, folder);
 }
 
 /// Creates the folder for marks, which only its owner may read. An existing folder keeps its permissions.
@@ -285,14 +289,14 @@ void make_results_folder(const fs::path& folder) {
     if (is_new) fs::permissions(folder, fs::perms::owner_all);
 }
 
-int grade_on_slurm(const GradeArguments& arguments, ClassOptions& options) {
+int grade_on_slurm(const GradeArguments& arguments, grade::ClassOptions& options) {
     const int parts = whole_number(arguments.slurm, "--slurm", 1, 1000);
     if (!arguments.shard.empty()) throw UsageError("--slurm sends all parts: it takes no --shard");
     if (!arguments.seed.empty())
         throw UsageError(
             "--slurm takes no --seed, which everybody on this machine can read in the list of processes: set "
             "RELIEF_SEED, or leave the seed to chance");
-    const std::optional<LastJob> now = this_last_job();
+    const std::optional<grade::LastJob> now = grade::this_last_job();
     options.keep_roster = now.has_value();
     if (!now) require_slurm(parts);
     name_submissions(arguments, options);
@@ -328,16 +332,17 @@ int grade_submissions(const GradeArguments& arguments) {
     if (!arguments.status.empty()) return print_status(arguments.status, arguments.json);
     if (!arguments.merge.empty()) {
         std::vector<Descriptor> at_work;
-        if (fs::is_directory(arguments.merge)) at_work.push_back(hold_output(arguments.merge, Hold::alone));
-        const std::vector<fs::path> parts = class_parts(arguments.merge);
+        if (fs::is_directory(arguments.merge))
+            at_work.push_back(grade::hold_output(arguments.merge, grade::Hold::alone));
+        const std::vector<fs::path> parts = grade::class_parts(arguments.merge);
         for (const fs::path& part : parts)
-            if (part != arguments.merge) at_work.push_back(hold_output(part, Hold::alone));
+            if (part != arguments.merge) at_work.push_back(grade::hold_output(part, grade::Hold::alone));
         prepare_class_file(arguments, arguments.merge, parts, {});
-        const ClassReport report = merge_class(arguments.merge);
+        const grade::ClassReport report = grade::merge_class(arguments.merge);
         bring_pages_of_parts(report, arguments.merge);
-        return print_report(report, write_summaries(report, arguments.merge), arguments.merge, {});
+        return print_report(report, pages::write_summaries(report, arguments.merge), arguments.merge, {});
     }
-    ClassOptions options = options_of(arguments);
+    grade::ClassOptions options = options_of(arguments);
     const int sample = arguments.sample.empty() ? 0 : whole_number(arguments.sample, "--sample", 1, 1000);
     if (arguments.self_test) return test_the_grader(options, sample);
     if (!arguments.mutate.empty()) return mutate(arguments, options, sample);
@@ -347,16 +352,17 @@ int grade_submissions(const GradeArguments& arguments) {
     options.output = arguments.output;
     if (arguments.gradescope) return make_gradescope(options);
     if (!arguments.slurm.empty()) return grade_on_slurm(arguments, options);
-    options.shard = shard_of(arguments.shard);
+    options.shard = grade::shard_of(arguments.shard);
     options.keep_roster = arguments.resume && !options.shard.whole();
     name_submissions(arguments, options);
     make_results_folder(options.output);
-    const Descriptor at_work = hold_output(options.output, options.shard.whole() ? Hold::alone : Hold::as_part);
+    const Descriptor at_work =
+        grade::hold_output(options.output, options.shard.whole() ? grade::Hold::alone : grade::Hold::as_part);
     if (!options.keep_roster) prepare_class_file(arguments, options.output, {}, options.labs);
-    const ClassReport report = grade_class(options, pages_into(options.output));
+    const grade::ClassReport report = grade::grade_class(options, pages_into(options.output));
     if (!options.shard.whole())
-        return print_report(report, class_standing(report.marks, {}, {}), arguments.output, options.shard);
-    return print_report(report, write_summaries(report, options.output), arguments.output, options.shard);
+        return print_report(report, grade::class_standing(report.marks, {}, {}), arguments.output, options.shard);
+    return print_report(report, pages::write_summaries(report, options.output), arguments.output, options.shard);
 }
 
 class GradeCommand final : public Command {
@@ -415,4 +421,4 @@ RELIEF_COMMAND(GradeCommand, 12, "grade", "grades a class: submissions are folde
 
 }  // namespace
 
-}  // namespace relief
+}  // namespace relief::app

@@ -9,27 +9,27 @@
 #include "framework/staff/grade/cluster.h"
 #include "framework/staff/grade/standing.h"
 
-namespace relief {
+namespace relief::app {
 
 /// Prints the table of marks. Returns the exit code: 1 if a submission has no mark.
-int print_report(const ClassReport& report, const ClassStanding& standing, const std::filesystem::path& folder,
-                 const Shard& shard);
+int print_report(const grade::ClassReport& report, const grade::ClassStanding& standing,
+                 const std::filesystem::path& folder, const grade::Shard& shard);
 
 /// Returns a callback that writes a submission's pages. It runs before the result is written, so every result of a
 /// killed run has its pages.
-SubmissionDone pages_into(const std::filesystem::path& folder);
+grade::SubmissionDone pages_into(const std::filesystem::path& folder);
 
 /// If there is no Slurm here, throws Error that explains how to grade `parts` parts by hand.
 void require_slurm(int parts);
 
 /// Writes class.json and sends the class to Slurm. `processors` is the number for each part, 0 for Slurm's default.
 /// Throws Error if jobs of an earlier start are still running.
-int start_class(const ClassOptions& options, int parts, int processors, const std::vector<std::string>& words);
+int start_class(const grade::ClassOptions& options, int parts, int processors, const std::vector<std::string>& words);
 
 /// Runs in the last job: sends parts again, or grades submissions without a result and writes the report.
-int end_class(const ClassOptions& options, const LastJob& now);
+int end_class(const grade::ClassOptions& options, const grade::LastJob& now);
 
 /// Prints the progress of the class in `folder`, for a person or, as JSON, for a script.
 int print_status(const std::filesystem::path& folder, bool json);
 
-}  // namespace relief
+}  // namespace relief::app

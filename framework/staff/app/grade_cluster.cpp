@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/app/grade.h"
 #include "framework/staff/grade/merge.h"
 #include "framework/staff/grade/slurm.h"
 #include "framework/staff/grade/strangers_text.h"
 #include "framework/staff/pages/summaries.h"
 
-namespace relief {
+namespace relief::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,16 +22,16 @@ namespace fs = std::filesystem;
 constexpr const char* report_file = "report.html";
 
 /// Returns the report of the submissions that have a result.
-ClassReport report_so_far(const fs::path& folder) {
-    ClassProgress progress = read_progress(folder);
+grade::ClassReport report_so_far(const fs::path& folder) {
+    grade::ClassProgress progress = grade::read_progress(folder);
     std::vector<std::string> lost = progress.without_result();
     const std::string seed = progress.roster.seed;
-    ClassReport report = report_of(seed, std::move(progress).take_marks());
+    grade::ClassReport report = grade::report_of(seed, std::move(progress).take_marks());
     report.lost = std::move(lost);
     return report;
 }
 
-void print_part(const PartState& part) {
+void print_part(const grade::PartState& part) {
     std::string text = part.state;
     if (part.state == "runs") text = "runs on " + part.node;
     if (part.state == "failed") text = part.node.empty() ? "failed" : "failed on " + part.node;
@@ -44,7 +44,7 @@ void print_part(const PartState& part) {
         fmt::print("report     {:>9}  {}\n", "", text);
 }
 
-nlohmann::ordered_json as_json(const PartState& part) {
+nlohmann::ordered_json as_json(const grade::PartState& part) {
     nlohmann::ordered_json json;
     if (part.part > 0) json = {{"part", part.part}, {"submissions", part.submissions}, {"results", part.results}};
     json.update({{"state", part.state}, {"node", part.node}, {"job", part.job}, {"reason", part.reason}});
@@ -54,7 +54,7 @@ nlohmann::ordered_json as_json(const PartState& part) {
 }  // namespace
 
 void require_slurm(int parts) {
-    if (!has_slurm())
+    if (!grade::has_slurm())
         throw Error(
             fmt::format("there is no Slurm here (no sbatch on PATH). Grade each part by hand, on any machines: "
                         "RELIEF_SEED=WORD relief grade ... --shard 1/{0} to --shard {0}/{0}, then relief grade "
@@ -62,16 +62,16 @@ void require_slurm(int parts) {
                         parts));
 }
 
-int start_class(const ClassOptions& options, int parts, int processors, const std::vector<std::string>& words) {
+int start_class(const grade::ClassOptions& options, int parts, int processors, const std::vector<std::string>& words) {
     make_folder(options.output);
-    const Descriptor at_work = hold_output(options.output, Hold::alone);
-    if (const auto before = read_cluster(options.output))
-        if (const auto jobs = jobs_at_work(*before); !jobs.empty())
+    const Descriptor at_work = grade::hold_output(options.output, grade::Hold::alone);
+    if (const auto before = grade::read_cluster(options.output))
+        if (const auto jobs = grade::jobs_at_work(*before); !jobs.empty())
             throw Error(fmt::format("this class is at work: wait for relief grade --status '{}', or end it: scancel {}",
                                     options.output.string(), join(jobs, " ")));
-    enlist_class(options);
+    grade::enlist_class(options);
     const int count = std::min(parts, int(options.submissions.size()));
-    const Cluster cluster = send_class(options.output, count, processors, words);
+    const grade::Cluster cluster = grade::send_class(options.output, count, processors, words);
     fmt::print(
         "{0}: {1} submissions in {2} parts are job {3}, the report is job {4}; how far they are: relief grade "
         "--status {5}\n",
@@ -80,21 +80,21 @@ int start_class(const ClassOptions& options, int parts, int processors, const st
     return 0;
 }
 
-int end_class(const ClassOptions& options, const LastJob& now) {
+int end_class(const grade::ClassOptions& options, const grade::LastJob& now) {
     const fs::path& folder = options.output;
-    const Descriptor at_work = hold_output(folder, Hold::as_part);
+    const Descriptor at_work = grade::hold_output(folder, grade::Hold::as_part);
     try {
-        send_substitute(folder, now);
+        grade::send_substitute(folder, now);
     } catch (const Error& error) {
         print_note(error.what());
     }
-    const ClassProgress progress = read_progress(folder);
+    const grade::ClassProgress progress = grade::read_progress(folder);
     const std::vector<std::string> lacking = progress.without_result();
     for (const char* name : {"results", "students", "submissions"}) remove_unfinished_files(folder / name);
-    if (!lacking.empty() && now.sent <= times_sent_again) try {
-            send_again(folder, progress, now);
+    if (!lacking.empty() && now.sent <= grade::times_sent_again) try {
+            grade::send_again(folder, progress, now);
             print_note(fmt::format("{} of {} submissions have no result: their parts are sent again ({} of {} times)",
-                                   lacking.size(), progress.marks.size(), now.sent, times_sent_again));
+                                   lacking.size(), progress.marks.size(), now.sent, grade::times_sent_again));
             return 0;
         } catch (const Error& error) {  // on some clusters no job may send jobs
             print_note(fmt::format("{}; so this job grades the rest", error.what()));
@@ -102,24 +102,24 @@ int end_class(const ClassOptions& options, const LastJob& now) {
     if (!lacking.empty()) {
         // Write the summaries first: the cause that ended other jobs may end this one, too.
         try {
-            const ClassReport so_far = report_so_far(folder);
-            write_summaries(so_far, folder);
+            const grade::ClassReport so_far = report_so_far(folder);
+            pages::write_summaries(so_far, folder);
         } catch (const Error& error) {  // for example an adjustment for a student without a result
             print_note(error.what());
         }
-        grade_class(options, pages_into(folder));
+        grade::grade_class(options, pages_into(folder));
     }
-    const ClassReport report = report_so_far(folder);
-    const ClassStanding standing = write_summaries(report, folder);
-    if (report.lost.empty()) note_end(folder);
+    const grade::ClassReport report = report_so_far(folder);
+    const grade::ClassStanding standing = pages::write_summaries(report, folder);
+    if (report.lost.empty()) grade::note_end(folder);
     return print_report(report, standing, folder, {});
 }
 
 int print_status(const fs::path& folder, bool json) {
-    const ClassProgress progress = read_progress(folder);
-    const auto cluster = read_cluster(folder);
-    std::vector<PartState> states;
-    if (cluster) states = part_states(folder, *cluster, progress);
+    const grade::ClassProgress progress = grade::read_progress(folder);
+    const auto cluster = grade::read_cluster(folder);
+    std::vector<grade::PartState> states;
+    if (cluster) states = grade::part_states(folder, *cluster, progress);
     const std::vector<std::string> lacking = progress.without_result();
     const bool has_report = cluster ? cluster->has_ended : fs::exists(folder / report_file);
     if (json) {
@@ -127,8 +127,8 @@ int print_status(const fs::path& folder, bool json) {
                                       {"results", progress.results()},
                                       {"report", has_report},
                                       {"without_result", nlohmann::ordered_json::array()}};
-        for (const std::string& name : lacking) all["without_result"].push_back(utf8_of_bytes(name));
-        for (const PartState& part : states)
+        for (const std::string& name : lacking) all["without_result"].push_back(grade::utf8_of_bytes(name));
+        for (const grade::PartState& part : states)
             if (part.part > 0)
                 all["parts"].push_back(as_json(part));
             else
@@ -137,10 +137,10 @@ int print_status(const fs::path& folder, bool json) {
         return 0;
     }
     fmt::print("{}: {} of {} submissions have a result\n", folder.string(), progress.results(), progress.marks.size());
-    for (const PartState& part : states) print_part(part);
-    if (!lacking.empty()) fmt::print("without a result: {}\n", some_of(lacking));
+    for (const grade::PartState& part : states) print_part(part);
+    if (!lacking.empty()) fmt::print("without a result: {}\n", grade::some_of(lacking));
     if (has_report) fmt::print("the report: {}\n", (folder / report_file).string());
     return 0;
 }
 
-}  // namespace relief
+}  // namespace relief::app

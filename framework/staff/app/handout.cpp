@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "framework/app/command.h"
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
+#include "framework/course/app/command.h"
 
-namespace relief {
+namespace relief::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,9 +16,9 @@ int make_handout(const std::string& folder, const std::string& labs) {
     if (folder.empty()) throw UsageError("handout needs a folder for the students' course: -o FOLDER");
     pin_software_renderer();
     const auto context = open_any_context();
-    const HandoutReport report =
-        write_handout(folder, labs.empty() ? std::optional<std::string>() : std::optional(labs));
-    const Delivery& done = report.delivery;
+    const handout::HandoutReport report =
+        handout::write_handout(folder, labs.empty() ? std::optional<std::string>() : std::optional(labs));
+    const handout::Delivery& done = report.delivery;
     if (!report.is_new) {  // in a new folder everything is new
         for (const std::string& file : done.added) fmt::print("new      {}\n", file);
         for (const std::string& file : done.updated) fmt::print("updated  {}\n", file);
@@ -52,4 +52,4 @@ RELIEF_COMMAND(HandoutCommand, 11, "handout", "makes the students' course: start
 
 }  // namespace
 
-}  // namespace relief
+}  // namespace relief::app

@@ -7,19 +7,19 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "framework/app/shot.h"
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/paths.h"
-#include "framework/base/share.h"
-#include "framework/image/file.h"
-#include "framework/pages/check_figures.h"
-#include "framework/pages/figures.h"
-#include "framework/pages/page.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/share.h"
+#include "framework/core/image/file.h"
+#include "framework/course/app/shot.h"
+#include "framework/course/pages/check_figures.h"
+#include "framework/course/pages/figures.h"
+#include "framework/course/pages/page.h"
 #include "framework/staff/grade/fingerprint_maker.h"
 
-namespace relief {
+namespace relief::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,59 +30,61 @@ constexpr int large = 480;
 /// Draws a mistake's pictures and describes it: an article of the page.
 class MistakeArticle {
 public:
-    MistakeArticle(const fs::path& folder, const LabEntry& lab, MistakePictures& pictures, const MistakeInfo& mistake)
+    MistakeArticle(const fs::path& folder, const LabEntry& lab, grade::MistakePictures& pictures,
+                   const MistakeInfo& mistake)
         : folder_(folder), lab_(lab), pictures_(pictures), manifest_(pictures.manifest()), mistake_(mistake) {}
 
     /// The reason if no picture could be made. Valid after text().
     const std::string& problem() const { return problem_; }
 
     std::string text() {
-        Fields fields = described();
+        pages::Fields fields = described();
         try {
-            const MistakePicture picture = pictures_.best(mistake_);
+            const grade::MistakePicture picture = pictures_.best(mistake_);
             fields["words"] = mistake_.id + " " + mistake_.hint + " " + mistake_.task + " " + picture.check->name;
             fields["check"] = picture.check->name;
-            fields["badge"] = badge(picture.said.outcome);
+            fields["badge"] = pages::badge(picture.said.outcome);
             fields["found"] = picture.said.found;
-            List shown = figures(picture);
-            List difference;
+            pages::List shown = figures(picture);
+            pages::List difference;
             if (!shown.empty() && shown.back().fields.at("kind").text == "difference") {
                 difference.push_back(std::move(shown.back()));
                 shown.pop_back();
             }
             fields["figures"] = std::move(shown), fields["difference"] = std::move(difference);
-        } catch (const CannotWrite&) {
+        } catch (const pages::CannotWrite&) {
             throw;
         } catch (const Error& error) {
             fields["problem"] = problem_ = error.what();
         }
-        return render("framework/staff/pages/mistake", fields);
+        return pages::render("framework/staff/pages/mistake", fields);
     }
 
 private:
     /// Returns all fields except the pictures.
-    Fields described() const {
-        List others, edits;
+    pages::Fields described() const {
+        pages::List others, edits;
         for (const MistakeInfo& other : manifest_.mistakes)
-            if (other.same_as == mistake_.id) others.push_back(Fields{{"id", other.id}, {"is_first", others.empty()}});
+            if (other.same_as == mistake_.id)
+                others.push_back(pages::Fields{{"id", other.id}, {"is_first", others.empty()}});
         for (const Edit& edit : mistake_.edits)
-            edits.push_back(Fields{{"file", edit.file},
-                                   {"find", edit.find},
-                                   {"replace", edit.replace.empty() ? "(nothing)" : edit.replace}});
+            edits.push_back(pages::Fields{{"file", edit.file},
+                                          {"find", edit.find},
+                                          {"replace", edit.replace.empty() ? "(nothing)" : edit.replace}});
         return {{"id", mistake_.id},
                 {"place", lab_.two_digits() + "-" + mistake_.id},
                 {"words", mistake_.id + " " + mistake_.hint + " " + mistake_.task},
-                {"hint", with_code(mistake_.hint)},
+                {"hint", pages::with_code(mistake_.hint)},
                 {"problem", ""},
-                {"page", Fields{{"pictures_inside", false}}},
+                {"page", pages::Fields{{"pictures_inside", false}}},
                 {"same_as", mistake_.same_as},
-                {"others", mistake_.same_as.empty() ? rows(std::move(others)) : Value()},
+                {"others", mistake_.same_as.empty() ? pages::rows(std::move(others)) : pages::Value()},
                 {"edits", std::move(edits)}};
     }
 
-    List figures(const MistakePicture& picture) const {
+    pages::List figures(const grade::MistakePicture& picture) const {
         const CheckInfo& check = *picture.check;
-        const ComparedImages shown = compare_images(
+        const pages::ComparedImages shown = pages::compare_images(
             picture.is_probe ? &manifest_.probe(check.shot.probe.name) : nullptr, picture.wrong, picture.right);
         const std::string what = picture.is_probe     ? ", “" + check.shot.probe.name + "” as colours"
                                  : picture.screenshot ? ", in the screenshot “" + picture.screenshot->name + "”"
@@ -93,13 +95,13 @@ private:
         const std::string right = picture.is_probe     ? number + "-right"
                                   : picture.screenshot ? "screenshot-" + picture.screenshot->name
                                                        : fmt::format("check-{}", &check - manifest_.checks.data());
-        List all;
+        pages::List all;
         const auto add = [&](const std::string& name, const Image& image, const char* kind, const std::string& caption,
-                             const std::string& alt, Value scale = {}) {
+                             const std::string& alt, pages::Value scale = {}) {
             if (image.pixel_count() == 0) return;
             const std::string file = lab_.folder + "/" + name + ".png";
-            write_beside_page(folder_ / file, encode_image(image, ImageFormat::png));
-            all.push_back(figure(image, file, kind, caption, check.name + alt, std::move(scale)));
+            pages::write_beside_page(folder_ / file, encode_image(image, ImageFormat::png));
+            all.push_back(pages::figure(image, file, kind, caption, check.name + alt, std::move(scale)));
         };
         add(number, shown.drawn, "mine", "with the mistake" + what, ", with the mistake");
         add(right, shown.expected, "expected", "right", ", as it should be");
@@ -110,7 +112,7 @@ private:
 
     const fs::path& folder_;
     const LabEntry& lab_;
-    MistakePictures& pictures_;
+    grade::MistakePictures& pictures_;
     const Manifest& manifest_;
     const MistakeInfo& mistake_;
     std::string problem_;
@@ -151,12 +153,12 @@ void draw_parts(const std::vector<Part>& parts, const fs::path& folder, ContextC
                 const Say& say) {
     const auto context = open_context(choice);
     say(text_of({{"driver", describe_context().driver()}}));
-    std::optional<MistakePictures> pictures;
+    std::optional<grade::MistakePictures> pictures;
     const LabEntry* lab = nullptr;
     while (const auto place = next()) {
         const Part& part = parts[*place];
         if (part.lab != lab)
-            pictures.emplace(*part.lab, Renderer{.context = choice, .threads = 0, .pinned = is_pinned()}, large);
+            pictures.emplace(*part.lab, check::Renderer{.context = choice, .threads = 0, .pinned = is_pinned()}, large);
         lab = part.lab;
         for (const MistakeInfo& mistake : pictures->manifest().mistakes) {
             if (mistake.task != part.task) continue;
@@ -197,30 +199,31 @@ Drawn draw_all(const std::vector<const LabEntry*>& labs, int count, const fs::pa
 }
 
 std::string page_of(const std::vector<const LabEntry*>& labs, int count, const Drawn& drawn) {
-    List all;
+    pages::List all;
     for (const LabEntry* lab : labs) {
         const Manifest manifest = load_manifest(*lab);
-        List tasks;
+        pages::List tasks;
         for (const TaskInfo& task : manifest.tasks) {
-            List mistakes;
+            pages::List mistakes;
             for (const MistakeInfo& mistake : manifest.mistakes)
                 if (mistake.task == task.id)
-                    mistakes.push_back(Fields{{"id", mistake.id},
-                                              {"place", lab->two_digits() + "-" + mistake.id},
-                                              {"article", drawn.articles.at(lab->two_digits() + " " + mistake.id)}});
-            tasks.push_back(Fields{{"id", task.id}, {"title", task.title}, {"mistakes", std::move(mistakes)}});
+                    mistakes.push_back(
+                        pages::Fields{{"id", mistake.id},
+                                      {"place", lab->two_digits() + "-" + mistake.id},
+                                      {"article", drawn.articles.at(lab->two_digits() + " " + mistake.id)}});
+            tasks.push_back(pages::Fields{{"id", task.id}, {"title", task.title}, {"mistakes", std::move(mistakes)}});
         }
-        all.push_back(Fields{{"number", lab->two_digits()},
-                             {"title", manifest.title},
-                             {"total", manifest.mistakes.size()},
-                             {"tasks", std::move(tasks)}});
+        all.push_back(pages::Fields{{"number", lab->two_digits()},
+                                    {"title", manifest.title},
+                                    {"total", manifest.mistakes.size()},
+                                    {"tasks", std::move(tasks)}});
     }
-    return render({.title = "Relief: known mistakes",
-                   .body = "framework/staff/pages/mistakes",
-                   .styles = {"badge", "checks", "figures", "framework/staff/pages/mistakes"},
-                   .scripts = {"wipe", "checks", "framework/staff/pages/mistakes"},
-                   .pictures = PagePictures::beside},
-                  {{"count", count}, {"labs", std::move(all)}, {"driver", drawn.driver}});
+    return pages::render({.title = "Relief: known mistakes",
+                          .body = "framework/staff/pages/mistakes",
+                          .styles = {"badge", "checks", "figures", "framework/staff/pages/mistakes"},
+                          .scripts = {"wipe", "checks", "framework/staff/pages/mistakes"},
+                          .pictures = pages::PagePictures::beside},
+                         {{"count", count}, {"labs", std::move(all)}, {"driver", drawn.driver}});
 }
 
 /// Returns the labs with known mistakes, and the number of mistakes. Only that lab if `lab` is not empty.
@@ -259,11 +262,11 @@ int renew_fingerprints(const std::string& lab, ContextChoice choice) {
                     describe_context().renderer);
     Progress progress(count);
     for (const LabEntry* entry : labs) {
-        MistakePictures pictures(*entry, {.context = choice, .threads = 0, .pinned = true});
-        const Fingerprints made = make_fingerprints(
+        grade::MistakePictures pictures(*entry, {.context = choice, .threads = 0, .pinned = true});
+        const check::Fingerprints made = grade::make_fingerprints(
             *entry, pictures, [&](const std::string& id) { progress.next(entry->two_digits() + " " + id); });
-        const fs::path file = fingerprints_file(*entry);
-        const std::string text = text_of(made, *entry, pictures.manifest());
+        const fs::path file = check::fingerprints_file(*entry);
+        const std::string text = check::text_of(made, *entry, pictures.manifest());
         const bool is_same = fs::exists(file) && read_file(file) == text;
         if (!is_same) write_file(file, text);
         fmt::print("{}: {}\n", shown(file), is_same ? "the same" : "renewed");
@@ -294,8 +297,8 @@ RELIEF_COMMAND(MistakesCommand, 14, "mistakes", "makes a page of all known mista
 
 Image picture_with_mistake(const LabEntry& entry, const std::string& id, const Shot& shot, bool light,
                            ContextChoice choice) {
-    MistakePictures pictures(entry, {.context = choice, .pinned = is_pinned()});
-    DrawnAttempt drawn = std::move(pictures.draw(pictures.manifest().mistake(id), {shot}, light).front());
+    grade::MistakePictures pictures(entry, {.context = choice, .pinned = is_pinned()});
+    grade::DrawnAttempt drawn = std::move(pictures.draw(pictures.manifest().mistake(id), {shot}, light).front());
     if (!drawn.image) throw Error(fmt::format("with the mistake '{}': {}", id, drawn.error));
     refuse_unusable(*drawn.image, shot);
     return *std::move(drawn.image);
@@ -304,4 +307,4 @@ const decltype(draw_with_mistake)::Provided for_shot(draw_with_mistake, picture_
 
 }  // namespace
 
-}  // namespace relief
+}  // namespace relief::app

@@ -1,19 +1,19 @@
 // Tells the students' library that the staff's library is present, and provides its lines of `relief info`.
 #include <fmt/format.h>
 
-#include "framework/base/from_staff.h"
+#include "framework/core/base/from_staff.h"
 #include "framework/staff/grade/sandbox.h"
 
-namespace relief {
+namespace relief::app {
 namespace {
 
 const decltype(staff_is_here)::Provided said(staff_is_here, [] { return true; });
 
 const decltype(staff_info)::Provided told(staff_info, [] {
-    const IsolationReport isolation = probe_isolation();
-    return fmt::format("grading  submissions run with {}, and system calls are filtered{}\n", name_of(isolation.level),
-                       isolation.reason.empty() ? "" : "; " + isolation.reason);
+    const grade::IsolationReport isolation = grade::probe_isolation();
+    return fmt::format("grading  submissions run with {}, and system calls are filtered{}\n",
+                       grade::name_of(isolation.level), isolation.reason.empty() ? "" : "; " + isolation.reason);
 });
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::app

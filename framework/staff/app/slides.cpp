@@ -6,18 +6,18 @@
 #include <map>
 #include <mutex>
 
-#include "framework/app/command.h"
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/parallel.h"
-#include "framework/base/paths.h"
-#include "framework/base/process.h"
-#include "framework/base/text.h"
-#include "framework/lab/registry.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/process.h"
+#include "framework/core/base/text.h"
+#include "framework/core/lab/registry.h"
+#include "framework/course/app/command.h"
 #include "framework/staff/slides/deck.h"
 
-namespace relief {
+namespace relief::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -168,10 +168,10 @@ std::vector<Drawing> write_decks(const Words& names, const fs::path& folder, boo
     std::map<Words, size_t> known;
     for (const std::string& name : names) {
         const fs::path file = source_folder() / (name + ".md");
-        const Deck deck = read_deck(read_file(file), file, name, solutions);
+        const slides::Deck deck = slides::read_deck(read_file(file), file, name, solutions);
         if (!deck.figures.empty()) make_folder(folder / name);
         write_file(folder / (name + ".md"), deck.text);
-        for (const DeckFigure& figure : deck.figures) {
+        for (const slides::DeckFigure& figure : deck.figures) {
             const auto [place, is_new] = known.emplace(figure.command, drawings.size());
             if (is_new) drawings.push_back({figure.command, {}, fmt::format("{}:{}", shown(file), figure.line)});
             drawings[place->second].files.push_back(folder / figure.file);
@@ -246,4 +246,4 @@ RELIEF_COMMAND(SlidesCommand, 13, "slides", "makes the slides: a deck for each l
 
 }  // namespace
 
-}  // namespace relief
+}  // namespace relief::app

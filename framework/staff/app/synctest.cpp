@@ -3,17 +3,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "framework/app/command.h"
-#include "framework/base/error.h"
-#include "framework/base/text.h"
-#include "framework/image/file.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/file.h"
+#include "framework/course/app/command.h"
 #include "framework/staff/synctest/files.h"
 #include "framework/staff/synctest/judge.h"
 
-namespace relief {
+namespace relief::app {
 namespace {
 
-void print_likenesses(const SyncJudgement& judgement) {
+void print_likenesses(const synctest::SyncJudgement& judgement) {
     if (judgement.likenesses.empty()) {
         fmt::print("frame: cannot tell: the outline is that of the camera of README.md by {} % only\n",
                    rounded(100 * judgement.overlap));
@@ -28,7 +28,7 @@ void print_likenesses(const SyncJudgement& judgement) {
                    judgement.likenesses[i].renderer.text());
 }
 
-void print_text(const std::string& file, const Image& picture, const SyncJudgement& judgement) {
+void print_text(const std::string& file, const Image& picture, const synctest::SyncJudgement& judgement) {
     fmt::print("{}: {}, {} degrees on average (99 %: {}, largest: {}) over {} pixels\n", file,
                judgement.is_flat() ? "flat" : "not flat", rounded(judgement.mean), rounded(judgement.p99),
                rounded(judgement.worst), judgement.pixels);
@@ -37,7 +37,7 @@ void print_text(const std::string& file, const Image& picture, const SyncJudgeme
     print_likenesses(judgement);
 }
 
-void print_json(const std::string& file, const SyncJudgement& judgement) {
+void print_json(const std::string& file, const synctest::SyncJudgement& judgement) {
     nlohmann::ordered_json all = {
         {"file", file},
         {"flat", judgement.is_flat()},
@@ -58,7 +58,7 @@ void print_json(const std::string& file, const SyncJudgement& judgement) {
 
 int judge(const std::string& file, bool as_json) {
     const Image picture = read_image(file);
-    const SyncJudgement judgement = judge_synctest(picture);
+    const synctest::SyncJudgement judgement = synctest::judge_synctest(picture);
     if (!judgement.shows_normals)
         throw Error({file}, "shows no normals: colours are to be 0.5 n + 0.5, in the space of the world or the object");
     if (as_json)
@@ -82,7 +82,7 @@ public:
         if (output_.empty() == picture_.empty()) throw UsageError("synctest takes -o FOLDER or --judge PICTURE");
         if (json_ && picture_.empty()) throw UsageError("--json goes with --judge PICTURE");
         if (!picture_.empty()) return judge(picture_, json_);
-        write_synctest(output_);
+        synctest::write_synctest(output_);
         fmt::print("{}\n", (std::filesystem::path(output_) / "README.md").string());
         return 0;
     }
@@ -95,4 +95,4 @@ RELIEF_COMMAND(SynctestCommand, 15, "synctest",
                "writes a cube that other renderers must show flat, and judges their pictures of it");
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::app

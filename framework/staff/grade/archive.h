@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace relief {
+namespace relief::grade {
 
 /// Limits. Even an honest submission with a build folder stays below them.
 constexpr size_t max_archive_bytes = size_t{256} << 20, max_unpacked_bytes = size_t{512} << 20;
@@ -28,9 +28,9 @@ struct ArchiveEntry {
 std::vector<ArchiveEntry> read_archive(const std::filesystem::path& path, size_t largest,
                                        const std::function<bool(const std::string&)>& wanted);
 
-}  // namespace relief
+}  // namespace relief::grade
 
 /// The module's function; read_archive() calls it.
 extern "C" void relief_read_archive(int descriptor, size_t largest,
                                     const std::function<bool(const std::string&)>& wanted,
-                                    std::vector<relief::ArchiveEntry>& entries);
+                                    std::vector<relief::grade::ArchiveEntry>& entries);

@@ -8,7 +8,7 @@
 
 #include "framework/staff/grade/submission.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 /// Maximum length of a compiler's output that is kept, in bytes.
@@ -24,27 +24,28 @@ std::string first_error(const std::string& output) {
 }
 
 /// Returns the verdict about the student's code after its process ended early.
-Judgement blame(const ProcessResult& result, const std::string& problem) {
+check::Judgement blame(const ProcessResult& result, const std::string& problem) {
     switch (result.ending) {
         case Ending::out_of_time:
             if (result.stopped)
-                return {Outcome::out_of_time, fmt::format("not finished after {:.0f} seconds", result.wall)};
-            return {Outcome::out_of_time, "it needs more processor time than is allowed"};
+                return {check::Outcome::out_of_time, fmt::format("not finished after {:.0f} seconds", result.wall)};
+            return {check::Outcome::out_of_time, "it needs more processor time than is allowed"};
         case Ending::out_of_memory:
-            return {Outcome::out_of_memory, "it needs more memory than is allowed"};
+            return {check::Outcome::out_of_memory, "it needs more memory than is allowed"};
         case Ending::crashed:
-            return {Outcome::crashed,
+            return {check::Outcome::crashed,
                     fmt::format("the program ends with signal {} ({})", result.code, strsignal(result.code))};
         case Ending::too_much_output:
-            return {Outcome::broken, "it prints too much"};
+            return {check::Outcome::broken, "it prints too much"};
         case Ending::failed:
-            return {Outcome::machine, printable(first_line(result.errors), 400)};
+            return {check::Outcome::machine, printable(first_line(result.errors), 400)};
         case Ending::exited:
             break;
     }
-    if (!problem.empty()) return {Outcome::broken, problem};
+    if (!problem.empty()) return {check::Outcome::broken, problem};
     const std::string said = result.errors.empty() ? "" : ": " + printable(first_line(result.errors));
-    return {Outcome::crashed, fmt::format("the program ends in the middle, with exit code {}{}", result.code, said)};
+    return {check::Outcome::crashed,
+            fmt::format("the program ends in the middle, with exit code {}{}", result.code, said)};
 }
 
 /// Returns the first line of untrusted output, made printable.
@@ -54,7 +55,7 @@ std::string message(const std::string& text) { return printable(first_line(text)
 class StagedDrawing {
 public:
     StagedDrawing(const Stage& stage, const LabEntry& lab, const StagedCourse& course, const std::vector<Shot>& shots,
-                  const Renderer& renderer, const AttemptLimits& limits, Attempt& attempt)
+                  const check::Renderer& renderer, const AttemptLimits& limits, Attempt& attempt)
         : stage_(stage),
           lab_(lab),
           course_(course),
@@ -74,7 +75,7 @@ public:
         while (from < end) {
             if (ended_) return fail(from, end, *ended_);
             if (wall_left_ <= 0 || cpu_left_ <= 0)
-                return fail(from, end, {Outcome::out_of_time, "the checks before it used up the time"});
+                return fail(from, end, {check::Outcome::out_of_time, "the checks before it used up the time"});
             const std::vector<Shot> rest(shots_.begin() + std::ptrdiff_t(from), shots_.begin() + std::ptrdiff_t(end));
             const ProcessResult result = run_sandboxed(job(rest), {.isolation = stage_.isolation(),
                                                                    .readable = course_.readable,
@@ -82,25 +83,25 @@ public:
                                                                    .makes_processes = false});
             wall_left_ -= result.wall;
             attempt_.draw += result.wall;
-            DrawnShots drawn = read_drawings(result.output, rest);
+            check::DrawnShots drawn = check::read_drawings(result.output, rest);
             attempt_.cpu += drawn.cpu;
             // A dead process cannot report its processor time; both values are upper bounds of it.
             cpu_left_ -= std::min(result.wall, limits_.cpu);
-            for (Drawn& shot : drawn.shots) keep(std::move(shot), attempt_.shots[from++]);
-            if (drawn.phase == DrawingPhase::done || from == end) return;
-            const Judgement why = blame(result, drawn.problem);
-            const bool has_context = drawn.phase == DrawingPhase::ready;
+            for (check::Drawn& shot : drawn.shots) keep(std::move(shot), attempt_.shots[from++]);
+            if (drawn.phase == check::DrawingPhase::done || from == end) return;
+            const check::Judgement why = blame(result, drawn.problem);
+            const bool has_context = drawn.phase == check::DrawingPhase::ready;
             // No student's shader runs before there is a context. So the machine is to blame, unless the program itself
             // contains a student's code.
-            const bool is_machines = why.outcome == Outcome::machine || (!has_context && !has_own_program());
+            const bool is_machines = why.outcome == check::Outcome::machine || (!has_context && !has_own_program());
             if (is_machines && tried_again)
-                return fail(from, end, {Outcome::machine, "the machine failed: " + why.found});
+                return fail(from, end, {check::Outcome::machine, "the machine failed: " + why.found});
             if (is_machines) {
                 tried_again = true;
                 continue;
             }
             // The grader waits for an endless loop only once, not in every check.
-            if (why.outcome == Outcome::out_of_time)
+            if (why.outcome == check::Outcome::out_of_time)
                 ended_ = {why.outcome, "not drawn, since a check before it is out of time: " + why.found};
             if (!has_context || !drawn.problem.empty()) return fail(from, end, why);
             fail(from, from + 1, why);
@@ -116,16 +117,16 @@ private:
         // Later shots of this process reuse compiled shaders. The cache lies in the sandbox's own memory and ends with
         // it.
         if (stage_.isolation() != Isolation::limits) job.environment["MESA_SHADER_CACHE_DIR"] = "/tmp/shaders";
-        job.request = drawing_request(lab_, shots, renderer_);
-        job.asks = drawing_asks();
+        job.request = check::drawing_request(lab_, shots, renderer_);
+        job.asks = check::drawing_asks();
         job.limits.wall = std::min(wall_left_, limits_.wall());
         job.limits.cpu = std::ceil(std::min(cpu_left_, limits_.cpu));
         job.limits.memory = limits_.memory;
-        job.limits.output = drawings_size(shots);
+        job.limits.output = check::drawings_size(shots);
         return job;
     }
 
-    void keep(Drawn shot, DrawnAttempt& place) {
+    void keep(check::Drawn shot, DrawnAttempt& place) {
         place.image = std::move(shot.image);
         place.error = message(shot.error);
         place.told = true;
@@ -133,7 +134,7 @@ private:
         if (shot.error != place.error && attempt_.log.empty()) attempt_.log = shot.error;
     }
 
-    void fail(size_t begin, size_t end, const Judgement& why) {
+    void fail(size_t begin, size_t end, const check::Judgement& why) {
         for (size_t i = begin; i < end; ++i) {
             attempt_.shots[i].outcome = why.outcome;
             attempt_.shots[i].error = why.found;
@@ -144,18 +145,18 @@ private:
     const LabEntry& lab_;
     const StagedCourse& course_;
     const std::vector<Shot>& shots_;
-    const Renderer& renderer_;
+    const check::Renderer& renderer_;
     const AttemptLimits& limits_;
     Attempt& attempt_;
-    double wall_left_, cpu_left_;     ///< seconds
-    std::optional<Judgement> ended_;  ///< why no more shots are drawn
+    double wall_left_, cpu_left_;            ///< seconds
+    std::optional<check::Judgement> ended_;  ///< why no more shots are drawn
 };
 
 /// Returns the verdict about a C++ task whose compilation failed.
-Judgement blame(const Compiled& compiled) {
+check::Judgement blame(const Compiled& compiled) {
     if (compiled.ending == Ending::failed)
-        return {Outcome::machine, "the machine failed: " + message(compiled.message)};
-    Judgement why{Outcome::broken, message(first_error(compiled.message))};
+        return {check::Outcome::machine, "the machine failed: " + message(compiled.message)};
+    check::Judgement why{check::Outcome::broken, message(first_error(compiled.message))};
     if (compiled.ending != Ending::exited)
         why = blame({.ending = compiled.ending, .code = 1, .wall = compiled.seconds, .stopped = compiled.stopped}, {});
     if (why.found.empty()) why.found = message(compiled.message);
@@ -165,14 +166,14 @@ Judgement blame(const Compiled& compiled) {
 }  // namespace
 
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
-                const Renderer& renderer, const AttemptLimits& limits, size_t apart) {
+                const check::Renderer& renderer, const AttemptLimits& limits, size_t apart) {
     Attempt result;
     result.shots.resize(shots.size());
     StagedCourse course = stage.course(lab, files);
     const Compiled compiled = stage.compile(lab, course, 3 * limits.cpu, 3 * limits.wall());
     result.compile = compiled.seconds;
     if (!compiled.message.empty()) {
-        const Judgement why = blame(compiled);
+        const check::Judgement why = blame(compiled);
         for (DrawnAttempt& one : result.shots) {
             one.outcome = why.outcome;
             one.error = why.found;
@@ -191,4 +192,4 @@ Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& file
     return result;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -5,19 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "framework/check/check.h"
-#include "framework/check/drawing.h"
+#include "framework/course/check/check.h"
+#include "framework/course/check/drawing.h"
 #include "framework/staff/grade/stage.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// The result of one shot.
 struct DrawnAttempt {
     std::optional<Image> image;
-    Outcome outcome = Outcome::broken;  ///< only if there is no image
-    std::string error;                  ///< one line, see printable()
-    bool told = false;                  ///< the lab itself sent the image or the error
-    double cpu = 0;                     ///< seconds of processor time if `told`, as the process reports them
+    check::Outcome outcome = check::Outcome::broken;  ///< only if there is no image
+    std::string error;                                ///< one line, see printable()
+    bool told = false;                                ///< the lab itself sent the image or the error
+    double cpu = 0;  ///< seconds of processor time if `told`, as the process reports them
 };
 
 struct Attempt {
@@ -41,6 +41,6 @@ struct AttemptLimits {
 /// A C++ task could reveal the shots that it was asked to draw. So a separate process draws the shots from index
 /// `apart` on, and its log is not kept. Failures of the files become outcomes, not exceptions.
 Attempt attempt(const Stage& stage, const LabEntry& lab, const CourseFiles& files, const std::vector<Shot>& shots,
-                const Renderer& renderer, const AttemptLimits& limits, size_t apart = size_t(-1));
+                const check::Renderer& renderer, const AttemptLimits& limits, size_t apart = size_t(-1));
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
 #include "framework/staff/grade/variation.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 /// Returns the expected picture of a view; nothing for a check that compares with another check. Throws Error if this
@@ -49,7 +49,7 @@ LabViews::LabViews(const LabEntry& lab, const Stage& stage, GradeSetup setup)
         const CheckInfo& check = manifest_.checks[i];
         views_[i].own.expected = expected_in(lab, check, check.shot, solution_.checks[i].own);
         views_[i].own.solution_cpu = solution_.checks[i].own.cpu;
-        if (const Judgement said = judge(own(i, solution_)); said.outcome != Outcome::passed)
+        if (const check::Judgement said = judge(own(i, solution_)); said.outcome != check::Outcome::passed)
             throw Error(fmt::format("lab {}: nothing can be graded here: its own solution does not pass '{}' ({}: {})",
                                     lab.two_digits(), check.name, name_of(said.outcome), said.found));
     }
@@ -95,7 +95,7 @@ void LabViews::keep_passing_views(const DrawnChecks& solution) {
         try {
             view.expected = expected_in(lab_, manifest_.checks[i], view.shot, solution.checks[i].hidden);
             view.solution_cpu = solution.checks[i].hidden.cpu;
-            passes[i] = judge(hidden(i, solution)).outcome == Outcome::passed;
+            passes[i] = judge(hidden(i, solution)).outcome == check::Outcome::passed;
         } catch (const Error&) {
             passes[i] = false;  // this view has no exact values
         }
@@ -179,24 +179,24 @@ Comparison LabViews::hidden(size_t check, const DrawnChecks& drawn) const {
             drawn.checks[other].hidden};
 }
 
-Judgement LabViews::judge(const Comparison& one) const {
+check::Judgement LabViews::judge(const Comparison& one) const {
     if (!one.drawn.image) return {one.drawn.outcome, one.drawn.error};
-    if (one.view.expected) return relief::judge(manifest_, one.check, *one.drawn.image, *one.view.expected);
+    if (one.view.expected) return relief::check::judge(manifest_, one.check, *one.drawn.image, *one.view.expected);
     if (!one.other.image) return {one.other.outcome, one.other.error};
     try {
         refuse_unusable(*one.other.image, one.other_shot);
     } catch (const Error& error) {
-        return {Outcome::broken, fmt::format("'{}': {}", one.check.against, error.what())};
+        return {check::Outcome::broken, fmt::format("'{}': {}", one.check.against, error.what())};
     }
-    return relief::judge(manifest_, one.check, *one.drawn.image, *one.other.image);
+    return relief::check::judge(manifest_, one.check, *one.drawn.image, *one.other.image);
 }
 
 std::string LabViews::slowness(size_t check, const DrawnChecks& drawn) const {
     const CheckViews& views = views_[check];
-    std::string said = relief::slowness(drawn.checks[check].own.cpu, views.own.solution_cpu);
+    std::string said = grade::slowness(drawn.checks[check].own.cpu, views.own.solution_cpu);
     if (said.empty() && views.hidden)
-        said = relief::slowness(drawn.checks[check].hidden.cpu, views.hidden->solution_cpu);
+        said = grade::slowness(drawn.checks[check].hidden.cpu, views.hidden->solution_cpu);
     return said;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

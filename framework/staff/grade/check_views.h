@@ -7,7 +7,7 @@
 
 #include "framework/staff/grade/attempt.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// How submissions are drawn.
 struct GradeSetup {
@@ -17,7 +17,7 @@ struct GradeSetup {
     double seconds = 0;
     size_t memory = size_t{2} << 30;  ///< bytes of address space
     std::string seed = {};            ///< seed of the hidden views; empty: no hidden views
-    Renderer renderer = {};
+    check::Renderer renderer = {};
 };
 
 struct View {
@@ -88,7 +88,7 @@ public:
     Comparison own(size_t check, const DrawnChecks& drawn) const;
     /// Precondition: the check has a hidden view.
     Comparison hidden(size_t check, const DrawnChecks& drawn) const;
-    Judgement judge(const Comparison& comparison) const;
+    check::Judgement judge(const Comparison& comparison) const;
     /// Returns slowness() of the check's own view; if that is empty, of its hidden view.
     std::string slowness(size_t check, const DrawnChecks& drawn) const;
 
@@ -108,4 +108,4 @@ private:
     bool derives_limit_;
 };
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -11,15 +11,15 @@
 #include <random>
 #include <set>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/parallel.h"
-#include "framework/base/sha256.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/base/sha256.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/progress.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -185,7 +185,7 @@ private:
         return false;
     }
 
-    fs::path result_file(const Entry& entry) const { return relief::result_file(options_.output, entry.name); }
+    fs::path result_file(const Entry& entry) const { return grade::result_file(options_.output, entry.name); }
 
     /// Takes over the result of an earlier run if nothing has changed since. A result from a run without a sandbox
     /// counts only with `trust`.
@@ -279,7 +279,7 @@ private:
             LabMark lab{.lab = grader.lab().folder};
             for (const TaskInfo& info : grader.manifest().tasks) {
                 TaskMark& task = lab.tasks.emplace_back(empty_mark(info));
-                task.checks.push_back({.name = "all", .outcome = Outcome::machine, .found = error.what()});
+                task.checks.push_back({.name = "all", .outcome = check::Outcome::machine, .found = error.what()});
             }
             return lab;
         }
@@ -336,4 +336,4 @@ ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done)
     return Grading(options, done).run();
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "framework/base/descriptor.h"
+#include "framework/core/base/descriptor.h"
 #include "framework/staff/grade/results.h"
 #include "framework/staff/grade/roster.h"
 
-namespace relief {
+namespace relief::grade {
 
 struct ClassOptions {
     std::vector<std::filesystem::path> submissions;
@@ -67,4 +67,4 @@ void enlist_class(const ClassOptions& options);
 /// this machine, or if `keep_roster` is set and class.json is of another course. Propagates exceptions of `done`.
 ClassReport grade_class(const ClassOptions& options, const SubmissionDone& done = {});
 
-}  // namespace relief
+}  // namespace relief::grade

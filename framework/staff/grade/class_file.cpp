@@ -6,14 +6,14 @@
 #include <cmath>
 #include <map>
 
-#include "framework/base/file.h"
-#include "framework/base/text.h"
-#include "framework/lab/registry.h"
-#include "framework/lab/toml_table.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/text.h"
+#include "framework/core/lab/registry.h"
+#include "framework/core/lab/toml_table.h"
 #include "framework/staff/grade/csv.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -290,4 +290,4 @@ void refuse_unknown_adjustments(const ClassFile& policy, const std::set<std::str
     }
 }
 
-}  // namespace relief
+}  // namespace relief::grade

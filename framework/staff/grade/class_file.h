@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/grade/moment.h"
 
-namespace relief {
+namespace relief::grade {
 
 struct Student {
     std::string student;  ///< the name of the submission, as results.csv shows it, composed()
@@ -82,4 +82,4 @@ void keep_class_file(const std::filesystem::path& file, const std::filesystem::p
 void refuse_unknown_adjustments(const ClassFile& policy, const std::set<std::string>& students,
                                 const std::set<std::string>& tasks);
 
-}  // namespace relief
+}  // namespace relief::grade

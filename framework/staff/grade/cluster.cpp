@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/slurm.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -286,4 +286,4 @@ std::vector<PartState> part_states(const fs::path& folder, const Cluster& cluste
     return states;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

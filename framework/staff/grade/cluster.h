@@ -12,7 +12,7 @@
 
 #include "framework/staff/grade/progress.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// How often parts that lack results are sent again, away from the nodes on which they failed.
 constexpr int times_sent_again = 3;
@@ -73,4 +73,4 @@ struct PartState {
 std::vector<PartState> part_states(const std::filesystem::path& folder, const Cluster& cluster,
                                    const ClassProgress& progress);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -15,11 +15,11 @@
 #include <sstream>
 #include <thread>
 
-#include "framework/base/descriptor.h"
-#include "framework/base/error.h"
-#include "framework/base/process.h"
+#include "framework/core/base/descriptor.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/process.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ bool ControlGroup::ran_out_of_memory() const {
     return false;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns why this process cannot make control groups; empty if it can. It can if it was given a group to divide
 /// ("delegated"), as by `systemd-run --user --scope --property=Delegate=yes`. The first call prepares that group: since
@@ -32,4 +32,4 @@ private:
     std::filesystem::path folder_;
 };
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ std::string csv_line(std::span<const std::string> cells) {
     return line + "\n";
 }
 
-}  // namespace relief
+}  // namespace relief::grade

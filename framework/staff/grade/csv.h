@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace relief {
+namespace relief::grade {
 
 struct CsvRow {
     int line = 0;                    ///< first line of the row, counted from 1
@@ -44,4 +44,4 @@ std::string defused(std::string_view text);
 /// defused().
 std::string csv_line(std::span<const std::string> cells);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "framework/base/markdown.h"
-#include "framework/base/text.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/csv.h"
 #include "framework/staff/grade/progress.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 using nlohmann::ordered_json;
@@ -70,7 +69,8 @@ Suite suite_of(const Standing& standing) {
         for (const LabMark& lab : mark.labs)
             for (const TaskMark& task : lab.tasks)
                 for (const CheckMark& check : task.checks) {
-                    const bool passed = check.outcome == Outcome::passed, machine = check.outcome == Outcome::machine;
+                    const bool passed = check.outcome == check::Outcome::passed,
+                               machine = check.outcome == check::Outcome::machine;
                     add(lab.lab + "." + task.id, check.name,
                         passed    ? nullptr
                         : machine ? "error"
@@ -81,7 +81,7 @@ Suite suite_of(const Standing& standing) {
     const auto property = [&](const char* name, const std::string& value) {
         suite.properties += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", name, xml(value));
     };
-    if (standing.is_marked()) property("points", points_text(standing.points()));
+    if (standing.is_marked()) property("points", check::points_text(standing.points()));
     property("max_points", std::to_string(standing.of()));
     for (const std::string& remark : standing.remarks()) property("remark", remark);
     suite.properties = "    <properties>\n" + suite.properties + "    </properties>\n";
@@ -92,7 +92,7 @@ Suite suite_of(const Standing& standing) {
 
 /// Returns the check's hint on a line of its own, for systems that show plain text.
 std::string look_at(const CheckMark& check) {
-    return check.look_at.empty() ? "" : "\nlook at: " + plain_text(line_with_code(check.look_at));
+    return check.look_at.empty() ? "" : "\nlook at: " + without_backticks(check.look_at);
 }
 
 /// Returns the text for a check on Gradescope, which shows hidden checks to instructors only.
@@ -105,7 +105,8 @@ std::string remarks_text(const Standing& standing) {
     std::string text;
     for (const std::string& remark : standing.remarks()) text += remark + "\n";
     if (standing.is_changed())
-        text += fmt::format("The checks alone gave {} of {} points.\n", points_text(standing.graded()), standing.of());
+        text += fmt::format("The checks alone gave {} of {} points.\n", check::points_text(standing.graded()),
+                            standing.of());
     return text;
 }
 
@@ -144,7 +145,7 @@ std::string to_csv(const ClassStanding& standing) {
     std::string text = csv_line(head);
     for (const Standing& one : standing.students) {
         const bool marked = one.is_marked();
-        const auto points = [&](double value) { return marked ? points_text(value) : std::string(); };
+        const auto points = [&](double value) { return marked ? check::points_text(value) : std::string(); };
         Cells cells{cell(one.student.student), cell(one.state()), points(one.points()), std::to_string(one.of())};
         if (has_roster)
             for (const std::string& word : {one.student.name, one.student.email, one.student.login,
@@ -152,11 +153,11 @@ std::string to_csv(const ClassStanding& standing) {
                 cells.push_back(cell(word));
         cells.insert(cells.end(), {points(one.graded()), points(one.adjusted() - one.graded()),
                                    points(one.points() - one.adjusted()), cell(join(one.remarks(), "; "))});
-        for (const LabStanding& lab : one.labs) cells.push_back(lab.marked ? points_text(lab.points()) : "");
+        for (const LabStanding& lab : one.labs) cells.push_back(lab.marked ? check::points_text(lab.points()) : "");
         for (const LabStanding& lab : one.labs)
             for (const TaskStanding& task : lab.tasks)
-                cells.push_back(!lab.marked || (!lab.handed_in && task.adjusted == 0) ? ""
-                                                                                      : points_text(task.adjusted));
+                cells.push_back(
+                    !lab.marked || (!lab.handed_in && task.adjusted == 0) ? "" : check::points_text(task.adjusted));
         text += csv_line(cells);
     }
     return text;
@@ -212,7 +213,7 @@ std::string to_moodle(const ClassStanding& standing, const AssignedLab& lab, std
         if (points && points->marked && sheet.cell(row, "Grade can be changed") != "No") {
             cells[size_t(grade)] = decimal(points->of() > 0 ? *max * points->points() / points->of() : 0);
             if (feedback >= 0) {
-                std::string words = fmt::format("{} of {} points", points_text(points->points()), points->of());
+                std::string words = fmt::format("{} of {} points", check::points_text(points->points()), points->of());
                 if (!points->handed_in) words += "; nothing handed in";
                 for (const std::string& remark : one->remarks(lab.folder)) words += "; " + remark;
                 cells[size_t(feedback)] = defused(words);
@@ -235,11 +236,12 @@ std::string to_prairielearn(const Standing& standing) {
     if (standing.mark && !standing.mark->problem.empty())
         return dump({{"gradable", false}, {"format_errors", {printable(standing.mark->problem, 1000)}}});
     const double share = standing.of() > 0 ? standing.points() / standing.of() : 0;
-    ordered_json json = {{"gradable", true},
-                         {"score", std::clamp(share, 0.0, 1.0)},
-                         {"message", fmt::format("{} of {} points", points_text(standing.points()), standing.of())},
-                         {"output", remarks_text(standing)},
-                         {"tests", ordered_json::array()}};
+    ordered_json json = {
+        {"gradable", true},
+        {"score", std::clamp(share, 0.0, 1.0)},
+        {"message", fmt::format("{} of {} points", check::points_text(standing.points()), standing.of())},
+        {"output", remarks_text(standing)},
+        {"tests", ordered_json::array()}};
     if (standing.mark)
         for (const LabMark& lab : standing.mark->labs)
             for (const TaskMark& task : lab.tasks)
@@ -248,7 +250,7 @@ std::string to_prairielearn(const Standing& standing) {
                     json["tests"].push_back(
                         {{"name",
                           fmt::format("{} {}: {}", task.id, task.title, check.hidden ? "a hidden check" : check.name)},
-                         {"points", check.outcome == Outcome::passed ? points : 0.0},
+                         {"points", check.outcome == check::Outcome::passed ? points : 0.0},
                          {"max_points", points},
                          {"message", std::string(name_of(check.outcome))},
                          {"output", printable_lines(found_for_students(check) + look_at(check), 4000)}});
@@ -281,7 +283,7 @@ std::string to_gradescope(const Standing& standing) {
         for (const TaskMark& task : lab.tasks) {
             for (const CheckMark& check : task.checks) {
                 const double share = double(task.of) / double(task.checks.size());
-                const bool passed = check.outcome == Outcome::passed;
+                const bool passed = check.outcome == check::Outcome::passed;
                 any_hidden |= check.hidden;
                 add(fmt::format("{} {}: {}", task.id, task.title, check.name), lab,
                     {{"score", passed ? share : 0.0},
@@ -292,7 +294,7 @@ std::string to_gradescope(const Standing& standing) {
             }
             if (!task.hint.empty())
                 add(fmt::format("{} {}: a hint", task.id, task.title), lab,
-                    {{"output", plain_text(line_with_code(task.hint))}, {"visibility", "visible"}});
+                    {{"output", without_backticks(task.hint)}, {"visibility", "visible"}});
         }
     std::string output = mark.problem.empty() ? "" : mark.problem + "\n";
     if (any_hidden)
@@ -348,18 +350,19 @@ std::string to_table(const ClassStanding& standing) {
         text += fmt::format("{:<{}}", one.student.student, width);
         for (const LabStanding& lab : one.labs)
             text += fmt::format("  {:>7}", !lab.handed_in && lab.points() == 0 ? "-"
-                                           : !lab.marked                       ? "?"
-                                                         : fmt::format("{}/{}", points_text(lab.points()), lab.of()));
-        text +=
-            fmt::format("  {:>8}", one.is_marked() ? fmt::format("{}/{}", points_text(one.points()), one.of()) : "?");
+                                           : !lab.marked
+                                               ? "?"
+                                               : fmt::format("{}/{}", check::points_text(lab.points()), lab.of()));
+        text += fmt::format("  {:>8}",
+                            one.is_marked() ? fmt::format("{}/{}", check::points_text(one.points()), one.of()) : "?");
         if (one.state() != "graded") text += "  " + one.state();
         if (one.is_marked() && one.adjusted() != one.graded())
-            text += fmt::format("  adjusted by {}", points_text(one.adjusted() - one.graded()));
+            text += fmt::format("  adjusted by {}", check::points_text(one.adjusted() - one.graded()));
         if (one.is_marked() && one.points() != one.adjusted())
-            text += fmt::format("  late: {} less", points_text(one.adjusted() - one.points()));
+            text += fmt::format("  late: {} less", check::points_text(one.adjusted() - one.points()));
         text += "\n";
     }
     return text;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

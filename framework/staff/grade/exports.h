@@ -9,7 +9,7 @@
 
 #include "framework/staff/grade/standing.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns results.csv: a line for each student with identifiers, state and points, then points of each lab, and of
 /// each task before lateness. Column names contain the maxima. Formulas are disabled: see defused().
@@ -47,4 +47,4 @@ std::string to_surefire(const Standing& standing);
 /// Returns a table for a terminal.
 std::string to_table(const ClassStanding& standing);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/base/error.h"
-#include "framework/base/sha256.h"
-#include "framework/check/drawing.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/sha256.h"
+#include "framework/course/check/drawing.h"
 #include "framework/staff/grade/mistake_names.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 /// The numbers of compared values of a check: evenly spread ones, which detect unlisted mistakes, and values in which
@@ -17,7 +17,7 @@ constexpr size_t spread_values = 8, telling_values = 24;
 /// The number of candidate values that distinguish each pair.
 constexpr size_t candidates_of_pair = 100;
 
-Sample all_of(const DrawnAttempt& drawn) {
+check::Sample all_of(const DrawnAttempt& drawn) {
     if (!drawn.image) return {.error = drawn.error};
     return {.values = drawn.image->values, .is_drawn = true};
 }
@@ -38,10 +38,11 @@ std::vector<size_t> shuffled(size_t count) {
 class Chooser {
 public:
     /// `programs` begins with the solution.
-    Chooser(const std::vector<const Sample*>& programs, bool is_probe) {
-        const Sample& right = *programs.front();
-        for (const Sample* program : programs)
-            if (program->is_drawn) programs_.push_back({&program->values, tolerance_of(*program, right, is_probe)});
+    Chooser(const std::vector<const check::Sample*>& programs, bool is_probe) {
+        const check::Sample& right = *programs.front();
+        for (const check::Sample* program : programs)
+            if (program->is_drawn)
+                programs_.push_back({&program->values, check::tolerance_of(*program, right, is_probe)});
         const std::vector<size_t> order = shuffled(right.values.size());
         for (size_t i = 0; i < order.size() && chosen_.size() < spread_values; ++i)
             if (std::isfinite(right.values[order[i]])) chosen_.push_back(order[i]);
@@ -74,8 +75,8 @@ private:
         std::vector<size_t> pairs;
         for (size_t i = 0; i < programs_.size(); ++i)
             for (size_t j = i + 1; j < programs_.size(); ++j)
-                if (!is_near((*programs_[i].values)[place], (*programs_[j].values)[place],
-                             std::max(programs_[i].tolerance, programs_[j].tolerance)))
+                if (!check::is_near((*programs_[i].values)[place], (*programs_[j].values)[place],
+                                    std::max(programs_[i].tolerance, programs_[j].tolerance)))
                     pairs.push_back(i * programs_.size() + j);
         return pairs;
     }
@@ -115,18 +116,18 @@ std::vector<size_t> public_checks(const Manifest& manifest, const std::string& t
 
 /// Returns whether two mistakes, or a mistake and the solution, draw the same in all checks up to rounding. Then no
 /// check distinguishes them.
-bool are_alike(const std::vector<Sample>& one, const std::vector<Sample>& other) {
-    return std::equal(one.begin(), one.end(), other.begin(), [](const Sample& a, const Sample& b) {
+bool are_alike(const std::vector<check::Sample>& one, const std::vector<check::Sample>& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), [](const check::Sample& a, const check::Sample& b) {
         return a.error == b.error &&
-               std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
-                          [](float left, float right) {
-                              return is_near(left, right, std::isfinite(left) ? 1e-7 + 1e-5 * std::abs(left) : 0);
-                          });
+               std::equal(
+                   a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), [](float left, float right) {
+                       return check::is_near(left, right, std::isfinite(left) ? 1e-7 + 1e-5 * std::abs(left) : 0);
+                   });
     });
 }
 
-Sample sample_of(const Sample& all, const std::vector<size_t>& places) {
-    Sample sample{.error = all.error, .is_drawn = all.is_drawn};
+check::Sample sample_of(const check::Sample& all, const std::vector<size_t>& places) {
+    check::Sample sample{.error = all.error, .is_drawn = all.is_drawn};
     if (all.is_drawn)
         for (const size_t place : places) sample.values.push_back(all.values[place]);
     return sample;
@@ -142,7 +143,7 @@ std::string fingerprints_made_of(const LabEntry& lab, const Manifest& manifest) 
         all += check.task + '\n' + check.name + '\n';
         shots.push_back(check.shot);
     }
-    all += drawing_request(lab, shots, {});
+    all += check::drawing_request(lab, shots, {});
     for (const MistakeInfo& mistake : manifest.mistakes) {
         all += '\n' + mistake.task + '\n' + mistake.hint + '\n' + (mistake.same_as.empty() ? "" : "same");
         for (const Edit& edit : mistake.edits) all += '\n' + edit.file + '\n' + edit.find + '\n' + edit.replace;
@@ -150,15 +151,15 @@ std::string fingerprints_made_of(const LabEntry& lab, const Manifest& manifest) 
     return sha256(all).substr(0, 16);
 }
 
-Fingerprints make_fingerprints(const LabEntry& lab, MistakePictures& pictures,
-                               const std::function<void(const std::string& mistake)>& begins) {
+check::Fingerprints make_fingerprints(const LabEntry& lab, MistakePictures& pictures,
+                                      const std::function<void(const std::string& mistake)>& begins) {
     const Manifest& manifest = pictures.manifest();
-    Fingerprints result;
+    check::Fingerprints result;
     result.made_of = fingerprints_made_of(lab, manifest);
     for (const TaskInfo& task : manifest.tasks) {
         const std::vector<size_t> checks = public_checks(manifest, task.id);
         std::vector<Shot> shots;
-        std::vector<std::vector<Sample>> drawn(1);  // by program (the solution, then mistakes), then by check
+        std::vector<std::vector<check::Sample>> drawn(1);  // by program (the solution, then mistakes), then by check
         for (const size_t check : checks) {
             const Shot& shot = shots.emplace_back(manifest.checks[check].shot);
             drawn[0].push_back({.values = draw_shot(*make_lab(lab, shot), shot).values, .is_drawn = true});
@@ -167,10 +168,11 @@ Fingerprints make_fingerprints(const LabEntry& lab, MistakePictures& pictures,
         for (const MistakeInfo& mistake : manifest.mistakes) {
             if (mistake.task != task.id || !mistake.same_as.empty()) continue;
             begins(mistake.id);
-            std::vector<Sample> own;
+            std::vector<check::Sample> own;
             for (const DrawnAttempt& one : pictures.draw(mistake, shots)) own.push_back(all_of(one));
-            const auto alike = std::find_if(drawn.begin(), drawn.end(),
-                                            [&](const std::vector<Sample>& other) { return are_alike(own, other); });
+            const auto alike = std::find_if(drawn.begin(), drawn.end(), [&](const std::vector<check::Sample>& other) {
+                return are_alike(own, other);
+            });
             const std::string hint = hint_with_same(manifest, mistake);
             if (alike == drawn.end()) {
                 drawn.push_back(std::move(own));
@@ -180,9 +182,9 @@ Fingerprints make_fingerprints(const LabEntry& lab, MistakePictures& pictures,
             }
         }
         for (size_t i = 0; i < checks.size(); ++i) {
-            std::vector<const Sample*> programs;
-            for (const std::vector<Sample>& program : drawn) programs.push_back(&program[i]);
-            Fingerprints::Places& places = result.checks[checks[i]];
+            std::vector<const check::Sample*> programs;
+            for (const std::vector<check::Sample>& program : drawn) programs.push_back(&program[i]);
+            check::Fingerprints::Places& places = result.checks[checks[i]];
             places.values = Chooser(programs, bool(shots[i].probe)).take();
             places.solution = sample_of(drawn[0][i], places.values);
             for (size_t j = 1; j < drawn.size(); ++j)
@@ -192,4 +194,4 @@ Fingerprints make_fingerprints(const LabEntry& lab, MistakePictures& pictures,
     return result;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/base/text.h"
-#include "framework/lab/registry.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/core/lab/registry.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,4 +49,4 @@ void write_gradescope(const fs::path& folder, const std::vector<const LabEntry*>
     write_script(run, text);
 }
 
-}  // namespace relief
+}  // namespace relief::grade

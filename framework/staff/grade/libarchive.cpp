@@ -7,10 +7,10 @@
 #include <cstring>
 #include <memory>
 
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
 #include "framework/staff/grade/archive.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 struct Free {
@@ -73,12 +73,10 @@ private:
 };
 
 }  // namespace
-}  // namespace relief
 
 extern "C" [[gnu::visibility("default")]] void relief_read_archive(
     int descriptor, size_t largest, const std::function<bool(const std::string&)>& wanted,
-    std::vector<relief::ArchiveEntry>& entries) {
-    using namespace relief;
+    std::vector<ArchiveEntry>& entries) {
     const Utf8Names utf8;
     const Reader reader = open(descriptor);
     size_t unpacked = 0, names = 0;
@@ -108,3 +106,5 @@ extern "C" [[gnu::visibility("default")]] void relief_read_archive(
         if (entry.too_large) entry.content.clear();
     }
 }
+
+}  // namespace relief::grade

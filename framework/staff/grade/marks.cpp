@@ -7,14 +7,14 @@
 #include <map>
 #include <set>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/check/starter.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/course/check/starter.h"
 #include "framework/staff/grade/transplant.h"
 #include "framework/staff/grade/variation.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -22,35 +22,38 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 /// Returns why a task cannot be drawn, from its file alone; or nothing.
-std::optional<Judgement> judge_file(const TaskInfo& task, const Submission& submission, const OtherShaders& others) {
+std::optional<check::Judgement> judge_file(const TaskInfo& task, const Submission& submission,
+                                           const check::OtherShaders& others) {
     if (const auto refused = submission.refused.find(task.file); refused != submission.refused.end())
-        return Judgement{Outcome::broken, fmt::format("{} is {}", task.file, refused->second)};
+        return check::Judgement{check::Outcome::broken, fmt::format("{} is {}", task.file, refused->second)};
     const auto file = submission.files.find(task.file);
-    if (file == submission.files.end()) return Judgement{Outcome::unfinished, fmt::format("there is no {}", task.file)};
+    if (file == submission.files.end())
+        return check::Judgement{check::Outcome::unfinished, fmt::format("there is no {}", task.file)};
     if (is_shader(task.file))
-        if (const std::string beyond = reaches_beyond(file->second, others); !beyond.empty())
-            return Judgement{Outcome::broken, fmt::format("{} {}", task.file, printable(beyond))};
-    if (is_unfinished(file->second, task.id)) return Judgement{Outcome::unfinished, "not written yet"};
+        if (const std::string beyond = check::reaches_beyond(file->second, others); !beyond.empty())
+            return check::Judgement{check::Outcome::broken, fmt::format("{} {}", task.file, printable(beyond))};
+    if (check::is_unfinished(file->second, task.id))
+        return check::Judgement{check::Outcome::unfinished, "not written yet"};
     return {};
 }
 
 /// Returns for each check why it cannot be drawn, or nothing.
-std::vector<std::optional<Judgement>> judge_files(const Manifest& manifest, const Submission& submission,
-                                                  const OtherShaders& others) {
-    std::map<std::string, Judgement> given_up;  // by task
+std::vector<std::optional<check::Judgement>> judge_files(const Manifest& manifest, const Submission& submission,
+                                                         const check::OtherShaders& others) {
+    std::map<std::string, check::Judgement> given_up;  // by task
     for (const TaskInfo& task : manifest.tasks)
         if (const auto why = judge_file(task, submission, others)) given_up[task.id] = *why;
     const auto is_written = [&](const std::string& task) {
         const auto why = given_up.find(task);
-        return why == given_up.end() || why->second.outcome != Outcome::unfinished;
+        return why == given_up.end() || why->second.outcome != check::Outcome::unfinished;
     };
-    std::vector<std::optional<Judgement>> by_check;
+    std::vector<std::optional<check::Judgement>> by_check;
     for (const CheckInfo& check : manifest.checks) {
-        std::optional<Judgement>& verdict = by_check.emplace_back();
+        std::optional<check::Judgement>& verdict = by_check.emplace_back();
         if (const auto why = given_up.find(check.task); why != given_up.end())
             verdict = why->second;
-        else if (const TaskIds missing = missing_tasks(check, is_written); !missing.empty())
-            verdict = Judgement{Outcome::waiting, waits_text(missing, "written")};
+        else if (const check::TaskIds missing = check::missing_tasks(check, is_written); !missing.empty())
+            verdict = check::Judgement{check::Outcome::waiting, check::waits_text(missing, "written")};
     }
     return by_check;
 }
@@ -74,13 +77,13 @@ int LabMark::max_points() const {
 bool LabMark::graded() const {
     for (const TaskMark& task : tasks)
         for (const CheckMark& check : task.checks)
-            if (check.outcome == Outcome::machine) return false;
+            if (check.outcome == check::Outcome::machine) return false;
     return true;
 }
 
 /// The judgement of a check, and the view that it belongs to.
 struct LabGrader::Verdict {
-    Judgement said;
+    check::Judgement said;
     bool in_hidden_view = false;
     bool is_own = false;  ///< the check also fails with the solutions of all other tasks
 };
@@ -91,10 +94,10 @@ LabGrader::LabGrader(const LabEntry& lab, const Stage& stage, GradeSetup setup)
       others_(lab, views_.manifest()) {}
 
 LabGrader::Verdict LabGrader::judge_check(size_t check, const DrawnChecks& drawn) const {
-    const Judgement own = views_.judge(views_.own(check, drawn));
-    if (own.outcome != Outcome::passed || !views_.has_hidden(check)) return {own};
-    const Judgement hidden = views_.judge(views_.hidden(check, drawn));
-    if (hidden.outcome == Outcome::passed) return {own};
+    const check::Judgement own = views_.judge(views_.own(check, drawn));
+    if (own.outcome != check::Outcome::passed || !views_.has_hidden(check)) return {own};
+    const check::Judgement hidden = views_.judge(views_.hidden(check, drawn));
+    if (hidden.outcome == check::Outcome::passed) return {own};
     return {{hidden.outcome, "correct in the check's own view, but not in a hidden one: " + hidden.found}, true};
 }
 
@@ -108,8 +111,8 @@ void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdi
     std::set<std::string> losers;
     bool depends_on_others = false;
     for (size_t i = 0; i < checks.size(); ++i) {
-        const Outcome outcome = verdicts[i].said.outcome;
-        failed.push_back(outcome != Outcome::passed && outcome != Outcome::machine);
+        const check::Outcome outcome = verdicts[i].said.outcome;
+        failed.push_back(outcome != check::Outcome::passed && outcome != check::Outcome::machine);
         if (!failed[i]) continue;
         losers.insert(checks[i].task);
         depends_on_others |= !checks[i].needs.empty() || !checks[i].leans_on.empty();
@@ -132,9 +135,9 @@ void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdi
         for (size_t i = 0; i < checks.size(); ++i) {
             if (!wanted[i]) continue;
             Verdict verdict = judge_check(i, alone);
-            if (verdict.said.outcome == Outcome::passed)
+            if (verdict.said.outcome == check::Outcome::passed)
                 verdict.said.found = "passed with the solution of the other tasks";
-            else if (verdict.said.outcome != Outcome::wrong)
+            else if (verdict.said.outcome != check::Outcome::wrong)
                 continue;
             else
                 verdict.is_own = true;
@@ -161,7 +164,7 @@ std::vector<TaskMark> LabGrader::task_marks(const std::vector<CheckMark>& marks)
         size_t passed = 0;
         for (size_t i = 0; i < marks.size(); ++i) {
             if (manifest().checks[i].task != info.id) continue;
-            passed += marks[i].outcome == Outcome::passed;
+            passed += marks[i].outcome == check::Outcome::passed;
             task.checks.push_back(marks[i]);
         }
         if (task.checks.empty())
@@ -172,26 +175,26 @@ std::vector<TaskMark> LabGrader::task_marks(const std::vector<CheckMark>& marks)
 }
 
 void LabGrader::name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Verdict>& verdicts,
-                              const std::vector<TaskIds>& first, const std::vector<Judgement>& said,
+                              const std::vector<check::TaskIds>& first, const std::vector<check::Judgement>& said,
                               const std::vector<bool>& is_drawn) const {
     std::vector<bool> compared;
     std::map<std::string, size_t> failures;  // by task: number of failures that it may have caused itself
     for (size_t i = 0; i < said.size(); ++i) {
         compared.push_back(verdicts[i].is_own || (is_drawn[i] && first[i].empty()));
-        if (compared[i] && said[i].outcome != Outcome::passed) ++failures[manifest().checks[i].task];
+        if (compared[i] && said[i].outcome != check::Outcome::passed) ++failures[manifest().checks[i].task];
     }
     for (TaskMark& task : lab.tasks) {
         if (!failures.contains(task.id)) continue;
         const std::optional<NamedMistake> named = mistakes_.name(task.id, drawn, compared);
         if (!named) continue;
         task.mistake = named->id;
-        task.hint = told(named->hint, failures.at(task.id));
+        task.hint = check::told(named->hint, failures.at(task.id));
     }
 }
 
 LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>* kept, bool with_names) const {
     const std::vector<CheckInfo>& checks = manifest().checks;
-    const std::vector<std::optional<Judgement>> undrawable = judge_files(manifest(), submission, others_);
+    const std::vector<std::optional<check::Judgement>> undrawable = judge_files(manifest(), submission, others_);
     std::vector<bool> is_drawn;
     for (const auto& why : undrawable) is_drawn.push_back(!why);
     CourseFiles files;
@@ -208,7 +211,7 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
     LabMark lab{.lab = this->lab().folder,
                 .log = drawn.log,
                 .times = {.compile = drawn.compile, .draw = drawn.draw, .compare = compared}};
-    std::vector<Judgement> said;
+    std::vector<check::Judgement> said;
     std::vector<CheckMark> marks;
     for (size_t i = 0; i < checks.size(); ++i) {
         const Verdict& verdict = verdicts[i];
@@ -220,10 +223,10 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
                          .found = verdict.said.found + (slow.empty() ? "" : "; " + slow),
                          .view = verdict.in_hidden_view ? view_text(shown.view.shot) : "",
                          .hidden = checks[i].hidden});
-        if (kept && verdict.said.outcome != Outcome::passed) keep_pictures(shown, verdict.in_hidden_view, *kept);
+        if (kept && verdict.said.outcome != check::Outcome::passed) keep_pictures(shown, verdict.in_hidden_view, *kept);
     }
-    const std::vector<TaskIds> first = put_right_first(manifest(), said);
-    const std::vector<std::string> all_hints = hints(manifest(), said, first);
+    const std::vector<check::TaskIds> first = check::put_right_first(manifest(), said);
+    const std::vector<std::string> all_hints = check::hints(manifest(), said, first);
     for (size_t i = 0; i < marks.size(); ++i)
         marks[i].look_at = !verdicts[i].is_own       ? all_hints[i]
                            : said[i].look_at.empty() ? checks[i].look_at
@@ -233,4 +236,4 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
     return lab;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

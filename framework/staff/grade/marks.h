@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "framework/check/reach.h"
+#include "framework/course/check/reach.h"
 #include "framework/staff/grade/check_views.h"
 #include "framework/staff/grade/mistake_names.h"
 #include "framework/staff/grade/submission.h"
 
-namespace relief {
+namespace relief::grade {
 
 struct CheckMark {
     std::string name;
-    Outcome outcome = Outcome::machine;
+    check::Outcome outcome = check::Outcome::machine;
     std::string found;         ///< the measured values or the error, then slowness() if the task is slow
     std::string look_at = {};  ///< the hint; empty if the check passed
     std::string view = {};     ///< the hidden view, if the check failed only there; never shown to students
@@ -88,12 +88,12 @@ private:
     void keep_pictures(const Comparison& shown, bool is_hidden, std::vector<CheckPictures>& kept) const;
     std::vector<TaskMark> task_marks(const std::vector<CheckMark>& marks) const;
     void name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Verdict>& verdicts,
-                       const std::vector<TaskIds>& first, const std::vector<Judgement>& said,
+                       const std::vector<check::TaskIds>& first, const std::vector<check::Judgement>& said,
                        const std::vector<bool>& is_drawn) const;
 
     LabViews views_;
     MistakeNames mistakes_;
-    OtherShaders others_;
+    check::OtherShaders others_;
 };
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -6,13 +6,13 @@
 #include <map>
 #include <set>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/progress.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ ClassReport report_of(const std::string& seed, std::vector<SubmissionMark> marks
     return report;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

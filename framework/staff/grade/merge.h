@@ -6,7 +6,7 @@
 
 #include "framework/staff/grade/class.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns the folders that hold a part of a class: `folder` itself, or its subfolders. Throws UsageError if there is
 /// none.
@@ -19,4 +19,4 @@ ClassReport merge_class(const std::filesystem::path& folder);
 /// Returns the report of a class from its results alone.
 ClassReport report_of(const std::string& seed, std::vector<SubmissionMark> marks);
 
-}  // namespace relief
+}  // namespace relief::grade

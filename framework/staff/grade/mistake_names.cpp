@@ -1,13 +1,13 @@
 #include "framework/staff/grade/mistake_names.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 constexpr size_t max_samples = 16384;
 
 /// Returns evenly spaced pixels of a picture, or the error that replaced it.
-Sample sample_of(const DrawnAttempt& drawn) {
-    Sample sample{.values = {}, .error = drawn.error, .is_drawn = drawn.image.has_value()};
+check::Sample sample_of(const DrawnAttempt& drawn) {
+    check::Sample sample{.values = {}, .error = drawn.error, .is_drawn = drawn.image.has_value()};
     if (!sample.is_drawn) return sample;
     const Image& image = *drawn.image;
     const size_t step = (image.pixel_count() + max_samples - 1) / max_samples;
@@ -50,14 +50,14 @@ const std::vector<MistakeNames::Signature>& MistakeNames::signatures(const std::
     return known.list;
 }
 
-Samples MistakeNames::samples_of(const MistakeInfo& mistake) const {
+check::Samples MistakeNames::samples_of(const MistakeInfo& mistake) const {
     const Manifest& manifest = views_.manifest();
     CourseFiles files = edited(mistake.edits);
     files.merge(solution_files(manifest));  // keeps the edited files
     std::vector<bool> checks;
     for (const CheckInfo& check : manifest.checks) checks.push_back(check.task == mistake.task);
     const DrawnChecks drawn = views_.draw(files, checks, WhichViews::own);
-    Samples samples;
+    check::Samples samples;
     for (size_t i = 0; i < checks.size(); ++i)
         if (checks[i]) samples.emplace(i, sample_of(drawn.checks[i].own));
     return samples;
@@ -66,14 +66,14 @@ Samples MistakeNames::samples_of(const MistakeInfo& mistake) const {
 /// Returns the agreement with a mistake over all compared checks: among the values that differ from the solution, the
 /// share in which the drawing matches the mistake. Returns 0 if a check does not match. (A check may pass in its own
 /// view, which is compared, and fail in a hidden one.)
-double MistakeNames::agreement(const Signature& signature, const std::vector<Sample>& drawn,
+double MistakeNames::agreement(const Signature& signature, const std::vector<check::Sample>& drawn,
                                const std::vector<bool>& compared) const {
-    Likeness sum;
+    check::Likeness sum;
     for (const auto& [check, sample] : signature.samples) {
         if (!compared[check]) continue;
         const bool is_probe(views_.manifest().checks[check].shot.probe);
-        const Likeness one = likeness(drawn[check], sample, solution_[check], is_probe);
-        if (!is_like(one, true)) return 0;
+        const check::Likeness one = check::likeness(drawn[check], sample, solution_[check], is_probe);
+        if (!check::is_like(one, true)) return 0;
         sum.differ += one.differ;
         sum.agree += one.agree;
     }
@@ -88,7 +88,7 @@ std::optional<NamedMistake> MistakeNames::name(const std::string& task, const Dr
     for (size_t i = 0; i < manifest.checks.size(); ++i)
         any |= manifest.checks[i].task == task && compared[i] && drawn.checks[i].own.told;
     if (!any) return {};
-    std::vector<Sample> samples;
+    std::vector<check::Sample> samples;
     for (const DrawnViews& one : drawn.checks) samples.push_back(sample_of(one.own));
     const MistakeInfo* best = nullptr;
     double best_agreement = 0;
@@ -102,4 +102,4 @@ std::optional<NamedMistake> MistakeNames::name(const std::string& task, const Dr
     return NamedMistake{best->id, hint_with_same(manifest, *best)};
 }
 
-}  // namespace relief
+}  // namespace relief::grade

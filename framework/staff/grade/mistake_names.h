@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "framework/check/likeness.h"
+#include "framework/course/check/likeness.h"
 #include "framework/staff/grade/check_views.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns the hint of a known mistake, joined with the hints of mistakes that are `same_as` it.
 std::string hint_with_same(const Manifest& manifest, const MistakeInfo& mistake);
@@ -37,7 +37,7 @@ private:
     /// Samples of a mistake's pictures in its task's checks.
     struct Signature {
         const MistakeInfo* mistake;
-        Samples samples = {};
+        check::Samples samples = {};
     };
     struct Signatures {
         std::vector<Signature> list;
@@ -46,14 +46,14 @@ private:
     };
 
     const std::vector<Signature>& signatures(const std::string& task) const;
-    Samples samples_of(const MistakeInfo& mistake) const;
-    double agreement(const Signature& signature, const std::vector<Sample>& drawn,
+    check::Samples samples_of(const MistakeInfo& mistake) const;
+    double agreement(const Signature& signature, const std::vector<check::Sample>& drawn,
                      const std::vector<bool>& compared) const;
 
     const LabViews& views_;
-    std::vector<Sample> solution_;  ///< by check
+    std::vector<check::Sample> solution_;  ///< by check
     mutable std::mutex mutex_;
     mutable std::map<std::string, Signatures> by_task_;
 };
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -4,11 +4,11 @@
 #include <tuple>
 #include <utility>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/image/visualize.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/image/visualize.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 /// A person sees a difference of `visible` in at least this share of the pixels.
@@ -62,7 +62,7 @@ struct MistakePictures::Candidate {
     }
 };
 
-MistakePictures::MistakePictures(const LabEntry& lab, const Renderer& renderer, int side)
+MistakePictures::MistakePictures(const LabEntry& lab, const check::Renderer& renderer, int side)
     : lab_(lab), renderer_(renderer), side_(side), manifest_(load_manifest(lab)) {}
 
 std::vector<DrawnAttempt> MistakePictures::draw(const MistakeInfo& mistake, const std::vector<Shot>& shots,
@@ -106,7 +106,7 @@ const MistakePictures::Right& MistakePictures::right(const CheckInfo& check) {
         const Shot shot = enlarged(check.shot, probe);
         return render_shot(*make_lab(lab_, shot), shot);
     };
-    right.expected = expectation(lab_, check);
+    right.expected = check::expectation(lab_, check);
     right.lit = draw(false);
     if (check.shot.probe) right.probe = draw(true);
     return right;
@@ -143,8 +143,8 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
         const DrawnAttempt &own = drawn[look.own], &lit = drawn[look.lit], &probe = drawn[look.probe];
         MistakePicture shown{.check = &check, .said = {own.outcome, own.error}};
         const std::optional<Image>& expected = good.expected ? good.expected : drawn[look.other].image;
-        if (own.image && expected) shown.said = judge(manifest_, check, *own.image, *expected);
-        if (shown.said.outcome == Outcome::passed) continue;
+        if (own.image && expected) shown.said = check::judge(manifest_, check, *own.image, *expected);
+        if (shown.said.outcome == check::Outcome::passed) continue;
         if (check.added && best) continue;  // its view was looked at with its task's first check
         shown.right = good.lit, shown.wrong = lit.image.value_or(Image());
         Candidate picture(shown, good.lit, shown.wrong);
@@ -185,4 +185,4 @@ std::optional<MistakePictures::Candidate> MistakePictures::in_a_screenshot(const
     return best;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

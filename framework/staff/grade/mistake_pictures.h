@@ -8,12 +8,12 @@
 
 #include "framework/staff/grade/attempt.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// The pair of images that shows a mistake best.
 struct MistakePicture {
     const CheckInfo* check = nullptr;        ///< of the mistake's task
-    Judgement said = {};                     ///< the check's verdict about the mistake
+    check::Judgement said = {};              ///< the check's verdict about the mistake
     bool is_probe = false;                   ///< the images are the check's probe, not pictures
     const GoldenInfo* screenshot = nullptr;  ///< the images have the view of this screenshot instead of the check's
     Image right = {}, wrong = {};            ///< `wrong` is empty if the mistake draws nothing: see `said`
@@ -31,7 +31,7 @@ class MistakePictures {
 public:
     /// `renderer`: for mistakes in C++; should match the current context. `side`: the longer side of best()'s images,
     /// in pixels.
-    explicit MistakePictures(const LabEntry& lab, const Renderer& renderer = {}, int side = 256);
+    explicit MistakePictures(const LabEntry& lab, const check::Renderer& renderer = {}, int side = 256);
 
     const Manifest& manifest() const { return manifest_; }
 
@@ -57,11 +57,11 @@ private:
     std::optional<Candidate> in_a_screenshot(const MistakeInfo& mistake);
 
     const LabEntry& lab_;
-    Renderer renderer_;
+    check::Renderer renderer_;
     int side_;
     Manifest manifest_;
     std::unique_ptr<Stage> stage_;  ///< null until the first mistake in C++
     std::map<const CheckInfo*, Right> right_;
 };
 
-}  // namespace relief
+}  // namespace relief::grade

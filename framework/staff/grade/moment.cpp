@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "framework/base/text.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 using namespace std::chrono;
@@ -100,4 +100,4 @@ std::string moment_text(Moment moment, UtcOffset offset) {
                        away / 60, away % 60);
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
 
-namespace relief {
+namespace relief::grade {
 
 using Moment = std::chrono::sys_seconds;
 using UtcOffset = std::chrono::minutes;
@@ -24,4 +24,4 @@ Moment parse_moment(std::string_view text, std::optional<UtcOffset> offset, cons
 /// Returns the time as "2027-03-01 23:59 +01:00".
 std::string moment_text(Moment moment, UtcOffset offset);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -9,10 +9,10 @@
 #include <set>
 #include <string_view>
 
-#include "framework/base/text.h"
-#include "framework/check/starter.h"
+#include "framework/core/base/text.h"
+#include "framework/course/check/starter.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 struct Token {
@@ -176,7 +176,7 @@ private:
 
     static std::vector<std::pair<size_t, size_t>> solutions(const std::string& text,
                                                             const std::filesystem::path& file) {
-        solution_lines(text, file);  // throws if marks do not match
+        check::solution_lines(text, file);  // throws if marks do not match
         std::vector<std::pair<size_t, size_t>> parts;
         const std::string open = "//[solution";
         for (size_t at = text.find(open); at != std::string::npos; at = text.find(open, at + 1))
@@ -394,4 +394,4 @@ std::vector<Mutant> mutants_of(const std::string& text, const std::filesystem::p
     return Maker(text, file, header).take();
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace relief {
+namespace relief::grade {
 
 struct Mutant {
     std::string task;      ///< "11.2": the last task that the file names before the change
@@ -24,4 +24,4 @@ struct Mutant {
 std::vector<Mutant> mutants_of(const std::string& text, const std::filesystem::path& file,
                                const std::string& header = {});
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -9,16 +9,16 @@
 #include <mutex>
 #include <random>
 
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/parallel.h"
-#include "framework/base/paths.h"
-#include "framework/base/sha256.h"
-#include "framework/base/text.h"
-#include "framework/image/visualize.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/sha256.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/visualize.h"
 #include "framework/staff/grade/variation.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 /// A difference that a person sees: `visible` in a channel, in at least `visible_share` of the pixels.
@@ -154,7 +154,7 @@ private:
             const bool is_own = task.id == result.mutant.task, lost = task.points < task.of;
             own |= is_own && lost;
             result.accused |= !is_own && lost;
-            for (const CheckMark& check : task.checks) all_broken &= !is_own || check.outcome == Outcome::broken;
+            for (const CheckMark& check : task.checks) all_broken &= !is_own || check.outcome == check::Outcome::broken;
         }
         if (own)
             result.fate = all_broken ? MutantFate::invalid : MutantFate::killed;
@@ -245,4 +245,4 @@ MutationTest test_mutants(const LabEntry& lab, const GradeSetup& setup, Mutation
     return Tester(lab, stage, setup, options).run();
 }
 
-}  // namespace relief
+}  // namespace relief::grade

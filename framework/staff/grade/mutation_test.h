@@ -8,7 +8,7 @@
 #include "framework/staff/grade/marks.h"
 #include "framework/staff/grade/mutants.h"
 
-namespace relief {
+namespace relief::grade {
 
 struct MutationOptions {
     int jobs = 1;
@@ -45,4 +45,4 @@ struct MutationTest {
 /// each reference screenshot, and random views, which follow from the setup's seed.
 MutationTest test_mutants(const LabEntry& lab, const GradeSetup& setup, MutationOptions options);
 
-}  // namespace relief
+}  // namespace relief::grade

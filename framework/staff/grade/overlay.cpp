@@ -5,10 +5,10 @@
 
 #include <set>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
 
-namespace relief {
+namespace relief::grade {
 
 namespace fs = std::filesystem;
 
@@ -58,4 +58,4 @@ const CourseOverlay::Folder& CourseOverlay::fill(const Folder& folder, const Cou
 
 CourseOverlay::CourseOverlay(const CourseFiles& files) : elsewhere_(fill(folder_, files).path) {}
 
-}  // namespace relief
+}  // namespace relief::grade

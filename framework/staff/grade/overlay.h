@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "framework/base/paths.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/lab/manifest.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// The texts of files, by path relative to the course's top folder.
 using CourseFiles = std::map<std::string, std::string>;
@@ -35,4 +35,4 @@ private:
     CourseElsewhere elsewhere_;
 };
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/parallel.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/merge.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 
 namespace fs = std::filesystem;
 
@@ -68,4 +68,4 @@ std::string some_of(const std::vector<std::string>& names) {
     return join(first, ", ") + (names.size() > shown ? fmt::format(" and {} more", names.size() - shown) : "");
 }
 
-}  // namespace relief
+}  // namespace relief::grade

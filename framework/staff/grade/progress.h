@@ -9,7 +9,7 @@
 #include "framework/staff/grade/results.h"
 #include "framework/staff/grade/roster.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns FOLDER/results/NAME.json.
 std::filesystem::path result_file(const std::filesystem::path& folder, const std::string& name);
@@ -34,4 +34,4 @@ ClassProgress read_progress(const std::filesystem::path& folder);
 /// Returns some of the names: "jane, joe and 3 more".
 std::string some_of(const std::vector<std::string>& names);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "framework/base/error.h"
-#include "framework/base/sha256.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/sha256.h"
+#include "framework/core/base/text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 using nlohmann::ordered_json;
@@ -29,7 +29,7 @@ ordered_json as_json(const CheckMark& check) {
 }
 CheckMark check_from(const ordered_json& json) {
     return {.name = json.at("name"),
-            .outcome = outcome_of(json.at("outcome").get<std::string>()),
+            .outcome = check::outcome_of(json.at("outcome").get<std::string>()),
             .found = json.at("found"),
             .look_at = json.at("look_at"),
             .view = json.at("view"),
@@ -55,7 +55,7 @@ TaskMark task_from(const ordered_json& json) {
     size_t passed = 0;
     for (const ordered_json& check : json.at("checks")) {
         task.checks.push_back(check_from(check));
-        passed += task.checks.back().outcome == Outcome::passed;
+        passed += task.checks.back().outcome == check::Outcome::passed;
     }
     const double earned = task.of * double(passed) / double(std::max<size_t>(task.checks.size(), 1));
     if (task.of < 0 || !(std::abs(task.points - earned) < 1e-6))
@@ -156,4 +156,4 @@ SubmissionMark from_json(const std::string& text) try {
     throw Error("is not a whole result of grading");
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -7,7 +7,7 @@
 
 #include "framework/staff/grade/marks.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// Everything known about a graded submission.
 struct SubmissionMark {
@@ -40,4 +40,4 @@ std::string found_for_students(const CheckMark& check);
 std::string to_json(const SubmissionMark& mark);
 SubmissionMark from_json(const std::string& text);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "framework/base/descriptor.h"
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/text.h"
+#include "framework/core/base/descriptor.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -118,4 +118,4 @@ Shard shard_of(const std::string& text) {
     return {};
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace relief {
+namespace relief::grade {
 
 struct Roster {
     struct One {
@@ -48,4 +48,4 @@ struct Shard {
 /// class. Throws UsageError for any other text or value.
 Shard shard_of(const std::string& text);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -6,12 +6,12 @@
 #include <optional>
 #include <utility>
 
-#include "framework/base/error.h"
-#include "framework/check/drawing.h"
+#include "framework/core/base/error.h"
+#include "framework/course/check/drawing.h"
 #include "framework/staff/grade/control_group.h"
 #include "framework/staff/grade/system_calls.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,8 +121,9 @@ ProcessResult run_sandboxed(ProcessJob job, const Confinement& confinement) {
             if (result.errors.empty()) result.errors = fmt::format("bubblewrap ended with {}", code);
         }
     }
-    if (result.ending == Ending::exited && result.code == out_of_memory_code) result.ending = Ending::out_of_memory;
+    if (result.ending == Ending::exited && result.code == check::out_of_memory_code)
+        result.ending = Ending::out_of_memory;
     return result;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "framework/base/process.h"
+#include "framework/core/base/process.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// How a command is isolated from the machine, the strongest first.
 /// `groups`: as `namespaces`, and a control group limits the memory and the number of all its processes together,
@@ -42,4 +42,4 @@ struct Confinement {
 /// `limits.memory`.
 ProcessResult run_sandboxed(ProcessJob job, const Confinement& confinement);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -7,13 +7,13 @@
 #include <functional>
 #include <mutex>
 
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/parallel.h"
-#include "framework/base/paths.h"
-#include "framework/check/starter.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/base/paths.h"
+#include "framework/course/check/starter.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 Submission submission_of(CourseFiles files) {
@@ -23,7 +23,7 @@ Submission submission_of(CourseFiles files) {
 }
 
 /// Lists all checks whose outcome is not `expected`.
-std::string told(const TaskMark& task, Outcome expected) {
+std::string told(const TaskMark& task, check::Outcome expected) {
     std::string text;
     for (const CheckMark& check : task.checks)
         if (check.outcome != expected)
@@ -96,17 +96,19 @@ private:
         const std::lock_guard lock(mutex_);
         for (const TaskMark& task : mark.tasks)
             if (task.points != task.of)
-                wrong(fmt::format("the solution of task {} loses points{}", task.id, told(task, Outcome::passed)));
+                wrong(
+                    fmt::format("the solution of task {} loses points{}", task.id, told(task, check::Outcome::passed)));
     }
 
     void starter() {
         CourseFiles files;
-        for (const auto& [name, text] : solution_) files[name] = starter_of(text, name);
+        for (const auto& [name, text] : solution_) files[name] = check::starter_of(text, name);
         const LabMark mark = grader_.mark(submission_of(files));
         const std::lock_guard lock(mutex_);
         for (const TaskMark& task : mark.tasks)
             if (task.points != 0)
-                wrong(fmt::format("the starter of task {} gets points{}", task.id, told(task, Outcome::unfinished)));
+                wrong(fmt::format("the starter of task {} gets points{}", task.id,
+                                  told(task, check::Outcome::unfinished)));
     }
 
     /// Other tasks are correct, so they must pass. Only a check that declares a dependence on the task may fail.
@@ -117,7 +119,8 @@ private:
                 wrong(fmt::format("'{}' is of task {}, and '{}' is named at task {}, which is right", info.id,
                                   info.task, task.mistake, task.id));
             for (const CheckMark& check : task.checks) {
-                if (check.outcome != Outcome::passed && !grader_.manifest().check(check.name).depends_on(info.task))
+                if (check.outcome != check::Outcome::passed &&
+                    !grader_.manifest().check(check.name).depends_on(info.task))
                     wrong(fmt::format("'{}' fails '{}' of task {}: neither its needs nor its leans_on have {}", info.id,
                                       check.name, task.id, info.task));
             }
@@ -132,7 +135,7 @@ private:
         for (const TaskMark& task : mark.tasks) {
             if (task.id != info.task) continue;
             if (!mark.graded() || task.points == task.of)
-                return wrong(fmt::format("'{}' is not caught{}", info.id, told(task, Outcome::unfinished)));
+                return wrong(fmt::format("'{}' is not caught{}", info.id, told(task, check::Outcome::unfinished)));
             ++result_.caught;
             if (options_.sample > 0) continue;
             const std::string& name = info.same_as.empty() ? info.id : info.same_as;
@@ -153,7 +156,7 @@ private:
             if (task.points == task.of) continue;
             right = false;
             wrong(fmt::format("'{}' is right, and loses points of task {}{}", info.id, task.id,
-                              told(task, Outcome::passed)));
+                              told(task, check::Outcome::passed)));
         }
         result_.right += right;
     }
@@ -175,4 +178,4 @@ SelfTest test_grader(const LabEntry& lab, const GradeSetup& setup, SelfTestOptio
     return Test(lab, grader, options).run();
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -6,7 +6,7 @@
 
 #include "framework/staff/grade/marks.h"
 
-namespace relief {
+namespace relief::grade {
 
 struct SelfTestOptions {
     int jobs = 1;
@@ -29,4 +29,4 @@ struct SelfTest {
 /// is named; and that every correct variant gets all points. A lab with tasks must have at least five variants.
 SelfTest test_grader(const LabEntry& lab, const GradeSetup& setup, SelfTestOptions options);
 
-}  // namespace relief
+}  // namespace relief::grade

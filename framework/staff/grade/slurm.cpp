@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <map>
 
-#include "framework/base/error.h"
-#include "framework/base/process.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/process.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ std::optional<std::set<std::string>> usable_nodes(const std::string& partition) 
     return nodes;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns whether `sbatch` is on PATH.
 bool has_slurm();
@@ -39,4 +39,4 @@ std::optional<std::vector<QueuedJob>> queued_jobs();
 /// Returns nothing if sinfo fails.
 std::optional<std::set<std::string>> usable_nodes(const std::string& partition);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -10,17 +10,17 @@
 #include <cmath>
 #include <regex>
 
-#include "framework/base/descriptor.h"
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/module.h"
-#include "framework/base/parallel.h"
-#include "framework/base/paths.h"
-#include "framework/base/sha256.h"
-#include "framework/base/text.h"
-#include "framework/check/starter.h"
+#include "framework/core/base/descriptor.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/module.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/sha256.h"
+#include "framework/core/base/text.h"
+#include "framework/course/check/starter.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -148,12 +148,12 @@ void Stage::add(const LabEntry& lab) {
     const Manifest manifest = load_manifest(lab);
     LabPart part;
     for (const std::string& file : files_below("shaders/" + lab.folder))
-        part.shaders[file] = starter_of(read_file(course_root() / file), file);
+        part.shaders[file] = check::starter_of(read_file(course_root() / file), file);
     for (const std::string& file : files_below("shaders/common"))
-        put(folder_.path() / file, starter_of(read_file(course_root() / file), file));
+        put(folder_.path() / file, check::starter_of(read_file(course_root() / file), file));
     part.readable = {folder_.path() / "bin", folder_.path() / "assets", folder_.path() / "shaders"};
     for (const std::string& file : task_files(manifest))
-        if (is_cpp(file)) part.sources[file] = starter_of(read_file(course_root() / file), file);
+        if (is_cpp(file)) part.sources[file] = check::starter_of(read_file(course_root() / file), file);
     if (!part.sources.empty()) build_lab(lab, part);
     labs_[lab.folder] = std::move(part);
 }
@@ -192,17 +192,17 @@ void Stage::build_lab(const LabEntry& lab, LabPart& part) {
     const fs::path here = folder_.path() / "students" / lab.folder, include = here / "include",
                    build = RELIEF_BUILD_FOLDER;
     for (const std::string& file : files_below("framework"))
-        if (file.ends_with(".h")) put(include / file, starter_of(read_file(course_root() / file), file));
+        if (file.ends_with(".h")) put(include / file, check::starter_of(read_file(course_root() / file), file));
     for (const auto& entry : fs::recursive_directory_iterator(build / "generated/glad/include"))
         if (entry.is_regular_file())
             put(include / "glad" / entry.path().lexically_relative(build / "generated/glad/include"),
                 read_file(entry.path()));
     for (const std::string& file : files_below("labs/" + lab.folder))
         if (is_source(file) && !part.sources.contains(file))
-            put(include / file, starter_of(read_file(course_root() / file), file));
+            put(include / file, check::starter_of(read_file(course_root() / file), file));
     put(include / "main.cpp",
-        "namespace relief { [[noreturn]] void draw_request(const char* course); }\n"
-        "int main(int, char** words) { relief::draw_request(words[3]); }\n");
+        "namespace relief::check { [[noreturn]] void draw_request(const char* course); }\n"
+        "int main(int, char** words) { relief::check::draw_request(words[3]); }\n");
 
     // Precompiles the headers that the tasks' starters include: they take nine tenths of a task's compile time.
     std::string includes;
@@ -333,4 +333,4 @@ std::string Stage::hash() const {
     return sha256(all);
 }
 
-}  // namespace relief
+}  // namespace relief::grade

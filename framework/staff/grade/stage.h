@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "framework/base/descriptor.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/base/descriptor.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/grade/overlay.h"
 #include "framework/staff/grade/sandbox.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns the files that a lab's students write.
 std::set<std::string> task_files(const Manifest& manifest);
@@ -93,4 +93,4 @@ private:
     std::map<std::string, LabPart> labs_;  ///< by folder
 };
 
-}  // namespace relief
+}  // namespace relief::grade

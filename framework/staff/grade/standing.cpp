@@ -8,10 +8,10 @@
 #include <map>
 #include <utility>
 
-#include "framework/base/text.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 /// A lab that counts, and its tasks.
@@ -260,4 +260,4 @@ double late_share(int days, const LateRule& rule) {
     return std::max(1 - 0.01 * rule.percent_per_day * days, 0.01 * rule.floor_percent);
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -9,7 +9,7 @@
 #include "framework/staff/grade/class_file.h"
 #include "framework/staff/grade/results.h"
 
-namespace relief {
+namespace relief::grade {
 
 struct TaskStanding {
     std::string id, title;
@@ -81,4 +81,4 @@ int days_late(Moment due, Moment handed_in, double grace_hours);
 /// Returns the share of a lab's points that remains after lateness, in [0, 1].
 double late_share(int days, const LateRule& rule);
 
-}  // namespace relief
+}  // namespace relief::grade

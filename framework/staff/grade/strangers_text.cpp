@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "framework/base/module.h"
+#include "framework/core/base/module.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 struct Character {
@@ -106,4 +106,4 @@ std::string bytes_of_utf8(std::string_view text) {
     return result;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns the text as one line of UTF-8 for a terminal or a page. Control characters and invalid UTF-8 become \xNN;
 /// invisible characters and marks of text direction become \uNNNN. Truncates to at most `max_length` bytes of `text`,
@@ -25,7 +25,7 @@ std::string composed(std::string text);
 std::string utf8_of_bytes(std::string_view bytes);
 std::string bytes_of_utf8(std::string_view text);
 
-}  // namespace relief
+}  // namespace relief::grade
 
 /// The module's function; composed() calls it.
 extern "C" void relief_compose(std::string& text);

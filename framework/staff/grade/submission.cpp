@@ -12,13 +12,13 @@
 #include <cstring>
 #include <optional>
 
-#include "framework/base/descriptor.h"
-#include "framework/base/error.h"
-#include "framework/base/module.h"
-#include "framework/base/sha256.h"
+#include "framework/core/base/descriptor.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/module.h"
+#include "framework/core/base/sha256.h"
 #include "framework/staff/grade/archive.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -222,4 +222,4 @@ Submission read_submission(const fs::path& path, const std::set<std::string>& wa
     return submission;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -9,7 +9,7 @@
 
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// Upper bound of the size of a task file. Honest ones are a page or two.
 constexpr size_t max_task_bytes = size_t{1} << 20;
@@ -35,4 +35,4 @@ std::string submission_name(const std::filesystem::path& path);
 /// and never throws because of the submission's content.
 Submission read_submission(const std::filesystem::path& path, const std::set<std::string>& wanted);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -9,11 +9,11 @@
 #include <cstring>
 #include <memory>
 
-#include "framework/base/descriptor.h"
-#include "framework/base/error.h"
-#include "framework/base/process.h"
+#include "framework/core/base/descriptor.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/process.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 // Libraries try these, and fall back to other calls.
@@ -88,4 +88,4 @@ std::string call_filter(bool makes_processes) {
     return bytes;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

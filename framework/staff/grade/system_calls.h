@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns a filter of system calls for ProcessJob::calls, in the kernel's format (struct sock_filter). It refuses
 /// calls that no student's program needs and calls that escape other limits. These are memory charged to no process
@@ -13,4 +13,4 @@ namespace relief {
 /// libseccomp does not support the machine.
 std::string call_filter(bool makes_processes);
 
-}  // namespace relief
+}  // namespace relief::grade

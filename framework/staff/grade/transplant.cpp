@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "framework/check/starter.h"
+#include "framework/course/check/starter.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 using Names = std::set<std::string>;
@@ -156,15 +156,15 @@ Names words_of(std::string_view text) {
 
 /// Returns for each submitted part the text of the definitions that the task needs from it. These are used by the task
 /// directly or through each other, and the solution does not define them.
-std::vector<std::string> helpers(const std::vector<TaskPart>& submitted, const std::string& task,
-                                 const std::vector<TaskPart>& solution) {
+std::vector<std::string> helpers(const std::vector<check::TaskPart>& submitted, const std::string& task,
+                                 const std::vector<check::TaskPart>& solution) {
     Names known, wanted;
-    for (const TaskPart& part : solution) {
+    for (const check::TaskPart& part : solution) {
         const Definitions definitions(part.text);
         for (const Definition& one : definitions.list()) known.insert(one.defines.begin(), one.defines.end());
     }
     std::vector<std::vector<Definition>> candidates;
-    for (const TaskPart& part : submitted) {
+    for (const check::TaskPart& part : submitted) {
         std::vector<Definition>& own = candidates.emplace_back();
         if (part.task == task) wanted = words_of(part.text);
         if (part.task.empty() || part.task == task) continue;
@@ -191,14 +191,14 @@ std::vector<std::string> helpers(const std::vector<TaskPart>& submitted, const s
 
 std::optional<std::string> with_one_task(const std::string& solution, const std::string& submitted,
                                          const std::string& task) {
-    const std::vector<TaskPart> own = task_parts(submitted), others = task_parts(solution);
+    const std::vector<check::TaskPart> own = check::task_parts(submitted), others = check::task_parts(solution);
     const auto part_of = [&](const std::string& id) {
-        return std::find_if(own.begin(), own.end(), [&](const TaskPart& one) { return one.task == id; });
+        return std::find_if(own.begin(), own.end(), [&](const check::TaskPart& one) { return one.task == id; });
     };
     if (task.empty() || part_of(task) == own.end()) return {};
     const std::vector<std::string> used = helpers(own, task, others);
     std::string text;
-    for (const TaskPart& part : others) {
+    for (const check::TaskPart& part : others) {
         const auto mine = part_of(part.task);
         if (part.task.empty() || part.task == task) {
             text += mine->text;
@@ -211,4 +211,4 @@ std::optional<std::string> with_one_task(const std::string& solution, const std:
     return text;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns the task file `solution` with the part for `task` ("11.2") replaced by the part in `submitted`; see
 /// task_parts(). Also takes the text before the first task from the submission, because all its tasks may use it. The
@@ -14,4 +14,4 @@ namespace relief {
 std::optional<std::string> with_one_task(const std::string& solution, const std::string& submitted,
                                          const std::string& task);
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -4,11 +4,11 @@
 #include <array>
 #include <string_view>
 
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/check/explain.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/course/check/explain.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 /// The functions of twin.glsl, by their GLSL names in single precision.
@@ -72,9 +72,9 @@ std::string translated(const GlslToken& token, bool is_field, const TaskNames& n
         return token.text.substr(0, token.text.find_last_not_of("fFlL") + 1) + "lf";
     }
     if (token.kind != GlslToken::word || is_field) return token.text;
-    if (names.all.contains(token.text)) return token.text + twin_suffix;
+    if (names.all.contains(token.text)) return token.text + check::twin_suffix;
     if (is_single_only(token.text)) return "relief_" + token.text;
-    return twin_type(token.text, {});
+    return check::twin_type(token.text, {});
 }
 
 /// Returns the text in double precision. Omits ranges for which `keep` is false, except their line breaks.
@@ -93,7 +93,8 @@ std::string translated(const std::string& text, const TaskNames& names, const st
             before == "." || (is_within(fields, token.begin, true) && !names.structs.contains(token.text));
         if (keep(token.begin))
             result += translated(
-                token, is_field && token.kind == GlslToken::word && twin_type(token.text, {}) == token.text, names);
+                token, is_field && token.kind == GlslToken::word && check::twin_type(token.text, {}) == token.text,
+                names);
         at = token.end;
         before = token.text;
     }
@@ -106,16 +107,17 @@ std::string prototype(const GlslFunction& function, const TaskNames& names) {
     for (const GlslVariable& parameter : function.parameters) {
         const std::string array = parameter.count > 0 ? "[" + std::to_string(parameter.count) + "]" : "";
         parameters += (parameters.empty() ? "" : ", ") + parameter.qualifier + " " +
-                      twin_type(parameter.type, names.structs) + " " + parameter.name + array;
+                      check::twin_type(parameter.type, names.structs) + " " + parameter.name + array;
     }
-    return twin_type(function.type, names.structs) + " " + function.name + twin_suffix + "(" + parameters + ");\n";
+    return check::twin_type(function.type, names.structs) + " " + function.name + check::twin_suffix + "(" +
+           parameters + ");\n";
 }
 
-const FromStaff<Twins(const Manifest&)>::Provided provided(twins_of, twins_of_course);
+const FromStaff<check::Twins(const Manifest&)>::Provided provided(check::twins_of, twins_of_course);
 
 }  // namespace
 
-TwinText twin_text(const std::string& text, const std::string& includes) {
+check::TwinText twin_text(const std::string& text, const std::string& includes) {
     const std::string whole = includes + "\n" + text;
     const GlslText parsed = parse_glsl(whole);
     TaskNames names;
@@ -125,7 +127,7 @@ TwinText twin_text(const std::string& text, const std::string& includes) {
     for (const GlslStruct& one : parsed.structs) structs.push_back({one.begin, one.end, true});
 
     static const std::string helpers = read_file(course_root() / "framework" / "staff" / "grade" / "twin.glsl");
-    TwinText twin;
+    check::TwinText twin;
     twin.declarations = helpers;
     twin.declarations +=
         translated(whole, names, structs, [&](size_t at) { return is_within(ranges, at, true); }) + "\n";
@@ -143,8 +145,8 @@ TwinText twin_text(const std::string& text, const std::string& includes) {
     return twin;
 }
 
-Twins twins_of_course(const Manifest& manifest) {
-    Twins twins;
+check::Twins twins_of_course(const Manifest& manifest) {
+    check::Twins twins;
     for (const TaskInfo& task : manifest.tasks) {
         if (!is_shader(task.file) || twins.contains(task.file)) continue;
         const std::string text = read_file(course_root() / task.file);
@@ -156,4 +158,4 @@ Twins twins_of_course(const Manifest& manifest) {
     return twins;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

@@ -4,16 +4,16 @@
 #include <filesystem>
 #include <string>
 
-#include "framework/check/watched_shader.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
+#include "framework/course/check/watched_shader.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// Returns the twin of a task file. `text` is the file with its solutions; `includes` is the text of its included
 /// files, except unfinished.glsl.
-TwinText twin_text(const std::string& text, const std::string& includes);
+check::TwinText twin_text(const std::string& text, const std::string& includes);
 
 /// Returns the twins of every shader task file of the lab, from the course's current files.
-Twins twins_of_course(const Manifest& manifest);
+check::Twins twins_of_course(const Manifest& manifest);
 
-}  // namespace relief
+}  // namespace relief::grade

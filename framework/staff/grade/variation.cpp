@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/base/sha256.h"
-#include "framework/base/text.h"
+#include "framework/core/base/sha256.h"
+#include "framework/core/base/text.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 /// Returns a number in [0, 1) that depends only on `words`.
@@ -64,4 +64,4 @@ std::string view_text(const Shot& shot) {
     return text;
 }
 
-}  // namespace relief
+}  // namespace relief::grade

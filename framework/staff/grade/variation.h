@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
 
-namespace relief {
+namespace relief::grade {
 
 /// Another camera, and other values of the knobs in the manifest's `[vary]`. All checks of a lab get the same changes,
 /// so two checks can still be compared with each other. If pictures do not depend on the camera (the map itself, six
@@ -30,4 +30,4 @@ private:
 /// Returns the shot in words: "camera 32,18,2.7; size 110x104; light_yaw 33".
 std::string view_text(const Shot& shot);
 
-}  // namespace relief
+}  // namespace relief::grade

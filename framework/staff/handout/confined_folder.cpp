@@ -8,9 +8,9 @@
 #include <cerrno>
 #include <cstring>
 
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
 
-namespace relief {
+namespace relief::handout {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ void ConfinedFolder::remove(const fs::path& path) const {
     }
 }
 
-}  // namespace relief
+}  // namespace relief::handout

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "framework/base/descriptor.h"
+#include "framework/core/base/descriptor.h"
 
-namespace relief {
+namespace relief::handout {
 
 /// Paths are relative to the folder. The path of the folder itself may contain links; links below it are not followed.
 class ConfinedFolder {
@@ -40,4 +40,4 @@ private:
     Descriptor top_;
 };
 
-}  // namespace relief
+}  // namespace relief::handout

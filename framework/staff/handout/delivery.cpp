@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <set>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/handout/confined_folder.h"
 
-namespace relief {
+namespace relief::handout {
 namespace {
 
 namespace fs = std::filesystem;
@@ -209,4 +209,4 @@ Delivery deliver(const HandedFiles& files, const std::string& choice, const fs::
     return done;
 }
 
-}  // namespace relief
+}  // namespace relief::handout

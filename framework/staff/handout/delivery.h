@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace relief {
+namespace relief::handout {
 
 struct HandedFile {
     std::string bytes;
@@ -45,4 +45,4 @@ std::optional<std::string> delivered_choice(const std::filesystem::path& folder)
 /// written.
 Delivery deliver(const HandedFiles& files, const std::string& choice, const std::filesystem::path& folder);
 
-}  // namespace relief
+}  // namespace relief::handout

@@ -6,16 +6,16 @@
 #include <regex>
 #include <set>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/paths.h"
-#include "framework/base/text.h"
-#include "framework/check/check.h"
-#include "framework/check/starter.h"
-#include "framework/image/file.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/file.h"
+#include "framework/course/check/check.h"
+#include "framework/course/check/starter.h"
 
-namespace relief {
+namespace relief::handout {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,7 +52,7 @@ void add(const fs::path& path, const std::set<std::string>& labs, HandedFiles& f
     }
     if (const std::string lab = lab_of(path); !lab.empty() && !labs.contains(lab)) return;
     std::string content = read_file(from);
-    if (is_text(path)) content = starter_of(content, from);
+    if (is_text(path)) content = check::starter_of(content, from);
     const bool executable = (fs::status(from).permissions() & fs::perms::owner_exec) != fs::perms::none;
     files[path] = {content, executable};
 }
@@ -122,16 +122,16 @@ std::string readme(const std::vector<const LabEntry*>& labs) {
 /// Throws Error if the lab's own solution fails a check, hidden or not.
 void refuse_unsolved(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
                      const std::optional<Image>& expected) {
-    const CheckResult result = run_check(lab, manifest, check, expected);
-    if (result.outcome != Outcome::passed)
+    const check::CheckResult result = check::run_check(lab, manifest, check, expected);
+    if (result.outcome != check::Outcome::passed)
         throw Error(fmt::format("lab {} cannot be handed out: its own solution does not pass '{}' ({}: {})",
-                                lab.two_digits(), check.name, name_of(result.outcome), result.found));
+                                lab.two_digits(), check.name, check::name_of(result.outcome), result.found));
 }
 
 /// Returns the expected picture of the check. Throws Error if it cannot be made.
 std::optional<Image> expected_of(const LabEntry& lab, const CheckInfo& check) {
     try {
-        return expectation(lab, check);
+        return check::expectation(lab, check);
     } catch (const Error& error) {
         throw Error(fmt::format("lab {} cannot be handed out: there is nothing to compare '{}' with ({})",
                                 lab.two_digits(), check.name, error.what()));
@@ -149,7 +149,7 @@ int add_expected(const std::vector<const LabEntry*>& labs, HandedFiles& files) {
             const std::optional<Image> image = expected_of(*lab, check);
             refuse_unsolved(*lab, manifest, check, image);
             if (check.hidden || !image) continue;
-            const fs::path file = expectation_file(*lab, check).lexically_relative(course_root());
+            const fs::path file = check::expectation_file(*lab, check).lexically_relative(course_root());
             if (!files.emplace(file, HandedFile{encode_image(*image, format_of(file))}).second)
                 throw Error(fmt::format("labs/{}/lab.toml: two checks have names like '{}'", lab->folder, check.name));
             ++count;
@@ -179,4 +179,4 @@ HandoutReport write_handout(const fs::path& folder, const std::optional<std::str
     return report;
 }
 
-}  // namespace relief
+}  // namespace relief::handout

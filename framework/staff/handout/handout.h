@@ -8,7 +8,7 @@
 
 #include "framework/staff/handout/delivery.h"
 
-namespace relief {
+namespace relief::handout {
 
 struct HandoutReport {
     std::string choice;  ///< "all", or the numbers of the labs, "1,2,10"
@@ -26,4 +26,4 @@ struct HandoutReport {
 /// cannot be written, or if a lab's own solution fails one of its checks.
 HandoutReport write_handout(const std::filesystem::path& folder, const std::optional<std::string>& labs = {});
 
-}  // namespace relief
+}  // namespace relief::handout

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "framework/base/text.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/measure/plot.h"
 #include "framework/staff/measure/sweep.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 std::string time_text(double nanoseconds) {
@@ -93,4 +93,4 @@ std::string answer_of(std::span<const BenchRow> rows, const std::vector<size_t>&
         rounded(accurate.times.median / fast.times.median, 2));
 }
 
-}  // namespace relief
+}  // namespace relief::measure

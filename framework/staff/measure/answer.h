@@ -7,7 +7,7 @@
 
 #include "framework/staff/measure/rows.h"
 
-namespace relief {
+namespace relief::measure {
 
 /// Returns the scene with the most measured methods, as indices of rows. Scenes with methods that are comparable by
 /// time and error come before all others. On a tie, returns the first scene. Empty if nothing was measured.
@@ -20,4 +20,4 @@ std::vector<size_t> chief_scene(std::span<const BenchRow> rows);
 /// error for all inputs.
 std::string answer_of(std::span<const BenchRow> rows, const std::vector<size_t>& scene);
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -1,10 +1,10 @@
 // Baking: the time of a bake and the error of its map, by size, frame and triangles. Also the time of a frame with the
 // fine model, the coarse model, and the coarse model with its map.
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 Shot shell_shot(const BenchSettings& settings, BenchKnobs set) {
@@ -94,4 +94,4 @@ BenchTopic baking_topic() {
             "How fine must a baked map be, and how long does it take?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 
-#include "framework/base/text.h"
+#include "framework/core/base/text.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 /// Returns the figures that must not grow, by name.
@@ -61,4 +61,4 @@ BaselineReport compare_with_baseline(std::span<const BenchRow> now, std::span<co
     return report;
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -7,7 +7,7 @@
 
 #include "framework/staff/measure/rows.h"
 
-namespace relief {
+namespace relief::measure {
 
 struct BaselineReport {
     /// One line for each regression: work or error that grew, a method that failed or is missing, a method that is not
@@ -22,4 +22,4 @@ struct BaselineReport {
 BaselineReport compare_with_baseline(std::span<const BenchRow> now, std::span<const BenchRow> baseline,
                                      double tolerance);
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -8,10 +8,10 @@
 #include <random>
 #include <set>
 
-#include "framework/base/error.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/text.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 /// Returns the value of a knob of a scene or a method; null if it has no such knob.
@@ -146,4 +146,4 @@ std::vector<bool> pareto_front(std::span<const std::pair<double, double>> points
     return front;
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "framework/image/image.h"
+#include "framework/core/image/image.h"
 
-namespace relief {
+namespace relief::measure {
 
 /// A method's error against the exact values. `unit` is empty if the method has no error, like memcpy.
 struct BenchError {
@@ -131,4 +131,4 @@ private:
 /// other point is at least as good in both and better in one. Equal points are on it together.
 std::vector<bool> pareto_front(std::span<const std::pair<double, double>> points);
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 
-#include "framework/kit/relief_material.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/kit/relief_material.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/reference/least_move.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr glm::ivec2 size{512, 512};
@@ -103,4 +103,4 @@ BenchTopic budget_topic() {
             "Which method keeps a budget of pixels in the least time?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

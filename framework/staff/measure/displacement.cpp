@@ -8,16 +8,16 @@
 
 #include <cmath>
 
-#include "framework/gl/gpu_mesh.h"
-#include "framework/gl/program.h"
-#include "framework/kit/displaced_surface.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/gl/gpu_mesh.h"
+#include "framework/core/gl/program.h"
+#include "framework/core/kit/displaced_surface.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/stability.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/reference/patches.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr glm::ivec2 size{512, 512};
@@ -327,4 +327,4 @@ BenchTopic displacement_topic() {
             "How fine must triangles be to show a relief?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

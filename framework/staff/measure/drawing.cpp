@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/gl/counters.h"
-#include "framework/gl/object.h"
-#include "framework/image/visualize.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/gl/object.h"
+#include "framework/core/image/visualize.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr int shown_side = 128;
@@ -101,4 +101,4 @@ void show_errors(BenchSubject& subject, const Image& errors, double max_error) {
     subject.error_map_max = max_error;
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -4,11 +4,11 @@
 #include <functional>
 #include <memory>
 
-#include "framework/image/compare.h"
-#include "framework/lab/shot.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/lab/shot.h"
 #include "framework/staff/measure/bench.h"
 
-namespace relief {
+namespace relief::measure {
 
 /// Concatenates the knobs of both, in this order.
 BenchKnobs together(BenchKnobs first, const BenchKnobs& second);
@@ -32,4 +32,4 @@ void show_picture(BenchSubject& subject, Lab& lab, Shot shot);
 /// shows the largest error of the pixels that it covers.
 void show_errors(BenchSubject& subject, const Image& errors, double max_error);
 
-}  // namespace relief
+}  // namespace relief::measure

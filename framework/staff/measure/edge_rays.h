@@ -5,11 +5,11 @@
 #include <random>
 #include <vector>
 
-#include "framework/mesh/ray.h"
-#include "framework/mesh/shapes.h"
+#include "framework/core/mesh/ray.h"
+#include "framework/core/mesh/shapes.h"
 #include "framework/staff/measure/bench.h"
 
-namespace relief {
+namespace relief::measure {
 
 /// Rays from inside a sphere of radius 1 to points on its mesh's edges and vertices. Each ray hits at t = 1 unless it
 /// slips through. The sphere's centre lies at (away, away, away), where its vertices are rounded to floats.
@@ -46,4 +46,4 @@ struct RaysThroughEdges {
     }
 };
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -1,10 +1,10 @@
 // Environment: the time of a frame of lab 16 with and without each of its terms. The errors of shadows by bias and map
 // size, of occlusion by slices and taps, and of blurred mirror images.
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 Shot court_shot(const BenchSettings& settings, const BenchKnobs& set) {
@@ -91,4 +91,4 @@ BenchTopic environment_topic() {
             "What do light and shadow of a bumped surface cost, and how right are they?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

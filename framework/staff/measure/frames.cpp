@@ -1,10 +1,10 @@
 // Frames of each lab at 512 x 512, with the cameras of the manifest and of its reference screenshots. A frame ends with
 // glFinish.
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 /// Returns the error of the first probe with exact values, as the tests measure it.
@@ -50,4 +50,4 @@ BenchTopic frames_topic() {
             "How long does a frame of each lab take?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

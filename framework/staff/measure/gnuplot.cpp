@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "framework/base/error.h"
-#include "framework/base/process.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/process.h"
+#include "framework/core/base/text.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr int title_height = 44;
@@ -93,4 +93,4 @@ std::optional<std::string> run_gnuplot(const std::string& script, const std::str
     return finished(done.output, name, title);
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace relief {
+namespace relief::measure {
 
 constexpr const char* gnuplot_text_color = "#23211d";
 
@@ -40,4 +40,4 @@ std::string gnuplot_panel(const std::string& panel, const PanelStyle& style);
 /// if it fails.
 std::optional<std::string> run_gnuplot(const std::string& script, const std::string& name, const std::string& title);
 
-}  // namespace relief
+}  // namespace relief::measure

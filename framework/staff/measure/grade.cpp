@@ -2,16 +2,16 @@
 // no sandbox, hidden views, exact values or hints.
 #include <fmt/format.h>
 
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/module.h"
-#include "framework/base/parallel.h"
-#include "framework/base/paths.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/module.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/base/paths.h"
 #include "framework/staff/grade/class.h"
 #include "framework/staff/grade/marks.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,7 +54,7 @@ public:
             if (fs::exists(framework_folder() / "textures"))
                 fs::create_directory_symlink(framework_folder() / "textures", here / "bin/textures");
             fs::copy_file(executable_path(), here / "bin/relief");
-            for (const std::string& file : task_files(manifest_)) write_file(here / file, handed_in(file, i));
+            for (const std::string& file : grade::task_files(manifest_)) write_file(here / file, handed_in(file, i));
         }
         for (size_t s = 0; s < shots_.size(); ++s)
             must(shot_words((course(0) / "bin/relief").string(), lab_, shots_[s], reference(s)));
@@ -81,7 +81,7 @@ private:
         return folder_.path() / fmt::format("{}.{}", s, shots_[s].probe ? "exr" : "png");
     }
     bool has_cpp() const {
-        for (const std::string& file : task_files(manifest_))
+        for (const std::string& file : grade::task_files(manifest_))
             if (file.ends_with(".cpp")) return true;
         return false;
     }
@@ -97,7 +97,7 @@ private:
                        "-I" + sources.string(),
                        "-isystem",
                        (executable_folder().parent_path() / "generated/glad/include").string(),
-                       (course_root() / "framework/app/main.cpp").string()};
+                       (course_root() / "framework/course/app/main.cpp").string()};
         for (const auto& entry : fs::directory_iterator(sources))
             if (entry.path().extension() == ".cpp") words.push_back(entry.path().string());
         words.insert(words.end(), {"-o", program, (here / "bin/librelief.so").string(), "-lfmt"});
@@ -115,21 +115,21 @@ private:
     const LabEntry& lab_;
     Manifest manifest_;
     std::vector<Shot> shots_;
-    PublicFolder folder_{fs::temp_directory_path(), "relief-bench"};
+    grade::PublicFolder folder_{fs::temp_directory_path(), "relief-bench"};
 };
 
 /// The grader's setup for one lab, and its submissions.
 struct Graded {
-    Stage stage;
-    std::unique_ptr<LabGrader> grader;
-    std::vector<Submission> submissions;
+    grade::Stage stage;
+    std::unique_ptr<grade::LabGrader> grader;
+    std::vector<grade::Submission> submissions;
 
-    Graded(const LabEntry& lab, const GradeSetup& setup, int count) : stage(setup.isolation) {
+    Graded(const LabEntry& lab, const grade::GradeSetup& setup, int count) : stage(setup.isolation) {
         stage.add(lab);
-        grader = std::make_unique<LabGrader>(lab, stage, setup);
+        grader = std::make_unique<grade::LabGrader>(lab, stage, setup);
         submissions.resize(size_t(count));
         for (size_t i = 0; i < submissions.size(); ++i)
-            for (const std::string& file : task_files(grader->manifest()))
+            for (const std::string& file : grade::task_files(grader->manifest()))
                 submissions[i].files[file] = handed_in(file, i);
     }
 };
@@ -137,7 +137,7 @@ struct Graded {
 std::vector<BenchScene> scenes(const BenchSettings& settings) {
     std::vector<BenchScene> result;
     const int count = int(hardware_threads()) * (settings.quick ? 1 : 2);
-    const Isolation isolation = isolation_for(true).level;
+    const grade::Isolation isolation = grade::isolation_for(true).level;
     const bool has_idiff = fs::exists("/usr/bin/idiff");
     if (!has_idiff) print_note("the plain loop is skipped: there is no idiff (Debian package openimageio-tools)");
     for (const auto& [number, kind] : {std::pair{"02", "shaders"}, {"05", "C++"}}) {
@@ -153,9 +153,9 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
         for (const std::string seed : {"", "bench"})
             scene.methods.push_back({"relief", {{"hidden_views", seed.empty() ? "no" : "yes"}}, [=, &lab] {
                                          const auto graded = std::make_shared<Graded>(
-                                             lab, GradeSetup{.isolation = isolation, .seed = seed}, count);
+                                             lab, grade::GradeSetup{.isolation = isolation, .seed = seed}, count);
                                          return subject([graded](size_t i) {
-                                             const LabMark mark = graded->grader->mark(graded->submissions[i]);
+                                             const grade::LabMark mark = graded->grader->mark(graded->submissions[i]);
                                              if (mark.points() != mark.max_points())
                                                  throw Error("a correct submission does not get all points");
                                          });
@@ -181,4 +181,4 @@ BenchTopic grade_topic() {
             true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

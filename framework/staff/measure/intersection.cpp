@@ -4,14 +4,14 @@
 #include <memory>
 #include <random>
 
-#include "framework/height/maps.h"
+#include "framework/core/height/maps.h"
 #include "framework/staff/measure/edge_rays.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/mesh_rays.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 BenchScene mesh_scene(const BenchSettings& settings) {
@@ -94,4 +94,4 @@ BenchTopic intersection_topic() {
             "How long does an exact hit take, and what is given away by a quicker one?", scenes};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

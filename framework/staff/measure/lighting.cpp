@@ -1,10 +1,10 @@
 // Lighting: the cost of each part, compiled in or left out, and the error of the shaded normal without it. The picture
 // is timed, with four samples per pixel.
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 /// A lab's picture. If `probe` is named, it is compared with its exact values.
@@ -99,4 +99,4 @@ BenchTopic lighting_topic() {
             "What does each part of the shading cost?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

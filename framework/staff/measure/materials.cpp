@@ -4,15 +4,15 @@
 
 #include <cmath>
 
-#include "framework/gl/counters.h"
-#include "framework/image/compare.h"
-#include "framework/lab/manifest.h"
-#include "framework/mesh/obj.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/lab/manifest.h"
+#include "framework/core/mesh/obj.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/reference/masks.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 Shot garden_shot(const BenchSettings& settings, BenchKnobs set) {
@@ -165,4 +165,4 @@ BenchTopic materials_topic() {
             "What do programs, orders and filters of materials cost?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

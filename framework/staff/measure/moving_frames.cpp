@@ -1,10 +1,10 @@
 // Moving frames: normals of a skin by the methods of engines and with the gradient of its weights. Error in degrees
 // over the whole skin against the time of a frame. Also a flock, by its bodies and triangles.
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 struct Way {
@@ -95,4 +95,4 @@ BenchTopic moving_frames_topic() {
             "Which normals does a bent skin need?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <memory>
 
-#include "framework/base/parallel.h"
+#include "framework/core/base/parallel.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/measure/usual.h"
@@ -11,7 +11,7 @@
 
 #include <glm/glm.hpp>
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -166,4 +166,4 @@ BenchTopic normals_topic() {
             "Which filter turns heights into the best normals for its time?", scenes};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

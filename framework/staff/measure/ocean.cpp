@@ -1,10 +1,10 @@
 // Ocean: the time and the error of a frame of lab 15. Normals by the rules by which shaders combine two maps, and the
 // light of a far sea by the wave statistics that a pixel uses.
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 Shot sea_shot(const BenchSettings& settings, const BenchKnobs& set, const Orbit& camera) {
@@ -96,4 +96,4 @@ BenchTopic ocean_topic() {
             "How right can a far sea glitter, and at what price?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -2,15 +2,15 @@
 // search and little else.
 #include <optional>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/grade/overlay.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 struct Search {
@@ -58,7 +58,7 @@ std::vector<Search> searches() {
 }
 
 /// Returns lab 11's task file with another march().
-CourseFiles with_march(const std::string& macros) {
+grade::CourseFiles with_march(const std::string& macros) {
     const std::string file = "shaders/11_parallax_occlusion/task.glsl", begin = "//(march\n", end = "//)\n";
     std::string text = read_file(course_root() / file);
     const size_t from = text.find(begin), to = text.find(end, from);
@@ -87,7 +87,7 @@ BenchScene scene_of(const BenchKnobs& map, const Angles& seen, const BenchSettin
         shot.camera = {.yaw = seen.middle, .pitch = 0, .distance = seen.distance, .field_of_view = seen.field_of_view};
         const auto prepare = [truth, shot, lab_number = search.lab, published = search.published, settings] {
             // The programs are compiled before the overlay ends, because the errors are computed here.
-            std::optional<CourseOverlay> overlay;
+            std::optional<grade::CourseOverlay> overlay;
             if (published) overlay.emplace(with_march(published));
             const std::shared_ptr<Lab> lab = make_lab(find_lab(lab_number), shot);
             if (!*truth) *truth = truth_of(*lab, shot);
@@ -131,4 +131,4 @@ BenchTopic parallax_topic() {
             "Which search finds the relief soonest, and how far off is it?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -1,9 +1,9 @@
 #include "framework/staff/measure/peers.h"
 
-#include "framework/base/module.h"
-#include "framework/base/paths.h"
+#include "framework/core/base/module.h"
+#include "framework/core/base/paths.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr const char* file = "relief-peers.so";
@@ -31,4 +31,4 @@ Image openimageio_slopes(const Image& heights) {
     return slopes;
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "framework/image/image.h"
-#include "framework/mesh/mesh.h"
-#include "framework/mesh/ray.h"
+#include "framework/core/image/image.h"
+#include "framework/core/mesh/mesh.h"
+#include "framework/core/mesh/ray.h"
 
-namespace relief {
+namespace relief::measure {
 
 /// Returns whether the module was built.
 bool has_peers();
@@ -44,4 +44,4 @@ public:
 std::unique_ptr<PeerHits> embree_hits(const Mesh& mesh, bool robust, bool any_machine);
 using EmbreeHits = std::unique_ptr<PeerHits>(const Mesh& mesh, bool robust, bool any_machine);
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -13,10 +13,10 @@
     #include <embree3/rtcore.h>
 #endif
 
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
 #include "framework/staff/measure/peers.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 /// Returns the mesh as the text of an OBJ file, a format that Assimp's public interface reads.
@@ -134,16 +134,16 @@ private:
 };
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::measure
 
 extern "C" {
 
-std::unique_ptr<relief::PeerTangents> relief_assimp_tangents(const relief::Mesh& mesh) {
-    return std::make_unique<relief::Tangents>(mesh);
+std::unique_ptr<relief::measure::PeerTangents> relief_assimp_tangents(const relief::Mesh& mesh) {
+    return std::make_unique<relief::measure::Tangents>(mesh);
 }
 
-std::unique_ptr<relief::PeerHits> relief_embree_hits(const relief::Mesh& mesh, bool robust, bool any_machine) {
-    return std::make_unique<relief::Hits>(mesh, robust, any_machine);
+std::unique_ptr<relief::measure::PeerHits> relief_embree_hits(const relief::Mesh& mesh, bool robust, bool any_machine) {
+    return std::make_unique<relief::measure::Hits>(mesh, robust, any_machine);
 }
 
 void relief_openimageio_slopes(const relief::Image& heights, relief::Image& slopes) {

@@ -1,9 +1,9 @@
 // A planet: the error and the time of its maps, by size and by formula; and frames by levels and culling.
-#include "framework/lab/manifest.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 /// Regenerates all maps of the six faces: heights, slopes and normals.
@@ -94,4 +94,4 @@ BenchTopic planet_topic() {
             "Which normals does a planet need?", scenes, true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -9,12 +9,12 @@
 #include <limits>
 #include <map>
 
-#include "framework/base/error.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/measure/gnuplot.h"
 #include "framework/staff/measure/sweep.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr const char *quiet_color = "#6b655a", *front_color = "#a34a16", *pale_color = "#c2bbae",
@@ -347,4 +347,4 @@ std::optional<std::string> scene_plot(const BenchTopic& topic, std::span<const B
     return panel.empty() ? "" : run_gnuplot(gnuplot_panel(panel, style), name, topic.question);
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -9,7 +9,7 @@
 #include "framework/staff/measure/gnuplot.h"
 #include "framework/staff/measure/rows.h"
 
-namespace relief {
+namespace relief::measure {
 
 /// Returns the scenes in the order of the rows; each scene is a list of indices of rows.
 std::vector<std::vector<size_t>> scenes_of(std::span<const BenchRow> rows);
@@ -33,4 +33,4 @@ std::optional<std::string> scene_plot(const BenchTopic& topic, std::span<const B
                                       const std::vector<size_t>& scene, const PanelStyle& style,
                                       const std::string& name);
 
-}  // namespace relief
+}  // namespace relief::measure

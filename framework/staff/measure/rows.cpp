@@ -9,11 +9,11 @@
 #include <map>
 #include <set>
 
-#include "framework/base/error.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/measure/sweep.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 std::string quoted(const std::string& text) {
@@ -281,4 +281,4 @@ std::string row_name(const BenchRow& row) {
     return text;
 }
 
-}  // namespace relief
+}  // namespace relief::measure

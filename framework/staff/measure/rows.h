@@ -7,7 +7,7 @@
 
 #include "framework/staff/measure/bench.h"
 
-namespace relief {
+namespace relief::measure {
 
 struct BenchRow {
     std::string topic;
@@ -54,4 +54,4 @@ std::string short_name(const BenchRow& row);
 /// Returns a name that is unique among rows: "topic, scene, method, knobs".
 std::string row_name(const BenchRow& row);
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -9,12 +9,12 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "framework/base/error.h"
-#include "framework/base/process.h"
-#include "framework/gl/gl.h"
-#include "framework/gl/object.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/process.h"
+#include "framework/core/gl/gl.h"
+#include "framework/core/gl/object.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 using nlohmann::json;
@@ -297,4 +297,4 @@ std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene
     return rows;
 }
 
-}  // namespace relief
+}  // namespace relief::measure

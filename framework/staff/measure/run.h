@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "framework/context/context.h"
+#include "framework/core/context/context.h"
 #include "framework/staff/measure/rows.h"
 
-namespace relief {
+namespace relief::measure {
 
 /// Returns the GPU's time from the first command to the last, in seconds, by timer queries. Needs a context.
 double by_gpu_clock(const std::function<void()>& run, size_t times);
@@ -30,4 +30,4 @@ int steps_of(const BenchScene& scene, const BenchSettings& settings);
 std::vector<BenchRow> run_scene(const BenchTopic& topic, const BenchScene& scene, const BenchRun& run,
                                 BenchMachine& machine);
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -7,7 +7,7 @@
 #include "framework/staff/measure/sweep.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 
 std::vector<double> decades(double from, double to, double step) {
     std::vector<double> result;
@@ -69,4 +69,4 @@ BenchTopic stability_topic() {
             .sweeps = true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -6,7 +6,7 @@
 
 #include "framework/staff/measure/bench.h"
 
-namespace relief {
+namespace relief::measure {
 
 std::vector<BenchScene> tangent_sweeps(const BenchSettings& settings);
 std::vector<BenchScene> codec_sweeps(const BenchSettings& settings);
@@ -51,4 +51,4 @@ private:
     size_t lost_ = 0, endless_ = 0;
 };
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -6,7 +6,7 @@
 #include "framework/staff/measure/stability.h"
 #include "framework/staff/measure/usual.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr unsigned seed = 3;
@@ -156,4 +156,4 @@ std::vector<BenchScene> codec_sweeps(const BenchSettings& settings) {
     return {seam_scene(settings), angle_scene(settings)};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

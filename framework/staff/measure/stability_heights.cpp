@@ -7,7 +7,7 @@
 #include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/normals.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr int side = 32, border = 4;  // border texels are excluded: filters differ there by design
@@ -120,4 +120,4 @@ std::vector<BenchScene> height_sweeps(const BenchSettings& settings) {
                         decades(-7, 0, settings.quick ? 1.75 : 0.5), by_step)};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -7,19 +7,19 @@
 #include <memory>
 #include <random>
 
-#include "framework/base/paths.h"
-#include "framework/gl/program.h"
-#include "framework/gl/target.h"
-#include "framework/gl/texture.h"
-#include "framework/height/maps.h"
-#include "framework/height/skips.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/gl/program.h"
+#include "framework/core/gl/target.h"
+#include "framework/core/gl/texture.h"
+#include "framework/core/height/maps.h"
+#include "framework/core/height/skips.h"
 #include "framework/staff/measure/edge_rays.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/stability.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/mesh_rays.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr unsigned seed = 5;
@@ -269,4 +269,4 @@ std::vector<BenchScene> hit_sweeps(const BenchSettings& settings) {
             mesh_scene(settings)};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -8,12 +8,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <memory>
 
-#include "framework/base/error.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/base/error.h"
+#include "framework/core/lab/manifest.h"
 #include "framework/staff/measure/drawing.h"
 #include "framework/staff/measure/stability.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 /// Returns the mean error of a shot's probe. The exact values are for `shot`. The method draws `seen` if it is given.
@@ -309,4 +309,4 @@ std::vector<BenchScene> lab_sweeps(const BenchSettings& settings) {
             skin(settings)};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

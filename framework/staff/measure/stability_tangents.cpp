@@ -10,7 +10,7 @@
 #include "framework/staff/reference/jittered_torus.h"
 #include "framework/staff/reference/tangents.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 constexpr unsigned seed = 1;
@@ -250,4 +250,4 @@ std::vector<BenchScene> tangent_sweeps(const BenchSettings& settings) {
         jitter_scene(settings)};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -7,17 +7,17 @@
 #include <cstdlib>
 #include <map>
 
-#include "framework/base/file.h"
-#include "framework/base/log.h"
-#include "framework/base/paths.h"
-#include "framework/base/process.h"
-#include "framework/base/text.h"
-#include "framework/image/asset.h"
-#include "framework/image/file.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/process.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/asset.h"
+#include "framework/core/image/file.h"
 #include "framework/staff/grade/stage.h"
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,7 +97,7 @@ BenchWork parts_of(const Words& command, bool with_cache, int repeats) {
 }
 
 std::vector<BenchScene> scenes(const BenchSettings& settings) {
-    const auto folder = std::make_shared<PublicFolder>(fs::temp_directory_path(), "relief-bench");
+    const auto folder = std::make_shared<grade::PublicFolder>(fs::temp_directory_path(), "relief-bench");
     std::vector<BenchScene> result;
     for (const std::string kind : {"png", "ppm"}) {
         BenchScene& scene = result.emplace_back();
@@ -141,4 +141,4 @@ BenchTopic start_topic() {
             true};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

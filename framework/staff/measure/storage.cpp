@@ -6,7 +6,7 @@
 #include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/normal_codec.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
@@ -96,4 +96,4 @@ BenchTopic storage_topic() {
             "What does a normal-map format cost in degrees, and what in time?", scenes};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

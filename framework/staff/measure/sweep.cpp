@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 
-#include "framework/base/text.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/measure/gnuplot.h"
 #include "framework/staff/measure/plot.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 using Place = BenchSweep::Place;
@@ -205,4 +205,4 @@ std::string sweep_script(const BenchTopic& topic, std::span<const BenchRow> rows
                           {.size = {480, 450}, .below = 165, .least_columns = 1, .most_columns = 3});
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -7,7 +7,7 @@
 #include "framework/staff/measure/gnuplot.h"
 #include "framework/staff/measure/rows.h"
 
-namespace relief {
+namespace relief::measure {
 
 /// Returns whether a method keeps its promise at this point: all results are finite and ended, and the error is at most
 /// the stated one.
@@ -31,4 +31,4 @@ std::string verdict_of(const BenchSweep& sweep, const std::string& unit);
 std::string sweep_panel(std::span<const BenchRow> rows, const std::vector<size_t>& scene, const PanelStyle& style);
 std::string sweep_script(const BenchTopic& topic, std::span<const BenchRow> rows, const BenchMachine& machine);
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -2,14 +2,14 @@
 #include <cmath>
 #include <memory>
 
-#include "framework/base/parallel.h"
+#include "framework/core/base/parallel.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/topics.h"
 #include "framework/staff/measure/usual.h"
 #include "framework/staff/reference/jittered_torus.h"
 #include "framework/staff/reference/tangents.h"
 
-namespace relief {
+namespace relief::measure {
 
 Mesh bench_torus(int columns, int rows) { return jittered_torus(columns, rows, 1, 0.24); }
 
@@ -94,4 +94,4 @@ BenchTopic tangents_topic() {
             "Which tangents are right, and how long do they take?", scenes};
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -1,6 +1,6 @@
 #include "framework/staff/measure/topics.h"
 
-namespace relief {
+namespace relief::measure {
 
 std::span<const BenchTopic> bench_topics() {
     static const std::vector<BenchTopic> topics = {
@@ -11,4 +11,4 @@ std::span<const BenchTopic> bench_topics() {
     return topics;
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -1,10 +1,10 @@
 // The topics of relief bench, one file each.
 #pragma once
 
-#include "framework/mesh/mesh.h"
+#include "framework/core/mesh/mesh.h"
 #include "framework/staff/measure/bench.h"
 
-namespace relief {
+namespace relief::measure {
 
 BenchTopic storage_topic();
 BenchTopic normals_topic();
@@ -30,4 +30,4 @@ BenchTopic start_topic();
 /// would have no meaningful dP/du.
 Mesh bench_torus(int columns, int rows);
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace relief {
+namespace relief::measure {
 
 void usual_tangents(const Mesh& mesh, std::vector<glm::vec3>& sums, std::vector<glm::vec4>& tangents) {
     const size_t count = mesh.vertices.size();
@@ -61,4 +61,4 @@ glm::dvec3 usual_normal(const NormalCode& code) {
     return glm::normalize(glm::dvec3(code.channel[0], code.channel[1], code.channel[2]) / 255.0 * 2.0 - 1.0);
 }
 
-}  // namespace relief
+}  // namespace relief::measure

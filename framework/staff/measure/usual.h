@@ -4,11 +4,11 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "framework/image/image.h"
-#include "framework/mesh/mesh.h"
+#include "framework/core/image/image.h"
+#include "framework/core/mesh/mesh.h"
 #include "framework/staff/reference/normal_codec.h"
 
-namespace relief {
+namespace relief::measure {
 
 /// Computes tangents at the vertices (Lengyel 2001): sums over the triangles, then Gram-Schmidt, in single precision.
 /// `sums` is reusable working memory.
@@ -26,4 +26,4 @@ Image normals_of_slopes(const Image& slopes, double texels);
 NormalCode usual_code(const glm::dvec3& normal);
 glm::dvec3 usual_normal(const NormalCode& code);
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -9,16 +9,16 @@
 #include <set>
 #include <tuple>
 
-#include "framework/base/text.h"
-#include "framework/pages/page.h"
+#include "framework/core/base/text.h"
+#include "framework/course/pages/page.h"
 #include "framework/staff/measure/answer.h"
 #include "framework/staff/measure/plot.h"
 #include "framework/staff/measure/sweep.h"
 
-namespace relief {
+namespace relief::pages {
 namespace {
 
-std::optional<double> work_of(const BenchRow& row, const std::string& name) {
+std::optional<double> work_of(const measure::BenchRow& row, const std::string& name) {
     for (const auto& [work, value] : row.work)
         if (work == name) return value;
     return {};
@@ -32,11 +32,11 @@ std::string spaced(std::string name) {
 /// A column of a table, other than the first two and the pictures.
 struct Column {
     std::string heading;
-    std::function<std::string(const BenchRow&)> cell;
+    std::function<std::string(const measure::BenchRow&)> cell;
 };
 
 /// Returns the names of all work that a scene's methods count, in order.
-std::vector<std::string> works_of(std::span<const BenchRow> rows, const std::vector<size_t>& scene) {
+std::vector<std::string> works_of(std::span<const measure::BenchRow> rows, const std::vector<size_t>& scene) {
     std::vector<std::string> works;
     for (const size_t place : scene)
         for (const auto& [name, value] : rows[place].work)
@@ -45,7 +45,7 @@ std::vector<std::string> works_of(std::span<const BenchRow> rows, const std::vec
 }
 
 /// Removes the work that is the same for all methods from `works`, and returns one text about it.
-std::string take_same(std::span<const BenchRow> rows, const std::vector<size_t>& scene,
+std::string take_same(std::span<const measure::BenchRow> rows, const std::vector<size_t>& scene,
                       std::vector<std::string>& works) {
     std::string same;
     std::erase_if(works, [&](const std::string& name) {
@@ -70,22 +70,22 @@ class TopicPart {
 public:
     TopicPart(const TopicResult& result, const PutPicture& put) : result_(result), put_(put) {
         double longest = 0;
-        for (const BenchRow& row : result.rows) longest = std::max(longest, row.times.median);
+        for (const measure::BenchRow& row : result.rows) longest = std::max(longest, row.times.median);
         if (longest >= 1e6) scale_ = 1e-6, unit_ = "ms";
     }
 
     Fields fields() const {
-        const BenchTopic& topic = *result_.topic;
-        const BenchMachine& machine = result_.machine;
+        const measure::BenchTopic& topic = *result_.topic;
+        const measure::BenchMachine& machine = result_.machine;
         List scenes;
-        for (const std::vector<size_t>& scene : scenes_of(result_.rows)) scenes.push_back(table(scene));
-        const std::vector<size_t> chief = chief_scene(result_.rows);
+        for (const std::vector<size_t>& scene : measure::scenes_of(result_.rows)) scenes.push_back(table(scene));
+        const std::vector<size_t> chief = measure::chief_scene(result_.rows);
         const size_t count = scenes.size();
         return {{"name", topic.name},
                 {"help", topic.help},
                 {"question", topic.question},
-                {"answer", answer_of(result_.rows, chief)},
-                {"chief_scene", chief.empty() ? "" : knob_text(result_.rows[chief.front()].scene)},
+                {"answer", measure::answer_of(result_.rows, chief)},
+                {"chief_scene", chief.empty() ? "" : measure::knob_text(result_.rows[chief.front()].scene)},
                 {"chief", drawing(result_.chief)},
                 {"chief_narrow", drawing(result_.chief_narrow)},
                 {"all", count == 1 ? "All figures" : fmt::format("All {} scenes", count)},
@@ -104,15 +104,15 @@ private:
         const std::string same = take_same(result_.rows, scene, works);
         const std::vector<Column> columns = columns_of(scene, works);
         const bool has_pictures = std::any_of(scene.begin(), scene.end(), [&](size_t place) {
-            const BenchRow& row = result_.rows[place];
+            const measure::BenchRow& row = result_.rows[place];
             return row.picture.width > 0 || row.error_map.width > 0;
         });
         List headings, methods, says = verdicts(scene);
         const bool has_verdicts = !says.empty();
         for (const Column& column : columns) headings.push_back(column.heading);
-        const std::vector<size_t> front = front_of(result_.rows, scene);
+        const std::vector<size_t> front = measure::front_of(result_.rows, scene);
         for (const size_t place : scene) methods.push_back(line(place, columns, front));
-        return {{"scene", knob_text(result_.rows[scene.front()].scene)},
+        return {{"scene", measure::knob_text(result_.rows[scene.front()].scene)},
                 {"same", same},
                 {"headings", std::move(headings)},
                 {"has_pictures", has_pictures},
@@ -124,12 +124,12 @@ private:
 
     /// Returns the verdict on each sweep of a scene; methods with the same verdict share a line.
     List verdicts(const std::vector<size_t>& scene) const {
-        std::vector<std::pair<std::string, const BenchRow*>> lines;  // a verdict and the first row with it
+        std::vector<std::pair<std::string, const measure::BenchRow*>> lines;  // a verdict and the first row with it
         std::map<std::string, std::string> names;
         for (const size_t place : scene) {
-            const BenchRow& row = result_.rows[place];
+            const measure::BenchRow& row = result_.rows[place];
             if (!row.sweep) continue;
-            const std::string text = verdict_of(*row.sweep, row.error.unit);
+            const std::string text = measure::verdict_of(*row.sweep, row.error.unit);
             std::string& known = names[text];
             if (known.empty()) lines.emplace_back(text, &row);
             known += (known.empty() ? "" : ", ") + row.method;
@@ -144,39 +144,41 @@ private:
         bool any_time = false, any_wrong = false;
         std::set<std::string> units;
         for (const size_t place : scene) {
-            const BenchRow& row = result_.rows[place];
+            const measure::BenchRow& row = result_.rows[place];
             if (!row.error.unit.empty()) units.insert(row.error.unit);
             any_time |= row.repeats > 0, any_wrong |= row.error.wrong.has_value();
         }
         std::vector<Column> columns;
         if (any_time) {
             columns.push_back(
-                {fmt::format("{} a {}", unit_, result_.rows[scene.front()].item),
-                 [this](const BenchRow& row) { return row.repeats > 0 ? rounded(row.times.median * scale_) : ""; }});
-            columns.push_back({"p10 to p90", [this](const BenchRow& row) {
+                {fmt::format("{} a {}", unit_, result_.rows[scene.front()].item), [this](const measure::BenchRow& row) {
+                     return row.repeats > 0 ? rounded(row.times.median * scale_) : "";
+                 }});
+            columns.push_back({"p10 to p90", [this](const measure::BenchRow& row) {
                                    if (row.repeats == 0) return std::string();
                                    return rounded(row.times.p10 * scale_) + " to " + rounded(row.times.p90 * scale_);
                                }});
         }
         if (!units.empty()) {
             const bool several = units.size() > 1;
-            const auto add = [&](const std::string& heading, double BenchError::*value) {
-                columns.push_back({heading, [=](const BenchRow& row) {
+            const auto add = [&](const std::string& heading, double measure::BenchError::*value) {
+                columns.push_back({heading, [=](const measure::BenchRow& row) {
                                        return row.error.unit.empty()
                                                   ? ""
                                                   : amount_of(row.error.*value, several ? row.error.unit : "");
                                    }});
             };
-            add("mean error, " + (several ? "in units of their own" : plural(*units.begin())), &BenchError::mean);
-            add("p99", &BenchError::p99);
-            add("largest", &BenchError::largest);
+            add("mean error, " + (several ? "in units of their own" : plural(*units.begin())),
+                &measure::BenchError::mean);
+            add("p99", &measure::BenchError::p99);
+            add("largest", &measure::BenchError::largest);
         }
         if (any_wrong)
-            columns.push_back({"wrong", [](const BenchRow& row) {
+            columns.push_back({"wrong", [](const measure::BenchRow& row) {
                                    return row.error.wrong ? rounded(*row.error.wrong * 100) + " %" : "";
                                }});
         for (const std::string& name : works)
-            columns.push_back({spaced(name), [=](const BenchRow& row) {
+            columns.push_back({spaced(name), [=](const measure::BenchRow& row) {
                                    const std::optional<double> amount = work_of(row, name);
                                    return amount ? rounded(*amount) : "";
                                }});
@@ -184,7 +186,7 @@ private:
     }
 
     Fields line(size_t place, const std::vector<Column>& columns, const std::vector<size_t>& front) const {
-        const BenchRow& row = result_.rows[place];
+        const measure::BenchRow& row = result_.rows[place];
         const bool is_front = std::find(front.begin(), front.end(), place) != front.end();
         List cells;
         for (const Column& column : columns) cells.push_back(column.cell(row));
@@ -194,22 +196,22 @@ private:
                                     : "other"},
                 {"words", words(row)},
                 {"method", row.method},
-                {"knobs", knob_text(row.knobs)},
+                {"knobs", measure::knob_text(row.knobs)},
                 {"problem", row.is_measured() ? "" : row.state},
                 {"cells", std::move(cells)},
                 {"pictures", pictures(row, place)}};
     }
 
     /// Returns the text above the pictures of a point.
-    std::string words(const BenchRow& row) const {
-        std::string text = row_name(row);
+    std::string words(const measure::BenchRow& row) const {
+        std::string text = measure::row_name(row);
         if (row.repeats > 0) text += fmt::format(": {} {} a {}", rounded(row.times.median * scale_), unit_, row.item);
         if (!row.error.unit.empty()) text += ", mean error " + amount_of(row.error.mean, row.error.unit);
         if (row.error.wrong) text += fmt::format(", {} % wrong", rounded(*row.error.wrong * 100));
         return text;
     }
 
-    List pictures(const BenchRow& row, size_t place) const {
+    List pictures(const measure::BenchRow& row, size_t place) const {
         List pictures;
         const std::string error = "error: black 0, pale " + amount_of(row.error_map_max, row.error.unit) + " and more";
         const std::tuple<const Image*, const char*, std::string> all[] = {{&row.picture, "", "picture"},
@@ -250,13 +252,13 @@ std::vector<Section> sections_of(const std::string& page) {
 }  // namespace
 
 bool draw_plots(TopicResult& result) {
-    const auto all = bench_plot(*result.topic, result.rows, result.machine);
+    const auto all = measure::bench_plot(*result.topic, result.rows, result.machine);
     if (!all) return false;
     result.plot = *all;
-    const std::vector<size_t> chief = chief_scene(result.rows);
+    const std::vector<size_t> chief = measure::chief_scene(result.rows);
     if (result.plot.empty() || chief.empty()) return true;
-    const auto draw = [&](const PanelStyle& style, const char* name) {
-        return scene_plot(*result.topic, result.rows, chief, style, result.topic->name + name).value_or("");
+    const auto draw = [&](const measure::PanelStyle& style, const char* name) {
+        return measure::scene_plot(*result.topic, result.rows, chief, style, result.topic->name + name).value_or("");
     };
     result.chief = draw({.size = {1100, 600}, .title = 17, .axes = 15, .names = 14, .all_names = true}, "-chief");
     result.chief_narrow = draw({.size = {420, 480}, .title = 14, .axes = 13, .names = 12}, "-narrow");
@@ -282,4 +284,4 @@ std::string bench_page(std::span<const TopicResult> results, const PutPicture& p
                   {{"topics", std::move(topics)}});
 }
 
-}  // namespace relief
+}  // namespace relief::pages

@@ -9,12 +9,12 @@
 
 #include "framework/staff/measure/rows.h"
 
-namespace relief {
+namespace relief::pages {
 
 struct TopicResult {
-    const BenchTopic* topic = nullptr;
-    std::vector<BenchRow> rows;
-    BenchMachine machine;
+    const measure::BenchTopic* topic = nullptr;
+    std::vector<measure::BenchRow> rows;
+    measure::BenchMachine machine;
     std::string plot;                 ///< all scenes, small, as SVG; empty without gnuplot
     std::string chief, chief_narrow;  ///< the scene that answers the topic's question, for wide and for narrow screens
 };
@@ -28,4 +28,4 @@ std::string bench_page(std::span<const TopicResult> results,
                        const std::function<void(const std::string& name, const Image& picture)>& put,
                        const std::string& before = {});
 
-}  // namespace relief
+}  // namespace relief::pages

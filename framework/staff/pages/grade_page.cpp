@@ -7,20 +7,20 @@
 #include <map>
 #include <set>
 
-#include "framework/base/text.h"
-#include "framework/pages/check_figures.h"
-#include "framework/pages/page.h"
+#include "framework/core/base/text.h"
+#include "framework/course/pages/check_figures.h"
+#include "framework/course/pages/page.h"
 #include "framework/staff/pages/student_page.h"
 #include "framework/staff/pages/summaries.h"
 
-namespace relief {
+namespace relief::pages {
 namespace {
 
-constexpr int outcomes = int(Outcome::machine) + 1;
+constexpr int outcomes = int(check::Outcome::machine) + 1;
 using Counts = std::array<size_t, outcomes>;
 
 /// Returns a known mistake as one word for the filter. It starts with the task, since ids are unique only within a lab.
-std::string named(const TaskMark& task) { return task.id + "\u00a0" + task.mistake; }
+std::string named(const grade::TaskMark& task) { return task.id + "\u00a0" + task.mistake; }
 
 /// All counts over a class.
 class ClassCounts {
@@ -34,7 +34,7 @@ public:
             for (const size_t count : of) sum += count;
             return sum;
         }
-        size_t passed() const { return of[size_t(Outcome::passed)]; }
+        size_t passed() const { return of[size_t(check::Outcome::passed)]; }
     };
     struct OfMistake {
         std::string hint;
@@ -43,14 +43,14 @@ public:
     std::map<std::string, std::vector<OfCheck>> checks;  ///< by lab, in the order of its tasks
     std::map<std::string, OfMistake> mistakes;           ///< by named()
     std::set<std::string> isolations;
-    MarkTimes times;
+    grade::MarkTimes times;
     double waiting = 0;
     size_t not_graded = 0;
     size_t absent = 0, strangers = 0;  ///< without a submission; and with one, but not in the roster
     std::vector<double> points;        ///< of students with a submission
 
-    explicit ClassCounts(const ClassStanding& standing) {
-        for (const Standing& one : standing.students) {
+    explicit ClassCounts(const grade::ClassStanding& standing) {
+        for (const grade::Standing& one : standing.students) {
             absent += !one.mark && !one.is_waiting;
             not_graded += one.is_waiting;
             strangers += !one.on_roster;
@@ -69,19 +69,19 @@ public:
     }
 
 private:
-    void add(const SubmissionMark& mark) {
+    void add(const grade::SubmissionMark& mark) {
         if (!mark.isolation.empty()) isolations.insert(mark.isolation);
         double busy = 0;
-        for (const LabMark& lab : mark.labs) {
+        for (const grade::LabMark& lab : mark.labs) {
             times.add(lab.times);
             busy += lab.times.sum();
-            for (const TaskMark& task : lab.tasks) add(lab.lab, task);
+            for (const grade::TaskMark& task : lab.tasks) add(lab.lab, task);
         }
         waiting += std::max(0.0, mark.seconds - busy);
     }
 
-    void add(const std::string& lab, const TaskMark& task) {
-        for (const CheckMark& check : task.checks) {
+    void add(const std::string& lab, const grade::TaskMark& task) {
+        for (const grade::CheckMark& check : task.checks) {
             std::vector<OfCheck>& known = checks[lab];
             const auto [entry, is_new] = place_.try_emplace({lab, task.id, check.name}, known.size());
             if (is_new) known.push_back({task.id, check.name, check.hidden});
@@ -96,7 +96,7 @@ private:
     std::map<std::array<std::string, 3>, size_t> place_;
 };
 
-List number_cards(const ClassReport& report, const ClassCounts& counts) {
+List number_cards(const grade::ClassReport& report, const ClassCounts& counts) {
     List cards;
     const auto add = [&](const char* name, const std::string& value, const char* kind = "") {
         cards.push_back(Fields{{"name", name}, {"value", value}, {"kind", kind}});
@@ -111,11 +111,11 @@ List number_cards(const ClassReport& report, const ClassCounts& counts) {
 }
 
 /// Returns the count of each outcome from `first` on, for {{> badge}} and similar templates. Omits counts of 0.
-List outcome_counts(const Counts& of, Outcome first) {
+List outcome_counts(const Counts& of, check::Outcome first) {
     List list;
     for (int i = int(first); i < outcomes; ++i)
         if (of[size_t(i)] > 0) {
-            Fields one = badge(Outcome(i), of[size_t(i)]);
+            Fields one = badge(check::Outcome(i), of[size_t(i)]);
             one["is_first"] = list.empty();
             list.push_back(std::move(one));
         }
@@ -124,41 +124,41 @@ List outcome_counts(const Counts& of, Outcome first) {
 
 Fields points_cell(double points, int of, const char* instead = "") {
     return {{"share", *instead || of == 0 ? "" : fmt::format("{:.0f}", 100 * points / of)},
-            {"points", points_text(points)},
+            {"points", check::points_text(points)},
             {"of", of},
             {"instead", *instead ? instead : "–"}};
 }
 
-Fields cell_of(const LabStanding& lab) {
+Fields cell_of(const grade::LabStanding& lab) {
     const bool is_missing = !lab.handed_in && lab.points() == 0;
     return points_cell(lab.points(), lab.of(), is_missing ? "–" : lab.marked ? "" : "not graded");
 }
 
 /// Returns a row of the class table: points by lab, counts of check outcomes, recognised mistakes, and adjustments by
 /// people and rules.
-Fields line_of(const Standing& standing) {
+Fields line_of(const grade::Standing& standing) {
     List cells;
-    for (const LabStanding& lab : standing.labs) cells.push_back(cell_of(lab));
+    for (const grade::LabStanding& lab : standing.labs) cells.push_back(cell_of(lab));
     Counts of{};
     std::set<std::string> mistakes;
     size_t all = 0;
     if (standing.mark)
-        for (const LabMark& lab : standing.mark->labs)
-            for (const TaskMark& task : lab.tasks) {
-                for (const CheckMark& check : task.checks) ++of[size_t(check.outcome)], ++all;
+        for (const grade::LabMark& lab : standing.mark->labs)
+            for (const grade::TaskMark& task : lab.tasks) {
+                for (const grade::CheckMark& check : task.checks) ++of[size_t(check.outcome)], ++all;
                 if (!task.mistake.empty()) mistakes.insert(named(task));
             }
     List remarks;
     for (const std::string& remark : standing.remarks()) remarks.push_back(remark);
     return {{"page", page_file(standing.name, PageFor::instructor).string()},
             {"name", standing.student.student},
-            {"full_name", printable(standing.student.name)},
+            {"full_name", grade::printable(standing.student.name)},
             {"stranger", !standing.on_roster},
             {"total", points_cell(standing.points(), standing.of(), standing.is_marked() ? "" : "not graded")},
             {"cells", std::move(cells)},
             {"problem", standing.mark ? standing.mark->problem : standing.state()},
-            {"all_passed", all > 0 && of[size_t(Outcome::passed)] == all},
-            {"outcomes", outcome_counts(of, Outcome(1))},
+            {"all_passed", all > 0 && of[size_t(check::Outcome::passed)] == all},
+            {"outcomes", outcome_counts(of, check::Outcome(1))},
             {"mistakes", List(mistakes.begin(), mistakes.end())},
             {"remarks", rows(std::move(remarks))}};
 }
@@ -171,7 +171,7 @@ List labs_with_checks(const ClassCounts& counts) {
             checks.push_back(Fields{{"task", check.task},
                                     {"name", check.name},
                                     {"hidden", check.hidden},
-                                    {"outcomes", outcome_counts(check.of, Outcome::passed)}});
+                                    {"outcomes", outcome_counts(check.of, check::Outcome::passed)}});
         labs.push_back(Fields{{"number", number_of(lab)}, {"title", lab_title(lab)}, {"checks", std::move(checks)}});
     }
     return labs;
@@ -228,18 +228,20 @@ Value times(const ClassCounts& counts) {
 
 }  // namespace
 
-std::string class_page(const ClassReport& report) { return class_page(report, class_standing(report.marks, {}, {})); }
+std::string class_page(const grade::ClassReport& report) {
+    return class_page(report, grade::class_standing(report.marks, {}, {}));
+}
 
-std::string class_page(const ClassReport& report, const ClassStanding& standing) {
+std::string class_page(const grade::ClassReport& report, const grade::ClassStanding& standing) {
     const ClassCounts counts(standing);
     List submissions, columns;
     bool has_remarks = false;
-    for (const Standing& one : standing.students) {
+    for (const grade::Standing& one : standing.students) {
         submissions.push_back(line_of(one));
         has_remarks |= one.is_changed();
     }
     if (!standing.students.empty())
-        for (const LabStanding& lab : standing.students.front().labs)
+        for (const grade::LabStanding& lab : standing.students.front().labs)
             columns.push_back(Fields{{"number", number_of(lab.lab)}, {"title", lab_title(lab.lab)}});
     const Fields run{{"seconds", fmt::format("{:.1f}", report.seconds)},
                      {"prepared", fmt::format("{:.1f}", report.prepared)}};
@@ -250,7 +252,7 @@ std::string class_page(const ClassReport& report, const ClassStanding& standing)
          .scripts = {"framework/staff/pages/class"}},
         {{"numbers", number_cards(report, counts)},
          {"isolated_by", join(std::vector<std::string>(counts.isolations.begin(), counts.isolations.end()), ", ")},
-         {"isolation", report.isolation.level == Isolation::limits ? report.isolation.reason : ""},
+         {"isolation", report.isolation.level == grade::Isolation::limits ? report.isolation.reason : ""},
          {"is_long", standing.students.size() > 50},
          {"columns", std::move(columns)},
          {"has_remarks", has_remarks},
@@ -262,4 +264,4 @@ std::string class_page(const ClassReport& report, const ClassStanding& standing)
          {"times", times(counts)}});
 }
 
-}  // namespace relief
+}  // namespace relief::pages

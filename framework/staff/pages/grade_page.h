@@ -6,13 +6,13 @@
 #include "framework/staff/grade/class.h"
 #include "framework/staff/grade/standing.h"
 
-namespace relief {
+namespace relief::pages {
 
 /// Returns a page that needs no other files and has no pictures, about 600 bytes per submission. It links to
 /// students/NAME.html. Counts come from `standing`; `report` gives the numbers of the run. Students' text is escaped,
 /// never markup.
-std::string class_page(const ClassReport& report, const ClassStanding& standing);
+std::string class_page(const grade::ClassReport& report, const grade::ClassStanding& standing);
 /// The same without a class file.
-std::string class_page(const ClassReport& report);
+std::string class_page(const grade::ClassReport& report);
 
-}  // namespace relief
+}  // namespace relief::pages

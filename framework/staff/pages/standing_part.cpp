@@ -2,61 +2,61 @@
 
 #include <fmt/format.h>
 
-#include "framework/base/text.h"
-#include "framework/check/check.h"
-#include "framework/pages/template.h"
+#include "framework/core/base/text.h"
+#include "framework/course/check/check.h"
+#include "framework/course/pages/template.h"
 #include "framework/staff/grade/strangers_text.h"
 
-namespace relief {
+namespace relief::pages {
 namespace {
 
 // A student's text cannot contain these marks: pages escape it.
 constexpr std::string_view begin_mark = "<!--standing-->", end_mark = "<!--/standing-->";
 
 /// Returns the reasons for the points of a lab, one sentence each.
-List reasons(const LabStanding& lab, UtcOffset offset, PageFor reader) {
+List reasons(const grade::LabStanding& lab, grade::UtcOffset offset, PageFor reader) {
     List list;
     if (!lab.marked) list.push_back("not graded yet");
     if (lab.marked && !lab.handed_in) list.push_back("nothing handed in");
     if (lab.marked && lab.handed_in && (lab.adjusted() != lab.graded() || lab.days_late > 0))
-        list.push_back(points_text(lab.graded()) + " by the checks");
-    if (lab.adjusted() != lab.graded()) list.push_back(points_text(lab.adjusted()) + " with adjustments");
+        list.push_back(check::points_text(lab.graded()) + " by the checks");
+    if (lab.adjusted() != lab.graded()) list.push_back(check::points_text(lab.adjusted()) + " with adjustments");
     if (lab.days_late > 0)
         list.push_back(fmt::format("{} late: {} % less, {} of {}", amount_of(lab.days_late, "day"),
-                                   rounded(100 * (1 - lab.late_share)), points_text(lab.points()),
-                                   points_text(lab.adjusted())));
+                                   rounded(100 * (1 - lab.late_share)), check::points_text(lab.points()),
+                                   check::points_text(lab.adjusted())));
     if (!lab.due) return list;
-    std::string due = "due " + moment_text(*lab.due, offset);
+    std::string due = "due " + grade::moment_text(*lab.due, offset);
     if (lab.extension_days > 0) {
         due += fmt::format(", with {} of extension", amount_of(lab.extension_days, "day"));
         if (reader == PageFor::instructor && !lab.extension_note.empty())
-            due += ": " + printable(lab.extension_note, 1000);
+            due += ": " + grade::printable(lab.extension_note, 1000);
     }
     list.push_back(due);
-    if (lab.handed_in_at) list.push_back("handed in " + moment_text(*lab.handed_in_at, offset));
+    if (lab.handed_in_at) list.push_back("handed in " + grade::moment_text(*lab.handed_in_at, offset));
     return list;
 }
 
-std::string rendered(const Standing& standing, UtcOffset offset, PageFor reader) {
+std::string rendered(const grade::Standing& standing, grade::UtcOffset offset, PageFor reader) {
     List labs;
     bool has_more = standing.labs.size() > 1;
-    for (const LabStanding& lab : standing.labs) {
+    for (const grade::LabStanding& lab : standing.labs) {
         List why = reasons(lab, offset, reader);
         has_more |= !why.empty();
         labs.push_back(Fields{{"number", number_of(lab.lab)},
                               {"title", lab_title(lab.lab)},
-                              {"points", lab.marked ? points_text(lab.points()) : "?"},
+                              {"points", lab.marked ? check::points_text(lab.points()) : "?"},
                               {"of", lab.of()},
                               {"missing", !lab.handed_in},
                               {"reasons", rows(std::move(why))}});
     }
     List notes;
-    for (const Adjustment& one : standing.adjustments)
+    for (const grade::Adjustment& one : standing.adjustments)
         notes.push_back(Fields{{"task", one.task},
                                {"points", (one.points > 0 ? "+" : "") + amount_of(one.points, "point")},
-                               {"note", printable(one.note, 1000)}});
+                               {"note", grade::printable(one.note, 1000)}});
     return render("framework/staff/pages/standing", {{"has_points", standing.is_marked() && standing.of() > 0},
-                                                     {"points", points_text(standing.points())},
+                                                     {"points", check::points_text(standing.points())},
                                                      {"of", standing.of()},
                                                      {"labs", has_more ? rows(std::move(labs)) : Value()},
                                                      {"notes", rows(std::move(notes))}});
@@ -64,11 +64,12 @@ std::string rendered(const Standing& standing, UtcOffset offset, PageFor reader)
 
 }  // namespace
 
-std::string with_standing(const std::string& page, const Standing& standing, UtcOffset offset, PageFor reader) {
+std::string with_standing(const std::string& page, const grade::Standing& standing, grade::UtcOffset offset,
+                          PageFor reader) {
     const size_t begin = page.find(begin_mark), end = page.find(end_mark, begin);
     if (begin == std::string::npos || end == std::string::npos) return page;
     const size_t inside = begin + begin_mark.size();
     return page.substr(0, inside) + "\n" + rendered(standing, offset, reader) + page.substr(end);
 }
 
-}  // namespace relief
+}  // namespace relief::pages

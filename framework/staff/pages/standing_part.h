@@ -6,10 +6,11 @@
 #include "framework/staff/grade/standing.h"
 #include "framework/staff/pages/student_page.h"
 
-namespace relief {
+namespace relief::pages {
 
 /// Returns the page with its standing replaced. The rest of a page cannot be regenerated, since its pictures are stored
 /// nowhere else. A page without a standing is returned unchanged.
-std::string with_standing(const std::string& page, const Standing& standing, UtcOffset offset, PageFor reader);
+std::string with_standing(const std::string& page, const grade::Standing& standing, grade::UtcOffset offset,
+                          PageFor reader);
 
-}  // namespace relief
+}  // namespace relief::pages

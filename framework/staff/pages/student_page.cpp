@@ -5,49 +5,54 @@
 #include <algorithm>
 #include <map>
 
-#include "framework/base/error.h"
-#include "framework/lab/registry.h"
-#include "framework/pages/check_figures.h"
-#include "framework/pages/page.h"
+#include "framework/core/base/error.h"
+#include "framework/core/lab/registry.h"
+#include "framework/course/pages/check_figures.h"
+#include "framework/course/pages/page.h"
 #include "framework/staff/pages/standing_part.h"
 
-namespace relief {
+namespace relief::pages {
 namespace {
 
 class StudentPage {
 public:
-    StudentPage(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures, PageFor reader)
+    StudentPage(const grade::SubmissionMark& mark, const std::vector<grade::CheckPictures>& pictures, PageFor reader)
         : mark_(mark), pictures_(pictures), for_student_(reader == PageFor::student) {}
 
     Fields fields() {
         List labs;
         bool has_tasks = false;
-        for (const LabMark& lab : mark_.labs) labs.push_back(of(lab)), has_tasks |= !lab.tasks.empty();
-        return {{"name", printable(mark_.name)}, {"lost", lost()},
-                {"for_student", for_student_},   {"graded", mark_.graded()},
-                {"problem", mark_.problem},      {"has_tasks", has_tasks},
-                {"labs", std::move(labs)},       {"ignored", ignored()},
-                {"any_hidden", any_hidden_},     {"lost_pictures", lost_pictures_ && !for_student_}};
+        for (const grade::LabMark& lab : mark_.labs) labs.push_back(of(lab)), has_tasks |= !lab.tasks.empty();
+        return {{"name", grade::printable(mark_.name)},
+                {"lost", lost()},
+                {"for_student", for_student_},
+                {"graded", mark_.graded()},
+                {"problem", mark_.problem},
+                {"has_tasks", has_tasks},
+                {"labs", std::move(labs)},
+                {"ignored", ignored()},
+                {"any_hidden", any_hidden_},
+                {"lost_pictures", lost_pictures_ && !for_student_}};
     }
 
 private:
-    Fields of(const LabMark& lab) {
+    Fields of(const grade::LabMark& lab) {
         List tasks;
-        for (const TaskMark& task : lab.tasks) tasks.push_back(of(lab, task));
+        for (const grade::TaskMark& task : lab.tasks) tasks.push_back(of(lab, task));
         return {{"number", number_of(lab.lab)},
                 {"title", lab_title(lab.lab)},
                 {"graded", lab.graded()},
-                {"points", points_text(lab.points())},
+                {"points", check::points_text(lab.points())},
                 {"no_points", lab.points() == 0},
                 {"of", lab.max_points()},
                 {"log", lab.log},
                 {"tasks", std::move(tasks)}};
     }
 
-    Fields of(const LabMark& lab, const TaskMark& task) {
-        Outcome worst = Outcome::passed;
+    Fields of(const grade::LabMark& lab, const grade::TaskMark& task) {
+        check::Outcome worst = check::Outcome::passed;
         List checks;
-        for (const CheckMark& check : task.checks) {
+        for (const grade::CheckMark& check : task.checks) {
             worst = std::max(worst, check.outcome);
             any_hidden_ |= check.hidden;
             const bool is_secret = for_student_ && (check.hidden || !check.view.empty());
@@ -56,7 +61,7 @@ private:
         return {{"id", task.id},
                 {"title", task.title},
                 {"file", task.file},
-                {"points", points_text(task.points)},
+                {"points", check::points_text(task.points)},
                 {"of", task.of},
                 {"worst", badge(worst)},
                 {"mistake", task.hint.empty() ? "" : task.mistake},
@@ -64,11 +69,12 @@ private:
                 {"checks", std::move(checks)}};
     }
 
-    Fields of(const LabMark& lab, const TaskMark& task, const CheckMark& check) {
-        const CheckPictures* const shown = pictures_of(lab, task, check);
-        const CheckMark* const before = &check == &task.checks.front() ? nullptr : &check - 1;
+    Fields of(const grade::LabMark& lab, const grade::TaskMark& task, const grade::CheckMark& check) {
+        const grade::CheckPictures* const shown = pictures_of(lab, task, check);
+        const grade::CheckMark* const before = &check == &task.checks.front() ? nullptr : &check - 1;
         const bool as_above = !shown && before && before->outcome == check.outcome && before->found == check.found;
-        const bool open = check.outcome != Outcome::passed && !as_above, wrong = check.outcome == Outcome::wrong;
+        const bool open = check.outcome != check::Outcome::passed && !as_above,
+                   wrong = check.outcome == check::Outcome::wrong;
         const bool hidden_view = open && shown && shown->hidden_view;
         any_hidden_ |= hidden_view;
         lost_pictures_ |= open && !shown && wrong;
@@ -77,7 +83,7 @@ private:
                 {"name", check.name},
                 {"hidden", check.hidden},
                 {"hidden_view", hidden_view},
-                {"said", check.outcome == Outcome::passed ? check.found : "as above"},
+                {"said", check.outcome == check::Outcome::passed ? check.found : "as above"},
                 {"facts", facts({{wrong ? "found" : "message", check.found},
                                  {"view", check.view},
                                  {"allowed", wrong && shown ? shown->check.reason : ""},
@@ -88,23 +94,23 @@ private:
     }
 
     /// Returns the check's hint, unless an earlier failed check of the task has shown the same one.
-    static std::string first_hint(const TaskMark& task, const CheckMark& check) {
-        for (const CheckMark* other = &task.checks.front(); other != &check; ++other)
-            if (other->outcome != Outcome::passed && other->look_at == check.look_at) return {};
+    static std::string first_hint(const grade::TaskMark& task, const grade::CheckMark& check) {
+        for (const grade::CheckMark* other = &task.checks.front(); other != &check; ++other)
+            if (other->outcome != check::Outcome::passed && other->look_at == check.look_at) return {};
         return check.look_at;
     }
 
     /// Returns the fields of a check that a student may see without its views.
-    static Fields secret(const TaskMark& task, const CheckMark& check) {
-        return {
-            {"open", check.outcome != Outcome::passed},
-            {"badge", badge(check.outcome)},
-            {"name", check.hidden ? "a" : check.name},
-            {"hidden", check.hidden},
-            {"hidden_view", false},
-            {"said", ""},
-            {"facts", facts({{"found", found_for_students(check)}, {"look at", with_code(first_hint(task, check))}})},
-            {"pictures", Value()}};
+    static Fields secret(const grade::TaskMark& task, const grade::CheckMark& check) {
+        return {{"open", check.outcome != check::Outcome::passed},
+                {"badge", badge(check.outcome)},
+                {"name", check.hidden ? "a" : check.name},
+                {"hidden", check.hidden},
+                {"hidden_view", false},
+                {"said", ""},
+                {"facts",
+                 facts({{"found", grade::found_for_students(check)}, {"look at", with_code(first_hint(task, check))}})},
+                {"pictures", Value()}};
     }
 
     /// Returns the texts as facts, one of which can contain code; empty ones are omitted.
@@ -118,8 +124,9 @@ private:
         return facts;
     }
 
-    const CheckPictures* pictures_of(const LabMark& lab, const TaskMark& task, const CheckMark& check) const {
-        for (const CheckPictures& one : pictures_)
+    const grade::CheckPictures* pictures_of(const grade::LabMark& lab, const grade::TaskMark& task,
+                                            const grade::CheckMark& check) const {
+        for (const grade::CheckPictures& one : pictures_)
             if (one.lab == lab.lab && one.check.task == task.id && one.check.name == check.name) return &one;
         return nullptr;
     }
@@ -127,13 +134,13 @@ private:
     /// Returns the tasks that lost points, with all known details.
     Value lost() const {
         List tasks;
-        for (const LabMark& lab : mark_.labs) {
+        for (const grade::LabMark& lab : mark_.labs) {
             if (!lab.graded()) continue;
-            for (const TaskMark& task : lab.tasks)
+            for (const grade::TaskMark& task : lab.tasks)
                 if (task.points < task.of)
                     tasks.push_back(Fields{{"id", task.id},
                                            {"title", task.title},
-                                           {"points", points_text(task.points)},
+                                           {"points", check::points_text(task.points)},
                                            {"of", task.of},
                                            {"hint", rows(with_code(task.hint).list)}});
         }
@@ -148,8 +155,8 @@ private:
                       {"more", more > 0 ? std::to_string(more) : ""}};
     }
 
-    const SubmissionMark& mark_;
-    const std::vector<CheckPictures>& pictures_;
+    const grade::SubmissionMark& mark_;
+    const std::vector<grade::CheckPictures>& pictures_;
     bool for_student_;
     bool any_hidden_ = false, lost_pictures_ = false;
 };
@@ -177,13 +184,14 @@ std::string count_of(size_t count, const std::string& what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::string student_page(const SubmissionMark& mark, const std::vector<CheckPictures>& pictures, PageFor reader) {
-    const std::string page = render({.title = printable(mark.name),
+std::string student_page(const grade::SubmissionMark& mark, const std::vector<grade::CheckPictures>& pictures,
+                         PageFor reader) {
+    const std::string page = render({.title = grade::printable(mark.name),
                                      .body = "framework/staff/pages/student",
                                      .styles = {"badge", "checks", "figures", "framework/staff/pages/student"},
                                      .scripts = {"wipe", "checks"}},
                                     StudentPage(mark, pictures, reader).fields());
-    return with_standing(page, standing_of(mark), UtcOffset(0), reader);
+    return with_standing(page, grade::standing_of(mark), grade::UtcOffset(0), reader);
 }
 
-}  // namespace relief
+}  // namespace relief::pages

@@ -5,15 +5,15 @@
 #include <chrono>
 #include <set>
 
-#include "framework/base/file.h"
-#include "framework/base/parallel.h"
-#include "framework/base/text.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/exports.h"
 #include "framework/staff/grade/progress.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/standing_part.h"
 
-namespace relief {
+namespace relief::pages {
 
 namespace fs = std::filesystem;
 
@@ -21,13 +21,13 @@ namespace {
 
 /// Writes the standing into a student's page, and creates the page if it does not exist. The page of a student without
 /// a submission has nothing else.
-void write_standing(const Standing& standing, UtcOffset offset, const fs::path& folder, PageFor reader) {
+void write_standing(const grade::Standing& standing, grade::UtcOffset offset, const fs::path& folder, PageFor reader) {
     const fs::path file = folder / page_file(standing.name, reader);
-    SubmissionMark nothing;
+    grade::SubmissionMark nothing;
     nothing.name = standing.name;
     nothing.problem = standing.is_waiting ? "This is not graded yet." : "Nothing was handed in.";
     // A run that does not name a graded submission keeps its result, and so its page.
-    const bool is_kept = fs::exists(file) && (standing.mark || fs::exists(result_file(folder, standing.name)));
+    const bool is_kept = fs::exists(file) && (standing.mark || fs::exists(grade::result_file(folder, standing.name)));
     const std::string page =
         is_kept ? read_file(file) : student_page(standing.mark ? *standing.mark : nothing, {}, reader);
     const std::string now = with_standing(page, standing, offset, reader);
@@ -36,33 +36,35 @@ void write_standing(const Standing& standing, UtcOffset offset, const fs::path& 
 
 /// Returns the labs for which the folder's class, or a part of it in a subfolder, was graded; empty: all.
 std::vector<std::string> labs_of(const fs::path& folder) {
-    if (const auto roster = read_roster(folder)) return roster->labs;
+    if (const auto roster = grade::read_roster(folder)) return roster->labs;
     for (const auto& part : fs::directory_iterator(folder))
         if (part.is_directory())
-            if (const auto roster = read_roster(part.path())) return roster->labs;
+            if (const auto roster = grade::read_roster(part.path())) return roster->labs;
     return {};
 }
 
 /// Returns the names of all submissions of the class, graded or not.
 std::set<std::string> handed_in(const fs::path& folder) {
     std::set<std::string> names;
-    if (const auto roster = read_roster(folder))
-        for (const Roster::One& one : roster->submissions) names.insert(printable(one.name));
+    if (const auto roster = grade::read_roster(folder))
+        for (const grade::Roster::One& one : roster->submissions) names.insert(grade::printable(one.name));
     return names;
 }
 
 /// Returns the students of the roster with a result in the folder whom this run does not name.
-std::vector<std::string> left_out(const ClassFile& policy, const std::set<std::string>& named, const fs::path& folder) {
+std::vector<std::string> left_out(const grade::ClassFile& policy, const std::set<std::string>& named,
+                                  const fs::path& folder) {
     std::vector<std::string> names;
-    for (const Student& one : policy.students)
-        if (!named.contains(one.student) && fs::exists(result_file(folder, one.student))) names.push_back(one.student);
+    for (const grade::Student& one : policy.students)
+        if (!named.contains(one.student) && fs::exists(grade::result_file(folder, one.student)))
+            names.push_back(one.student);
     return names;
 }
 
 }  // namespace
 
 fs::path page_file(const std::string& name, PageFor reader) {
-    return fs::path(reader == PageFor::student ? "students" : "submissions") / (file_name_of(name) + ".html");
+    return fs::path(reader == PageFor::student ? "students" : "submissions") / (grade::file_name_of(name) + ".html");
 }
 
 void write_page(const fs::path& file, const std::string& text) {
@@ -70,42 +72,42 @@ void write_page(const fs::path& file, const std::string& text) {
     write_file(file, text);
 }
 
-ClassStanding write_summaries(const ClassReport& report, const fs::path& folder) {
+grade::ClassStanding write_summaries(const grade::ClassReport& report, const fs::path& folder) {
     for (const char* name : {"gradescope", "prairielearn", "surefire"}) make_folder(folder / name);
-    const ClassFile policy = read_class_file(class_file_of(folder), folder);
+    const grade::ClassFile policy = grade::read_class_file(grade::class_file_of(folder), folder);
     std::set<std::string> names = handed_in(folder);
-    for (const std::string& name : report.doubled) names.insert(printable(name));
-    for (const SubmissionMark& mark : report.marks) names.insert(printable(mark.name));
+    for (const std::string& name : report.doubled) names.insert(grade::printable(name));
+    for (const grade::SubmissionMark& mark : report.marks) names.insert(grade::printable(mark.name));
     const std::vector<std::string> absent = left_out(policy, names, folder);
     names.insert(absent.begin(), absent.end());  // waiting for a mark, not 0 points
-    ClassStanding standing = class_standing(report.marks, policy, labs_of(folder), names);
+    grade::ClassStanding standing = grade::class_standing(report.marks, policy, labs_of(folder), names);
     if (!absent.empty())
         standing.notes.push_back(fmt::format(
             "{} handed in before, and this run does not name the submission, so there is no mark: {}. Name all of the "
             "class's: those that have not changed are not graded again",
-            amount_of(double(absent.size()), "student"), some_of(absent)));
+            amount_of(double(absent.size()), "student"), grade::some_of(absent)));
     parallel_each(standing.students.size(), hardware_threads(), [&](size_t i) {
-        const Standing& one = standing.students[i];
-        const std::string name = file_name_of(one.name);
-        write_file(folder / "gradescope" / (name + ".json"), to_gradescope(one));
-        write_file(folder / "prairielearn" / (name + ".json"), to_prairielearn(one));
-        write_file(folder / "surefire" / ("TEST-" + name + ".xml"), to_surefire(one));
+        const grade::Standing& one = standing.students[i];
+        const std::string name = grade::file_name_of(one.name);
+        write_file(folder / "gradescope" / (name + ".json"), grade::to_gradescope(one));
+        write_file(folder / "prairielearn" / (name + ".json"), grade::to_prairielearn(one));
+        write_file(folder / "surefire" / ("TEST-" + name + ".xml"), grade::to_surefire(one));
         for (const PageFor reader : page_readers) write_standing(one, standing.policy.utc_offset, folder, reader);
     });
-    write_file(folder / "results.csv", to_csv(standing));
+    write_file(folder / "results.csv", grade::to_csv(standing));
     write_file(folder / "junit.xml",
-               to_junit(standing, std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now())));
+               grade::to_junit(standing, std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now())));
     if (!standing.policy.students.empty())
-        write_file(folder / "canvas.csv", to_canvas(standing));
+        write_file(folder / "canvas.csv", grade::to_canvas(standing));
     else
         fs::remove(folder / "canvas.csv");  // a stale file must not be uploaded
-    for (const AssignedLab& lab : standing.policy.labs)
+    for (const grade::AssignedLab& lab : standing.policy.labs)
         if (!lab.moodle.empty() && !standing.students.empty() && standing.students.front().lab(lab.folder)) {
             make_folder(folder / "moodle");
-            write_file(folder / "moodle" / (lab.folder + ".csv"), to_moodle(standing, lab, standing.notes));
+            write_file(folder / "moodle" / (lab.folder + ".csv"), grade::to_moodle(standing, lab, standing.notes));
         }
     write_file(folder / "report.html", class_page(report, standing));
     return standing;
 }
 
-}  // namespace relief
+}  // namespace relief::pages

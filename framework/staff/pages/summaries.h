@@ -7,7 +7,7 @@
 #include "framework/staff/grade/standing.h"
 #include "framework/staff/pages/student_page.h"
 
-namespace relief {
+namespace relief::pages {
 
 inline constexpr PageFor page_readers[] = {PageFor::instructor, PageFor::student};
 
@@ -22,6 +22,6 @@ void write_page(const std::filesystem::path& file, const std::string& text);
 /// results.csv and junit.xml, and a file per submission in surefire, gradescope and prairielearn. With a roster there
 /// are also canvas.csv, and moodle/LAB.csv for each worksheet. Puts the standing into all pages; a submission without
 /// pages gets them without pictures. `report` must outlive the result.
-ClassStanding write_summaries(const ClassReport& report, const std::filesystem::path& folder);
+grade::ClassStanding write_summaries(const grade::ClassReport& report, const std::filesystem::path& folder);
 
-}  // namespace relief
+}  // namespace relief::pages

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "framework/base/error.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/text.h"
 
 namespace relief {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "framework/mesh/mesh.h"
+#include "framework/core/mesh/mesh.h"
 
 namespace relief {
 

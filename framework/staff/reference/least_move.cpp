@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/base/parallel.h"
+#include "framework/core/base/parallel.h"
 
 namespace relief {
 namespace {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include "framework/mesh/ray.h"
-#include "framework/mesh/tree.h"
+#include "framework/core/mesh/ray.h"
+#include "framework/core/mesh/tree.h"
 
 namespace relief {
 

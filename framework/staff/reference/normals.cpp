@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "framework/base/error.h"
-#include "framework/base/parallel.h"
-#include "framework/height/lines.h"
-#include "framework/image/color.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/height/lines.h"
+#include "framework/core/image/color.h"
 #include "framework/staff/reference/normals_row.h"
 
 namespace relief {

@@ -1,8 +1,8 @@
 // Normal maps from height maps.
 #pragma once
 
-#include "framework/height/lines.h"
-#include "framework/image/image.h"
+#include "framework/core/height/lines.h"
+#include "framework/core/image/image.h"
 
 namespace relief {
 

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "framework/base/parallel.h"
+#include "framework/core/base/parallel.h"
 
 namespace relief {
 

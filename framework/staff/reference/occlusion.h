@@ -1,7 +1,7 @@
 // Ambient occlusion by horizons, in double precision.
 #pragma once
 
-#include "framework/image/image.h"
+#include "framework/core/image/image.h"
 
 namespace relief {
 

@@ -1,6 +1,6 @@
 #include "framework/staff/reference/patches.h"
 
-#include "framework/base/parallel.h"
+#include "framework/core/base/parallel.h"
 
 namespace relief {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "framework/image/image.h"
-#include "framework/mesh/patches.h"
+#include "framework/core/image/image.h"
+#include "framework/core/mesh/patches.h"
 #include "framework/staff/reference/displaced.h"
 #include "framework/staff/reference/height_field.h"
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "framework/mesh/mesh.h"
-#include "framework/mesh/relief.h"
+#include "framework/core/mesh/mesh.h"
+#include "framework/core/mesh/relief.h"
 #include "framework/staff/reference/parallax.h"
 
 namespace relief {

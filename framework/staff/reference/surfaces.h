@@ -1,12 +1,12 @@
-// The exact surfaces behind the meshes of framework/mesh/shapes.h, in double precision: a point with its derivatives,
-// and the first hit of a ray.
+// The exact surfaces behind the meshes of framework/core/mesh/shapes.h, in double precision: a point with its
+// derivatives, and the first hit of a ray.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "framework/mesh/ray.h"
-#include "framework/mesh/shapes.h"
+#include "framework/core/mesh/ray.h"
+#include "framework/core/mesh/shapes.h"
 
 namespace relief {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "framework/mesh/corners.h"
+#include "framework/core/mesh/corners.h"
 #include "framework/staff/reference/tangents.h"
 
 namespace relief {

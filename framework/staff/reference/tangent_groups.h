@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "framework/mesh/corners.h"
+#include "framework/core/mesh/corners.h"
 #include "framework/staff/reference/tangent_faces.h"
 
 namespace relief {

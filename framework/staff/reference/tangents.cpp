@@ -9,9 +9,9 @@
 #include <mutex>
 #include <unordered_map>
 
-#include "framework/base/parallel.h"
-#include "framework/mesh/corners.h"
-#include "framework/mesh/frame.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/mesh/corners.h"
+#include "framework/core/mesh/frame.h"
 #include "framework/staff/reference/tangent_groups.h"
 
 namespace relief {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/mesh/mesh.h"
+#include "framework/core/mesh/mesh.h"
 
 namespace relief {
 

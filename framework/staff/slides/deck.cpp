@@ -4,15 +4,15 @@
 
 #include <regex>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/base/text.h"
-#include "framework/check/starter.h"
-#include "framework/lab/manifest.h"
-#include "framework/pages/template.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/core/lab/manifest.h"
+#include "framework/course/check/starter.h"
+#include "framework/course/pages/template.h"
 
-namespace relief {
+namespace relief::slides {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,9 +103,9 @@ private:
 
     void quote(const std::vector<std::string>& words, const std::vector<std::string>& inside, bool hidden) {
         if (!inside.empty()) fail("a block that quotes a file has nothing in it: the file's region goes there");
-        Region region;
+        check::Region region;
         try {
-            region = region_of(read_file(course_root() / words[1]), words[1], words[2]);
+            region = check::region_of(read_file(course_root() / words[1]), words[1], words[2]);
         } catch (const Error& error) {
             fail(error.what());
         }
@@ -113,7 +113,7 @@ private:
             fail(fmt::format("{} has a solution in {}: quote it on a slide with <!-- _class: solution -->", words[1],
                              words[2]));
         deck_.text +=
-            fmt::format("```{}\n{}```\n\n<p class=\"source\">{}</p>\n", words[0], region.text, html(words[1]));
+            fmt::format("```{}\n{}```\n\n<p class=\"source\">{}</p>\n", words[0], region.text, pages::html(words[1]));
     }
 
     void mistakes(const std::vector<std::string>& words, const std::vector<std::string>& ids) {
@@ -135,16 +135,17 @@ private:
             pictures.push_back(figure(wrong));
         }
         for (const bool answered : {false, true}) {
-            List shown;
+            pages::List shown;
             for (size_t i = 0; i < pictures.size(); ++i)
-                shown.push_back(Fields{{"file", pictures[i]},
-                                       {"alt", i == 0 ? "as it should be" : "with the mistake " + ids[i - 1]},
-                                       {"letter", i == 0 ? "right" : std::string(1, char('A' + i - 1))},
-                                       {"answered", answered && i > 0},
-                                       {"hint", answered && i > 0 ? with_code(hints[i - 1]) : Value()}});
-            deck_.text += render("framework/staff/slides/mistakes",
-                                 {{"title", answered ? "What went wrong" : "What went wrong here?"},
-                                  {"figures", std::move(shown)}}) +
+                shown.push_back(
+                    pages::Fields{{"file", pictures[i]},
+                                  {"alt", i == 0 ? "as it should be" : "with the mistake " + ids[i - 1]},
+                                  {"letter", i == 0 ? "right" : std::string(1, char('A' + i - 1))},
+                                  {"answered", answered && i > 0},
+                                  {"hint", answered && i > 0 ? pages::with_code(hints[i - 1]) : pages::Value()}});
+            deck_.text += pages::render("framework/staff/slides/mistakes",
+                                        {{"title", answered ? "What went wrong" : "What went wrong here?"},
+                                         {"figures", std::move(shown)}}) +
                           (answered ? "\n" : "\n\n---\n\n");
         }
     }
@@ -187,4 +188,4 @@ Deck read_deck(const std::string& text, const fs::path& file, const std::string&
     return Reader(text, file, name, solutions).read();
 }
 
-}  // namespace relief
+}  // namespace relief::slides

@@ -9,7 +9,7 @@
 //     ```glsl shaders/10_parallax_offset/surface.frag lookup
 //     ```
 //
-// becomes the region `lookup` of that file (framework/check/starter.h).
+// becomes the region `lookup` of that file (framework/course/check/starter.h).
 //
 //     ```mistakes 10 --set view=one --size 400x400
 //     v-flipped
@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace relief {
+namespace relief::slides {
 
 /// A picture drawn by a command of `relief`, given without its -o.
 struct DeckFigure {
@@ -43,4 +43,4 @@ struct Deck {
 /// a lab or a mistake is missing. Also throws if a slide that is not hidden quotes a solution.
 Deck read_deck(const std::string& text, const std::filesystem::path& file, const std::string& name, bool solutions);
 
-}  // namespace relief
+}  // namespace relief::slides

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include "framework/base/parallel.h"
-#include "framework/image/color.h"
-#include "framework/mesh/shapes.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/image/color.h"
+#include "framework/core/mesh/shapes.h"
 #include "framework/staff/reference/mesh_rays.h"
 #include "framework/staff/reference/tangent_space.h"
 
-namespace relief {
+namespace relief::synctest {
 namespace {
 
 /// Faces in the order of their squares on the map: +x, +y, +z, -x, -y, -z.
@@ -169,4 +169,4 @@ Image render_synctest(const SyncRenderer& renderer, const Image& map, int width,
     return normals;
 }
 
-}  // namespace relief
+}  // namespace relief::synctest

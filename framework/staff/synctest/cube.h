@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "framework/image/image.h"
-#include "framework/lab/camera.h"
-#include "framework/mesh/mesh.h"
+#include "framework/core/image/image.h"
+#include "framework/core/lab/camera.h"
+#include "framework/core/mesh/mesh.h"
 
-namespace relief {
+namespace relief::synctest {
 
 /// Returns a cube with side 1 around the origin. Each face has four vertices and a square of the map. The normals are
 /// the corner's normals, averaged over its three faces; tangents are by MikkTSpace. Quads are split from the lower left
@@ -44,4 +44,4 @@ constexpr Orbit synctest_camera{.yaw = 30, .pitch = 25, .distance = 4, .target =
 /// level 0 with linear filtering. Computes only the first pixel of each `step` x `step` block.
 Image render_synctest(const SyncRenderer& renderer, const Image& map, int width, int height, int step = 1);
 
-}  // namespace relief
+}  // namespace relief::synctest

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "framework/base/file.h"
-#include "framework/base/text.h"
-#include "framework/image/file.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/file.h"
 #include "framework/staff/synctest/cube.h"
 
-namespace relief {
+namespace relief::synctest {
 namespace {
 
 constexpr int map_side = 512, picture_side = 512;
@@ -139,4 +139,4 @@ void write_synctest(const std::filesystem::path& folder) {
     write_file(folder / "README.md", readme());
 }
 
-}  // namespace relief
+}  // namespace relief::synctest

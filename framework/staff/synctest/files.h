@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "framework/mesh/mesh.h"
+#include "framework/core/mesh/mesh.h"
 
-namespace relief {
+namespace relief::synctest {
 
 /// Returns a Wavefront OBJ with normals and uv, triangle by triangle; its material is in `material_file`.
 std::string synctest_obj(const Mesh& mesh, const std::string& material_file);
@@ -20,4 +20,4 @@ GltfFiles synctest_gltf(const Mesh& mesh, const std::string& buffer_file, const 
 /// Writes the cube, the map, the expected picture, and a README.md that explains how to take the picture. Throws Error.
 void write_synctest(const std::filesystem::path& folder);
 
-}  // namespace relief
+}  // namespace relief::synctest

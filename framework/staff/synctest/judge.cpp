@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "framework/inspect/reading.h"
-#include "framework/inspect/seam.h"
+#include "framework/course/inspect/reading.h"
+#include "framework/course/inspect/seam.h"
 
-namespace relief {
+namespace relief::synctest {
 namespace {
 
 /// Returns 0 to 5 for +x, +y, +z, -x, -y, -z, and -1 for NaN.
@@ -24,10 +24,12 @@ glm::dvec3 direction_of(int axis) {
 }
 
 /// Returns the reading under which most pixels are unit vectors.
-Reading reading_of(const Image& picture) {
-    Reading best;
+inspect::Reading reading_of(const Image& picture) {
+    inspect::Reading best;
     size_t most = 0;
-    for (const Reading& reading : {Reading{}, Reading{.curve = StoredCurve::srgb_added}, Reading{.is_signed = true}}) {
+    for (const inspect::Reading& reading :
+         {inspect::Reading{}, inspect::Reading{.curve = inspect::StoredCurve::srgb_added},
+          inspect::Reading{.is_signed = true}}) {
         size_t unit = 0;
         for (size_t i = 0; i < picture.pixel_count(); ++i) {
             const glm::dvec3 n = reading.vector(&picture.values[i * size_t(picture.channels)]);
@@ -40,8 +42,8 @@ Reading reading_of(const Image& picture) {
 
 /// Returns the picture's normals. The background is NaN: it has the colour of all four corners.
 std::vector<glm::dvec3> normals_in(const Image& picture, SyncJudgement& result) {
-    const Reading reading = reading_of(picture);
-    result.was_srgb = reading.curve == StoredCurve::srgb_added;
+    const inspect::Reading reading = reading_of(picture);
+    result.was_srgb = reading.curve == inspect::StoredCurve::srgb_added;
     const float* const corner = picture.pixel(0, 0);
     const auto is_corner_color = [&](const float* pixel) {
         return std::equal(corner, corner + 3, pixel, [](float a, float b) { return std::abs(a - b) < 2.5f / 255; });
@@ -134,7 +136,7 @@ void compare(const Image& picture, const std::vector<glm::dvec3>& normals, const
             glm::dvec3 n(0);  // in the picture's axes
             for (size_t c = 0; c < 3; ++c)
                 n += double(shown.values[sample.shown * 3 + c]) * direction_of((*axis_of)[c]);
-            sum += angle_between(normals[sample.pixel], n);
+            sum += inspect::angle_between(normals[sample.pixel], n);
         }
         result.likenesses.push_back({renderer, sum / double(std::max<size_t>(samples.size(), 1))});
     }
@@ -161,7 +163,7 @@ SyncJudgement judge_synctest(const Image& picture) {
         for (int x = 0; x < picture.width; ++x) {
             const size_t i = size_t(y) * size_t(picture.width) + size_t(x);
             if (is_inside(axes, picture.width, picture.height, x, y))
-                angles.push_back(angle_between(normals[i], direction_of(axes[i])));
+                angles.push_back(inspect::angle_between(normals[i], direction_of(axes[i])));
         }
     result.pixels = angles.size();
     result.shows_normals &= !angles.empty() && angles.size() * 100 >= picture.pixel_count();
@@ -173,4 +175,4 @@ SyncJudgement judge_synctest(const Image& picture) {
     return result;
 }
 
-}  // namespace relief
+}  // namespace relief::synctest

@@ -6,7 +6,7 @@
 
 #include "framework/staff/synctest/cube.h"
 
-namespace relief {
+namespace relief::synctest {
 
 struct SyncJudgement {
     size_t pixels = 0;                    ///< pixels on a face, without pixels beside an edge
@@ -33,4 +33,4 @@ struct SyncJudgement {
 /// background must have one colour that is not a normal. The world's axes may have any order and direction.
 SyncJudgement judge_synctest(const Image& picture);
 
-}  // namespace relief
+}  // namespace relief::synctest

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "framework/image/asset.h"
-#include "framework/kit/numbers.h"
+#include "framework/core/image/asset.h"
+#include "framework/core/kit/numbers.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/surfaces.h"
 #include "framework/staff/reference/tangent_space.h"

@@ -1,8 +1,8 @@
 // The staff's part of lab 05: see ../truth.h.
 #include "truth.h"
 
-#include "framework/base/error.h"
-#include "framework/kit/numbers.h"
+#include "framework/core/base/error.h"
+#include "framework/core/kit/numbers.h"
 #include "framework/staff/reference/tangents.h"
 
 namespace relief::basis {

@@ -1,8 +1,8 @@
 // The staff's part of lab 06: see ../truth.h.
 #include "truth.h"
 
-#include "framework/image/asset.h"
-#include "framework/kit/numbers.h"
+#include "framework/core/image/asset.h"
+#include "framework/core/kit/numbers.h"
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/surfaces.h"
 

@@ -6,9 +6,9 @@
 #include <map>
 #include <mutex>
 
-#include "framework/image/asset.h"
-#include "framework/image/color.h"
-#include "framework/kit/numbers.h"
+#include "framework/core/image/asset.h"
+#include "framework/core/image/color.h"
+#include "framework/core/kit/numbers.h"
 #include "framework/staff/reference/masks.h"
 
 namespace relief::materials {

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "exact.h"
-#include "framework/kit/numbers.h"
-#include "framework/kit/tiles.h"
+#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/tiles.h"
 
 namespace relief::planet {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "framework/image/asset.h"
-#include "framework/image/color.h"
-#include "framework/kit/evening_sky.h"
-#include "framework/kit/numbers.h"
-#include "framework/mesh/parallelogram.h"
+#include "framework/core/image/asset.h"
+#include "framework/core/image/color.h"
+#include "framework/core/kit/evening_sky.h"
+#include "framework/core/kit/numbers.h"
+#include "framework/core/mesh/parallelogram.h"
 #include "framework/staff/reference/mesh_rays.h"
 
 namespace relief::court {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "framework/kit/numbers.h"
+#include "framework/core/kit/numbers.h"
 #include "framework/staff/reference/budget.h"
 #include "framework/staff/reference/height_field.h"
 

@@ -4,17 +4,17 @@
 #include <map>
 #include <set>
 
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/base/text.h"
-#include "framework/check/starter.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/core/lab/manifest.h"
+#include "framework/course/check/starter.h"
 #include "framework/staff/slides/deck.h"
 #include "tests/browser.h"
 #include "tests/code_shape.h"
 #include "tests/process.h"
 
-namespace relief {
+namespace relief::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,13 +100,13 @@ Names decks() {
     return names;
 }
 
-Deck deck_of(const std::string& name, bool solutions = false) {
+slides::Deck deck_of(const std::string& name, bool solutions = false) {
     const fs::path file = course_root() / "slides" / (name + ".md");
-    return read_deck(read_file(file), file, name, solutions);
+    return slides::read_deck(read_file(file), file, name, solutions);
 }
 
-Deck deck(const std::string& text, bool solutions = false) {
-    return read_deck("---\nmarp: true\n---\n" + text, "d.md", "d", solutions);
+slides::Deck deck(const std::string& text, bool solutions = false) {
+    return slides::read_deck("---\nmarp: true\n---\n" + text, "d.md", "d", solutions);
 }
 std::string complaint(const std::string& text) {
     return message_of([&] { deck(text); });
@@ -115,7 +115,8 @@ std::string complaint(const std::string& text) {
 // ---- the text of a deck ----
 
 TEST(Deck, FiguresNameTheCommandsThatDrawThem) {
-    const Deck one = deck("a ![w:3 x](<shot 10 --set view=one>) b ![bg y](<bench parallax --quick>)\n\n![z](z.svg)\n");
+    const slides::Deck one =
+        deck("a ![w:3 x](<shot 10 --set view=one>) b ![bg y](<bench parallax --quick>)\n\n![z](z.svg)\n");
     EXPECT_EQ(one.text, "---\nmarp: true\n---\na ![w:3 x](d/01.png) b ![bg y](d/02.svg)\n\n![z](z.svg)\n\n");
     ASSERT_EQ(one.figures.size(), 2u);
     EXPECT_EQ(one.figures[0].command, (Names{"shot", "10", "--set", "view=one"}));
@@ -128,7 +129,7 @@ TEST(Deck, FiguresNameTheCommandsThatDrawThem) {
 
 TEST(Deck, CodeIsARegionOfTheSource) {
     const std::string quote = "```glsl shaders/10_parallax_offset/surface.frag search\n```\n";
-    const Deck one = deck(quote);
+    const slides::Deck one = deck(quote);
     EXPECT_TRUE(contains(one.text, "```glsl\nvec2 along = ray_in_relief(to_eye")) << one.text;
     EXPECT_TRUE(contains(one.text, "shaders/10_parallax_offset/surface.frag</p>")) << one.text;
     EXPECT_FALSE(contains(one.text, "//(")) << one.text;
@@ -151,7 +152,7 @@ TEST(Deck, ShowsSolutionsOnlyOnRequest) {
 }
 
 TEST(Deck, MistakesAreShownBeforeTheyAreExplained) {
-    const Deck one = deck("```mistakes 10 --set view=one\nv-flipped\nnot-divided\n```\n");
+    const slides::Deck one = deck("```mistakes 10 --set view=one\nv-flipped\nnot-divided\n```\n");
     ASSERT_EQ(one.figures.size(), 3u);
     EXPECT_EQ(one.figures[0].command, (Names{"shot", "10", "--set", "view=one"}));
     EXPECT_EQ(one.figures[2].command, (Names{"shot", "10", "--set", "view=one", "--mistake", "not-divided"}));
@@ -203,7 +204,7 @@ TEST(Slides, ShowNoSolutionLineUnlessRequested) {
     int shown_when_asked = 0;
     for (const LabEntry& lab : registry())
         for (const TaskInfo& task : load_manifest(lab).tasks)
-            for (const std::string& line : solution_lines(read_file(course_root() / task.file), task.file)) {
+            for (const std::string& line : check::solution_lines(read_file(course_root() / task.file), task.file)) {
                 const std::string code = packed(line);
                 if (code.size() < 24) continue;
                 for (const auto& [name, text] : all) {
@@ -225,7 +226,8 @@ TEST(Slides, ShowNoSolutionWithRenamedIdentifiers) {
         std::set<std::string> files;
         for (const TaskInfo& task : load_manifest(lab).tasks) files.insert(task.file);
         for (const std::string& file : files)
-            for (const std::string& shape : expressions_of(solution_lines(read_file(course_root() / file), file)))
+            for (const std::string& shape :
+                 expressions_of(check::solution_lines(read_file(course_root() / file), file)))
                 for (const auto& [name, text] : shapes) {
                     EXPECT_FALSE(contains(text, shape) && !is_common(shape))
                         << "slides/" << name << ".md has of " << file << ": " << shape;
@@ -305,4 +307,4 @@ TEST(Slides, ReportMissingPicturesWrongFormulasAndOverflow) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::app

@@ -1,14 +1,14 @@
 // The policy of a class: rosters and spreadsheets, times, class files, adjustments, and the standing of students.
 #include "framework/staff/grade/class_file.h"
 
-#include "framework/base/file.h"
-#include "framework/base/text.h"
-#include "framework/lab/lab.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/text.h"
+#include "framework/core/lab/lab.h"
 #include "framework/staff/grade/csv.h"
 #include "framework/staff/grade/standing.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -268,14 +268,14 @@ SubmissionMark submission(const std::string& name, std::map<std::string, double>
         LabMark lab{.lab = folder};
         for (const auto& [id, points] : points_by_task)
             if (id.substr(0, 2) == lab.lab.substr(0, 2))
-                lab.tasks.push_back(
-                    {.id = id,
-                     .title = "A task",
-                     .file = "task.glsl",
-                     .of = 3,
-                     .points = points,
-                     .checks = {
-                         {.name = "one", .outcome = points > 0 ? Outcome::passed : Outcome::wrong, .found = "0.5"}}});
+                lab.tasks.push_back({.id = id,
+                                     .title = "A task",
+                                     .file = "task.glsl",
+                                     .of = 3,
+                                     .points = points,
+                                     .checks = {{.name = "one",
+                                                 .outcome = points > 0 ? check::Outcome::passed : check::Outcome::wrong,
+                                                 .found = "0.5"}}});
         if (!lab.tasks.empty()) mark.labs.push_back(lab);
     }
     return mark;
@@ -393,7 +393,7 @@ TEST_F(ClassFiles, AnUngradedSubmissionIsNotReportedAsMissing) {
 
 TEST_F(ClassFiles, ALabThatTheMachineCouldNotGradeHasNoMark) {
     std::vector marks = {submission("jane", {{"13.1", 1}, {"14.1", 1}})};
-    marks[0].labs[0].tasks[0].checks[0].outcome = Outcome::machine;
+    marks[0].labs[0].tasks[0].checks[0].outcome = check::Outcome::machine;
     const ClassStanding standing = class_standing(marks, {}, {});
     EXPECT_FALSE(standing.students[0].is_marked());
     EXPECT_FALSE(standing.students[0].labs[0].marked);
@@ -401,4 +401,4 @@ TEST_F(ClassFiles, ALabThatTheMachineCouldNotGradeHasNoMark) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

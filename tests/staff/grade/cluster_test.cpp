@@ -6,14 +6,14 @@
 #include <cstdlib>
 #include <map>
 
-#include "framework/base/error.h"
-#include "framework/base/file.h"
-#include "framework/base/text.h"
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/slurm.h"
 #include "tests/process.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -296,7 +296,7 @@ TEST_F(ClusterTest, AResultCountsIfCompleteOfThisCourseAndNotAMachineFailure) {
     SubmissionMark failed;
     failed.name = "eva", failed.course = "c";
     LabMark& lab = failed.labs.emplace_back(LabMark{.lab = "01"});
-    lab.tasks.emplace_back().checks.push_back({.name = "all", .outcome = Outcome::machine, .found = "no disk"});
+    lab.tasks.emplace_back().checks.push_back({.name = "all", .outcome = check::Outcome::machine, .found = "no disk"});
     write_file(result_file(marks_, "eva"), to_json(failed));
     const ClassProgress progress = read_progress(marks_);
     EXPECT_EQ(progress.results(), 1u);
@@ -305,4 +305,4 @@ TEST_F(ClusterTest, AResultCountsIfCompleteOfThisCourseAndNotAMachineFailure) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

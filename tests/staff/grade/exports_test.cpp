@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "framework/base/text.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/grade/csv.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 using nlohmann::json;
@@ -52,9 +52,9 @@ struct HostileClass {
                                  .file = "task.glsl",
                                  .of = 4,
                                  .points = 2,
-                                 .checks = {{.name = "open", .outcome = Outcome::passed, .found = "0"},
+                                 .checks = {{.name = "open", .outcome = check::Outcome::passed, .found = "0"},
                                             {.name = "secret name",
-                                             .outcome = Outcome::wrong,
+                                             .outcome = check::Outcome::wrong,
                                              .found = "secret finding " + hostile[i],
                                              .look_at = "look " + hostile[i],
                                              .hidden = true}},
@@ -232,12 +232,12 @@ TEST(PrairieLearn, TakesTheResults) {
     unreadable.problem = "the archive is damaged";
     EXPECT_EQ(json::parse(to_prairielearn(standing_of(unreadable))),
               (json{{"gradable", false}, {"format_errors", {"the archive is damaged"}}}));
-    failed.labs[0].tasks[0].checks[0].outcome = Outcome::machine;
+    failed.labs[0].tasks[0].checks[0].outcome = check::Outcome::machine;
     const json result = json::parse(to_prairielearn(standing_of(failed)));
     EXPECT_EQ(result.at("gradable"), false) << "costs no attempt";
     EXPECT_FALSE(result.contains("score"));
-    large.labs[0].tasks[0].checks.resize(1000,
-                                         {.name = "many", .outcome = Outcome::wrong, .found = std::string(4000, 'x')});
+    large.labs[0].tasks[0].checks.resize(
+        1000, {.name = "many", .outcome = check::Outcome::wrong, .found = std::string(4000, 'x')});
     EXPECT_LT(to_prairielearn(standing_of(large)).size(), 1'000'000u);
 }
 
@@ -443,4 +443,4 @@ TEST(Table, ShowsOneMaximumForAllAndEachChange) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

@@ -11,19 +11,19 @@
 #include <regex>
 #include <thread>
 
-#include "framework/base/descriptor.h"
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/check/starter.h"
-#include "framework/lab/registry.h"
+#include "framework/core/base/descriptor.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/lab/registry.h"
+#include "framework/course/check/starter.h"
 #include "framework/staff/grade/attempt.h"
 #include "framework/staff/grade/sandbox.h"
 #include "framework/staff/grade/stage.h"
-#include "tests/app/course_copy.h"
+#include "tests/course/app/course_copy.h"
 #include "tests/process.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,7 +106,7 @@ TEST(Grade, AClassOfShadersGetsTheExpectedMarks) {
     std::map<std::string, std::string> works = {
         {"good", solution},
         {odd, solution},
-        {"untouched", starter_of(solution, shader)},
+        {"untouched", check::starter_of(solution, shader)},
         {"truncated", replaced(solution, "(0.5 * normal + 0.5) + 0.5)", "(0.5 * normal + 0.5))")},
         {"begun",
          replaced(solution, "return floor(255.0 * (0.5 * normal + 0.5) + 0.5);", "return unfinished(normal);")},
@@ -341,7 +341,7 @@ TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsNotRestarted) {
         cpp_that("", "static const int before = [] { for (volatile int i = 0;; i = i + 1) {} return 0; }();\n");
     const std::vector<Shot> shots(2, manifest.checks.front().shot);
     const Attempt stalled = attempt(stage, lab, files, shots, {}, {.cpu = 2}, 1);
-    for (const DrawnAttempt& shot : stalled.shots) EXPECT_EQ(shot.outcome, Outcome::out_of_time) << shot.error;
+    for (const DrawnAttempt& shot : stalled.shots) EXPECT_EQ(shot.outcome, check::Outcome::out_of_time) << shot.error;
     EXPECT_EQ(stalled.shots[1].error, "not drawn, since a check before it is out of time: " + stalled.shots[0].error);
 }
 
@@ -419,7 +419,7 @@ TEST(Grade, ResumesAfterBeingKilled) {
     EXPECT_EQ(fs::last_write_time(page_of(before[0])), page_written) << "its pictures are lost";
     EXPECT_TRUE(contains(second.out, std::to_string(before.size()) + " unchanged")) << second.out;
     // A changed submission is graded again, and a truncated result counts as missing.
-    folder.write(std::string("s1/") + shader, starter_of(course_file(shader), shader));
+    folder.write(std::string("s1/") + shader, check::starter_of(course_file(shader), shader));
     fs::resize_file(output / "results/s2.json", 100);
     const Result third = run(grade(words));
     EXPECT_TRUE(contains(third.out, std::to_string(count - 2) + " unchanged")) << third.out;
@@ -430,7 +430,7 @@ TEST(Grade, ResumesAfterBeingKilled) {
 TEST(Grade, AResultNeverExistsWithoutItsPage) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
-    folder.write(std::string("jane/") + shader, starter_of(course_file(shader), shader));
+    folder.write(std::string("jane/") + shader, check::starter_of(course_file(shader), shader));
     folder.write("out/students/jane.html/in the way", "");
     const Result graded = run(grade({(folder.path() / "jane").string(), "-o", output.string()}));
     EXPECT_EQ(graded.code, 1);
@@ -741,7 +741,7 @@ TEST(Grade, AClassFileAndAdjustmentsChangePointsButNoVerdict) {
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
     folder.write(std::string("jane/") + shader, course_file(shader));
-    folder.write(std::string("bo/") + shader, starter_of(course_file(shader), shader));
+    folder.write(std::string("bo/") + shader, check::starter_of(course_file(shader), shader));
     folder.write(
         "class.toml",
         "hand_ins = \"times.csv\"\n[late]\npercent_per_day = 10\n[[assigned]]\nlab = 1\n[[assigned]]\nlab = 2\ndue = "
@@ -917,4 +917,4 @@ TEST(Grade, TheBenchmarkTimesAGraderThatPassesTheSolution) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

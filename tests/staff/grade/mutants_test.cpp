@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 const std::string head = "// TASK 1.1: x + 1\nfloat f(float x) {\n    //[solution\n    ";
@@ -98,4 +98,4 @@ TEST(Mutants, BelongToTheLastTaskNamedAbove) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

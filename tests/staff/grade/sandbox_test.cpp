@@ -9,7 +9,7 @@
 #include "framework/staff/grade/control_group.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -252,4 +252,4 @@ TEST_F(Sandbox, HidesTheMachine) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 TEST(StrangersText, IsShownWithoutControlAndBidiCharacters) {
@@ -50,4 +50,4 @@ TEST(StrangersText, RoundTripsThroughJson) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "framework/base/sha256.h"
+#include "framework/core/base/sha256.h"
 #include "tests/process.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
@@ -264,4 +264,4 @@ TEST(Submission, AnInvalidOrDamagedArchiveIsReported) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

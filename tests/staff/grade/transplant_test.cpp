@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 const std::string solution =
@@ -65,4 +65,4 @@ TEST(Transplant, RequiresTheTaskLine) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

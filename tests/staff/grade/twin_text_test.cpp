@@ -3,19 +3,19 @@
 
 #include <fmt/format.h>
 
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/gl/program.h"
-#include "framework/gl/target.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/gl/program.h"
+#include "framework/core/gl/target.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 namespace fs = std::filesystem;
 
 TEST(TwinText, UsesDoublesForFloatsAndItsOwnNames) {
-    const TwinText twin = twin_text(
+    const check::TwinText twin = twin_text(
         "#include \"common/unfinished.glsl\"\n"
         "const float least = 0.5f;\n"
         "struct Ray { vec3 origin; float level; };\n"
@@ -110,8 +110,8 @@ TEST(WatchedShader, KeepsTheSourceLinesInCompilerMessages) {
                      "void main() { o_color = vec4(half_of(1.0)); }\n");
     std::vector<ShaderSource> stages = {load_shader(stage, {})};
     const std::vector<Place> before = stages[0].lines;
-    std::vector<WatchedFunction> functions;
-    ASSERT_EQ(watch_functions(stages, {folder.path() / "task.glsl"}, {}, functions), std::vector<int>{0});
+    std::vector<check::WatchedFunction> functions;
+    ASSERT_EQ(check::watch_functions(stages, {folder.path() / "task.glsl"}, {}, functions), std::vector<int>{0});
     EXPECT_EQ(functions[0].signature, "half_of(float)");
     EXPECT_EQ(functions[0].place.line, 1);
     // Each line of the text has a place. The original lines keep their places and their order.
@@ -132,11 +132,11 @@ TEST(WatchedShader, KeepsTheSourceLinesInCompilerMessages) {
 }
 
 TEST(WatchedShader, KeepsProgramsWithoutTaskFunctionsUnchanged) {
-    std::vector<WatchedFunction> functions;
+    std::vector<check::WatchedFunction> functions;
     std::vector<ShaderSource> stages = {{"a.vert", "#version 410 core\nvoid main() {}\n", {}, {}}};
-    EXPECT_TRUE(watch_functions(stages, {"task.glsl"}, {}, functions).empty());
+    EXPECT_TRUE(check::watch_functions(stages, {"task.glsl"}, {}, functions).empty());
     EXPECT_EQ(stages[0].text, "#version 410 core\nvoid main() {}\n");
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

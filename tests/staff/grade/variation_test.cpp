@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
 #include "framework/staff/grade/check_views.h"
 #include "framework/staff/grade/roster.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::grade {
 namespace {
 
 Manifest varied() {
@@ -117,4 +117,4 @@ TEST(Roster, RoundTripsThroughItsFile) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::grade

@@ -5,10 +5,10 @@
 
 #include <csignal>
 
-#include "framework/base/file.h"
+#include "framework/core/base/file.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::handout {
 namespace {
 
 namespace fs = std::filesystem;
@@ -244,4 +244,4 @@ TEST_F(DeliveryTest, ATamperedRecordIsReportedAndReachesNothingOutside) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::handout

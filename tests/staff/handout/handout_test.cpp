@@ -5,17 +5,17 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "framework/base/file.h"
-#include "framework/base/paths.h"
-#include "framework/base/text.h"
-#include "framework/check/starter.h"
-#include "framework/lab/manifest.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/core/lab/manifest.h"
+#include "framework/course/check/starter.h"
 #include "framework/staff/grade/overlay.h"
 #include "tests/code_shape.h"
 #include "tests/process.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::handout {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,7 +80,7 @@ TEST_F(StudentsCourse, ContainsNoSolutionMistakeVariantOrHiddenCheck) {
     for (const std::string& lab : *labs_) {
         const Manifest manifest = staff(lab);
         for (const TaskInfo& task : manifest.tasks)
-            for (const std::string& line : solution_lines(read_file(course_root() / task.file), task.file))
+            for (const std::string& line : check::solution_lines(read_file(course_root() / task.file), task.file))
                 // Shorter lines are harmless, such as "if (x == 0) return {};". A loop of six iterations is no secret.
                 if (line.size() >= 24 && !line.starts_with("for (int i = 0;")) expect_nowhere(line), ++lines;
         for (const CheckInfo& check : manifest.checks)
@@ -117,7 +117,8 @@ TEST_F(StudentsCourse, ContainsNoSolutionWithRenamedIdentifiers) {
         std::set<std::string> task_files;
         for (const TaskInfo& task : staff(lab).tasks) task_files.insert(task.file);
         for (const std::string& file : task_files)
-            for (const std::string& shape : expressions_of(solution_lines(read_file(course_root() / file), file))) {
+            for (const std::string& shape :
+                 expressions_of(check::solution_lines(read_file(course_root() / file), file))) {
                 ++looked_for;
                 if (is_common(shape)) continue;
                 for (const auto& [path, text] : shapes)
@@ -132,7 +133,8 @@ TEST_F(StudentsCourse, ContainsNoSolutionTextThatAMistakeOrVariantEdits) {
     const auto look_for = [&](const Edit& edit) {
         if (!fs::exists(course() / edit.file)) return;
         const std::string handed_out = read_file(course() / edit.file);
-        const std::vector<std::string> solution = solution_lines(read_file(course_root() / edit.file), edit.file);
+        const std::vector<std::string> solution =
+            check::solution_lines(read_file(course_root() / edit.file), edit.file);
         for (const std::string& find : trimmed_lines(edit.find)) {
             const bool in_solution = std::any_of(solution.begin(), solution.end(),
                                                  [&](const std::string& line) { return contains(line, find); });
@@ -184,10 +186,10 @@ TEST_F(StudentsCourse, IsTheCourseWithoutFoldersNamedStaffAndWithStarters) {
                 continue;
             }
             ASSERT_TRUE(handed_out.contains(path)) << path;
-            const bool has_tasks = !path.string().ends_with(".md") && !solution_lines(text, path).empty();
+            const bool has_tasks = !path.string().ends_with(".md") && !check::solution_lines(text, path).empty();
             // Regions that slides quote lose their marks.
             const std::string expected =
-                contains(text, "//") && !path.string().ends_with(".md") ? starter_of(text, path) : text;
+                contains(text, "//") && !path.string().ends_with(".md") ? check::starter_of(text, path) : text;
             EXPECT_TRUE(handed_out.at(path) == text || handed_out.at(path) == expected) << path;
             if (has_tasks) {
                 EXPECT_NE(handed_out.at(path), text) << path;
@@ -333,10 +335,11 @@ TEST_F(StudentsCourse, BuildsReportsUnfinishedTasksAndGivesFullPointsForSolution
     // The handout alone suffices to name a known mistake.
     const Manifest storage = staff("02_normal_map_storage");
     const MistakeInfo& mistake = storage.mistakes.front();
-    for (const auto& [file, text] : edited(mistake.edits)) write_file(course() / file, text);
+    for (const auto& [file, text] : grade::edited(mistake.edits)) write_file(course() / file, text);
     for (const auto& task : check("02").second.at("tasks"))
         EXPECT_EQ(task.at("mistake"), task.at("id") == mistake.task ? mistake.hint : "") << task.at("id");
-    for (const auto& [file, text] : edited(mistake.edits)) write_file(course() / file, read_file(course_root() / file));
+    for (const auto& [file, text] : grade::edited(mistake.edits))
+        write_file(course() / file, read_file(course_root() / file));
     // The golden pictures pass, so no picture needs a removed or replaced file.
     for (const std::string& lab : *labs_) {
         const Result golden = run({(build / "bin/relief").string(), "golden", lab});
@@ -361,4 +364,4 @@ TEST_F(StudentsCourse, BuildsReportsUnfinishedTasksAndGivesFullPointsForSolution
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::handout

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <map>
 
-#include "framework/base/text.h"
+#include "framework/core/base/text.h"
 #include "framework/staff/measure/peers.h"
 #include "framework/staff/measure/topics.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 TEST(Quantile, InterpolatesBetweenTwoValues) {
@@ -223,4 +223,4 @@ TEST(Peers, ComputeTheComparedQuantities) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::measure

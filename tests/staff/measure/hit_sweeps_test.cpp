@@ -4,7 +4,7 @@
 #include "framework/staff/measure/stability.h"
 #include "tests/staff/measure/sweeps.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 TEST(Stability, HitsAreStableWherePeersAre) { expect_course_holds_where_peers_do(hit_sweeps({.quick = true})); }
@@ -28,4 +28,4 @@ TEST(Stability, FloatUvLoseATexelAtTenThousandTilesUnlessWrapped) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::measure

@@ -10,7 +10,7 @@
 #include "framework/staff/measure/plot.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 using namespace std::string_literals;
@@ -254,4 +254,4 @@ TEST(Only, AnImpossibleKnobOrValueIsOneLine) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::measure

@@ -9,7 +9,7 @@
 #include "tests/staff/measure/sweeps.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::measure {
 namespace {
 
 BenchSweep sweep_of(std::vector<BenchSweep::Place> places) { return {0.5, "", std::move(places)}; }
@@ -88,4 +88,4 @@ TEST(Stability, NormalsFromHeightsAreStableWherePeersAre) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::measure

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
 #include "framework/staff/measure/sweep.h"
 
-namespace relief {
+namespace relief::measure {
 
 /// Prepares all methods. Expects that the course's methods are finite and terminate at every place. Where a peer keeps
 /// its stated error, one of the course's methods must keep a stated error that is no larger.
@@ -34,4 +34,4 @@ inline void expect_course_holds_where_peers_do(const std::vector<BenchScene>& sc
     }
 }
 
-}  // namespace relief
+}  // namespace relief::measure

@@ -1,13 +1,13 @@
 // Pages of labs, submissions, classes and benchmarks: untrusted text and manifest text are escaped on all of them.
-#include "framework/pages/lab_page.h"
-#include "framework/pages/page.h"
+#include "framework/course/pages/lab_page.h"
+#include "framework/course/pages/page.h"
 #include "framework/staff/pages/bench_page.h"
 #include "framework/staff/pages/grade_page.h"
 #include "framework/staff/pages/standing_part.h"
 #include "framework/staff/pages/student_page.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::pages {
 namespace {
 
 const std::string hostile = "x<script>&\"'";
@@ -30,18 +30,18 @@ Manifest some_manifest() {
     return manifest;
 }
 
-SubmissionMark some_submission() {
-    TaskMark task{.id = hostile,
-                  .title = hostile,
-                  .file = hostile,
-                  .of = 3,
-                  .checks = {},
-                  .mistake = hostile,
-                  .hint = hostile + "`" + hostile + "`"};
-    for (const Outcome outcome : {Outcome::passed, Outcome::wrong, Outcome::broken})
+grade::SubmissionMark some_submission() {
+    grade::TaskMark task{.id = hostile,
+                         .title = hostile,
+                         .file = hostile,
+                         .of = 3,
+                         .checks = {},
+                         .mistake = hostile,
+                         .hint = hostile + "`" + hostile + "`"};
+    for (const check::Outcome outcome : {check::Outcome::passed, check::Outcome::wrong, check::Outcome::broken})
         task.checks.push_back(
             {.name = hostile, .outcome = outcome, .found = hostile, .look_at = hostile, .view = hostile});
-    SubmissionMark mark;
+    grade::SubmissionMark mark;
     mark.name = mark.problem = mark.isolation = hostile;
     mark.labs.push_back({.lab = "02_" + hostile, .tasks = {task}, .log = hostile, .times = {}});
     mark.ignored = {hostile}, mark.ignored_count = 1;
@@ -60,62 +60,63 @@ TEST(LabPage, ShowsAManifestAsText) {
 }
 
 TEST(StudentPage, ShowsASubmissionAsText) {
-    const SubmissionMark mark = some_submission();
+    const grade::SubmissionMark mark = some_submission();
     const Manifest manifest = some_manifest();
     CheckInfo check;
     check.task = check.name = check.reason = check.against = check.shot.probe.name = hostile;
-    const std::vector<CheckPictures> pictures{
+    const std::vector<grade::CheckPictures> pictures{
         {mark.labs[0].lab, &manifest, check, false, Image(2, 2, 3, 0.5f), Image(2, 2, 3, 0.25f)}};
     EXPECT_GT(times_escaped(student_page(mark, pictures, PageFor::instructor)), 30);
     EXPECT_GT(times_escaped(student_page(mark, pictures, PageFor::student)), 15);
 }
 
 TEST(StudentPage, UpdatesTheStandingAndKeepsTheRest) {
-    SubmissionMark mark = some_submission();
+    grade::SubmissionMark mark = some_submission();
     mark.name = "jane", mark.labs[0].lab = "02_lab", mark.labs[0].tasks[0].id = "2.1";
-    ClassFile policy;
+    grade::ClassFile policy;
     policy.labs.push_back({.folder = "02_lab",
                            .tasks = {{.id = "2.1", .title = "A task", .file = "task.glsl", .points = 3}},
-                           .due = parse_moment("2027-03-01T12:00Z", {}, {}),
+                           .due = grade::parse_moment("2027-03-01T12:00Z", {}, {}),
                            .canvas = {},
                            .moodle = {}});
     policy.late.percent_per_day = 50;
     policy.adjustments = {{"jane", "2.1", 0.5, hostile, {}}};
     policy.extensions = {{"jane", "", 1, "ill"}};
-    policy.hand_ins = {{"jane", "", parse_moment("2027-03-03T11:00Z", {}, {})}};
-    const std::vector<SubmissionMark> marks = {mark};  // the standing points to it
-    const ClassStanding standing = class_standing(marks, policy, {});
+    policy.hand_ins = {{"jane", "", grade::parse_moment("2027-03-03T11:00Z", {}, {})}};
+    const std::vector<grade::SubmissionMark> marks = {mark};  // the standing points to it
+    const grade::ClassStanding standing = grade::class_standing(marks, policy, {});
     for (const PageFor reader : {PageFor::instructor, PageFor::student}) {
         const std::string before = student_page(mark, {}, reader);
-        const std::string page = with_standing(before, standing.students[0], UtcOffset(60), reader);
+        const std::string page = with_standing(before, standing.students[0], grade::UtcOffset(60), reader);
         EXPECT_TRUE(contains(page, "1 day late: 50 % less")) << page.substr(page.find("<!--standing"), 900);
         EXPECT_TRUE(contains(page, "due 2027-03-02 13:00 +01:00, with 1 day of extension"));
         EXPECT_TRUE(contains(page, "handed in 2027-03-03 12:00 +01:00"));
         EXPECT_EQ(contains(page, "extension: ill"), reader == PageFor::instructor)
             << "the student's page tells no reason";
         EXPECT_EQ(times_escaped(page), times_escaped(before) + 1) << "a note is text";
-        EXPECT_EQ(with_standing(page, standing.students[0], UtcOffset(60), reader), page);
-        EXPECT_EQ(with_standing(page, standing_of(mark), UtcOffset(0), reader), before) << "and everything else stays";
+        EXPECT_EQ(with_standing(page, standing.students[0], grade::UtcOffset(60), reader), page);
+        EXPECT_EQ(with_standing(page, grade::standing_of(mark), grade::UtcOffset(0), reader), before)
+            << "and everything else stays";
     }
-    ClassReport report;
+    grade::ClassReport report;
     report.marks = marks;
     EXPECT_GT(times_escaped(class_page(report, standing)), times_escaped(class_page(report)));
 }
 
 TEST(ClassPage, ShowsSubmissionsAsText) {
-    ClassReport report;
+    grade::ClassReport report;
     report.marks = {some_submission()}, report.seed = report.isolation.reason = hostile;
     EXPECT_GT(times_escaped(class_page(report)), 15);
 }
 
 TEST(BenchPage, ShowsRowsAndMachinesAsText) {
-    const BenchTopic topic{"parallax", hostile, hostile, {}};
+    const measure::BenchTopic topic{"parallax", hostile, hostile, {}};
     TopicResult result;
     result.topic = &topic;
-    BenchMachine& machine = result.machine;
+    measure::BenchMachine& machine = result.machine;
     machine.cpu = machine.clock = machine.compiler = machine.commit = machine.renderer = hostile;
     for (const char* state : {"measured", hostile.c_str()}) {
-        BenchRow& row = result.rows.emplace_back();
+        measure::BenchRow& row = result.rows.emplace_back();
         row.topic = "parallax", row.state = state, row.method = row.item = hostile;
         row.scene = row.knobs = {{hostile, hostile}}, row.work = {{hostile, 1}};
         row.times = {1, 1, 1}, row.repeats = 10, row.error = {1, 1, 1, hostile, {}};
@@ -125,9 +126,10 @@ TEST(BenchPage, ShowsRowsAndMachinesAsText) {
 }
 
 TEST(StudentPage, ShowsAHintOncePerTask) {
-    SubmissionMark mark = some_submission();
-    std::vector<CheckMark>& checks = mark.labs[0].tasks[0].checks;
-    for (CheckMark& check : checks) check.outcome = Outcome::wrong, check.look_at = "mind the sign", check.view = "";
+    grade::SubmissionMark mark = some_submission();
+    std::vector<grade::CheckMark>& checks = mark.labs[0].tasks[0].checks;
+    for (grade::CheckMark& check : checks)
+        check.outcome = check::Outcome::wrong, check.look_at = "mind the sign", check.view = "";
     checks[1].found = "something else";
     const std::string page = student_page(mark, {}, PageFor::student);
     const size_t first = page.find("mind the sign");
@@ -136,4 +138,4 @@ TEST(StudentPage, ShowsAHintOncePerTask) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::pages

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "framework/base/error.h"
+#include "framework/core/base/error.h"
 #include "tests/support.h"
 
 namespace relief {

@@ -10,8 +10,8 @@
 #include <map>
 #include <random>
 
-#include "framework/base/error.h"
-#include "framework/image/color.h"
+#include "framework/core/base/error.h"
+#include "framework/core/image/color.h"
 
 namespace relief {
 

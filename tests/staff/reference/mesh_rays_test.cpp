@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "framework/mesh/shapes.h"
+#include "framework/core/mesh/shapes.h"
 
 namespace relief {
 namespace {

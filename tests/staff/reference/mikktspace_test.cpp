@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "framework/mesh/shapes.h"
+#include "framework/core/mesh/shapes.h"
 #include "framework/staff/reference/tangents.h"
-#include "tests/mesh/test_meshes.h"
+#include "tests/core/mesh/test_meshes.h"
 
 namespace relief {
 namespace {

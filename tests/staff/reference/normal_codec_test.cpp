@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "framework/base/parallel.h"
+#include "framework/core/base/parallel.h"
 #include "framework/staff/reference/half.h"
 
 namespace relief {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "framework/height/maps.h"
+#include "framework/core/height/maps.h"
 #include "framework/staff/reference/height_field.h"
 
 namespace relief {

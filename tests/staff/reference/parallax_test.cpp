@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "framework/height/maps.h"
+#include "framework/core/height/maps.h"
 
 namespace relief {
 namespace {

@@ -8,10 +8,10 @@
 #include <limits>
 #include <random>
 
-#include "framework/base/error.h"
-#include "framework/mesh/shapes.h"
+#include "framework/core/base/error.h"
+#include "framework/core/mesh/shapes.h"
 #include "framework/staff/reference/tangent_faces.h"
-#include "tests/mesh/test_meshes.h"
+#include "tests/core/mesh/test_meshes.h"
 #include "tests/support.h"
 
 namespace relief {

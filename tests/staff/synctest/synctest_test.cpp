@@ -5,16 +5,16 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "framework/base/file.h"
-#include "framework/image/color.h"
-#include "framework/image/file.h"
-#include "framework/mesh/obj.h"
+#include "framework/core/base/file.h"
+#include "framework/core/image/color.h"
+#include "framework/core/image/file.h"
+#include "framework/core/mesh/obj.h"
 #include "framework/staff/reference/mikktspace.h"
 #include "framework/staff/synctest/files.h"
 #include "framework/staff/synctest/judge.h"
 #include "tests/support.h"
 
-namespace relief {
+namespace relief::synctest {
 namespace {
 
 constexpr int side = 160;
@@ -170,4 +170,4 @@ TEST(Synctest, ItsFilesHoldTheSameCube) {
 }
 
 }  // namespace
-}  // namespace relief
+}  // namespace relief::synctest

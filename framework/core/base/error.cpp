@@ -1,0 +1,35 @@
+#include "framework/core/base/error.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "framework/core/base/paths.h"
+
+namespace relief {
+namespace {
+
+std::string one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    while (!text.empty() && text.back() == ' ') text.pop_back();
+    return text;
+}
+
+std::string with_place(const Place& place, const std::string& message) {
+    std::string line = place.file.empty() ? "" : shown(place.file);
+    if (place.line > 0) line += ":" + std::to_string(place.line);
+    return one_line(line.empty() ? message : line + ": " + message);
+}
+
+}  // namespace
+
+Error::Error(const std::string& message) : std::runtime_error(one_line(message)) {}
+
+Error::Error(const Place& place, const std::string& message, std::string details)
+    : std::runtime_error(with_place(place, message)), place_(place), details_(std::move(details)) {}
+
+std::string Error::more_details() const {
+    const std::string first = std::string(what()) + '\n';
+    return details_.starts_with(first) ? details_.substr(first.size()) : details_;
+}
+
+}  // namespace relief

@@ -1,0 +1,44 @@
+#include "framework/core/base/module.h"
+
+#include <fmt/format.h>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/system.h"
+
+namespace relief {
+
+Module::Module(std::span<const char* const> names, const char* package) {
+    std::string reason;
+    for (const char* name : names) {
+        std::string why;
+        handle_ = os::open_library(name, why);
+        if (handle_) {
+            name_ = name;
+            return;
+        }
+        if (reason.empty()) reason = why;
+    }
+    throw Error(fmt::format("install the Debian package {} ({})", package, reason));
+}
+
+void* Module::address(const char* name) const {
+    void* const found = os::function(handle_, name);
+    if (!found) throw Error(fmt::format("{} has no function {}: it is damaged or too old", name_, name));
+    return found;
+}
+
+const std::filesystem::path& framework_folder() {
+    static const std::filesystem::path folder =
+        os::library_of(reinterpret_cast<const void*>(&framework_folder)).parent_path();
+    return folder;
+}
+
+Module open_own_module(const char* name, const char* package) {
+    const std::string path = (framework_folder() / name).string();
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) throw Error({path}, "is missing: build it with ./relief build");
+    const char* const names[] = {path.c_str()};
+    return Module(names, package);
+}
+
+}  // namespace relief

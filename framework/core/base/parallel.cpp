@@ -1,0 +1,57 @@
+#include "framework/core/base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace relief {
+
+unsigned hardware_threads() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+void parallel_pieces(size_t count, size_t smallest, unsigned threads,
+                     const std::function<void(size_t begin, size_t end)>& work) {
+    if (count == 0) return;
+    if (threads == 0) threads = hardware_threads();
+    const size_t length = std::max({size_t{1}, smallest, (count - 1) / threads + 1}), pieces = (count - 1) / length + 1;
+    std::vector<std::exception_ptr> failures(pieces);
+    const auto run = [&](size_t piece) noexcept {
+        try {
+            work(piece * length, std::min(count, (piece + 1) * length));
+        } catch (...) {
+            failures[piece] = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> helpers;
+        helpers.reserve(pieces - 1);
+        for (size_t piece = 1; piece < pieces; ++piece) {
+            try {
+                helpers.emplace_back(run, piece);
+            } catch (const std::system_error&) {
+                run(piece);  // the system has no more threads: use this one
+            }
+        }
+        run(0);
+    }
+    for (const std::exception_ptr& failure : failures)
+        if (failure) std::rethrow_exception(failure);
+}
+
+void parallel_each(size_t count, unsigned threads, const std::function<void(size_t)>& one) {
+    if (threads == 0) threads = hardware_threads();
+    std::atomic<size_t> next = 0;
+    // One piece per thread; each takes the next index until none is left.
+    parallel_pieces(std::min(count, size_t{threads}), 1, threads, [&](size_t, size_t) {
+        try {
+            for (size_t i = next++; i < count; i = next++) one(i);
+        } catch (...) {
+            next = count;
+            throw;
+        }
+    });
+}
+
+}  // namespace relief

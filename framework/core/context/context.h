@@ -1,0 +1,65 @@
+// OpenGL 4.1 core contexts: OSMesa (software, no display), EGL without a surface (software or GPU, no display), or a
+// GLFW window (needs a display). Each library is opened by dlopen on first use.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/core/base/error.h"
+
+namespace relief {
+
+enum class ContextKind { osmesa, egl, window };
+
+/// No window can be opened: no display, no GLFW, or no driver for it.
+class NoWindow : public Error {
+public:
+    using Error::Error;
+};
+
+/// A context with the GL functions loaded. It is current on its thread from construction. At most one at a time.
+class Context {
+public:
+    virtual ~Context() = default;
+    virtual void make_current() = 0;
+};
+
+/// Opens a context of this kind. Throws Error that names the Debian package to install or the missing part.
+std::unique_ptr<Context> open_context(ContextKind kind);
+
+/// Opens OSMesa or, if that fails, EGL. Prints a line on standard error if OSMesa does not open. Throws Error if EGL
+/// does not open either.
+std::unique_ptr<Context> open_any_context();
+
+/// Parses the name of a kind; "auto" gives nothing. Throws UsageError for an unknown name.
+std::optional<ContextKind> context_kind(const std::string& name);
+const char* name_of(ContextKind kind);
+std::unique_ptr<Context> open_context(std::optional<ContextKind> kind);
+
+/// Returns the environment variables that choose a driver, as " (GALLIUM_DRIVER=softpipe is set)", or "" if none is
+/// set.
+std::string driver_variables();
+
+/// Returns whether a window can be opened: the environment names an X11 or Wayland display.
+bool has_display();
+
+/// Makes Mesa's software renderer produce the same bits on every x86-64 machine, about 20 % slower. Golden pictures and
+/// marks need this. Precondition: no context of this process has been opened.
+void pin_software_renderer();
+bool is_pinned();
+
+/// Properties of the current context.
+struct ContextInfo {
+    std::string version, renderer, vendor, shading_language;
+    int max_texture = 0, max_samples = 0, max_patch_vertices = 0, max_tessellation = 0;
+    float max_anisotropy = 1;
+    bool debug = false;
+
+    /// Returns everything that determines the bits of a picture, in one line.
+    std::string driver() const;
+};
+ContextInfo describe_context();
+
+}  // namespace relief

@@ -1,0 +1,36 @@
+// Meshes that are uploaded when a draw first needs them.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "framework/core/gl/object.h"
+#include "framework/core/mesh/mesh.h"
+
+namespace relief {
+
+/// Attribute locations, the same in every lab: 0 position, 1 normal, 2 tangent (with the handedness in w), 3 uv.
+class GpuMesh {
+public:
+    explicit GpuMesh(std::function<Mesh()> make) : make_(std::move(make)) {}
+
+    GLuint layout() const { return uploaded().layout; }  ///< vertex array, including the index buffer
+    GLsizei count() const { return uploaded().count; }   ///< number of indices, GL_UNSIGNED_INT
+    GLsizei vertices() const { return uploaded().vertex_count; }
+
+private:
+    struct Uploaded {
+        VertexArrayName layout;
+        BufferName vertices, indices;
+        GLsizei count = 0, vertex_count = 0;
+    };
+    const Uploaded& uploaded() const;
+
+    std::function<Mesh()> make_;
+    mutable std::optional<Uploaded> uploaded_;
+};
+
+/// `upload([] { return make_quad({.width = 2}); })`: the mesh is made and uploaded at first use.
+inline GpuMesh upload(std::function<Mesh()> make) { return GpuMesh(std::move(make)); }
+
+}  // namespace relief

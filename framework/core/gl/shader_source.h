@@ -1,0 +1,45 @@
+// Shader text from files: #include, #define permutations, and the mapping of a compiler's messages back to source
+// lines. Needs no GL.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "framework/core/base/error.h"
+
+namespace relief {
+
+struct ShaderSource {
+    std::filesystem::path stage;
+    std::string text;             ///< text for the compiler
+    std::vector<Place> lines;     ///< source file and line of each line of the text; an inserted #define has no file
+    std::set<std::string> names;  ///< every u_ and s_ name in the files, used or not
+};
+
+/// Reads a stage and the files that it includes. An included file such as `"common/light.glsl"` is searched for beside
+/// the including file, then below the course's `shaders` folder. Each file is included once. `defines` ("NAME" or "NAME
+/// VALUE") are inserted after the `#version` line, which must be the first line of the stage. Throws Error with file
+/// and line.
+ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<std::string>& defines);
+
+/// Returns the names in a text's own #include lines, as written. Skips malformed lines.
+std::set<std::string> included_by(const std::string& text);
+
+/// A compiler's log in terms of the source files, and its first error. Each "0:12(5): " or "0(12) : " is replaced by
+/// the file and line that line 12 of the text comes from.
+///
+/// GLSL could do this with a #line number per file, but Mesa 22.3 drops the file number from some messages, such as
+/// "undeclared".
+///
+/// `source` is the compiled text. If given, each message is followed by the line that it refers to, once. Below it
+/// stands a mark at the column, if the compiler reports one.
+struct ShaderLog {
+    Place first;
+    std::string first_message;
+    std::string text;
+};
+ShaderLog explain_log(const std::string& log, const std::vector<Place>& lines, const std::string& source = {});
+
+}  // namespace relief

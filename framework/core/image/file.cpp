@@ -1,0 +1,183 @@
+#include "framework/core/image/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/module.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/netpbm.h"
+#include "framework/core/image/openimageio.h"
+#include "framework/core/image/png.h"
+
+namespace relief {
+
+using namespace std::string_view_literals;
+
+namespace {
+
+const Module& openimageio() {
+    static const Module module = open_own_module("relief-openimageio.so", "libopenimageio-dev");
+    return module;
+}
+
+// Detects the format from the first bytes, because a file's name may be wrong.
+const char* format_by_content(const std::string& bytes) {
+    const std::string_view start(bytes);
+    if (start.starts_with("\x89PNG\r\n\x1a\n"sv)) return "png";
+    if (start.starts_with("\x76\x2f\x31\x01"sv)) return "openexr";
+    if (start.starts_with("\xff\xd8\xff"sv)) return "jpeg";
+    throw Error("neither PNG, OpenEXR, JPEG, PPM nor PFM");
+}
+
+/// Returns the size in bytes of an OpenEXR header value of a fixed-size type, or nothing for a type of variable size.
+/// OpenEXR reads this many bytes even if the file states another size, and would then misread the bytes that follow.
+std::optional<uint32_t> openexr_size(std::string_view type) {
+    constexpr std::pair<std::string_view, uint32_t> sizes[] = {{"box2i", 16},
+                                                               {"box2f", 16},
+                                                               {"chromaticities", 32},
+                                                               {"compression", 1},
+                                                               {"deepImageState", 1},
+                                                               {"double", 8},
+                                                               {"envmap", 1},
+                                                               {"float", 4},
+                                                               {"int", 4},
+                                                               {"keycode", 28},
+                                                               {"lineOrder", 1},
+                                                               {"m33f", 36},
+                                                               {"m33d", 72},
+                                                               {"m44f", 64},
+                                                               {"m44d", 128},
+                                                               {"rational", 8},
+                                                               {"tiledesc", 9},
+                                                               {"timecode", 8},
+                                                               {"v2i", 8},
+                                                               {"v2f", 8},
+                                                               {"v2d", 16},
+                                                               {"v3i", 12},
+                                                               {"v3f", 12},
+                                                               {"v3d", 24}};
+    for (const auto& [name, size] : sizes)
+        if (name == type) return size;
+    return {};
+}
+
+/// OpenEXR allocates memory for the sizes in its header before it checks them against the file, and before OpenImageIO
+/// reports them: a few bytes could cost gigabytes. Walks the header. Throws Error for a value that is larger than the
+/// file, for sides, tiles or channels beyond the limits, and for files of several or deep images.
+void check_openexr_header(std::string_view bytes) {
+    const auto number_at = [&](size_t at) {
+        if (at > bytes.size() || bytes.size() - at < 4) throw Error("damaged: its header has no end");
+        uint32_t number = 0;
+        for (size_t i = 4; i-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+        return number;
+    };
+    const auto refuse = [](const char* what) {
+        throw Error(fmt::format("{}: only one flat image of at most {}x{} with 4 channels is supported", what,
+                                max_image_side, max_image_side));
+    };
+    constexpr uint32_t deep_or_several = 0x1800;
+    if (number_at(4) & deep_or_several) refuse("deep, or several images");
+
+    size_t at = 8;  // after the magic number and the version
+    const auto word = [&] {
+        const size_t end = bytes.find('\0', at);
+        if (end == std::string_view::npos) throw Error("damaged: its header has no end");
+        const std::string_view found = bytes.substr(at, end - at);
+        at = end + 1;
+        return found;
+    };
+    for (std::string_view name = word(); !name.empty(); name = word()) {  // name, type, size, value
+        const std::string_view type = word();
+        const size_t size = number_at(at), begin = at += 4;
+        const auto inconsistent = [&] { throw Error(fmt::format("damaged: {} bytes are no {}", size, type)); };
+        if (const auto right = openexr_size(type); right && *right != size) inconsistent();
+        if (size > bytes.size() - begin)
+            throw Error(fmt::format("damaged: a value of its header has {} bytes, more than the file", size));
+        const auto side = [&](size_t low, size_t high) {
+            return int64_t(int32_t(number_at(begin + high))) - int32_t(number_at(begin + low)) + 1;
+        };
+        if (name == "dataWindow" && (side(0, 8) > max_image_side || side(4, 12) > max_image_side)) refuse("too large");
+        if (name == "tiles" && (number_at(begin) > max_image_side || number_at(begin + 4) > max_image_side))
+            refuse("its tiles are too large");
+        if (type == "preview" && (size < 8 || uint64_t{number_at(begin)} * number_at(begin + 4) * 4 + 8 != size))
+            inconsistent();
+        if (type == "chlist") {
+            int channels = 0;  // each is a name and 16 bytes; an empty name ends them
+            for (at = begin; at < begin + size && !word().empty(); at += 16)
+                if (++channels > 4) refuse("more than 4 channels");
+            if (at != begin + size) inconsistent();
+        }
+        at = begin + size;
+    }
+}
+
+/// libpng allocates memory for a chunk before it reads it. Throws Error for a chunk that is larger than the rest of the
+/// file.
+void check_png_chunks(std::string_view bytes) {
+    for (size_t at = 8; bytes.size() - at >= 8;) {  // length, name, bytes, checksum
+        uint32_t length = 0;
+        for (size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+        if (length > bytes.size() - at - 8)
+            throw Error(fmt::format("damaged: a chunk has {} bytes, more than the file", length));
+        if (bytes.substr(at + 4, 4) == "IEND") return;
+        at += std::min<size_t>(bytes.size() - at, size_t{length} + 12);
+    }
+}
+
+}  // namespace
+
+Image decode_image(const std::string& bytes, Notes* notes) {
+    if (is_netpbm(bytes)) return decode_netpbm(bytes);
+    const char* const format = format_by_content(bytes);
+    if (format == "openexr"sv) check_openexr_header(bytes);
+    if (format == "png"sv) check_png_chunks(bytes);
+    Notes found;
+    Image image = format == "png"sv ? decode_png(bytes, found)
+                                    : openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
+    if (notes) *notes = std::move(found);
+    return image;
+}
+
+Image read_image(const std::filesystem::path& path, Notes* notes) {
+    const std::string bytes = read_file(path, max_image_bytes);
+    try {
+        return decode_image(bytes, notes);
+    } catch (const Error& error) {
+        throw Error({path}, error.what());
+    }
+}
+
+ImageFormat format_of(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".png") return ImageFormat::png;
+    if (ending == ".exr") return ImageFormat::exr;
+    if (ending == ".ppm") return ImageFormat::ppm;
+    if (ending == ".pfm") return ImageFormat::pfm;
+    throw UsageError(fmt::format("'{}' must end in .png, .exr, .ppm or .pfm", path.string()));
+}
+
+std::string encode_image(const Image& image, ImageFormat format, const Notes& notes, ColorSpace space) {
+    switch (format) {
+        case ImageFormat::ppm:
+            return encode_ppm(image);
+        case ImageFormat::pfm:
+            return encode_pfm(image);
+        case ImageFormat::png:
+            return encode_png(image, notes, space);
+        case ImageFormat::exr:
+            break;
+    }
+    return openimageio().function<EncodeImage>("relief_encode_image")(image, "openexr", notes);
+}
+
+void write_image(const std::filesystem::path& path, const Image& image, const Notes& notes, ColorSpace space) {
+    write_file(path, encode_image(image, format_of(path), notes, space));
+}
+
+}  // namespace relief

@@ -1,0 +1,178 @@
+#include "framework/core/kit/relief_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/height/maps.h"
+#include "framework/core/image/asset.h"
+#include "framework/core/image/color.h"
+#include "framework/core/image/mips.h"
+#include "framework/core/image/resample.h"
+
+namespace relief {
+namespace {
+
+constexpr std::array maps = {"smooth", "fbm",    "bricks", "stones", "posts",   "rock",
+                             "wall",   "paving", "low",    "high",   "plateau", "damaged"};
+constexpr std::array sizes = {"1", "256", "512", "1024", "4096"};
+constexpr std::array texels = {1, 256, 512, 1024, 4096};
+constexpr std::array bit_counts = {"float", "8"};
+
+/// Linear colours at heights 0, 0.5 and 1.
+struct Palette {
+    glm::vec3 low, middle, high;
+};
+Palette palette_of(int map) {
+    switch (map) {
+        case ReliefMap::smooth:
+            return {{0.09f, 0.13f, 0.2f}, {0.28f, 0.36f, 0.36f}, {0.75f, 0.72f, 0.6f}};
+        case ReliefMap::fbm:
+            return {{0.1f, 0.08f, 0.05f}, {0.36f, 0.27f, 0.16f}, {0.72f, 0.66f, 0.5f}};
+        case ReliefMap::bricks:
+            return {{0.3f, 0.28f, 0.25f}, {0.34f, 0.16f, 0.1f}, {0.46f, 0.16f, 0.09f}};
+        case ReliefMap::posts:
+            return {{0.12f, 0.16f, 0.2f}, {0.4f, 0.36f, 0.3f}, {0.95f, 0.8f, 0.4f}};
+        default:
+            return {{0.1f, 0.1f, 0.09f}, {0.3f, 0.29f, 0.27f}, {0.6f, 0.57f, 0.52f}};
+    }
+}
+
+/// Returns the largest level of the image's mip chain that is at most `side` texels wide.
+Image level_of(Image image, int side) {
+    std::vector<Image> levels = mip_chain(std::move(image), ColorSpace::linear);
+    size_t level = 0;
+    while (levels[level].width > side && level + 1 < levels.size()) ++level;
+    return std::move(levels[level]);
+}
+
+/// Returns whether an image is a normal map with heights in the fourth channel.
+bool has_normals(const Image& image) { return image.channels == 4; }
+
+/// Replaces heights that are not finite by 0. If any are beyond [0, 1], as in files of floats, rescales all to [0, 1].
+void bring_between_0_and_1(float* heights, size_t count, size_t stride) {
+    float low = 0, high = 1;
+    for (size_t i = 0; i < count; ++i) {
+        float& height = heights[i * stride];
+        if (!std::isfinite(height)) height = 0;
+        low = std::min(low, height), high = std::max(high, height);
+    }
+    if (low == 0 && high == 1) return;
+    for (size_t i = 0; i < count; ++i)
+        heights[i * stride] = float((double(heights[i * stride]) - double(low)) / (double(high) - double(low)));
+}
+
+/// Returns the heights of a user's picture: a grey picture, or the fourth channel. If the other three channels are a
+/// normal map, it stays with the heights.
+Image own_heights(Image picture) {
+    double up = 0, length = 0;  // sums over the picture: of z, and of the lengths of normals
+    float least = 1, most = 0;  // of the fourth channel
+    for (size_t i = 0; picture.channels == 4 && i < picture.pixel_count(); ++i) {
+        const float* const texel = picture.values.data() + i * 4;
+        const glm::vec3 normal = 2.0f * glm::vec3(texel[0], texel[1], texel[2]) - 1.0f;
+        up += double(normal.z), length += double(glm::length(normal));
+        least = std::min(least, texel[3]), most = std::max(most, texel[3]);
+    }
+    const auto texels_of_it = double(picture.pixel_count());
+    if (least < most) {
+        bring_between_0_and_1(picture.values.data() + 3, picture.pixel_count(), 4);
+        return up > 0.5 * texels_of_it && std::abs(length / texels_of_it - 1) < 0.1 ? picture
+                                                                                    : channels_of(picture, 3, 1);
+    }
+    if (!is_nearly_grey(picture))
+        throw Error("shows colours or normals: a height map is grey, or the fourth channel of a picture");
+    Image heights = channels_of(picture, 0, 1);
+    bring_between_0_and_1(heights.values.data(), heights.values.size(), 1);
+    return heights;
+}
+
+}  // namespace
+
+ReliefMaterial::ReliefMaterial() : own_(own_heights) {}
+
+void ReliefMaterial::knobs(Knobs& knobs) {
+    knobs.choice_or_picture("map", map, own_, maps, "the height map");
+    knobs.choice("size", size, sizes, "size of the map, texels; wall and paving have 1024");
+    knobs.choice("bits", bits, bit_counts, "bits per stored height");
+}
+
+bool ReliefMaterial::is_asset() const { return map == ReliefMap::wall || map == ReliefMap::paving; }
+
+const ReliefMaterial::Made& ReliefMaterial::made() const {
+    return made_.get({map, size, bits, own_.version()}, [this] { return make(); });
+}
+
+ReliefMaterial::Made ReliefMaterial::make() const {
+    Image image, full;
+    const char* const height_asset = map == ReliefMap::wall ? "bricks_height.png" : "paving_height.png";
+    if (is_asset()) {
+        image = read_asset(height_asset);
+        if (image.width > asset_texels || bits == 1) full = image;
+        if (image.width > asset_texels) image = level_of(std::move(image), asset_texels);
+    } else if (map == ReliefMap::own) {
+        image = resampled(own_.image(), texels[size_t(size)], texels[size_t(size)]);
+        if (has_normals(image)) image = channels_of(image, 3, 1);
+    } else {
+        image = make_height_map(HeightMap(map < ReliefMap::wall ? map : map - 2), texels[size_t(size)]);
+    }
+    mend_heights(image);
+    if (bits == 1) image = with_8_bits(std::move(image));
+    const bool is_whole = is_asset() && full.values.empty();  // its integers are valid already
+    return {
+        std::move(image), std::move(full),
+        is_whole ? load_texture(height_asset, ColorSpace::linear) : Texture("heights", [this] { return heights(); }),
+        is_asset() ? load_texture(map == ReliefMap::wall ? "bricks_albedo.png" : "paving_albedo.png", ColorSpace::srgb)
+                   : Texture("albedo", [this] { return albedo(); }, {.space = ColorSpace::srgb}),
+        Texture("normals", [this] { return normals(); })};
+}
+
+Image ReliefMaterial::albedo() const {
+    const Image& heights = this->heights();
+    const auto [low, middle, high] = palette_of(map);
+    Image image(heights.width, heights.height, 3, 8);
+    parallel_pieces(
+        heights.pixel_count(), 1 << 14, 0, [&, low = low, middle = middle, high = high](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                const float h = heights.values[i];
+                const glm::vec3 light = h < 0.5f ? glm::mix(low, middle, h * 2) : glm::mix(middle, high, h * 2 - 1);
+                for (int c = 0; c < 3; ++c) image.values[i * 3 + size_t(c)] = float(srgb_from_linear(double(light[c])));
+            }
+        });
+    return image;
+}
+
+/// Returns the normals of the user's picture if it has any. Else the normal of a texel is perpendicular to two chords:
+/// from its left to its right neighbour, and from its lower to its upper one.
+Image ReliefMaterial::normals() const {
+    // At full size, also where the search uses smaller heights.
+    const Image& heights = made().full.values.empty() ? made().heights : made().full;
+    const int side = heights.width;
+    if (map == ReliefMap::own && has_normals(own_.image())) {
+        Image stored = channels_of(resampled(own_.image(), side, side), 0, 3);
+        stored.bits = 8;
+        return stored;
+    }
+    const auto point = [&](int x, int y) {  // in texels; row 0 is the top
+        const float height = *heights.pixel((x + side) % side, (y + side) % side);
+        return glm::vec3(x, -y, height * normals_depth * float(side));
+    };
+    Image image(side, side, 3, 8);
+    parallel_pieces(size_t(side), 16, 0, [&](size_t begin, size_t end) {
+        for (int y = int(begin); y < int(end); ++y)
+            for (int x = 0; x < side; ++x) {
+                const glm::vec3 right = point(x + 1, y) - point(x - 1, y), up = point(x, y - 1) - point(x, y + 1);
+                const glm::vec3 stored = 0.5f * glm::normalize(glm::cross(right, up)) + 0.5f;
+                for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = stored[c];
+            }
+    });
+    return image;
+}
+
+void ReliefMaterial::set(const Program& program) const {
+    program.set("s_heights", 0, made().height_texture);
+    program.set("s_albedo", 1, made().albedo_texture);
+    program.set("s_normals", 2, made().normal_texture);
+}
+
+}  // namespace relief

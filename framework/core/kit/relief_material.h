@@ -1,0 +1,63 @@
+// The material of a relief: a height map, with its colours and its normals.
+#pragma once
+
+#include <array>
+
+#include "framework/core/image/own_picture.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/lab/lab.h"
+
+namespace relief {
+
+/// The values of ReliefMaterial's knob `map`. Wall and paving are textures, `own` is the user's picture, and the others
+/// are computed from formulas.
+struct ReliefMap {
+    enum : int { smooth, fbm, bricks, stones, posts, rock, wall, paving, low, high, plateau, damaged, own };
+};
+
+class ReliefMaterial {
+public:
+    enum Size { texels_1, texels_256, texels_512, texels_1024, texels_4096 };
+
+    ReliefMaterial();
+    ReliefMaterial(const ReliefMaterial&) = delete;  // its textures refer to this object
+
+    void knobs(Knobs& knobs);
+
+    /// Returns the heights: finite, in [0, 1], rounded to the stored bits; row 0 is the top.
+    const Image& heights() const { return made().heights; }
+    /// Increases when heights() becomes another image, so that a caller can update values made from it.
+    int version() const {
+        made();
+        return made_.version();
+    }
+    /// Computes the contents of the normal map, again with each call.
+    Image normals() const;
+
+    /// Binds s_heights to unit 0, s_albedo to 1, s_normals to 2. Precondition: the program is in use.
+    void set(const Program& program) const;
+
+    /// The depth of relief that the normal map is made for, in widths of a tile. A shader scales its slopes to the real
+    /// depth.
+    static constexpr float normals_depth = 0.08f;
+
+    // The knobs. A lab may set other defaults.
+    int map = ReliefMap::wall, size = texels_512, bits = 0;
+    int asset_texels = 1024;  ///< not a knob: maximum size of the wall's and the paving's heights
+
+private:
+    bool is_asset() const;
+    Image albedo() const;
+
+    struct Made {
+        Image heights, full;  ///< full: an asset's original heights, if `heights` are smaller or rounded; else empty
+        Texture height_texture, albedo_texture, normal_texture;
+    };
+    const Made& made() const;
+    Made make() const;
+    /// One channel of heights, or four: a normal map with heights in the fourth.
+    OwnPicture own_;
+    mutable Kept<Made, int, int, int, int> made_;  ///< inputs: map, size, bits and version of the picture
+};
+
+}  // namespace relief

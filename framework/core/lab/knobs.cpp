@@ -1,0 +1,153 @@
+#include "framework/core/lab/knobs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/own_picture.h"
+#include "framework/core/lab/lab.h"
+
+namespace relief {
+namespace {
+
+class Describe final : public Knobs {
+public:
+    std::vector<KnobText> found;
+
+    void slider(const char* name, float& value, float low, float high, const char* help) override {
+        found.push_back({name, plain(value), plain(low) + " to " + plain(high), help});
+    }
+    void steps(const char* name, int& value, int low, int high, const char* help) override {
+        found.push_back({name, plain(value), fmt::format("{} to {}, whole", low, high), help});
+    }
+    void toggle(const char* name, bool& value, const char* help) override {
+        found.push_back({name, value ? "on" : "off", "on, off", help});
+    }
+    void choice(const char* name, int& value, std::span<const char* const> names, const char* help) override {
+        found.push_back({name, names[size_t(value)], fmt::format("{}", fmt::join(names, ", ")), help});
+    }
+    void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
+                           const char* help) override {
+        int named = std::min(value, int(names.size()) - 1);
+        choice(name, named, names, help);
+        found.back().help += ", or a picture's file";
+        if (value != named) found.back().value = own.file().string();
+    }
+};
+
+class SetOne final : public Knobs {
+public:
+    SetOne(const std::string& name, const std::string& text) : name_(name), text_(text) {}
+    bool done = false;
+
+    void slider(const char* name, float& value, float low, float high, const char*) override {
+        if (name != name_) return;
+        const auto number = parse_number(text_);
+        // Compare as floats, like the range: the double 0.1 is below 0.1f.
+        if (!number || float(*number) < low || float(*number) > high) refuse(plain(low) + " to " + plain(high));
+        value = float(*number);
+        done = true;
+    }
+    void steps(const char* name, int& value, int low, int high, const char*) override {
+        if (name != name_) return;
+        const auto number = parse_int(text_);
+        if (!number || *number < low || *number > high) refuse(fmt::format("whole numbers from {} to {}", low, high));
+        value = *number;
+        done = true;
+    }
+    void toggle(const char* name, bool& value, const char*) override {
+        if (name != name_) return;
+        const bool on = text_ == "on" || text_ == "true" || text_ == "1";
+        const bool off = text_ == "off" || text_ == "false" || text_ == "0";
+        if (!on && !off) refuse("on or off");
+        value = on;
+        done = true;
+    }
+    void choice(const char* name, int& value, std::span<const char* const> names, const char*) override {
+        if (name != name_) return;
+        for (size_t i = 0; i < names.size(); ++i)
+            if (text_ == names[i]) {
+                value = int(i);
+                done = true;
+            }
+        if (!done) throw UsageError(unknown_choice(names));
+    }
+    void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
+                           const char* help) override {
+        if (name != name_) return;
+        if (std::find(names.begin(), names.end(), text_) != names.end()) return choice(name, value, names, help);
+        // A word without a dot or a slash is more likely a misspelt choice than a missing file.
+        if (text_.find_first_of("./\\") == std::string::npos && !std::filesystem::exists(text_))
+            throw UsageError(unknown_choice(names) + ", or a picture's file");
+        own.read(text_);
+        value = int(names.size());
+        done = true;
+    }
+
+private:
+    std::string unknown_choice(std::span<const char* const> names) const {
+        return unknown("value of knob " + name_ + ",", text_, std::vector<std::string>(names.begin(), names.end()));
+    }
+    [[noreturn]] void refuse(const std::string& takes) const {
+        throw UsageError(fmt::format("knob {} takes {}, not '{}'", name_, takes, text_));
+    }
+    const std::string& name_;
+    const std::string& text_;
+};
+
+class GivePicture final : public Knobs {
+public:
+    explicit GivePicture(const std::filesystem::path& file) : file_(file) {}
+    std::string knob;
+
+    void slider(const char*, float&, float, float, const char*) override {}
+    void steps(const char*, int&, int, int, const char*) override {}
+    void toggle(const char*, bool&, const char*) override {}
+    void choice(const char*, int&, std::span<const char* const>, const char*) override {}
+    void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
+                           const char*) override {
+        if (!knob.empty()) return;
+        own.read(file_);
+        value = int(names.size());
+        knob = name;
+    }
+
+private:
+    const std::filesystem::path& file_;
+};
+
+}  // namespace
+
+void Knobs::choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
+                              const char* help) {
+    std::vector<const char*> all(names.begin(), names.end());
+    const std::string file = own.file().filename().string();
+    if (!file.empty()) all.push_back(file.c_str());
+    choice(name, value, all, help);
+}
+
+std::vector<KnobText> describe_knobs(Lab& lab) {
+    Describe describe;
+    lab.knobs(describe);
+    return std::move(describe.found);
+}
+
+void set_knob(Lab& lab, const std::string& name, const std::string& value) {
+    SetOne set(name, value);
+    lab.knobs(set);
+    if (set.done) return;
+    std::vector<std::string> names;
+    for (const KnobText& knob : describe_knobs(lab)) names.push_back(knob.name);
+    throw UsageError(unknown("knob", name, names));
+}
+
+std::string set_picture(Lab& lab, const std::filesystem::path& file) {
+    GivePicture give(file);
+    lab.knobs(give);
+    return give.knob;
+}
+
+}  // namespace relief

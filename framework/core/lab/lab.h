@@ -1,0 +1,51 @@
+// The interface of a lab. A lab includes this file and nothing above it.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "framework/core/gl/gl.h"
+#include "framework/core/gl/gpu_mesh.h"
+#include "framework/core/gl/program.h"
+#include "framework/core/gl/texture.h"
+#include "framework/core/image/image.h"
+#include "framework/core/lab/camera.h"
+#include "framework/core/lab/knobs.h"
+#include "framework/core/lab/probe.h"
+#include "framework/core/lab/registry.h"
+#include "framework/core/mesh/shapes.h"
+
+namespace relief {
+
+/// The input of a lab for one frame. Draw into `target`; framebuffer 0 does not exist everywhere.
+/// The state of fragment operations (tests, masks, blending, culling, depth range) has GL's defaults, with two
+/// exceptions: the depth test is on, and the clear colour is the background (the picture's, or +infinity for a probe).
+/// Binding the viewport, textures and buffers is up to the lab.
+struct Frame {
+    GLuint target;
+    glm::ivec2 size;  ///< pixels
+    double time;      ///< seconds
+    Camera camera;
+    Probe probe;
+
+    /// Returns the ray through the centre of pixel (x, y) of the picture; row 0 is the top.
+    Ray ray(int x, int y) const { return camera.ray({(x + 0.5) / size.x * 2 - 1, 1 - (y + 0.5) / size.y * 2}); }
+};
+
+/// A lab is one class in one file. It creates its GL objects at first use. So it can be constructed without a context,
+/// and loads only the data that its knobs need.
+class Lab {
+public:
+    Lab() = default;
+    Lab(const Lab&) = delete;  // not movable: its textures and meshes refer to it
+    virtual ~Lab() = default;
+    virtual void draw(const Frame& frame) = 0;
+    virtual void knobs(Knobs&) {}
+    /// Returns the exact value of a probe at every pixel of this frame, in double precision, or nothing if there is no
+    /// exact solution. Four channels, as the shader writes them; +infinity where there is no surface.
+    virtual std::optional<Image> truth(const Frame&, const Probe&) const { return {}; }
+};
+
+}  // namespace relief

@@ -1,0 +1,421 @@
+#include "framework/core/lab/manifest.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/core/lab/toml_table.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double any = std::numeric_limits<double>::max();
+constexpr glm::ivec2 usual_check_size{128, 128};
+
+void read_camera(Table parent, Orbit& camera) {
+    parent.read("yaw", camera.yaw, -36000, 36000);
+    parent.read("pitch", camera.pitch, -89, 89);
+    parent.read("distance", camera.distance, 1e-3, 1e6);
+    parent.read("field_of_view", camera.field_of_view, 1, 170);
+    std::array<double, 3> target{};
+    if (parent.read<3>("target", target, -1e6, 1e6)) camera.target = {target[0], target[1], target[2]};
+    parent.finish();
+}
+
+Shot read_shot(Table table, const Orbit& camera, glm::ivec2 usual_size) {
+    Shot shot;
+    shot.camera = camera;
+    shot.size = usual_size;
+    if (auto knobs = table.table("set")) shot.set = knobs->all_as_text();
+    if (auto place = table.table("camera")) read_camera(*place, shot.camera);
+    table.read("probe", shot.probe.name);
+    table.read("time", shot.time, -2e9, 2e9);
+    std::array<double, 2> size{};
+    if (table.read<2>("size", size, 1, max_picture_side)) {
+        shot.size = {int(size[0]), int(size[1])};
+        if (shot.size.x != size[0] || shot.size.y != size[1])
+            table.fail("size", "'size' must be whole numbers of pixels");
+    }
+    table.finish();
+    return shot;
+}
+
+bool is_identifier(const std::string& name) {
+    return !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+}
+
+ErrorMetric read_metric(Table& table) {
+    std::string text = "distance";
+    table.read("error", text);
+    if (text == "distance") return ErrorMetric::distance;
+    if (text == "angle") return ErrorMetric::angle;
+    if (text == "absolute") return ErrorMetric::absolute;
+    const std::vector<std::string> known = {"distance", "angle", "absolute"};
+    table.fail("error", unknown("error", text, known));
+}
+
+bool is_file_name(const std::string& name) {
+    return !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-_") == std::string::npos;
+}
+
+/// Returns whether a path stays inside the course. A manifest may come from anyone.
+bool is_course_path(const std::string& path) {
+    const fs::path normal = fs::path(path).lexically_normal();
+    return !path.empty() && normal.is_relative() && *normal.begin() != "..";
+}
+
+template <class Things, class Member>
+void refuse_second(const Table& table, const char* key, const char* kind, const Things& things, Member name,
+                   const std::string& wanted) {
+    for (const auto& thing : things)
+        if (thing.*name == wanted) table.fail(key, fmt::format("two {} are named '{}'", kind, wanted));
+}
+
+template <class Thing>
+const Thing& find_named(const std::vector<Thing>& things, std::string Thing::*name, const char* kind,
+                        const std::string& wanted) {
+    std::vector<std::string> known;
+    for (const Thing& thing : things) {
+        if (thing.*name == wanted) return thing;
+        known.push_back(thing.*name);
+    }
+    throw UsageError(unknown(kind, wanted, known));
+}
+
+/// Calls a look-up. Its UsageError becomes an Error at a key of the table.
+template <class LookUp>
+void require(const Table& table, const char* key, LookUp look_up) {
+    try {
+        look_up();
+    } catch (const UsageError& error) {
+        table.fail(key, error.what());
+    }
+}
+
+ProbeInfo read_probe(Table& table) {
+    ProbeInfo probe;
+    probe.name = table.text("name");
+    table.read("unit", probe.unit);
+    probe.error = read_metric(table);
+    table.read("limit", probe.limit, 0, any);
+    table.read("any_length", probe.any_length);
+    table.read("signed", probe.is_signed);
+    table.finish();
+    if (!is_identifier(probe.name))
+        table.fail("name", fmt::format("'{}' becomes PROBE_<name> in the shader: use a-z, 0-9 and _", probe.name));
+    return probe;
+}
+
+TaskInfo read_task(Table& table) {
+    TaskInfo task;
+    task.id = table.text("id");
+    task.title = table.text("title");
+    task.file = table.text("file");
+    table.read("points", task.points, 0, 1000);
+    table.read("alone", task.alone);
+    table.finish();
+    if (!is_course_path(task.file))
+        table.fail("file", "'file' is a path inside the course, like shaders/20_x/task.glsl");
+    return task;
+}
+
+Limits read_limits(Table table) {
+    Limits limits;
+    const auto read = [&](const char* key, std::optional<double>& limit, double highest) {
+        double value = -1;
+        table.read(key, value, 0, highest);
+        if (value >= 0) limit = value;
+    };
+    read("mean", limits.mean, any);
+    read("p99", limits.p99, any);
+    read("largest", limits.largest, any);
+    read("at_least", limits.at_least, any);
+    read("wrong", limits.wrong, 1);
+    table.read("outline", limits.outline, 0, 1);
+    table.finish();
+    if (limits.at_least && !(limits.mean && *limits.at_least < *limits.mean))
+        table.fail("at_least", "'at_least' is of the mean, and less than its limit");
+    return limits;
+}
+
+CheckInfo read_check(Table& table, const Manifest& manifest) {
+    CheckInfo check;
+    check.task = table.text("task");
+    check.name = table.text("name");
+    check.shot.camera = manifest.camera;
+    check.shot.size = usual_check_size;
+    if (auto shot = table.table("shot")) check.shot = read_shot(*shot, manifest.camera, usual_check_size);
+    table.read("probe", check.shot.probe.name);
+    check.against = table.text("against");
+    if (auto limits = table.table("limit")) check.limits = read_limits(*limits);
+    table.read("reason", check.reason);
+    check.look_at = table.text("look_at");
+    table.read("needs", check.needs);
+    table.read("leans_on", check.leans_on);
+    table.finish();
+    require(table, "task", [&] { manifest.task(check.task); });
+    const auto refuse_wrong = [&](const char* key, const std::vector<std::string>& tasks) {
+        for (auto one = tasks.begin(); one != tasks.end(); ++one) {
+            require(table, key, [&] { manifest.task(*one); });
+            if (*one == check.task) table.fail(key, fmt::format("'{}' names other tasks than the check's own", key));
+            if (std::find(tasks.begin(), one, *one) != one)
+                table.fail(key, fmt::format("'{}' names task {} twice", key, *one));
+        }
+    };
+    refuse_wrong("needs", check.needs);
+    refuse_wrong("leans_on", check.leans_on);
+    if (check.shot.probe) require(table, "probe", [&] { manifest.probe(check.shot.probe.name); });
+    const Limits& limits = check.limits;
+    const bool limited = limits.mean || limits.p99 || limits.largest || limits.wrong;
+    if (check.shot.probe && !limited)
+        table.fail("name", "a check of a probe has a 'limit', like { mean = 0.5, wrong = 0.06 }");
+    if (limited && check.reason.empty()) table.fail("name", "a 'limit' has a 'reason'");
+    if (!check.shot.probe && limited) table.fail("name", "a picture is compared by the course's rule: no 'limit'");
+    if (check.against == "truth" && !check.shot.probe) table.fail("against", "a truth is of a 'probe'");
+    return check;
+}
+
+std::vector<Edit> read_edits(Table& table, const char* kind) {
+    std::vector<Edit> edits;
+    for (Table& edit : table.inline_tables("edits")) {
+        edits.push_back({edit.text("file"), edit.text("find"), edit.text("replace")});
+        edit.finish();
+        if (!is_course_path(edits.back().file)) edit.fail("file", "'file' is a path inside the course");
+        if (edits.back().find == edits.back().replace) edit.fail("replace", "'replace' is what stands there");
+    }
+    if (edits.empty()) table.fail("id", fmt::format("{} has 'edits' = [{{ file, find, replace }}]", kind));
+    return edits;
+}
+
+MistakeInfo read_mistake(Table& table, const Manifest& manifest) {
+    MistakeInfo mistake;
+    mistake.id = table.text("id");
+    mistake.task = table.text("task");
+    mistake.hint = table.text("hint");
+    mistake.edits = read_edits(table, "a mistake");
+    table.read("same_as", mistake.same_as);
+    table.finish();
+    require(table, "task", [&] { manifest.task(mistake.task); });
+    return mistake;
+}
+
+/// Reads knobs that vary: two numbers are a range, texts are choices.
+std::vector<VaryInfo> read_vary(Table table) {
+    std::vector<VaryInfo> all;
+    for (const std::string& knob : table.keys()) {
+        VaryInfo& vary = all.emplace_back(VaryInfo{.knob = knob});
+        if (table.is_texts(knob.c_str())) {
+            table.read(knob.c_str(), vary.choices);
+        } else {
+            std::array<double, 2> range{};
+            table.read<2>(knob.c_str(), range, -any, any);
+            vary.low = range[0], vary.high = range[1];
+            if (!(vary.low < vary.high))
+                table.fail(knob.c_str(), fmt::format("'{}' must be a range, low to high", knob));
+        }
+    }
+    return all;
+}
+
+EquivalentInfo read_equivalent(Table& table, const Manifest& manifest) {
+    EquivalentInfo equivalent;
+    equivalent.id = table.text("id");
+    equivalent.task = table.text("task");
+    equivalent.why = table.text("why");
+    equivalent.edits = read_edits(table, "an equivalent");
+    table.finish();
+    require(table, "task", [&] { manifest.task(equivalent.task); });
+    for (const Edit& edit : equivalent.edits)
+        if (std::none_of(manifest.tasks.begin(), manifest.tasks.end(),
+                         [&](const TaskInfo& task) { return task.file == edit.file; }))
+            table.fail("edits",
+                       fmt::format("'{}' is no task's file: an equivalent is what a student writes", edit.file));
+    return equivalent;
+}
+
+CompareInfo read_compare(Table table, const Manifest& manifest) {
+    CompareInfo compare;
+    compare.knob = table.text("knob");
+    table.read("values", compare.values);
+    compare.shot.camera = manifest.camera, compare.shot.size = CompareInfo::usual_size;
+    if (auto shot = table.table("shot")) compare.shot = read_shot(*shot, manifest.camera, compare.shot.size);
+    table.read("probe", compare.shot.probe.name);
+    table.finish();
+    if (compare.values.size() == 1) table.fail("values", "'values' are two at least: there is nothing to compare");
+    for (const std::string& value : compare.values)
+        if (std::count(compare.values.begin(), compare.values.end(), value) > 1)
+            table.fail("values", fmt::format("'{}' stands twice in 'values'", value));
+    for (const auto& [knob, value] : compare.shot.set)
+        if (knob == compare.knob)
+            table.fail("shot", fmt::format("'{}' is what is compared: 'shot' must not set it", knob));
+    if (compare.shot.probe) require(table, "probe", [&] { manifest.probe(compare.shot.probe.name); });
+    return compare;
+}
+
+GoldenInfo read_golden(Table& table, const Manifest& manifest) {
+    GoldenInfo golden;
+    golden.name = table.text("name");
+    golden.shot.camera = manifest.camera;
+    if (auto shot = table.table("shot")) golden.shot = read_shot(*shot, manifest.camera, golden.shot.size);
+    table.finish();
+    if (!is_file_name(golden.name))
+        table.fail("name", fmt::format("'{}' names a file: use a-z, 0-9, - and _", golden.name));
+    if (golden.shot.probe) require(table, "shot", [&] { manifest.probe(golden.shot.probe.name); });
+    return golden;
+}
+
+}  // namespace
+
+bool CheckInfo::depends_on(const std::string& other_task) const {
+    const auto has = [&](const auto& tasks) {
+        return std::find(tasks.begin(), tasks.end(), other_task) != tasks.end();
+    };
+    return has(needs) || has(leans_on);
+}
+
+int Manifest::points() const {
+    int sum = 0;
+    for (const TaskInfo& task : tasks) sum += task.points;
+    return sum;
+}
+
+const ProbeInfo& Manifest::probe(const std::string& wanted) const {
+    return find_named(probes, &ProbeInfo::name, "probe", wanted);
+}
+const TaskInfo& Manifest::task(const std::string& wanted) const {
+    return find_named(tasks, &TaskInfo::id, "task", wanted);
+}
+const CheckInfo& Manifest::check(const std::string& wanted) const {
+    return find_named(checks, &CheckInfo::name, "check", wanted);
+}
+const MistakeInfo& Manifest::mistake(const std::string& wanted) const {
+    return find_named(mistakes, &MistakeInfo::id, "mistake", wanted);
+}
+
+namespace {
+
+void read_checks(Table& root, bool hidden, Manifest& manifest) {
+    std::vector<Table> tables = root.tables("check");
+    const size_t first = manifest.checks.size();
+    for (Table& table : tables) {
+        CheckInfo check = read_check(table, manifest);
+        check.hidden = hidden;
+        refuse_second(table, "name", "checks", manifest.checks, &CheckInfo::name, check.name);
+        manifest.checks.push_back(std::move(check));
+    }
+    for (size_t i = 0; i < tables.size(); ++i) {
+        const CheckInfo& check = manifest.checks[first + i];
+        if (check.against == "truth" || check.against == "solution") continue;
+        require(tables[i], "against", [&] { manifest.check(check.against); });
+        if (!(manifest.check(check.against).shot.probe == check.shot.probe))
+            tables[i].fail("against", fmt::format("'{}' looks at another probe", check.against));
+    }
+}
+
+/// Adds a check of the picture to each task that has none. A picture takes every task of its lab.
+void add_picture_checks(Manifest& manifest) {
+    std::vector<CheckInfo> added;
+    for (const TaskInfo& task : manifest.tasks) {
+        const auto is_own = [&](const CheckInfo& check) { return check.task == task.id; };
+        const auto first = std::find_if(manifest.checks.begin(), manifest.checks.end(), is_own);
+        if (first == manifest.checks.end() ||
+            std::any_of(manifest.checks.begin(), manifest.checks.end(),
+                        [&](const CheckInfo& check) { return is_own(check) && !check.shot.probe; }))
+            continue;
+        CheckInfo& check = added.emplace_back(*first);
+        check.name = fmt::format("the picture of '{}'", first->name);
+        check.shot.probe = {};
+        check.shot.size = usual_check_size;
+        check.against = "solution";
+        check.limits = {};
+        check.reason.clear();
+        check.look_at = "the picture is made of what the probe shows: return the same wherever you are called";
+        check.hidden = check.added = true;
+        check.needs.clear();
+        check.leans_on.clear();
+        for (const TaskInfo& other : manifest.tasks)
+            if (other.id != task.id) check.needs.push_back(other.id);
+    }
+    manifest.checks.insert(manifest.checks.end(), added.begin(), added.end());
+}
+
+}  // namespace
+
+Manifest load_manifest(const fs::path& file) {
+    constexpr size_t longest = size_t{1} << 24;
+    Manifest manifest = parse_manifest(read_file(file, longest), file);
+    const fs::path grading = file.parent_path() / "staff" / "grading.toml";
+    if (fs::exists(grading)) add_grading(manifest, read_file(grading, longest), grading);
+    return manifest;
+}
+
+Manifest parse_manifest(const std::string& text, const fs::path& file) {
+    const toml::table parsed = parse_toml(text, file);
+    Table root(file, parsed, "a manifest");
+    Manifest manifest;
+    manifest.title = root.text("title");
+    if (manifest.title.empty() || manifest.title.find('\n') != std::string::npos)
+        root.fail("title", "'title' must be one line");
+    root.read("learns", manifest.learns);
+    if (auto camera = root.table("camera")) read_camera(*camera, manifest.camera);
+    root.read("animated", manifest.animated);
+    root.read("task_includes", manifest.task_includes);
+
+    for (Table& table : root.tables("probe")) {
+        ProbeInfo probe = read_probe(table);
+        refuse_second(table, "name", "probes", manifest.probes, &ProbeInfo::name, probe.name);
+        manifest.probes.push_back(std::move(probe));
+    }
+    for (Table& table : root.tables("task")) {
+        TaskInfo task = read_task(table);
+        refuse_second(table, "id", "tasks", manifest.tasks, &TaskInfo::id, task.id);
+        manifest.tasks.push_back(std::move(task));
+    }
+    read_checks(root, false, manifest);
+    if (auto compare = root.table("compare")) manifest.compare = read_compare(*compare, manifest);
+    for (Table& table : root.tables("golden")) {
+        GoldenInfo golden = read_golden(table, manifest);
+        refuse_second(table, "name", "golden pictures", manifest.goldens, &GoldenInfo::name, golden.name);
+        manifest.goldens.push_back(std::move(golden));
+    }
+    for (const char* key : {"mistake", "equivalent", "vary"})
+        if (root.has(key))
+            root.fail(key, fmt::format("'{}' belongs in staff/grading.toml, which students do not get", key));
+    root.finish();
+    return manifest;
+}
+
+void add_grading(Manifest& manifest, const std::string& text, const fs::path& file) {
+    const toml::table parsed = parse_toml(text, file);
+    Table root(file, parsed, "a lab's grading");
+    read_checks(root, true, manifest);
+    add_picture_checks(manifest);
+    std::vector<Table> mistakes = root.tables("mistake");
+    for (Table& table : mistakes) {
+        MistakeInfo mistake = read_mistake(table, manifest);
+        refuse_second(table, "id", "mistakes", manifest.mistakes, &MistakeInfo::id, mistake.id);
+        manifest.mistakes.push_back(std::move(mistake));
+    }
+    for (size_t i = 0; i < mistakes.size(); ++i)
+        if (const std::string& other = manifest.mistakes[i].same_as; !other.empty())
+            require(mistakes[i], "same_as", [&] { manifest.mistake(other); });
+    if (auto vary = root.table("vary")) manifest.vary = read_vary(*vary);
+    for (Table& table : root.tables("equivalent")) {
+        EquivalentInfo equivalent = read_equivalent(table, manifest);
+        refuse_second(table, "id", "equivalents", manifest.equivalents, &EquivalentInfo::id, equivalent.id);
+        manifest.equivalents.push_back(std::move(equivalent));
+    }
+    root.finish();
+}
+
+Manifest load_manifest(const LabEntry& lab) { return load_manifest(course_root() / "labs" / lab.folder / "lab.toml"); }
+
+}  // namespace relief

@@ -1,0 +1,141 @@
+// lab.toml, a lab's description for everyone, and staff/grading.toml, the part for staff only.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/core/image/visualize.h"
+#include "framework/core/lab/registry.h"
+#include "framework/core/lab/shot.h"
+
+namespace relief {
+
+/// A quantity that the lab's shaders can write. `error` tells how two values are compared. `limit` is an upper bound of
+/// the error for 99 % of the pixels, with the manifest's camera and the default knobs. It allows only for single
+/// precision, unless the lab is about methods with errors.
+struct ProbeInfo {
+    std::string name, unit;
+    ErrorMetric error = ErrorMetric::distance;
+    double limit = 1e-3;      ///< in the unit
+    bool any_length = false;  ///< of a direction whose exact value is a unit vector: any other length is accepted
+    bool is_signed = false;   ///< the sign of a value matters, and colours show it
+    ProbeColors colors() const { return {error, is_signed}; }
+};
+
+/// A task for students.
+struct TaskInfo {
+    std::string id, title, file;  ///< "11.2"; the file is relative to the course's top folder
+    int points = 0;
+    /// If it loses points with the student's other tasks, it is graded again with the solution of the other tasks.
+    bool alone = true;
+};
+/// Returns whether a task's file is a shader; else it is C++.
+inline bool is_shader(const std::string& file) { return file.ends_with(".glsl"); }
+
+/// Limits of a check for the error between two shots, in the probe's unit, over the pixels with a surface. A missing
+/// limit allows any error.
+struct Limits {
+    std::optional<double> mean, p99, largest;
+    std::optional<double> at_least;  ///< lower bound of the mean: a smaller error means that another method was used
+    std::optional<double> wrong;     ///< share of the pixels with an error of more than one unit
+    double outline = 0.01;           ///< share of the pixels where only one of the two has a surface
+};
+
+/// A comparison that decides whether a task is solved. A picture without its own `limits` passes if at most 0.05 % of
+/// its pixels differ by more than 2/255, and at most 4 pixels by more than 32/255.
+struct CheckInfo {
+    std::string task, name;
+    Shot shot;
+    std::string against;  ///< "truth" of the probe, "solution" (its picture or probe), or the name of another check
+    Limits limits;
+    std::string reason;   ///< origin of the limits
+    std::string look_at;  ///< where to look next when it fails
+    bool hidden = false;  ///< from the staff's file: students never get it
+    bool added = false;   ///< by add_grading(), to a task whose other checks all read a probe
+    /// The other tasks without which the check cannot pass.
+    std::vector<std::string> needs = {};
+    /// Other tasks that may be unwritten, but that spoil the check if they are wrong.
+    std::vector<std::string> leans_on = {};
+    bool depends_on(const std::string& other_task) const;
+};
+
+/// A change to a file. Precondition: `find` occurs in it exactly once.
+struct Edit {
+    std::string file, find, replace;
+};
+
+/// A known mistake, as edits of the solution. With them, a check of its task must fail.
+struct MistakeInfo {
+    std::string id, task, hint;
+    std::vector<Edit> edits;
+    std::string same_as;  ///< another mistake that no check can distinguish from this one, or empty
+};
+
+/// A knob that differs in hidden views: in a range, or among several values.
+struct VaryInfo {
+    std::string knob;
+    double low = 0, high = 0;
+    std::vector<std::string> choices = {};
+};
+
+/// A correct variant of a solution, as edits of it. With them, every task of the lab gets all its points.
+struct EquivalentInfo {
+    std::string id, task;
+    std::string why;          ///< how it differs from the solution
+    std::vector<Edit> edits;  ///< only of files that tasks name, because a submission contains no others
+};
+
+/// The comparison on a lab's page: one shot for each value of a knob.
+struct CompareInfo {
+    static constexpr glm::ivec2 usual_size{560, 420};
+    std::string knob;
+    std::vector<std::string> values;  ///< as for --set; empty: all values of a choice or a toggle
+    Shot shot;                        ///< its probe is the one whose error is shown; empty: no error is shown
+};
+
+/// A reference screenshot, labs/<the lab's folder>/golden/<name>.png. For a probe, it is the result of
+/// visualize_probe().
+struct GoldenInfo {
+    std::string name;
+    Shot shot;
+};
+
+struct Manifest {
+    std::string title;
+    std::vector<std::string> learns;
+    Orbit camera;
+    bool animated = false;
+    /// Files below `shaders` that the shader of a task may include, besides common/unfinished.glsl.
+    std::vector<std::string> task_includes;
+    std::vector<ProbeInfo> probes;
+    std::vector<TaskInfo> tasks;
+    std::vector<CheckInfo> checks;
+    std::vector<MistakeInfo> mistakes;
+    std::vector<VaryInfo> vary;
+    std::vector<EquivalentInfo> equivalents;
+    std::optional<CompareInfo> compare;
+    std::vector<GoldenInfo> goldens;
+
+    int points() const;
+    // These throw UsageError that suggests the nearest name.
+    const ProbeInfo& probe(const std::string& name) const;
+    const TaskInfo& task(const std::string& id) const;
+    const CheckInfo& check(const std::string& name) const;
+    const MistakeInfo& mistake(const std::string& id) const;
+};
+
+/// Reads a lab.toml, and staff/grading.toml beside it if it exists. Throws Error with file and line for a missing file
+/// or a syntax error, for an unknown or missing key, and for a value of another type or out of range. Also throws for a
+/// duplicate name, and for a reference to a missing probe, task, check or mistake.
+Manifest load_manifest(const std::filesystem::path& file);
+/// Parses the text of a lab.toml alone. `file` appears in messages only.
+Manifest parse_manifest(const std::string& text, const std::filesystem::path& file);
+/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, and knobs that vary. Then each task
+/// whose checks all read a probe gets a hidden check more: the picture of its first check must be the solution's.
+/// Otherwise a submission could be right in the probe, and wrong in the picture that a person sees.
+void add_grading(Manifest& manifest, const std::string& text, const std::filesystem::path& file);
+Manifest load_manifest(const LabEntry& lab);
+
+}  // namespace relief

@@ -1,0 +1,160 @@
+#include "framework/core/mesh/obj.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <span>
+#include <unordered_map>
+
+#include "framework/core/base/file.h"
+#include "framework/core/mesh/frame.h"
+#include "framework/core/mesh/obj_parts.h"
+#include "framework/core/mesh/polygon.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr size_t most_bytes_of_materials = size_t{16} << 20, most_libraries = 64;
+
+struct CornerHash {
+    size_t operator()(const obj::Corner& corner) const {
+        return obj::mix(obj::mix(uint64_t(uint32_t(corner.position)) << 32 | uint32_t(corner.uv)) ^
+                        uint32_t(corner.normal));
+    }
+};
+
+Vertex vertex_at(const obj::Faces& faces, const obj::Corner& corner) {
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(faces.normals[size_t(corner.normal)]));
+    return {.position = faces.positions[size_t(corner.position)],
+            .normal = normal,
+            .tangent = glm::dvec4(any_perpendicular(normal), 1),
+            .uv = corner.uv < 0 ? glm::vec2(0) : faces.uvs[size_t(corner.uv)]};
+}
+
+/// Returns for each material name of the faces its index in `materials`, or -1. The first of several equal names
+/// counts.
+std::vector<int> resolve(const std::vector<obj::Named>& names, const std::vector<Material>& materials,
+                         const fs::path& file, obj::Notes& notes) {
+    std::map<std::string_view, int> indices;
+    for (size_t i = 0; i < materials.size(); ++i) indices.try_emplace(materials[i].name, int(i));
+    std::vector<int> result;
+    for (const auto& [name, line] : names) {
+        const auto found = indices.find(name);
+        result.push_back(found == indices.end() ? -1 : found->second);
+        if (found == indices.end())
+            notes.add(file, line, fmt::format("no material file describes '{}'", obj::excerpt(name)));
+    }
+    return result;
+}
+
+void add_triangles(ObjModel& model, const obj::Faces& faces, const std::vector<int>& material_of) {
+    std::unordered_map<obj::Corner, uint32_t, CornerHash> vertex_of;
+    std::vector<std::vector<uint32_t>> indices;  // of each subset
+    std::map<int, size_t> subset_of;             // by material
+    std::vector<glm::dvec3> polygon;
+    std::vector<uint32_t> triangles;
+    for (const obj::Face& face : faces.faces) {
+        const int material = face.material < 0 ? -1 : material_of[size_t(face.material)];
+        const auto [subset, is_new] = subset_of.try_emplace(material, indices.size());
+        if (is_new) {
+            indices.emplace_back();
+            model.subsets.push_back({.material = material});
+        }
+        const std::span corners(&faces.corners[face.first], face.count);
+        polygon.clear(), triangles.clear();
+        for (const obj::Corner& corner : corners) polygon.push_back(faces.positions[size_t(corner.position)]);
+        triangulate(polygon, triangles);
+        for (const uint32_t i : triangles) {
+            const auto [vertex, is_first] = vertex_of.try_emplace(corners[i], uint32_t(model.mesh.vertices.size()));
+            if (is_first) model.mesh.vertices.push_back(vertex_at(faces, corners[i]));
+            indices[subset->second].push_back(vertex->second);
+        }
+    }
+    for (size_t i = 0; i < indices.size(); ++i) {
+        std::vector<uint32_t>& all = model.mesh.indices;
+        model.subsets[i].first_index = uint32_t(all.size());
+        model.subsets[i].index_count = uint32_t(indices[i].size());
+        all.insert(all.end(), indices[i].begin(), indices[i].end());
+        indices[i] = {};
+    }
+}
+
+void make_right_handed(obj::Faces& faces) {
+    for (glm::vec3& position : faces.positions) position.z = -position.z;
+    for (glm::vec3& normal : faces.normals) normal.z = -normal.z;
+    for (glm::vec2& uv : faces.uvs) uv.y = 1 - uv.y;
+    for (const obj::Face& face : faces.faces)
+        std::reverse(faces.corners.begin() + face.first, faces.corners.begin() + face.first + face.count);
+}
+
+/// `materials_of` returns the materials of the libraries that the faces name.
+template <class Materials>
+ObjModel read_model(std::string_view text, const fs::path& file, const ObjLimits& limits, const ObjOptions& options,
+                    Materials materials_of) {
+    const size_t most_bytes = std::min(limits.bytes, size_t{1} << 31);  // so that an int can count everything in it
+    if (text.size() > most_bytes)
+        throw Error({file}, fmt::format("{} bytes, the limit is {}", text.size(), most_bytes));
+    obj::Notes notes;
+    obj::Faces faces = obj::read_faces(text, file, limits, notes);
+    if (options.left_handed) make_right_handed(faces);
+    if (options.recompute_normals)
+        for (obj::Corner& corner : faces.corners) corner.normal = -1;
+    ObjModel model;
+    model.materials = materials_of(faces.libraries, notes);
+    model.has_normals =
+        std::all_of(faces.corners.begin(), faces.corners.end(), [](const obj::Corner& c) { return c.normal >= 0; });
+    model.has_uvs =
+        std::all_of(faces.corners.begin(), faces.corners.end(), [](const obj::Corner& c) { return c.uv >= 0; });
+    if (!model.has_normals) obj::add_missing_normals(faces);
+    add_triangles(model, faces, resolve(faces.materials, model.materials, file, notes));
+    model.notes = notes.lines();
+    return model;
+}
+
+/// Returns the files that a `mtllib` names: several separated by blanks, or one with blanks in its name.
+std::vector<fs::path> library_files(std::string slashed, const fs::path& folder) {
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    std::error_code ignored;
+    if (fs::exists(folder / slashed, ignored)) return {folder / slashed};
+    std::vector<fs::path> files;
+    std::string_view rest = slashed;
+    for (std::string_view name = obj::take_name(rest); !name.empty(); name = obj::take_name(rest))
+        files.push_back(folder / name);
+    return files;
+}
+
+}  // namespace
+
+ObjModel read_obj(const fs::path& file, const ObjLimits& limits, const ObjOptions& options) {
+    const fs::path folder = file.parent_path();
+    const auto materials_of = [&](const std::vector<obj::Named>& libraries, obj::Notes& notes) {
+        std::vector<Material> materials;
+        std::set<fs::path> seen;
+        for (const auto& [names, line] : libraries)
+            for (const fs::path& library : library_files(names, folder)) {
+                if (seen.size() == most_libraries || !seen.insert(library).second) continue;
+                try {
+                    const std::string text = read_file(library, most_bytes_of_materials);
+                    std::vector<Material> more = obj::read_materials(text, library, folder, notes);
+                    std::move(more.begin(), more.end(), std::back_inserter(materials));
+                } catch (const Error& error) {
+                    notes.add(file, line, fmt::format("no materials: {}", error.what()));
+                }
+            }
+        return materials;
+    };
+    return read_model(read_file(file, limits.bytes), file, limits, options, materials_of);
+}
+
+ObjModel parse_obj(std::string_view text, std::string_view mtl_text, const fs::path& name, const ObjLimits& limits,
+                   const ObjOptions& options) {
+    return read_model(text, name, limits, options, [&](const std::vector<obj::Named>&, obj::Notes& notes) {
+        return obj::read_materials(mtl_text, fs::path(name).replace_extension(".mtl"), name.parent_path(), notes);
+    });
+}
+
+}  // namespace relief

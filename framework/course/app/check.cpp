@@ -1,0 +1,178 @@
+// relief check: runs a lab's checks on a student's own work.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/process.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/compare.h"
+#include "framework/course/app/command.h"
+#include "framework/course/check/check.h"
+#include "framework/course/check/patience.h"
+#include "framework/course/pages/check_page.h"
+#include "framework/course/pages/page.h"
+
+namespace relief::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string colored(check::Outcome outcome, const std::string& word) {
+    static const bool on = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
+    if (!on) return word;
+    return fmt::format("\x1b[{}m{}\x1b[0m",
+                       outcome == check::Outcome::passed                                             ? 32
+                       : outcome == check::Outcome::unfinished || outcome == check::Outcome::waiting ? 33
+                                                                                                     : 31,
+                       word);
+}
+
+/// Prints results. Prints each hint once per task, and each compiler message once.
+class Printer {
+public:
+    Printer(const LabEntry& lab, const Manifest& manifest) : lab_(lab), manifest_(manifest) {}
+
+    void print(const check::TaskResult& task) {
+        fmt::print("{}  {}: {} ({})\n", task.task->id, task.task->title, check::points_text(task), task.task->file);
+        hints_.clear();
+        for (const check::CheckResult& result : task.checks) print(result, *task.task);
+    }
+
+private:
+    void print(const check::CheckResult& result, const TaskInfo& task) {
+        const bool is_broken = result.outcome == check::Outcome::broken;
+        const bool is_repeated = is_broken && !messages_.insert(result.found + result.details).second;
+        fmt::print("  {}  {}: {}\n", colored(result.outcome, fmt::format("{:<10}", check::name_of(result.outcome))),
+                   result.check->name, is_repeated ? "the same message as above" : result.found);
+        if (result.outcome < check::Outcome::wrong || result.outcome == check::Outcome::unfinished || is_repeated)
+            return;
+        for (const std::string& line : split(result.details, '\n'))
+            if (!line.empty()) fmt::print("              {}\n", line);
+        if (result.outcome == check::Outcome::wrong && !result.check->reason.empty())
+            fmt::print("              why this limit: {}\n", result.check->reason);
+        if (const std::string hint = pages::look_at(result); hints_.insert(hint).second)
+            fmt::print("              look at: {}\n", without_backticks(hint));
+        if (result.outcome != check::Outcome::wrong) return;
+        const std::string name = quoted_for_shell(result.check->name);
+        fmt::print("              in the window: ./relief run {} --check {}\n", lab_.two_digits(), name);
+        const std::optional<glm::ivec2> worst = worst_pixel(result);
+        if (worst && is_shader(task.file))
+            fmt::print("              the worst pixel: ./relief explain {} --check {} --pixel {},{}\n",
+                       lab_.two_digits(), name, worst->x, worst->y);
+    }
+
+    /// Returns the pixel with the largest error, from the upper left corner; nothing if no pixel can be compared.
+    std::optional<glm::ivec2> worst_pixel(const check::CheckResult& result) const {
+        const Image &drawn = result.drawn, &expected = result.expected;
+        if (drawn.values.empty() || drawn.width != expected.width || drawn.height != expected.height ||
+            drawn.channels != expected.channels)
+            return {};
+        const std::string& probe = result.check->shot.probe.name;
+        const Image errors =
+            error_image(drawn, expected, probe.empty() ? ErrorMetric::distance : manifest_.probe(probe).error);
+        size_t worst = 0;
+        float largest = 0;
+        for (size_t i = 0; i < errors.values.size(); ++i)
+            if (std::isfinite(errors.values[i]) && errors.values[i] > largest) worst = i, largest = errors.values[i];
+        if (largest == 0) return {};
+        return glm::ivec2(worst % size_t(errors.width), worst / size_t(errors.width));
+    }
+
+    const LabEntry& lab_;
+    const Manifest& manifest_;
+    std::set<std::string> hints_, messages_;
+};
+
+nlohmann::ordered_json as_json(const check::TaskResult& task) {
+    nlohmann::ordered_json checks = nlohmann::ordered_json::array();
+    for (const check::CheckResult& result : task.checks)
+        checks.push_back({{"name", result.check->name},
+                          {"outcome", check::name_of(result.outcome)},
+                          {"found", result.found},
+                          {"details", result.details},
+                          {"waits_for", result.waits_for},
+                          {"look_at", pages::look_at(result)}});
+    return {{"id", task.task->id},     {"title", task.task->title}, {"file", task.task->file},
+            {"points", task.points()}, {"of", task.task->points},   {"waiting", task.waiting_points()},
+            {"mistake", task.mistake}, {"checks", checks}};
+}
+
+/// Runs a lab's checks on the course's files. Returns 1 if one did not pass. With `open` or `page` it also writes a
+/// page with the pictures. The default place of the page is below the course's build folder.
+int check_own_work(const std::string& lab_text, bool json, bool open, fs::path page) {
+    if (!page.empty() && page.extension() != ".html")
+        throw UsageError(fmt::format("-o takes the name of an HTML file, like checks.html, not '{}'", page.string()));
+    const LabEntry& lab = find_lab(lab_text);
+    const Manifest manifest = load_manifest(lab);
+    if (manifest.tasks.empty()) throw Error(fmt::format("lab {} has no tasks", lab.two_digits()));
+    pin_software_renderer();
+    const auto context = open_any_context();
+    check::Patience patience([&](const std::string& why) {
+        print_error(fmt::format("lab {}, {}: does a loop in the task not end?", lab.two_digits(), why));
+        _exit(1);
+    });
+    const std::vector<check::TaskResult> tasks = check::check_lab(lab, manifest, {}, [&](const CheckInfo& check) {
+        patience.next(fmt::format("task {}: {}", check.task, check.name));
+    });
+
+    double points = 0, waiting = 0;
+    bool all = true;
+    Printer printer(lab, manifest);
+    nlohmann::ordered_json report = {{"lab", lab.folder}, {"tasks", nlohmann::ordered_json::array()}};
+    for (const check::TaskResult& task : tasks) {
+        points += task.points();
+        waiting += task.waiting_points();
+        for (const check::CheckResult& result : task.checks) all &= result.outcome == check::Outcome::passed;
+        if (json) {
+            report["tasks"].push_back(as_json(task));
+            continue;
+        }
+        printer.print(task);
+    }
+    if (json) {
+        report["points"] = points, report["of"] = manifest.points(), report["waiting"] = waiting;
+        fmt::print("{}\n", report.dump(2));
+    } else {
+        fmt::print("{}\n", check::points_text(tasks));
+    }
+    if (open || !page.empty()) {
+        if (page.empty()) page = course_root() / "build" / "check" / (lab.folder + ".html");
+        make_folder(fs::absolute(page).parent_path());
+        write_file(page, pages::check_page(lab, manifest, tasks));
+        const std::string place = fs::absolute(page).lexically_normal().string();
+        const bool opened = open && open_on_desktop(page);
+        print_note((open && !opened ? "there is no program to open it with, so open it yourself: " : "the page: ") +
+                   place);
+    }
+    return all ? 0 : 1;
+}
+
+class CheckCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.lab(lab_, true);
+        options.flag("--json", json_, "print the result as JSON, for scripts");
+        options.flag("--open", open_, "show a page with the pictures in the browser");
+        options.value("-o", "FILE.html", page_, "write the page to this file; it opens only with --open");
+    }
+    int run() override { return check_own_work(lab_, json_, open_, page_); }
+
+private:
+    std::string lab_, page_;
+    bool json_ = false, open_ = false;
+};
+RELIEF_COMMAND(CheckCommand, 6, "check", "checks your work on a lab: what is wrong, and what to look at next");
+
+}  // namespace
+
+}  // namespace relief::app

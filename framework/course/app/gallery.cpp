@@ -1,0 +1,297 @@
+// relief gallery: the course as a web site, with every lab's methods side by side, its handout, slides and
+// measurements. It needs no network and no server: all links stay in its folder.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <list>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/file.h"
+#include "framework/course/app/gallery.h"
+#include "framework/course/pages/comparison.h"
+#include "framework/course/pages/handout_page.h"
+#include "framework/course/pages/lab_page.h"
+#include "framework/course/pages/page.h"
+
+namespace relief::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+pages::Fields card(const pages::LabPage& page) {
+    const Manifest& manifest = *page.manifest;
+    const size_t tasks = manifest.tasks.size();
+    const std::string file = pages::lab_page_file(*page.lab);
+    return {
+        {"broken", ""},
+        {"number", page.lab->two_digits()},
+        {"title", manifest.title},
+        {"file", file},
+        {"picture", page.card},
+        {"learns", pages::List(manifest.learns.begin(), manifest.learns.end())},
+        {"tasks",
+         tasks == 0 ? "" : fmt::format("{} {}, {} points", tasks, tasks == 1 ? "task" : "tasks", manifest.points())},
+        {"links", pages::link_row({{"Lab", file}, {"Handout", page.handout}, {"Slides", page.slides}})}};
+}
+
+/// A section of the course page: the labs from number `first` up to the next section.
+struct Group {
+    int first;
+    const char *name, *title, *about;
+};
+constexpr Group groups[] = {
+    {1, "light", "Light: normals", "What a normal map stores, where it comes from, and in which frame it is right."},
+    {10, "eye", "Eye: rays in a relief", "What a view ray meets in a height map: guessed, searched, and exact."},
+    {13, "shape", "Shape: triangles, and all of it together",
+     "Displaced triangles, moving surfaces, whole scenes, and the cheapest method for each place."}};
+
+/// Converts a knob's value to a part of a file name.
+std::string as_file_name(const std::string& value) {
+    std::string name;
+    for (const char c : value) name += std::isalnum(static_cast<unsigned char>(c)) || c == '.' ? c : '-';
+    return name;
+}
+
+/// The output of another command below the build folder, if any, to be copied into the site.
+class Others {
+public:
+    Others(const char* name, const fs::path& site) : name_(name), to_(site / name) {
+        const fs::path from = course_root() / "build" / name;
+        std::error_code none;
+        if (!fs::is_directory(from, none)) return;
+        for (const auto& entry : fs::recursive_directory_iterator(from))
+            if (entry.is_regular_file()) files_.emplace_back(entry.path().lexically_relative(from));
+        from_ = from;
+    }
+
+    bool has(const std::string& file) const { return std::find(files_.begin(), files_.end(), file) != files_.end(); }
+    /// Returns the path of a file in the site, or "" if it does not exist.
+    std::string place(const std::string& file) const { return has(file) ? name_ + "/" + file : ""; }
+    void copy() const {
+        for (const fs::path& file : files_) {
+            make_folder((to_ / file).parent_path());
+            write_file(to_ / file, read_file(from_ / file));
+        }
+    }
+
+private:
+    std::string name_;
+    fs::path to_, from_;
+    std::vector<fs::path> files_;
+};
+
+class Site {
+public:
+    Site(fs::path folder, std::vector<const LabEntry*> labs)
+        : folder_(std::move(folder)), labs_(std::move(labs)), slides_("slides", folder_), bench_("bench", folder_) {}
+
+    /// Returns the number of broken labs.
+    int make() {
+        pages::List cards;
+        int failures = 0;
+        {
+            Progress progress(int(labs_.size()));
+            for (const LabEntry* entry : labs_) {
+                progress.next("lab " + entry->two_digits());
+                try {
+                    add(*entry);
+                    cards.push_back(card(pages_.back()));
+                } catch (const pages::CannotWrite&) {
+                    throw;
+                } catch (const Error& error) {
+                    print_error(fmt::format("{}: {}", entry->folder, error.what()));
+                    cards.push_back(pages::Fields{
+                        {"broken", error.what()}, {"number", entry->two_digits()}, {"title", entry->name}});
+                    ++failures;
+                }
+            }
+        }
+        link_neighbours();
+        draw_hero();
+        for (const pages::LabPage& page : pages_)
+            write_file(folder_ / pages::lab_page_file(*page.lab), pages::lab_page(page));
+        slides_.copy(), bench_.copy();
+        write_file(folder_ / "index.html", index(std::move(cards)));
+        say_what_is_missing();
+        return failures;
+    }
+
+private:
+    std::string put(const std::string& name, const Image& image) const {
+        pages::write_beside_page(folder_ / name, encode_image(image, ImageFormat::png));
+        return name;
+    }
+
+    void add(const LabEntry& entry) {
+        const Manifest& manifest = manifests_.emplace_back(load_manifest(entry));
+        pages::LabPage page;
+        page.lab = &entry, page.manifest = &manifest;
+        Shot shot;
+        shot.camera = manifest.camera, shot.size = {800, 450};
+        page.picture = put(entry.folder + ".png", render_shot(*make_lab(entry, shot), shot));
+        const auto comparison = pages::compare_methods(entry, manifest);
+        page.card = put(entry.folder + "-card.png", card_picture(entry, manifest, comparison ? &*comparison : nullptr));
+        if (comparison) add(*comparison, page);
+        page.handout = add_handout(entry, manifest);
+        page.slides = slides_.place(entry.folder + ".html"),
+        page.slides_to_print = slides_.place(entry.folder + ".pdf");
+        page.bench = bench_.place("index.html");
+        pages_.push_back(std::move(page));
+    }
+
+    /// Draws one scene with the last of the compared methods, because many labs open with all methods at once.
+    static Image card_picture(const LabEntry& entry, const Manifest& manifest, const pages::Comparison* comparison) {
+        Shot shot;
+        shot.camera = manifest.camera;
+        if (manifest.compare) shot = manifest.compare->shot;
+        shot.probe = {};
+        if (comparison) shot.set.emplace_back(comparison->knob, comparison->methods.back().name);
+        shot.size = {640, 360};
+        return render_shot(*make_lab(entry, shot), shot);
+    }
+
+    /// Draws the picture of the first page: the course's richest scene, or else the last lab's.
+    void draw_hero() {
+        constexpr int richest = 16;
+        if (pages_.empty()) return;
+        auto page = std::find_if(pages_.begin(), pages_.end(),
+                                 [](const pages::LabPage& one) { return one.lab->number == richest; });
+        if (page == pages_.end()) page = std::prev(pages_.end());
+        Shot shot;
+        shot.camera = page->manifest->camera, shot.size = {1280, 480};
+        hero_ = pages::Fields{{"file", pages::lab_page_file(*page->lab)},
+                              {"picture", put("hero.png", render_shot(*make_lab(*page->lab, shot), shot))},
+                              {"number", page->lab->two_digits()},
+                              {"title", page->manifest->title}};
+    }
+
+    void add(const pages::Comparison& comparison, pages::LabPage& page) const {
+        page.knob = comparison.knob;
+        const Image& first = comparison.methods.front().picture;
+        page.size = {first.width, first.height};
+        if (comparison.probe) {
+            page.probe = comparison.probe->name;
+            Shot shot = comparison.measured;
+            shot.probe = {};
+            page.command = fmt::format("./relief shot {} --error {} {}", page.lab->two_digits(), page.probe,
+                                       shot_text(shot, page.manifest->camera));
+            for (const double part : {1000, 100, 10}) page.marks.push_back(rounded(comparison.max / part));
+            page.marks.push_back(amount_of(comparison.max, comparison.probe->unit));
+        }
+        for (const pages::ComparedMethod& method : comparison.methods) {
+            const std::string name = page.lab->folder + "/" + as_file_name(comparison.knob + "-" + method.name);
+            pages::LabPage::Method& shown = page.methods.emplace_back();
+            shown.name = method.name, shown.picture = put(name + ".png", method.picture);
+            if (!method.error) continue;
+            page.map_size = {method.error->width, method.error->height};
+            shown.error_map = put(name + "-error.png", pages::error_map(comparison, *method.error));
+            shown.error = amount_of(method.summary.mean, comparison.probe->unit);
+        }
+    }
+
+    std::string add_handout(const LabEntry& entry, const Manifest& manifest) const {
+        if (!fs::exists(course_root() / "labs" / entry.folder / "README.md")) return {};
+        const auto put = [&](const std::string& name, const std::string& bytes) {
+            pages::write_beside_page(folder_ / name, bytes);
+        };
+        put(pages::handout_file(entry), pages::handout_page(entry, manifest, labs_, put));
+        return pages::handout_file(entry);
+    }
+
+    void link_neighbours() {
+        for (auto page = pages_.begin(); page != pages_.end(); ++page) {
+            if (page != pages_.begin()) page->previous = &*std::prev(page);
+            if (std::next(page) != pages_.end()) page->next = &*std::next(page);
+        }
+    }
+
+    std::string index(pages::List cards) const {
+        size_t tasks = 0;
+        int points = 0;
+        for (const pages::LabPage& page : pages_)
+            tasks += page.manifest->tasks.size(), points += page.manifest->points();
+        return pages::render({.title = "Relief: the labs",
+                              .body = "index",
+                              .styles = {"site", "index"},
+                              .scripts = {},
+                              .pictures = pages::PagePictures::beside},
+                             {{"hero", hero_},
+                              {"labs", labs_.size()},
+                              {"tasks", tasks},
+                              {"points", points},
+                              {"links", pages::link_row({{"Run time against error", bench_.place("index.html")}})},
+                              {"groups", in_groups(std::move(cards))},
+                              {"driver", describe_context().driver()}});
+    }
+
+    /// Groups `cards`, which are in the order of the labs.
+    pages::List in_groups(pages::List cards) const {
+        pages::List all;
+        for (const Group& group : groups) {
+            const Group* const next = &group + 1 == std::end(groups) ? nullptr : &group + 1;
+            pages::List own;
+            for (size_t i = 0; i < cards.size(); ++i)
+                if (labs_[i]->number >= group.first && (!next || labs_[i]->number < next->first))
+                    own.push_back(std::move(cards[i]));
+            if (!own.empty())
+                all.push_back(pages::Fields{
+                    {"name", group.name}, {"title", group.title}, {"about", group.about}, {"cards", std::move(own)}});
+        }
+        return all;
+    }
+
+    void say_what_is_missing() const {
+        std::vector<std::string> missing;
+        if (has_command("slides") &&
+            std::none_of(pages_.begin(), pages_.end(), [](const pages::LabPage& page) { return !page.slides.empty(); }))
+            missing.emplace_back("slides");
+        if (has_command("bench") && !bench_.has("index.html")) missing.emplace_back("measurements");
+        if (!missing.empty())
+            print_note(fmt::format("the site has no {}: ./relief site, in {}, makes all", join(missing, " and no "),
+                                   course_root().string()));
+    }
+
+    fs::path folder_;
+    std::vector<const LabEntry*> labs_;
+    Others slides_, bench_;
+    pages::Value hero_;
+    std::list<Manifest> manifests_;  ///< pages point to these and to each other
+    std::list<pages::LabPage> pages_;
+};
+
+}  // namespace
+
+int make_gallery(fs::path folder, const std::string& labs, ContextChoice choice) {
+    if (folder.empty()) folder = course_root() / "build" / "gallery";
+    std::vector<const LabEntry*> chosen;
+    if (labs.empty())
+        for (const LabEntry& entry : registry()) chosen.push_back(&entry);
+    else
+        chosen = find_labs(labs);
+    make_folder(folder);
+    const auto context = open_context(choice);
+    const int failures = Site(folder, chosen).make();
+    fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
+    return failures == 0 ? 0 : 1;
+}
+
+class GalleryCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.value("-o", "FOLDER", output_, "folder for the site [the course's build/gallery]");
+        options.value("--labs", "LABS", labs_, "like 1-5 or 1,3,10-12 [all]");
+        options.value("--context", "NAME", context_, context_help);
+    }
+    int run() override { return make_gallery(output_, labs_, context_kind(context_)); }
+
+private:
+    std::string output_, labs_, context_ = "auto";
+};
+RELIEF_COMMAND(GalleryCommand, 5, "gallery",
+               "makes the course's web site: each lab with its methods side by side and its handout");
+
+}  // namespace relief::app

@@ -1,0 +1,263 @@
+#include "framework/course/check/drawing.h"
+
+#include <fmt/format.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/process.h"
+#include "framework/core/lab/registry.h"
+
+namespace relief::check {
+namespace {
+
+using nlohmann::json;
+
+constexpr size_t longest_error = 4000;
+constexpr size_t longest_request = size_t{4} << 20;
+
+enum class Kind : uint32_t { ask, ready, image, error, done };
+
+/// Precedes each message. Both ends are on one machine, so byte order and padding agree.
+struct Header {
+    uint32_t magic = 0x464c5231;  // "1RLF"
+    Kind kind = Kind::ask;
+    uint32_t shot = 0;
+    uint32_t size = 0;  ///< bytes that follow
+    float cpu = 0;      ///< seconds of processor time since the previous message; 0 unless an image or an error
+};
+
+size_t pixel_bytes(const Shot& shot) {
+    return size_t(shot.size.x) * size_t(shot.size.y) * (shot.probe ? 4 * sizeof(float) : 3);
+}
+
+json as_json(const Shot& shot) {
+    const Orbit& camera = shot.camera;
+    return {{"size", {shot.size.x, shot.size.y}},
+            {"time", shot.time},
+            {"camera",
+             {camera.yaw, camera.pitch, camera.distance, camera.target.x, camera.target.y, camera.target.z,
+              camera.field_of_view}},
+            {"probe", shot.probe.name},
+            {"set", shot.set}};
+}
+
+Shot shot_of(const json& from) {
+    Shot shot;
+    shot.size = {from.at("size").at(0).get<int>(), from.at("size").at(1).get<int>()};
+    shot.time = from.at("time");
+    const auto camera = from.at("camera").get<std::array<double, 7>>();
+    shot.camera = {camera[0], camera[1], camera[2], {camera[3], camera[4], camera[5]}, camera[6]};
+    shot.probe.name = from.at("probe");
+    shot.set = from.at("set").get<decltype(shot.set)>();
+    return shot;
+}
+
+/// Returns a probe's floats unchanged, and a picture's values as bytes: they are multiples of 1/255.
+std::string bytes_of(const Image& image, bool probe) {
+    std::string bytes;
+    if (probe) {
+        bytes.assign(reinterpret_cast<const char*>(image.values.data()), image.values.size() * sizeof(float));
+    } else {
+        bytes.reserve(image.values.size());
+        for (const float value : image.values) bytes += static_cast<char>(std::lround(value * 255));
+    }
+    return bytes;
+}
+
+Image image_of(const char* bytes, const Shot& shot) {
+    Image image(shot.size.x, shot.size.y, shot.probe ? 4 : 3, shot.probe ? 32 : 8);
+    if (shot.probe)
+        std::memcpy(image.values.data(), bytes, image.values.size() * sizeof(float));
+    else
+        for (size_t i = 0; i < image.values.size(); ++i)
+            image.values[i] = float(static_cast<unsigned char>(bytes[i])) / 255.0f;
+    return image;
+}
+
+/// Returns the processor time of this process and its threads.
+double processor_seconds() {
+    timespec spent{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
+    return double(spent.tv_sec) + double(spent.tv_nsec) * 1e-9;
+}
+
+/// The output stream. Text that a student's code prints to standard output goes to standard error instead.
+class Stream {
+public:
+    Stream() : descriptor_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
+
+    void send(Kind kind, size_t shot, const std::string& bytes) {
+        const double now = processor_seconds(), spent = now - std::exchange(cpu_, now);
+        // The first message must have the same bytes in every process; see drawing_asks().
+        const bool is_drawn = kind == Kind::image || kind == Kind::error;
+        const Header header{
+            .kind = kind, .shot = uint32_t(shot), .size = uint32_t(bytes.size()), .cpu = is_drawn ? float(spent) : 0};
+        if (!write_all(descriptor_, {reinterpret_cast<const char*>(&header), sizeof header}) ||
+            !write_all(descriptor_, bytes))
+            _exit(1);  // the reader is gone
+    }
+
+private:
+    int descriptor_;
+    double cpu_ = 0;  ///< at the last message
+};
+
+/// Returns processor_seconds() as bytes.
+std::string processor_time() {
+    const double seconds = processor_seconds();
+    return {reinterpret_cast<const char*>(&seconds), sizeof seconds};
+}
+
+/// Reads the request to its end and closes the descriptor, so that a student's code cannot read it.
+std::string read_request() {
+    const Descriptor from(request_descriptor);
+    std::string text;
+    char block[1 << 14];
+    while (text.size() <= longest_request) {
+        const ssize_t got = read(from, block, sizeof block);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) break;
+        text.append(block, size_t(got));
+    }
+    return text;
+}
+
+/// Returns the error that `call` throws, or nothing: one line, then the compiler's further lines. Ends the process if
+/// memory runs out.
+template <class Call>
+std::string error_of(Call call) {
+    try {
+        call();
+        return {};
+    } catch (const Error& error) {
+        return std::string(error.what()) + (error.details().empty() ? "" : "\n" + error.details());
+    } catch (const std::bad_alloc&) {
+        _exit(out_of_memory_code);
+    } catch (const std::exception& error) {
+        return std::string("it throws: ") + error.what();
+    } catch (...) {
+        return "it throws something that is no std::exception";
+    }
+}
+
+/// Returns whether the protocol allows this message now. The header is not trusted: it can hold any values.
+bool is_expected(const Header& header, const DrawnShots& drawn, const std::vector<Shot>& shots) {
+    if (header.magic != Header{}.magic) return false;
+    const bool is_ready = drawn.phase == DrawingPhase::ready;
+    const size_t next = drawn.shots.size();
+    const bool is_next = is_ready && next < shots.size() && header.shot == next;
+    switch (header.kind) {
+        case Kind::ask:
+            return drawn.phase == DrawingPhase::started && header.size == 0;
+        case Kind::ready:
+            return drawn.phase == DrawingPhase::asked && header.size == 0;
+        case Kind::image:
+            return is_next && header.size == pixel_bytes(shots[next]);
+        case Kind::error:
+            return is_next && header.size <= longest_error;
+        case Kind::done:
+            return is_ready && header.size == sizeof(double);
+    }
+    return false;
+}
+
+}  // namespace
+
+std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer) {
+    json request = {{"lab", lab.folder},
+                    {"context", renderer.context ? name_of(*renderer.context) : "auto"},
+                    {"threads", renderer.threads},
+                    {"pinned", renderer.pinned},
+                    {"shots", json::array()}};
+    for (const Shot& shot : shots) request["shots"].push_back(as_json(shot));
+    return request.dump();
+}
+
+std::string drawing_asks() {
+    const Header header;
+    return {reinterpret_cast<const char*>(&header), sizeof header};
+}
+
+void draw_request(const char* course) {
+    Stream stream;
+    std::set_new_handler([] { _exit(out_of_memory_code); });
+    const CourseElsewhere elsewhere(course);
+    stream.send(Kind::ask, 0, {});
+    const json request = json::parse(read_request());
+    const LabEntry& lab = find_lab(request.at("lab").get<std::string>());
+    std::vector<Shot> shots;
+    for (const json& one : request.at("shots")) shots.push_back(shot_of(one));
+    if (request.at("pinned")) pin_software_renderer();
+    setenv("LP_NUM_THREADS", std::to_string(request.at("threads").get<int>()).c_str(), 1);
+    // Submissions must not share a shader cache: one could read the other's entries. A caller that sets the variable
+    // provides a separate folder.
+    if (!std::getenv("MESA_SHADER_CACHE_DIR")) setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    const auto context = open_context(context_kind(request.at("context")));
+    stream.send(Kind::ready, 0, {});
+    for (size_t i = 0; i < shots.size(); ++i) {
+        std::string pixels;
+        const std::string error =
+            error_of([&] { pixels = bytes_of(draw_shot(*make_lab(lab, shots[i]), shots[i]), bool(shots[i].probe)); });
+        if (error.empty())
+            stream.send(Kind::image, i, pixels);
+        else
+            stream.send(Kind::error, i, error.substr(0, longest_error));
+    }
+    stream.send(Kind::done, shots.size(), processor_time());
+    _exit(0);  // skips the tear-down of the driver, which takes time
+}
+
+DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& shots) {
+    DrawnShots drawn;
+    for (size_t at = 0; at < stream.size() && drawn.phase != DrawingPhase::done;) {
+        Header header;
+        if (stream.size() - at < sizeof header) break;
+        std::memcpy(&header, stream.data() + at, sizeof header);
+        at += sizeof header;
+        if (!is_expected(header, drawn, shots)) {
+            drawn.problem = "it writes something other than its drawing to standard output";
+            break;
+        }
+        if (stream.size() - at < header.size) break;  // the process ended in the middle of a message
+        const size_t next = drawn.shots.size();
+        switch (header.kind) {
+            case Kind::ask:
+                drawn.phase = DrawingPhase::asked;
+                break;
+            case Kind::ready:
+                drawn.phase = DrawingPhase::ready;
+                break;
+            case Kind::image:
+                drawn.shots.push_back({image_of(stream.data() + at, shots[next]), {}, header.cpu});
+                break;
+            case Kind::error:
+                drawn.shots.push_back({{}, stream.substr(at, header.size), header.cpu});
+                break;
+            case Kind::done:
+                if (next == shots.size()) drawn.phase = DrawingPhase::done;
+                std::memcpy(&drawn.cpu, stream.data() + at, sizeof drawn.cpu);
+                break;
+        }
+        at += header.size;
+    }
+    return drawn;
+}
+
+size_t drawings_size(const std::vector<Shot>& shots) {
+    size_t size = 3 * sizeof(Header) + sizeof(double);
+    for (const Shot& shot : shots) size += sizeof(Header) + std::max(pixel_bytes(shot), longest_error);
+    return size;
+}
+
+}  // namespace relief::check

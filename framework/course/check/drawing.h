@@ -1,0 +1,61 @@
+// Draws shots in an untrusted process, and reads the stream in which it returns their pixels. The reader decodes no
+// image file and trusts no size.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/core/context/context.h"
+#include "framework/core/lab/shot.h"
+
+namespace relief {
+struct LabEntry;
+}
+
+namespace relief::check {
+
+/// How shots are drawn: the same for the solution and every submission.
+struct Renderer {
+    std::optional<ContextKind> context = {};  ///< empty: OSMesa, then EGL
+    int threads = 0;                          ///< extra threads of the software renderer
+    bool pinned = true;                       ///< identical bits on every machine, see pin_software_renderer()
+};
+
+/// The exit code of a program that ran out of memory.
+constexpr int out_of_memory_code = 97;
+
+/// Returns the request that is sent to the drawing process.
+std::string drawing_request(const LabEntry& lab, const std::vector<Shot>& shots, const Renderer& renderer);
+/// Returns the first message of the drawing process, which asks for its request.
+std::string drawing_asks();
+
+/// Runs the drawing process. Writes "ask" to standard output, then reads its request from `request_descriptor`. So the
+/// static objects of a task are constructed before there is a request to read. Then writes "ready" once it has a
+/// context, the pixels or the error of each shot, and "done" with its processor time. `course` is the folder of the
+/// course to draw. Does not return.
+[[noreturn]] void draw_request(const char* course);
+
+/// The result of one shot.
+struct Drawn {
+    std::optional<Image> image;  ///< of the shot's size and the format of draw_shot(); its values are not trusted
+    std::string error;           ///< the process's error message if there is no image
+    double cpu = 0;              ///< seconds of processor time, as the process reports them: see DrawnShots
+};
+
+/// The progress of the process: it asked for its request, it had a context, it sent all shots.
+enum class DrawingPhase { started, asked, ready, done };
+
+struct DrawnShots {
+    std::vector<Drawn> shots;  ///< the complete ones, from the first on
+    DrawingPhase phase = DrawingPhase::started;
+    double cpu = 0;       ///< seconds of processor time, as a process in phase `done` reports them; not trusted
+    std::string problem;  ///< why the rest of the stream cannot be read, or empty
+};
+/// Reads the stream of a process that was asked to draw `shots`. Never throws for bad input; see `problem`.
+DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& shots);
+
+/// Returns the maximum size of the stream in bytes; error messages are truncated to fit.
+size_t drawings_size(const std::vector<Shot>& shots);
+
+}  // namespace relief::check

@@ -1,0 +1,51 @@
+// Fingerprints of known mistakes: a few pixel values that each mistake draws in the public checks of its task. With
+// them `relief check` names a mistake on a student's machine. They do not reveal the mistake's code. The staff's
+// `relief mistakes LAB --update` writes them to labs/NN_name/fingerprints.toml.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "framework/course/check/check.h"
+#include "framework/course/check/likeness.h"
+
+namespace relief::check {
+
+struct Fingerprints {
+    /// The compared values of one check.
+    struct Places {
+        std::vector<size_t> values;  ///< indices into the picture's values
+        Sample solution;             ///< the solution's values at these indices
+    };
+    struct Mistake {
+        std::string task, hint;
+        Samples draws;  ///< one for every check of its task that has places
+    };
+    std::string made_of;              ///< a hash of the manifest's part; tells the staff whether the file is up to date
+    std::map<size_t, Places> checks;  ///< by the check's index in the manifest
+    std::vector<Mistake> mistakes;
+};
+
+std::filesystem::path fingerprints_file(const LabEntry& lab);
+
+/// Reads a lab's fingerprints. Empty if there is no such file. Throws Error with file and line if the file does not fit
+/// the manifest.
+Fingerprints load_fingerprints(const LabEntry& lab, const Manifest& manifest);
+Fingerprints parse_fingerprints(const std::string& text, const std::filesystem::path& file, const Manifest& manifest);
+
+/// Returns the text that load_fingerprints() reads. Rounds a mistake's numbers to within a tenth of tolerance_of().
+std::string text_of(const Fingerprints& fingerprints, const LabEntry& lab, const Manifest& manifest);
+
+/// Returns the picture's values at these indices. An empty picture gives the error instead.
+Sample sample_at(const Image& drawn, const std::string& error, const std::vector<size_t>& values);
+
+/// Returns the known mistake that each task's pictures show, by task. Every drawn check of the task must match the
+/// mistake; see is_like(). `drawn`: samples by check, without the checks that wait for other tasks.
+std::map<std::string, const Fingerprints::Mistake*> name_mistakes(const Fingerprints& fingerprints,
+                                                                  const Manifest& manifest,
+                                                                  const std::vector<Judgement>& said,
+                                                                  const Samples& drawn);
+
+}  // namespace relief::check

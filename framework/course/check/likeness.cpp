@@ -1,0 +1,55 @@
+#include "framework/course/check/likeness.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relief::check {
+namespace {
+
+/// An error in place of a picture counts as this number of values.
+constexpr size_t error_weight = 1000;
+
+}  // namespace
+
+bool is_near(float a, float b, double tolerance) {
+    if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+    return a == b || std::abs(double(a) - b) <= tolerance;
+}
+
+double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe) {
+    if (!is_probe) return 2.0 / 255 + 1e-6;
+    double sum = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < mistake.values.size(); ++i) {
+        const double error = std::abs(double(mistake.values[i]) - solution.values[i]);
+        if (!std::isfinite(error) || error == 0) continue;
+        sum += error;
+        ++count;
+    }
+    return count > 0 ? 0.02 * sum / double(count) : 1e-6;
+}
+
+bool is_like(const Likeness& one, bool passed) { return one.differ == 0 ? passed : one.share() >= min_agreement; }
+
+std::string told(const std::string& hint, size_t failed_checks) {
+    return failed_checks > 1 ? hint : "Perhaps: " + hint;
+}
+
+Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe) {
+    if (!drawn.is_drawn || !mistake.is_drawn) {
+        const bool same = drawn.is_drawn == mistake.is_drawn && drawn.error == mistake.error;
+        const size_t weight = std::min(error_weight, solution.values.size());
+        return {.differ = weight, .agree = same ? weight : 0};
+    }
+    const double tolerance = tolerance_of(mistake, solution, is_probe);
+    Likeness likeness;
+    for (size_t i = 0; i < drawn.values.size(); ++i) {
+        const float d = drawn.values[i], m = mistake.values[i], s = solution.values[i];
+        if (is_near(d, s, tolerance) && is_near(m, s, tolerance)) continue;
+        ++likeness.differ;
+        likeness.agree += is_near(d, m, tolerance);
+    }
+    return likeness;
+}
+
+}  // namespace relief::check

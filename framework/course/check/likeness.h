@@ -1,0 +1,54 @@
+// Compares a picture with the picture of a known mistake, at the values where one of them differs from the solution's.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "framework/core/lab/manifest.h"
+
+namespace relief::check {
+
+/// Values of a picture at some places, or the error that replaced it.
+struct Sample {
+    std::vector<float> values = {};
+    std::string error = {};
+    bool is_drawn = false;
+};
+
+/// Samples of a known mistake, the solution, or a submission, by check.
+using Samples = std::map<size_t, Sample>;
+
+/// The result of a comparison. Results of several checks can be added up.
+struct Likeness {
+    size_t differ = 0;  ///< number of values in which the drawing or the mistake differs from the solution
+    size_t agree = 0;   ///< number of these in which the drawing is like the mistake
+
+    double share() const { return differ > 0 ? double(agree) / double(differ) : 0; }
+};
+
+/// Lower bound of share() for a match, in each check. One of the 24 values that distinguish mistakes may differ, such
+/// as a pixel at an edge with another driver.
+constexpr double min_agreement = 0.94;
+
+/// Returns whether a check's picture matches the mistake's. If neither picture differs from the solution's, they match
+/// only if the check passed.
+bool is_like(const Likeness& one, bool passed);
+
+/// Returns a known mistake's hint for a message. After a single failed check the hint is only a possibility, because
+/// other mistakes may fail that check in the same way.
+std::string told(const std::string& hint, size_t failed_checks);
+
+/// Returns how much a drawing that shows the mistake may differ from the mistake's own. For a picture, two steps of 8
+/// bits. For a probe, 2 % of the mistake's mean error where it differs from the solution: that works in any unit, and
+/// other mistakes differ by more.
+double tolerance_of(const Sample& mistake, const Sample& solution, bool is_probe);
+
+/// Returns whether two values differ by at most `tolerance`. Two NaNs are near each other, and so are two equal
+/// infinities.
+bool is_near(float a, float b, double tolerance);
+
+Likeness likeness(const Sample& drawn, const Sample& mistake, const Sample& solution, bool is_probe);
+
+}  // namespace relief::check

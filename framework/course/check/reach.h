@@ -1,0 +1,39 @@
+// Finds the names in a task's shader that reach beyond its functions. A task is compiled as a part of the lab's
+// shaders. So a macro could change the other parts, a uniform could read the lab's bindings, and a preprocessor
+// condition could distinguish a probe from a picture.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "framework/core/lab/manifest.h"
+
+namespace relief::check {
+
+/// The lab's shaders besides its tasks.
+class OtherShaders {
+public:
+    OtherShaders() = default;
+    /// Reads the shaders in the lab's folder, the files that tasks may include, and all files that these include.
+    OtherShaders(const LabEntry& lab, const Manifest& manifest);
+    void add(const std::string& text);
+    /// Returns whether a task's shader may include this file. `file`: the name in the #include.
+    bool lend(const std::string& file) const { return lent_.contains(file); }
+    bool use(const std::string& word) const { return words_.contains(word); }
+    /// Returns whether these shaders call a function of this name, and none of them defines it.
+    bool call(const std::string& name) const { return called_.contains(name) && !defined_.contains(name); }
+    /// Returns whether the lab's C++ defines this word for some programs only, such as a probe or a method.
+    bool switch_by(const std::string& word) const { return tested_.contains(word) && !macros_.contains(word); }
+
+private:
+    std::set<std::string> words_, called_, defined_, tested_, macros_, lent_ = {"common/unfinished.glsl"};
+};
+
+/// Returns why a file is no valid task shader, such as "defines 'main', which the lab's shaders use"; or empty. Because
+/// of these rules, a probe and a picture run the same code. The file may include only the files that `others` lend:
+/// other files may hold answers. It may define macros, but not with a name that the others use. It may not redefine a
+/// built-in function that the others call, and may not join words (##). It may not use a word that distinguishes the
+/// lab's programs, and may not declare uniforms, inputs or outputs.
+std::string reaches_beyond(const std::string& task_file, const OtherShaders& others);
+
+}  // namespace relief::check

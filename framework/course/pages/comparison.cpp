@@ -1,0 +1,129 @@
+#include "framework/course/pages/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/core/base/error.h"
+#include "framework/core/image/visualize.h"
+
+namespace relief::pages {
+namespace {
+
+/// Finds a knob's values as texts, if it has a few named ones.
+class ValuesOf final : public Knobs {
+public:
+    explicit ValuesOf(const std::string& wanted) : wanted_(wanted) {}
+    bool found = false;
+    std::vector<std::string> values;
+
+    void slider(const char* name, float&, float, float, const char*) override { is_it(name); }
+    void steps(const char* name, int&, int, int, const char*) override { is_it(name); }
+    void toggle(const char* name, bool&, const char*) override {
+        if (is_it(name)) values = {"off", "on"};
+    }
+    void choice(const char* name, int&, std::span<const char* const> names, const char*) override {
+        if (is_it(name)) values.assign(names.begin(), names.end());
+    }
+
+private:
+    bool is_it(const char* name) {
+        if (name != wanted_) return false;
+        return found = true;
+    }
+    const std::string& wanted_;
+};
+
+/// Ratio of the two ends of the scale of errors: three decades.
+constexpr double decades = 1000;
+
+double rounded_up(double value) {
+    if (!(value > 0)) return 1;
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    for (const double step : {1, 2, 5})
+        if (value <= step * power * (1 + 1e-9)) return step * power;
+    return 10 * power;
+}
+
+/// Computes each exact picture once. Compares a few pixels to find whether the exact values depend on the method.
+class Truths {
+public:
+    const Image& of(const Lab& lab, const Shot& shot) {
+        Shot small = shot;
+        small.size = {16, 12};
+        const Image sample = truth_of(lab, small);
+        if (whole_.pixel_count() == 0 || sample.values != sample_.values)
+            whole_ = truth_of(lab, shot), sample_ = sample;
+        return whole_;
+    }
+
+private:
+    Image sample_, whole_;
+};
+
+CompareInfo usual(const Manifest& manifest) {
+    CompareInfo usual;
+    usual.knob = "method";
+    usual.shot.camera = manifest.camera, usual.shot.size = CompareInfo::usual_size;
+    return usual;
+}
+
+}  // namespace
+
+std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& manifest) {
+    const CompareInfo info = manifest.compare.value_or(usual(manifest));
+    ValuesOf known(info.knob);
+    lab.make()->knobs(known);
+    if (!known.found && !manifest.compare) return {};
+    const std::vector<std::string>& values = info.values.empty() ? known.values : info.values;
+    if (known.found && values.empty())
+        throw UsageError(
+            fmt::format("[compare]: the knob {} has no named values: say which, values = [\"1\", \"2\"]", info.knob));
+    if (!known.found) set_knob(*lab.make(), info.knob, "");  // throws an error that lists the knobs
+
+    Comparison result;
+    result.knob = info.knob;
+    Probe probe = info.shot.probe;
+    if (!manifest.compare && !manifest.probes.empty()) probe.name = manifest.probes.front().name;
+    std::vector<double> kept;
+    Truths truths;
+    for (const std::string& value : values) {
+        Shot shot = info.shot;
+        shot.set.emplace_back(info.knob, value), shot.probe = {};
+        ComparedMethod& method = result.methods.emplace_back(ComparedMethod{value, {}, {}, {}});
+        const std::unique_ptr<Lab> drawn = make_lab(lab, shot);
+        method.picture = render_shot(*drawn, shot);
+        if (!probe) continue;
+        shot.probe = probe;
+        shot.size = shot.size * 3 / 4;  // a probe needs no smooth edges, and its exact values are slow to compute
+        const Image* truth = nullptr;
+        try {
+            truth = &truths.of(*drawn, shot);
+        } catch (const UsageError&) {  // no exact values, as in a student's course
+            probe = {};
+            continue;
+        }
+        const Image measured = render_shot(*drawn, shot);
+        method.error = error_image(measured, *truth, manifest.probe(probe.name).error);
+        method.summary = summarize(*method.error);
+        if (const std::string nothing = nothing_to_compare(measured, *truth, method.summary); !nothing.empty())
+            throw Error(fmt::format("{}, {}={}: probe '{}': {}", lab.folder, info.knob, value, probe.name, nothing));
+        result.measured = shot;
+        kept.push_back(method.summary.p99);
+    }
+    if (kept.empty()) return result;
+    result.probe = &manifest.probe(probe.name);
+    result.max = rounded_up(*std::max_element(kept.begin(), kept.end()));
+    result.min = result.max / decades;
+    return result;
+}
+
+Image error_map(const Comparison& comparison, const Image& error) {
+    Image place = error;  // position on the scale, in [0, 1]
+    for (float& value : place.values)
+        if (std::isfinite(value)) value = float(std::max(0.0, std::log(value / comparison.min) / std::log(decades)));
+    return visualize_error(place, 1);
+}
+
+}  // namespace relief::pages

@@ -1,0 +1,40 @@
+// A lab drawn by each of its methods, for its page: pictures of one shot, and error maps.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/core/lab/manifest.h"
+
+namespace relief::pages {
+
+/// One value of the compared knob.
+struct ComparedMethod {
+    std::string name;
+    Image picture;
+    std::optional<Image> error;  ///< error of the probe, one channel; empty without exact values
+    ErrorSummary summary = {};
+};
+
+struct Comparison {
+    std::string knob;
+    const ProbeInfo* probe = nullptr;  ///< owned by the manifest; null without exact values
+    std::vector<ComparedMethod> methods;
+    Shot measured;  ///< the last method's shot; its probe is the one of the errors
+    /// Both ends of the error maps' scale, shared by all methods. The scale is logarithmic: errors of methods differ by
+    /// powers of ten. `min` is max / 1000. `max` is the largest 99 % quantile of a method's errors, rounded up to 1, 2
+    /// or 5 times a power of ten.
+    double min = 0, max = 0;
+};
+
+/// Draws the comparison of the manifest's [compare]. Without that table it compares the values of the knob `method`,
+/// from the manifest's camera, with the first probe's error. Omits errors without exact values, as in a student's
+/// course. Returns nothing for a lab with neither table nor knob. Draws in the current context. Throws UsageError for
+/// an unknown knob or value.
+std::optional<Comparison> compare_methods(const LabEntry& lab, const Manifest& manifest);
+
+/// Returns an error as colours on the scale: black for `min` and below, pale yellow for `max` and above.
+Image error_map(const Comparison& comparison, const Image& error);
+
+}  // namespace relief::pages

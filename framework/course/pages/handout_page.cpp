@@ -1,0 +1,131 @@
+#include "framework/course/pages/handout_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/image/file.h"
+#include "framework/core/image/svg.h"
+#include "framework/course/pages/lab_page.h"
+#include "framework/course/pages/markdown_page.h"
+#include "framework/course/pages/page.h"
+
+namespace relief::pages {
+namespace {
+
+namespace fs = std::filesystem;
+
+PagePicture drawing_of(const std::string& svg, const fs::path& file) {
+    try {
+        const glm::ivec2 size = svg_size(svg);
+        return {.width = size.x, .height = size.y, .is_drawing = true};
+    } catch (const Error& error) {
+        throw Error({file}, error.what());
+    }
+}
+
+class Handout {
+public:
+    Handout(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
+            const std::function<void(const std::string&, const std::string&)>& put)
+        : lab_(lab), manifest_(manifest), labs_(labs), put_(put), home_(fs::path("labs") / lab.folder) {}
+
+    std::string page() const {
+        const PagePlaces places{.link = [this](const std::string& target) { return link(target); },
+                                .picture = [this](const std::string& target) { return picture(target); }};
+        List text =
+            markdown_blocks(parse_markdown(read_file(course_root() / home_ / "README.md", size_t{1} << 24)), places);
+        List contents = chapters_of(text);
+        return render({.title = "Handout " + lab_.two_digits() + ": " + manifest_.title,
+                       .body = "handout",
+                       .styles = {"site", "markdown"},
+                       .scripts = {},
+                       .pictures = PagePictures::beside},
+                      {{"lab", lab_page_file(lab_)},
+                       {"number", lab_.two_digits()},
+                       {"title", manifest_.title},
+                       {"contents", rows(std::move(contents))},
+                       {"blocks", std::move(text)},
+                       {"previous", neighbour(-1)},
+                       {"next", neighbour(1)}});
+    }
+
+private:
+    /// Returns the path inside the course of a target in the handout.
+    fs::path inside(const std::string& target) const {
+        return (home_ / target.substr(0, target.find('#'))).lexically_normal();
+    }
+
+    std::optional<std::string> link(const std::string& target) const {
+        if (target.starts_with("https://") || target.starts_with("http://") || target.starts_with("#")) return target;
+        const size_t hash = target.find('#');
+        for (const LabEntry* other : labs_)
+            if (inside(target) == fs::path("labs") / other->folder / "README.md")
+                return handout_file(*other) + (hash == std::string::npos ? "" : target.substr(hash));
+        return {};
+    }
+
+    std::optional<PagePicture> picture(const std::string& target) const {
+        const fs::path file = inside(target);
+        if (file.is_absolute() || file.begin()->string() == "..") return {};
+        PagePicture shown;
+        const std::string name = lab_.folder + "/handout-" + file.filename().string();
+        if (file.extension() == ".svg") {
+            const std::string svg = read_file(course_root() / file);
+            shown = drawing_of(svg, file);
+            put_(name, svg);
+        } else {
+            const Image image = read_image(course_root() / file);
+            shown = {.width = image.width, .height = image.height, .command = command_of(file)};
+            put_(name, encode_image(image, ImageFormat::png));
+        }
+        shown.file = name;
+        return shown;
+    }
+
+    /// Returns the command that draws this reference screenshot of the lab; empty for other pictures.
+    std::string command_of(const fs::path& file) const {
+        if (file.parent_path() != home_ / "golden") return {};
+        const auto golden = std::find_if(manifest_.goldens.begin(), manifest_.goldens.end(),
+                                         [&](const GoldenInfo& one) { return one.name == file.stem().string(); });
+        if (golden == manifest_.goldens.end()) return {};
+        return fmt::format("./relief shot {} {}", lab_.two_digits(), shot_text(golden->shot, manifest_.camera));
+    }
+
+    static List chapters_of(const List& blocks) {
+        List chapters;
+        for (const Value& block : blocks)
+            if (block.fields.at("heading").text == "2")
+                chapters.push_back(Fields{{"id", block.fields.at("id")}, {"title", block.fields.at("title")}});
+        return chapters;
+    }
+
+    Value neighbour(int step) const {
+        const auto here = std::find(labs_.begin(), labs_.end(), &lab_);
+        const auto place = here - labs_.begin() + step;
+        if (here == labs_.end() || place < 0 || place >= std::ptrdiff_t(labs_.size())) return {};
+        const LabEntry& other = *labs_[size_t(place)];
+        return Fields{
+            {"file", handout_file(other)}, {"number", other.two_digits()}, {"title", load_manifest(other).title}};
+    }
+
+    const LabEntry& lab_;
+    const Manifest& manifest_;
+    std::span<const LabEntry* const> labs_;
+    const std::function<void(const std::string&, const std::string&)>& put_;
+    fs::path home_;
+};
+
+}  // namespace
+
+std::string handout_file(const LabEntry& lab) { return lab.folder + "-handout.html"; }
+
+std::string handout_page(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
+                         const std::function<void(const std::string&, const std::string&)>& put) {
+    return Handout(lab, manifest, labs, put).page();
+}
+
+}  // namespace relief::pages

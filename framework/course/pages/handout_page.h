@@ -1,0 +1,21 @@
+// A lab's handout as a page of the course's web site: contents, figures with the command that draws them, and links to
+// the next and previous handout.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "framework/core/lab/manifest.h"
+
+namespace relief::pages {
+
+/// Returns the page's file name, such as "05_tangent_basis-handout.html".
+std::string handout_file(const LabEntry& lab);
+
+/// Returns the page. `labs` are all labs with a page, in order. `put` writes a file of that name beside the page.
+/// Throws Error for a missing picture and for an invalid formula.
+std::string handout_page(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
+                         const std::function<void(const std::string& name, const std::string& bytes)>& put);
+
+}  // namespace relief::pages

@@ -1,0 +1,121 @@
+#include "framework/course/window/menu_check_list.h"
+
+#include <fmt/format.h>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/course/pages/check_figures.h"
+#include "framework/course/pages/check_page.h"
+#include "framework/course/pages/markdown.h"
+#include "framework/course/window/menu_checks.h"
+#include "framework/course/window/menu_style.h"
+#include "framework/course/window/menu_text.h"
+
+namespace relief::window {
+namespace {
+
+struct Sign {
+    const char* sign;
+    ImVec4 color;
+};
+
+Sign sign_of(const std::optional<check::CheckResult>& result) {
+    if (!result) return {"\u25cb", quiet};
+    switch (result->outcome) {
+        case check::Outcome::passed:
+            return {"\u2713", good};
+        case check::Outcome::unfinished:
+        case check::Outcome::waiting:
+            return {"\u2026", waiting};
+        case check::Outcome::wrong:
+            return {"\u2717", alarm};
+        default:
+            return {"!", alarm};
+    }
+}
+
+/// Returns the line of the task's marker in its file; 0 if it has none or the file is missing.
+int line_of(const TaskInfo& task) {
+    try {
+        const std::vector<std::string> lines = split(read_file(course_root() / task.file, size_t{1} << 20), '\n');
+        for (size_t i = 0; i < lines.size(); ++i)
+            if (lines[i].find("TASK " + task.id) != std::string::npos) return int(i) + 1;
+    } catch (const Error&) {  // the editor reports the missing file
+    }
+    return 0;
+}
+
+/// A selectable that wraps over several lines.
+bool wrapped_selectable(const std::string& line, bool is_chosen) {
+    const ImVec2 at = ImGui::GetCursorPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = ImGui::CalcTextSize(line.c_str(), nullptr, false, width).y;
+    const bool pressed = ImGui::Selectable(("##" + line).c_str(), is_chosen, 0, {0, height});
+    const ImVec2 below = ImGui::GetCursorPos();
+    ImGui::SetCursorPos(at);
+    wrapped(line);
+    ImGui::SetCursorPos(below);
+    return pressed;
+}
+
+void draw_hint(const std::string& hint) {
+    pages::Spans spans = pages::line_with_code(hint);
+    spans.insert(spans.begin(), {.text = "Look at: "});
+    wrapped(spans, accent);
+}
+
+/// `mistake` is a hint that is already shown above and is not repeated.
+void draw_result(const CheckInfo& check, const check::CheckResult& result, const std::string& mistake) {
+    ImGui::Indent();
+    wrapped(pages::outcome_words(result.outcome) + ": " + result.found);
+    if (result.outcome == check::Outcome::wrong && !check.reason.empty()) quiet_text("Why this limit: " + check.reason);
+    if (const std::string hint = pages::look_at(result);
+        !hint.empty() && hint != mistake && result.outcome != check::Outcome::passed)
+        draw_hint(hint);
+    ImGui::Unindent();
+}
+
+}  // namespace
+
+void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& wish) {
+    const Manifest& manifest = checks.manifest();
+    if (manifest.checks.empty()) {
+        quiet_text("This lab has no checks.");
+        return;
+    }
+    quiet_text(checks.pending() ? "Checking ..." : "Choose a check to see yours, the expected picture and the error.");
+    if (!checks.to_build().empty())
+        colored_text(waiting, fmt::format("{} was saved. C++ needs a build: close the window and use ./relief run {}.",
+                                          checks.to_build(), checks.lab().two_digits()));
+    for (const TaskInfo& task : manifest.tasks) {
+        ImGui::Dummy({0, 4});
+        ImGui::PushFont(font(FontRole::bold));
+        wrapped(fmt::format("{}  {}", task.id, task.title));
+        ImGui::PopFont();
+        const bool is_whole = checks.state(task) == TaskState::passed;
+        colored_text(is_whole ? good : quiet, check::points_text(checks.of(task)));
+        ImGui::SameLine();
+        ImGui::PushID(task.id.c_str());
+        if (ImGui::SmallButton("edit")) wish.edit = {task.file, line_of(task)};
+        ImGui::PopID();
+        tooltip("Opens " + task.file + " in your editor: VISUAL, EDITOR, or the desktop's.");
+        const std::string mistake = checks.mistake(task);
+        if (!mistake.empty()) draw_hint(mistake);
+        for (size_t i = 0; i < manifest.checks.size(); ++i) {
+            const CheckInfo& check = manifest.checks[i];
+            if (check.task != task.id) continue;
+            const auto& result = checks.result(i);
+            const Sign sign = sign_of(result);
+            ImGui::TextColored(checks.waits(i) ? quiet : sign.color, "%s", sign.sign);
+            ImGui::SameLine(ImGui::CalcTextSize("\u2713").x + ImGui::GetStyle().WindowPadding.x +
+                            ImGui::GetStyle().ItemSpacing.x);
+            const bool is_chosen = check.name == chosen;
+            if (wrapped_selectable(check.name, is_chosen)) wish.check = is_chosen ? "" : check.name;
+            if (is_chosen && result) draw_result(check, *result, mistake);
+        }
+    }
+}
+
+}  // namespace relief::window

@@ -1,0 +1,132 @@
+#include "framework/course/window/menu_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+
+namespace relief::window {
+namespace fs = std::filesystem;
+
+void Checks::open(const LabEntry& lab, const Manifest& manifest) {
+    lab_ = &lab;
+    manifest_ = manifest;
+    checker_.emplace(lab, manifest_);
+    mistakes_.clear();
+    results_.assign(manifest_.checks.size(), {});
+    expected_.assign(manifest_.checks.size(), {});
+    waiting_.assign(manifest_.checks.size(), true);
+    ++version_;
+    seen_ = last_look_ = files();
+    to_build_.clear();
+}
+
+Checks::Files Checks::files() const {
+    Files found;
+    std::error_code ignored;  // a file that is missing for a moment is skipped in this look
+    for (const fs::path& folder : {fs::path("shaders") / lab_->folder, fs::path("shaders") / "common"})
+        for (const auto& entry : fs::directory_iterator(course_root() / folder, ignored))
+            found[entry.path()] = entry.last_write_time(ignored);
+    for (const TaskInfo& task : manifest_.tasks) {
+        const fs::path file = course_root() / task.file;
+        found[file] = fs::last_write_time(file, ignored);
+    }
+    return found;
+}
+
+bool Checks::look() {
+    if (manifest_.checks.empty()) return false;
+    Files now = files();
+    const bool is_stable = now == last_look_;
+    last_look_ = std::move(now);
+    if (!is_stable || last_look_ == seen_) return false;
+    for (const auto& [file, time] : last_look_)
+        if (file.extension() == ".cpp" && seen_[file] != time) to_build_ = shown(file);
+    seen_ = last_look_;
+    checker_.emplace(*lab_, manifest_);  // it has cached the lab's old shaders
+    waiting_.assign(manifest_.checks.size(), true);
+    mistakes_.clear();
+    ++version_;
+    return true;
+}
+
+bool Checks::pending() const { return std::find(waiting_.begin(), waiting_.end(), true) != waiting_.end(); }
+
+void Checks::run_next(const std::string& first) {
+    if (!pending()) return;
+    auto i = size_t(std::find(waiting_.begin(), waiting_.end(), true) - waiting_.begin());
+    for (size_t k = 0; k < waiting_.size(); ++k)
+        if (waiting_[k] && manifest_.checks[k].name == first) i = k;
+    waiting_[i] = false;
+    const CheckInfo& check = manifest_.checks[i];
+    ++version_;
+    try {
+        std::optional<Image> expected = expected_[i];
+        if (!expected) {
+            expected = check::expectation(*lab_, check);
+            std::error_code ignored;
+            if (check.against == "truth" || fs::exists(check::expectation_file(*lab_, check), ignored))
+                expected_[i] = expected;
+        }
+        results_[i] = checker_->run(i, expected);
+    } catch (const std::exception& error) {  // rendering the expected picture, which a student's file can break
+        results_[i] = check::CheckResult{.check = &check, .outcome = check::Outcome::broken, .found = error.what()};
+    }
+    if (pending()) return;
+    check::Advice advice = checker_->advice();
+    for (size_t k = 0; k < results_.size(); ++k) advice.apply(k, *results_[k]);
+    mistakes_ = std::move(advice.mistakes);
+    for (const auto& [task, hint] : mistakes_)
+        print_event(fmt::format("task {}, look at: {}", task, without_backticks(hint)));
+    print_event("checks: " + points());
+}
+
+size_t Checks::count() const {
+    return size_t(
+        std::count_if(results_.begin(), results_.end(), [](const auto& result) { return result.has_value(); }));
+}
+
+TaskState Checks::state(const TaskInfo& task) const {
+    bool all = true, waiting = false, unfinished = false, wrong = false;
+    for (size_t i = 0; i < results_.size(); ++i) {
+        if (manifest_.checks[i].task != task.id) continue;
+        waiting |= !results_[i];
+        if (!results_[i]) continue;
+        unfinished |= results_[i]->outcome == check::Outcome::unfinished;
+        wrong |= results_[i]->outcome > check::Outcome::waiting;
+        all &= results_[i]->outcome == check::Outcome::passed;
+    }
+    return waiting      ? TaskState::waiting
+           : all        ? TaskState::passed
+           : unfinished ? TaskState::unfinished
+           : wrong      ? TaskState::wrong
+                        : TaskState::blocked;
+}
+
+check::TaskResult Checks::of(const TaskInfo& task) const {
+    check::TaskResult whole{&task, {}};
+    for (size_t i = 0; i < results_.size(); ++i) {
+        if (manifest_.checks[i].task != task.id) continue;
+        check::CheckResult& check = whole.checks.emplace_back();
+        check.check = &manifest_.checks[i], check.outcome = check::Outcome::unfinished;
+        if (results_[i]) check.outcome = results_[i]->outcome, check.waits_for = results_[i]->waits_for;
+    }
+    return whole;
+}
+
+std::string Checks::points() const {
+    std::vector<check::TaskResult> tasks;
+    for (const TaskInfo& task : manifest_.tasks) tasks.push_back(of(task));
+    return check::points_text(tasks);
+}
+
+std::string Checks::mistake(const TaskInfo& task) const {
+    const auto found = mistakes_.find(task.id);
+    return found == mistakes_.end() ? "" : found->second;
+}
+
+}  // namespace relief::window

@@ -1,0 +1,80 @@
+#include "framework/course/window/menu_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/course/window/menu_stage.h"
+#include "framework/course/window/menu_style.h"
+
+namespace relief::window {
+namespace {
+
+constexpr int around = 2;  // lines before and after the line of the error
+
+/// Returns the absolute path of a file, which may be relative to the course's top folder.
+std::filesystem::path whole_path(const std::filesystem::path& file) {
+    return file.is_absolute() ? file : course_root() / file;
+}
+
+void draw_source(const std::vector<std::string>& lines, int first, int wrong) {
+    ImGui::PushFont(font(FontRole::code));
+    for (size_t i = 0; i < lines.size(); ++i) {
+        const int number = first + int(i);
+        const std::string line = fmt::format("{:>5}  {}", number, lines[i]);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        if (number == wrong)
+            ImGui::GetWindowDrawList()->AddRectFilled(
+                at, {at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeight() + 2},
+                IM_COL32(255, 115, 97, 60), 2);
+        ImGui::PushStyleColor(ImGuiCol_Text, number == wrong ? ImGui::GetStyle().Colors[ImGuiCol_Text] : quiet);
+        text(line);
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopFont();
+}
+
+}  // namespace
+
+void ErrorBox::read(const Place& place) {
+    lines_.clear();
+    if (place.line <= 0) return;
+    try {
+        const std::vector<std::string> all = split(read_file(whole_path(place.file), size_t{1} << 20), '\n');
+        first_ = std::max(1, place.line - around);
+        for (int line = first_; line <= std::min(int(all.size()), place.line + around); ++line) {
+            std::string text = all[size_t(line - 1)];
+            for (size_t tab = text.find('\t'); tab != std::string::npos; tab = text.find('\t'))
+                text.replace(tab, 1, "    ");
+            lines_.push_back(text);
+        }
+    } catch (const Error&) {  // a missing file: the error itself says so
+    }
+}
+
+void ErrorBox::draw(const Box& picture, float scale, const Stage& stage, MenuWish& wish) {
+    const Error* const error = stage.error();
+    if (!error) return shown_.clear();
+    if (shown_ != error->what()) read(error->place()), shown_ = error->what();
+    const float margin = 16 * scale;
+    const float width = std::max(100.0f, float(picture.size.x) - 2 * margin);
+    ImGui::SetNextWindowPos({float(picture.at.x) + margin, float(picture.at.y) + margin});
+    // A long log scrolls, so that the last good picture stays in view below it.
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, float(picture.size.y) * 0.45f});
+    ImGui::SetNextWindowBgAlpha(0.94f);
+    ImGui::Begin("error", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    colored_text(alarm, error->what());
+    if (!lines_.empty()) draw_source(lines_, first_, error->place().line);
+    if (const std::string rest = error->more_details(); !rest.empty()) wrapped(rest);
+    quiet_text(stage.lab() ? "Fix the shader and save it: it reloads at once. After any other change press R."
+                           : "Fix it, then press R.");
+    if (!error->place().file.empty() && ImGui::Button("Open in the editor (Ctrl+E)")) wish.edit = error->place();
+    ImGui::End();
+}
+
+}  // namespace relief::window

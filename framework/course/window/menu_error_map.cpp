@@ -1,0 +1,145 @@
+#include "framework/course/window/menu_error_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/core/base/log.h"
+#include "framework/core/base/text.h"
+#include "framework/core/image/visualize.h"
+#include "framework/course/window/menu_stage.h"
+#include "framework/course/window/menu_style.h"
+
+namespace relief::window {
+
+void draw_heat_scale(const std::string& first, const std::string& last, float width) {
+    constexpr int steps = 5;  // visualize_error() interpolates linearly between these colours
+    Image values(steps + 1, 1, 1);
+    for (int i = 0; i <= steps; ++i) values.values[size_t(i)] = float(i) / steps;
+    const Image colors = visualize_error(values, 1);
+    const auto color = [&](int i) {
+        const float* const c = colors.pixel(i, 0);
+        return ImGui::ColorConvertFloat4ToU32({c[0], c[1], c[2], 1});
+    };
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetTextLineHeight() * 0.6f;
+    for (int i = 0; i < steps; ++i)
+        ImGui::GetWindowDrawList()->AddRectFilledMultiColor(
+            {corner.x + width * float(i) / steps, corner.y},
+            {corner.x + width * float(i + 1) / steps, corner.y + height}, color(i), color(i + 1), color(i + 1),
+            color(i));
+    ImGui::Dummy({width, height});
+    const float left = ImGui::GetCursorPosX();
+    ImGui::TextColored(quiet, "%s", first.c_str());
+    ImGui::SameLine(left + width - ImGui::CalcTextSize(last.c_str()).x);
+    ImGui::TextColored(quiet, "%s", last.c_str());
+}
+
+void ErrorMap::forget() {
+    done_ = false;
+    picture_.reset(), compared_.reset();
+    message_.clear();
+}
+
+void ErrorMap::compute(Stage& stage) {
+    forget();
+    done_ = true;
+    try {
+        compare(stage);
+    } catch (const std::exception& error) {  // includes exceptions from a lab: the window stays open
+        message_ = error.what();
+        print_event("error map: " + message_);
+    }
+}
+
+namespace {
+
+std::string sentence(std::string text) {
+    text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + ".";
+}
+
+}  // namespace
+
+void ErrorMap::compare(Stage& stage) {
+    if (!stage.lab() || stage.failed()) throw Error("There is no picture to compare.");
+    Shot shot = stage.shot();
+    std::vector<ProbeInfo> probes = stage.manifest().probes;
+    if (shot.probe) {
+        probes = {stage.manifest().probe(shot.probe.name)};
+    } else {
+        // For a picture, prefer the probe by which the lab's page compares methods.
+        const auto& compare = stage.manifest().compare;
+        const std::string chief = compare ? compare->shot.probe.name : "";
+        std::stable_partition(probes.begin(), probes.end(), [&](const ProbeInfo& one) { return one.name == chief; });
+    }
+    const Target target(TargetKind::probe, shot.size);
+    for (const ProbeInfo& probe : probes) {
+        shot.probe = {probe.name};
+        const Frame frame = frame_of(shot, target);
+        const std::optional<Image> truth = stage.lab()->truth(frame, shot.probe);
+        if (!truth) continue;
+        draw_lab(*stage.lab(), frame);
+        Image values = target.read();
+        const Image error = error_image(values, *truth, probe.error);
+        error_ = summarize(error);
+        const std::string nothing = nothing_to_compare(values, *truth, error_);
+        if (!nothing.empty() && error_.missing + error_.not_finite == 0)  // otherwise these pixels are magenta
+            throw Error(sentence(fmt::format("probe {}: {}", probe.name, nothing)));
+        one_sided_ = one_sided(values, *truth).count();
+        const double scale = error_.p99 > 0 ? error_.p99 : 1;
+        Image shown = error;
+        mark_one_sided(shown, values, *truth, scale);
+        compared_ = {probe, std::move(values), *truth, error};
+        picture_.emplace(
+            "error map", [&] { return visualize_error(shown, scale); },
+            TextureOptions{.wrap = Wrap::clamp, .mips = false});
+        bind(0, *picture_);  // uploads it now, while `error` is in scope
+        print_event(fmt::format("error map: {}, mean {}, rms {}, 99 % {}, largest {}, over {} pixels", probe.name,
+                                amount_of(error_.mean, probe.unit, 6), plain(error_.rms), plain(error_.p99),
+                                plain(error_.largest), error_.count));
+        return;
+    }
+    throw Error(sentence(no_truth(stage.entry(), stage.settings())));
+}
+
+void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size, bool moves) const {
+    if (!on_) return;
+    const auto left = float(at.x), right = float(at.x + size.x), bottom = float(at.y + size.y);
+    if (picture_)  // row 0 of a texture is the bottom
+        ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(GLuint(*picture_))),
+                                                 {left, float(at.y)}, {right, bottom}, {0, 1}, {1, 0});
+    ImGui::SetNextWindowPos({left + 12, bottom - 12}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSize({std::max(60.0f, float(size.x) - 24), 0});
+    ImGui::SetNextWindowBgAlpha(0.8f);
+    ImGui::Begin("error map", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    if (!done_) {
+        wrapped(moves ? "The error map needs a paused animation: press space." : "computing the exact values");
+    } else if (!picture_) {
+        wrapped(message_);
+    } else {
+        const ProbeInfo& probe = compared_->probe;
+        wrapped(fmt::format("{}: distance from the exact value", probe.name));
+        if (error_.count > 0)
+            wrapped(fmt::format("mean {}    99 % {}    largest {}", rounded(error_.mean), rounded(error_.p99),
+                                amount_of(error_.largest, probe.unit)));
+        if (one_sided_ > 0)
+            wrapped(
+                fmt::format("{} pixels, in the lightest colour, have a surface in only one of the two.", one_sided_));
+        if (error_.missing > 0)
+            wrapped(fmt::format("{} pixels, in magenta, come from a task that is not written yet.", error_.missing));
+        if (error_.not_finite > 0) {
+            ImGui::PushStyleColor(ImGuiCol_Text, alarm);
+            wrapped(fmt::format("{} pixels, in magenta, are NaN or infinite.", error_.not_finite));
+            ImGui::PopStyleColor();
+        }
+        if (error_.count > 0)
+            draw_heat_scale("0", amount_of(error_.p99, probe.unit) + " and more", ImGui::GetContentRegionAvail().x);
+    }
+    ImGui::End();
+}
+
+}  // namespace relief::window

@@ -1,0 +1,56 @@
+// The error of a probe, as colours beside the picture. In the window module only.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "framework/core/gl/texture.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/lab/manifest.h"
+
+namespace relief::window {
+
+class Stage;
+
+/// Draws the colour scale of errors, `width` pixels wide, labelled from `first` to `last`.
+void draw_heat_scale(const std::string& first, const std::string& last, float width);
+
+class ErrorMap {
+public:
+    bool on() const { return on_; }
+    void toggle() {
+        on_ = !on_;
+        forget();
+    }
+
+    /// Call it when the picture has changed: the map is out of date.
+    void forget();
+    /// Returns whether compute() has yet to be called for this picture.
+    bool wanted() const { return on_ && !done_; }
+    /// Computes the map of the probe on screen. For a picture, takes the probe by which the lab compares its methods,
+    /// else the first probe with exact values. Takes as long as computing the exact values. An error is shown in place
+    /// of the map.
+    void compute(Stage& stage);
+
+    /// Inputs of the map on screen. All images have the size of the picture.
+    struct Compared {
+        ProbeInfo probe;
+        Image values, exact, errors;
+    };
+    const Compared* compared() const { return compared_ ? &*compared_ : nullptr; }
+
+    /// Draws it with its upper left corner at `at`. With `moves` the picture is animated, so there is no map.
+    void draw(glm::ivec2 at, glm::ivec2 size, bool moves) const;
+
+private:
+    void compare(Stage& stage);
+
+    bool on_ = false, done_ = false;
+    std::string message_;
+    std::optional<Compared> compared_;
+    ErrorSummary error_;
+    size_t one_sided_ = 0;  ///< pixels
+    std::optional<Texture> picture_;
+};
+
+}  // namespace relief::window

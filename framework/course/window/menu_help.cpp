@@ -1,0 +1,76 @@
+#include "framework/course/window/menu_help.h"
+
+#include <algorithm>
+
+#include "framework/course/window/menu_style.h"
+
+namespace relief::window {
+namespace {
+
+struct Line {
+    const char *keys, *does;
+};
+constexpr Line camera[] = {{"drag", "turn the camera"},
+                           {"right drag", "move it sideways"},
+                           {"wheel", "nearer, farther"},
+                           {"C", "reset the camera"},
+                           {"space", "pause an animation"}};
+constexpr Line settings[] = {{"Ctrl+Z, Ctrl+Y", "undo, redo"},
+                             {"Ctrl+click", "type a slider's number"},
+                             {"A", "hold this setting as A, beside the present one; again: let it go"},
+                             {"X", "swap A and the present setting"},
+                             {"R", "reset the lab: knobs, camera, probe"}};
+constexpr Line looks[] = {{"click", "hold the values of the pixel under the mouse"},
+                          {"P", "follow the pixel under the mouse through the task's functions"},
+                          {"E", "error map"},
+                          {"S, F12", "save the picture"},
+                          {"H", "the picture alone, without header, panel and status"}};
+constexpr Line places[] = {{"left, right", "the lab before, the next lab"},
+                           {"Ctrl+F, /", "search labs, knobs, probes and checks"},
+                           {"F1", "handout; up, down, Page Up and Page Down scroll it"},
+                           {"Ctrl +, Ctrl -", "larger, smaller; Ctrl+0: the usual size"},
+                           {"Ctrl+E", "the line of a shader's error in your editor"},
+                           {"?", "these keys"},
+                           {"Esc", "close what is open; then quit"}};
+
+template <size_t count>
+void draw_lines(const char* title, const Line (&lines)[count], float keys_width) {
+    ImGui::TextColored(accent, "%s", title);
+    for (const Line& line : lines) {
+        ImGui::PushFont(font(FontRole::bold));
+        ImGui::TextUnformatted(line.keys);
+        ImGui::PopFont();
+        ImGui::SameLine(keys_width);
+        wrapped(line.does);
+    }
+    ImGui::Dummy({0, 4});
+}
+
+}  // namespace
+
+void draw_help(const Box& picture, float scale, bool& open) {
+    if (!open) return;
+    const float width = std::min(520 * scale, ImGui::GetIO().DisplaySize.x - 32 * scale);
+    const float middle = float(picture.at.x) + float(picture.size.x) / 2;
+    // Beside a narrow picture it covers the panel, too. In a low window it scrolls.
+    const float x = std::clamp(middle - width / 2, 8.0f, std::max(8.0f, ImGui::GetIO().DisplaySize.x - width - 8));
+    ImGui::SetNextWindowPos({x, ImGui::GetIO().DisplaySize.y / 2}, ImGuiCond_Always, {0, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, ImGui::GetIO().DisplaySize.y - 16});
+    ImGui::SetNextWindowBgAlpha(0.97f);
+    ImGui::Begin("keys", &open,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    const float keys_width = 150 * scale;
+    draw_lines("Camera", camera, keys_width);
+    draw_lines("Settings", settings, keys_width);
+    draw_lines("Pictures and values", looks, keys_width);
+    draw_lines("Labs and the window", places, keys_width);
+    quiet_text(
+        "A saved shader is reloaded at once, and the checks run again. A picture file dropped on the window becomes "
+        "the "
+        "lab's map.");
+    if (ImGui::IsMouseClicked(0) && !ImGui::IsWindowAppearing() && !ImGui::IsWindowHovered()) open = false;
+    ImGui::End();
+}
+
+}  // namespace relief::window

@@ -1,0 +1,110 @@
+#include "framework/course/window/menu_pixel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/core/base/log.h"
+#include "framework/core/base/text.h"
+#include "framework/course/window/menu_error_map.h"
+#include "framework/course/window/menu_stage.h"
+#include "framework/course/window/menu_style.h"
+
+namespace relief::window {
+namespace {
+
+/// Returns the number of channels to show: the last channels of a probe are often unused and 0.
+int used_channels(const Image& image, glm::ivec2 pixel, ErrorMetric metric) {
+    if (image.pixel(pixel.x, pixel.y)[0] == not_written) return 1;
+    int count = metric == ErrorMetric::absolute ? 1 : metric == ErrorMetric::angle ? 3 : image.channels;
+    while (metric == ErrorMetric::distance && count > 1 && image.pixel(pixel.x, pixel.y)[count - 1] == 0) --count;
+    return count;
+}
+
+std::string numbers_at(const Image& image, glm::ivec2 pixel, int channels) {
+    const float* const values = image.pixel(pixel.x, pixel.y);
+    if (values[0] == not_written) return "a task is not written";
+    if (std::isinf(values[0])) return "no surface";
+    std::string line;
+    for (int c = 0; c < channels; ++c) line += (c ? "  " : "") + rounded(double(values[c]), 5);
+    return line;
+}
+
+void draw_cross(float x, float y) {
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    for (const auto& [color, width] : {std::pair(IM_COL32(0, 0, 0, 255), 3.0f), std::pair(IM_COL32_WHITE, 1.0f)}) {
+        list.AddLine({x - 7, y}, {x + 8, y}, color, width);
+        list.AddLine({x, y - 7}, {x, y + 8}, color, width);
+    }
+}
+
+Image pixel_of(const Image& image, glm::ivec2 pixel) {
+    Image one(1, 1, image.channels);
+    std::copy_n(image.pixel(pixel.x, pixel.y), image.channels, one.values.begin());
+    return one;
+}
+
+}  // namespace
+
+std::vector<PixelRow> pixel_rows(const ProbeInfo& probe, glm::ivec2 pixel, const Image& values, const Image* exact) {
+    int channels = used_channels(values, pixel, probe.error);
+    if (exact) channels = std::max(channels, used_channels(*exact, pixel, probe.error));
+    std::vector<PixelRow> rows = {{"value", numbers_at(values, pixel, channels)}};
+    if (!exact) return rows;
+    rows.push_back({"exact", numbers_at(*exact, pixel, channels)});
+    const float error = error_image(pixel_of(values, pixel), pixel_of(*exact, pixel), probe.error).values.front();
+    if (std::isfinite(error)) rows.push_back({"error", amount_of(double(error), probe.unit)});
+    return rows;
+}
+
+void draw_rows(const std::vector<PixelRow>& rows) {
+    for (const PixelRow& row : rows) {
+        quiet_text(row.name);
+        ImGui::SameLine(ImGui::CalcTextSize("exact   ").x + ImGui::GetStyle().WindowPadding.x);
+        text(row.numbers);
+    }
+}
+
+void PixelValues::draw(const Stage& stage, const ErrorMap& map, glm::ivec2 corner, glm::ivec2 size) {
+    const ErrorMap::Compared* const compared = map.compared();
+    const Image* const values = compared ? &compared->values : stage.values() ? &*stage.values() : nullptr;
+    if (!values || values->width != size.x || values->height != size.y) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    glm::ivec2 mouse = glm::ivec2(int(io.MousePos.x), int(io.MousePos.y)) - corner;
+    if (map.on() && mouse.x >= size.x) mouse.x -= size.x;
+    const bool is_over = !io.WantCaptureMouse && mouse.x >= 0 && mouse.y >= 0 && mouse.x < size.x && mouse.y < size.y;
+    const float dragged = std::sqrt(io.MouseDragMaxDistanceSqr[0]);
+    const bool is_new = is_over && !held_ && ImGui::IsMouseReleased(0) && dragged < 3;
+    if (is_new)
+        held_ = mouse;
+    else if (is_over && ImGui::IsMouseReleased(0) && dragged < 3)
+        held_.reset();
+    if (!held_ && !is_over) return;
+    const glm::ivec2 pixel = glm::clamp(held_.value_or(mouse), glm::ivec2(0), size - 1);
+    if (held_)
+        for (int copy = 0; copy <= int(map.on()); ++copy)
+            draw_cross(float(corner.x + copy * size.x + pixel.x), float(corner.y + pixel.y));
+
+    const ProbeInfo& probe = compared ? compared->probe : stage.manifest().probe(stage.probe().name);
+    const ImVec2 at(float(corner.x + pixel.x) + 16, float(corner.y + pixel.y) + 16);
+    ImGui::SetNextWindowPos(at, ImGuiCond_Always,
+                            {at.x > io.DisplaySize.x * 0.7f ? 1.1f : 0, at.y > io.DisplaySize.y * 0.8f ? 1.3f : 0});
+    ImGui::SetNextWindowBgAlpha(0.9f);
+    ImGui::Begin("pixel", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+    quiet_text(fmt::format("{} at {}, {}{}", probe.name, pixel.x, pixel.y, held_ ? ", held" : ""));
+    const std::vector<PixelRow> rows = pixel_rows(probe, pixel, *values, compared ? &compared->exact : nullptr);
+    draw_rows(rows);
+    ImGui::End();
+    if (!is_new) return;
+    std::string line = fmt::format("pixel {}, {}: {}", pixel.x, pixel.y, probe.name);
+    for (const PixelRow& row : rows) line += fmt::format(", {} {}", row.name, row.numbers);
+    print_event(line);
+}
+
+}  // namespace relief::window

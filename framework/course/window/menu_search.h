@@ -1,0 +1,47 @@
+// Finds labs, knobs, probes and checks by a part of their name. In the window module only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/core/lab/knobs.h"
+#include "framework/course/window/menu_layout.h"
+#include "framework/course/window/menu_wish.h"
+
+namespace relief {
+struct Manifest;
+}
+
+namespace relief::window {
+
+class Checks;
+class Stage;
+
+class Search {
+public:
+    void open() { wanted_ = true; }
+    void close() { closing_ = true; }
+    bool is_open() const { return wanted_ || open_; }
+    /// Draws the search. Enter or a click takes the marked result; the arrow keys move the mark.
+    void draw(float scale, const Stage& stage, const Checks& checks, MenuWish& wish);
+
+private:
+    struct Found {
+        std::string kind, name, note;
+        std::string place;  ///< the lab, if another one; else empty
+        MenuWish wish;
+    };
+    /// Adds the knobs, probes and checks of a lab.
+    static void add(const LabEntry& lab, const Manifest& manifest, const std::vector<KnobText>& knobs,
+                    std::vector<Found>& all, const std::string& place);
+    /// Collects the contents of all labs, once.
+    void learn_of_labs();
+    std::vector<Found> find(const Stage& stage, const Checks& checks) const;
+
+    std::vector<Found> others_;
+    bool wanted_ = false, open_ = false, closing_ = false;
+    char text_[80] = "";
+    int marked_ = 0;
+};
+
+}  // namespace relief::window

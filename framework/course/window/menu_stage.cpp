@@ -1,0 +1,168 @@
+#include "framework/course/window/menu_stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/log.h"
+#include "framework/core/gl/counters.h"
+#include "framework/core/gl/texture.h"
+#include "framework/core/image/visualize.h"
+
+namespace relief::window {
+
+void Stage::open(const LabEntry& entry, const Shot* start) {
+    lab_.reset();
+    probe_picture_.reset(), values_.reset();
+    shown_ = 0;
+    entry_ = &entry;
+    manifest_ = {};
+    defaults_.clear();
+    stale_ = true, renewed_ = false;
+    failure_.reset(), shader_failure_.reset();
+    const glm::ivec2 size = shot_.size;
+    shot_ = {};
+    shot_.size = size;
+    try {
+        manifest_ = load_manifest(entry);
+        shot_.camera = manifest_.camera;
+        defaults_ = describe_knobs(*entry.make());
+        if (start) shot_ = *start, shot_.size = size;
+        lab_ = make_lab(entry, shot_);
+    } catch (const Error& error) {
+        fail(error);
+    }
+}
+
+void Stage::show(Probe probe) {
+    shot_.probe = std::move(probe);
+    values_.reset();
+    changed();
+    shown_ = 0;
+}
+
+Shot Stage::settings() const {
+    Shot shot = shot_;
+    shot.set.clear();
+    if (lab_)
+        for (const KnobText& knob : describe_knobs(*lab_)) shot.set.emplace_back(knob.name, knob.value);
+    return shot;
+}
+
+void Stage::apply(const Shot& shot) {
+    if (!lab_) return;
+    std::map<std::string, std::string> now;
+    for (const KnobText& knob : describe_knobs(*lab_)) now[knob.name] = knob.value;
+    std::vector<std::pair<std::string, std::string>> wanted;
+    for (const KnobText& knob : defaults_) wanted.emplace_back(knob.name, knob.value);
+    for (const auto& [name, value] : shot.set) {
+        const auto same = [&, &knob = name](const auto& one) { return one.first == knob; };
+        const auto found = std::find_if(wanted.begin(), wanted.end(), same);
+        if (found != wanted.end()) found->second = value;
+    }
+    for (const auto& [name, value] : wanted) try {
+            if (now[name] != value) set_knob(*lab_, name, value);
+        } catch (const Error& error) {
+            print_error(error.what());
+        }
+    shot_.camera = shot.camera;
+    if (!(shot.probe == shot_.probe)) show(shot.probe);
+    changed();
+}
+
+void Stage::reset_knob(const std::string& name) {
+    for (const KnobText& knob : defaults_)
+        if (knob.name == name) set_knob(*lab_, name, knob.value);
+    changed();
+}
+
+void Stage::fail(const Error& error) {
+    failure_ = error;
+    print_error(error.what());
+}
+
+bool Stage::look() {
+    ShaderNews news = renew_programs();
+    shader_failure_ = std::move(news.error);
+    if (!news.changed) return false;
+    stale_ = true;
+    if (shader_failure_)
+        print_error(shader_failure_->what());
+    else
+        renewed_ = true;
+    return true;
+}
+
+ShaderState Stage::shaders() const {
+    return error() ? ShaderState::failed : renewed_ ? ShaderState::renewed : ShaderState::unchanged;
+}
+
+const Error* Stage::error() const { return failure_ ? &*failure_ : shader_failure_ ? &*shader_failure_ : nullptr; }
+
+bool Stage::is_due(glm::ivec2 size, double time) const {
+    const bool moves = manifest_.animated && time != shot_.time && !failed();
+    return lab_ && (stale_ || moves || size != shot_.size);
+}
+
+bool Stage::draw(glm::ivec2 size, double time) {
+    if (!is_due(size, time)) return false;
+    stale_ = false;
+    failure_.reset();
+    shot_.size = size, shot_.time = time;
+    draw_calls_ = 0;
+    const int64_t draw_calls_before = counters().draw_calls;
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+        const TargetKind kind = shot_.probe ? TargetKind::probe : TargetKind::picture;
+        if (!target_ || target_->size() != size || target_->kind() != kind) {
+            shown_ = 0;
+            target_.emplace(kind, size);
+        }
+        draw_lab(*lab_, frame_of(shot_, *target_));
+        draw_calls_ = counters().draw_calls - draw_calls_before;
+        glFinish();
+        milliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+        if (shot_.probe) values_ = target_->read();
+        shown_ = shot_.probe ? draw_probe(picture()) : target_->resolve();
+    } catch (const Error& error) {
+        fail(error);
+    } catch (const std::exception& error) {  // exceptions from a lab must not close the window
+        fail(Error(error.what()));
+    }
+    ++frames_;
+    print_event(fmt::format("frame {}: {}, {} GL objects, {} draw calls, {} texture bytes, {:.1f} ms", frames_,
+                            entry_->folder, counters().live_objects(), draw_calls_, counters().texture_bytes,
+                            milliseconds_));
+    return true;
+}
+
+// The values were read back and return as a texture of colours. This happens only after a change.
+GLuint Stage::draw_probe(Image picture) {
+    shown_ = 0;
+    probe_picture_.emplace(ProbePicture{
+        Texture("probe as colours", [&] { return std::move(picture); }, {.wrap = Wrap::clamp, .mips = false}),
+        FramebufferName()});
+    glBindFramebuffer(GL_FRAMEBUFFER, probe_picture_->framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, probe_picture_->texture, 0);
+    return probe_picture_->framebuffer;
+}
+
+void show_alike(Stage& one, Stage& other) {
+    if (!one.values_ || !other.values_ || one.failed() || other.failed() || !one.values_->same_shape(*other.values_))
+        return;
+    auto [a, b] = visualize_probes(*one.values_, *other.values_, one.manifest_.probe(one.shot_.probe.name).colors());
+    one.shown_ = one.draw_probe(std::move(a));
+    other.shown_ = other.draw_probe(std::move(b));
+}
+
+Image Stage::picture() const {
+    if (!target_ || failed()) throw Error("there is no picture to save");
+    if (shot_.probe)
+        return visualize_probe(values_ ? *values_ : target_->read(), manifest_.probe(shot_.probe.name).colors());
+    return read_picture(*target_);
+}
+
+}  // namespace relief::window

@@ -1,0 +1,102 @@
+#include "framework/course/window/menu_style.h"
+
+#include <filesystem>
+
+namespace relief::window {
+namespace {
+
+const std::filesystem::path fonts = "/usr/share/fonts/truetype/dejavu";
+
+// Characters of handouts besides Latin: Greek, dashes and quotes, small digits, arrows, mathematics, tree lines,
+// shapes, ticks. Pairs of first and last.
+constexpr ImWchar characters[] = {0x20,   0x17f,  0x370,  0x3ff,  0x2010, 0x205f, 0x2070,
+                                  0x209f, 0x2100, 0x214f, 0x2190, 0x21ff, 0x2200, 0x22ff,
+                                  0x2500, 0x257f, 0x25a0, 0x25ff, 0x2713, 0x2717, 0};
+
+// Characters of formulas (framework/course/pages/formula.h) and of the words in them.
+constexpr ImWchar formula_characters[] = {0x20,   0x17f,  0x391,  0x3c9,  0x2032, 0x2032, 0x2192, 0x2192, 0x21d4,
+                                          0x21d4, 0x2200, 0x2211, 0x2212, 0x221a, 0x2260, 0x2265, 0};
+constexpr ImWchar sum_characters[] = {0x2211, 0x2211, 0};
+
+void load_fonts(float scale) {
+    struct File {
+        const char* name;
+        float size;
+        const ImWchar* ranges = characters;
+    };
+    // Indexed by FontRole. Without these files all roles use Dear ImGui's own font.
+    static constexpr File files[] = {{"DejaVuSans.ttf", 15},
+                                     {"DejaVuSans-Bold.ttf", 15},
+                                     {"DejaVuSans-Bold.ttf", 21},
+                                     {"DejaVuSansMono.ttf", 14},
+                                     {"DejaVuSerif.ttf", 17, formula_characters},
+                                     {"DejaVuSerif.ttf", 12.5f, formula_characters},
+                                     {"DejaVuSerif.ttf", 25, sum_characters}};
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    for (const File& file : files)
+        if (exists(fonts / file.name))
+            atlas.AddFontFromFileTTF((fonts / file.name).c_str(), file.size * scale, nullptr, file.ranges);
+        else
+            atlas.AddFontDefault();
+}
+
+}  // namespace
+
+void style_menu(float scale) {
+    load_fonts(scale);
+    ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
+    ImGui::StyleColorsDark();
+    style.WindowPadding = {14, 10};
+    style.FramePadding = {8, 5};
+    style.ItemSpacing = {8, 6};
+    style.FrameRounding = style.GrabRounding = style.PopupRounding = 4;
+    style.WindowBorderSize = 0;
+    style.Colors[ImGuiCol_WindowBg] = {0.09f, 0.095f, 0.11f, 1};
+    style.Colors[ImGuiCol_FrameBg] = {0.16f, 0.17f, 0.20f, 1};
+    style.Colors[ImGuiCol_Button] = {0.20f, 0.21f, 0.25f, 1};
+    for (const int color : {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered})
+        style.Colors[color] = {0.30f, 0.24f, 0.21f, 1};
+    for (const int color : {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive})
+        style.Colors[color] = {0.42f, 0.28f, 0.21f, 1};
+    style.Colors[ImGuiCol_Header] = {0.22f, 0.19f, 0.18f, 1};
+    style.Colors[ImGuiCol_CheckMark] = accent;
+    // Dark enough for the digits on it: white has a contrast of 5 to 1.
+    style.Colors[ImGuiCol_SliderGrab] = {0.64f, 0.34f, 0.19f, 1};
+    style.Colors[ImGuiCol_SliderGrabActive] = {0.70f, 0.38f, 0.22f, 1};
+    for (const int color : {ImGuiCol_Tab, ImGuiCol_TabUnfocused}) style.Colors[color] = {0.14f, 0.15f, 0.18f, 1};
+    for (const int color : {ImGuiCol_TabActive, ImGuiCol_TabUnfocusedActive})
+        style.Colors[color] = {0.36f, 0.26f, 0.21f, 1};
+    style.Colors[ImGuiCol_TabHovered] = {0.42f, 0.28f, 0.21f, 1};
+    style.ScaleAllSizes(scale);
+}
+
+ImFont* font(FontRole role) { return ImGui::GetIO().Fonts->Fonts[int(role)]; }
+
+void text(const std::string& line) { ImGui::TextUnformatted(line.data(), line.data() + line.size()); }
+
+void wrapped(const std::string& line) {
+    ImGui::PushTextWrapPos(0);
+    text(line);
+    ImGui::PopTextWrapPos();
+}
+
+void colored_text(const ImVec4& color, const std::string& line) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    wrapped(line);
+    ImGui::PopStyleColor();
+}
+
+void quiet_text(const std::string& line) { colored_text(quiet, line); }
+
+void tooltip(const std::string& line) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
+    text(line);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+}  // namespace relief::window

@@ -1,0 +1,105 @@
+// Depth maps: drawing into them, comparisons, and counters.
+#include "framework/core/gl/depth_target.h"
+
+#include <gtest/gtest.h>
+
+#include "framework/core/gl/counters.h"
+#include "framework/core/gl/program.h"
+#include "framework/core/gl/target.h"
+
+namespace relief {
+namespace {
+
+ShaderSource source(const char* stage, const char* text) {
+    ShaderSource made;
+    made.stage = stage, made.text = text;
+    made.names = {"s_depth", "u_place"};
+    return made;
+}
+
+constexpr const char* whole =
+    "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, "
+    "0.0, 1.0); }\n";
+
+/// Returns one pixel of a shader with a depth comparison.
+float compared(const DepthTarget& depth, const glm::vec3& place) {
+    const Program program({source("a.vert", whole),
+                           source("a.frag",
+                                  "#version 410 core\nuniform sampler2DShadow s_depth;\nuniform vec3 u_place;\n"
+                                  "out vec4 o_color;\nvoid main() { o_color = vec4(texture(s_depth, u_place)); }\n")});
+    const Target target(TargetKind::probe, {1, 1});
+    const VertexArrayName layout;
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+    glViewport(0, 0, 1, 1);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(program);
+    depth.bind(1);
+    program.set("s_depth", 1);
+    program.set("u_place", place);
+    glBindVertexArray(layout);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    return target.read().values[0];
+}
+
+/// Sets the left half to 0.25 and the right half to 0.75.
+void draw_halves(const DepthTarget& depth) {
+    depth.begin();
+    glEnable(GL_SCISSOR_TEST);
+    for (int half = 0; half < 2; ++half) {
+        glScissor(half * depth.size().x / 2, 0, depth.size().x / 2, depth.size().y);
+        glClearDepth(half == 0 ? 0.25 : 0.75);
+        glClear(GL_DEPTH_BUFFER_BIT);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    glClearDepth(1);
+}
+
+TEST(DepthTarget, AComparisonPassesIfTheReferenceIsAtMostTheNearestDepth) {
+    const DepthTarget depth({4, 2});
+    draw_halves(depth);
+    EXPECT_EQ(compared(depth, {0.2f, 0.5f, 0.25f}), 1);
+    EXPECT_EQ(compared(depth, {0.2f, 0.5f, 0.26f}), 0);
+    EXPECT_EQ(compared(depth, {0.8f, 0.5f, 0.74f}), 1);
+    EXPECT_EQ(compared(depth, {0.8f, 0.5f, 0.76f}), 0);
+    EXPECT_EQ(compared(depth, {0.499f, 0.5f, 0.5f}), 0) << "nearest: never between two depths";
+    EXPECT_EQ(compared(depth, {0.501f, 0.5f, 0.5f}), 1);
+}
+
+TEST(DepthTarget, ComparisonsOutsideItPass) {
+    const DepthTarget depth({4, 2});
+    draw_halves(depth);
+    for (const glm::vec3 place : {glm::vec3(-0.01f, 0.5f, 0.9f), {1.01f, 0.5f, 0.9f}, {0.2f, 1.01f, 1}, {0.2f, -1, 1}})
+        EXPECT_EQ(compared(depth, place), 1);
+}
+
+TEST(DepthTarget, StoresTheDrawnDepthWithRowZeroAtTheTop) {
+    const DepthTarget depth({2, 2});
+    depth.begin();
+    glClear(GL_DEPTH_BUFFER_BIT);
+    const Program program({source("a.vert", whole), source("a.frag", "#version 410 core\nvoid main() {}\n")});
+    const VertexArrayName layout;
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 1, 2, 1);
+    glUseProgram(program);
+    glBindVertexArray(layout);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_SCISSOR_TEST);
+    const Image image = depth.read();
+    EXPECT_EQ(*image.pixel(0, 0), 0.5f);
+    EXPECT_EQ(*image.pixel(1, 1), 1.0f);
+    EXPECT_EQ(take_gl_errors(), "");
+}
+
+TEST(DepthTarget, CountsAndFreesItsBytes) {
+    const Counters before = counters();
+    {
+        const DepthTarget depth({8, 4});
+        EXPECT_EQ(counters().texture_bytes - before.texture_bytes, 8 * 4 * 4);
+    }
+    EXPECT_EQ(counters().texture_bytes, before.texture_bytes);
+    EXPECT_EQ(counters().live, before.live);
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,40 @@
+// Runs a program of GL tests in one context: `--context osmesa` or `--context egl`. The renderer is pinned, so that
+// every machine produces the same bits.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstring>
+
+#include "framework/core/base/error.h"
+#include "framework/core/context/context.h"
+#include "framework/core/gl/gl.h"
+
+namespace {
+
+/// Fails each test that leaves an OpenGL error behind.
+class NoErrorLeft final : public testing::EmptyTestEventListener {
+    void OnTestEnd(const testing::TestInfo&) override {
+        const std::string errors = relief::take_gl_errors();
+        if (!errors.empty()) ADD_FAILURE() << "OpenGL: " << errors;
+    }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    testing::InitGoogleTest(&argc, argv);
+    if (argc != 3 || std::strcmp(argv[1], "--context") != 0) {
+        std::fprintf(stderr, "usage: %s --context osmesa|egl\n", argv[0]);
+        return 2;
+    }
+    try {
+        relief::pin_software_renderer();
+        const auto context = relief::open_context(relief::context_kind(argv[2]));
+        std::printf("%s: %s\n", argv[2], relief::describe_context().driver().c_str());
+        testing::UnitTest::GetInstance()->listeners().Append(new NoErrorLeft);
+        return RUN_ALL_TESTS();
+    } catch (const relief::Error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

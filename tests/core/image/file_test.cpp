@@ -1,0 +1,311 @@
+// Image files: exact where they promise it, and an error with the file's name for every invalid file.
+#include "framework/core/image/file.h"
+
+#include <array>
+#include <bit>
+#include <ctime>
+#include <limits>
+
+#include "framework/core/base/file.h"
+#include "framework/core/base/module.h"
+#include "framework/core/image/openimageio.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::string_literals;
+using namespace std::string_view_literals;
+
+/// Returns an image of the values of `image.bits`, in order and repeated.
+Image all_values(int width, int height, int channels, int bits) {
+    Image image(width, height, channels, bits);
+    const size_t count = size_t{1} << bits;
+    for (size_t i = 0; i < image.values.size(); ++i) image.values[i] = float(i % count) / float(count - 1);
+    return image;
+}
+
+std::string big_endian(uint32_t number) {
+    return {char(number >> 24), char(number >> 16), char(number >> 8), char(number)};
+}
+
+/// Returns a PNG chunk (ISO 15948): length, name, bytes, CRC-32 of the last two.
+std::string png_chunk(const std::string& name, const std::string& bytes) {
+    uint32_t crc = ~0u;
+    for (const unsigned char byte : name + bytes) {
+        crc ^= byte;
+        for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
+    }
+    return big_endian(uint32_t(bytes.size())) + name + bytes + big_endian(~crc);
+}
+
+/// Returns a PNG of rows, each with its filter type first. They are stored uncompressed in zlib's format (RFC 1950).
+std::string png_of(uint32_t width, uint32_t height, char bits, char kind, const std::string& chunks,
+                   const std::string& rows) {
+    uint32_t a = 1, b = 0;  // of Adler-32
+    for (const unsigned char byte : rows) a = (a + byte) % 65521, b = (b + a) % 65521;
+    const auto low = char(rows.size()), high = char(rows.size() >> 8);
+    const std::string stored = "\x78\x01\x01"s + low + high + char(~low) + char(~high) + rows + big_endian(b << 16 | a);
+    return "\x89PNG\r\n\x1a\n" +
+           png_chunk("IHDR", big_endian(width) + big_endian(height) + bits + kind + std::string(3, '\0')) + chunks +
+           png_chunk("IDAT", stored) + png_chunk("IEND", "");
+}
+
+/// Returns the error of reading a file with these bytes, without the file's name, which it must begin with.
+std::string refusal(const std::string& name, std::string_view bytes) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write(name, bytes);
+    const std::string message = message_of([&] { read_image(file); });
+    EXPECT_TRUE(message.starts_with(file.string() + ": ")) << message;
+    return message.substr(std::min(message.size(), file.string().size() + 2));
+}
+
+class ImageFiles : public testing::Test {
+protected:
+    Image back(const Image& image, const std::string& name, const Notes& notes = {}, Notes* read = nullptr) const {
+        write_image(folder_.path() / name, image, notes);
+        return read_image(folder_.path() / name, read);
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(ImageFiles, Png8KeepsAll256ValuesInAnyChannel) {
+    for (int channels = 1; channels <= 4; ++channels) {
+        const Image image = all_values(32, 24, channels, 8), read = back(image, "a.png");
+        EXPECT_TRUE(read.same_shape(image)) << channels << " channels";
+        EXPECT_EQ(read.bits, 8) << channels << " channels";
+        EXPECT_EQ(read.values, image.values) << channels << " channels";
+    }
+}
+
+TEST_F(ImageFiles, Png16KeepsAll65536Values) {
+    for (const int channels : {1, 3}) {
+        const Image image = all_values(256, 256, channels, 16), read = back(image, "a.png");
+        EXPECT_EQ(read.bits, 16);
+        EXPECT_EQ(read.values, image.values) << channels << " channels";
+    }
+}
+
+TEST_F(ImageFiles, PngMarksItsColorSpaceAndKeepsItsValues) {
+    const Image image = all_values(16, 16, 1, 8);
+    for (const ColorSpace space : {ColorSpace::srgb, ColorSpace::linear}) {
+        const std::string bytes = encode_image(image, ImageFormat::png, {}, space);
+        EXPECT_EQ(contains(bytes, "sRGB"), space == ColorSpace::srgb) << "the chunk of that name";
+        EXPECT_EQ(read_image(folder_.write("a.png", bytes)).values, image.values);
+    }
+}
+
+TEST_F(ImageFiles, PngKeepsColourWhereAlphaIsZero) {
+    Image image(2, 1, 4, 8);
+    image.values = {1, 0.2f, 0.4f, 0, 0.6f, 0.8f, 1, 0.2f};  // alpha may hold a height
+    EXPECT_EQ(back(image, "a.png").values, image.values);
+}
+
+TEST_F(ImageFiles, PngPalettesAndLowBitDepthsAreExpandedToEightBits) {
+    const std::string palette = png_chunk("PLTE", "\xff\0\0\0\x33\xff"s), see_through = png_chunk("tRNS", "\x33");
+    const Image two = decode_image(png_of(2, 1, 1, 3, palette, "\0\x40"s));
+    EXPECT_EQ(two.values, (std::vector<float>{1, 0, 0, 0, 0.2f, 1}));
+    EXPECT_EQ(decode_image(png_of(2, 1, 1, 3, palette + see_through, "\0\x40"s)).values,
+              (std::vector<float>{1, 0, 0, 0.2f, 0, 0.2f, 1, 1}));
+    const Image grey = decode_image(png_of(4, 1, 2, 0, "", "\0\x1b"s));
+    EXPECT_EQ(grey.values, (std::vector<float>{0, 85 / 255.0f, 170 / 255.0f, 1}));
+    EXPECT_EQ(grey.bits, 8);
+}
+
+TEST_F(ImageFiles, PngRoundsToTheNearestAndClamps) {
+    Image image(6, 1, 1, 8);
+    image.values = {-1.0f, 0.49f / 255, 0.51f / 255, 127.49f / 255, 127.51f / 255, 2.0f};
+    const Image read = back(image, "a.png");
+    const std::array<float, 6> expected = {0, 0, 1, 127, 128, 255};
+    for (size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(read.values[i] * 255, expected[i]) << image.values[i];
+}
+
+TEST_F(ImageFiles, ExrKeepsFloatsBitForBit) {
+    using Limits = std::numeric_limits<float>;
+    for (int channels = 1; channels <= 4; ++channels) {
+        Image image(6, 2, channels);
+        const std::array special = {Limits::infinity(),
+                                    -Limits::infinity(),
+                                    Limits::quiet_NaN(),
+                                    Limits::denorm_min(),
+                                    -0.0f,
+                                    Limits::max(),
+                                    1e-30f,
+                                    0.1f,
+                                    65505.0f};
+        for (size_t i = 0; i < image.values.size(); ++i)
+            image.values[i] = i < special.size() ? special[i] : 1.0f / float(i);
+        const Image read = back(image, "a.exr");
+        ASSERT_TRUE(read.same_shape(image)) << channels << " channels";
+        EXPECT_EQ(read.bits, 32);
+        for (size_t i = 0; i < image.values.size(); ++i)
+            EXPECT_EQ(std::bit_cast<uint32_t>(read.values[i]), std::bit_cast<uint32_t>(image.values[i]))
+                << channels << " channels, value " << i << " is " << image.values[i];
+    }
+}
+
+TEST_F(ImageFiles, AreReproducibleAndContainNoDate) {
+    const Image image = all_values(5, 3, 3, 8);
+    const std::time_t now = std::time(nullptr);
+    const std::string year = std::to_string(std::localtime(&now)->tm_year + 1900) + ":";
+    for (const ImageFormat format : {ImageFormat::exr, ImageFormat::png}) {
+        const std::string bytes = encode_image(image, format, {{"lab", "07_baking"}});
+        EXPECT_EQ(bytes, encode_image(image, format, {{"lab", "07_baking"}}));
+        EXPECT_FALSE(contains(bytes, year)) << "the date is in the file";
+    }
+    EXPECT_TRUE(contains(encode_image(image, ImageFormat::exr), "1970:01:01 00:00:00"));
+}
+
+TEST_F(ImageFiles, NotesSurviveARoundTripInPngAndExr) {
+    const Notes notes = {{"camera", "30,20,3"}, {"knobs", "steps=32 \xc3\xa4 \"quoted\""}};
+    for (const char* name : {"a.png", "a.exr"}) {
+        Notes read = {{"old", "gone"}};
+        back(all_values(2, 2, 3, 8), name, notes, &read);
+        std::sort(read.begin(), read.end());
+        EXPECT_EQ(read, notes) << name;
+    }
+}
+
+TEST_F(ImageFiles, WithoutNotesAreReadWithoutNotes) {
+    for (const char* name : {"a.png", "a.exr"}) {
+        Notes read = {{"old", "gone"}};
+        back(all_values(2, 2, 3, 8), name, {}, &read);
+        EXPECT_TRUE(read.empty()) << name << ": the library's own notes are not ours";
+    }
+}
+
+TEST_F(ImageFiles, PpmIsItsHeaderAndBytesFromTheTop) {
+    Image image(2, 2, 3, 8);
+    image.values = {0, 0.5f, 1, -1, 2, std::numeric_limits<float>::quiet_NaN(), 1 / 255.0f, 0, 0, 254 / 255.0f, 1, 1};
+    EXPECT_EQ(encode_image(image, ImageFormat::ppm),
+              "P6\n2 2\n255\n\x00\x80\xff\x00\xff\x00\x01\x00\x00\xfe\xff\xff"sv);
+    Image grey(1, 1, 1, 8), with_alpha(1, 1, 4, 8);
+    grey.values = {1};
+    with_alpha.values = {1, 0, 0.2f, 0};
+    EXPECT_EQ(encode_image(grey, ImageFormat::ppm), "P6\n1 1\n255\n\xff\xff\xff");
+    EXPECT_EQ(encode_image(with_alpha, ImageFormat::ppm), "P6\n1 1\n255\n\xff\x00\x33"sv);
+}
+
+TEST_F(ImageFiles, PfmIsItsHeaderAndLittleEndianFloatsFromTheBottom) {
+    Image grey(1, 2, 1);
+    grey.values = {1.0f, -2.0f};  // 1 is above -2
+    EXPECT_EQ(encode_image(grey, ImageFormat::pfm), "Pf\n1 2\n-1.0\n\x00\x00\x00\xc0\x00\x00\x80\x3f"sv);
+    Image probe(1, 1, 4);
+    probe.values = {no_surface, 1, -2, 0.5f};
+    EXPECT_EQ(encode_image(probe, ImageFormat::pfm),
+              "PF\n1 1\n-1.0\n\x00\x00\x80\x7f\x00\x00\x80\x3f\x00\x00\x00\xc0"sv);
+    Image uv(1, 1, 2);
+    uv.values = {1, -2};
+    EXPECT_EQ(encode_image(uv, ImageFormat::pfm), "PF\n1 1\n-1.0\n\x00\x00\x80\x3f\x00\x00\x00\xc0\x00\x00\x00\x00"sv);
+}
+
+TEST_F(ImageFiles, AreReadByContentNotByExtension) {
+    Image image(1, 1, 1);
+    image.values = {1234.5f};
+    const fs::path liar = folder_.write("a.png", encode_image(image, ImageFormat::exr));
+    EXPECT_EQ(read_image(liar).values, image.values);
+    const auto encode = open_own_module("relief-openimageio.so", "").function<EncodeImage>("relief_encode_image");
+    const fs::path photo = folder_.write("photo.txt", encode(all_values(16, 8, 3, 8), "jpeg", {}));
+    EXPECT_TRUE(read_image(photo).same_shape(Image(16, 8, 3)));
+}
+
+TEST_F(ImageFiles, AreWrittenInTheFormatOfTheirExtension) {
+    EXPECT_EQ(format_of("a.png"), ImageFormat::png);
+    EXPECT_EQ(format_of("folder.exr/a.PFM"), ImageFormat::pfm);
+    EXPECT_EQ(format_of("a.b.ppm"), ImageFormat::ppm);
+    EXPECT_EQ(format_of("a.Exr"), ImageFormat::exr);
+    for (const char* name : {"a", "a.jpg", "a.png.txt", ".png", "png", "a.png/b", ""})
+        EXPECT_TRUE(contains(message_of<UsageError>([&] { format_of(name); }), ".png, .exr, .ppm or .pfm")) << name;
+}
+
+/// The error is the only message: libpng must write nothing on standard error.
+class NoImages : public testing::Test {
+protected:
+    void SetUp() override { testing::internal::CaptureStderr(); }
+    void TearDown() override { EXPECT_EQ(testing::internal::GetCapturedStderr(), ""); }
+};
+
+TEST_F(NoImages, AreRefusedWithTheirName) {
+    EXPECT_EQ(refusal("empty.png", ""), "neither PNG, OpenEXR, JPEG, PPM nor PFM");
+    EXPECT_EQ(refusal("text.png", "a text\n"), "neither PNG, OpenEXR, JPEG, PPM nor PFM");
+    EXPECT_EQ(refusal("a.ppm", "P3\n1 1\n255\n1 2 3"), "neither PNG, OpenEXR, JPEG, PPM nor PFM") << "in letters";
+    const TemporaryFolder folder;
+    EXPECT_EQ(message_of([&] { read_image(folder.path()); }), folder.path().string() + ": cannot read: not a file");
+    EXPECT_TRUE(
+        contains(message_of([&] { read_image(folder.path() / "no.png"); }), "no.png: cannot read: No such file"));
+}
+
+TEST_F(NoImages, TruncatedFilesAreDamaged) {
+    const Image image = all_values(64, 64, 3, 8);
+    for (const auto& [name, format] : {std::pair("a.png", ImageFormat::png), {"a.exr", ImageFormat::exr}}) {
+        const std::string bytes = encode_image(image, format);
+        for (const size_t length :
+             {size_t{8}, size_t{20}, size_t{33}, bytes.size() / 4, bytes.size() / 2, bytes.size() * 3 / 4})
+            EXPECT_TRUE(refusal(name, bytes.substr(0, length)).starts_with("damaged")) << name << " after " << length;
+    }
+}
+
+TEST_F(NoImages, ADamagedByteNeverCrashes) {
+    const Image image = all_values(4, 4, 4, 8);
+    const TemporaryFolder folder;
+    int refused = 0;
+    for (const ImageFormat format : {ImageFormat::png, ImageFormat::exr}) {
+        const std::string whole = encode_image(image, format);
+        for (size_t i = 0; i < whole.size(); ++i) {
+            std::string bytes = whole;
+            bytes[i] = char(~bytes[i]);
+            const fs::path file = folder.write("a", bytes);
+            try {
+                const Image read = read_image(file);
+                EXPECT_EQ(read.values.size(), read.pixel_count() * size_t(read.channels)) << "byte " << i;
+            } catch (const Error& error) {
+                EXPECT_TRUE(std::string(error.what()).starts_with(file.string()))
+                    << "byte " << i << ": " << error.what();
+                ++refused;
+            }
+        }
+    }
+    EXPECT_GT(refused, 50);
+}
+
+TEST_F(NoImages, AHugeHeaderIsRefusedBeforeItsPixelsAreAllocated) {
+    const auto header = [](uint32_t width, uint32_t height) {
+        const std::string eight_bit_rgb("\x08\x02\x00\x00\x00", 5);
+        return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", big_endian(width) + big_endian(height) + eight_bit_rgb) +
+               png_chunk("IDAT", "x") + png_chunk("IEND", "");
+    };
+    for (const auto& [width, height] : {std::pair(100000u, 100000u), {16385u, 1u}, {1u, 16385u}, {16384u, 16384u}})
+        EXPECT_TRUE(contains(refusal("huge.png", header(width, height)), "at most 16384x16384"))
+            << width << "x" << height;
+    for (const auto& [width, height] : {std::pair(0u, 5u), {0x7fffffffu, 0x7fffffffu}})
+        EXPECT_TRUE(refusal("huge.png", header(width, height)).starts_with("damaged")) << width << "x" << height;
+    std::string png = header(2, 2);
+    png.replace(png.find("IDAT") - 4, 4, "\x70\0\0\0"s);
+    EXPECT_TRUE(contains(refusal("chunk.png", png), "a chunk has 1879048192 bytes, more than the file"));
+    std::string exr = encode_image(Image(2, 2, 1), ImageFormat::exr);
+    const std::string window("dataWindow\0box2i\0\x10\0\0\0", 21);
+    ASSERT_TRUE(contains(exr, window));
+    const std::string small = exr;
+    exr.replace(exr.find(window) + window.size() + 8, 8, "\x9f\x86\x01\0\x9f\x86\x01\0"s);  // last column and row 99999
+    EXPECT_TRUE(contains(refusal("huge.exr", exr), "too large: only one flat image of at most 16384x16384"));
+    exr = small;
+    exr.replace(exr.find(window) + window.size() - 4, 4, "\xff\xff\xff\x7f"s);  // the size of the value itself
+    EXPECT_TRUE(contains(refusal("huge.exr", exr), "2147483647 bytes are no box2i"));
+    exr = small;
+    exr[5] = '\x10';  // the flags in the version
+    EXPECT_TRUE(contains(refusal("several.exr", exr), "deep, or several images"));
+    exr = small;
+    const std::string channels("channels\0chlist\0", 16);
+    const size_t at = exr.find(channels) + channels.size();
+    std::string list;
+    for (const char name : {'A', 'B', 'G', 'R', 'Z'}) list += name + std::string(17, '\0');
+    list += '\0';
+    const unsigned char old_size = static_cast<unsigned char>(exr[at]);
+    exr.replace(at, 4 + old_size, std::string(1, char(list.size())) + std::string(3, '\0') + list);
+    EXPECT_TRUE(contains(refusal("many.exr", exr), "more than 4 channels"));
+    EXPECT_TRUE(contains(refusal("short.exr", small.substr(0, 40)), "damaged"));
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,280 @@
+// The common parts of labs: kept values, measurements, exact values by rays, lights, materials.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "framework/core/image/file.h"
+#include "framework/core/kit/choices.h"
+#include "framework/core/kit/culling.h"
+#include "framework/core/kit/kept.h"
+#include "framework/core/kit/light.h"
+#include "framework/core/kit/numbers.h"
+#include "framework/core/kit/ray_mesh.h"
+#include "framework/core/kit/relief_material.h"
+#include "framework/core/kit/window_triangle.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+TEST(Choices, HoldNamesAndDefinitionsByValue) {
+    enum Method { none, by_size };
+    static constexpr auto methods = choices<Method>({{none, "none"}, {by_size, "size", "BY_SIZE 2"}});
+    EXPECT_EQ(methods.size(), 2u);
+    EXPECT_STREQ(methods.names[by_size], "size");
+    EXPECT_EQ(methods.define(by_size).text, "BY_SIZE 2");
+    EXPECT_EQ(methods.define(none).text, "") << "defines nothing";
+}
+
+TEST(Kept, IsRecomputedOnlyWhenAnInputChanges) {
+    Kept<std::string, int, std::string> kept;
+    int made = 0;
+    const auto get = [&](int number, const std::string& word) {
+        return kept.get({number, word}, [&] {
+            ++made;
+            return word + std::to_string(number);
+        });
+    };
+    EXPECT_EQ(get(1, "a"), "a1");
+    EXPECT_EQ(get(1, "a"), "a1");
+    EXPECT_EQ(made, 1);
+    EXPECT_EQ(get(2, "a"), "a2");
+    EXPECT_EQ(get(2, "b"), "b2");
+    EXPECT_EQ(get(1, "a"), "a1") << "only the last one is kept";
+    EXPECT_EQ(made, 4);
+    EXPECT_EQ(kept.version(), 4);
+}
+
+TEST(Kept, IsRetriedAfterAnError) {
+    Kept<int, int> kept;
+    kept.get({1}, [] { return 10; });
+    for (int i = 0; i < 2; ++i)
+        EXPECT_THROW(kept.get({2}, []() -> int { throw std::runtime_error("no file"); }), std::runtime_error);
+    EXPECT_EQ(kept.get({2}, [] { return 20; }), 20);
+    EXPECT_EQ(kept.get({1}, [] { return 11; }), 11) << "what was kept before the error has gone";
+}
+
+TEST(Numbers, AreDrawnIntoATargetOfTheirOwn) {
+    const Image drawn = draw_numbers({3, 2}, [] {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(2, 1, 1, 1);  // GL's upper right
+        const float value[] = {-1e30f, 2, 3, 4};
+        glClearBufferfv(GL_COLOR, 0, value);
+        glDisable(GL_SCISSOR_TEST);
+    });
+    EXPECT_EQ(drawn.pixel(2, 0)[0], -1e30f);
+    EXPECT_EQ(drawn.pixel(2, 0)[3], 4);
+    EXPECT_EQ(drawn.pixel(0, 0)[0], no_surface);
+    EXPECT_EQ(drawn.pixel(2, 1)[3], no_surface);
+}
+
+TEST(Numbers, LeaveFramebufferAndViewport) {
+    const FramebufferName frame;
+    glBindFramebuffer(GL_FRAMEBUFFER, frame);
+    glViewport(1, 2, 30, 40);
+    GLint inside[4] = {};
+    draw_numbers({5, 6}, [&] { glGetIntegerv(GL_VIEWPORT, inside); });
+    EXPECT_EQ(std::vector<int>(inside, inside + 4), (std::vector<int>{0, 0, 5, 6}));
+    GLint viewport[4] = {}, framebuffer = 0;
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    EXPECT_EQ(std::vector<int>(viewport, viewport + 4), (std::vector<int>{1, 2, 30, 40}));
+    EXPECT_EQ(GLuint(framebuffer), GLuint(frame));
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+TEST(WindowTriangle, CoversEachPixelWhateverTheDepthAndRestoresTheDepthTest) {
+    const auto source = [](const char* stage, const char* text) {
+        ShaderSource made;
+        made.stage = stage, made.text = text;
+        return made;
+    };
+    const Program program(
+        {source("a.vert",
+                "#version 410 core\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
+                "gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0); }\n"),
+         source("a.frag", "#version 410 core\nout vec4 o_color;\nvoid main() { o_color = vec4(7.0); }\n")});
+    WindowTriangle triangle;
+    for (const bool is_on : {true, false}) {
+        const Image drawn = draw_numbers({5, 3}, [&] {
+            glClearDepth(0);
+            glClear(GL_DEPTH_BUFFER_BIT);
+            glClearDepth(1);
+            (is_on ? glEnable : glDisable)(GL_DEPTH_TEST);
+            glUseProgram(program);
+            triangle.draw();
+            EXPECT_EQ(bool(glIsEnabled(GL_DEPTH_TEST)), is_on);
+        });
+        for (const float value : drawn.values) EXPECT_EQ(value, 7);
+    }
+    glEnable(GL_DEPTH_TEST);
+}
+
+TEST(RayMesh, HasItsTreeCornersAndNormalsInItsTextures) {
+    const RayMesh mesh(make_sphere({.radius = 1, .sides = 40, .rows = 30}));  // textures of several rows
+    const auto texels = [](const Texture& texture) {
+        bind(0, texture);
+        GLint width = 0, height = 0;
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+        glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &height);
+        EXPECT_EQ(width, 1024);
+        std::vector<glm::vec4> all(size_t(width) * size_t(height));
+        glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, all.data());
+        return all;
+    };
+    const std::vector<glm::vec4> nodes = texels(mesh.nodes), corners = texels(mesh.corners),
+                                 normals = texels(mesh.normals);
+    size_t triangles = 0;
+    for (size_t i = 0; i < mesh.tree.nodes.size(); ++i) {
+        const TreeNode& node = mesh.tree.nodes[i];
+        ASSERT_EQ(nodes[2 * i], glm::vec4(node.low, float(node.skip)));
+        ASSERT_EQ(glm::vec3(nodes[2 * i + 1]), node.high);
+        const int content = int(nodes[2 * i + 1].w);
+        ASSERT_EQ(content % 8, int(node.count));
+        if (node.count > 0) {
+            ASSERT_EQ(content / 8, int(node.first));
+        }
+        triangles += size_t(node.count);
+    }
+    ASSERT_EQ(triangles * 3, mesh.mesh.indices.size());
+    for (size_t i = 0; i < triangles * 3; ++i) {
+        const size_t vertex = mesh.mesh.indices[mesh.tree.triangles[i / 3] * 3 + i % 3];
+        ASSERT_EQ(corners[i], glm::vec4(mesh.mesh.vertices[vertex].position, float(vertex)));
+        ASSERT_EQ(glm::vec3(normals[vertex]), mesh.mesh.vertices[vertex].normal);
+    }
+}
+
+TEST(TruthOfRays, IsTheHitOfEachPixelsRayAndInfinityWithoutAHit) {
+    const glm::ivec2 size(7, 5);
+    const Frame frame{.target = 0, .size = size, .time = 0, .camera = Camera({}, 7.0 / 5), .probe = {}};
+    const Image truth = truth_of_rays(frame, [](const Ray& ray) -> std::optional<glm::dvec4> {
+        if (ray.direction.y < -0.4) return {};
+        return glm::dvec4(ray.direction, 2);
+    });
+    int empty = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const glm::dvec3 along = frame.ray(x, y).direction;
+            const bool seen = along.y >= -0.4;
+            empty += !seen;
+            for (int c = 0; c < 3; ++c) EXPECT_EQ(truth.pixel(x, y)[c], seen ? float(along[c]) : no_surface);
+            EXPECT_EQ(truth.pixel(x, y)[3], seen ? 2 : no_surface);
+        }
+    EXPECT_GT(empty, 0);
+    EXPECT_LT(empty, size.x * size.y);
+}
+
+TEST(Culling, KeepsEverySphereThatReachesIntoThePicture) {
+    const Camera camera({.yaw = 30, .pitch = 20, .distance = 3}, 1.5);
+    const glm::dmat4 clip_from_world = camera.clip_from_world();
+    std::mt19937 random(1);
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    for (int i = 0; i < 2000; ++i) {
+        const double left = between(-1, 1), right = between(left, 1);
+        const Ray ray = camera.ray({between(left, right), between(-1, 1)});
+        const glm::dvec3 seen = ray.at(between(0.1, 20));
+        const double radius = between(0.01, 5);
+        const glm::dvec3 aside(between(-1, 1), between(-1, 1), between(-1, 1));
+        const glm::dvec3 centre = seen + radius * 0.999 / std::max(1.0, glm::length(aside)) * aside;
+        EXPECT_TRUE(may_be_seen(clip_from_world, centre, radius, {left, right})) << i;
+    }
+}
+
+TEST(Culling, DropsSpheresBesideAndBehindThePicture) {
+    const Camera camera({.yaw = 30, .pitch = 20, .distance = 3}, 1.5);
+    for (const glm::dvec2 beside : {glm::dvec2(-1.2, 0), {1.2, 0}, {0, -1.2}, {0, 1.2}})
+        EXPECT_FALSE(may_be_seen(camera.clip_from_world(), camera.ray(beside).at(5), 0.1));
+    EXPECT_FALSE(may_be_seen(camera.clip_from_world(), camera.ray({0, 0}).at(-0.2), 0.1));
+    EXPECT_FALSE(may_be_seen(camera.clip_from_world(), camera.ray({0.2, 0}).at(5), 0.1, {-1, 0}));
+    EXPECT_TRUE(may_be_seen(camera.clip_from_world(), camera.ray({0.2, 0}).at(5), 0.1, {0, 1}));
+}
+
+TEST(Light, HasTheDirectionOfItsYawAndPitch) {
+    const auto expect_near = [](glm::dvec3 a, glm::dvec3 b) { EXPECT_LT(glm::distance(a, b), 1e-6); };
+    expect_near(DistantLight{.yaw = 0, .pitch = 0}.direction(), {0, 0, 1});
+    expect_near(DistantLight{.yaw = 90, .pitch = 0}.direction(), {1, 0, 0});
+    expect_near(DistantLight{.yaw = 17, .pitch = 90}.direction(), {0, 1, 0});
+    expect_near(DistantLight{.yaw = -50, .pitch = 40}.direction<double>(), DistantLight{}.direction());
+    expect_near(lamp_at(90, 3, 2), {3, 2, 0});
+}
+
+/// A lab that has only a material.
+class MaterialLab final : public Lab {
+public:
+    ReliefMaterial material;
+    void draw(const Frame&) override {}
+    void knobs(Knobs& knobs) override { material.knobs(knobs); }
+};
+
+class OwnMap : public testing::Test {
+protected:
+    /// Returns the material with this picture as its map, of 256 x 256 texels.
+    void use(const Image& image) {
+        const auto file = folder_.path() / "map.exr";
+        write_image(file, image);
+        set_knob(lab_, "size", "256");
+        set_knob(lab_, "map", file.string());
+    }
+    TemporaryFolder folder_;
+    MaterialLab lab_;
+};
+
+Image grey_ramp(int channels, float low, float high) {
+    Image image(256, 256, channels);
+    for (size_t i = 0; i < image.pixel_count(); ++i)
+        std::fill_n(image.values.data() + i * size_t(channels), channels, low + (high - low) * float(i % 256) / 255);
+    return image;
+}
+
+TEST_F(OwnMap, TakesItsHeightsFromAGreyPicture) {
+    for (const int channels : {1, 3}) {
+        use(grey_ramp(channels, 0.25f, 0.75f));
+        EXPECT_EQ(lab_.material.heights().channels, 1);
+        EXPECT_EQ(lab_.material.heights().values, grey_ramp(1, 0.25f, 0.75f).values) << channels << " channels";
+    }
+    const int before = lab_.material.version();
+    use(grey_ramp(1, 0, 1));
+    EXPECT_GT(lab_.material.version(), before) << "what is made of the heights has to be made anew";
+}
+
+TEST_F(OwnMap, ScalesFloatHeightsTo0To1) {
+    Image metres = grey_ramp(1, -20, 300);
+    metres.values[5] = std::numeric_limits<float>::quiet_NaN(), metres.values[7] = no_surface;
+    use(metres);
+    const auto& heights = lab_.material.heights().values;
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    EXPECT_FLOAT_EQ(*low, 0);
+    EXPECT_FLOAT_EQ(*high, 1);
+    EXPECT_FLOAT_EQ(heights[5], 20.0f / 320) << "what is no number counts as 0";
+}
+
+TEST_F(OwnMap, TakesHeightsAndNormalsFromANormalMapWithAFourthChannel) {
+    Image map = grey_ramp(4, 0, 1);
+    for (size_t i = 0; i < map.pixel_count(); ++i)
+        for (const auto& [c, value] : {std::pair(0, 0.8f), std::pair(1, 0.5f), std::pair(2, 0.9f)})
+            map.values[i * 4 + size_t(c)] = value;
+    use(map);
+    EXPECT_EQ(lab_.material.heights().values, grey_ramp(1, 0, 1).values);
+    const Image normals = lab_.material.normals();
+    for (const size_t texel : {0, 999}) {
+        EXPECT_FLOAT_EQ(normals.values[texel * 3], 0.8f) << "not those of the ramp";
+        EXPECT_FLOAT_EQ(normals.values[texel * 3 + 2], 0.9f);
+    }
+}
+
+TEST_F(OwnMap, RefusesColoursAndNormalsWithoutHeights) {
+    Image colours = grey_ramp(3, 0, 1);
+    for (size_t i = 0; i < colours.values.size(); i += 3) colours.values[i] = 1;
+    const std::string message = message_of<Error>([&] { use(colours); });
+    EXPECT_TRUE(message.ends_with(
+        "map.exr: shows colours or normals: a height map is grey, or the fourth channel of a picture"))
+        << message;
+    EXPECT_EQ(lab_.material.map, ReliefMap::wall) << "the map before stays";
+}
+
+}  // namespace
+}  // namespace relief

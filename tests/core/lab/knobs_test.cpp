@@ -1,0 +1,167 @@
+// A lab's knobs, as text.
+#include "framework/core/lab/knobs.h"
+
+#include <array>
+
+#include "framework/core/image/file.h"
+#include "framework/core/image/own_picture.h"
+#include "framework/core/lab/lab.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+class Wall final : public Lab {
+public:
+    float scale = 0.25f, strength = 0.5f;
+    int steps = 32, method = 1;
+    bool shadows = true;
+
+    void draw(const Frame&) override {}
+    void knobs(Knobs& knobs) override {
+        static constexpr std::array methods = {"linear", "secant", "cone"};
+        knobs.slider("scale", scale, -0.5f, 2, "depth in metres");
+        knobs.slider("strength", strength, 0.1f, 0.7f, "share of the relief");
+        knobs.steps("steps", steps, 1, 256, "samples along the ray");
+        knobs.toggle("shadows", shadows, "march to the light too");
+        knobs.choice("method", method, methods, "how the crossing is found");
+    }
+};
+
+class Bare final : public Lab {
+    void draw(const Frame&) override {}
+};
+
+std::string refusal(const std::string& name, const std::string& value) {
+    Wall wall;
+    const std::string message = message_of<UsageError>([&] { set_knob(wall, name, value); });
+    EXPECT_TRUE(wall.scale == 0.25f && wall.strength == 0.5f && wall.steps == 32 && wall.shadows && wall.method == 1)
+        << name << "=" << value << " was refused, yet it changed something";
+    return message;
+}
+
+TEST(Knobs, AreDescribedInOrderWithValueRangeAndHelp) {
+    Wall wall;
+    const std::vector<KnobText> knobs = describe_knobs(wall);
+    const std::array<std::array<const char*, 4>, 5> expected = {{
+        {"scale", "0.25", "-0.5 to 2", "depth in metres"},
+        {"strength", "0.5", "0.1 to 0.7", "share of the relief"},
+        {"steps", "32", "1 to 256, whole", "samples along the ray"},
+        {"shadows", "on", "on, off", "march to the light too"},
+        {"method", "secant", "linear, secant, cone", "how the crossing is found"},
+    }};
+    ASSERT_EQ(knobs.size(), expected.size());
+    for (size_t i = 0; i < knobs.size(); ++i) {
+        EXPECT_EQ(knobs[i].name, expected[i][0]);
+        EXPECT_EQ(knobs[i].value, expected[i][1]);
+        EXPECT_EQ(knobs[i].range, expected[i][2]);
+        EXPECT_EQ(knobs[i].help, expected[i][3]);
+    }
+}
+
+TEST(Knobs, AreSetFromTextForEveryType) {
+    Wall wall;
+    set_knob(wall, "scale", "-0.125");
+    set_knob(wall, "steps", "64");
+    set_knob(wall, "shadows", "off");
+    set_knob(wall, "method", "cone");
+    EXPECT_EQ(wall.scale, -0.125f);
+    EXPECT_EQ(wall.steps, 64);
+    EXPECT_FALSE(wall.shadows);
+    EXPECT_EQ(wall.method, 2);
+    for (const auto& [text, on] :
+         {std::pair("on", true), {"0", false}, {"true", true}, {"false", false}, {"1", true}}) {
+        set_knob(wall, "shadows", text);
+        EXPECT_EQ(wall.shadows, on) << text;
+    }
+}
+
+TEST(Knobs, AcceptTheEndsOfTheirRange) {
+    Wall wall;
+    for (const char* end : {"-0.5", "2"}) EXPECT_NO_THROW(set_knob(wall, "scale", end)) << end;
+    for (const char* end : {"1", "256"}) EXPECT_NO_THROW(set_knob(wall, "steps", end)) << end;
+}
+
+TEST(Knobs, AcceptTheEndsAsShownDespiteFloatRounding) {
+    Wall wall;  // 0.1f is a little more than 0.1, 0.7f a little less than 0.7
+    for (const auto& [text, end] : {std::pair("0.1", 0.1f), {"0.7", 0.7f}}) {
+        EXPECT_NO_THROW(set_knob(wall, "strength", text)) << text;
+        EXPECT_EQ(wall.strength, end);
+    }
+}
+
+TEST(Knobs, RefuseValuesOutOfRangeAndInvalidNumbers) {
+    for (const char* value : {"-0.51", "2.01", "1e9", "nan", "inf", "-inf", "", "x", "1x", " 1", "0,5"})
+        EXPECT_EQ(refusal("scale", value), std::string("knob scale takes -0.5 to 2, not '") + value + "'");
+    for (const char* value : {"0", "257", "-1", "3.5", "1e2", "nan", "", "many", "99999999999"})
+        EXPECT_EQ(refusal("steps", value),
+                  std::string("knob steps takes whole numbers from 1 to 256, not '") + value + "'");
+    for (const char* value : {"", "2", "yes", "On", "onn"})
+        EXPECT_EQ(refusal("shadows", value), std::string("knob shadows takes on or off, not '") + value + "'");
+}
+
+TEST(Knobs, SuggestTheNearestNameAndChoice) {
+    EXPECT_EQ(refusal("stpes", "3"),
+              "unknown knob 'stpes': did you mean 'steps'? There are: scale, strength, steps, shadows, method");
+    EXPECT_EQ(refusal("method", "secnat"),
+              "unknown value of knob method, 'secnat': did you mean 'secant'? There are: linear, secant, cone");
+    EXPECT_TRUE(contains(refusal("method", "2"), "linear, secant, cone")) << "a choice goes by name";
+    EXPECT_TRUE(contains(refusal("", "1"), "unknown knob ''"));
+}
+
+TEST(Knobs, MayBeMissing) {
+    Bare bare;
+    EXPECT_TRUE(describe_knobs(bare).empty());
+    EXPECT_EQ(message_of<UsageError>([&] { set_knob(bare, "steps", "1"); }),
+              "unknown knob 'steps'; there is no knob here");
+}
+
+/// Accepts pictures that are one pixel wide.
+class Canvas final : public Lab {
+public:
+    int map = 1;
+    OwnPicture own{[](Image picture) {
+        if (picture.width != 1) throw Error("is wider than a pixel");
+        return picture;
+    }};
+
+    void draw(const Frame&) override {}
+    void knobs(Knobs& knobs) override {
+        static constexpr std::array maps = {"bricks", "stones"};
+        knobs.choice_or_picture("map", map, own, maps, "the height map");
+    }
+};
+
+TEST(Knobs, TakeAPictureBesideTheNamesOfAChoice) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "mine.pfm", wide = folder.path() / "wide.pfm";
+    write_image(file, Image(1, 1, 1));
+    write_image(wide, Image(2, 1, 1));
+    Canvas canvas;
+    EXPECT_EQ(describe_knobs(canvas)[0].range, "bricks, stones");
+    EXPECT_EQ(describe_knobs(canvas)[0].help, "the height map, or a picture's file");
+
+    set_knob(canvas, "map", file.string());
+    EXPECT_EQ(canvas.map, 2);
+    EXPECT_EQ(describe_knobs(canvas)[0].value, file.string()) << "as --set takes it";
+
+    // A rejected value changes nothing, and the message says which values are accepted.
+    EXPECT_EQ(message_of<Error>([&] { set_knob(canvas, "map", wide.string()); }),
+              wide.string() + ": is wider than a pixel");
+    EXPECT_THROW(set_knob(canvas, "map", (folder.path() / "missing.png").string()), Error);
+    EXPECT_EQ(
+        message_of<UsageError>([&] { set_knob(canvas, "map", "brick"); }),
+        "unknown value of knob map, 'brick': did you mean 'bricks'? There are: bricks, stones, or a picture's file");
+    EXPECT_EQ(canvas.own.file(), file);
+    EXPECT_EQ(canvas.own.version(), 1);
+
+    set_knob(canvas, "map", "bricks");
+    EXPECT_EQ(canvas.map, 0);
+    EXPECT_EQ(set_picture(canvas, file), "map");
+    EXPECT_EQ(canvas.map, 2);
+    Wall wall;
+    EXPECT_EQ(set_picture(wall, file), "") << "has no knob for it";
+}
+
+}  // namespace
+}  // namespace relief

@@ -1,0 +1,595 @@
+// The other commands, and their messages for a course with missing or damaged files.
+#include <OpenImageIO/oiioversion.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "framework/core/image/compare.h"
+#include "framework/core/image/file.h"
+#include "framework/core/lab/manifest.h"
+#include "tests/browser.h"
+#include "tests/course/app/course_copy.h"
+
+namespace relief::app {
+namespace {
+
+int lines(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
+
+const Circumstances no_display{{}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}};
+
+int count(const std::string& text, const std::string& part) {
+    int number = 0;
+    for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++number;
+    return number;
+}
+
+/// One copy for all tests of a program. Each test undoes its changes, or works on its own files.
+class CourseTest : public testing::Test {
+protected:
+    static void SetUpTestSuite() { course_ = std::make_unique<CourseCopy>(); }
+    static void TearDownTestSuite() { course_.reset(); }
+    static const CourseCopy& course() { return *course_; }
+
+    static Result small_shot(std::vector<std::string> more = {}) {
+        std::vector<std::string> arguments = {"shot", "1", "--size", "64x48", "-o", "shot.png"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return course().relief(arguments);
+    }
+    /// Expects exit code 1, one line with this text, and no picture.
+    static void expect_failure(const Result& result, const std::string& text) {
+        EXPECT_EQ(result.code, 1);
+        EXPECT_TRUE(contains(result.err, text)) << result.err;
+        EXPECT_EQ(lines(result.err), 1) << result.err;
+        EXPECT_FALSE(std::filesystem::exists(course().path() / "shot.png"));
+    }
+
+private:
+    static inline std::unique_ptr<CourseCopy> course_;
+};
+
+/// Restores a file in its destructor.
+class Restore {
+public:
+    Restore(const CourseCopy& course, const char* file)
+        : course_(course), file_(file), old_(read_all(course.path() / file)) {}
+    ~Restore() { course_.overwrite(file_, old_); }
+    Restore(const Restore&) = delete;
+    Restore& operator=(const Restore&) = delete;
+
+private:
+    const CourseCopy& course_;
+    std::string file_, old_;
+};
+
+TEST_F(CourseTest, WorksInAFolderWithASpaceFromAnyWorkingDirectory) {
+    const Result result =
+        run({course().path() / "bin" / "relief", "shot", "1", "--size", "64x48", "-o", course().path() / "here.png"},
+            {"/", {}});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(std::filesystem::exists(course().path() / "here.png"));
+}
+
+TEST_F(CourseTest, ALabsOwnExecutableKnowsItsLab) {
+    const Result result =
+        run({course().path() / "bin" / "lab-01", "shot", "--size", "64x48", "-o", "own.png"}, {course().path(), {}});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(small_shot().code, 0);
+    EXPECT_EQ(read_all(course().path() / "own.png"), read_all(course().path() / "shot.png"));
+    std::filesystem::remove(course().path() / "shot.png");
+}
+
+TEST_F(CourseTest, AShaderThatDoesNotCompileNamesItsFileAndLine) {
+    const char* file = "shaders/common/light.glsl";
+    const Restore restore(course(), file);
+    course().edit(file, "float facing = max", "float facing = mox");
+    const std::string text = read_all(course().path() / file);
+    const auto line = std::count(text.begin(), text.begin() + std::ptrdiff_t(text.find("mox")), '\n') + 1;
+    const std::string place = std::string(file) + ":" + std::to_string(line) + ": error:";
+    const Result result = small_shot();
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(result.err.starts_with("relief: " + place)) << result.err;
+    EXPECT_TRUE(contains(result.err, "float facing = mox")) << "the whole line: " << result.err;
+    EXPECT_TRUE(contains(result.err, "^\n")) << "the place in the line: " << result.err;
+}
+
+TEST_F(CourseTest, AMissingIncludeSuggestsTheNearest) {
+    const char* file = "shaders/01_specular_highlights/surface.frag";
+    const Restore restore(course(), file);
+    course().edit(file, "common/light.glsl", "common/lihgt.glsl");
+    expect_failure(small_shot(), "did you mean \"common/light.glsl\"?");
+}
+
+TEST_F(CourseTest, AMissingShaderIsNamed) {
+    const char* file = "shaders/01_specular_highlights/surface.vert";
+    const Restore restore(course(), file);
+    std::filesystem::remove(course().path() / file);
+    expect_failure(small_shot(), std::string(file) + ": cannot read: No such file");
+}
+
+TEST_F(CourseTest, AMissingTextureIsNamed) {
+    const Restore restore(course(), "assets/bricks_albedo.png");
+    std::filesystem::remove(course().path() / "assets/bricks_albedo.png");
+    expect_failure(small_shot(), "assets/bricks_albedo.png: cannot read: No such file");
+}
+
+TEST_F(CourseTest, ADamagedTextureIsNamed) {
+    const char* file = "assets/bricks_normal.png";
+    const Restore restore(course(), file);
+    const std::string whole = read_all(course().path() / file);
+    for (const std::string& broken : {std::string(), std::string("not a picture"), whole.substr(0, whole.size() / 2)}) {
+        course().overwrite(file, broken);
+        expect_failure(small_shot(), std::string(file) + ": ");
+    }
+}
+
+TEST_F(CourseTest, ADamagedManifestNamesItsLine) {
+    const char* file = "labs/01_specular_highlights/lab.toml";
+    const Restore restore(course(), file);
+    course().edit(file, "camera =", "camrea =");
+    const std::string text = read_all(course().path() / file);
+    const auto line = std::count(text.begin(), text.begin() + std::ptrdiff_t(text.find("camrea")), '\n') + 1;
+    expect_failure(small_shot(), std::string(file) + ":" + std::to_string(line) + ": unknown key");
+    const Result list = course().relief({"list"});
+    EXPECT_EQ(list.code, 1);
+    EXPECT_TRUE(contains(list.err, "did you mean 'camera'?")) << list.err;
+}
+
+TEST_F(CourseTest, AMissingManifestIsNamed) {
+    const char* file = "labs/01_specular_highlights/lab.toml";
+    const Restore restore(course(), file);
+    std::filesystem::remove(course().path() / file);
+    expect_failure(small_shot(), std::string(file) + ": cannot read: No such file");
+}
+
+/// A folder of empty files in place of libraries: the linker finds them first and cannot open them.
+Circumstances without_libraries(const TemporaryFolder& folder, const std::vector<std::string>& names) {
+    for (const std::string& name : names) folder.write(name, "");
+    return {{}, {{"LD_LIBRARY_PATH", folder.path().string()}}};
+}
+const std::vector<std::string> osmesa = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+const std::vector<std::string> egl = {"libEGL.so.1", "libEGL.so"};
+const std::string openimageio = fmt::format("libOpenImageIO.so.{}.{}", OIIO_VERSION_MAJOR, OIIO_VERSION_MINOR);
+
+TEST_F(CourseTest, WithoutOsmesaTheRunSaysWhichPackageAndTakesEgl) {
+    const TemporaryFolder libraries;
+    const Result result =
+        course().relief({"shot", "1", "--size", "64x48", "-o", "egl.png"}, without_libraries(libraries, osmesa));
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.err, "install the Debian package libosmesa6")) << result.err;
+    EXPECT_TRUE(contains(result.err, "trying egl")) << result.err;
+    EXPECT_EQ(lines(result.err), 1);
+    EXPECT_TRUE(std::filesystem::exists(course().path() / "egl.png"));
+}
+
+TEST_F(CourseTest, WithoutAnyContextEveryPackageIsNamed) {
+    const TemporaryFolder libraries;
+    without_libraries(libraries, osmesa);
+    const Result result = course().relief({"shot", "1", "-o", "shot.png"}, without_libraries(libraries, egl));
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "libosmesa6")) << result.err;
+    EXPECT_TRUE(contains(result.err, "libegl1")) << result.err;
+    EXPECT_EQ(lines(result.err), 2);
+}
+
+TEST_F(CourseTest, AnExplicitContextThatIsMissingFails) {
+    const TemporaryFolder libraries;
+    const Result result =
+        course().relief({"shot", "1", "--context", "osmesa", "-o", "shot.png"}, without_libraries(libraries, osmesa));
+    expect_failure(result, "no osmesa context: install the Debian package libosmesa6");
+    expect_failure(course().relief({"shot", "1", "--context", "window", "-o", "shot.png"}, no_display),
+                   "there is no display");
+}
+
+TEST_F(CourseTest, AnOldDriverIsReportedWithItsVersionAndTheVariablesThatChoseIt) {
+    for (const std::string context : {"osmesa", "egl"}) {
+        const Result result = course().relief({"shot", "1", "--context", context, "-o", "shot.png"},
+                                              {{}, {{"GALLIUM_DRIVER", "softpipe"}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}});
+        expect_failure(result, "no " + context + " context: the driver is softpipe, which has OpenGL 3.3 ");
+        EXPECT_TRUE(contains(result.err, "and no 4.1 core (GALLIUM_DRIVER=softpipe, LIBGL_ALWAYS_SOFTWARE=1 is set)"))
+            << result.err;
+        EXPECT_FALSE(contains(result.err, "Debian package")) << result.err;
+    }
+}
+
+TEST_F(CourseTest, AMissingDriverIsReportedWithoutACrash) {
+    const Result result =
+        course().relief({"shot", "1", "-o", "shot.png"}, {{}, {{"GALLIUM_DRIVER", "zonk"}, {"DISPLAY", ""}}});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err,
+                         "no osmesa context: OSMesa crashes, as it does where it lacks the driver that is "
+                         "asked for (GALLIUM_DRIVER=zonk is set); trying egl\n"))
+        << result.err;
+    EXPECT_TRUE(contains(result.err,
+                         "no egl context: EGL finds no driver that draws without a surface "
+                         "(GALLIUM_DRIVER=zonk is set)\n"))
+        << result.err;
+    EXPECT_FALSE(contains(result.err, "Debian package")) << result.err;
+}
+
+TEST_F(CourseTest, InfoContinuesAfterADriverCrashes) {
+    // A driver that aborts the process as soon as it is loaded.
+    const TemporaryFolder libraries;
+    libraries.write("crash.c",
+                    "#include <stdlib.h>\n__attribute__((constructor)) static void crash(void) { abort(); }\n");
+    ASSERT_EQ(run({"cc", "-shared", "-fPIC", "-o", (libraries.path() / "libOSMesa.so.8").string(),
+                   (libraries.path() / "crash.c").string()})
+                  .code,
+              0);
+    const Result result = course().relief(
+        {"info"}, {{}, {{"LD_LIBRARY_PATH", libraries.path().string()}, {"GALLIUM_DRIVER", "llvmpipe"}}});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_TRUE(contains(result.out, "osmesa   missing: its driver crashes, Aborted (GALLIUM_DRIVER=llvmpipe is set)"))
+        << result.out;
+    EXPECT_TRUE(contains(result.out, "egl      OpenGL 4.")) << result.out;
+    EXPECT_TRUE(contains(result.out, "built    by ")) << result.out;
+}
+
+TEST_F(CourseTest, AHeadlessRunNeedsNoWindowLibraryAndOpenImageIoOnlyForExr) {
+    const TemporaryFolder libraries;
+    const auto where = without_libraries(libraries, {"libglfw.so.3", openimageio, "libGL.so.1"});
+    EXPECT_EQ(course().relief({"list"}, where).code, 0);
+    EXPECT_EQ(course().relief({"shot", "1", "--size", "64x48", "-o", "drawn.png"}, where).code, 0);
+    const Result result = course().relief({"shot", "1", "--size", "64x48", "-o", "shot.exr"}, where);
+    expect_failure(result, "install the Debian package libopenimageio-dev");
+}
+
+TEST_F(CourseTest, InfoReportsAllThreeContexts) {
+    const Result result = course().relief({"info"}, no_display);
+    EXPECT_EQ(result.code, 0) << result.err;
+    for (const char* part :
+         {"osmesa   OpenGL 4.", "egl      OpenGL 4.", "window   missing: no window context: there is no display",
+          "llvmpipe", "tessellation level 64", "OpenImageIO 2.", "GLFW 3."})
+        EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
+}
+
+TEST_F(CourseTest, ListIsReadByPeopleAndByScripts) {
+    EXPECT_TRUE(contains(course().relief({"list"}).out, "01  specular_highlights      Specular highlights"));
+    const std::string json = course().relief({"list", "--json"}).out;
+    EXPECT_TRUE(json.starts_with("[")) << json;
+    EXPECT_TRUE(contains(json, "\"number\": 1,")) << json;
+}
+
+TEST_F(CourseTest, AGalleryReportsABrokenLabAndContinues) {
+    const char* file = "shaders/01_specular_highlights/surface.frag";
+    const Restore restore(course(), file);
+    course().overwrite(file, "#version 410 core\nnonsense\n");
+    const Result result = course().relief({"gallery", "--labs", "1,2", "-o", "pages"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, std::string(file) + ":2:")) << result.err;
+    const std::filesystem::path pages = course().path() / "pages";
+    EXPECT_TRUE(contains(read_all(pages / "index.html"), "surface.frag:2:"));
+    EXPECT_FALSE(contains(read_all(pages / "index.html"), "01_specular_highlights.html"));
+    EXPECT_TRUE(contains(read_all(pages / "index.html"), "02_normal_map_storage.html"));
+    EXPECT_TRUE(std::filesystem::exists(pages / "02_normal_map_storage.html"));
+}
+
+TEST_F(CourseTest, AGallerysTextIsEscaped) {
+    const char* file = "labs/01_specular_highlights/lab.toml";
+    const Restore restore(course(), file);
+    course().edit(file, "Specular highlights", "Light & <b>shade</b>");
+    EXPECT_EQ(course().relief({"gallery", "--labs", "1", "-o", "escaped"}).code, 0);
+    for (const char* page : {"index.html", "01_specular_highlights.html", "01_specular_highlights-handout.html"}) {
+        const std::string text = read_all(course().path() / "escaped" / page);
+        EXPECT_TRUE(contains(text, "Light &amp; &lt;b&gt;shade&lt;/b&gt;")) << text;
+        EXPECT_FALSE(contains(text, "<b>shade")) << page;
+    }
+}
+
+TEST_F(CourseTest, AClosedOrFullOutputFailsWithoutACrash) {
+    const std::string relief = course().path() / "bin" / "relief";
+    const auto shell = [&](const std::string& line) { return run({"bash", "-c", line, relief}).code; };
+    EXPECT_EQ(shell("\"$0\" shot nope 2>&-"), 2);
+    EXPECT_EQ(shell("\"$0\" shot nope 2>/dev/full"), 2);
+    EXPECT_EQ(shell("\"$0\" list --json >/dev/full"), 1);
+    EXPECT_EQ(shell("\"$0\" list >&-"), 1);
+}
+
+TEST_F(CourseTest, AnEmptyArgumentIsAnError) {
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{"golden", ""},
+                                                                                           {"shot", ""},
+                                                                                           {"shot", "1", "--size", ""},
+                                                                                           {"shot", "1", "-o", ""},
+                                                                                           {"gallery", "-o", ""}}) {
+        const Result result = course().relief(arguments);
+        EXPECT_EQ(result.code, 2) << arguments[0] << ": " << result.out << result.err;
+        EXPECT_EQ(lines(result.err), 1) << result.err;
+    }
+}
+
+TEST_F(CourseTest, AnUnwritableGalleryFolderIsAnError) {
+    const Result result = course().relief({"gallery", "-o", "/proc/gallery"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "/proc/gallery: cannot make this folder")) << result.err;
+}
+
+TEST_F(CourseTest, CommandsAndOptionsAreSuggested) {
+    const Result command = course().relief({"shto"}), option = course().relief({"list", "--jsn"});
+    EXPECT_EQ(command.code, 2);
+    EXPECT_TRUE(contains(command.err, "did you mean 'shot'?")) << command.err;
+    EXPECT_EQ(option.code, 2);
+    EXPECT_TRUE(contains(option.err, "did you mean '--json'?")) << option.err;
+    EXPECT_EQ(course().relief({"run", "1"}, no_display).code, 1);
+    EXPECT_EQ(course().relief({"shot"}).code, 2);
+}
+
+TEST_F(CourseTest, HelpShowsALabsKnobsAndProbes) {
+    const Result result = course().relief({"shot", "1", "--help"});
+    EXPECT_EQ(result.code, 0);
+    for (const char* part : {"--size WxH", "shininess", "2 to 256", "vertex-normal, normal-map", "unit: texel"})
+        EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
+}
+
+TEST_F(CourseTest, AProbeReportsAnUnwrittenTaskAndOtherChecksStillRun) {
+    const std::string file = "shaders/02_normal_map_storage/task.glsl", before = read_all(course().path() / file);
+    const auto probe = [](const char* kind, const char* output) {
+        return course().relief({"shot", "2", kind, "normal", "--size", "64x48", "-o", output});
+    };
+    EXPECT_EQ(probe("--probe", "written.pfm").err, "");
+    course().edit(file, "code / 255.0 * 2.0 - 1.0", "unfinished(code)");
+    const Result shown = probe("--probe", "missing.pfm");
+    EXPECT_EQ(shown.code, 0);
+    EXPECT_TRUE(contains(shown.err, "pixels come from a task that is not written yet")) << shown.err;
+    const Image missing = read_image(course().path() / "missing.pfm"),
+                right = read_image(course().path() / "written.pfm");
+    const auto count = [](const Image& image, auto is) {
+        return std::count_if(image.values.begin(), image.values.end(), is);
+    };
+    const auto numbers = count(right, [](float value) { return std::isfinite(value); });
+    const auto told = count(missing, [](float value) { return value == not_written; });
+    EXPECT_GT(told, 300);
+    EXPECT_EQ(count(missing, [](float value) { return std::isfinite(value); }) + told, numbers);
+    const Result error = probe("--error", "error.png");
+    EXPECT_EQ(error.code, 0);
+    EXPECT_TRUE(contains(error.err, "not written yet"));
+    const Result checked = course().relief({"check", "2"});
+    EXPECT_FALSE(contains(checked.out, "come from a task")) << checked.out;
+    EXPECT_TRUE(contains(checked.out, "unfinished")) << checked.out;
+    course().overwrite(file, before);
+}
+
+TEST_F(CourseTest, CheckReportsTheErrorTheLimitAndAHint) {
+    const Result right = course().relief({"check", "2"});
+    EXPECT_EQ(right.code, 0) << right.out << right.err;
+    EXPECT_TRUE(contains(right.out, "11 of 11 points")) << right.out;
+    const std::string file = "shaders/02_normal_map_storage/task.glsl", before = read_all(course().path() / file);
+    course().edit(file, "code / 255.0 * 2.0 - 1.0", "code / 255.0");
+    const Result wrong = course().relief({"check", "storage"});
+    EXPECT_EQ(wrong.code, 1);
+    for (const char* part :
+         {"2.1  Store a normal in three bytes: 1 of 3 points (shaders/02_normal_map_storage/task.glsl)",
+          "wrong       three bytes and back: mean ", "(at most 0.27)", "why this limit: rounding to 8 bits costs",
+          "look at: The code 0 means -1, not 0: every normal leans towards (1, 1, 1).\n"})
+        EXPECT_TRUE(contains(wrong.out, part)) << part << "\n" << wrong.out;
+    EXPECT_EQ(count(wrong.out, "The code 0 means -1"), 1) << "a hint is said once: " << wrong.out;
+    // The pixel reported as the worst must be wrong.
+    const std::string begin = "the worst pixel: ./relief explain 02 --check 'three bytes and back' --pixel ";
+    const size_t at = wrong.out.find(begin);
+    ASSERT_NE(at, std::string::npos) << wrong.out;
+    const std::string pixel = wrong.out.substr(at + begin.size(), wrong.out.find('\n', at) - at - begin.size());
+    const Result there =
+        course().relief({"explain", "02", "--check", "three bytes and back", "--pixel", pixel, "--json"});
+    ASSERT_EQ(there.code, 0) << pixel << there.err;
+    const auto report = nlohmann::json::parse(there.out);
+    double off = 0;
+    for (size_t i = 0; i < 3; ++i)
+        off = std::max(off, std::abs(double(report["value"][i]) - double(report["expected"][i])));
+    EXPECT_GT(off, 0.3) << there.out;
+    const std::string manifest = "labs/02_normal_map_storage/lab.toml";
+    course().edit(manifest, "decode_unorm8 undoes f", "`decode_unorm8` undoes f");
+    course().edit(file, "code / 255.0", "code / 254.0 * 2.0 - 1.0");
+    const Result unknown = course().relief({"check", "storage"});
+    EXPECT_TRUE(contains(unknown.out, "look at: decode_unorm8 undoes f"))
+        << "no mistake that is known, and no backticks: " << unknown.out;
+    course().edit(manifest, "`decode_unorm8` undoes f", "decode_unorm8 undoes f");
+    course().edit(file, "code / 254.0 * 2.0 - 1.0", "code / 255.0");
+    course().edit(file, "code / 255.0", "cde / 255.0");
+    const Result broken = course().relief({"check", "2"});
+    EXPECT_EQ(broken.code, 1);
+    EXPECT_TRUE(contains(broken.out, "broken ") && contains(broken.out, "task.glsl:") && contains(broken.out, "cde") &&
+                count(broken.out, "a missing ; stands at the end of the line before") == 1 &&
+                contains(broken.out, "cde / 255.0") && contains(broken.out, "^\n"))
+        << broken.out;
+    course().overwrite(file, "");
+    EXPECT_EQ(course().relief({"check", "2"}).code, 1) << "an emptied file is a failed check, and no crash";
+    course().overwrite(file, before);
+}
+
+std::string from_base64(const std::string& text) {
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        if (c == '=') break;
+        bits = bits << 6 | uint32_t(letters.find(c));
+        if ((count += 6) >= 8) bytes += char(bits >> (count -= 8) & 255);
+    }
+    return bytes;
+}
+
+/// Returns the text between two words after `from`, and moves `from` past it; "" and npos if there is none.
+std::string between(const std::string& text, const std::string& begin, const std::string& end, size_t& from) {
+    const size_t at = text.find(begin, from);
+    if (at == std::string::npos) return from = at, "";
+    from = text.find(end, at + begin.size());
+    return text.substr(at + begin.size(), from - at - begin.size());
+}
+
+/// Returns the pictures of a check's page, by their alternative texts.
+std::map<std::string, Image> pictures_of(const std::string& page) {
+    std::map<std::string, Image> pictures;
+    for (size_t at = 0;;) {
+        const std::string bytes = from_base64(between(page, "<img src=\"data:image/png;base64,", "\"", at));
+        if (at == std::string::npos) return pictures;
+        pictures[between(page, "alt=\"", "\"", at)] = decode_image(bytes);
+    }
+}
+
+TEST_F(CourseTest, TheCheckPageIsSelfContained) {
+    const std::string file = "shaders/02_normal_map_storage/task.glsl",
+                      manifest = "labs/02_normal_map_storage/lab.toml";
+    const Restore task(course(), file.c_str()), names(course(), manifest.c_str());
+    course().edit(file, "code / 255.0 * 2.0 - 1.0", "code / 255.0");
+    course().edit(manifest, "name = \"three bytes and back\"\nshot = { ",
+                  "name = \"'a' </script> & \\\"b\\\"\"\nshot = { camera = { target = [0.5, 0, 0] }, ");
+    const Result result = course().relief({"check", "2", "-o", "a page/of checks.html"}, no_display);
+    EXPECT_EQ(result.code, 1) << "the exit code is that of the checks";
+    EXPECT_TRUE(contains(result.err, "the page: " + (course().path() / "a page/of checks.html").string()))
+        << result.err;
+    const std::string page = read_all(course().path() / "a page/of checks.html");
+
+    size_t checks = 0;
+    for (const CheckInfo& check : load_manifest(course().path() / manifest).checks) {
+        EXPECT_TRUE(contains(check.name, "<") || contains(page, "<h3>" + check.name + "</h3>")) << check.name;
+        ++checks;
+    }
+    const std::string escaped = "&#39;a&#39; &lt;/script&gt; &amp; &quot;b&quot;";
+    EXPECT_TRUE(contains(page, "<h3>" + escaped + "</h3>"));
+    EXPECT_FALSE(contains(page, "'a' <"));
+    for (const char* part : {"8 of 11 points", "(at most 0.27)", "rounding to 8 bits costs", "decode_unorm8 undoes f",
+                             "degrees and more", "./relief shot 02 --check &#39;paired bytes&#39; -o mine.png"})
+        EXPECT_TRUE(contains(page, part)) << part;
+    for (const char* outside : {"http:", "https:", "src=\"/", "@import", "url("})
+        EXPECT_FALSE(contains(page, outside)) << outside;
+
+    const std::map<std::string, Image> pictures = pictures_of(page);
+    EXPECT_EQ(pictures.size(), 3 * checks) << "each has words of its own";
+    const auto of_it = [&](const std::string& words) {
+        for (const auto& [alt, picture] : pictures)
+            if (alt.starts_with(words) && alt.ends_with(": " + escaped)) return picture;
+        ADD_FAILURE() << "no picture '" << words << "'";
+        return Image(1, 1, 3);
+    };
+    const Image yours = of_it("What your normal is"), expected = of_it("What is expected");
+    EXPECT_EQ(yours.width, 128);
+    EXPECT_GT(difference(yours, expected, 0.1).pixels_over, 1000u) << "a mistake is seen";
+}
+
+TEST_F(CourseTest, TheCheckPageHasAWipeForEachPicture) {
+    ASSERT_EQ(course().relief({"check", "2", "-o", "wiped.html"}, no_display).code, 0);
+    Browser browser;
+    browser.open(course().path() / "wiped.html");
+    const size_t checks = load_manifest(course().path() / "labs/02_normal_map_storage/lab.toml").checks.size();
+    EXPECT_EQ(browser.eval("document.querySelectorAll('.laid').length"), checks);
+    EXPECT_EQ(browser.eval("document.querySelectorAll('.wipe').length"), checks);
+    std::set<std::string> names;
+    browser.eval("document.querySelectorAll('details').forEach(check => check.open = true)");
+    for (const Browser::Control& control : browser.controls()) {
+        EXPECT_NE(control.name, "") << control.role;
+        if (control.role == "slider") names.insert(control.name);
+    }
+    EXPECT_EQ(names.size(), checks) << "each says what it wipes";
+    EXPECT_TRUE(names.contains("wipe to the expected picture: three bytes and back"));
+    ASSERT_TRUE(browser.tab_to(".wipe input"));
+    browser.press("ArrowRight", 3);
+    EXPECT_EQ(browser.eval("getComputedStyle(document.querySelector('.laid img + img')).clipPath"),
+              "inset(0px 97% 0px 0px)");
+    EXPECT_EQ(browser.complaints(), std::vector<std::string>{});
+    EXPECT_EQ(browser.accessibility_faults(), std::vector<std::string>{});
+}
+
+TEST_F(CourseTest, TheCheckPageShowsTheExpectedPictureOrTheCompilerMessage) {
+    const std::string file = "shaders/02_normal_map_storage/task.glsl";
+    const Restore task(course(), file.c_str());
+    course().edit(file, "code / 255.0 * 2.0 - 1.0", "unfinished(code)");
+    EXPECT_EQ(course().relief({"check", "2", "-o", "open.html"}).code, 1);
+    const std::string unfinished = read_all(course().path() / "open.html");
+    EXPECT_TRUE(contains(unfinished, "not written yet"));
+    EXPECT_TRUE(contains(unfinished, "What is expected of the check: three bytes and back"));
+    EXPECT_FALSE(contains(unfinished, "for the check: three bytes and back"));
+    course().edit(file, "unfinished(code)", "<cde>");
+    EXPECT_EQ(course().relief({"check", "2", "-o", "broken.html"}).code, 1);
+    const std::string broken = read_all(course().path() / "broken.html");
+    EXPECT_EQ(count(broken, "a missing ; stands at the end of the line before"), 1) << "in the task with the line only";
+    EXPECT_TRUE(contains(broken, "waits for task 2.1"));
+    EXPECT_TRUE(contains(broken, "<dt>message</dt><dd>" + file)) << "with its place";
+}
+
+TEST_F(CourseTest, ThePageOpensInABrowserWhereThereIsADisplay) {
+    const std::filesystem::path page = course().path() / "build/check/01_specular_highlights.html";
+    const Result without = course().relief({"check", "1", "--open"}, no_display);
+    EXPECT_EQ(without.code, 0);
+    EXPECT_TRUE(contains(without.err, "open it yourself: " + page.string())) << without.err;
+    EXPECT_TRUE(std::filesystem::exists(page));
+
+    const TemporaryFolder browser;
+    std::filesystem::permissions(browser.write("xdg-open",
+                                               "#!/bin/sh\nprintf %s \"$1\" >\"$OPENED.part\"; mv \"$OPENED.part\" "
+                                               "\"$OPENED\"; sleep 5; : >\"$OPENED.closed\"\n"),
+                                 std::filesystem::perms::owner_all);
+    const std::filesystem::path opened = browser.path() / "opened";
+    const Result with =
+        course().relief({"check", "1", "--open"}, {{},
+                                                   {{"DISPLAY", ":99"},
+                                                    {"OPENED", opened.string()},
+                                                    {"PATH", browser.path().string() + ":" + std::getenv("PATH")}}});
+    EXPECT_EQ(with.code, 0);
+    EXPECT_FALSE(std::filesystem::exists(opened.string() + ".closed")) << "a browser is not waited for";
+    EXPECT_FALSE(contains(with.err, "yourself")) << with.err;
+    for (int i = 0; i < 500 && !std::filesystem::exists(opened); ++i) usleep(10000);
+    EXPECT_EQ(read_all(opened), page.string());
+}
+
+TEST_F(CourseTest, AReplacedAssetIsDrawnWithoutARebuild) {
+    const auto picture = [](const char* name) {
+        EXPECT_EQ(course().relief({"shot", "1", "--size", "64x48", "-o", name}).code, 0);
+        return read_all(course().path() / name);
+    };
+    const std::string usual = picture("usual.ppm");
+    {
+        const Restore restore(course(), "assets/bricks_albedo.png");
+        course().overwrite("assets/bricks_albedo.png", read_all(course().path() / "assets/paving_albedo.png"));
+        const std::string other = picture("other.ppm");
+        EXPECT_NE(other, usual);
+        const Restore textures(course(), "bin/textures/bricks_albedo.png.texels");
+        std::filesystem::remove(course().path() / "bin/textures/bricks_albedo.png.texels");
+        EXPECT_EQ(picture("plain.ppm"), other);
+    }
+    EXPECT_EQ(picture("again.ppm"), usual);
+}
+
+TEST_F(CourseTest, ABrokenOrMissingConvertedTextureIsReadFromTheOriginal) {
+    const char* const file = "bin/textures/bricks_normal.png.texels";
+    const Restore restore(course(), file);
+    const std::string good = read_all(course().path() / file);
+    const auto picture = [](const char* output) {
+        const Result result = course().relief({"shot", "1", "--size", "64x48", "-o", output});
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_EQ(result.err, "");
+        return read_all(course().path() / output);
+    };
+    const std::string usual = picture("usual.ppm");
+    for (const std::string& bad : {std::string(), good.substr(0, good.size() / 2), std::string(good.size(), '\0')}) {
+        course().overwrite(file, bad);
+        EXPECT_EQ(picture("broken.ppm"), usual) << bad.size() << " bytes";
+    }
+    std::filesystem::remove(course().path() / file);
+    EXPECT_EQ(picture("gone.ppm"), usual);
+}
+
+TEST_F(CourseTest, APageIsNamedLikeOne) {
+    const Result result = course().relief({"check", "1", "-o", "page.png"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.err, "like checks.html, not 'page.png'")) << result.err;
+}
+
+TEST_F(CourseTest, CheckSuggestsTheLabThatWasMeant) {
+    const Result result = course().relief({"check", "tangent_bsis"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.err, "did you mean")) << result.err;
+}
+
+TEST_F(CourseTest, NoHelpShowsHowItsOptionsAreWritten) {
+    for (const char* command : {"list", "info", "run", "shot", "gallery", "check", "golden", "new-lab", "bench",
+                                "handout", "grade", "slides", "mistakes", "inspect", "synctest", "explain"}) {
+        const Result result = course().relief({command, "--help"});
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_FALSE(contains(result.out, "{") || contains(result.out, "!-")) << result.out;
+    }
+}
+
+}  // namespace
+}  // namespace relief::app

@@ -1,0 +1,126 @@
+// relief inspect from the command line.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "framework/core/height/maps.h"
+#include "framework/core/image/file.h"
+#include "framework/staff/reference/normals.h"
+#include "tests/course/app/course_copy.h"
+
+namespace relief::app {
+namespace {
+
+const std::string assets = std::string(RELIEF_SOURCE_FOLDER) + "/assets/";
+
+class InspectCommand : public testing::Test {
+protected:
+    TemporaryFolder folder_;
+
+    Result inspect(std::vector<std::string> more) const {
+        more.insert(more.begin(), {relief_program(), "inspect"});
+        return run(more, {folder_.path(), {}});
+    }
+    /// Expects one line on standard error with these words, and nothing on standard output.
+    void expect_refused(const std::vector<std::string>& arguments, int code, const std::string& words) const {
+        const Result result = inspect(arguments);
+        EXPECT_EQ(result.code, code) << result.err;
+        EXPECT_TRUE(contains(result.err, words)) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        EXPECT_EQ(result.out, "");
+    }
+    void write(const char* name, const Image& image) const { write_image(folder_.path() / name, image); }
+};
+
+Image stones(int bits, bool green_down = false) {
+    NormalOptions options;
+    options.texels_u = options.texels_v = 16;
+    Image map = normals_from_heights(make_height_map(HeightMap::stones, 128), options);
+    map.bits = bits;
+    if (green_down)
+        for (size_t i = 1; i < map.values.size(); i += 3) map.values[i] = 1 - map.values[i];
+    return map;
+}
+
+TEST_F(InspectCommand, FindsNoFaultInTheCoursesMapsAndTheirHeights) {
+    const Result result = inspect({assets + "paving_normal.png", assets + "paving_height.png"});
+    EXPECT_EQ(result.code, 0) << result.out << result.err;
+    EXPECT_EQ(result.err, "");
+    for (const char* part :
+         {"paving_normal.png: 1024 x 1024 texels, 3 channels of 8 bits\n", "tangent space",
+          "linear: ", "unit: ", "127.5: ", "up: ", "none: ", "agree: ", "a height of 1 is 12 texels", "\nno faults\n"})
+        EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
+}
+
+TEST_F(InspectCommand, AFaultIsNamedAndIsTheExitCode) {
+    for (const char* name : {"down.png", "down.exr"}) {
+        write(name, stones(std::string(name) == "down.png" ? 16 : 32, true));
+        const Result result = inspect({name});
+        EXPECT_EQ(result.code, 1);
+        EXPECT_TRUE(contains(result.out, "  fault  green      down: ")) << result.out;
+        EXPECT_TRUE(contains(result.out, "\n1 fault\n")) << result.out;
+        EXPECT_EQ(result.err, "");
+    }
+}
+
+TEST_F(InspectCommand, ScriptsReadJson) {
+    write("down.png", stones(8, true));
+    const Result result = inspect({"down.png", "--json"});
+    EXPECT_EQ(result.code, 1);
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["file"], "down.png");
+    EXPECT_EQ(json["width"], 128);
+    EXPECT_EQ(json["bits"], 8);
+    EXPECT_EQ(json["faults"], 1);
+    for (const auto& finding : json["findings"])
+        if (finding["name"] == "green") {
+            EXPECT_EQ(finding["outcome"], "fault");
+            EXPECT_EQ(finding["verdict"], "down");
+            EXPECT_LT(finding["numbers"]["up"], -0.9);
+            return;
+        }
+    FAIL() << result.out;
+}
+
+TEST_F(InspectCommand, DrawsWhereTheFaultsAre) {
+    Image map = stones(8);
+    std::fill_n(map.pixel(30, 40), 3, 0.5f);
+    write("hole.png", map);
+    const Result result = inspect({"hole.png", "-o", "where.png"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.out, "where.png\n  red      length off by more than 0.1: 1 texel\n")) << result.out;
+    const Image picture = read_image(folder_.path() / "where.png");
+    EXPECT_EQ(picture.width, 128);
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x) {
+            const float* const color = picture.pixel(x, y);
+            EXPECT_EQ(color[0] == color[1] && color[1] == color[2], x != 30 || y != 40) << x << ", " << y;
+        }
+    EXPECT_EQ(nlohmann::json::parse(inspect({"hole.png", "-o", "again.png", "--json"}).out)["faults"], 1);
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / "again.png"));
+}
+
+TEST_F(InspectCommand, BadInputIsOneLine) {
+    folder_.write("text.png", "this is not a picture\n");
+    folder_.write("empty.png", "");
+    const std::string whole = read_all(assets + "paving_normal.png");
+    folder_.write("half.png", whole.substr(0, whole.size() / 2));
+    expect_refused({"text.png"}, 1, "text.png: ");
+    expect_refused({"empty.png"}, 1, "empty.png: ");
+    expect_refused({"half.png"}, 1, "half.png: damaged");
+    expect_refused({"missing.png"}, 1, "missing.png: cannot read: No such file");
+    expect_refused({assets + "paving_normal.png", "text.png"}, 1, "text.png: ");
+    expect_refused({assets + "paving_normal.png", "-o", "/proc/where.png"}, 1, "/proc/where.png");
+    expect_refused({assets + "paving_normal.png", "-o", "where.jpg"}, 2, "must end in .png");
+    expect_refused({}, 2, "MAP is required; --help shows the options");
+    expect_refused({""}, 2, "must not be empty");
+    expect_refused({"a.png", "b.png", "c.png"}, 2, "inspect takes MAP and one file of HEIGHTS");
+}
+
+TEST_F(InspectCommand, ItsHelpDocumentsTheExitCodes) {
+    const Result result = inspect({"--help"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.out, "Exit code: 0 no fault, 1 a fault or a file that cannot be read, 2 wrong use."));
+}
+
+}  // namespace
+}  // namespace relief::app

@@ -1,0 +1,353 @@
+// The script `relief`, with stand-ins for the tools that it calls. Each stand-in records its arguments.
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "tests/course/app/course_copy.h"
+
+namespace relief::app {
+namespace {
+
+class Script : public testing::Test {
+protected:
+    TemporaryFolder folder_;
+
+    void SetUp() override {
+        namespace fs = std::filesystem;
+        const fs::path source = RELIEF_SOURCE_FOLDER;
+        fs::create_directories(folder_.path() / "framework/cmake");
+        fs::create_directories(folder_.path() / "tests");
+        fs::copy(source / "relief", folder_.path());
+        fs::copy(source / "framework/cmake/packages.txt", folder_.path() / "framework/cmake");
+        stand_in("cmake",
+                 "mkdir -p build && touch build/build.ninja && "
+                 "printf 'RELIEF_TESTS:BOOL=ON\\nCMAKE_HOME_DIRECTORY:INTERNAL=%s\\n' \"$PWD\" >build/CMakeCache.txt");
+        stand_in("ninja",
+                 "[[ -e build/bin/relief ]] && echo 'ninja: no work to do.' && exit\n"
+                 "echo '[0/1] Re-checking globbed directories...'; echo '[1/7] Building CXX object a.o'\n"
+                 "mkdir -p build/bin && printf '#!/bin/bash\\necho \"ran: $*\"\\n' >build/bin/relief && chmod +x "
+                 "build/bin/relief");
+        stand_in("ctest", "true");
+        stand_in("apt-get", "true");
+        stand_in("sudo", "exit 1");
+        stand_in("id", "echo 0");
+        installed("");
+    }
+    /// Creates a tool that appends its arguments to `calls`, then runs `body`.
+    void stand_in(const std::string& name, const std::string& body) const {
+        const auto file = folder_.write("tools/" + name, "#!/bin/bash\ncd '" + folder_.path().string() + "'\necho \"" +
+                                                             name + " $*\" >>calls\n" + body + "\n");
+        std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    }
+    /// Makes all packages appear installed except `but` (a pattern for grep).
+    void installed(const std::string& but) const {
+        stand_in("dpkg-query",
+                 "awk '!/^#/ { print \"installed \" $2 }' framework/cmake/packages.txt | grep -vxE 'installed (" + but +
+                     ")'");
+    }
+    Result script(std::vector<std::string> arguments = {}) const {
+        arguments.insert(arguments.begin(), {"bash", folder_.path() / "relief"});
+        return run(arguments, {"/", {{"PATH", (folder_.path() / "tools").string() + ":/usr/bin:/bin"}, {"CI", ""}}});
+    }
+    std::string calls() const {
+        const std::string text = read_all(folder_.path() / "calls");
+        std::filesystem::remove(folder_.path() / "calls");
+        return text;
+    }
+};
+
+TEST_F(Script, ConfiguresBuildsAndHandsItsArgumentsOn) {
+    const Result result = script({"shot", "01", "-o", "a b.png"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out, "ran: shot 01 -o a b.png\n");
+    const std::string called = calls();
+    EXPECT_TRUE(contains(called, "cmake -S")) << called;
+    EXPECT_TRUE(contains(called, "-DCMAKE_BUILD_TYPE=Release")) << called;
+    EXPECT_FALSE(contains(called, "apt-get")) << called;
+}
+
+TEST_F(Script, ASecondRunNeitherQueriesPackagesNorConfigures) {
+    script();
+    calls();
+    EXPECT_EQ(script().code, 0);
+    const std::string called = calls();
+    for (const char* tool : {"dpkg-query", "apt-get", "cmake"}) EXPECT_FALSE(contains(called, tool)) << called;
+}
+
+TEST_F(Script, WithoutATerminalPrintsALinePerStepAndNothingWhenUpToDate) {
+    installed("libglm-dev|xvfb");
+    EXPECT_EQ(script({"list"}).err,
+              "relief: installing 1 package: libglm-dev\nrelief: configuring\n"
+              "relief: building, 7 steps\n");
+    EXPECT_EQ(script({"list"}).err, "");
+    EXPECT_EQ(script({"test"}).err, "relief: installing 1 package: libglm-dev\nrelief: configuring\nrelief: testing\n");
+}
+
+TEST_F(Script, HelpAndUsageErrorsNeitherInstallNorBuild) {
+    installed("libglm-dev");
+    for (const std::vector<std::string>& question :
+         {std::vector<std::string>{"--help"}, {"-h"}, {"shot", "--help"}, {"test", "--help"}, {"build", "-h"}}) {
+        const Result result = script(question);
+        EXPECT_EQ(result.code, 0) << question[0];
+        EXPECT_TRUE(contains(result.out, "./relief test --all") && contains(result.out, "\n  shot ")) << result.out;
+    }
+    for (const auto& [word, meant] : std::map<std::string, std::string>{
+             {"shoot", "shot"}, {"lsit", "list"}, {"gold", "golden"}, {"tets", "test"}, {"buidl", "build"}}) {
+        const Result result = script({word});
+        EXPECT_EQ(result.code, 2);
+        EXPECT_TRUE(result.err.starts_with("relief: unknown command '" + word + "': did you mean '" + meant +
+                                           "'? There are: list, info, "))
+            << result.err;
+    }
+    EXPECT_TRUE(script({"xylophone"}).err.starts_with("relief: unknown command 'xylophone'; there are: list, "));
+    EXPECT_EQ(script({"sh.t"}).code, 2) << "a word, no pattern";
+    EXPECT_EQ(script({"build", "01"}).err, "relief: build takes nothing else: '01'\n");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
+}
+
+TEST_F(Script, ForwardsHelpToABuiltProgramAndRebuildsItForLabKnobs) {
+    script();
+    calls();
+    EXPECT_EQ(script({"shot", "--help"}).out, "ran: shot --help\n");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
+    EXPECT_EQ(script({"shot", "01", "--help"}).out, "ran: shot 01 --help\n");
+    EXPECT_TRUE(contains(calls(), "ninja"));
+}
+
+/// Returns the lines of a help that begin with two spaces and a word, as "word: the rest".
+std::set<std::string> commands_in(std::string help, const std::string& heading) {
+    std::set<std::string> found;
+    std::istringstream lines(help.substr(help.find(heading)));
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string name, word, text;
+        if (!line.starts_with("  ") || line.starts_with("   ") || !(words >> name)) continue;
+        while (words >> word) text += " " + word;
+        found.insert(name + ":" + text);
+    }
+    return found;
+}
+
+TEST_F(Script, ListsTheProgramsCommandsInTheCourseAndInTheHandout) {
+    // The program's own help, without the line breaks of its columns.
+    std::string help = run({relief_program(), "--help"}).out;
+    for (size_t at; (at = help.find("\n      ")) != std::string::npos;) help.replace(at, 1, " ");
+    const std::set<std::string> program = commands_in(help, "Subcommands:");
+    std::set<std::string> students = commands_in(script({"--help"}).out, "Commands:");
+    EXPECT_LT(students.size(), program.size());
+    for (const char* staff : {"bench", "handout", "grade", "slides", "mistakes", "synctest"})
+        for (const std::string& one : program)
+            if (one.starts_with(std::string(staff) + ":")) students.insert(one);
+    EXPECT_EQ(students, program);
+    folder_.write("framework/staff/staff.cmake", "");
+    EXPECT_EQ(commands_in(script({"--help"}).out, "Commands:"), program);
+}
+
+TEST_F(Script, InstallsCcacheBeforeTheFirstConfigure) {
+    installed("ccache");
+    EXPECT_EQ(script({"list"}).code, 0);
+    const std::string called = calls();
+    EXPECT_LT(called.find("install -y --no-install-recommends ccache\n"), called.find("cmake -S")) << called;
+}
+
+TEST_F(Script, ABuildFolderOfAnotherPathIsLeftAlone) {
+    script();
+    calls();
+    const std::string cache = "CMAKE_HOME_DIRECTORY:INTERNAL=/somewhere/else\n";
+    folder_.write("build/CMakeCache.txt", cache);
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"list"}, {"build"}, {"test"}}) {
+        const Result result = script(words);
+        EXPECT_EQ(result.code, 1);
+        const std::string build = (folder_.path() / "build").string();
+        EXPECT_EQ(result.err, "relief: " + build +
+                                  " is the build folder of the course in /somewhere/else, and is left alone: if you "
+                                  "moved or copied the course from there, remove it (rm -r " +
+                                  build + "); if that course is in use, clone it to work here\n");
+    }
+    EXPECT_EQ(read_all(folder_.path() / "build/CMakeCache.txt"), cache);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "calls")) << calls();
+}
+
+TEST_F(Script, RunsABuiltProgramInAReadOnlyCourse) {
+    namespace fs = std::filesystem;
+    script();
+    calls();
+    folder_.write("build/.ninja_log", "");
+    // Root may write to everything, so another user comes.
+    std::vector<std::string> visitor;
+    if (geteuid() == 0) visitor = {"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
+    const auto visits = [&](const std::vector<std::string>& words) {
+        std::vector<std::string> command = visitor;
+        command.insert(command.end(), {"bash", folder_.path() / "relief"});
+        command.insert(command.end(), words.begin(), words.end());
+        return run(command, {"/", {{"PATH", (folder_.path() / "tools").string() + ":/usr/bin:/bin"}, {"CI", ""}}});
+    };
+    const fs::path build = folder_.path() / "build";
+    for (const fs::path& place : {build / ".ninja_log", build}) {
+        fs::permissions(place, fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write,
+                        fs::perm_options::remove);
+        const Result shown = visits({"shot", "01"});
+        EXPECT_EQ(shown.out, "ran: shot 01\n");
+        EXPECT_EQ(shown.err, "");
+    }
+    for (const char* word : {"build", "site", "test"}) {
+        const Result refused = visits({word});
+        EXPECT_EQ(refused.code, 1);
+        EXPECT_EQ(refused.err, "relief: nothing can be built here: you may not write to " + build.string() +
+                                   "; copy the course to a folder of your own\n");
+    }
+    fs::permissions(build, fs::perms::owner_write, fs::perm_options::add);
+    EXPECT_FALSE(fs::exists(folder_.path() / "calls")) << calls();
+}
+
+TEST_F(Script, WithoutATerminalABuildSaysHowFarItIs) {
+    // Time is a file: ninja's stand-in lets it pass, and that of sleep waits for it.
+    stand_in("sleep",
+             "[[ $1 == 10 ]] || exit 1\nwhile [[ ! -e tick && -e calls ]]; do /bin/sleep 0.01; done; rm -f tick");
+    stand_in("ninja",
+             "echo '[1/7] Building CXX object a.o'; echo '[3/7] Building CXX object b.o'\n"
+             "for i in {1..40}; do touch tick; for j in {1..10}; do [[ -e tick ]] && /bin/sleep 0.01; done; done\n"
+             "mkdir -p build/bin && printf '#!/bin/bash\\ntrue\\n' >build/bin/relief && chmod +x build/bin/relief");
+    const Result result = script({"list"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.err, "relief: building: 3 of 7 steps done, 4 left\n")) << result.err;
+}
+
+TEST_F(Script, BuildsTheSiteInOrderAndOnlyOutdatedParts) {
+    folder_.write("framework/staff/staff.cmake", "");
+    stand_in("ninja",
+             "[[ -e build/bin/relief ]] && exit\nmkdir -p build/bin\n"
+             "printf '#!/bin/bash\\necho \"relief $*\" >>calls; mkdir -p build/$1\\n"
+             "touch build/$1/{index,00_relief}.html\\n' >build/bin/relief && chmod +x build/bin/relief");
+    const auto made = [&] {
+        const Result result = run({"bash", folder_.path() / "relief", "site"},
+                                  {folder_.path(), {{"PATH", (folder_.path() / "tools").string() + ":/usr/bin:/bin"}}});
+        EXPECT_EQ(result.code, 0) << result.err;
+        const std::string build = (folder_.path() / "build").string();
+        EXPECT_EQ(result.out, build + "/gallery/index.html\n" + build + "/mistakes/index.html\n");
+        std::string commands;
+        std::istringstream lines(calls());
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with("relief ")) commands += line.substr(7) + "; ";
+        return commands;
+    };
+    EXPECT_EQ(made(), "slides; bench --quick; gallery; mistakes; ");
+    EXPECT_EQ(made(), "");
+    folder_.write("shaders/changed.glsl", "");
+    EXPECT_EQ(made(), "slides; gallery; mistakes; ") << "measurements stay";
+    folder_.write("build/bench/index.html", "measured at length");
+    EXPECT_EQ(made(), "gallery; ") << "it takes a copy";
+    std::filesystem::remove(folder_.path() / "build/mistakes/index.html");
+    EXPECT_EQ(made(), "mistakes; ");
+    std::filesystem::remove_all(folder_.path() / "framework/staff");
+    std::filesystem::remove_all(folder_.path() / "build/gallery");
+    const Result students = script({"site"});
+    EXPECT_EQ(students.out, (folder_.path() / "build/gallery/index.html").string() + "\n");
+    EXPECT_EQ(script({"site", "1"}).err, "relief: site takes nothing else: '1'\n");
+}
+
+TEST_F(Script, SimultaneousStartsBuildOneAfterTheOther) {
+    // A build fails if another build is running in the folder.
+    stand_in("ninja",
+             "mkdir building || exit 1; sleep 0.2; rmdir building\n"
+             "mkdir -p build/bin && printf '#!/bin/bash\nflock --nonblock build/lock echo free\n' >build/bin/relief."
+             "$$ && chmod +x build/bin/relief.$$ && mv build/bin/relief.$$ build/bin/relief");
+    const std::vector<std::string> words = {"bash", folder_.path() / "relief", "list"};
+    const Circumstances where{folder_.path(), {{"PATH", (folder_.path() / "tools").string() + ":/usr/bin:/bin"}}};
+    std::vector<std::unique_ptr<Process>> starts;
+    for (int i = 0; i < 6; ++i) starts.push_back(std::make_unique<Process>(words, where));
+    int waited = 0, free = 0;
+    for (const auto& start : starts) {
+        const Result result = start->wait();
+        EXPECT_TRUE(result.code == 0 || result.out.empty()) << result.err;
+        EXPECT_FALSE(contains(result.err, "failed")) << result.err;
+        waited += contains(result.err, "another ./relief is building here: waiting for its end\n");
+        free += result.out == "free\n";
+    }
+    EXPECT_GE(waited, 1);
+    EXPECT_GE(free, 1) << "the lock is held while the program runs";
+}
+
+TEST_F(Script, RootInstallsOnlyTheMissingPackages) {
+    installed("libglm-dev|xvfb");
+    EXPECT_EQ(script({"list"}).code, 0);
+    std::string called = calls();
+    EXPECT_TRUE(contains(called, "apt-get update\n")) << called;
+    EXPECT_TRUE(contains(called, "apt-get install -y --no-install-recommends libglm-dev\n")) << called;
+    EXPECT_EQ(script({"test"}).code, 0);
+    called = calls();
+    EXPECT_FALSE(contains(called, "xvfb")) << "what is run every day wants no X server: " << called;
+    EXPECT_EQ(script({"test", "--ci"}).code, 0);
+    called = calls();
+    EXPECT_TRUE(contains(called, "--no-install-recommends libglm-dev xvfb\n")) << called;
+}
+
+TEST_F(Script, CiRunsOnlyTheMainTestsIfTheDailyOnesHavePassed) {
+    EXPECT_EQ(script({"test"}).code, 0);
+    EXPECT_TRUE(contains(calls(), "--label-exclude ^ci$\n"));
+    EXPECT_EQ(script({"test", "--ci"}).code, 0);
+    EXPECT_TRUE(contains(calls(), "--label-regex ^ci$\n"));
+    folder_.write("shaders/changed.glsl", "");
+    EXPECT_EQ(script({"test", "--ci"}).code, 0);
+    EXPECT_FALSE(contains(calls(), "--label"));
+    EXPECT_EQ(script({"test", "-R", "handout"}).code, 0);
+    EXPECT_TRUE(contains(calls(), "-R handout\n")) << "among all tests";
+}
+
+TEST_F(Script, WithoutRootOrSudoPrintsTheInstallCommandAndStops) {
+    installed("libglm-dev");
+    stand_in("id", "echo 1000");
+    const Result result = script();
+    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.err,
+              "relief: packages are missing; as root, run: apt-get update && apt-get install "
+              "--no-install-recommends libglm-dev\n");
+    EXPECT_FALSE(contains(calls(), "cmake"));
+}
+
+TEST_F(Script, UsesSudoWhereItWorksWithoutAQuestion) {
+    installed("libglm-dev");
+    stand_in("id", "echo 1000");
+    stand_in("sudo", "[[ $1 == -n ]] && exit 0; exec \"$@\"");
+    EXPECT_EQ(script().code, 0);
+    EXPECT_TRUE(contains(calls(), "sudo env DEBIAN_FRONTEND=noninteractive apt-get install"));
+}
+
+TEST_F(Script, AFailedStepShowsItsLogAndStops) {
+    stand_in("ninja", "echo 'lab.cpp:3: error: no'; exit 1");
+    const Result result = script({"list"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "lab.cpp:3: error: no\nrelief: failed: building\n")) << result.err;
+    EXPECT_EQ(result.out, "");
+}
+
+TEST_F(Script, AFailedBuildShowsCompilerMessagesWithoutCommandLines) {
+    const std::string task = (folder_.path() / "labs/05_x/task.cpp").string();
+    stand_in("ninja",
+             "echo '[1/3] Building CXX object task.o'; echo 'FAILED: task.o'; echo '/usr/bin/c++ -c " + task +
+                 "'; echo '" + task +
+                 ":3:5: error: no'; echo '    3 | x'; echo '../labs/a.h:1:1: error: b'; echo 'ninja: build stopped: "
+                 "subcommand failed.'; exit 1");
+    const Result result = script({"check", "5"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err,
+                         "\nlabs/05_x/task.cpp:3:5: error: no\n    3 | x\nlabs/a.h:1:1: error: b\n"
+                         "relief: begin with the first error: others may follow from it\n"
+                         "relief: failed: building\n"))
+        << result.err;
+    for (const char* no : {"c++ -c", "FAILED", "stopped"}) EXPECT_FALSE(contains(result.err, no)) << result.err;
+}
+
+TEST_F(Script, FailedTestsAreAFailure) {
+    stand_in("ctest", "exit 8");
+    EXPECT_EQ(script({"test", "-R", "cpu"}).code, 8);
+    const std::string called = calls();
+    EXPECT_TRUE(contains(called, "-R cpu\n")) << called;
+    EXPECT_TRUE(contains(called, "--no-tests=error")) << called;
+}
+
+}  // namespace
+}  // namespace relief::app

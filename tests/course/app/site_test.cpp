@@ -1,0 +1,353 @@
+// The course's web site made by `relief gallery`, and the page of known mistakes, in a browser.
+#include <algorithm>
+#include <set>
+
+#include "framework/core/base/text.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/image/file.h"
+#include "framework/core/lab/manifest.h"
+#include "tests/browser.h"
+#include "tests/course/app/course_copy.h"
+
+namespace relief::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Names = std::vector<std::string>;
+
+Browser& browser() {
+    static Browser one;
+    return one;
+}
+
+constexpr const char* lab_10 = "10_parallax_offset";
+
+/// One copy of the course and one site for all tests, made without a display. It has a deck of lab 01 and a page of
+/// measurements.
+class Site : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        course_ = std::make_unique<CourseCopy>();
+        const fs::path build = course_->path() / "build";
+        fs::create_directories(build / "slides/01_specular_highlights");
+        fs::create_directories(build / "bench");
+        course_->overwrite("build/slides/01_specular_highlights.html",
+                           "<!doctype html><html lang=en><title>Deck</title><img "
+                           "src=\"01_specular_highlights/one.png\" alt=one>");
+        course_->overwrite("build/slides/01_specular_highlights.pdf", "%PDF-");
+        fs::copy(course_->path() / "labs/01_specular_highlights/golden/wipe.png",
+                 build / "slides/01_specular_highlights/one.png");
+        course_->overwrite("build/bench/index.html", "<!doctype html><html lang=en><title>Times</title>");
+        made_ = course_->relief({}, {{}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}});
+    }
+    static void TearDownTestSuite() { course_.reset(); }
+
+    static fs::path site() { return course_->path() / "build/gallery"; }
+    static Manifest manifest(const std::string& lab) {
+        return load_manifest(course_->path() / "labs" / lab / "lab.toml");
+    }
+    static Names labs() {
+        Names all;
+        for (const std::string& name : files_in(course_->path() / "labs"))
+            if (fs::exists(course_->path() / "labs" / name / "lab.toml")) all.push_back(name);
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+    static void open(const std::string& page) { browser().open(site() / page); }
+
+    static inline std::unique_ptr<CourseCopy> course_;
+    static inline Result made_;
+};
+
+constexpr const char* wider_than_the_screen =
+    "document.scrollingElement.scrollWidth > 360 ? [...document.querySelectorAll('body *')].filter(one => "
+    "one.getBoundingClientRect().right > 360).map(one => one.outerHTML.slice(0, 90)) : []";
+
+/// Elements that clip their content and may show a scroll bar.
+constexpr const char* scrolls =
+    "[...document.querySelectorAll('main *')].filter(one => /auto|scroll/.test(getComputedStyle(one).overflowX + "
+    "getComputedStyle(one).overflowY)).map(one => one.outerHTML.slice(0, 90))";
+
+constexpr const char* clipped_formulas =
+    "[...document.querySelectorAll('.formulas')].filter(one => one.scrollWidth > one.clientWidth).length";
+
+TEST_F(Site, WithoutADisplayTheMenuIsTheGallery) {
+    EXPECT_EQ(made_.code, 0) << made_.err;
+    EXPECT_EQ(made_.out, (site() / "index.html").string() + "\n");
+    EXPECT_FALSE(contains(made_.err, "has no slides")) << "lab 01 has some";
+    uintmax_t bytes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(site()))
+        if (entry.is_regular_file()) bytes += entry.file_size();
+    // A lab's page has its pictures in its own folder.
+    const auto labs = uintmax_t(std::count_if(fs::directory_iterator(site()), fs::directory_iterator(),
+                                              [](const auto& entry) { return entry.is_directory(); }));
+    EXPECT_LT(bytes, labs * (5u << 20) / 2) << labs << " labs";
+}
+
+// Follows every link from the first page, on a screen and on a phone, in light and in dark mode. Every target must
+// exist.
+TEST_F(Site, EveryLinkedPageIsCompleteLegibleAndFitsAPhone) {
+    std::vector<fs::path> pages = {site() / "index.html"};
+    std::set<fs::path> known(pages.begin(), pages.end());
+    std::set<std::pair<fs::path, std::string>> places;  // a page and an id in it
+    std::set<std::pair<fs::path, std::string>> ids;
+    for (size_t i = 0; i < pages.size(); ++i) {
+        const fs::path page = pages[i];
+        const bool ours = page.parent_path() == site();
+        browser().open(page);
+        EXPECT_TRUE(browser().load_images()) << page;
+        if (ours) {
+            EXPECT_GT(int(browser().eval("document.images.length")) + contains(page.string(), "-handout"), 0) << page;
+            EXPECT_EQ(browser().eval("[...document.images].filter(image => image.hasAttribute('width') && "
+                                     "!image.src.endsWith('.svg') && "
+                                     "image.getAttribute('width') != image.naturalWidth).map(image => image.src)"),
+                      json::array())
+                << page;
+            EXPECT_EQ(browser().faint_texts(), Names{}) << page;
+            browser().dark(true);
+            EXPECT_EQ(browser().faint_texts(), Names{}) << page << " in the dark";
+            browser().dark(false);
+            browser().width(360);
+            EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{}) << page;
+            EXPECT_EQ(browser().eval(clipped_formulas), 0) << page << " on a phone";
+            browser().width(0);
+            EXPECT_EQ(browser().eval(clipped_formulas), 0) << page;
+            browser().paper(true);
+            EXPECT_EQ(browser().eval(scrolls), json::array()) << page << " on paper";
+            EXPECT_EQ(browser().eval("[...document.querySelectorAll('.measured pre')].filter(one => "
+                                     "!one.checkVisibility({contentVisibilityAuto: true})).length"),
+                      0)
+                << page << " on paper";
+            browser().paper(false);
+            for (const Browser::Control& control : browser().controls())
+                EXPECT_NE(control.name, "") << page << ": a " << control.role;
+        }
+        for (const std::string& id : Names(browser().eval("[...document.querySelectorAll('[id]')].map(one => one.id)")))
+            EXPECT_TRUE(ids.emplace(page, id).second) << page << " has two of " << id;
+        for (const std::string& link : Names(browser().eval("[...document.links].map(link => decodeURI(link.href))"))) {
+            if (!link.starts_with("file://")) continue;
+            const std::vector<std::string> parts = split(link.substr(7), '#');
+            const fs::path to = parts[0];
+            EXPECT_TRUE(fs::is_regular_file(to)) << page << " links to " << to;
+            EXPECT_TRUE(to.string().starts_with(site().string())) << page << " links to " << to;
+            if (parts.size() > 1) places.emplace(to, parts[1]);
+            if (to.extension() == ".html" && known.insert(to).second) pages.push_back(to);
+        }
+        EXPECT_EQ(browser().complaints(), Names{}) << page;
+    }
+    for (const auto& place : places) EXPECT_TRUE(ids.contains(place)) << place.first << "#" << place.second;
+    // The first page, a page and a handout for each lab, a deck, the measurements.
+    EXPECT_EQ(pages.size(), 1 + 2 * labs().size() + 2);
+    EXPECT_TRUE(fs::exists(site() / "slides/01_specular_highlights.pdf"));
+}
+
+TEST_F(Site, TheFirstPageListsEveryLabWithItsPointsAndExistingSlides) {
+    open("index.html");
+    Names titles, learns;
+    int points = 0;
+    for (const std::string& lab : labs()) {
+        titles.push_back(lab.substr(0, 2) + " " + manifest(lab).title), points += manifest(lab).points();
+        for (const std::string& line : manifest(lab).learns) learns.push_back(line);
+    }
+    EXPECT_EQ(Names(browser().eval("[...document.querySelectorAll('h3')].map(one => one.textContent)")), titles);
+    EXPECT_EQ(browser().eval("document.querySelectorAll('section > h2').length"), 3);
+    EXPECT_EQ(browser().eval("document.querySelectorAll('.hero img').length"), 1);
+    EXPECT_EQ(
+        Names(browser().eval("[...document.querySelectorAll('article li:not(.links *)')].map(one => one.textContent)")),
+        learns);
+    EXPECT_EQ(browser().eval("document.querySelector('.sum').textContent"),
+              std::to_string(labs().size()) + "labs" +
+                  std::string(browser().eval("document.querySelectorAll('.sum b')[1].textContent")) + "tasks" +
+                  std::to_string(points) + "points");
+    EXPECT_EQ(Names(browser().eval("[...document.links].filter(link => link.textContent == 'Slides').map(link => "
+                                   "link.getAttribute('href'))")),
+              Names{"slides/01_specular_highlights.html"});
+}
+
+TEST_F(Site, TheKeyboardMovesTheWipeBetweenTwoMethods) {
+    open(std::string(lab_10) + ".html");
+    const auto clip = [] {
+        return browser().eval("getComputedStyle(document.querySelector('.laid img + img')).clipPath");
+    };
+    EXPECT_EQ(clip(), "inset(0px 50% 0px 0px)");
+    ASSERT_TRUE(browser().tab_to(".wipe input"));
+    browser().press("ArrowRight", 3);
+    EXPECT_EQ(clip(), "inset(0px 47% 0px 0px)");
+    EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-valuetext')"), "53 % offset");
+    browser().press("Home");
+    EXPECT_EQ(clip(), "inset(0px 100% 0px 0px)") << "only the right method";
+    browser().press("End");
+    EXPECT_EQ(clip(), "inset(0px 0% 0px 0px)") << "only the left one";
+    EXPECT_EQ(browser().complaints(), Names{});
+}
+
+TEST_F(Site, BoxesSelectTheMethodsAndASwitchShowsTheErrorMap) {
+    open(std::string(lab_10) + ".html");
+    const auto shown = [] {
+        return Names(
+            browser().eval("[...document.querySelectorAll('.laid img')].map(image => "
+                           "image.src.replace(/.*\\//, ''))"));
+    };
+    EXPECT_EQ(shown(), (Names{"method-steep.png", "method-offset.png"})) << "the right one lies below";
+    ASSERT_TRUE(browser().tab_to("select"));
+    browser().press("ArrowRight");
+    EXPECT_EQ(shown(), (Names{"method-steep.png", "method-limited.png"}));
+    browser().press("Tab");
+    browser().press("ArrowLeft", 2);
+    EXPECT_EQ(shown(), (Names{"method-offset.png", "method-limited.png"}));
+    EXPECT_EQ(browser().eval("document.querySelector('.stage .scale').checkVisibility()"), false);
+    browser().press("Tab");
+    browser().press("ArrowRight");
+    EXPECT_EQ(shown(), (Names{"method-offset-error.png", "method-limited-error.png"}));
+    EXPECT_EQ(browser().eval("document.querySelector('.stage .scale').checkVisibility()"), true);
+    const std::string scale = browser().eval("document.querySelector('.stage .scale').textContent");
+    EXPECT_TRUE(scale.ends_with(" texels and more")) << scale;
+    EXPECT_TRUE(browser().load_images());
+    const std::string said = browser().eval("document.querySelector('.sides').textContent");
+    EXPECT_TRUE(contains(said, "limited: ") && contains(said, " texels")) << said;
+    EXPECT_EQ(browser().complaints(), Names{});
+}
+
+TEST_F(Site, WithoutScriptsEveryMethodIsVisibleAndNoControlIs) {
+    browser().scripts(false);
+    open(std::string(lab_10) + ".html");
+    browser().scripts(true);
+    EXPECT_EQ(
+        browser().eval("[...document.querySelectorAll('input, select')].filter(one => one.checkVisibility()).length"),
+        0);
+    EXPECT_EQ(
+        browser().eval("[...document.querySelectorAll('.methods img')].filter(one => one.checkVisibility()).length"),
+        6);
+    EXPECT_TRUE(browser().load_images());
+}
+
+TEST_F(Site, TheCommandOfALabsPageMeasuresItsLastNumber) {
+    int measured = 0;
+    for (const std::string& lab : labs()) {
+        open(lab + ".html");
+        const std::string command = browser().eval("document.querySelector('.all code')?.textContent ?? ''");
+        const std::string number = browser().eval(
+            "[...document.querySelectorAll('.methods figcaption')].at(-1).lastChild.textContent.trim().split(' ')[0]");
+        EXPECT_EQ(command.empty(), number.empty()) << lab;
+        if (command.empty()) continue;
+        Names words = split(command, ' ');
+        words.erase(words.begin());
+        words.insert(words.end(), {"-o", "error.pfm"});
+        const Result result = course_->relief(words);
+        const size_t mean = result.out.find("mean ");
+        ASSERT_NE(mean, std::string::npos) << command << ": " << result.out << result.err;
+        EXPECT_EQ(rounded(std::stod(result.out.substr(mean + 5))), number) << command;
+        ++measured;
+    }
+    EXPECT_GE(measured, 10);
+}
+
+TEST_F(Site, AxeFindsNothingOnTheCoursePageALabsPageAndAHandout) {
+    for (const char* page : {"index.html", "10_parallax_offset.html", "10_parallax_offset-handout.html",
+                             "17_time_and_error-handout.html"}) {
+        open(page);
+        EXPECT_EQ(browser().accessibility_faults(), Names{}) << page;
+    }
+}
+
+TEST_F(Site, DrawingsAreDarkOnADarkScreen) {
+    open("10_parallax_offset-handout.html");
+    const auto filter = [] {
+        return browser().eval("getComputedStyle(document.querySelector('.drawing img')).filter");
+    };
+    EXPECT_EQ(filter(), "none");
+    browser().dark(true);
+    EXPECT_EQ(filter(), "invert(0.88) hue-rotate(180deg)") << "white becomes 0.12";
+    browser().dark(false);
+}
+
+TEST_F(Site, MethodsDifferAsPicturesAndTheBetterOneInItsErrorMap) {
+    for (const std::string& lab : labs()) {
+        open(lab + ".html");
+        const Names files = browser().eval(
+            "[...document.querySelectorAll('.methods .picture')].map(image => "
+            "decodeURI(image.src).slice(7))");
+        ASSERT_GE(files.size(), 2u) << lab;
+        const Image first = read_image(files.front()), last = read_image(files.back());
+        EXPECT_GT(difference(first, last, 8.0 / 255).pixels_over, first.pixel_count() / 200) << lab;
+        const std::optional<CompareInfo> compare = manifest(lab).compare;
+        ASSERT_TRUE(compare) << lab;
+        EXPECT_EQ(size_t(browser().eval("document.querySelectorAll('.methods .map').length")),
+                  compare->shot.probe ? files.size() : 0)
+            << lab;
+    }
+    const auto sum = [](const char* file) {
+        double all = 0;
+        for (const float value : read_image(site() / lab_10 / file).values) all += value;
+        return all;
+    };
+    EXPECT_GT(sum("method-offset-error.png"), 1.3 * sum("method-steep-error.png")) << "one scale for both";
+}
+
+TEST(MistakesPage, ShowsEveryMistakeBesideTheSolution) {
+    const TemporaryFolder folder;
+    const std::string lab = "02_normal_map_storage";
+    const Result made = run({relief_program(), "mistakes", "2", "-o", folder.path().string()});
+    ASSERT_EQ(made.code, 0) << made.err;
+    const Manifest manifest = load_manifest(fs::path(RELIEF_SOURCE_FOLDER) / "labs" / lab / "lab.toml");
+    browser().open(folder.path() / "index.html");
+    EXPECT_TRUE(browser().load_images());
+    Names ids;
+    for (const MistakeInfo& mistake : manifest.mistakes) ids.push_back(mistake.id);
+    Names shown = browser().eval("[...document.querySelectorAll('h4 code')].map(one => one.textContent)");
+    std::sort(ids.begin(), ids.end()), std::sort(shown.begin(), shown.end());
+    EXPECT_EQ(shown, ids);
+    // Both pictures are stacked, and they differ visibly.
+    const Names files = browser().eval(
+        "[...document.querySelectorAll('article')].map(one => [...one.querySelectorAll("
+        "'.laid img')].map(image => decodeURI(image.src).slice(7))).flat()");
+    ASSERT_EQ(files.size(), 2 * ids.size());
+    for (size_t i = 0; i < files.size(); i += 2)
+        EXPECT_GT(difference(read_image(files[i]), read_image(files[i + 1]), 8.0 / 255).pixels_over, 30u) << files[i];
+    const Names maps = browser().eval(
+        "[...document.querySelectorAll('article figure.difference img')].map(image => decodeURI(image.src).slice(7))");
+    EXPECT_EQ(maps.size(), ids.size());
+    for (const std::string& map : maps) {
+        const Image picture = read_image(map);
+        EXPECT_GT(*std::max_element(picture.values.begin(), picture.values.end()), 0.5)
+            << map << " shows no difference";
+    }
+    EXPECT_EQ(browser().eval("document.querySelectorAll('.badge:not(.passed)').length"), json(ids.size()));
+    EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0) << "edits are folded away";
+    browser().eval("dispatchEvent(new Event('beforeprint')), 0");
+    EXPECT_EQ(browser().eval("document.querySelectorAll('details.difference:not([open])').length"), 0) << "on paper";
+    EXPECT_GT(browser().eval("document.querySelectorAll('details.difference[open]').length"), 0);
+    browser().paper(true);
+    EXPECT_LT(
+        int(browser().eval("Math.max(...[...document.querySelectorAll('article')].map(one => one.offsetHeight))")), 480)
+        << "two mistakes on a sheet, each of them whole";
+    browser().paper(false);
+    browser().eval("dispatchEvent(new Event('afterprint')), 0");
+    EXPECT_EQ(browser().eval("document.querySelectorAll('details[open]').length"), 0);
+    ASSERT_TRUE(browser().tab_to("input[type=search]"));
+    browser().type("truncated 2.1");
+    EXPECT_EQ(browser().eval("document.querySelector('output').textContent"),
+              "1 of " + std::to_string(ids.size()) + " shown");
+    EXPECT_EQ(
+        browser().eval("[...document.querySelectorAll('article')].filter(one => one.checkVisibility()).map(one => "
+                       "one.querySelector('h4').textContent).join()"),
+        "truncated");
+    ASSERT_TRUE(browser().tab_to(".wipe input"));
+    browser().press("End");
+    EXPECT_EQ(browser().eval("document.activeElement.getAttribute('aria-valuetext')"), "100 % expected");
+    for (const Browser::Control& control : browser().controls()) EXPECT_NE(control.name, "") << control.role;
+    for (const bool dark : {false, true}) {
+        browser().dark(dark);
+        EXPECT_EQ(browser().faint_texts(), Names{}) << dark;
+    }
+    browser().dark(false);
+    browser().width(360);
+    EXPECT_EQ(Names(browser().eval(wider_than_the_screen)), Names{});
+    browser().width(0);
+    EXPECT_EQ(browser().complaints(), Names{});
+    EXPECT_EQ(browser().accessibility_faults(), Names{});
+}
+
+}  // namespace
+}  // namespace relief::app

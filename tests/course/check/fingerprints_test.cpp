@@ -1,0 +1,130 @@
+// Fingerprints of known mistakes: how they are read and written, and which mistake they name.
+#include "framework/course/check/fingerprints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "framework/core/lab/registry.h"
+#include "tests/support.h"
+
+namespace relief::check {
+namespace {
+
+const Judgement right{Outcome::passed, {}}, wrong{Outcome::wrong, "off by 3"};
+
+/// Two tasks: 1.1 has two checks, and 1.2 needs 1.1.
+Manifest manifest() {
+    Manifest manifest;
+    manifest.tasks = {{.id = "1.1", .title = {}, .file = {}}, {.id = "1.2", .title = {}, .file = {}}};
+    for (const char* name : {"near", "far", "both"}) {
+        CheckInfo& check = manifest.checks.emplace_back();
+        check.task = manifest.checks.size() < 3 ? "1.1" : "1.2";
+        check.name = name;
+        check.shot.size = {2, 2};
+        check.shot.probe.name = "height";
+        if (check.task == "1.2") check.needs = {"1.1"};
+    }
+    return manifest;
+}
+
+const std::string text =
+    "made_of = \"x\"\n"
+    "[[check]]\nname = \"near\"\nat = \"0 5 9\"\nsolution = \"1 2 3\"\n"
+    "[[check]]\nname = \"far\"\nat = \"0 1\"\nsolution = \"4 inf\"\n"
+    "[[check]]\nname = \"both\"\nat = \"15\"\nsolution = \"7\"\n"
+    "[[mistake]]\ntask = \"1.1\"\nhint = \"a \\\"sign\\\"\"\ndraws = [\"-1 -2 -3\", \"=\"]\n"
+    "[[mistake]]\ntask = \"1.1\"\nhint = \"halves\"\ndraws = [\"0.5 = 1.5\", \"2 nan\"]\n"
+    "[[mistake]]\ntask = \"1.2\"\nhint = \"none\"\ndraws = [\"! it throws\"]\n";
+
+Fingerprints fingerprints() { return parse_fingerprints(text, "f.toml", manifest()); }
+
+Sample drawn(std::vector<float> values) { return {.values = std::move(values), .error = {}, .is_drawn = true}; }
+
+std::string named(const std::vector<Judgement>& said, const Samples& samples, const std::string& task = "1.1") {
+    const Fingerprints known = fingerprints();
+    const auto names = name_mistakes(known, manifest(), said, samples);
+    return names.contains(task) ? names.at(task)->hint : "";
+}
+
+constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+
+TEST(Fingerprints, NameTheMistakeThatMatchesAllFailedChecks) {
+    EXPECT_EQ(named({wrong, right, right}, {{0, drawn({-1, -2, -3})}, {1, drawn({4, inf})}}), "a \"sign\"");
+    EXPECT_EQ(named({wrong, wrong, right}, {{0, drawn({0.5f, 2, 1.5f})}, {1, drawn({2, nan})}}), "halves");
+    EXPECT_EQ(named({wrong, wrong, right}, {{0, drawn({-1, -2, -3})}, {1, drawn({3, inf})}}), "")
+        << "'far' fails, and not as it does with a wrong sign";
+    EXPECT_EQ(named({wrong, right, right}, {{0, drawn({-1, -2, 3})}, {1, drawn({4, inf})}}), "") << "two of three";
+    EXPECT_EQ(named({right, right, right}, {{0, drawn({-1, -2, -3})}, {1, drawn({4, inf})}}), "") << "nothing failed";
+    EXPECT_EQ(named({wrong, right, right}, {{1, drawn({4, inf})}}), "") << "what failed was not drawn";
+    EXPECT_EQ(named({right, right, {Outcome::broken, "it throws"}}, {{2, {.error = "it throws"}}}, "1.2"), "none");
+    EXPECT_EQ(named({right, right, {Outcome::broken, "no number"}}, {{2, {.error = "no number"}}}, "1.2"), "");
+}
+
+// An unlisted mistake may fail one check in the same way as a listed mistake.
+TEST(Fingerprints, NameNoMistakeThatAPassedCheckContradicts) {
+    const Sample half = drawn({0.5f, 2, 1.5f});
+    EXPECT_EQ(named({wrong, wrong, right}, {{0, half}, {1, drawn({2, nan})}}), "halves");
+    EXPECT_EQ(named({wrong, right, right}, {{0, half}, {1, drawn({4, inf})}}), "") << "'far' is right";
+}
+
+TEST(Fingerprints, NameAMistakeOfASingleFailedCheckAsAPossibility) {
+    EXPECT_EQ(told("mind the sign", 2), "mind the sign");
+    EXPECT_EQ(told("mind the sign", 1), "Perhaps: mind the sign");
+}
+
+TEST(Likeness, AllowsOneValueOf24ThatAnotherDriverDraws) {
+    EXPECT_TRUE(is_like({.differ = 24, .agree = 23}, false));
+    EXPECT_FALSE(is_like({.differ = 24, .agree = 22}, false));
+    EXPECT_FALSE(is_like({.differ = 3, .agree = 2}, true));
+    EXPECT_TRUE(is_like({.differ = 0, .agree = 0}, true)) << "it passes, with the mistake, too";
+    EXPECT_FALSE(is_like({.differ = 0, .agree = 0}, false)) << "it fails where the mistake does not show";
+}
+
+TEST(Fingerprints, NameNoMistakeIfAllFailedChecksWaitForAnotherTask) {
+    const std::vector<Judgement> said = {wrong, right, {Outcome::broken, "it throws"}};
+    const Samples throws = {{0, drawn({9, 9, 9})}, {2, {.error = "it throws"}}};
+    EXPECT_EQ(named(said, throws, "1.2"), "none");
+    EXPECT_EQ(put_right_first(manifest(), said)[2], TaskIds{"1.1"});
+    EXPECT_EQ(named(said, {{0, throws.at(0)}}, "1.2"), "");
+}
+
+TEST(Fingerprints, SurviveARoundTripThroughText) {
+    LabEntry lab;
+    lab.number = 1;
+    const Fingerprints before = fingerprints();
+    const Fingerprints after = parse_fingerprints(text_of(before, lab, manifest()), "f.toml", manifest());
+    ASSERT_EQ(after.mistakes.size(), 3u);
+    for (size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(after.mistakes[i].hint, before.mistakes[i].hint);
+        for (const auto& [check, sample] : before.mistakes[i].draws) {
+            const Sample& read = after.mistakes[i].draws.at(check);
+            EXPECT_EQ(read.error, sample.error);
+            ASSERT_EQ(read.values.size(), sample.values.size());
+            for (size_t j = 0; j < read.values.size(); ++j)
+                EXPECT_TRUE(is_near(read.values[j], sample.values[j], 0.002)) << read.values[j];
+        }
+    }
+    EXPECT_TRUE(std::isnan(after.mistakes[1].draws.at(1).values[1]));
+    EXPECT_EQ(after.checks.at(0).values, (std::vector<size_t>{0, 5, 9}));
+}
+
+TEST(Fingerprints, ReportAMismatchWithTheManifestByItsLine) {
+    const auto refused = [](const std::string& find, const std::string& replace) {
+        std::string changed = text;
+        changed.replace(changed.find(find), find.size(), replace);
+        return message_of([&] { parse_fingerprints(changed, "f.toml", manifest()); });
+    };
+    EXPECT_TRUE(contains(refused("\"near\"", "\"neat\""), "f.toml:3: lab.toml has no check 'neat'"));
+    EXPECT_TRUE(contains(refused("0 5 9", "0 5 16"), "f.toml:4: 'at' must be whole numbers below 16"));
+    EXPECT_TRUE(contains(refused("0 5 9", "0 -5 9"), "'at' must be whole numbers below 16"));
+    EXPECT_TRUE(contains(refused("\"1 2 3\"", "\"1 2\""), "'solution' must be 3 numbers"));
+    EXPECT_TRUE(contains(refused("-1 -2 -3", "-1 -2"), "'draws' must have 3 numbers for 'near'"));
+    EXPECT_TRUE(contains(refused("-1 -2 -3", "-1 -2 -3 -4"), "'draws' must have 3 numbers for 'near'"));
+    EXPECT_TRUE(contains(refused("-1 -2 -3", "-1 x -3"), "'draws' must have 3 numbers for 'near'"));
+    EXPECT_TRUE(contains(refused("made_of", "made_off"), "f.toml"));
+}
+
+}  // namespace
+}  // namespace relief::check
