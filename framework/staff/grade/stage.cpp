@@ -200,6 +200,8 @@ void Stage::build_lab(const LabEntry& lab, LabPart& part) {
     for (const std::string& file : files_below("labs/" + lab.folder))
         if (is_source(file) && !part.sources.contains(file))
             put(include / file, check::starter_of(read_file(course_root() / file), file));
+    // A lab's C++ may share a file of constants with its shaders.
+    for (const auto& [file, text] : part.shaders) put(include / file, text);
     put(include / "main.cpp",
         "namespace relief::check { [[noreturn]] void draw_request(const char* course); }\n"
         "int main(int, char** words) { relief::check::draw_request(words[3]); }\n");
