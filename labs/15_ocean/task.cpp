@@ -6,8 +6,8 @@
 namespace relief::ocean {
 
 // TASK 15.1 (2 points): how far a map has moved, in tiles, without the whole ones: from 0 to 1, 1 excluded. A sea may
-// run for years, and also backwards (`time` may be negative). A float has 24 binary digits: after a day it knows a
-// position to a third of a texel, so stay in double precision until whole tiles are gone.
+// run for years, and also backwards (`time` may be negative). A float has 24 binary digits: after a day its
+// steps are half a texel, so stay in double precision until whole tiles are gone.
 //(scroll
 glm::dvec2 scroll(const glm::dvec2& velocity, double time) {
     //[solution
