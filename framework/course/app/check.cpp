@@ -113,7 +113,7 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
     if (!page.empty() && page.extension() != ".html")
         throw UsageError(fmt::format("-o takes the name of an HTML file, like checks.html, not '{}'", page.string()));
     const LabEntry& lab = find_lab(lab_text);
-    const Manifest manifest = load_manifest(lab);
+    const Manifest manifest = check::manifest_to_check(lab);
     if (manifest.tasks.empty()) throw Error(fmt::format("lab {} has no tasks", lab.two_digits()));
     pin_software_renderer();
     const auto context = open_any_context();

@@ -11,6 +11,7 @@
 #include "framework/core/gl/counters.h"
 #include "framework/core/gl/texture.h"
 #include "framework/core/image/visualize.h"
+#include "framework/course/check/check.h"
 
 namespace relief::window {
 
@@ -27,7 +28,7 @@ void Stage::open(const LabEntry& entry, const Shot* start) {
     shot_ = {};
     shot_.size = size;
     try {
-        manifest_ = load_manifest(entry);
+        manifest_ = check::manifest_to_check(entry);
         shot_.camera = manifest_.camera;
         defaults_ = describe_knobs(*entry.make());
         if (start) shot_ = *start, shot_.size = size;
