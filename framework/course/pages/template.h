@@ -6,7 +6,7 @@
 //     {{> name}}  another template; {{> *name}}: the template that the value names
 //     {{{name}}}  not escaped: only for the course's own text; tests/course/pages/template_test.cpp lists all of them
 //
-// A file's name without a folder means framework/pages; one with folders is relative to the course's top folder.
+// A file's name without a folder means framework/course/pages; one with folders is relative to the course's top folder.
 #pragma once
 
 #include <concepts>
