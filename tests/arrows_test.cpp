@@ -1,5 +1,5 @@
-// The arrows of the house: which room may include which, and which calls and libraries only one file may use. `core` is
-// what a lab is made of, `course` what a student uses around the labs, `staff` what never leaves.
+// The arrows of the house: which room may include which, and which calls and libraries only one file may use. `core` has
+// the parts of a lab, `course` the tools around the labs, and `staff` the code that students never get.
 #include <fmt/format.h>
 
 #include <fstream>

@@ -290,7 +290,7 @@ TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
     };
     std::vector<const MistakeInfo*> all, in_cpp;
     for (const MistakeInfo& mistake : manifest_.mistakes) (has_cpp(mistake.edits) ? in_cpp : all).push_back(&mistake);
-    // That other tasks wait needs all checks of the lab, which takes minutes for all mistakes of all labs.
+    // The claim that other tasks wait needs all checks of the lab. For all mistakes of all labs they take minutes.
     const std::vector<const MistakeInfo*> drawn_in_all_checks = sample_of(all, 3);
     for (const MistakeInfo* one : sample_of(std::move(in_cpp), 2)) all.push_back(one);
     for (const MistakeInfo* one : all) {
