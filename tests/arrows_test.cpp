@@ -1,5 +1,5 @@
-// The arrows of the house: which room may include which, and which calls and libraries only one file may use. `core` has
-// the parts of a lab, `course` the tools around the labs, and `staff` the code that students never get.
+// The arrows of the house: which room may include which, and which calls and libraries only one file may use. `core`
+// has the parts of a lab, `course` the tools around the labs, and `staff` the code that students never get.
 #include <fmt/format.h>
 
 #include <fstream>
