@@ -132,8 +132,9 @@ private:
 /// Returns the picture that a check compares with. If the function itself is empty, expectation() replaces it.
 using Expected = std::function<std::optional<Image>(const CheckInfo& check)>;
 
-/// Returns the manifest of a lab without its hidden checks against the solution. In the staff's course the solution is
-/// in the task files under test, so only the grader, which draws it separately, can compare with it.
+/// Returns the manifest of a lab without the hidden checks against the solution that have no expectation_file(). In the
+/// staff's course the solution is in the task files under test, so only the grader, which draws it separately, can
+/// compare with it.
 Manifest manifest_to_check(const LabEntry& lab);
 
 /// Runs all checks of a lab, task by task, and names known mistakes. `begins` is called before each check. Throws Error
