@@ -1,8 +1,8 @@
 # Labs: every folder of labs/ with a lab.toml is a lab. No other file lists them.
 #
 # relief_add_labs(FOLDER) adds an executable lab-NN for each FOLDER/NN_name, with that lab alone, and the executable
-# `relief` with all of them. It sets RELIEF_LABS to the list of their object libraries. All are linked to the staff's
-# library if it exists, even if they call nothing in it, because it registers commands and exact values.
+# `relief` with all of them. It sets RELIEF_LABS to the list of their object libraries. All are linked to the library of
+# exact values if it exists, even if they call nothing in it, because it says that it is there.
 function(relief_add_labs folder)
   file(GLOB manifests CONFIGURE_DEPENDS ${folder}/*/lab.toml)
   set(labs)
@@ -21,7 +21,7 @@ function(relief_add_labs folder)
     add_library(lab_objects_${number} OBJECT ${sources})
     target_compile_definitions(lab_objects_${number} PRIVATE RELIEF_LAB_FOLDER="${name}")
     target_include_directories(lab_objects_${number} PRIVATE ${lab_folder})
-    target_link_libraries(lab_objects_${number} PUBLIC relief_framework $<TARGET_NAME_IF_EXISTS:relief_staff>
+    target_link_libraries(lab_objects_${number} PUBLIC relief_framework $<TARGET_NAME_IF_EXISTS:relief_truth>
       PRIVATE relief_warnings)
     if(COMMAND relief_takes_precompiled_headers)  # undefined if the framework was built elsewhere
       relief_takes_precompiled_headers(lab_objects_${number})
@@ -36,7 +36,7 @@ function(relief_add_labs folder)
   add_executable(relief ${RELIEF_MAIN})
   target_link_libraries(relief PRIVATE ${labs})
   target_link_options(relief PRIVATE LINKER:--no-as-needed)
-  # `programs` builds all that a user runs, without the tests.
-  add_custom_target(programs DEPENDS relief ${programs} relief_modules)
+  # `course` builds all that a student runs.
+  add_custom_target(course DEPENDS relief ${programs} relief_modules)
   set(RELIEF_LABS ${labs} PARENT_SCOPE)
 endfunction()

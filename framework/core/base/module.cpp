@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/from_staff.h"
 #include "framework/core/base/system.h"
 
 namespace relief {
@@ -33,10 +34,22 @@ const std::filesystem::path& framework_folder() {
     return folder;
 }
 
+bool open_staff_library() {
+    static const bool is_open = [] {
+        constexpr const char* name = "librelief-staff.so";
+        std::error_code ignored;
+        if (!std::filesystem::exists(framework_folder() / name, ignored)) return false;
+        open_own_module(name, "libseccomp2");
+        return true;
+    }();
+    return is_open;
+}
+
 Module open_own_module(const char* name, const char* package) {
     const std::string path = (framework_folder() / name).string();
     std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) throw Error({path}, "is missing: build it with ./relief build");
+    if (!std::filesystem::exists(path, ignored))
+        throw Error({path}, fmt::format("is missing: ./relief build installs {} and builds it", package));
     const char* const names[] = {path.c_str()};
     return Module(names, package);
 }

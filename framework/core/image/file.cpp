@@ -10,6 +10,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/module.h"
 #include "framework/core/base/text.h"
+#include "framework/core/image/exr.h"
 #include "framework/core/image/netpbm.h"
 #include "framework/core/image/openimageio.h"
 #include "framework/core/image/png.h"
@@ -137,10 +138,12 @@ Image decode_image(const std::string& bytes, Notes* notes) {
     if (format == "openexr"sv) check_openexr_header(bytes);
     if (format == "png"sv) check_png_chunks(bytes);
     Notes found;
-    Image image = format == "png"sv ? decode_png(bytes, found)
-                                    : openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
+    std::optional<Image> image;
+    if (format == "png"sv) image = decode_png(bytes, found);
+    if (format == "openexr"sv) image = decode_plain_exr(bytes, found);
+    if (!image) image = openimageio().function<DecodeImage>("relief_decode_image")(bytes, format, found);
     if (notes) *notes = std::move(found);
-    return image;
+    return *std::move(image);
 }
 
 Image read_image(const std::filesystem::path& path, Notes* notes) {
@@ -173,7 +176,7 @@ std::string encode_image(const Image& image, ImageFormat format, const Notes& no
         case ImageFormat::exr:
             break;
     }
-    return openimageio().function<EncodeImage>("relief_encode_image")(image, "openexr", notes);
+    return encode_exr(image, notes);
 }
 
 void write_image(const std::filesystem::path& path, const Image& image, const Notes& notes, ColorSpace space) {

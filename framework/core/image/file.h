@@ -1,5 +1,5 @@
-// Images in files. PNG is handled by libpng, PPM and PFM by our own code, OpenEXR and JPEG by OpenImageIO. OpenImageIO
-// is opened at first use, because it loads 260 libraries and takes a sixth of a second.
+// Images in files. PNG is handled by libpng, and PPM, PFM and plain OpenEXR by our own code. JPEG and all other OpenEXR
+// are read by OpenImageIO. It is optional, and opened at first use, because it loads 260 libraries in a sixth of a second.
 #pragma once
 
 #include <filesystem>

@@ -79,17 +79,3 @@ Image relief_decode_image(const std::string& bytes, const char* format, Notes& n
     }
     return image;
 }
-
-std::string relief_encode_image(const Image& image, const char* format, const Notes& notes) {
-    OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT);
-    spec.attribute("DateTime", "1970:01:01 00:00:00");  // not the current time: equal images need equal files
-    for (const auto& [name, value] : notes) spec.attribute(std::string(note_prefix) + name, value);
-
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput sink(bytes);
-    const auto output = OIIO::ImageOutput::create(format);
-    const bool done = output && output->set_ioproxy(&sink) && output->open(name_for(format), spec) &&
-                      output->write_image(OIIO::TypeDesc::FLOAT, image.values.data()) && output->close();
-    if (!done) throw Error(fmt::format("cannot encode: {}", output ? output->geterror() : OIIO::geterror()));
-    return {bytes.begin(), bytes.end()};
-}

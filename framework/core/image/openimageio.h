@@ -1,4 +1,4 @@
-// The two functions of the module that holds OpenImageIO; framework/core/image/file.cpp opens it at first use.
+// The function of the module that holds OpenImageIO. framework/core/image/file.cpp opens it at first use.
 #pragma once
 
 #include <string>
@@ -9,11 +9,9 @@ namespace relief {
 
 /// Throws Error without a place, which the caller adds. `format` is OpenImageIO's name: "openexr" or "jpeg".
 using DecodeImage = Image(const std::string& bytes, const char* format, Notes& notes);
-using EncodeImage = std::string(const Image& image, const char* format, const Notes& notes);
 
 }  // namespace relief
 
 extern "C" {
 relief::DecodeImage relief_decode_image;
-relief::EncodeImage relief_encode_image;
 }

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <span>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
+#include "framework/core/base/from_staff.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/system.h"
 #include "framework/core/base/text.h"
@@ -56,8 +58,9 @@ std::string unexpected(const CLI::App& app) {
     if (command != &app) return fmt::format("'{}' is one argument too many for {}", word, command->get_name());
     for (const CommandEntry& one : commands()) known.emplace_back(one.name);
     constexpr std::array staffs = {"bench", "handout", "grade", "slides", "mistakes", "synctest"};
-    if (!has_command(word) && std::find(staffs.begin(), staffs.end(), word) != staffs.end())
-        return fmt::format("'{}' is a command for staff only (framework/staff), which is not in this course", word);
+    if (std::find(staffs.begin(), staffs.end(), word) != staffs.end())
+        return fmt::format("'{}' is a command for staff only (framework/staff), which is not {}", word,
+                           staff_is_here() ? "built: ./relief build" : "in this course");
     return unknown("command", word, known);
 }
 
@@ -130,6 +133,16 @@ private:
 };
 RELIEF_COMMAND(RunCommand, 3, "run", "opens a lab in a window");
 
+/// Returns whether a command line needs the staff's library: for help, for its commands, and for two other commands that
+/// it extends. All others start faster without it.
+bool needs_staff(std::span<char* const> arguments) {
+    for (const std::string_view word : arguments.subspan(1)) {
+        if (word == "--verbose") continue;
+        return !has_command(std::string(word)) || word == "info" || word == "explain";
+    }
+    return false;
+}
+
 class CommandLine {
 public:
     // A lab's executable, lab-NN, has one lab, so LAB is not needed there.
@@ -186,6 +199,7 @@ int run_command_line(int argc, char** argv) {
     try {
         // An internal command by which `grade` starts itself in a sandbox. It is not in --help.
         if (argc == 4 && std::string_view(argv[1]) == "draw-checks") check::draw_request(argv[3]);
+        if (needs_staff({argv, size_t(argc)})) open_staff_library();
         const std::string program = std::filesystem::path(argc > 0 ? argv[0] : "").filename().string();
         const int code = CommandLine(program).run(argc, argv);
         // A script must not mistake truncated or missing output for a complete answer.

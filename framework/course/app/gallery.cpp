@@ -7,6 +7,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
+#include "framework/core/base/from_staff.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
@@ -246,10 +247,10 @@ private:
 
     void say_what_is_missing() const {
         std::vector<std::string> missing;
-        if (has_command("slides") &&
-            std::none_of(pages_.begin(), pages_.end(), [](const pages::LabPage& page) { return !page.slides.empty(); }))
+        if (!staff_is_here()) return;
+        if (std::none_of(pages_.begin(), pages_.end(), [](const pages::LabPage& page) { return !page.slides.empty(); }))
             missing.emplace_back("slides");
-        if (has_command("bench") && !bench_.has("index.html")) missing.emplace_back("measurements");
+        if (!bench_.has("index.html")) missing.emplace_back("measurements");
         if (!missing.empty())
             print_note(fmt::format("the site has no {}: ./relief site, in {}, makes all", join(missing, " and no "),
                                    course_root().string()));

@@ -6,6 +6,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
+#include "framework/core/base/from_staff.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/lab/registry.h"
@@ -91,7 +92,7 @@ int make_new_lab(const std::string& text) {
                                                            {"truth.h", lab / "truth.h"},
                                                            {"lab.cpp", lab / "lab.cpp"}};
     // The students' course has no exact values and no slides.
-    if (has_command("handout")) files.emplace_back("truth.cpp", lab / "staff" / "truth.cpp");
+    if (staff_is_here()) files.emplace_back("truth.cpp", lab / "staff" / "truth.cpp");
     if (fs::exists(root / "slides")) files.emplace_back("deck.md", root / "slides" / (name.folder() + ".md"));
     // Write the manifest last: a folder is a lab if it has one, so a half-made folder does not count.
     files.emplace_back("lab.toml", lab / "lab.toml");

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/from_staff.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
 #include "framework/course/check/explain_text.h"
@@ -19,6 +20,7 @@ void PixelExplanation::compute(const Stage& stage) {
     std::string said;
     conclusion_.clear();
     try {
+        open_staff_library();
         const check::Twins twins = check::twins_of(stage.manifest());
         const check::Explanation explanation = check::explain(stage.entry(), stage.manifest(), shot, *pixel_, twins);
         const check::PixelReport report{stage.entry(), stage.manifest(), shot, *pixel_, explanation, {},

@@ -127,7 +127,7 @@ Stage::Stage(Isolation isolation)
 }
 
 void Stage::copy_programs() {
-    for (const char* name : {"librelief.so", "librelief-staff.so", "relief-openimageio.so"})
+    for (const char* name : {"librelief.so", "librelief-truth.so"})
         put(folder_.path() / "bin" / name, read_file(executable_folder() / name), true);
     // The running program may be `relief` or a lab's own.
     put(folder_.path() / "bin" / "relief", read_file(executable_path()), true);
@@ -231,7 +231,6 @@ void Stage::build_lab(const LabEntry& lab, LabPart& part) {
         part.objects.push_back(here / (fs::path(sources[i]).stem().string() + ".o"));
 
     fs::copy_file(folder_.path() / "bin/librelief.so", here / "librelief.so");
-    fs::copy_file(folder_.path() / "bin/relief-openimageio.so", here / "relief-openimageio.so");
     fs::create_directory_symlink(textures(), here / "textures");
     for (const auto& entry : fs::recursive_directory_iterator(here))
         fs::permissions(entry.path(), fs::perms(entry.is_directory() ? 0755 : 0644));
@@ -330,8 +329,9 @@ std::string Stage::hash() const {
     for (const char* folder : {"labs", "shaders", "assets"})
         for (const std::string& file : all_files_below(folder))
             all += file + sha256(read_file(course_root() / file)) + '\n';
-    for (const char* program : {"bin/relief", "bin/librelief.so", "bin/librelief-staff.so"})
-        all += sha256(read_file(folder_.path() / program));
+    for (const char* program : {"relief", "librelief.so", "librelief-truth.so"})
+        all += sha256(read_file(folder_.path() / "bin" / program));
+    all += sha256(read_file(executable_folder() / "librelief-staff.so"));
     return sha256(all);
 }
 

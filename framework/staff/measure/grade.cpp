@@ -49,7 +49,7 @@ public:
             for (const char* folder : {"labs", "shaders"})
                 fs::copy(course_root() / folder, here / folder, fs::copy_options::recursive);
             fs::create_directory_symlink(course_root() / "assets", here / "assets");
-            for (const char* file : {"librelief.so", "relief-openimageio.so"})
+            for (const char* file : {"librelief.so", "librelief-truth.so"})
                 fs::copy_file(executable_folder() / file, here / "bin" / file);
             if (fs::exists(framework_folder() / "textures"))
                 fs::create_directory_symlink(framework_folder() / "textures", here / "bin/textures");

@@ -1,4 +1,4 @@
-// Tells the students' library that the staff's library is present, and provides its lines of `relief info`.
+// Provides the staff's lines of `relief info`.
 #include <fmt/format.h>
 
 #include "framework/core/base/from_staff.h"
@@ -6,8 +6,6 @@
 
 namespace relief::app {
 namespace {
-
-const decltype(staff_is_here)::Provided said(staff_is_here, [] { return true; });
 
 const decltype(staff_info)::Provided told(staff_info, [] {
     const grade::IsolationReport isolation = grade::probe_isolation();
