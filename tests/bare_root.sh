@@ -68,6 +68,14 @@ inside() { # root, command...
     exec "$@"' inside "$to" "${CACHE:-}" env -i "${environment[@]}" "$@" </dev/null
 }
 
+# Runs a command in the course of a root, and keeps its output with the second of each line.
+logged() { # root, log, command
+  local line begin=$SECONDS
+  inside "$1" bash -c "cd /course && $3" 2>&1 | while IFS= read -r line; do
+    printf '%4d %s\n' $((SECONDS - begin)) "$line"
+  done >"$2"
+}
+
 run_in() { # bookworm or trixie
   local name=$1 pristine=$roots/$1 used=$roots/$1-used begin=$SECONDS
   mkdir -p "$roots"
@@ -84,35 +92,35 @@ run_in() { # bookworm or trixie
   git clone --quiet --no-hardlinks "file://$course" "$used/course"
 
   say "$name: ./relief"
-  if ! inside "$used" bash -c 'cd /course && ./relief' >"$roots/$name-relief.log" 2>&1; then
+  if ! logged "$used" "$roots/$name-relief.log" './relief'; then
     tail -30 "$roots/$name-relief.log" >&2
     return 1
   fi
-  # Without a display, ./relief makes the course page and prints its path.
-  local page
-  page=$(grep -o '/course/build/gallery/index\.html' "$roots/$name-relief.log" | tail -1)
-  if [[ -z $page || ! -s $used$page ]]; then
+  # Without a display, ./relief makes the course page, and prints its path when each lab has its first picture.
+  local page=/course/build/gallery/index.html first
+  first=$(sed -n "s# *\([0-9]*\) $page\$#\1#p" "$roots/$name-relief.log")
+  if [[ -z $first || ! -s $used$page ]]; then
     say "$name: ./relief names no page that is there: $roots/$name-relief.log"
     return 1
   fi
-  say "$name: ./relief has made $page, after $((SECONDS - begin)) s"
+  say "$name: $page has its first pictures after $first s, and is complete after $((SECONDS - begin)) s"
 
   begin=$SECONDS
   say "$name: ./relief test"
-  if ! inside "$used" bash -c 'cd /course && ./relief test' >"$roots/$name-test.log" 2>&1; then
-    grep -E '^\[  FAILED  \]|\*\*\*|tests passed' "$roots/$name-test.log" | sort -u >&2 || true
+  if ! logged "$used" "$roots/$name-test.log" './relief test'; then
+    grep -oE '\[  FAILED  \].*|.*\*\*\*.*|.*tests passed.*' "$roots/$name-test.log" | sort -u >&2 || true
     tail -5 "$roots/$name-test.log" >&2
     return 1
   fi
-  say "$name: $(grep -E 'tests passed' "$roots/$name-test.log"), after $((SECONDS - begin)) s"
+  say "$name: $(grep -oE '[0-9]+% tests passed.*' "$roots/$name-test.log"), after $((SECONDS - begin)) s"
   if [[ -n ${PROOFS:-} ]]; then
     begin=$SECONDS
     say "$name: ./relief test --ci"
-    if ! inside "$used" bash -c 'cd /course && ./relief test --ci' >"$roots/$name-proofs.log" 2>&1; then
-      grep -E '^\[  FAILED  \]|\*\*\*|tests passed' "$roots/$name-proofs.log" | sort -u >&2 || true
+    if ! logged "$used" "$roots/$name-proofs.log" './relief test --ci'; then
+      grep -oE '\[  FAILED  \].*|.*\*\*\*.*|.*tests passed.*' "$roots/$name-proofs.log" | sort -u >&2 || true
       return 1
     fi
-    say "$name: $(grep -E 'tests passed' "$roots/$name-proofs.log"), after $((SECONDS - begin)) s"
+    say "$name: $(grep -oE '[0-9]+% tests passed.*' "$roots/$name-proofs.log"), after $((SECONDS - begin)) s"
   fi
   [[ -n ${KEEP:-} ]] || rm -rf --one-file-system "$used"
 }

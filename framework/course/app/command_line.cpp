@@ -37,7 +37,7 @@ int open_menu_or_gallery(const std::string& lab_folder) {
         return run_menu({.lab_folder = lab_folder});
     } catch (const NoWindow& error) {
         print_note(
-            fmt::format("{}; all is built, and the course page is made instead, which takes minutes (Ctrl-C ends it)",
+            fmt::format("{}: the course page is made instead; it is there in seconds, and complete in minutes (Ctrl-C ends it)",
                         error.what()));
     }
     return make_gallery({}, {}, {});

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <functional>
 #include <list>
+#include <map>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
@@ -90,35 +93,26 @@ public:
     Site(fs::path folder, std::vector<const LabEntry*> labs)
         : folder_(std::move(folder)), labs_(std::move(labs)), slides_("slides", folder_), bench_("bench", folder_) {}
 
-    /// Returns the number of broken labs.
-    int make() {
-        pages::List cards;
-        int failures = 0;
-        {
-            Progress progress(int(labs_.size()));
-            for (const LabEntry* entry : labs_) {
-                progress.next("lab " + entry->two_digits());
-                try {
-                    add(*entry);
-                    cards.push_back(card(pages_.back()));
-                } catch (const pages::CannotWrite&) {
-                    throw;
-                } catch (const Error& error) {
-                    print_error(fmt::format("{}: {}", entry->folder, error.what()));
-                    cards.push_back(pages::Fields{
-                        {"broken", error.what()}, {"number", entry->two_digits()}, {"title", entry->name}});
-                    ++failures;
-                }
-            }
-        }
+    /// Makes a page with one picture for each lab, which takes seconds, and calls `ready`. Then adds handouts and
+    /// comparisons, lab by lab, which takes minutes. Returns the number of broken labs.
+    int make(const std::function<void()>& ready) {
+        for_each_lab("first picture of lab", [&](const LabEntry& lab) { open(lab); });
         link_neighbours();
         draw_hero();
-        for (const pages::LabPage& page : pages_)
-            write_file(folder_ / pages::lab_page_file(*page.lab), pages::lab_page(page));
         slides_.copy(), bench_.copy();
-        write_file(folder_ / "index.html", index(std::move(cards)));
+        for (const pages::LabPage& page : pages_) write(page);
+        write_index();
+        ready();
+        for_each_lab("lab", [&](const LabEntry& lab) {
+            pages::LabPage* const page = page_of(lab);
+            if (!page) return;
+            complete(*page);
+            write(*page);
+            write_index();
+        });
+        write_index();  // says which labs are broken
         say_what_is_missing();
-        return failures;
+        return int(broken_.size());
     }
 
 private:
@@ -127,21 +121,62 @@ private:
         return name;
     }
 
-    void add(const LabEntry& entry) {
+    /// Calls visit(lab). An error makes the lab broken, and the others go on.
+    void for_each_lab(const char* what, const std::function<void(const LabEntry&)>& visit) {
+        Progress progress(int(labs_.size()));
+        for (const LabEntry* lab : labs_) {
+            progress.next(fmt::format("{} {}", what, lab->two_digits()));
+            try {
+                visit(*lab);
+            } catch (const pages::CannotWrite&) {
+                throw;
+            } catch (const Error& error) {
+                print_error(fmt::format("{}: {}", lab->folder, error.what()));
+                broken_[lab] = error.what();
+            }
+        }
+    }
+
+    /// Adds a lab with the picture with which it opens, in both of its sizes.
+    void open(const LabEntry& entry) {
         const Manifest& manifest = manifests_.emplace_back(load_manifest(entry));
         pages::LabPage page;
         page.lab = &entry, page.manifest = &manifest;
         Shot shot;
         shot.camera = manifest.camera, shot.size = {800, 450};
-        page.picture = put(entry.folder + ".png", render_shot(*make_lab(entry, shot), shot));
-        const auto comparison = pages::compare_methods(entry, manifest);
-        page.card = put(entry.folder + "-card.png", card_picture(entry, manifest, comparison ? &*comparison : nullptr));
-        if (comparison) add(*comparison, page);
-        page.handout = add_handout(entry, manifest);
+        page.card = page.picture = put(entry.folder + ".png", render_shot(*make_lab(entry, shot), shot));
         page.slides = slides_.place(entry.folder + ".html"),
         page.slides_to_print = slides_.place(entry.folder + ".pdf");
         page.bench = bench_.place("index.html");
         pages_.push_back(std::move(page));
+    }
+
+    void complete(pages::LabPage& page) const {
+        const auto comparison = pages::compare_methods(*page.lab, *page.manifest);
+        page.card = put(page.lab->folder + "-card.png",
+                        card_picture(*page.lab, *page.manifest, comparison ? &*comparison : nullptr));
+        if (comparison) add(*comparison, page);
+        page.handout = add_handout(*page.lab, *page.manifest);
+    }
+
+    pages::LabPage* page_of(const LabEntry& lab) {
+        const auto page =
+            std::find_if(pages_.begin(), pages_.end(), [&](const pages::LabPage& one) { return one.lab == &lab; });
+        return page == pages_.end() ? nullptr : &*page;
+    }
+
+    void write(const pages::LabPage& page) const {
+        write_file(folder_ / pages::lab_page_file(*page.lab), pages::lab_page(page));
+    }
+    void write_index() {
+        pages::List cards;
+        for (const LabEntry* lab : labs_)
+            if (const auto why = broken_.find(lab); why != broken_.end())
+                cards.push_back(
+                    pages::Fields{{"broken", why->second}, {"number", lab->two_digits()}, {"title", lab->name}});
+            else
+                cards.push_back(card(*page_of(*lab)));
+        write_file(folder_ / "index.html", index(std::move(cards)));
     }
 
     /// Draws one scene with the last of the compared methods, because many labs open with all methods at once.
@@ -260,7 +295,8 @@ private:
     std::vector<const LabEntry*> labs_;
     Others slides_, bench_;
     pages::Value hero_;
-    std::list<Manifest> manifests_;  ///< pages point to these and to each other
+    std::map<const LabEntry*, std::string> broken_;  ///< with the reason
+    std::list<Manifest> manifests_;                  ///< pages point to these and to each other
     std::list<pages::LabPage> pages_;
 };
 
@@ -275,8 +311,10 @@ int make_gallery(fs::path folder, const std::string& labs, ContextChoice choice)
         chosen = find_labs(labs);
     make_folder(folder);
     const auto context = open_context(choice);
-    const int failures = Site(folder, chosen).make();
-    fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
+    const int failures = Site(folder, chosen).make([&] {
+        fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
+        std::fflush(stdout);
+    });
     return failures == 0 ? 0 : 1;
 }
 

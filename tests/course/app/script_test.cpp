@@ -300,12 +300,44 @@ TEST_F(Script, CiRunsOnlyTheMainTestsIfTheDailyOnesHavePassed) {
 TEST_F(Script, WithoutRootOrSudoPrintsTheInstallCommandAndStops) {
     installed("libglm-dev");
     stand_in("id", "echo 1000");
-    const Result result = script();
+    const Result result = script({"list"});
     EXPECT_EQ(result.code, 1);
     EXPECT_EQ(result.err,
               "relief: packages are missing; as root, run: apt-get update && apt-get install "
               "--no-install-recommends libglm-dev\n");
     EXPECT_FALSE(contains(calls(), "cmake"));
+}
+
+// Most of the packages and half of the build are for the staff, or for rare files.
+TEST_F(Script, InstallsAndBuildsWhatTheCommandNeeds) {
+    installed("libglm-dev|libopenimageio-dev|libseccomp-dev|libgtest-dev");
+    const auto packages_and_targets = [&](const std::vector<std::string>& arguments) {
+        std::filesystem::remove_all(folder_.path() / "build");
+        script(arguments);
+        const std::string called = calls();
+        std::string found;
+        for (const char* name : {"libglm", "libopenimageio", "libseccomp", "libgtest"})
+            if (contains(called, std::string(" ") + name + "-dev")) found += std::string(name) + " ";
+        const std::string build = (folder_.path() / "build").string();
+        const size_t begin = called.find("ninja -C " + build) + 10 + build.size();
+        return found + called.substr(begin, called.find('\n', begin) - begin);
+    };
+    std::filesystem::create_directories(folder_.path() / "framework/staff");
+    EXPECT_EQ(packages_and_targets({"shot", "01", "--set", "map=a.png"}), "libglm course");
+    EXPECT_EQ(packages_and_targets({}), "libglm relief relief_converted_textures") << "there is no display";
+    EXPECT_EQ(packages_and_targets({"inspect", "a photo.JPG"}), "libglm libopenimageio course");
+    EXPECT_EQ(packages_and_targets({"grade", "x"}), "libglm libopenimageio libseccomp programs");
+    EXPECT_EQ(packages_and_targets({"explain", "01", "--mistake=x"}), "libglm libopenimageio libseccomp programs");
+    EXPECT_EQ(packages_and_targets({"build"}), "libglm libopenimageio libseccomp programs");
+    EXPECT_EQ(packages_and_targets({"test"}), "libglm libopenimageio libseccomp libgtest tests_of_every_day");
+    std::filesystem::remove_all(folder_.path() / "framework/staff");
+    EXPECT_EQ(packages_and_targets({"build"}), "libglm libopenimageio course") << "a students' course";
+}
+
+TEST_F(Script, KeepsTheStaffsLibraryUpToDateOnceItIsBuilt) {
+    folder_.write("build/bin/librelief-staff.so", "");
+    script({"list"});
+    EXPECT_TRUE(contains(calls(), " programs\n"));
 }
 
 TEST_F(Script, UsesSudoWhereItWorksWithoutAQuestion) {
