@@ -1,5 +1,5 @@
-// Slots for functions that only the staff's libraries have. The exact values (librelief-truth) are linked to every program
-// of the staff's course. All other code of the staff (librelief-staff) is opened when a command needs it.
+// Slots for functions that only the staff's libraries have. The exact values (librelief-truth) are linked to every
+// program of the staff's course. All other code of the staff (librelief-staff) is opened when a command needs it.
 #pragma once
 
 #include <string>

@@ -70,7 +70,8 @@ std::string header(const Image& image, const Notes& notes) {
     return all + attribute("screenWindowWidth", "float", bytes_of(1.0f)) + '\0';
 }
 
-/// Moves the bytes of even index to the first half, and replaces each byte by its difference from the last one plus 128.
+/// Moves the bytes of even index to the first half, and replaces each byte by its difference from the last one plus
+/// 128.
 std::string prepared(const std::string& raw) {
     std::string moved(raw.size(), '\0');
     const size_t half = (raw.size() + 1) / 2;
@@ -201,8 +202,7 @@ std::optional<Image> decode_plain_exr(const std::string& bytes, Notes& notes) {
         const uint32_t size = number_at<uint32_t>(bytes, at + 4);
         if (size > bytes.size() - at - 8) throw Error("damaged: it ends too early");
         const std::string raw = uncompressed(std::string_view(bytes).substr(at + 8, size), size_of_block(image, first));
-        each_value(image, first,
-                   [&](float& value, size_t offset) { std::memcpy(&value, &raw[offset], sizeof value); });
+        each_value(image, first, [&](float& value, size_t offset) { std::memcpy(&value, &raw[offset], sizeof value); });
     }
     notes = std::move(found);
     return image;

@@ -1,4 +1,5 @@
-// OpenEXR as this course writes it, without OpenImageIO: one image of 32-bit floats, in scan lines with ZIP compression.
+// OpenEXR as this course writes it, without OpenImageIO: one image of 32-bit floats, in scan lines with ZIP
+// compression.
 #pragma once
 
 #include <optional>
@@ -13,8 +14,8 @@ namespace relief {
 std::string encode_exr(const Image& image, const Notes& notes);
 
 /// Returns the image of a file like those of encode_exr(), from any program. Returns nothing if the file uses another
-/// part of the format, such as tiles, halves or other compressions. Throws Error without a place when bytes are damaged.
-/// Precondition: the header is complete, and its values are not larger than the file.
+/// part of the format, such as tiles, halves or other compressions. Throws Error without a place when bytes are
+/// damaged. Precondition: the header is complete, and its values are not larger than the file.
 std::optional<Image> decode_plain_exr(const std::string& bytes, Notes& notes);
 
 }  // namespace relief

@@ -1,5 +1,6 @@
 // Images in files. PNG is handled by libpng, and PPM, PFM and plain OpenEXR by our own code. JPEG and all other OpenEXR
-// are read by OpenImageIO. It is optional, and opened at first use, because it loads 260 libraries in a sixth of a second.
+// are read by OpenImageIO. It is optional, and opened at first use, because it loads 260 libraries in a sixth of a
+// second.
 #pragma once
 
 #include <filesystem>

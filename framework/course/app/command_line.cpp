@@ -36,9 +36,9 @@ int open_menu_or_gallery(const std::string& lab_folder) {
     try {
         return run_menu({.lab_folder = lab_folder});
     } catch (const NoWindow& error) {
-        print_note(
-            fmt::format("{}: the course page is made instead; it is there in seconds, and complete in minutes (Ctrl-C ends it)",
-                        error.what()));
+        print_note(fmt::format(
+            "{}: the course page is made instead; it is there in seconds, and complete in minutes (Ctrl-C ends it)",
+            error.what()));
     }
     return make_gallery({}, {}, {});
 }
@@ -133,14 +133,16 @@ private:
 };
 RELIEF_COMMAND(RunCommand, 3, "run", "opens a lab in a window");
 
-/// Returns whether a command line needs the staff's library: for help, for its commands, and for two other commands that
-/// it extends. All others start faster without it.
+/// Returns whether a command line needs the staff's library: for help, for its commands, and for what it adds to
+/// others. All other command lines start faster without it.
 bool needs_staff(std::span<char* const> arguments) {
-    for (const std::string_view word : arguments.subspan(1)) {
-        if (word == "--verbose") continue;
-        return !has_command(std::string(word)) || word == "info" || word == "explain";
+    std::string_view command;
+    for (const std::string_view word : arguments.subspan(std::min<size_t>(1, arguments.size()))) {
+        if (word == "-h" || word == "--help" || word.starts_with("--mistake") || word.starts_with("--submission"))
+            return true;
+        if (command.empty() && !word.starts_with('-')) command = word;
     }
-    return false;
+    return command == "info" || command == "explain" || (!command.empty() && !has_command(std::string(command)));
 }
 
 class CommandLine {

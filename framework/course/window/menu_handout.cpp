@@ -261,7 +261,8 @@ void Handout::draw_table(const pages::Block& block, float width) {
     ImGui::Dummy({width, y - corner.y});
 }
 
-// A picture that cannot be shown is replaced by its text. It is not tried again until the handout changes.
+// A picture that cannot be shown is replaced by its text and the reason. It is not tried again until the handout
+// changes.
 void Handout::draw_picture(const pages::Span& image, float width) {
     const auto [place, is_new] = pictures_.try_emplace(image.target);
     std::unique_ptr<HandoutPicture>& picture = place->second;
@@ -271,7 +272,9 @@ void Handout::draw_picture(const pages::Span& image, float width) {
     } catch (const Error& error) {
         print_event(fmt::format("handout: {}: {}", image.target, error.what()));
         picture.reset();
+        no_picture_ = error.what();
     }
+    if (!picture) quiet_text(no_picture_);
     set_spans({picture ? pages::Span{.text = image.text, .italic = true} : image}, width);
 }
 

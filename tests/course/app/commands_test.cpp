@@ -16,6 +16,8 @@
 namespace relief::app {
 namespace {
 
+namespace fs = std::filesystem;
+
 int lines(const std::string& text) { return int(std::count(text.begin(), text.end(), '\n')); }
 
 const Circumstances no_display{{}, {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}};
@@ -227,13 +229,19 @@ TEST_F(CourseTest, InfoContinuesAfterADriverCrashes) {
     EXPECT_TRUE(contains(result.out, "built    by ")) << result.out;
 }
 
-TEST_F(CourseTest, AHeadlessRunNeedsNoWindowLibraryAndOpenImageIoOnlyForExr) {
+TEST_F(CourseTest, AHeadlessRunNeedsNoWindowLibraryAndOpenImageIoOnlyForForeignFiles) {
     const TemporaryFolder libraries;
     const auto where = without_libraries(libraries, {"libglfw.so.3", openimageio, "libGL.so.1"});
     EXPECT_EQ(course().relief({"list"}, where).code, 0);
     EXPECT_EQ(course().relief({"shot", "1", "--size", "64x48", "-o", "drawn.png"}, where).code, 0);
-    const Result result = course().relief({"shot", "1", "--size", "64x48", "-o", "shot.exr"}, where);
-    expect_failure(result, "install the Debian package libopenimageio-dev");
+    EXPECT_EQ(course().relief({"shot", "1", "--size", "64x48", "-o", "drawn.exr"}, where).code, 0);
+    const fs::path photo = fs::path(RELIEF_SOURCE_FOLDER) / "tests/core/image/files/grey.jpg";
+    expect_failure(course().relief({"inspect", photo.string()}, where),
+                   "install the Debian package libopenimageio-dev");
+    fs::rename(course().path() / "bin/relief-openimageio.so", course().path() / "bin/kept");
+    expect_failure(course().relief({"inspect", photo.string()}),
+                   "./relief build installs libopenimageio-dev and builds it");
+    fs::rename(course().path() / "bin/kept", course().path() / "bin/relief-openimageio.so");
 }
 
 TEST_F(CourseTest, InfoReportsAllThreeContexts) {

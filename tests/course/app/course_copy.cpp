@@ -9,8 +9,8 @@ namespace fs = std::filesystem;
 
 CourseCopy::CourseCopy() {
     fs::create_directories(path() / "bin");
-    for (const char* name : {"relief", "lab-01", "librelief.so", "librelief-truth.so", "librelief-staff.so", "relief-openimageio.so",
-                             "relief-librsvg.so", "relief-window.so"})
+    for (const char* name : {"relief", "lab-01", "librelief.so", "librelief-truth.so", "librelief-staff.so",
+                             "relief-openimageio.so", "relief-librsvg.so", "relief-window.so"})
         fs::copy(fs::path(RELIEF_BUILD_FOLDER) / "bin" / name, path() / "bin");
     fs::copy(fs::path(RELIEF_BUILD_FOLDER) / "bin/textures", path() / "bin/textures");
     const fs::path source = RELIEF_SOURCE_FOLDER;
