@@ -111,7 +111,7 @@ Lines wrong_libraries(const std::string& file, const std::string& text) {
 /// Calls `check` with the path, relative to the top folder, and the text of every source file of the course.
 template <class Check>
 int each_source(Check check) {
-    const fs::path root = RELIEF_SOURCE_FOLDER;
+    const fs::path root = source_folder;
     int count = 0;
     for (const char* folder : {"framework", "labs", "assets"})
         for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
@@ -249,7 +249,7 @@ TEST(Arrows, FindAPlantedForeignLibrary) {
 
 // GCC 16 takes no precompiled header that was compiled at another level of optimisation.
 TEST(PrecompiledHeaders, AreUsedAtTheirOwnOptimisationLevel) {
-    std::ifstream commands(std::string(RELIEF_BUILD_FOLDER) + "/compile_commands.json");
+    std::ifstream commands(std::string(build_folder) + "/compile_commands.json");
     ASSERT_TRUE(commands);
     std::map<std::string, std::set<std::string>> levels;
     for (std::string line; std::getline(commands, line);) {

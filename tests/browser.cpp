@@ -229,8 +229,7 @@ constexpr const char* faint_texts_script = R"js((() => {
 std::vector<std::string> Browser::faint_texts() { return eval(faint_texts_script); }
 
 std::vector<std::string> Browser::accessibility_faults() {
-    const std::filesystem::path axe =
-        std::filesystem::path(RELIEF_BUILD_FOLDER) / "marp/node_modules/axe-core/axe.min.js";
+    const std::filesystem::path axe = std::filesystem::path(build_folder) / "marp/node_modules/axe-core/axe.min.js";
     std::ifstream file(axe);
     if (!file) throw std::runtime_error(axe.string() + " is missing: ./relief test --ci installs it");
     const std::string script(std::istreambuf_iterator<char>(file), {});

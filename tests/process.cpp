@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support.h"
+
 namespace relief {
 namespace {
 
@@ -84,6 +86,6 @@ Result Process::wait() {
             whole(err_) + (hangs ? "\nkilled by its test after 20 minutes\n" : "")};
 }
 
-std::string relief_program() { return RELIEF_BUILD_FOLDER "/bin/relief"; }
+std::string relief_program() { return std::string(build_folder) + "/bin/relief"; }
 
 }  // namespace relief

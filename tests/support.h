@@ -14,6 +14,11 @@
 
 namespace relief {
 
+/// The folder of the course under test, and the one of its build. Defined in a file of its own, so that a compiler
+/// cache recognises all other files in a course elsewhere.
+extern const char* const source_folder;
+extern const char* const build_folder;
+
 /// A temporary folder, removed by the destructor.
 class TemporaryFolder {
 public:

@@ -6,6 +6,7 @@
 #include "framework/core/gl/program.h"
 #include "labs/18_moving_frames/staff/exact.h"
 #include "tests/labs/shots.h"
+#include "tests/support.h"
 
 namespace relief {
 namespace {
@@ -276,7 +277,7 @@ TEST(MovingFrames, OnlyBodiesOutsideThePictureAreCulled) {
 
 TEST(MovingFrames, ASkinAtRestReadsNoBones) {
     const auto active = [](const std::vector<std::string>& defines) {
-        const std::filesystem::path folder = std::filesystem::path(RELIEF_SOURCE_FOLDER) / "shaders/18_moving_frames";
+        const std::filesystem::path folder = std::filesystem::path(source_folder) / "shaders/18_moving_frames";
         const Program program({folder / "serpent.vert", folder / "serpent.frag"}, defines);
         return std::pair(glGetAttribLocation(program, "a_bones") >= 0 || glGetAttribLocation(program, "a_weights") >= 0,
                          glGetUniformLocation(program, "u_bones[0]") >= 0);

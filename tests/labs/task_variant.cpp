@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 std::vector<VariantCheck> check_variant(const LabEntry& lab, const grade::CourseFiles& files,
                                         const Expectations& expected) {
-    const fs::path build = RELIEF_BUILD_FOLDER, source = RELIEF_SOURCE_FOLDER;
+    const fs::path build = build_folder, source = source_folder;
     // A separate course folder for the executable. It contains the pictures of the solution, as a handout does.
     const grade::CourseOverlay course(files);
     fs::create_directories(course.root() / "bin");

@@ -63,7 +63,7 @@ std::string refusal(const std::string& name, std::string_view bytes) {
 }
 
 // Made by OpenImageIO 2.4: 5x19 floats in ZIP blocks with a note, 5x19 halves in tiles, and a grey 16x8.
-const fs::path files = fs::path(RELIEF_SOURCE_FOLDER) / "tests/core/image/files";
+const fs::path files = fs::path(source_folder) / "tests/core/image/files";
 
 class ImageFiles : public testing::Test {
 protected:

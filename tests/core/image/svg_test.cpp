@@ -27,7 +27,7 @@ std::string drawing(const std::string& inside) {
 
 std::set<fs::path> diagrams_of_handouts() {
     std::set<fs::path> files;
-    for (const auto& lab : fs::directory_iterator(fs::path(RELIEF_SOURCE_FOLDER) / "labs")) {
+    for (const auto& lab : fs::directory_iterator(fs::path(source_folder) / "labs")) {
         if (!fs::exists(lab.path() / "lab.toml")) continue;
         for (const pages::Block& block : pages::parse_markdown(read_file(lab.path() / "README.md")))
             for (const pages::Span& span : block.spans)

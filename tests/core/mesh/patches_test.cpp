@@ -21,7 +21,7 @@ struct Named {
     Mesh mesh;
 };
 
-Mesh urn() { return read_obj(RELIEF_SOURCE_FOLDER "/assets/urn.obj").mesh; }
+Mesh urn() { return read_obj(std::string(source_folder) + "/assets/urn.obj").mesh; }
 
 /// Returns meshes with seams, poles, hard edges and borders.
 std::vector<Named> meshes() {

@@ -102,8 +102,7 @@ TEST_F(BenchCommand, FailsWhenTheErrorExceedsTheBaseline) {
     // The topic storage has only errors. With a smaller error in the file, the run must fail with a message.
     const auto file = course().path() / "tests/staff/measure/baseline.csv";
     make_folder(file.parent_path());
-    const std::string baseline =
-        read_all(std::filesystem::path(RELIEF_SOURCE_FOLDER) / "tests/staff/measure/baseline.csv");
+    const std::string baseline = read_all(std::filesystem::path(source_folder) / "tests/staff/measure/baseline.csv");
     write_file(file, baseline);
     const Result same = course().relief({"bench", "storage", "--work"});
     EXPECT_EQ(same.code, 0) << same.err;

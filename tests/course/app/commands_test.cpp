@@ -235,7 +235,7 @@ TEST_F(CourseTest, AHeadlessRunNeedsNoWindowLibraryAndOpenImageIoOnlyForForeignF
     EXPECT_EQ(course().relief({"list"}, where).code, 0);
     EXPECT_EQ(course().relief({"shot", "1", "--size", "64x48", "-o", "drawn.png"}, where).code, 0);
     EXPECT_EQ(course().relief({"shot", "1", "--size", "64x48", "-o", "drawn.exr"}, where).code, 0);
-    const fs::path photo = fs::path(RELIEF_SOURCE_FOLDER) / "tests/core/image/files/grey.jpg";
+    const fs::path photo = fs::path(source_folder) / "tests/core/image/files/grey.jpg";
     expect_failure(course().relief({"inspect", photo.string()}, where),
                    "install the Debian package libopenimageio-dev");
     fs::rename(course().path() / "bin/relief-openimageio.so", course().path() / "bin/kept");

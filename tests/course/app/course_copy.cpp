@@ -11,9 +11,9 @@ CourseCopy::CourseCopy() {
     fs::create_directories(path() / "bin");
     for (const char* name : {"relief", "lab-01", "librelief.so", "librelief-truth.so", "librelief-staff.so",
                              "relief-openimageio.so", "relief-librsvg.so", "relief-window.so"})
-        fs::copy(fs::path(RELIEF_BUILD_FOLDER) / "bin" / name, path() / "bin");
-    fs::copy(fs::path(RELIEF_BUILD_FOLDER) / "bin/textures", path() / "bin/textures");
-    const fs::path source = RELIEF_SOURCE_FOLDER;
+        fs::copy(fs::path(build_folder) / "bin" / name, path() / "bin");
+    fs::copy(fs::path(build_folder) / "bin/textures", path() / "bin/textures");
+    const fs::path source = source_folder;
     for (const char* name :
          {"labs", "shaders", "assets", "framework/course/app/new_lab", "framework/course/pages",
           "framework/staff/pages", "framework/staff/slides", "framework/staff/grade/twin.glsl", "slides"})

@@ -13,9 +13,9 @@ CourseWithNewLab::CourseWithNewLab() : made(course.relief({"new-lab", "test_wall
             std::filesystem::remove_all(course.path() / "labs" / lab);
     const std::string build = course.path() / "build";
     const std::vector<std::string> commands[] = {
-        {"cmake", "-S", RELIEF_SOURCE_FOLDER "/tests/new_lab", "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-         "-DCMAKE_COMPILE_WARNING_AS_ERROR=ON", "-DCOURSE=" + course.path().string(),
-         "-DRELIEF_BUILD=" RELIEF_BUILD_FOLDER},
+        {"cmake", "-S", std::string(source_folder) + "/tests/new_lab", "-B", build, "-G", "Ninja",
+         "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_COMPILE_WARNING_AS_ERROR=ON", "-DCOURSE=" + course.path().string(),
+         "-DRELIEF_BUILD=" + std::string(build_folder)},
         {"cmake", "--build", build}};
     for (const auto& command : commands) {
         const Result result = run(command);

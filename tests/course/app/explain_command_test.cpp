@@ -104,8 +104,7 @@ TEST(ExplainCommand, SaysWhenNoFunctionIsCalled) {
 
 TEST(ExplainCommand, MarksUnfinishedFunctions) {
     const TemporaryFolder folder;
-    const std::string task =
-        read_all(std::filesystem::path(RELIEF_SOURCE_FOLDER) / "shaders/10_parallax_offset/task.glsl");
+    const std::string task = read_all(std::filesystem::path(source_folder) / "shaders/10_parallax_offset/task.glsl");
     folder.write("jane/shaders/10_parallax_offset/task.glsl",
                  std::string(task).replace(task.find("return 1.0 - height;"), 20, "return unfinished(0.0);"));
     const Result result = explain({"10", "--check", "bricks by one tap", "--pixel", "60,60", "--json", "--submission",

@@ -12,7 +12,7 @@ TEST(HandoutCommand, RefusesALabWhoseOwnSolutionDoesNotPass) {
     const CourseCopy course;
     fs::create_directories(course.path() / "framework/staff/handout");
     for (const char* name : {"framework/staff/handout/handout_readme.md", "framework/staff/handout/handout_check.yml"})
-        fs::copy_file(fs::path(RELIEF_SOURCE_FOLDER) / name, course.path() / name);
+        fs::copy_file(fs::path(source_folder) / name, course.path() / name);
     const std::string whole = read_all(course.path() / task);
     const fs::path students = course.path() / "students";
     const auto hand_out = [&](const std::string& labs) {

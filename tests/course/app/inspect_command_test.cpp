@@ -10,7 +10,7 @@
 namespace relief::app {
 namespace {
 
-const std::string assets = std::string(RELIEF_SOURCE_FOLDER) + "/assets/";
+const std::string assets = std::string(source_folder) + "/assets/";
 
 class InspectCommand : public testing::Test {
 protected:

@@ -52,7 +52,8 @@ TEST_F(NewLab, HasAnExecutableOfItsOwnAndItsErrorMap) {
 
 TEST_F(NewLab, HasADeckOfSlidesWithItsPictures) {
     // The slide tool is installed in the build's folder; this course has its own build folder.
-    std::filesystem::create_directory_symlink(RELIEF_BUILD_FOLDER "/marp", course_.course.path() / "build/marp");
+    std::filesystem::create_directory_symlink(std::string(build_folder) + "/marp",
+                                              course_.course.path() / "build/marp");
     const Result result = run({course_.program("relief"), "slides", "test_wall", "--no-pdf"});
     EXPECT_EQ(result.code, 0) << result.err;
     const std::string deck = read_all(course_.course.path() / "build/slides/20_test_wall.html");

@@ -17,7 +17,7 @@ protected:
 
     void SetUp() override {
         namespace fs = std::filesystem;
-        const fs::path source = RELIEF_SOURCE_FOLDER;
+        const fs::path source = source_folder;
         fs::create_directories(folder_.path() / "framework/cmake");
         fs::create_directories(folder_.path() / "tests");
         fs::copy(source / "relief", folder_.path());

@@ -290,7 +290,7 @@ TEST(MistakesPage, ShowsEveryMistakeBesideTheSolution) {
     const std::string lab = "02_normal_map_storage";
     const Result made = run({relief_program(), "mistakes", "2", "-o", folder.path().string()});
     ASSERT_EQ(made.code, 0) << made.err;
-    const Manifest manifest = load_manifest(fs::path(RELIEF_SOURCE_FOLDER) / "labs" / lab / "lab.toml");
+    const Manifest manifest = load_manifest(fs::path(source_folder) / "labs" / lab / "lab.toml");
     browser().open(folder.path() / "index.html");
     EXPECT_TRUE(browser().load_images());
     Names ids;

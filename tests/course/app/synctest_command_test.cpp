@@ -51,7 +51,7 @@ TEST_F(SynctestCommand, NamesTheFramesOfLab07) {
 
 TEST_F(SynctestCommand, WrongUseAndOtherPicturesAreOneLine) {
     folder_.write("text.png", "not a picture");
-    const std::string albedo = std::string(RELIEF_SOURCE_FOLDER) + "/assets/bricks_albedo.png";
+    const std::string albedo = std::string(source_folder) + "/assets/bricks_albedo.png";
     const struct {
         std::vector<std::string> arguments;
         int code;

@@ -49,7 +49,7 @@ TEST(Template, MissingValuesAndUnclosedSectionsAreErrors) {
 /// Returns the texts of all templates of the course, by name.
 std::map<std::string, std::string> templates() {
     std::map<std::string, std::string> all;
-    const fs::path root = RELIEF_SOURCE_FOLDER;
+    const fs::path root = source_folder;
     for (const auto& entry : fs::recursive_directory_iterator(root / "framework"))
         if (entry.path().extension() == ".mustache")
             all[entry.path().lexically_relative(root).replace_extension()] = read_file(entry.path());
@@ -137,7 +137,7 @@ TEST(Styles, TheErrorScaleHasTheColoursOfTheErrorMap) {
 
 TEST(Styles, NameTheirColoursInOnePlace) {
     static const std::regex color("(#[0-9a-f]{3,8}|rgba?\\([^)]*\\))[ ,;)]");
-    const fs::path root = RELIEF_SOURCE_FOLDER;
+    const fs::path root = source_folder;
     for (const auto& entry : fs::recursive_directory_iterator(root / "framework")) {
         if (entry.path().extension() != ".css" || entry.path().filename() == "colors.css") continue;
         const std::string text = read_file(entry.path());

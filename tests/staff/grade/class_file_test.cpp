@@ -148,7 +148,7 @@ protected:
 };
 
 TEST_F(ClassFiles, TheExampleOfTheGuideIsValid) {
-    const std::string guide = read_file(fs::path(RELIEF_SOURCE_FOLDER) / "labs/staff/README.md");
+    const std::string guide = read_file(fs::path(source_folder) / "labs/staff/README.md");
     const auto block = [&](const std::string& kind) {
         const std::string begin = "```" + kind + "\n";
         const size_t at = guide.find(begin);
