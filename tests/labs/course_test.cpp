@@ -220,24 +220,13 @@ bool has_cpp(const std::vector<Edit>& edits) {
     return std::any_of(edits.begin(), edits.end(), [](const Edit& edit) { return !is_shader(edit.file); });
 }
 
-/// Returns a fixed sample of `count` evenly spaced elements. Returns all if RELIEF_ALL_MISTAKES is set, as by
-/// `relief test --all`.
+/// Returns a sample of mistakes or variants in shaders. Leaves out those in C++ unless tests_all(): each needs a build.
 template <class Thing>
-std::vector<const Thing*> sample_of(std::vector<const Thing*> all, size_t count) {
-    if (std::getenv("RELIEF_ALL_MISTAKES") || all.size() <= count) return all;
-    std::vector<const Thing*> sample;
-    for (size_t i = 0; i < count; ++i) sample.push_back(all[(2 * i + 1) * all.size() / (2 * count)]);
-    return sample;
-}
-
-/// Returns a sample of mistakes or variants in shaders. Leaves out those in C++ unless RELIEF_ALL_MISTAKES is set: each
-/// needs a build.
-template <class Thing>
-std::vector<const Thing*> sample_of(const std::vector<Thing>& things, size_t count) {
+std::vector<const Thing*> sample_by_edits(const std::vector<Thing>& things, size_t count) {
     std::vector<const Thing*> wanted;
     for (const Thing& thing : things)
-        if (!has_cpp(thing.edits) || std::getenv("RELIEF_ALL_MISTAKES")) wanted.push_back(&thing);
-    return sample_of(std::move(wanted), count);
+        if (!has_cpp(thing.edits) || tests_all()) wanted.push_back(&thing);
+    return sample_of(wanted, count);
 }
 
 /// The judgements of all checks about a mistake in one task, and samples of their pictures.
@@ -267,8 +256,8 @@ void expect_one_changed_part(const grade::CourseFiles& files, const Manifest& ma
     }
 }
 
-// Tests all mistakes in shaders until a check of their task catches them, and a sample of them in all checks of the
-// lab. Tests a sample of the mistakes in C++. `relief test --all` tests all of them in all checks. A mistake costs
+// Tests all mistakes in shaders until a check of their task catches them, and one of them in all checks of the lab.
+// Tests one of the mistakes in C++. `relief test --all` tests all of them in all checks. A mistake costs
 // points only in its own task. The grader draws a task among the solutions of all others. `relief check` has no
 // solutions, so other checks wait.
 TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
@@ -292,8 +281,8 @@ TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
     std::vector<const MistakeInfo*> all, in_cpp;
     for (const MistakeInfo& mistake : manifest_.mistakes) (has_cpp(mistake.edits) ? in_cpp : all).push_back(&mistake);
     // The claim that other tasks wait needs all checks of the lab. For all mistakes of all labs they take minutes.
-    const std::vector<const MistakeInfo*> drawn_in_all_checks = sample_of(all, 3);
-    for (const MistakeInfo* one : sample_of(std::move(in_cpp), 2)) all.push_back(one);
+    const std::vector<const MistakeInfo*> drawn_in_all_checks = sample_of(all, 1);
+    for (const MistakeInfo* one : sample_of(in_cpp, 1)) all.push_back(one);
     for (const MistakeInfo* one : all) {
         const MistakeInfo& mistake = *one;
         const grade::CourseFiles files = grade::edited(mistake.edits);
@@ -368,7 +357,7 @@ TEST_P(Course, OnlyKnownMistakesAreNamed) {
     };
     size_t seen = 0, named = 0, unseen = 0;
     std::string others;
-    for (const MistakeInfo* mistake : sample_of(manifest_.mistakes, 1)) {
+    for (const MistakeInfo* mistake : sample_by_edits(manifest_.mistakes, 1)) {
         const MistakeInfo& first = mistake->same_as.empty() ? *mistake : manifest_.mistake(mistake->same_as);
         for (const auto& [task, said] : check(mistake->edits)) {
             if (task != mistake->task) {
@@ -382,7 +371,7 @@ TEST_P(Course, OnlyKnownMistakesAreNamed) {
             if (said.failed && !is_right) others += "\n  " + mistake->id + " is named '" + said.named + "'";
         }
     }
-    for (const EquivalentInfo* equivalent : sample_of(manifest_.equivalents, 0))
+    for (const EquivalentInfo* equivalent : sample_by_edits(manifest_.equivalents, 0))
         for (const auto& [task, said] : check(equivalent->edits))
             EXPECT_EQ(said.named, "") << "at task " << task << ": " << equivalent->id << " is correct";
     fmt::print("lab {}: {} known mistakes fail a public check, {} of them named; {} fail none{}\n",
@@ -429,8 +418,8 @@ std::string not_yet() {
     return text;
 }
 
-/// The uniform that selects the starter of a task, by the task's place in the manifest. Each task has its own: a program
-/// in which it is not active cannot depend on the task.
+/// The uniform that selects the starter of a task, by the task's place in the manifest. Each task has its own: a
+/// program in which it is not active cannot depend on the task.
 std::string selector_of(size_t task) { return "u_starter_" + std::to_string(task); }
 
 /// Returns a task file that also contains every task's starter. Uniforms select them: see selector_of(). So a lab's
@@ -528,7 +517,8 @@ TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
         for (const CheckInfo& check : blind.checks) {
             const auto run = [&] { return check::run_check(GetParam(), blind, check, expected[check.name]); };
             const check::CheckResult solution = run();
-            EXPECT_EQ(solution.outcome, check::Outcome::passed) << check.name << " by the solutions: " << solution.found;
+            EXPECT_EQ(solution.outcome, check::Outcome::passed)
+                << check.name << " by the solutions: " << solution.found;
             for (const size_t i : starter.take_reached()) {  // the picture cannot depend on other tasks
                 const std::string& task = manifest_.tasks[i].id;
                 if (task == check.task) continue;
