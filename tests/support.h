@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "framework/core/base/error.h"
 
@@ -63,6 +65,19 @@ std::string message_of(Call call) {
     }
     ADD_FAILURE() << "threw nothing";
     return {};
+}
+
+/// Returns whether each claim is tested on everything that it is about, and not on a sample: see `--all` in
+/// tests/README.md.
+inline bool tests_all() { return std::getenv("RELIEF_TEST_ALL") != nullptr; }
+
+/// Returns a fixed sample of `count` evenly spaced elements, or all elements if tests_all().
+template <class Thing>
+std::vector<Thing> sample_of(const std::vector<Thing>& all, size_t count) {
+    if (tests_all() || all.size() <= count) return all;
+    std::vector<Thing> sample;
+    for (size_t i = 0; i < count; ++i) sample.push_back(all[(2 * i + 1) * all.size() / (2 * count)]);
+    return sample;
 }
 
 inline bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }

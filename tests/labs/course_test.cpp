@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 #include <regex>
 #include <set>
 
@@ -219,24 +220,13 @@ bool has_cpp(const std::vector<Edit>& edits) {
     return std::any_of(edits.begin(), edits.end(), [](const Edit& edit) { return !is_shader(edit.file); });
 }
 
-/// Returns a fixed sample of `count` evenly spaced elements. Returns all if RELIEF_ALL_MISTAKES is set, as by
-/// `relief test --all`.
+/// Returns a sample of mistakes or variants in shaders. Leaves out those in C++ unless tests_all(): each needs a build.
 template <class Thing>
-std::vector<const Thing*> sample_of(std::vector<const Thing*> all, size_t count) {
-    if (std::getenv("RELIEF_ALL_MISTAKES") || all.size() <= count) return all;
-    std::vector<const Thing*> sample;
-    for (size_t i = 0; i < count; ++i) sample.push_back(all[(2 * i + 1) * all.size() / (2 * count)]);
-    return sample;
-}
-
-/// Returns a sample of mistakes or variants in shaders. Leaves out those in C++ unless RELIEF_ALL_MISTAKES is set: each
-/// needs a build.
-template <class Thing>
-std::vector<const Thing*> sample_of(const std::vector<Thing>& things, size_t count) {
+std::vector<const Thing*> sample_by_edits(const std::vector<Thing>& things, size_t count) {
     std::vector<const Thing*> wanted;
     for (const Thing& thing : things)
-        if (!has_cpp(thing.edits) || std::getenv("RELIEF_ALL_MISTAKES")) wanted.push_back(&thing);
-    return sample_of(std::move(wanted), count);
+        if (!has_cpp(thing.edits) || tests_all()) wanted.push_back(&thing);
+    return sample_of(wanted, count);
 }
 
 /// The judgements of all checks about a mistake in one task, and samples of their pictures.
@@ -266,8 +256,8 @@ void expect_one_changed_part(const grade::CourseFiles& files, const Manifest& ma
     }
 }
 
-// Tests all mistakes in shaders until a check of their task catches them, and a sample of them in all checks of the
-// lab. Tests a sample of the mistakes in C++. `relief test --all` tests all of them in all checks. A mistake costs
+// Tests all mistakes in shaders until a check of their task catches them, and one of them in all checks of the lab.
+// Tests one of the mistakes in C++. `relief test --all` tests all of them in all checks. A mistake costs
 // points only in its own task. The grader draws a task among the solutions of all others. `relief check` has no
 // solutions, so other checks wait.
 TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
@@ -291,8 +281,8 @@ TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
     std::vector<const MistakeInfo*> all, in_cpp;
     for (const MistakeInfo& mistake : manifest_.mistakes) (has_cpp(mistake.edits) ? in_cpp : all).push_back(&mistake);
     // The claim that other tasks wait needs all checks of the lab. For all mistakes of all labs they take minutes.
-    const std::vector<const MistakeInfo*> drawn_in_all_checks = sample_of(all, 3);
-    for (const MistakeInfo* one : sample_of(std::move(in_cpp), 2)) all.push_back(one);
+    const std::vector<const MistakeInfo*> drawn_in_all_checks = sample_of(all, 1);
+    for (const MistakeInfo* one : sample_of(in_cpp, 1)) all.push_back(one);
     for (const MistakeInfo* one : all) {
         const MistakeInfo& mistake = *one;
         const grade::CourseFiles files = grade::edited(mistake.edits);
@@ -367,7 +357,7 @@ TEST_P(Course, OnlyKnownMistakesAreNamed) {
     };
     size_t seen = 0, named = 0, unseen = 0;
     std::string others;
-    for (const MistakeInfo* mistake : sample_of(manifest_.mistakes, 1)) {
+    for (const MistakeInfo* mistake : sample_by_edits(manifest_.mistakes, 1)) {
         const MistakeInfo& first = mistake->same_as.empty() ? *mistake : manifest_.mistake(mistake->same_as);
         for (const auto& [task, said] : check(mistake->edits)) {
             if (task != mistake->task) {
@@ -381,7 +371,7 @@ TEST_P(Course, OnlyKnownMistakesAreNamed) {
             if (said.failed && !is_right) others += "\n  " + mistake->id + " is named '" + said.named + "'";
         }
     }
-    for (const EquivalentInfo* equivalent : sample_of(manifest_.equivalents, 0))
+    for (const EquivalentInfo* equivalent : sample_by_edits(manifest_.equivalents, 0))
         for (const auto& [task, said] : check(equivalent->edits))
             EXPECT_EQ(said.named, "") << "at task " << task << ": " << equivalent->id << " is correct";
     fmt::print("lab {}: {} known mistakes fail a public check, {} of them named; {} fail none{}\n",
@@ -428,9 +418,12 @@ std::string not_yet() {
     return text;
 }
 
-/// Returns a task file that also contains every task's starter. A uniform selects one of them, counted from 1. So a
-/// lab's programs are compiled once for all starters. Precondition: each block of a solution is the whole body of a
-/// function.
+/// The uniform that selects the starter of a task, by the task's place in the manifest. Each task has its own: a
+/// program in which it is not active cannot depend on the task.
+std::string selector_of(size_t task) { return "u_starter_" + std::to_string(task); }
+
+/// Returns a task file that also contains every task's starter. Uniforms select them: see selector_of(). So a lab's
+/// programs are compiled once for all starters. Precondition: each block of a solution is the whole body of a function.
 std::string with_starters(const std::string& text, const std::vector<TaskInfo>& tasks) {
     std::string result, solution, starter;
     std::string* part = &result;
@@ -442,38 +435,56 @@ std::string with_starters(const std::string& text, const std::vector<TaskInfo>& 
             part = &starter;
         } else if (word == "//]") {
             const auto is_own = [&, id = task](const TaskInfo& info) { return info.id == id; };
-            const auto at = std::find_if(tasks.begin(), tasks.end(), is_own) - tasks.begin() + 1;
+            const auto at = std::find_if(tasks.begin(), tasks.end(), is_own) - tasks.begin();
             // Renames the call, so that the text does not look unfinished.
             starter = std::regex_replace(starter, std::regex("\\bunfinished\\("), "not_yet(");
-            result += "if (u_starter == " + std::to_string(at) + ") {\n" + starter + "}\n" + solution;
+            result += "if (" + selector_of(size_t(at)) + ") {\n" + starter + "}\n" + solution;
             solution.clear(), starter.clear(), part = &result;
         } else {
             *part += (part == &starter ? word.substr(3) : line) + '\n';
-            if (word.starts_with("#include \"common/unfinished.glsl\""))
-                result += "uniform int u_starter;\nuniform int u_wrong;\n" + not_yet();
+            if (word.starts_with("#include \"common/unfinished.glsl\"")) {
+                for (size_t i = 0; i < tasks.size(); ++i) result += "uniform bool " + selector_of(i) + ";\n";
+                result += "uniform int u_wrong;\n" + not_yet();
+            }
         }
     }
     return result;
 }
 
-/// Sets u_starter and u_wrong in every program that has them, whenever a lab binds it.
+/// Sets the uniforms of with_starters() in every program that has them, whenever a lab binds it. Selects no starter at
+/// first.
 class StarterInUse {
 public:
-    StarterInUse() : before_(glad_glUseProgram) { real_ = before_, glad_glUseProgram = use_program; }
+    explicit StarterInUse(size_t tasks) : before_(glad_glUseProgram) {
+        real_ = before_, glad_glUseProgram = use_program;
+        selectors_.clear(), selected_.reset(), reached_.clear(), wrong_ = 0;
+        for (size_t i = 0; i < tasks; ++i) selectors_.push_back(selector_of(i));
+    }
     ~StarterInUse() { glad_glUseProgram = before_; }
     StarterInUse(const StarterInUse&) = delete;
     StarterInUse& operator=(const StarterInUse&) = delete;
-    void set(size_t number, int wrong) { number_ = GLint(number), wrong_ = wrong; }
+    void select(size_t task, int wrong) { selected_ = task, wrong_ = wrong; }
+    void select_none() { selected_.reset(); }
+    /// Returns the tasks that programs bound since the last call can depend on.
+    std::set<size_t> take_reached() { return std::exchange(reached_, {}); }
 
 private:
     static void GLAD_API_PTR use_program(GLuint program) {
         real_(program);
-        for (const auto& [name, value] : {std::pair("u_starter", number_), std::pair("u_wrong", wrong_)})
-            if (const GLint place = program == 0 ? -1 : glGetUniformLocation(program, name); place >= 0)
-                glUniform1i(place, value);
+        if (program == 0) return;
+        for (size_t i = 0; i < selectors_.size(); ++i) {
+            const GLint place = glGetUniformLocation(program, selectors_[i].c_str());
+            if (place < 0) continue;
+            glUniform1i(place, selected_ == i);
+            reached_.insert(i);
+        }
+        if (const GLint place = glGetUniformLocation(program, "u_wrong"); place >= 0) glUniform1i(place, wrong_);
     }
     static inline PFNGLUSEPROGRAMPROC real_ = nullptr;
-    static inline GLint number_ = 0, wrong_ = 0;
+    static inline std::vector<std::string> selectors_;
+    static inline std::optional<size_t> selected_;
+    static inline std::set<size_t> reached_;
+    static inline int wrong_ = 0;
     PFNGLUSEPROGRAMPROC before_;
 };
 
@@ -491,6 +502,8 @@ bool is_failed_by_mistake(const LabEntry& lab, const Manifest& manifest, const s
 // of a failure is another task, the student must be sent to that task.
 TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
     Manifest blind = manifest_;  // draws even if needed tasks are missing
+    // Added checks declare all tasks, because a picture may take any of them.
+    std::erase_if(blind.checks, [](const CheckInfo& check) { return check.added; });
     for (CheckInfo& check : blind.checks) check.needs.clear();
     Expectations expected;
     for (const CheckInfo& check : blind.checks) expected[check.name] = check::expectation(GetParam(), check);
@@ -500,23 +513,23 @@ TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
         if (is_shader(file)) shaders[file] = with_starters(read_file(course_root() / file), manifest_.tasks);
     {
         const grade::CourseOverlay overlay(shaders);
-        StarterInUse starter;
-        for (size_t i = 0; i <= manifest_.tasks.size(); ++i) {
-            if (i > 0 && !is_shader(manifest_.tasks[i - 1].file)) continue;
-            for (int wrong = 0; wrong <= (i > 0 ? wrong_versions : 0); ++wrong) {
-                starter.set(i, wrong);
-                for (const CheckInfo& check : blind.checks) {
-                    const std::string task = i > 0 ? manifest_.tasks[i - 1].id : "";
-                    if (check.task == task || needs[check.name].contains(task) || leans_on[check.name].contains(task))
-                        continue;
-                    const check::CheckResult result = check::run_check(GetParam(), blind, check, expected[check.name]);
-                    const bool passed = result.outcome == check::Outcome::passed;
-                    if (i == 0)
-                        EXPECT_TRUE(passed) << check.name << " by the solutions: " << result.found;
-                    else if (!passed)
-                        (wrong == 0 ? needs : leans_on)[check.name].insert(task);
+        StarterInUse starter(manifest_.tasks.size());
+        for (const CheckInfo& check : blind.checks) {
+            const auto run = [&] { return check::run_check(GetParam(), blind, check, expected[check.name]); };
+            const check::CheckResult solution = run();
+            EXPECT_EQ(solution.outcome, check::Outcome::passed)
+                << check.name << " by the solutions: " << solution.found;
+            for (const size_t i : starter.take_reached()) {  // the picture cannot depend on other tasks
+                const std::string& task = manifest_.tasks[i].id;
+                if (task == check.task) continue;
+                for (int wrong = 0; wrong <= wrong_versions; ++wrong) {
+                    starter.select(i, wrong);
+                    if (run().outcome == check::Outcome::passed) continue;
+                    (wrong == 0 ? needs : leans_on)[check.name].insert(task);
+                    break;
                 }
             }
+            starter.select_none(), starter.take_reached();
         }
     }
     const std::string manifest = "labs/" + GetParam().folder + "/lab.toml";
@@ -527,12 +540,12 @@ TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
             {task.file, starter_of_task(read_file(course_root() / task.file), task.file, task.id)},
             {manifest, std::regex_replace(read_file(course_root() / manifest), key, "$1")}};
         const std::vector<VariantCheck> checks = check_variant(GetParam(), files, expected);
-        EXPECT_EQ(checks.size(), manifest_.checks.size()) << task.id;
+        EXPECT_EQ(checks.size(), blind.checks.size()) << task.id;
         for (const VariantCheck& check : checks)
             if (check.outcome != "passed") needs[check.name].insert(task.id);
     }
     for (const CheckInfo& check : manifest_.checks) {
-        if (check.added) continue;  // declares all tasks, because a picture may take any of them
+        if (check.added) continue;
         // A check that compares with another check also depends on the other's tasks.
         std::set<std::string> all = needs[check.name], wrong = leans_on[check.name];
         for (const CheckInfo* last = &check; last->against != "truth" && last->against != "solution";) {

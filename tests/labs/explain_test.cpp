@@ -1,8 +1,6 @@
 // `relief explain` against known mistakes and correct variants of every lab's shaders.
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/image/compare.h"
@@ -100,16 +98,13 @@ protected:
     std::map<std::string, Image> right_;
 };
 
-/// Returns all things with edits in shaders if RELIEF_ALL_MISTAKES is set, otherwise a fixed sample of `count` of them.
+/// Returns one of the things with edits in shaders, or all of them if tests_all().
 template <class Thing>
-std::vector<const Thing*> sample_of(const std::vector<Thing>& things, size_t count) {
+std::vector<const Thing*> sample_in_shaders(const std::vector<Thing>& things) {
     std::vector<const Thing*> wanted;
     for (const Thing& thing : things)
         if (in_shaders(thing.edits)) wanted.push_back(&thing);
-    if (std::getenv("RELIEF_ALL_MISTAKES") || wanted.size() <= count) return wanted;
-    std::vector<const Thing*> sample;
-    for (size_t i = 0; i < count; ++i) sample.push_back(wanted[(2 * i + 1) * wanted.size() / (2 * count)]);
-    return sample;
+    return sample_of(wanted, 1);
 }
 
 /// Collects the unexpected results, one line each.
@@ -132,7 +127,7 @@ private:
 // The goal is 95 % over all labs. A single lab may miss one of ten.
 TEST_P(Explained, BlamesTheEditedFunctionFirst) {
     Misses misses;
-    const auto mistakes = sample_of(manifest_.mistakes, 2);
+    const auto mistakes = sample_in_shaders(manifest_.mistakes);
     for (const MistakeInfo* const mistake : mistakes) {
         const std::set<std::string> edited = edited_functions(mistake->edits);
         const Said said = said_of(mistake->edits, mistake->task, true);
@@ -149,7 +144,7 @@ TEST_P(Explained, BlamesNoFunctionOfACorrectVariant) {
     // variant is correct.
     const std::string free_choice = "another-perpendicular-in-the-shader";
     Misses misses;
-    const auto variants = sample_of(manifest_.equivalents, 2);
+    const auto variants = sample_in_shaders(manifest_.equivalents);
     for (const EquivalentInfo* const variant : variants) {
         const Said said = said_of(variant->edits, variant->task, false);
         if (!said.named.empty() && variant->id != free_choice)

@@ -246,7 +246,10 @@ TEST_P(EveryLab, ComesBackIdenticalAfterAnyOtherLab) {
     const auto lab = make_lab(GetParam(), own);
     const Image before = render_shot(*lab, own);
     const Counters objects = counters();
-    for (const LabEntry& other : registry()) {
+    // Every sixth lab, so that each lab is the other one three times. `relief test --all` draws all pairs.
+    const size_t step = tests_all() ? 1 : std::min<size_t>(6, registry().size());
+    for (size_t i = size_t(GetParam().number) % step; i < registry().size(); i += step) {
+        const LabEntry& other = registry()[i];
         Shot theirs;
         theirs.size = {64, 48};
         theirs.camera = load_manifest(other).camera;

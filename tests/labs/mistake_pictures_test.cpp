@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "framework/core/base/paths.h"
@@ -43,15 +42,13 @@ void expect_shown(const LabEntry& lab, grade::MistakePictures& pictures, const M
     EXPECT_EQ(right.channels, 3);
 }
 
-// `relief test --all` tests all labs, which takes minutes. Here, lab 11 has views of level ground, and lab 16 unbounded
-// values.
+// Lab 11 has views of level ground, and lab 16 unbounded values. `relief test --all` tests all mistakes of all labs.
 TEST(MistakePictures, HaveContrast) {
-    const bool all = std::getenv("RELIEF_ALL_MISTAKES") != nullptr;
     for (const LabEntry& lab : registry()) {
         const std::string number = lab.two_digits();
-        if (!all && number != "11" && number != "16") continue;
+        if (!tests_all() && number != "11" && number != "16") continue;
         grade::MistakePictures pictures(lab);
-        for (const MistakeInfo& mistake : pictures.manifest().mistakes) {
+        for (const MistakeInfo& mistake : sample_of(pictures.manifest().mistakes, 4)) {
             const grade::MistakePicture shown = pictures.best(mistake);
             const auto [right, wrong] = as_shown(pictures, shown);
             EXPECT_GE(grade::contrast_of(right), grade::min_contrast) << number << " " << mistake.id;

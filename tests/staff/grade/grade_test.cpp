@@ -892,9 +892,9 @@ TEST(Grade, KillsMutantsOfASolutionAndListsTheSurvivors) {
     EXPECT_TRUE(contains(blindly.err, "fewer than 97 % of the mutants that can be seen are killed")) << blindly.err;
 }
 
-// Tests every third lab, two of them with tasks in C++. `relief test --all` tests all labs completely.
+// Three labs, one of them with tasks in C++. `relief test --all` tests all labs completely.
 TEST(Grade, TestsItselfOnASampleOfSomeLabs) {
-    const std::vector<std::string> labs = {"03", "06", "09", "12", "15", "18"};
+    const std::vector<std::string> labs = {"06", "12", "15"};
     std::vector<std::string> words = {"--self-test", "--sample", "1", "--jobs", "2"};
     for (const std::string& number : labs) words.insert(words.end(), {"--lab", number});
     const Result tested = run(grade(words));

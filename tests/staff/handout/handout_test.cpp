@@ -36,6 +36,7 @@ protected:
         ASSERT_EQ(made.code, 0) << made.err;
         for (const auto& entry : fs::directory_iterator(course_root() / "labs"))
             if (fs::exists(entry.path() / "lab.toml")) labs_->push_back(entry.path().filename());
+        std::sort(labs_->begin(), labs_->end());
         ASSERT_GE(labs_->size(), 6u);
     }
     static void TearDownTestSuite() { delete folder_; }
@@ -225,7 +226,7 @@ TEST_F(StudentsCourse, NeverOverwritesForeignFiles) {
     const Result file = hand_out(course() / "README.md");
     EXPECT_EQ(file.code, 1);
     EXPECT_TRUE(contains(file.err, "README.md: is there already")) << file.err;
-    const Result readonly = hand_out("/proc/handout");
+    const Result readonly = hand_out("/proc/handout", {"--labs", "2"});
     EXPECT_EQ(readonly.code, 1);
     EXPECT_TRUE(contains(readonly.err, "/proc/handout.part: cannot make this folder")) << readonly.err;
     const Result nowhere = run({relief_program(), "handout"});
@@ -274,11 +275,15 @@ TEST_F(StudentsCourse, OfSomeLabsIsASubsetAndCanBeExtended) {
     EXPECT_EQ(none.code, 2);
     EXPECT_TRUE(contains(none.err, "'88-89' contains no lab")) << none.err;
 
-    ASSERT_EQ(hand_out(part, {"--labs", "all"}).code, 0);
+    // `relief test --all` lets it grow to the whole course.
+    ASSERT_EQ(hand_out(part, {"--labs", tests_all() ? "all" : "2"}).code, 0);
     std::map<std::string, std::string> grown = files_in(part);
     EXPECT_EQ(grown[file], some.at(file) + "// mine\n");
     grown[file] = some.at(file);
-    EXPECT_TRUE(grown == whole);
+    EXPECT_TRUE(grown.contains("shaders/02_normal_map_storage/task.glsl"));
+    if (tests_all()) {
+        EXPECT_TRUE(grown == whole);
+    }
 }
 
 TEST_F(StudentsCourse, BuildsReportsUnfinishedTasksAndGivesFullPointsForSolutions) {
@@ -319,7 +324,9 @@ TEST_F(StudentsCourse, BuildsReportsUnfinishedTasksAndGivesFullPointsForSolution
         for (const TaskInfo& task : staff(lab).tasks)
             fs::copy_file(course_root() / task.file, course() / task.file, fs::copy_options::overwrite_existing);
     ASSERT_NO_FATAL_FAILURE(ninja("programs"));
-    for (const std::string& lab : *labs_) {
+    // The same solutions pass the same checks in the staff's course, where all labs are tested.
+    const std::vector<std::string> drawn = sample_of(*labs_, 6);
+    for (const std::string& lab : drawn) {
         const auto [code, report] = check(lab);
         EXPECT_EQ(code, 0) << lab << report.dump(1);
         EXPECT_EQ(report.at("points"), report.at("of")) << lab;
@@ -341,7 +348,7 @@ TEST_F(StudentsCourse, BuildsReportsUnfinishedTasksAndGivesFullPointsForSolution
     for (const auto& [file, text] : grade::edited(mistake.edits))
         write_file(course() / file, read_file(course_root() / file));
     // The golden pictures pass, so no picture needs a removed or replaced file.
-    for (const std::string& lab : *labs_) {
+    for (const std::string& lab : drawn) {
         const Result golden = run({(build / "bin/relief").string(), "golden", lab});
         EXPECT_EQ(golden.code, 0) << golden.err;
     }
