@@ -298,10 +298,10 @@ TEST(ReliefExact, EveryPixelIsFiniteAndNoLoopRunsOn) {
     for (const char* method : {"windows", "cones"})
         for (std::vector<Knob> scene : scenes) {
             scene.insert(scene.begin(), {{"map", "posts"}, {"method", method}});
+            const auto lab = make_lab(find_lab("12"), seen(scene, 0, 0));
             for (const double yaw : {0.0, 89.9, 90.0, 90.1}) {
                 Shot shot = seen(scene, yaw, yaw == 0 ? 0 : 0.05, "steps", {32, 32});
                 if (scene.back().first == "surface" || scene[2].first == "surface") shot.camera.distance = 3;
-                const auto lab = make_lab(find_lab("12"), shot);
                 const Target probe(TargetKind::probe, shot.size), light(TargetKind::light, shot.size);
                 draw_lab(*lab, frame_of(shot, probe));
                 for (const Image steps = probe.read(); const float value : steps.values)
