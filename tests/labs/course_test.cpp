@@ -55,6 +55,21 @@ protected:
         for (const TaskInfo& task : manifest_.tasks) files.insert(task.file);
         return files;
     }
+    /// Returns the pictures that the checks compare with, made once for all tests. Precondition: no CourseOverlay.
+    const Expectations& expectations() const {
+        static std::map<std::string, Expectations> by_lab;
+        const auto [place, is_new] = by_lab.try_emplace(GetParam().folder);
+        if (is_new)
+            for (const CheckInfo& check : manifest_.checks)
+                place->second[check.name] = check::expectation(GetParam(), check);
+        return place->second;
+    }
+    /// Returns those of the checks of `manifest`.
+    Expectations expectations_of(const Manifest& manifest) const {
+        Expectations some;
+        for (const CheckInfo& check : manifest.checks) some[check.name] = expectations().at(check.name);
+        return some;
+    }
     grade::CourseFiles starters() const {
         grade::CourseFiles files;
         for (const std::string& file : task_files())
@@ -194,13 +209,9 @@ TEST_P(Course, AHiddenViewDiffersFromTheKnownCheck) {
 
 TEST_P(Course, AStarterIsUnfinishedInEveryCheckAndPaintsTheChequer) {
     if (manifest_.tasks.empty()) GTEST_SKIP() << "a lab of someone's own";
-    Expectations expected;
-    for (const CheckInfo& check : manifest_.checks) expected[check.name] = check::expectation(GetParam(), check);
     const grade::CourseOverlay overlay(starters());
-    for (const CheckInfo& check : manifest_.checks)
-        EXPECT_EQ(check::run_check(GetParam(), manifest_, check, expected[check.name]).outcome,
-                  check::Outcome::unfinished)
-            << check.name;
+    for (const CheckInfo& check : manifest_.checks)  // without a picture to compare with: nothing is drawn
+        EXPECT_EQ(check::run_check(GetParam(), manifest_, check, {}).outcome, check::Outcome::unfinished) << check.name;
     // An unfinished task in a shader is visible in the lab's first picture.
     if (!std::any_of(manifest_.tasks.begin(), manifest_.tasks.end(),
                      [](const auto& task) { return is_shader(task.file); }))
@@ -261,8 +272,7 @@ void expect_one_changed_part(const grade::CourseFiles& files, const Manifest& ma
 // points only in its own task. The grader draws a task among the solutions of all others. `relief check` has no
 // solutions, so other checks wait.
 TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
-    Expectations expected;
-    for (const CheckInfo& check : manifest_.checks) expected[check.name] = check::expectation(GetParam(), check);
+    const Expectations& expected = expectations();
     const check::Fingerprints fingerprints = check::load_fingerprints(GetParam(), manifest_);
     // Public checks come first.
     Manifest students = manifest_;
@@ -300,7 +310,8 @@ TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
             for (size_t i = 0; i < manifest_.checks.size(); ++i) {
                 const CheckInfo& check = manifest_.checks[i];
                 if (!in_all_checks && (caught || check.task != mistake.task)) continue;
-                const check::CheckResult result = check::run_check(GetParam(), manifest_, check, expected[check.name]);
+                const check::CheckResult result =
+                    check::run_check(GetParam(), manifest_, check, expected.at(check.name));
                 said.judgements.push_back({result.outcome, result.found, result.culprit});
                 if (const auto places = fingerprints.checks.find(i); places != fingerprints.checks.end())
                     said.samples[i] = check::sample_at(result.drawn, result.found, places->second.values);
@@ -332,8 +343,7 @@ TEST_P(Course, OnlyKnownMistakesAreNamed) {
     const std::string grading = "labs/" + GetParam().folder + "/staff/grading.toml";
     Manifest students = manifest_;
     std::erase_if(students.checks, [](const CheckInfo& check) { return check.hidden; });
-    Expectations expected;
-    for (const CheckInfo& check : students.checks) expected[check.name] = check::expectation(GetParam(), check);
+    const Expectations expected = expectations_of(students);
     struct TaskSaid {
         bool failed = false;
         std::string named = {};
@@ -505,8 +515,7 @@ TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
     // Added checks declare all tasks, because a picture may take any of them.
     std::erase_if(blind.checks, [](const CheckInfo& check) { return check.added; });
     for (CheckInfo& check : blind.checks) check.needs.clear();
-    Expectations expected;
-    for (const CheckInfo& check : blind.checks) expected[check.name] = check::expectation(GetParam(), check);
+    const Expectations expected = expectations_of(blind);
     std::map<std::string, std::set<std::string>> needs, leans_on;  // by check
     grade::CourseFiles shaders;
     for (const std::string& file : task_files())
@@ -515,7 +524,7 @@ TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
         const grade::CourseOverlay overlay(shaders);
         StarterInUse starter(manifest_.tasks.size());
         for (const CheckInfo& check : blind.checks) {
-            const auto run = [&] { return check::run_check(GetParam(), blind, check, expected[check.name]); };
+            const auto run = [&] { return check::run_check(GetParam(), blind, check, expected.at(check.name)); };
             const check::CheckResult solution = run();
             EXPECT_EQ(solution.outcome, check::Outcome::passed)
                 << check.name << " by the solutions: " << solution.found;
@@ -555,7 +564,7 @@ TEST_P(Course, ChecksNeedExactlyTheirDeclaredTasks) {
         all.erase(check.task);
         EXPECT_EQ(check.needs, std::vector(all.begin(), all.end())) << check.name;
         for (const std::string& task : check.leans_on)
-            if (!wrong.contains(task) && is_failed_by_mistake(GetParam(), blind, task, check, expected[check.name]))
+            if (!wrong.contains(task) && is_failed_by_mistake(GetParam(), blind, task, check, expected.at(check.name)))
                 wrong.insert(task);
         std::erase_if(wrong, [&](const std::string& task) { return task == check.task || all.contains(task); });
         EXPECT_EQ(check.leans_on, std::vector(wrong.begin(), wrong.end())) << "leans_on of " << check.name;

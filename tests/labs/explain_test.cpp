@@ -143,6 +143,7 @@ TEST_P(Explained, BlamesNoFunctionOfACorrectVariant) {
     // This task accepts any perpendicular, and the probe shows which one was chosen. The difference is real, and the
     // variant is correct.
     const std::string free_choice = "another-perpendicular-in-the-shader";
+    if (!tests_all() && GetParam().number % 3 != 1) GTEST_SKIP() << "a sample: lab 10 and every third other one";
     Misses misses;
     const auto variants = sample_in_shaders(manifest_.equivalents);
     for (const EquivalentInfo* const variant : variants) {

@@ -97,7 +97,7 @@ TEST_P(EveryLab, DrawsWithEachKnobAtItsEndsAndCompilesNothingForEqualPictures) {
     };
     const Image usual = draw();
     for (const KnobText& knob : describe_knobs(small.lab()))
-        for (const std::string& value : extremes(knob)) {
+        for (const std::string& value : sample_of(extremes(knob), 4)) {
             set_knob(small.lab(), knob.name, value);
             const int64_t before = counters().links;
             try {

@@ -48,7 +48,7 @@ TEST(MistakePictures, HaveContrast) {
         const std::string number = lab.two_digits();
         if (!tests_all() && number != "11" && number != "16") continue;
         grade::MistakePictures pictures(lab);
-        for (const MistakeInfo& mistake : sample_of(pictures.manifest().mistakes, 4)) {
+        for (const MistakeInfo& mistake : sample_of(pictures.manifest().mistakes, 2)) {
             const grade::MistakePicture shown = pictures.best(mistake);
             const auto [right, wrong] = as_shown(pictures, shown);
             EXPECT_GE(grade::contrast_of(right), grade::min_contrast) << number << " " << mistake.id;

@@ -1,6 +1,5 @@
 // The pages of `relief grade` in a browser, used by keyboard and through the screen reader's information.
 #include <cmath>
-#include <regex>
 #include <set>
 
 #include "framework/core/base/file.h"
@@ -431,7 +430,8 @@ TEST(Pages, NameEveryControlAndResolveEveryLink) {
         EXPECT_FALSE(links.empty());
         for (const std::string& link : links) {
             const size_t hash = link.find('#');
-            const std::string file = std::regex_replace(link.substr(7, hash - 7), std::regex("%20"), " ");
+            std::string file = link.substr(7, hash - 7);
+            for (size_t at = 0; (at = file.find("%20", at)) != file.npos;) file.replace(at, 3, " ");
             EXPECT_TRUE(fs::exists(file)) << link;
             if (hash == std::string::npos) continue;
             const std::string end = "document.getElementById(" + json(link.substr(hash + 1)).dump() + ")";

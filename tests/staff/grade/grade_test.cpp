@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <regex>
 #include <thread>
 
 #include "framework/core/base/descriptor.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
 #include "framework/core/lab/registry.h"
 #include "framework/course/check/starter.h"
 #include "framework/staff/grade/attempt.h"
@@ -308,7 +308,7 @@ static const int before = [] {
         const size_t at = said.find("\"set\":[");
         ASSERT_NE(at, std::string::npos) << said;
         const std::string knobs = said.substr(at, said.find("]]", at) - at);
-        const bool is_shown = contains(students, std::regex_replace(knobs, std::regex("\""), "&quot;"));
+        const bool is_shown = contains(students, join(split(knobs, '"'), "&quot;"));
         EXPECT_EQ(is_shown, !check["hidden"]) << said;
         ++(check["hidden"] ? hidden_ones : public_ones);
     }
@@ -358,9 +358,9 @@ TEST(Grade, ProcessorTimeIsLimitedByTheSolutionsTimeOnTheFirstMachine) {
     json roster = json::parse(read_file(output / "class.json"));
     json& figure = roster["solution_cpu_seconds"]["05_tangent_basis"];
     EXPECT_GT(figure.get<double>(), 0);
-    // Uses 12 seconds of processor time, on any machine.
+    // Uses 11 seconds of processor time, on any machine. The lowest limit is 10.
     folder.write(std::string("slow/") + cpp,
-                 cpp_that("for (timespec used{}; used.tv_sec < 12;) clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);",
+                 cpp_that("for (timespec used{}; used.tv_sec < 11;) clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);",
                           "#include <time.h>\n"));
     const auto with = [&](double seconds, const std::vector<std::string>& how) {
         figure = seconds;
@@ -874,10 +874,10 @@ TEST(Grade, TestsItselfOnAWholeLab) {
 }
 
 TEST(Grade, KillsMutantsOfASolutionAndListsTheSurvivors) {
-    const Result tested = run(grade({"--mutate", "2", "--sample", "12", "--jobs", "2", "--json"}));
+    const Result tested = run(grade({"--mutate", "2", "--sample", "6", "--jobs", "2", "--json"}));
     EXPECT_EQ(tested.code, 0) << tested.err;
     const json all = json::parse(tested.out);
-    EXPECT_EQ(all["mutants"].size(), 12u);
+    EXPECT_EQ(all["mutants"].size(), 6u);
     EXPECT_GE(all["kill_rate"].get<double>(), 0.97);
     // Checks that ignore a vector's length let some mutants pass. The comparison of pictures then finds the difference.
     // A sample of 11 has one of them.
@@ -892,9 +892,9 @@ TEST(Grade, KillsMutantsOfASolutionAndListsTheSurvivors) {
     EXPECT_TRUE(contains(blindly.err, "fewer than 97 % of the mutants that can be seen are killed")) << blindly.err;
 }
 
-// Three labs, one of them with tasks in C++. `relief test --all` tests all labs completely.
+// Two labs, one of them with tasks in C++. `relief test --all` tests all labs completely.
 TEST(Grade, TestsItselfOnASampleOfSomeLabs) {
-    const std::vector<std::string> labs = {"06", "12", "15"};
+    const std::vector<std::string> labs = {"06", "15"};
     std::vector<std::string> words = {"--self-test", "--sample", "1", "--jobs", "2"};
     for (const std::string& number : labs) words.insert(words.end(), {"--lab", number});
     const Result tested = run(grade(words));
