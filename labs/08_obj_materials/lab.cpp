@@ -74,7 +74,8 @@ public:
             return image_of_values(frame.size, [&](int, int) { return glm::dvec4(*share, 0, 0, 0); });
         }
         const bool has_maps = maps_ != maps_off;
-        return materials::truth(frame, probe, {drawn(has_maps).scene, has_maps, lights, double(surfaces_.fence)});
+        return materials::truth(frame_in(frame, whole(frame)), probe,
+                                {drawn(has_maps).scene, has_maps, lights, double(surfaces_.fence)});
     }
 
 private:
@@ -112,16 +113,17 @@ private:
         });
     }
 
+    static Tile whole(const Frame& frame) { return {{0, 0}, frame.size}; }
+
     std::vector<View> views_of(const Frame& frame) const {
-        const Tile whole{{0, 0}, frame.size};
         const bool with_maps = maps_ != maps_off;
-        if (frame.probe) return {{.tile = whole, .part = whole, .has_maps = with_maps}};
+        if (frame.probe) return {{.tile = whole(frame), .part = whole(frame), .has_maps = with_maps}};
         std::vector<View> all;
         if (view_ == ground) {
             for (const Tile& tile : tile_grid(frame.size, 2, 2)) all.push_back({.tile = tile, .part = tile});
             return all;
         }
-        Tile left = whole;
+        Tile left = whole(frame);
         if (view_ == garden) {
             left.size.x = frame.size.x * 7 / 10;
             const glm::ivec2 corner(left.size.x, frame.size.y - frame.size.y * 4 / 10);
@@ -141,7 +143,7 @@ private:
         glViewport(0, 0, frame.size.x, frame.size.y);
         if (frame.probe.name == "layers") glClearColor(0, 0, 0, 0);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        surfaces_.draw(frame, drawn(maps_ != maps_off),
+        surfaces_.draw(frame_in(frame, whole(frame)), drawn(maps_ != maps_off),
                        {.pass = Pass::probe, .filter = surfaces_.filter, .lights = lights_.lights()});
     }
 

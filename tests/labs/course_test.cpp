@@ -337,6 +337,39 @@ TEST_P(Course, EveryKnownMistakeFailsChecksOfItsTaskAndOthersWait) {
     }
 }
 
+// Otherwise a submission that is right in probes only loses nothing. Leaves out mistakes in C++ unless tests_all():
+// each needs a build.
+TEST_P(Course, AKnownMistakeOfEachTaskFailsACheckOfItsPicture) {
+    Expectations expected;
+    for (const CheckInfo& check : manifest_.checks)
+        if (tests_all() || !check.shot.probe) expected[check.name] = check::expectation(GetParam(), check);
+    const auto fails = [&](const MistakeInfo& mistake) {
+        const grade::CourseFiles files = grade::edited(mistake.edits);
+        std::set<std::string> failed;
+        if (has_cpp(mistake.edits)) {
+            for (const VariantCheck& check : check_variant(GetParam(), files, expected))
+                if (check.outcome != "passed") failed.insert(check.name);
+        } else {
+            const grade::CourseOverlay overlay(files);
+            for (const CheckInfo& check : manifest_.checks)
+                if (check.task == mistake.task && !check.shot.probe && failed.empty() &&
+                    check::run_check(GetParam(), manifest_, check, expected[check.name]).outcome !=
+                        check::Outcome::passed)
+                    failed.insert(check.name);
+        }
+        return std::ranges::any_of(manifest_.checks, [&](const CheckInfo& check) {
+            return check.task == mistake.task && !check.shot.probe && failed.contains(check.name);
+        });
+    };
+    for (const TaskInfo& task : manifest_.tasks) {
+        std::vector<const MistakeInfo*> tested;
+        for (const MistakeInfo& mistake : manifest_.mistakes)
+            if (mistake.task == task.id && (!has_cpp(mistake.edits) || tests_all())) tested.push_back(&mistake);
+        EXPECT_TRUE(tested.empty() || std::ranges::any_of(tested, [&](const auto* mistake) { return fails(*mistake); }))
+            << "no known mistake of task " << task.id << " fails a check of its picture";
+    }
+}
+
 // Tests the students' course: with the pictures of the handout, and without hidden checks.
 TEST_P(Course, OnlyKnownMistakesAreNamed) {
     if (!fs::exists(check::fingerprints_file(GetParam()))) GTEST_SKIP() << "a lab of someone's own";
