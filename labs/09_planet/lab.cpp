@@ -194,8 +194,9 @@ private:
         const auto count = std::count_if(view.leaves.begin(), view.leaves.end(),
                                          [](const Leaf& leaf) { return leaf.state == Leaf::drawn; });
         labels_.caption(size, view.tile, 0,
-                        view.shows_patches ? fmt::format("{} patches", count)
-                                           : fmt::format("{} triangles", count * globe.triangles_of_patch(true)));
+                        view.shows_patches
+                            ? fmt::format("{} patches", count)
+                            : fmt::format("{} triangles", count * globe.triangles_of_patch(settings_.skirts)));
     }
 
     Settings settings_;

@@ -373,5 +373,13 @@ TEST(Planet, HorizonSkirtsAndSplitsFollowTheirFormulas) {
     EXPECT_FALSE(behind_horizon(0, 0, 1, 1));
 }
 
+TEST(Planet, TheCaptionCountsSkirtsOnlyWhereTheyAreDrawn) {
+    const auto caption = [](const char* skirts) {
+        const Image picture = drawn("09", shot_of("09", {{"view", "patches"}, {"skirts", skirts}}, "", {800, 400}));
+        return std::vector<float>(picture.pixel(0, 0), picture.pixel(0, 24));  // above the planet
+    };
+    EXPECT_NE(caption("on"), caption("off"));
+}
+
 }  // namespace
 }  // namespace relief

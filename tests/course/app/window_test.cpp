@@ -671,7 +671,7 @@ TEST_F(Window, ACheckShowsYoursAndTheExpectedPictureAndThenThePictureWithItsKnob
     const std::string good = read_all(course_.course.path() / task);
     course_.course.edit(task, "stored * 2.0 - 1.0", "1.0 - stored * 2.0");
     // The probe of a direction has the same colours alone and beside another one.
-    const std::vector<std::string> view = {"--camera", "0,8,0.5,1.4,1.3,1.65,20", "--set", "method=normal-map"};
+    const std::vector<std::string> view = {"--camera", "4,8,0.35,1.4,1.3,1.65,20", "--set", "method=normal-map"};
     const auto shot = [&](const char* size, const char* file, const char* what) {
         std::vector<std::string> command = {
             course_.program("relief"), "shot", "01", what, "normal", "--size", size, "-o", file};
