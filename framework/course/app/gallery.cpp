@@ -94,23 +94,27 @@ public:
         : folder_(std::move(folder)), labs_(std::move(labs)), slides_("slides", folder_), bench_("bench", folder_) {}
 
     /// Makes a page with one picture for each lab, which takes seconds, and calls `ready`. Then adds handouts and
-    /// comparisons, lab by lab, which takes minutes. Returns the number of broken labs.
+    /// comparisons, lab by lab, which takes minutes. A page of an earlier run stays until its lab is complete. Returns
+    /// the number of broken labs.
     int make(const std::function<void()>& ready) {
         for_each_lab("first picture of lab", [&](const LabEntry& lab) { open(lab); });
         link_neighbours();
         draw_hero();
         slides_.copy(), bench_.copy();
-        for (const pages::LabPage& page : pages_) write(page);
-        write_index();
+        std::error_code ignored;
+        for (const pages::LabPage& page : pages_)
+            if (!fs::exists(folder_ / pages::lab_page_file(*page.lab), ignored)) write(page);
+        const bool is_first_run = !fs::exists(folder_ / "index.html", ignored);
+        if (is_first_run) write_index();
         ready();
         for_each_lab("lab", [&](const LabEntry& lab) {
             pages::LabPage* const page = page_of(lab);
             if (!page) return;
             complete(*page);
             write(*page);
-            write_index();
+            if (is_first_run) write_index();
         });
-        write_index();  // says which labs are broken
+        write_index();
         say_what_is_missing();
         return int(broken_.size());
     }

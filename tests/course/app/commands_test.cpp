@@ -274,6 +274,20 @@ TEST_F(CourseTest, AGalleryReportsABrokenLabAndContinues) {
     EXPECT_TRUE(std::filesystem::exists(pages / "02_normal_map_storage.html"));
 }
 
+TEST_F(CourseTest, APageOfAnEarlierGalleryStaysUntilItsLabIsComplete) {
+    const std::vector<std::string> gallery = {"gallery", "--labs", "1", "-o", "kept"};
+    EXPECT_EQ(course().relief(gallery).code, 0);
+    const fs::path page = course().path() / "kept/01_specular_highlights.html";
+    const std::string complete = read_all(page);
+    const char* file = "labs/01_specular_highlights/README.md";
+    const Restore restore(course(), file);
+    course().overwrite(file, "![none](../../assets/diagrams/none.svg)\n");
+    const Result result = course().relief(gallery);
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "none.svg")) << result.err;
+    EXPECT_EQ(read_all(page), complete);
+}
+
 TEST_F(CourseTest, AGallerysTextIsEscaped) {
     const char* file = "labs/01_specular_highlights/lab.toml";
     const Restore restore(course(), file);

@@ -23,12 +23,13 @@ bool eventually(Condition condition) {
     return condition();
 }
 
-/// An X server on the first free display.
+/// An X server on the first free display. It lives on without windows: a reset would refuse the next window for a
+/// moment.
 class Screen {
 public:
     explicit Screen(const std::string& size) {
-        server_ = std::make_unique<Process>(
-            std::vector<std::string>{"bash", "-c", "exec Xvfb -displayfd 2 -screen 0 " + size + " -nolisten tcp 2>&2"});
+        server_ = std::make_unique<Process>(std::vector<std::string>{
+            "bash", "-c", "exec Xvfb -displayfd 2 -screen 0 " + size + " -nolisten tcp -noreset 2>&2"});
         eventually([&] { return !number().empty(); });
     }
     std::string display() const { return ":" + number(); }
