@@ -272,9 +272,9 @@ void Handout::draw_picture(const pages::Span& image, float width) {
     } catch (const Error& error) {
         print_event(fmt::format("handout: {}: {}", image.target, error.what()));
         picture.reset();
-        no_picture_ = error.what();
+        missing_[image.target] = error.what();
     }
-    if (!picture) quiet_text(no_picture_);
+    if (!picture) quiet_text(missing_[image.target]);
     set_spans({picture ? pages::Span{.text = image.text, .italic = true} : image}, width);
 }
 

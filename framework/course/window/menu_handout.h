@@ -50,7 +50,7 @@ private:
     std::vector<KnobText> knobs_;
     std::string clicked_;                                              ///< "name" or "name=value", in this frame
     std::map<std::string, std::unique_ptr<HandoutPicture>> pictures_;  ///< by target; null if it cannot be shown
-    std::string no_picture_;                                           ///< why the last missing picture is missing
+    std::map<std::string, std::string> missing_;                       ///< why a picture cannot be shown, by target
 };
 
 }  // namespace relief::window
