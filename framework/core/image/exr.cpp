@@ -188,7 +188,7 @@ std::optional<Image> decode_plain_exr(const std::string& bytes, Notes& notes) {
     };
     const int64_t width = side(0), height = side(4);
     if (width < 1 || height < 1) throw Error("damaged: it has no pixels");
-    check_image_size(int(std::min<int64_t>(width, 1 << 30)), int(std::min<int64_t>(height, 1 << 30)), header->channels);
+    check_image_size(int(width), int(height), header->channels);
     // Before memory is taken for the pixels: zlib compresses by a factor of at most 1032 (its technical details).
     const size_t count = size_t(height + rows_of_block - 1) / rows_of_block;
     if (size_t(width * height) * size_t(header->channels) * sizeof(float) / 1032 > bytes.size() - header->at)

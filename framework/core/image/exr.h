@@ -15,7 +15,8 @@ std::string encode_exr(const Image& image, const Notes& notes);
 
 /// Returns the image of a file like those of encode_exr(), from any program. Returns nothing if the file uses another
 /// part of the format, such as tiles, halves or other compressions. Throws Error without a place when bytes are
-/// damaged. Precondition: the header is complete, and its values are not larger than the file.
+/// damaged. Precondition: the header is complete, its values are not larger than the file, and no side exceeds
+/// max_image_side.
 std::optional<Image> decode_plain_exr(const std::string& bytes, Notes& notes);
 
 }  // namespace relief
