@@ -178,6 +178,49 @@ TEST(Sources, StartProcessesInOnePlace) {
     EXPECT_EQ(places, Lines{"framework/core/base/process_linux.cpp"});
 }
 
+/// Returns the uses of the operating system's own functions, and of parts of the standard library that are missing on
+/// some systems, outside of the files for them.
+Lines uses_of_the_system(const std::string& file, const std::string& text) {
+    static const std::regex own("framework/core/base/(system|process)_[a-z]+\\.cpp");
+    if (std::regex_match(file, own) || is_the_staffs(part_of(file))) return {};
+    // The headers of POSIX.1-2017 that are not C's, and Linux's.
+    static const std::regex header(
+        "(aio|cpio|dirent|dlfcn|fcntl|fmtmsg|fnmatch|ftw|glob|grp|iconv|langinfo|libgen|malloc|monetary|mqueue|ndbm|"
+        "netdb|nl_types|poll|pthread|pwd|regex|sched|search|semaphore|signal|spawn|strings|stropts|syslog|tar|termios|"
+        "time|ulimit|unistd|utime|utmpx|wordexp)\\.h|csignal|(arpa|linux|net|netinet|sys)/.*");
+    static const std::regex dropped("//[^\n]*|\"(\\\\.|[^\"\\\\\n])*\"");
+    static const std::regex call(
+        "\\b(jthread|stop_token)\\b|"
+        "\\b(setenv|unsetenv|isatty|getpid|aligned_alloc|fsync|dup[23]?|_exit|clock_gettime|strto[df]_l|mmap|dlopen|"
+        "unlink|usleep)\\s*\\(");
+    Lines uses;
+    for (const std::string& include : includes_of(text))
+        // Only GCC's library has conversions of floating-point numbers there. text.cpp converts integers.
+        if (std::regex_match(include, header) || (include == "charconv" && file != "framework/core/base/text.cpp"))
+            uses.push_back(file + " includes " + include);
+    const std::string code = std::regex_replace(text, dropped, "");
+    if (std::smatch found; std::regex_search(code, found, call)) uses.push_back(file + " uses " + found.str());
+    return uses;
+}
+
+TEST(Sources, UseTheSystemInTwoFilesOnly) {
+    for (const char* planted :
+         {"#include <unistd.h>\n", "#include <sys/mman.h>\n", "#include <csignal>\n", "#include <charconv>\n",
+          "std::vector<std::jthread> all;", "setenv(a, b, 1);", "std::aligned_alloc(64, size);", "if (isatty (2))",
+          "fsync(file);", "::dup2(a, b);", "_exit(1);"}) {
+        EXPECT_FALSE(uses_of_the_system("framework/core/image/file.cpp", planted).empty()) << planted;
+        EXPECT_FALSE(uses_of_the_system("labs/07_baking/lab.cpp", planted).empty()) << planted;
+        EXPECT_TRUE(uses_of_the_system("framework/core/base/system_linux.cpp", planted).empty()) << planted;
+        EXPECT_TRUE(uses_of_the_system("framework/staff/grade/stage.cpp", planted).empty()) << planted;
+    }
+    for (const char* other : {"#include <regex>\n", "// dup(1) copies\n", "say(\"setenv()\");", "std::_Exit(1);",
+                              "os::set_environment(a, b);", "#include <ctime>\n"})
+        EXPECT_TRUE(uses_of_the_system("framework/core/image/file.cpp", other).empty()) << other;
+    each_source([](const std::string& file, const std::string& text) {
+        for (const std::string& use : uses_of_the_system(file, text)) ADD_FAILURE() << use;
+    });
+}
+
 TEST(Arrows, FindAPlantedUpwardInclude) {
     const struct {
         const char *file, *include;

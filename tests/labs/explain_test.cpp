@@ -1,5 +1,6 @@
 // `relief explain` against known mistakes and correct variants of every lab's shaders.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"

@@ -5,16 +5,25 @@
 #include "framework/core/base/system.h"
 
 namespace relief {
+namespace {
+
+constexpr size_t line = 64, page = size_t{2} << 20;
+
+size_t alignment_of(size_t bytes) { return bytes >= 2 * page ? page : line; }
+
+}  // namespace
 
 void* allocate_working_memory(size_t bytes) {
-    constexpr size_t line = 64, page = size_t{2} << 20;
-    const size_t alignment = bytes >= 2 * page ? page : line;
+    const size_t alignment = alignment_of(bytes);
     const size_t rounded = (bytes / alignment + 1) * alignment;
     if (rounded < bytes) throw std::bad_alloc();
-    void* const memory = std::aligned_alloc(alignment, rounded);
-    if (!memory) throw std::bad_alloc();
+    void* const memory = ::operator new (rounded, std::align_val_t{alignment});
     if (alignment == page) os::take_large_pages(memory, rounded);
     return memory;
+}
+
+void free_working_memory(void* memory, size_t bytes) {
+    ::operator delete (memory, std::align_val_t{alignment_of(bytes)});
 }
 
 }  // namespace relief

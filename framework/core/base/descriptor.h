@@ -1,12 +1,14 @@
-// A file descriptor of the system, closed by its owner.
+// A file descriptor of the system, closed by its owner. Each operating system has its own implementation, in the file
+// that implements system.h.
 #pragma once
 
-#include <unistd.h>
-
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace relief {
+
+constexpr int standard_output = 1, standard_error = 2;
 
 class Descriptor {
 public:
@@ -20,7 +22,7 @@ public:
     }
     operator int() const { return number_; }
     /// Returns false if the system reports an error.
-    bool close() { return number_ < 0 || ::close(release()) == 0; }
+    bool close();
 
 private:
     int release() {
@@ -33,7 +35,10 @@ private:
 
 /// Writes all bytes, and continues when signals interrupt. Returns false on failure; errno has the reason.
 bool write_all(int descriptor, std::string_view bytes);
+/// Reads `size` bytes, or fewer when the end comes first, and continues when signals interrupt. Returns their number,
+/// or nothing on failure; errno has the reason.
+std::optional<size_t> read_up_to(int descriptor, void* bytes, size_t size);
 /// Reads `size` bytes. Returns false on failure, or when the end comes first.
-bool read_all(int descriptor, void* bytes, size_t size);
+inline bool read_all(int descriptor, void* bytes, size_t size) { return read_up_to(descriptor, bytes, size) == size; }
 
 }  // namespace relief

@@ -1,18 +1,14 @@
 #include "framework/core/base/file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <random>
 
-#include "framework/core/base/descriptor.h"
 #include "framework/core/base/error.h"
+#include "framework/core/base/system.h"
 
 namespace relief {
 namespace {
@@ -24,9 +20,8 @@ char unfinished_file[4096];
 std::atomic<bool> has_unfinished_file = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-void remove_unfinished_file(int signal) {
-    if (has_unfinished_file) unlink(unfinished_file);
-    _exit(128 + signal);
+void remove_unfinished_file() {
+    if (has_unfinished_file) os::remove_file(unfinished_file);
 }
 
 constexpr const char* unfinished_suffix = ".unfinished-";
@@ -48,7 +43,7 @@ public:
         }
     }
     ~UnfinishedFile() {
-        if (!finished_) unlink(name_.c_str());
+        if (!finished_) os::remove_file(name_.c_str());
         has_unfinished_file = false;
     }
     UnfinishedFile(const UnfinishedFile&) = delete;
@@ -72,22 +67,17 @@ private:
 }  // namespace
 
 std::string read_file(const fs::path& path, size_t limit) {
-    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    struct stat status {};
-    if (file < 0 || fstat(file, &status) != 0) fail(path, "read");
-    if (!S_ISREG(status.st_mode)) throw Error({path}, "cannot read: not a file");
-    if (static_cast<size_t>(status.st_size) > limit)
-        throw Error({path}, fmt::format("cannot read: {} bytes, the limit is {}", status.st_size, limit));
-    std::string bytes(static_cast<size_t>(status.st_size), '\0');
-    size_t have = 0;
-    while (have < bytes.size()) {
-        const ssize_t got = ::read(file, bytes.data() + have, bytes.size() - have);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) fail(path, "read");
-        if (got == 0) break;
-        have += static_cast<size_t>(got);
-    }
-    bytes.resize(have);
+    const Descriptor file = os::open_to_read(path);
+    if (file < 0) fail(path, "read");
+    const std::optional<os::FileState> state = os::state_of(file);
+    if (!state) fail(path, "read");
+    if (!state->is_plain) throw Error({path}, "cannot read: not a file");
+    if (state->size > limit)
+        throw Error({path}, fmt::format("cannot read: {} bytes, the limit is {}", state->size, limit));
+    std::string bytes(size_t(state->size), '\0');
+    const std::optional<size_t> have = read_up_to(file, bytes.data(), bytes.size());
+    if (!have) fail(path, "read");
+    bytes.resize(*have);
     return bytes;
 }
 
@@ -99,23 +89,21 @@ void write_whole(const fs::path& named, std::string_view bytes, Kept kept) {
     // Write to the target of a symbolic link, so that the link stays.
     std::error_code ignored;
     const fs::path path = fs::is_symlink(named, ignored) ? fs::weakly_canonical(named, ignored) : named;
-    struct stat status {};
-    if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
-        if (S_ISDIR(status.st_mode)) throw Error({named}, "cannot write: it is a folder, name a file in it");
+    const fs::file_status status = fs::status(path, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        if (fs::is_directory(status)) throw Error({named}, "cannot write: it is a folder, name a file in it");
         // A rename would replace a pipe or a device, so write into it.
-        Descriptor device(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+        Descriptor device = os::open_to_write(path);
         if (device < 0 || !write_all(device, bytes) || !device.close()) fail(named, "write");
         return;
     }
     UnfinishedFile unfinished(path);
-    const mode_t mode = kept == Kept::on_disk_private ? 0600 : 0666;
-    Descriptor file(open(unfinished.name(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
-    if (file < 0 || !write_all(file, bytes) || (kept != Kept::soon && fsync(file) != 0) || !file.close() ||
+    Descriptor file = os::create_file(unfinished.name(), kept == Kept::on_disk_private);
+    if (file < 0 || !write_all(file, bytes) || (kept != Kept::soon && !os::flush_to_disk(file)) || !file.close() ||
         !unfinished.rename_to(path))
         fail(named, "write");
     if (kept == Kept::soon) return;
-    const Descriptor folder(open((path.parent_path() / ".").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (folder < 0 || fsync(folder) != 0) fail(named, "write");
+    if (!os::flush_folder_to_disk(path.parent_path() / ".")) fail(named, "write");
 }
 
 }  // namespace
@@ -135,7 +123,7 @@ void remove_unfinished_files(const fs::path& folder) {
 }
 
 void write_standard_output(std::string_view bytes) {
-    if (!write_all(STDOUT_FILENO, bytes))
+    if (!write_all(standard_output, bytes))
         throw Error(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
 }
 
@@ -145,10 +133,6 @@ void make_folder(const fs::path& path) {
     if (error) throw Error({path}, "cannot make this folder: " + error.message());
 }
 
-void clean_up_when_interrupted() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        if (std::signal(signal, remove_unfinished_file) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
-    std::signal(SIGPIPE, SIG_IGN);  // write() then reports a closed pipe as an error with a message
-}
+void clean_up_when_interrupted() { os::clean_up_when_interrupted(remove_unfinished_file); }
 
 }  // namespace relief

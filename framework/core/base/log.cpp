@@ -1,12 +1,13 @@
 #include "framework/core/base/log.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+
+#include "framework/core/base/system.h"
 
 namespace relief {
 namespace {
@@ -16,7 +17,7 @@ double milliseconds_before = 0;  // run time of the process before `watch` start
 Stopwatch watch;
 
 bool colour() {
-    static const bool on = isatty(STDERR_FILENO) && !std::getenv("NO_COLOR");
+    static const bool on = os::is_terminal(standard_error) && !std::getenv("NO_COLOR");
     return on;
 }
 
@@ -48,7 +49,7 @@ void print_event(std::string_view message) {
 void Progress::next(std::string_view what) {
     const int done = begun_++;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
-    if (!isatty(STDERR_FILENO) || passed < std::chrono::seconds(2)) return;
+    if (!os::is_terminal(standard_error) || passed < std::chrono::seconds(2)) return;
     constexpr int width = 20;
     const int full = std::clamp(done * width / std::max(total_, 1), 0, width);
     const double left = done > 0 ? passed.count() / done * (total_ - done) : 0;

@@ -3,11 +3,34 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 namespace relief {
+namespace {
+
+/// Threads that are joined at the end, as std::jthread, which not every standard library has.
+class Helpers {
+public:
+    explicit Helpers(size_t most) { threads_.reserve(most); }
+    ~Helpers() {
+        for (std::thread& each : threads_) each.join();
+    }
+    Helpers(const Helpers&) = delete;
+    Helpers& operator=(const Helpers&) = delete;
+
+    template <class Work>
+    void start(const Work& work, size_t piece) {
+        threads_.emplace_back(std::cref(work), piece);
+    }
+
+private:
+    std::vector<std::thread> threads_;
+};
+
+}  // namespace
 
 unsigned hardware_threads() { return std::max(1u, std::thread::hardware_concurrency()); }
 
@@ -25,11 +48,10 @@ void parallel_pieces(size_t count, size_t smallest, unsigned threads,
         }
     };
     {
-        std::vector<std::jthread> helpers;
-        helpers.reserve(pieces - 1);
+        Helpers helpers(pieces - 1);
         for (size_t piece = 1; piece < pieces; ++piece) {
             try {
-                helpers.emplace_back(run, piece);
+                helpers.start(run, piece);
             } catch (const std::system_error&) {
                 run(piece);  // the system has no more threads: use this one
             }

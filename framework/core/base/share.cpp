@@ -1,7 +1,6 @@
 #include "framework/core/base/share.h"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
 
 #include <algorithm>
 #include <atomic>
@@ -17,6 +16,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/parallel.h"
 #include "framework/core/base/process.h"
+#include "framework/core/base/system.h"
 
 namespace relief {
 namespace {
@@ -24,18 +24,15 @@ namespace {
 /// A number in memory that all copies of this process share.
 class SharedNumber {
 public:
-    SharedNumber() {
-        void* const memory = mmap(nullptr, sizeof *number_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (memory == MAP_FAILED) throw Error(fmt::format("no shared memory: {}", std::strerror(errno)));
-        number_ = new (memory) std::atomic<size_t>(0);
+    SharedNumber() : memory_(os::shared_memory(sizeof *number_)) {
+        if (!memory_) throw Error(fmt::format("no shared memory: {}", std::strerror(errno)));
+        number_ = new (memory_.get()) std::atomic<size_t>(0);
     }
-    ~SharedNumber() { munmap(number_, sizeof *number_); }
-    SharedNumber(const SharedNumber&) = delete;
-    SharedNumber& operator=(const SharedNumber&) = delete;
     std::atomic<size_t>& operator*() { return *number_; }
 
 private:
     static_assert(std::atomic<size_t>::is_always_lock_free);
+    std::shared_ptr<void> memory_;
     std::atomic<size_t>* number_ = nullptr;
 };
 

@@ -1,22 +1,67 @@
-// Implements framework/core/base/system.h for Linux.
+// Implements framework/core/base/system.h and descriptor.h for Linux.
+#include "framework/core/base/system.h"
+
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <locale.h>
 #include <malloc.h>
 #include <sys/auxv.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/utsname.h>
+#include <time.h>
 #include <unistd.h>
 
-#include <cstdint>
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 
-#include "framework/core/base/descriptor.h"
-#include "framework/core/base/system.h"
+namespace relief {
+
+bool Descriptor::close() { return number_ < 0 || ::close(release()) == 0; }
+
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes.remove_prefix(size_t(written));
+    }
+    return true;
+}
+
+std::optional<size_t> read_up_to(int descriptor, void* bytes, size_t size) {
+    size_t have = 0;
+    while (have < size) {
+        const ssize_t got = read(descriptor, static_cast<char*>(bytes) + have, size - have);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return {};
+        if (got == 0) break;
+        have += size_t(got);
+    }
+    return have;
+}
+
+}  // namespace relief
 
 namespace relief::os {
+namespace {
 
 namespace fs = std::filesystem;
+
+void (*clean_up_before_the_end)() = nullptr;
+
+void end_cleanly(int signal) {
+    clean_up_before_the_end();
+    _exit(128 + signal);
+}
+
+locale_t c_locale() {
+    static const locale_t locale = newlocale(LC_ALL_MASK, "C", locale_t{});
+    return locale;
+}
+
+}  // namespace
 
 void* open_library(const char* name, std::string& reason) {
     void* const library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
@@ -38,11 +83,62 @@ fs::path executable() {
     return no_proc ? fs::weakly_canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN))) : link;
 }
 
-MappedFile map_file(const fs::path& path) {
-    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+Descriptor open_to_read(const fs::path& path) {
+    return Descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+}
+
+Descriptor open_to_write(const fs::path& path) { return Descriptor(open(path.c_str(), O_WRONLY | O_CLOEXEC)); }
+
+Descriptor create_file(const fs::path& path, bool is_private) {
+    return Descriptor(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, is_private ? 0600 : 0666));
+}
+
+Descriptor open_nowhere() { return open_to_write("/dev/null"); }
+
+std::optional<FileState> state_of(int descriptor) {
     struct stat status {};
-    if (file < 0 || fstat(file, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return {};
-    const size_t size = size_t(status.st_size);
+    if (fstat(descriptor, &status) != 0) return {};
+    return FileState{.is_plain = S_ISREG(status.st_mode), .size = uint64_t(status.st_size)};
+}
+
+bool flush_to_disk(int descriptor) { return fsync(descriptor) == 0; }
+
+bool flush_folder_to_disk(const fs::path& path) {
+    const Descriptor folder(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    return folder >= 0 && flush_to_disk(folder);
+}
+
+Descriptor copy_of(int descriptor) { return Descriptor(dup(descriptor)); }
+
+void redirect(int descriptor, int to) { dup2(to, descriptor); }
+
+bool is_terminal(int descriptor) { return isatty(descriptor) != 0; }
+
+void clean_up_when_interrupted(void (*clean_up)()) {
+    clean_up_before_the_end = clean_up;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, end_cleanly) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+void remove_file(const char* name) { unlink(name); }
+
+void set_environment(const char* name, const std::string& value) { setenv(name, value.c_str(), 1); }
+
+double processor_seconds() {
+    timespec spent{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
+    return double(spent.tv_sec) + double(spent.tv_nsec) * 1e-9;
+}
+
+double to_double(const char* text) { return strtod_l(text, nullptr, c_locale()); }
+float to_float(const char* text) { return strtof_l(text, nullptr, c_locale()); }
+
+MappedFile map_file(const fs::path& path) {
+    const Descriptor file = open_to_read(path);
+    const FileState state = state_of(file).value_or(FileState{});
+    if (!state.is_plain || state.size == 0) return {};
+    const size_t size = size_t(state.size);
     void* const mapped = mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file, 0);
     if (mapped == MAP_FAILED) return {};
     return {std::shared_ptr<const void>(mapped, [size](const void* at) { munmap(const_cast<void*>(at), size); }),
@@ -63,6 +159,12 @@ void take_large_pages() {
     const uintptr_t end = reinterpret_cast<uintptr_t>(sbrk(0)), begin = (end - size + large - 1) / large * large;
     take_large_pages(reinterpret_cast<void*>(begin), end - begin);
 #endif
+}
+
+std::shared_ptr<void> shared_memory(size_t bytes) {
+    void* const memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) return nullptr;
+    return {memory, [bytes](void* at) { munmap(at, bytes); }};
 }
 
 std::string name() {

@@ -1,6 +1,7 @@
 #include "framework/core/base/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -8,13 +9,56 @@
 #include <cmath>
 #include <numeric>
 
-namespace relief {
+#include "framework/core/base/system.h"
 
-std::optional<double> parse_number(std::string_view text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
+namespace relief {
+namespace {
+
+constexpr const char* digits = "0123456789";
+
+/// Returns whether the whole text is a decimal number, such as -2, .5, 3. or 1e-3. A leading plus sign is none of it.
+bool is_decimal(std::string_view text) {
+    const auto takes = [&](std::string_view one_of) {
+        const bool found = !text.empty() && one_of.find(text[0]) != std::string_view::npos;
+        text.remove_prefix(found ? 1 : 0);
+        return found;
+    };
+    const auto takes_digits = [&] {
+        const size_t count = std::min(text.find_first_not_of(digits), text.size());
+        text.remove_prefix(count);
+        return count > 0;
+    };
+    takes("-");
+    bool has_digits = takes_digits();
+    if (takes(".")) has_digits |= takes_digits();
+    if (has_digits && takes("eE")) {
+        takes("+-");
+        has_digits = takes_digits();
+    }
+    return has_digits && text.empty();
+}
+
+/// Parses the whole text by `convert`. Returns nothing if it is no decimal number, or if it rounds to infinity or,
+/// without being zero, to zero.
+template <class Value>
+std::optional<Value> parse_with(Value (*convert)(const char* text), std::string_view text) {
+    if (!is_decimal(text)) return {};
+    const Value value = convert(std::string(text).c_str());
+    const bool is_zero = text.substr(0, text.find_first_of("eE")).find_first_of(digits + 1) == std::string_view::npos;
+    if (!std::isfinite(value) || (value == 0 && !is_zero)) return {};
     return value;
+}
+
+}  // namespace
+
+std::optional<double> parse_number(std::string_view text) { return parse_with(os::to_double, text); }
+
+std::string shortest_near(float number, double allowed) {
+    for (int count = 1;; ++count) {
+        const std::string text = fmt::format("{:.{}g}", number, count);
+        const double read = parse_with(os::to_float, text).value_or(0);
+        if (count == 9 || std::abs(read - number) <= allowed) return text;
+    }
 }
 
 std::optional<int> parse_int(std::string_view text) {

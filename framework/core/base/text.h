@@ -13,6 +13,10 @@ namespace relief {
 /// "1x", "nan" or "1e999".
 std::optional<double> parse_number(std::string_view text);
 
+/// Returns the text with the fewest digits, at most nine, whose float differs from `number` by at most `allowed`. Nine
+/// digits give every float exactly. Precondition: the number is finite.
+std::string shortest_near(float number, double allowed);
+
 /// Parses the whole text as a decimal integer. Returns nothing when it is none or does not fit.
 std::optional<int> parse_int(std::string_view text);
 

@@ -7,6 +7,7 @@
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
+#include "framework/core/base/system.h"
 #include "framework/core/base/text.h"
 #include "framework/core/context/backends.h"
 #include "framework/core/gl/gl.h"
@@ -119,9 +120,9 @@ bool has_display() {
 // Measured: with the first two variables, one real CPU and four emulated models give the same pictures. Without them,
 // CPUs with and without fused multiply-add differ: mostly by 1/255, but by up to 252/255 in 0.01 % of the pixels.
 void pin_software_renderer() {
-    setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
-    setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    os::set_environment("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1");
+    os::set_environment("LP_NATIVE_VECTOR_WIDTH", "128");
+    os::set_environment("LIBGL_ALWAYS_SOFTWARE", "1");
     pinned = true;
 }
 

@@ -1,16 +1,14 @@
 #include "framework/core/image/asset.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <array>
-#include <cerrno>
 #include <cstring>
 
-#include "framework/core/base/descriptor.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/module.h"
 #include "framework/core/base/paths.h"
+#include "framework/core/base/system.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/mips.h"
 
@@ -56,20 +54,15 @@ private:
 
 /// Returns the fingerprint of a file, or nothing when it cannot be read.
 std::optional<uint64_t> fingerprint_of(const fs::path& path) {
-    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    const Descriptor file = os::open_to_read(path);
     if (file < 0) return {};
     Fingerprint fingerprint;
     std::array<char, 1 << 16> piece;
-    size_t have = 0;
     while (true) {
-        const ssize_t got = read(file, piece.data() + have, piece.size() - have);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return {};
-        have += size_t(got);
-        if (got > 0 && have < piece.size()) continue;  // read on until the piece is full or the file ends
-        fingerprint.add({piece.data(), have});
-        have = 0;
-        if (got == 0) return fingerprint.value();
+        const std::optional<size_t> have = read_up_to(file, piece.data(), piece.size());
+        if (!have) return {};
+        fingerprint.add({piece.data(), *have});
+        if (*have < piece.size()) return fingerprint.value();
     }
 }
 

@@ -3,13 +3,12 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "framework/core/base/system.h"
 #include "framework/core/image/stored.h"
 
 namespace {
@@ -24,20 +23,13 @@ std::string name_for(const char* format) {
 /// Silences standard error, where libjpeg prints by itself. Its message reaches the user through the Error.
 class QuietStandardError {
 public:
-    QuietStandardError() : kept_(dup(STDERR_FILENO)) {
-        const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-        dup2(nowhere, STDERR_FILENO);
-        close(nowhere);
-    }
-    ~QuietStandardError() {
-        dup2(kept_, STDERR_FILENO);
-        close(kept_);
-    }
+    QuietStandardError() { os::redirect(standard_error, os::open_nowhere()); }
+    ~QuietStandardError() { os::redirect(standard_error, kept_); }
     QuietStandardError(const QuietStandardError&) = delete;
     QuietStandardError& operator=(const QuietStandardError&) = delete;
 
 private:
-    int kept_;
+    const Descriptor kept_ = os::copy_of(standard_error);
 };
 
 Error damaged(const std::string& reason) { return Error("damaged: " + reason.substr(0, reason.find('\n'))); }

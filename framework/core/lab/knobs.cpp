@@ -1,6 +1,7 @@
 #include "framework/core/lab/knobs.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,6 +1,5 @@
 // relief check: runs a lab's checks on a student's own work.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -13,6 +12,7 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/process.h"
+#include "framework/core/base/system.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/compare.h"
 #include "framework/course/app/command.h"
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string colored(check::Outcome outcome, const std::string& word) {
-    static const bool on = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
+    static const bool on = os::is_terminal(standard_output) && !std::getenv("NO_COLOR");
     if (!on) return word;
     return fmt::format("\x1b[{}m{}\x1b[0m",
                        outcome == check::Outcome::passed                                             ? 32
@@ -119,7 +119,7 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
     const auto context = open_any_context();
     check::Patience patience([&](const std::string& why) {
         print_error(fmt::format("lab {}, {}: does a loop in the task not end?", lab.two_digits(), why));
-        _exit(1);
+        std::_Exit(1);
     });
     const std::vector<check::TaskResult> tasks = check::check_lab(lab, manifest, {}, [&](const CheckInfo& check) {
         patience.next(fmt::format("task {}: {}", check.task, check.name));

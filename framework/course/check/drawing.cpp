@@ -1,10 +1,7 @@
 #include "framework/course/check/drawing.h"
 
 #include <fmt/format.h>
-#include <time.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +13,7 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/process.h"
+#include "framework/core/base/system.h"
 #include "framework/core/lab/registry.h"
 
 namespace relief::check {
@@ -85,37 +83,30 @@ Image image_of(const char* bytes, const Shot& shot) {
     return image;
 }
 
-/// Returns the processor time of this process and its threads.
-double processor_seconds() {
-    timespec spent{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
-    return double(spent.tv_sec) + double(spent.tv_nsec) * 1e-9;
-}
-
 /// The output stream. Text that a student's code prints to standard output goes to standard error instead.
 class Stream {
 public:
-    Stream() : descriptor_(dup(STDOUT_FILENO)) { dup2(STDERR_FILENO, STDOUT_FILENO); }
+    Stream() { os::redirect(standard_output, standard_error); }
 
     void send(Kind kind, size_t shot, const std::string& bytes) {
-        const double now = processor_seconds(), spent = now - std::exchange(cpu_, now);
+        const double now = os::processor_seconds(), spent = now - std::exchange(cpu_, now);
         // The first message must have the same bytes in every process; see drawing_asks().
         const bool is_drawn = kind == Kind::image || kind == Kind::error;
         const Header header{
             .kind = kind, .shot = uint32_t(shot), .size = uint32_t(bytes.size()), .cpu = is_drawn ? float(spent) : 0};
         if (!write_all(descriptor_, {reinterpret_cast<const char*>(&header), sizeof header}) ||
             !write_all(descriptor_, bytes))
-            _exit(1);  // the reader is gone
+            std::_Exit(1);  // the reader is gone
     }
 
 private:
-    int descriptor_;
+    const Descriptor descriptor_ = os::copy_of(standard_output);
     double cpu_ = 0;  ///< at the last message
 };
 
-/// Returns processor_seconds() as bytes.
+/// Returns os::processor_seconds() as bytes.
 std::string processor_time() {
-    const double seconds = processor_seconds();
+    const double seconds = os::processor_seconds();
     return {reinterpret_cast<const char*>(&seconds), sizeof seconds};
 }
 
@@ -125,10 +116,9 @@ std::string read_request() {
     std::string text;
     char block[1 << 14];
     while (text.size() <= longest_request) {
-        const ssize_t got = read(from, block, sizeof block);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) break;
-        text.append(block, size_t(got));
+        const size_t got = read_up_to(from, block, sizeof block).value_or(0);
+        text.append(block, got);
+        if (got < sizeof block) break;
     }
     return text;
 }
@@ -143,7 +133,7 @@ std::string error_of(Call call) {
     } catch (const Error& error) {
         return std::string(error.what()) + (error.details().empty() ? "" : "\n" + error.details());
     } catch (const std::bad_alloc&) {
-        _exit(out_of_memory_code);
+        std::_Exit(out_of_memory_code);
     } catch (const std::exception& error) {
         return std::string("it throws: ") + error.what();
     } catch (...) {
@@ -191,7 +181,7 @@ std::string drawing_asks() {
 
 void draw_request(const char* course) {
     Stream stream;
-    std::set_new_handler([] { _exit(out_of_memory_code); });
+    std::set_new_handler([] { std::_Exit(out_of_memory_code); });
     const CourseElsewhere elsewhere(course);
     stream.send(Kind::ask, 0, {});
     const json request = json::parse(read_request());
@@ -199,10 +189,10 @@ void draw_request(const char* course) {
     std::vector<Shot> shots;
     for (const json& one : request.at("shots")) shots.push_back(shot_of(one));
     if (request.at("pinned")) pin_software_renderer();
-    setenv("LP_NUM_THREADS", std::to_string(request.at("threads").get<int>()).c_str(), 1);
+    os::set_environment("LP_NUM_THREADS", std::to_string(request.at("threads").get<int>()));
     // Submissions must not share a shader cache: one could read the other's entries. A caller that sets the variable
     // provides a separate folder.
-    if (!std::getenv("MESA_SHADER_CACHE_DIR")) setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    if (!std::getenv("MESA_SHADER_CACHE_DIR")) os::set_environment("MESA_SHADER_CACHE_DISABLE", "true");
     const auto context = open_context(context_kind(request.at("context")));
     stream.send(Kind::ready, 0, {});
     for (size_t i = 0; i < shots.size(); ++i) {
@@ -215,7 +205,7 @@ void draw_request(const char* course) {
             stream.send(Kind::error, i, error.substr(0, longest_error));
     }
     stream.send(Kind::done, shots.size(), processor_time());
-    _exit(0);  // skips the tear-down of the driver, which takes time
+    std::_Exit(0);  // skips the tear-down of the driver, which takes time
 }
 
 DrawnShots read_drawings(const std::string& stream, const std::vector<Shot>& shots) {

@@ -1,8 +1,8 @@
 #include "framework/course/check/fingerprints.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -32,13 +32,7 @@ std::string number_text(float value, double allowed, double steps) {
     if (std::isnan(value)) return "nan";
     if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
     if (steps != 1) return fmt::format("{}", std::lround(double(value) * steps));
-    char text[64];
-    for (int digits = 1;; ++digits) {
-        const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
-        float read = 0;
-        std::from_chars(text, end, read);
-        if (digits == 9 || std::abs(double(read) - value) <= allowed) return {text, end};
-    }
+    return shortest_near(value, allowed);
 }
 
 std::optional<float> number_of(const std::string& text, double steps) {

@@ -29,6 +29,7 @@
 #include "framework/course/window/menu_header.h"
 #include "framework/course/window/menu_help.h"
 #include "framework/course/window/menu_history.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_layout.h"
 #include "framework/course/window/menu_panel.h"
 #include "framework/course/window/menu_pixel.h"
@@ -62,8 +63,7 @@ public:
     /// Changes the scale; call it between frames.
     void scale(float scale) {
         style_menu(scale);
-        ImGui_ImplOpenGL3_DestroyFontsTexture();
-        ImGui_ImplOpenGL3_CreateFontsTexture();
+        upload_fonts();
     }
 };
 

@@ -10,6 +10,7 @@
 #include "framework/course/pages/check_page.h"
 #include "framework/course/pages/markdown.h"
 #include "framework/course/window/menu_checks.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 #include "framework/course/window/menu_text.h"
 
@@ -91,7 +92,7 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
                                           checks.to_build(), checks.lab().two_digits()));
     for (const TaskInfo& task : manifest.tasks) {
         ImGui::Dummy({0, 4});
-        ImGui::PushFont(font(FontRole::bold));
+        push_font(font(FontRole::bold));
         wrapped(fmt::format("{}  {}", task.id, task.title));
         ImGui::PopFont();
         const bool is_whole = checks.state(task) == TaskState::passed;

@@ -9,6 +9,7 @@
 #include "framework/course/pages/check_figures.h"
 #include "framework/course/window/menu_checks.h"
 #include "framework/course/window/menu_error_map.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_pixel.h"
 #include "framework/course/window/menu_style.h"
 
@@ -20,8 +21,6 @@ void show_texels(const Texture& texture) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);  // show each pixel of the check as a square
     glBindTexture(GL_TEXTURE_2D, 0);
 }
-
-ImTextureID id_of(const Texture& texture) { return reinterpret_cast<ImTextureID>(std::uintptr_t(GLuint(texture))); }
 
 /// Draws a word on a dark background at a corner of a picture.
 void draw_tag(ImVec2 at, const char* word, bool from_right) {
@@ -74,7 +73,7 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
     begin_in(box, "check", ImGui::GetStyle().WindowPadding, true);
     ImGui::PopStyleColor();
     const float padding = ImGui::GetStyle().WindowPadding.x;
-    ImGui::PushFont(font(FontRole::bold));
+    push_font(font(FontRole::bold));
     wrapped(fmt::format("Check {}: {}", found->task, found->name));
     ImGui::PopFont();
     if (!result)
@@ -115,15 +114,15 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const float middle = corner.x + size.x * edge, bottom = corner.y + size.y;
         // Row 0 of a texture is the bottom.
-        if (drawn_ && edge > 0) list.AddImage(id_of(*drawn_), corner, {middle, bottom}, {0, 1}, {edge, 0});
+        if (drawn_ && edge > 0) list.AddImage(texture_id(*drawn_), corner, {middle, bottom}, {0, 1}, {edge, 0});
         if (expected_ && edge < 1)
-            list.AddImage(id_of(*expected_), {middle, corner.y}, {corner.x + size.x, bottom}, {edge, 1}, {1, 0});
+            list.AddImage(texture_id(*expected_), {middle, corner.y}, {corner.x + size.x, bottom}, {edge, 1}, {1, 0});
         if (edge > 0) draw_tag(corner, "yours", false);
         if (edge < 1) draw_tag({corner.x + size.x, corner.y}, "expected", true);
         ImVec2 other = corner;
         (beside ? other.x : other.y) += (beside ? size.x : size.y) + padding;
         if (difference_) {
-            list.AddImage(id_of(*difference_), other, {other.x + size.x, other.y + size.y}, {0, 1}, {1, 0});
+            list.AddImage(texture_id(*difference_), other, {other.x + size.x, other.y + size.y}, {0, 1}, {1, 0});
             draw_tag(other, "where they differ", false);
         }
         if (result && drawn_ && expected_)

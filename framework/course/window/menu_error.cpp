@@ -7,6 +7,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
 
@@ -21,7 +22,7 @@ std::filesystem::path whole_path(const std::filesystem::path& file) {
 }
 
 void draw_source(const std::vector<std::string>& lines, int first, int wrong) {
-    ImGui::PushFont(font(FontRole::code));
+    push_font(font(FontRole::code));
     for (size_t i = 0; i < lines.size(); ++i) {
         const int number = first + int(i);
         const std::string line = fmt::format("{:>5}  {}", number, lines[i]);

@@ -8,6 +8,7 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
 #include "framework/core/image/visualize.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
 
@@ -108,8 +109,8 @@ void ErrorMap::draw(glm::ivec2 at, glm::ivec2 size, bool moves) const {
     if (!on_) return;
     const auto left = float(at.x), right = float(at.x + size.x), bottom = float(at.y + size.y);
     if (picture_)  // row 0 of a texture is the bottom
-        ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(GLuint(*picture_))),
-                                                 {left, float(at.y)}, {right, bottom}, {0, 1}, {1, 0});
+        ImGui::GetBackgroundDrawList()->AddImage(texture_id(*picture_), {left, float(at.y)}, {right, bottom}, {0, 1},
+                                                 {1, 0});
     ImGui::SetNextWindowPos({left + 12, bottom - 12}, ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSize({std::max(60.0f, float(size.x) - 24), 0});
     ImGui::SetNextWindowBgAlpha(0.8f);

@@ -9,6 +9,7 @@
 #include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
 #include "framework/course/check/explain_text.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
 
@@ -49,7 +50,7 @@ void PixelExplanation::draw(const Box& picture, float scale) {
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     if (lines_.empty()) quiet_text(fmt::format("Following pixel {}, {} ...", pixel_->x, pixel_->y));
     if (!lines_.empty() && !conclusion_.empty()) colored_text(accent, conclusion_);
-    ImGui::PushFont(font(FontRole::code));
+    push_font(font(FontRole::code));
     for (const std::string& line : lines_)
         if (line.starts_with('>'))
             colored_text(alarm, line);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 
 namespace relief::window {
@@ -22,7 +23,7 @@ constexpr float slant = 0.2f;
 /// Size of a part, after TeX: a fraction within a fraction is as small as a script.
 struct Style {
     int depth = 0;
-    float size() const { return font(depth < 2 ? FontRole::formula : FontRole::script)->FontSize; }
+    float size() const { return size_of(*font(depth < 2 ? FontRole::formula : FontRole::script)); }
     Style in_fraction() const { return {depth + 1}; }
     Style in_script() const { return {2}; }
 };
@@ -38,17 +39,17 @@ void each_character(const std::string& text, Do does) {
 
 FormulaBox glyphs(const std::string& text, FontRole role, bool slanted = false) {
     ImFont* const face = font(role);
-    const float baseline = std::round(face->Ascent);
+    const float baseline = std::round(ascent_of(*face));
     FormulaBox box;
-    box.above = -face->FontSize, box.below = -face->FontSize;
+    box.above = -size_of(*face), box.below = -size_of(*face);
     each_character(text, [&](ImWchar character) {
-        const ImFontGlyph& glyph = *face->FindGlyph(character);
+        const ImFontGlyph& glyph = glyph_of(*face, character);
         box.width += glyph.AdvanceX;
         if (!glyph.Visible) return;
         box.above = std::max(box.above, baseline - glyph.Y0), box.below = std::max(box.below, glyph.Y1 - baseline);
     });
     if (slanted) box.overhang = slant * std::max(0.0f, box.above);
-    box.glyphs.push_back({face, face->FontSize, {0, 0}, slanted, text});
+    box.glyphs.push_back({face, size_of(*face), {0, 0}, slanted, text});
     return box;
 }
 
@@ -377,7 +378,7 @@ void FormulaBox::scale(float factor) {
 void FormulaBox::draw(ImDrawList& list, ImVec2 at, ImU32 color) const {
     for (const Glyphs& each : glyphs) {
         const float baseline = std::floor(at.y + each.at.y + 0.5f);
-        const float ascent = std::round(each.face->Ascent) * each.size / each.face->FontSize;
+        const float ascent = std::round(ascent_of(*each.face)) * each.size / size_of(*each.face);
         const int first = list.VtxBuffer.Size;
         list.AddText(each.face, each.size, {at.x + each.at.x, baseline - ascent}, color, each.text.c_str());
         if (each.slanted)
@@ -399,7 +400,7 @@ FormulaBox typeset(const pages::Formula& formula) { return joined(links_of(formu
 std::vector<FormulaBox> typeset(const pages::Formula& formula, float width) {
     const std::vector<Link> all = links_of(formula, {});
     std::span<const Link> rest = all;
-    const float indent = std::min(2 * font(FontRole::formula)->FontSize, width / 4);
+    const float indent = std::min(2 * size_of(*font(FontRole::formula)), width / 4);
     std::vector<FormulaBox> lines;
     while (!rest.empty()) {
         const float left = lines.empty() ? 0 : indent;

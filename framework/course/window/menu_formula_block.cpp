@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 #include "framework/course/window/menu_text.h"
 
@@ -27,7 +28,7 @@ std::vector<FormulaBlock::Cell> FormulaBlock::cells_of(const pages::FormulaCell&
     TextLayout words({}, width, FontRole::text, false);
     words.set({{.text = cell.words, .italic = true}});
     // Approximates the baseline of the font.
-    const float above = (TextLayout::line_height(FontRole::text) + 0.7f * font(FontRole::text)->FontSize) / 2;
+    const float above = (TextLayout::line_height(FontRole::text) + 0.7f * size_of(*font(FontRole::text))) / 2;
     cells.push_back({words.widest(), above, words.height() - above, {.at = {}, .words = cell.words, .width = width}});
     return cells;
 }
@@ -39,7 +40,7 @@ float FormulaBlock::set_row(std::vector<Cell>& cells, float left, float top) {
     for (const Cell& cell : cells) above = std::max(above, cell.above), below = std::max(below, cell.below);
     for (Cell& cell : cells) {
         cell.item.at = {x, top + above - (cell.item.words.empty() ? 0 : cell.above)};
-        x += cell.width + 1.6f * font(FontRole::formula)->FontSize;
+        x += cell.width + 1.6f * size_of(*font(FontRole::formula));
         items_.push_back(std::move(cell.item));
     }
     cells.clear();
@@ -47,7 +48,7 @@ float FormulaBlock::set_row(std::vector<Cell>& cells, float left, float top) {
 }
 
 FormulaBlock::FormulaBlock(std::span<const std::vector<pages::FormulaCell>> lines, float width) : width_(width) {
-    const float em = font(FontRole::formula)->FontSize, margin = 0.7f * em, gap = 1.6f * em, between = 0.35f * em;
+    const float em = size_of(*font(FontRole::formula)), margin = 0.7f * em, gap = 1.6f * em, between = 0.35f * em;
     const float room = std::max(1.0f, width - 2 * margin);
     // Words before a line's first formula are its label. Labels form a column if that leaves enough width for formulas.
     const auto label_of = [](const std::vector<pages::FormulaCell>& line) {
@@ -87,7 +88,7 @@ FormulaBlock::FormulaBlock(std::span<const std::vector<pages::FormulaCell>> line
         if (has_label) {
             // Align it with the baseline of the line's first formula or note.
             const Item& beside = items_[first + 1];
-            const float above = (TextLayout::line_height(FontRole::text) + 0.7f * font(FontRole::text)->FontSize) / 2;
+            const float above = (TextLayout::line_height(FontRole::text) + 0.7f * size_of(*font(FontRole::text))) / 2;
             items_[first].at = {margin, beside.words.empty() ? std::max(top, beside.at.y - above) : beside.at.y};
         }
         height_ += between;

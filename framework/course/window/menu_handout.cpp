@@ -14,6 +14,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/course/window/menu_formula_block.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 #include "framework/course/window/menu_text.h"
 
@@ -41,12 +42,12 @@ bool takes(const KnobText& knob, const std::string& value) {
 void draw_code(const std::string& text, float width) {
     const std::string lines = text.substr(0, text.find_last_not_of('\n') + 1);
     ImFont* const face = font(FontRole::code);
-    const float margin = face->FontSize * 0.6f;
+    const float margin = size_of(*face) * 0.6f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     // Wrap long lines, so that all of the code is visible.
-    const ImVec2 size = face->CalcTextSizeA(face->FontSize, FLT_MAX, width - 2 * margin, lines.c_str());
+    const ImVec2 size = face->CalcTextSizeA(size_of(*face), FLT_MAX, width - 2 * margin, lines.c_str());
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + size.y + 2 * margin}, code_back, 4);
-    ImGui::GetWindowDrawList()->AddText(face, face->FontSize, {at.x + margin, at.y + margin},
+    ImGui::GetWindowDrawList()->AddText(face, size_of(*face), {at.x + margin, at.y + margin},
                                         ImGui::ColorConvertFloat4ToU32(code_color), lines.c_str(), nullptr,
                                         width - 2 * margin);
     ImGui::Dummy({width, size.y + 2 * margin});
@@ -165,7 +166,7 @@ void Handout::draw(const Box& box, float scale, const std::vector<KnobText>& kno
 }
 
 void Handout::draw_block(const pages::Block& block, float width) {
-    const float em = font(FontRole::text)->FontSize;
+    const float em = size_of(*font(FontRole::text));
     const float indent = std::min(float(block.level) * 2 * em, width / 2);
     const auto space = [](float height) { ImGui::Dummy({0, height}); };
     switch (block.kind) {
@@ -224,7 +225,7 @@ void Handout::draw_block(const pages::Block& block, float width) {
 }
 
 void Handout::draw_table(const pages::Block& block, float width) {
-    const float em = font(FontRole::text)->FontSize;
+    const float em = size_of(*font(FontRole::text));
     const size_t columns = block.rows.front().size();
     const auto cell = [&](size_t row, size_t column) {
         return with_links(row == 0 ? in_bold(block.rows[row][column]) : block.rows[row][column]);

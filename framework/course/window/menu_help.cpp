@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 
 namespace relief::window {
@@ -37,7 +38,7 @@ template <size_t count>
 void draw_lines(const char* title, const Line (&lines)[count], float keys_width) {
     ImGui::TextColored(accent, "%s", title);
     for (const Line& line : lines) {
-        ImGui::PushFont(font(FontRole::bold));
+        push_font(font(FontRole::bold));
         ImGui::TextUnformatted(line.keys);
         ImGui::PopFont();
         ImGui::SameLine(keys_width);

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
 #include "framework/core/image/file.h"
 #include "framework/core/image/svg.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 
 namespace relief::window {
@@ -21,8 +21,7 @@ constexpr float diagram_width = 36;
 constexpr float paper_margin = 0.8f;
 
 void put(GLuint texture, ImVec2 at, ImVec2 size) {
-    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(texture)), at,
-                                         {at.x + size.x, at.y + size.y}, {0, 1},
+    ImGui::GetWindowDrawList()->AddImage(texture_id(texture), at, {at.x + size.x, at.y + size.y}, {0, 1},
                                          {1, 0});  // row 0 of a texture is the bottom
 }
 
@@ -59,7 +58,7 @@ void HandoutPicture::draw_image(float width) const {
 
 // Rounds to whole pixels, so that texels match the screen's pixels.
 void HandoutPicture::draw_diagram(float width) {
-    const float letter = font(FontRole::text)->FontSize, margin = std::round(paper_margin * letter);
+    const float letter = size_of(*font(FontRole::text)), margin = std::round(paper_margin * letter);
     const int columns = std::max(1, int(std::min(width, diagram_width * letter) - 2 * margin));
     const int rows = std::max(1, int(std::lround(double(columns) * size_.y / size_.x)));
     if (drawn_ != glm::ivec2(columns, rows)) {

@@ -9,6 +9,7 @@
 #include "framework/core/lab/lab.h"
 #include "framework/course/window/menu_checks.h"
 #include "framework/course/window/menu_header.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
 
@@ -90,12 +91,11 @@ void Search::draw(float scale, const Stage& stage, const Checks& checks, MenuWis
     if (ImGui::InputTextWithHint("##text", "a lab, a knob, a probe or a check", text_, sizeof text_)) marked_ = 0;
     const std::vector<Found> found = find(stage, checks);
     const int count = int(std::min(found.size(), most));
-    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
-    if (pressed(ImGuiKey_DownArrow)) ++marked_;
-    if (pressed(ImGuiKey_UpArrow)) --marked_;
+    if (is_pressed(ImGuiKey_DownArrow)) ++marked_;
+    if (is_pressed(ImGuiKey_UpArrow)) --marked_;
     marked_ = std::clamp(marked_, 0, std::max(0, count - 1));
     const MenuWish* taken = nullptr;
-    if (count > 0 && (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter))) taken = &found[size_t(marked_)].wish;
+    if (count > 0 && (is_pressed(ImGuiKey_Enter) || is_pressed(keypad_enter))) taken = &found[size_t(marked_)].wish;
     if (count == 0) quiet_text("No lab, knob, probe or check has that in its name or its help.");
     for (int i = 0; i < count; ++i) {
         const Found& one = found[size_t(i)];

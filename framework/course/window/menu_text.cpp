@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/course/window/menu_imgui.h"
+
 namespace relief::window {
 namespace {
 
@@ -44,7 +46,7 @@ void TextLayout::set(const pages::Spans& spans) {
 
 float TextLayout::width_of(const Piece& piece) {
     const char* const text = piece.text.c_str();
-    return piece.look.face->CalcTextSizeA(piece.look.face->FontSize, FLT_MAX, 0, text, text + piece.text.size()).x;
+    return piece.look.face->CalcTextSizeA(size_of(*piece.look.face), FLT_MAX, 0, text, text + piece.text.size()).x;
 }
 
 void TextLayout::flush() {
@@ -57,7 +59,7 @@ void TextLayout::flush() {
             ImFont* const face = piece.look.face;
             const char* const text = piece.text.c_str();
             const char* rest = nullptr;
-            face->CalcTextSizeA(face->FontSize, std::max(1.0f, width_ - x_), 0, text, text + piece.text.size(), &rest);
+            face->CalcTextSizeA(size_of(*face), std::max(1.0f, width_ - x_), 0, text, text + piece.text.size(), &rest);
             size_t count = size_t(rest - text);
             while (count < piece.text.size() && (piece.text[count] & 0xc0) == 0x80) ++count;  // whole UTF-8 characters
             if (count >= piece.text.size() || (count == 0 && x_ == 0)) break;
@@ -71,7 +73,7 @@ void TextLayout::flush() {
 }
 
 void TextLayout::put(const Piece& piece) {
-    const float width = width_of(piece), size = piece.look.face->FontSize;
+    const float width = width_of(piece), size = size_of(*piece.look.face);
     if (visible_) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const ImVec2 at{std::floor(corner_.x + x_), std::floor(corner_.y + y_ + (line_ - size) / 2)};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "framework/course/pages/markdown.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 
 namespace relief::window {
@@ -39,7 +40,7 @@ public:
     /// The clicked knob, or empty.
     const std::string& clicked() const { return clicked_; }
 
-    static float line_height(FontRole base) { return font(base)->FontSize * 1.35f; }
+    static float line_height(FontRole base) { return size_of(*font(base)) * 1.35f; }
 
 private:
     struct Piece {
@@ -47,7 +48,7 @@ private:
         Look look;
         bool goes_on;  ///< drawn in the box of the word before
     };
-    static float gap(const Look& look) { return look.face->FontSize * (look.boxed ? 0.6f : 0.36f); }
+    static float gap(const Look& look) { return size_of(*look.face) * (look.boxed ? 0.6f : 0.36f); }
     static float width_of(const Piece& piece);
     void flush();
     void put(const Piece& piece);

@@ -2,6 +2,7 @@
 #include "framework/course/app/explain.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "framework/core/base/error.h"
 #include "framework/staff/grade/overlay.h"

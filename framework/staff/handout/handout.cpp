@@ -1,6 +1,7 @@
 #include "framework/staff/handout/handout.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <regex>

@@ -12,6 +12,7 @@
 #include "framework/core/base/paths.h"
 #include "framework/course/pages/markdown.h"
 #include "framework/course/window/menu_formula_block.h"
+#include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_style.h"
 
 namespace relief::window {
@@ -54,12 +55,12 @@ protected:
         return all;
     }
     /// Returns the characters that a font lacks.
-    static std::set<unsigned> missing(const std::string& text, const ImFont& face) {
+    static std::set<unsigned> missing(const std::string& text, ImFont& face) {
         std::set<unsigned> characters;
         for (const char* at = text.c_str(); *at != 0;) {
             unsigned character = 0;
             at += ImTextCharFromUtf8(&character, at, nullptr);
-            if (character != '\n' && !face.FindGlyphNoFallback(ImWchar(character))) characters.insert(character);
+            if (character != '\n' && !has_glyph(face, ImWchar(character))) characters.insert(character);
         }
         return characters;
     }
@@ -127,7 +128,7 @@ TEST_F(WindowFormula, NoFormulaOfTheHandoutsIsMadeSmallerInADockOfTheUsualWidth)
                 for (const pages::FormulaCell& cell : line)
                     for (const FormulaBox& box : typeset(cell.formula, dock - 90))
                         for (const FormulaBox::Glyphs& each : box.glyphs)
-                            EXPECT_EQ(each.size, each.face->FontSize) << handout << ": " << each.text;
+                            EXPECT_EQ(each.size, size_of(*each.face)) << handout << ": " << each.text;
 }
 
 TEST_F(WindowFormula, AFractionHasItsPartsAboveAndBelowItsLine) {
