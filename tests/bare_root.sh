@@ -2,7 +2,7 @@
 # Runs the README's two commands on a bare Debian: in a minimal root from debootstrap, with git and a clone of the last
 # commit.
 #
-#   tests/bare_root.sh [bookworm|trixie]...     Debian 12, Debian 13; default: both
+#   tests/bare_root.sh [bookworm|trixie|forky]...     Debian 12, Debian 13, Debian testing; default: the first two
 #
 #   MIRROR=http://deb.debian.org/debian     the source of the packages
 #   ROOTS=build/bare_roots                  the folder of pristine roots, which the next run copies, and of logs
@@ -21,8 +21,8 @@ say() { printf 'bare_root: %s\n' "$*" >&2; }
 
 (($#)) || set -- bookworm trixie
 for name in "$@"; do
-  if [[ $name != bookworm && $name != trixie ]]; then
-    say "there are bookworm (Debian 12) and trixie (Debian 13), and no '$name'"
+  if [[ $name != bookworm && $name != trixie && $name != forky ]]; then
+    say "there are bookworm (Debian 12), trixie (Debian 13) and forky (Debian testing), and no '$name'"
     exit 2
   fi
 done
@@ -77,12 +77,14 @@ logged() { # root, log, command
 }
 
 run_in() { # bookworm or trixie
-  local name=$1 pristine=$roots/$1 used=$roots/$1-used begin=$SECONDS
+  local name=$1 pristine=$roots/$1 used=$roots/$1-used begin=$SECONDS script=()
   mkdir -p "$roots"
   if [[ ! -e $pristine/etc/debian_version ]]; then
     say "$name: making a root by debootstrap"
     rm -rf "$pristine" "$pristine.new"
-    debootstrap --variant=minbase --include=git,ca-certificates "$name" "$pristine.new" "$mirror" \
+    # An older debootstrap has no script of its own for a newer Debian.
+    [[ -e /usr/share/debootstrap/scripts/$name ]] || script=(/usr/share/debootstrap/scripts/sid)
+    debootstrap --variant=minbase --include=git,ca-certificates "$name" "$pristine.new" "$mirror" "${script[@]}" \
       >"$roots/$name-debootstrap.log" 2>&1 || { tail -5 "$roots/$name-debootstrap.log" >&2; return 1; }
     mv "$pristine.new" "$pristine"
   fi

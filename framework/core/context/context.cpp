@@ -96,17 +96,18 @@ std::unique_ptr<Context> open_context(ContextKind kind) {
     }
 }
 
-std::unique_ptr<Context> open_any_context() {
-    try {
-        return open_context(ContextKind::osmesa);
-    } catch (const Error& error) {
-        print_note(fmt::format("{}; trying egl", error.what()));
-    }
-    return open_context(ContextKind::egl);
-}
-
 std::unique_ptr<Context> open_context(std::optional<ContextKind> kind) {
-    return kind ? open_context(*kind) : open_any_context();
+    if (kind) return open_context(*kind);
+    std::string reasons;
+    for (const ContextKind each : {ContextKind::osmesa, ContextKind::egl}) {
+        try {
+            return open_context(each);
+        } catch (const Error& error) {
+            print_event(error.what());
+            reasons += reasons.empty() ? error.what() : fmt::format("; {}", error.what());
+        }
+    }
+    throw Error(reasons);
 }
 
 bool has_display() {

@@ -29,13 +29,11 @@ public:
 /// Opens a context of this kind. Throws Error that names the Debian package to install or the missing part.
 std::unique_ptr<Context> open_context(ContextKind kind);
 
-/// Opens OSMesa or, if that fails, EGL. Prints a line on standard error if OSMesa does not open. Throws Error if EGL
-/// does not open either.
-std::unique_ptr<Context> open_any_context();
-
 /// Parses the name of a kind; "auto" gives nothing. Throws UsageError for an unknown name.
 std::optional<ContextKind> context_kind(const std::string& name);
 const char* name_of(ContextKind kind);
+/// Opens a context of this kind. Without a kind, opens OSMesa or, if it is missing or fails, EGL. Throws Error with each
+/// reason.
 std::unique_ptr<Context> open_context(std::optional<ContextKind> kind);
 
 /// Returns the environment variables that choose a driver, as " (GALLIUM_DRIVER=softpipe is set)", or "" if none is

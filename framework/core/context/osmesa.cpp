@@ -1,15 +1,4 @@
 // A software context without a display, from Mesa's off-screen library.
-#include "framework/core/gl/gl.h"  // before osmesa.h, which would include the system's gl.h
-
-// glad undefines these macros at its end, and the osmesa.h of Mesa 25 needs them.
-#ifndef APIENTRY
-    #define APIENTRY GLAD_API_PTR
-#endif
-#ifndef GLAPI
-    #define GLAPI extern
-#endif
-#include <GL/osmesa.h>
-
 #include <array>
 #include <cstdlib>
 #include <string_view>
@@ -17,22 +6,33 @@
 #include "framework/core/base/error.h"
 #include "framework/core/base/process.h"
 #include "framework/core/context/backends.h"
+#include "framework/core/gl/gl.h"
 
 namespace relief {
 namespace {
 
+// The part of GL/osmesa.h (Mesa 11.2 and later) that is used here. Mesa dropped this library and its header in 25.1, so
+// the course must build without them.
+using OSMesaContext = struct osmesa_context*;
+using CreateContext = OSMesaContext(const int* attributes, OSMesaContext shared);
+using MakeCurrent = GLboolean(OSMesaContext context, void* pixels, GLenum type, GLsizei width, GLsizei height);
+using DestroyContext = void(OSMesaContext context);
+using GetProcAddress = GLADapiproc(const char* name);
+constexpr int osmesa_format = 0x22, osmesa_depth_bits = 0x30, osmesa_profile = 0x33, osmesa_core_profile = 0x34,
+              osmesa_major_version = 0x36, osmesa_minor_version = 0x37;
+
 class OsMesa final : public Context {
 public:
     OsMesa() {
-        const int attributes[] = {OSMESA_FORMAT,
-                                  OSMESA_RGBA,
-                                  OSMESA_DEPTH_BITS,
+        const int attributes[] = {osmesa_format,
+                                  GL_RGBA,
+                                  osmesa_depth_bits,
                                   0,
-                                  OSMESA_PROFILE,
-                                  OSMESA_CORE_PROFILE,
-                                  OSMESA_CONTEXT_MAJOR_VERSION,
+                                  osmesa_profile,
+                                  osmesa_core_profile,
+                                  osmesa_major_version,
                                   4,
-                                  OSMESA_CONTEXT_MINOR_VERSION,
+                                  osmesa_minor_version,
                                   1,
                                   0};
         refuse_drivers_that_crash();
@@ -57,7 +57,7 @@ private:
         const char* const name = std::getenv("GALLIUM_DRIVER");
         if (!name || !*name || std::string_view(name) == "llvmpipe" || std::string_view(name) == "softpipe") return;
         const auto attempt = [this] {
-            const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, 0};
+            const int attributes[] = {osmesa_format, GL_RGBA, 0};
             create_(attributes, nullptr);
         };
         if (!ChildProcess(attempt).wait().crash.empty())
@@ -66,7 +66,7 @@ private:
 
     /// Explains why there is no OpenGL 4.1 core, by asking a context of any version.
     std::string reason() {
-        const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, 0};
+        const int attributes[] = {osmesa_format, GL_RGBA, 0};
         context_ = create_(attributes, nullptr);
         if (!context_) return "OSMesa has no driver" + driver_variables();
         OsMesa::make_current();
@@ -81,12 +81,10 @@ private:
         return module;
     }
 
-    decltype(&OSMesaCreateContextAttribs) create_ =
-        library().function<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs");
-    decltype(&OSMesaMakeCurrent) make_current_ = library().function<decltype(OSMesaMakeCurrent)>("OSMesaMakeCurrent");
-    decltype(&OSMesaDestroyContext) destroy_ =
-        library().function<decltype(OSMesaDestroyContext)>("OSMesaDestroyContext");
-    decltype(&OSMesaGetProcAddress) load_ = library().function<decltype(OSMesaGetProcAddress)>("OSMesaGetProcAddress");
+    CreateContext* create_ = library().function<CreateContext>("OSMesaCreateContextAttribs");
+    MakeCurrent* make_current_ = library().function<MakeCurrent>("OSMesaMakeCurrent");
+    DestroyContext* destroy_ = library().function<DestroyContext>("OSMesaDestroyContext");
+    GetProcAddress* load_ = library().function<GetProcAddress>("OSMesaGetProcAddress");
     OSMesaContext context_ = nullptr;
     // OSMesa requires a window buffer. It stays unused, because labs draw into framebuffers of their own.
     std::array<unsigned char, 4 * 4 * 4> window_{};

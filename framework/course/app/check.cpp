@@ -116,7 +116,7 @@ int check_own_work(const std::string& lab_text, bool json, bool open, fs::path p
     const Manifest manifest = check::manifest_to_check(lab);
     if (manifest.tasks.empty()) throw Error(fmt::format("lab {} has no tasks", lab.two_digits()));
     pin_software_renderer();
-    const auto context = open_any_context();
+    const auto context = open_context(std::nullopt);
     check::Patience patience([&](const std::string& why) {
         print_error(fmt::format("lab {}, {}: does a loop in the task not end?", lab.two_digits(), why));
         std::_Exit(1);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 int make_handout(const std::string& folder, const std::string& labs) {
     if (folder.empty()) throw UsageError("handout needs a folder for the students' course: -o FOLDER");
     pin_software_renderer();
-    const auto context = open_any_context();
+    const auto context = open_context(std::nullopt);
     const handout::HandoutReport report =
         handout::write_handout(folder, labs.empty() ? std::optional<std::string>() : std::optional(labs));
     const handout::Delivery& done = report.delivery;

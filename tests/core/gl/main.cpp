@@ -1,5 +1,5 @@
-// Runs a program of GL tests in one context: `--context osmesa` or `--context egl`. The renderer is pinned, so that
-// every machine produces the same bits.
+// Runs a program of GL tests in one context: `--context osmesa`, `--context egl`, or `--context auto`, which is OSMesa
+// where it is installed. The renderer is pinned, so that every machine produces the same bits.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -24,7 +24,7 @@ class NoErrorLeft final : public testing::EmptyTestEventListener {
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     if (argc != 3 || std::strcmp(argv[1], "--context") != 0) {
-        std::fprintf(stderr, "usage: %s --context osmesa|egl\n", argv[0]);
+        std::fprintf(stderr, "usage: %s --context osmesa|egl|auto\n", argv[0]);
         return 2;
     }
     try {

@@ -69,6 +69,20 @@ TEST_F(Script, ConfiguresBuildsAndHandsItsArgumentsOn) {
     EXPECT_FALSE(contains(called, "apt-get")) << called;
 }
 
+TEST_F(Script, InstallsAnOptionalPackageOnlyWhereTheSystemHasIt) {
+    for (const bool has_it : {false, true}) {
+        installed("libmd4c-dev|libosmesa6");
+        stand_in("apt-cache", has_it ? "true" : "[[ $2 != libosmesa6 ]]");
+        std::filesystem::remove_all(folder_.path() / "build");
+        const Result result = script({"list"});
+        EXPECT_EQ(result.code, 0) << result.err;
+        const std::string called = calls();
+        EXPECT_TRUE(contains(called, "libmd4c-dev")) << called;
+        EXPECT_EQ(contains(called, "install -y --no-install-recommends libmd4c-dev libosmesa6\n"), has_it) << called;
+        EXPECT_EQ(contains(called, "install -y --no-install-recommends libmd4c-dev\n"), !has_it) << called;
+    }
+}
+
 TEST_F(Script, ASecondRunNeitherQueriesPackagesNorConfigures) {
     script();
     calls();
