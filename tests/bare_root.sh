@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Runs the README's two commands on a bare Debian: in a minimal root from debootstrap, with git and a clone of the last
-# commit.
+# Runs the README's two commands on a bare Debian or Ubuntu: in a minimal root from debootstrap, with git and a clone of
+# the last commit.
 #
-#   tests/bare_root.sh [bookworm|trixie|forky]...     Debian 12, Debian 13, Debian testing; default: the first two
+#   tests/bare_root.sh [NAME]...            bookworm (Debian 12), trixie (Debian 13), forky (Debian testing), noble (Ubuntu
+#                                           24.04); default: the first two
 #
-#   MIRROR=http://deb.debian.org/debian     the source of the packages
+#   MIRROR=http://deb.debian.org/debian     the source of Debian's packages
+#   UBUNTU=http://archive.ubuntu.com/ubuntu the source of Ubuntu's packages
 #   ROOTS=build/bare_roots                  the folder of pristine roots, which the next run copies, and of logs
 #   KEEP=1                                  keep the copy in which the commands ran, as ROOTS/NAME-used
 #   PROOFS=1                                also run ./relief test --ci, as CI does
@@ -14,17 +16,19 @@
 set -euo pipefail
 
 course=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
-mirror=${MIRROR:-http://deb.debian.org/debian}
 roots=${ROOTS:-$course/build/bare_roots}
 
 say() { printf 'bare_root: %s\n' "$*" >&2; }
 
 (($#)) || set -- bookworm trixie
 for name in "$@"; do
-  if [[ $name != bookworm && $name != trixie && $name != forky ]]; then
-    say "there are bookworm (Debian 12), trixie (Debian 13) and forky (Debian testing), and no '$name'"
-    exit 2
-  fi
+  case $name in
+    bookworm | trixie | forky | noble) ;;
+    *)
+      say "there are bookworm (Debian 12), trixie (Debian 13), forky (Debian testing) and noble (Ubuntu 24.04), not '$name'"
+      exit 2
+      ;;
+  esac
 done
 missing=()
 [[ $(id -u) == 0 ]] || missing+=("root")
@@ -76,15 +80,19 @@ logged() { # root, log, command
   done >"$2"
 }
 
-run_in() { # bookworm or trixie
-  local name=$1 pristine=$roots/$1 used=$roots/$1-used begin=$SECONDS script=()
+run_in() { # name of the release
+  local name=$1 pristine=$roots/$1 used=$roots/$1-used begin=$SECONDS
+  # An older debootstrap has no script for a newer release, and all of a system's newer releases have the same one.
+  local components=main mirror=${MIRROR:-http://deb.debian.org/debian} script=sid
+  if [[ $name == noble ]]; then
+    components=main,universe mirror=${UBUNTU:-http://archive.ubuntu.com/ubuntu} script=gutsy
+  fi
   mkdir -p "$roots"
   if [[ ! -e $pristine/etc/debian_version ]]; then
     say "$name: making a root by debootstrap"
     rm -rf "$pristine" "$pristine.new"
-    # An older debootstrap has no script of its own for a newer Debian.
-    [[ -e /usr/share/debootstrap/scripts/$name ]] || script=(/usr/share/debootstrap/scripts/sid)
-    debootstrap --variant=minbase --include=git,ca-certificates "$name" "$pristine.new" "$mirror" "${script[@]}" \
+    debootstrap --variant=minbase --include=git,ca-certificates --components=$components "$name" "$pristine.new" \
+      "$mirror" "/usr/share/debootstrap/scripts/$script" \
       >"$roots/$name-debootstrap.log" 2>&1 || { tail -5 "$roots/$name-debootstrap.log" >&2; return 1; }
     mv "$pristine.new" "$pristine"
   fi

@@ -32,7 +32,7 @@ RELIEF_INLINE Floats square_root(Floats v) {
 #endif
 }
 
-RELIEF_INLINE void store(Half low, Half high, float* to, bool uncached) {
+RELIEF_INLINE void store(Half low, Half high, float* to, [[maybe_unused]] bool uncached) {
 #ifdef __SSE2__
     if (uncached) {
         _mm_stream_ps(to, low);
