@@ -1,7 +1,6 @@
 // Lab 10: the shaders' hits and errors match their twins'. Every pixel is finite, and some views must show equal
 // pictures.
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/gtx/component_wise.hpp>
 #include <numeric>
 #include <set>
 
@@ -204,7 +203,7 @@ TEST(ParallaxOffset, EveryPixelIsFiniteAndEveryRayBoundedForAnyAngleMapAndDepth)
         shot.camera = {scenes[i].yaw, scenes[i].pitch, 0.3, scenes[i].target, edge_on ? 1.0 : 60.0};
         const auto lab = make_lab(find_lab("10"), shot);
         const ReliefMapping mapping = Surface(shot).surface.mapping();
-        const double longest = glm::compMax(mapping.depth) * mapping.texels / least_slant * 1.001;
+        const double longest = std::max(mapping.depth.x, mapping.depth.y) * mapping.texels / least_slant * 1.001;
         for (const char* method : methods)
             for (const char* probe : {"", "uv", "depth", "ray", "steps"}) {
                 set_knob(*lab, "method", method);
