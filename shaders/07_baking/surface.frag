@@ -10,9 +10,11 @@
 in vec3 v_position;
 in vec3 v_normal;
 #ifdef MAP
+in vec2 v_uv;
+#ifndef OBJECT_SPACE
 in vec4 v_tangent;
 in vec3 v_bitangent;
-in vec2 v_uv;
+#endif
 uniform sampler2D s_map;
 uniform float u_level;
 #endif

@@ -4,8 +4,10 @@
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 #ifdef MAP
-layout(location = 2) in vec4 a_tangent;
 layout(location = 3) in vec2 a_uv;
+#ifndef OBJECT_SPACE
+layout(location = 2) in vec4 a_tangent;
+#endif
 #endif
 
 uniform mat4 u_clip_from_world;
@@ -13,18 +15,22 @@ uniform mat4 u_clip_from_world;
 out vec3 v_position;
 out vec3 v_normal;
 #ifdef MAP
+out vec2 v_uv;
+#ifndef OBJECT_SPACE
 out vec4 v_tangent;
 out vec3 v_bitangent;
-out vec2 v_uv;
+#endif
 #endif
 
 void main() {
     v_position = a_position;
     v_normal = a_normal;
 #ifdef MAP
+    v_uv = a_uv;
+#ifndef OBJECT_SPACE
     v_tangent = a_tangent;
     v_bitangent = a_tangent.w * cross(a_normal, a_tangent.xyz);
-    v_uv = a_uv;
+#endif
 #endif
     gl_Position = u_clip_from_world * vec4(a_position, 1.0);
 }

@@ -95,8 +95,9 @@ TEST(ObjMaterials, MaskCoverageAtEachLevelMatchesHandout08) {
           Row{"to-coverage", "0.5", {12.0, 12.2, 11.8, 14.5, 13.3, 15.0}},
           Row{"hashed", "0.5", {12.0, 12.0, 12.0, 12.0, 12.0, 12.0}}}) {
         const std::vector<double> found = coverages(row.alpha, row.threshold);
+        // The handout has one digit after the point, and Mesa 26 differs by 0.011 from Mesa 22.
         for (size_t level = 0; level < 6; ++level)
-            EXPECT_NEAR(100 * found[level], row.percent[level], 0.051) << row.alpha << ", level " << level;
+            EXPECT_NEAR(100 * found[level], row.percent[level], 0.065) << row.alpha << ", level " << level;
     }
 }
 

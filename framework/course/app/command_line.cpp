@@ -73,6 +73,7 @@ public:
     void lab(std::string& value, bool required) override {
         value = only_lab_;
         CLI::Option* option = add("LAB", value, "a number, a name or any part of one");
+        option->trigger_on_parse();  // because from CLI11 2.4 on, --help prints the lab's knobs before other options are set
         if (required && only_lab_.empty()) option->required();
     }
     void words(const char* name, std::vector<std::string>& values, const char* help) override {

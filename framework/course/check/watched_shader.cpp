@@ -229,11 +229,17 @@ std::string wrapper(const Wrapped& w) {
                                      w.tells_unfinished ? "float(relief_missing)" : "0.0"};
     for (const Leaf& leaf : inputs) note.push_back(as("float", leaf));
     for (const Leaf& leaf : results) note.push_back(as("float", leaf));
-    if (w.watched.has_twin)
-        for (const char* const form :
-             {"float(relief_exact[{0}])", "float(relief_exact[{0}] - double(float(relief_exact[{0}])))",
-              "float(relief_off[{0}])"})
-            for (size_t k = 0; k < results.size(); ++k) note.push_back(fmt::format(fmt::runtime(form), k));
+    if (w.watched.has_twin) {
+        // Without `precise`, Mesa 26 takes double(float(x)) for x, and the low parts are 0.
+        code += fmt::format("    precise float relief_high[{0}], relief_low[{0}];\n", results.size());
+        for (size_t k = 0; k < results.size(); ++k)
+            code += fmt::format(
+                "    relief_high[{0}] = float(relief_exact[{0}]);\n"
+                "    relief_low[{0}] = float(relief_exact[{0}] - double(relief_high[{0}]));\n",
+                k);
+        for (const char* const part : {"relief_high[{}]", "relief_low[{}]", "float(relief_off[{}])"})
+            for (size_t k = 0; k < results.size(); ++k) note.push_back(fmt::format(fmt::runtime(part), k));
+    }
     code +=
         "    if (relief_asked && (u_relief_call < 0 ? relief_call == 0 || relief_excess > relief_note[2]\n"
         "                                           : relief_call == u_relief_call)) {\n";
