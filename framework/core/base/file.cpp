@@ -51,7 +51,10 @@ public:
 
     const char* name() const { return name_.c_str(); }
     bool rename_to(const fs::path& target) {
-        finished_ = std::rename(name_.c_str(), target.c_str()) == 0;
+        std::error_code error;
+        fs::rename(name_, target, error);
+        errno = error.default_error_condition().value();
+        finished_ = !error;
         return finished_;
     }
 

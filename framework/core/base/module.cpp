@@ -14,7 +14,7 @@ Module::Module(std::span<const char* const> names, const char* package) {
         std::string why;
         handle_ = os::open_library(name, why);
         if (handle_) {
-            name_ = name;
+            name_ = name ? name : "this program";
             return;
         }
         if (reason.empty()) reason = why;
@@ -46,6 +46,12 @@ bool open_staff_library() {
 }
 
 Module open_own_module(const char* name, const char* package) {
+#ifdef RELIEF_LINKED_MODULE
+    if (std::string_view(name) == RELIEF_LINKED_MODULE) {
+        const char* const this_program[] = {nullptr};
+        return Module(this_program, package);
+    }
+#endif
     const std::string path = (framework_folder() / name).string();
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored))

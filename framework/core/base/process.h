@@ -71,7 +71,11 @@ struct ChildEnd {
     std::string crash = {};  ///< the signal's name, such as "Segmentation fault"; empty without a crash
 };
 
-/// A function that runs in a copy of this process. The destructor kills the copy if it still runs.
+/// Returns whether this system can copy a running process.
+bool can_copy_process();
+
+/// A function that runs in a copy of this process. The destructor kills the copy if it still runs. Where the system
+/// cannot copy a process, the constructor runs the function, and a crash ends this process.
 class ChildProcess {
 public:
     /// Throws Error if the system cannot create a process.

@@ -23,6 +23,7 @@
 #include <cstring>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/system.h"
 
 namespace relief {
 namespace {
@@ -305,6 +306,8 @@ Pipe::Pipe() {
     read = Descriptor(ends[0]), write = Descriptor(ends[1]);
 }
 
+bool can_copy_process() { return true; }
+
 ChildProcess::ChildProcess(const std::function<void()>& work) {
     std::fflush(nullptr);  // or buffered output would be written twice
     process_ = fork();
@@ -336,8 +339,7 @@ ChildEnd ChildProcess::wait() {
 bool open_on_desktop(const fs::path& wanted) { return start_on_desktop({"xdg-open", fs::absolute(wanted).string()}); }
 
 bool start_on_desktop(const std::vector<std::string>& command) {
-    const auto is_set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
-    if (command.empty() || (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))) return false;
+    if (command.empty() || !os::has_display()) return false;
     // Silent and without limits, as it may run for as long as the browser does.
     const Descriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
     Start s{.words = {}, .environment = {}, .in = null, .out = null, .err = null};

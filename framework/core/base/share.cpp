@@ -94,6 +94,10 @@ private:
 
 void share_among_processes(size_t count, const std::function<void(const NextPart&, const Say&)>& work,
                            const std::function<void(const std::string&)>& hear) {
+    if (!can_copy_process()) {
+        size_t begun = 0;
+        return work([&] { return begun < count ? std::optional(begun++) : std::nullopt; }, hear);
+    }
     SharedNumber next;
     std::deque<Worker> workers;
     for (size_t i = 0; i < std::min(count, size_t{hardware_threads()}); ++i) workers.emplace_back(next, count, work);

@@ -9,12 +9,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "framework/core/base/descriptor.h"
 
 namespace relief::os {
 
-/// Opens a library, which stays open until the process ends. Returns null and sets `reason` on failure.
+/// Opens a library, which stays open until the process ends, or the running program if `name` is null. Returns null and
+/// sets `reason` on failure.
 void* open_library(const char* name, std::string& reason);
 /// Returns the address of a function, or null when the library has no such function.
 void* function(void* library, const char* name);
@@ -23,6 +25,11 @@ std::filesystem::path library_of(const void* address);
 
 /// Returns the path of the running program, also in a sandbox that hides it.
 std::filesystem::path executable();
+
+/// Returns the words of the command line in UTF-8, the program first, from the arguments of main().
+std::vector<std::string> utf8_arguments(int argc, char** argv);
+/// Makes the standard streams carry bytes unchanged, and a terminal take UTF-8 and colours.
+void prepare_standard_streams();
 
 /// Opens a file to read it. Does not wait for the writer of a pipe. A negative descriptor means failure; errno has the
 /// reason.
@@ -87,6 +94,9 @@ void take_large_pages(void* memory, size_t bytes);
 
 /// Returns zeroed memory that all later copies of this process share, or null on failure; errno has the reason.
 std::shared_ptr<void> shared_memory(size_t bytes);
+
+/// Returns whether a window can be opened: on Linux, the environment names an X11 or Wayland display.
+bool has_display();
 
 /// Returns the system's name, such as "Linux 6.1.0-18-amd64 x86_64".
 std::string name();

@@ -83,6 +83,10 @@ fs::path executable() {
     return no_proc ? fs::weakly_canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN))) : link;
 }
 
+std::vector<std::string> utf8_arguments(int argc, char** argv) { return {argv, argv + argc}; }
+
+void prepare_standard_streams() {}
+
 Descriptor open_to_read(const fs::path& path) {
     return Descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
 }
@@ -165,6 +169,14 @@ std::shared_ptr<void> shared_memory(size_t bytes) {
     void* const memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return nullptr;
     return {memory, [bytes](void* at) { munmap(at, bytes); }};
+}
+
+bool has_display() {
+    const auto is_set = [](const char* name) {
+        const char* const value = std::getenv(name);
+        return value && *value;
+    };
+    return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
 }
 
 std::string name() {

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "framework/core/base/module.h"
 #include "framework/core/context/context.h"
 #include "framework/core/gl/gl.h"
 
 namespace relief {
+
+/// Returns the kinds of context that a run tries in turn when it is asked for none.
+std::span<const ContextKind> automatic_kinds();
 
 std::unique_ptr<Context> open_osmesa();
 std::unique_ptr<Context> open_egl();

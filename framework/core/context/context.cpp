@@ -99,7 +99,7 @@ std::unique_ptr<Context> open_context(ContextKind kind) {
 std::unique_ptr<Context> open_context(std::optional<ContextKind> kind) {
     if (kind) return open_context(*kind);
     std::string reasons;
-    for (const ContextKind each : {ContextKind::osmesa, ContextKind::egl}) {
+    for (const ContextKind each : automatic_kinds()) {
         try {
             return open_context(each);
         } catch (const Error& error) {
@@ -108,14 +108,6 @@ std::unique_ptr<Context> open_context(std::optional<ContextKind> kind) {
         }
     }
     throw Error(reasons);
-}
-
-bool has_display() {
-    const auto set = [](const char* name) {
-        const char* const value = std::getenv(name);
-        return value && *value;
-    };
-    return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
 // Measured: with the first two variables, one real CPU and four emulated models give the same pictures. Without them,

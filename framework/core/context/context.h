@@ -32,16 +32,14 @@ std::unique_ptr<Context> open_context(ContextKind kind);
 /// Parses the name of a kind; "auto" gives nothing. Throws UsageError for an unknown name.
 std::optional<ContextKind> context_kind(const std::string& name);
 const char* name_of(ContextKind kind);
-/// Opens a context of this kind. Without a kind, opens OSMesa or, if it is missing or fails, EGL. Throws Error with each
+/// Opens a context of this kind. Without a kind, opens OSMesa or, if it is missing or fails, EGL. On systems without both,
+/// opens a hidden window. Throws Error with each
 /// reason.
 std::unique_ptr<Context> open_context(std::optional<ContextKind> kind);
 
 /// Returns the environment variables that choose a driver, as " (GALLIUM_DRIVER=softpipe is set)", or "" if none is
 /// set.
 std::string driver_variables();
-
-/// Returns whether a window can be opened: the environment names an X11 or Wayland display.
-bool has_display();
 
 /// Makes Mesa's software renderer produce the same bits on every x86-64 machine, about 20 % slower. Golden pictures and
 /// marks need this. Precondition: no context of this process has been opened.

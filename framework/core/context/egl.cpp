@@ -133,6 +133,11 @@ private:
 
 }  // namespace
 
+std::span<const ContextKind> automatic_kinds() {
+    static constexpr ContextKind kinds[] = {ContextKind::osmesa, ContextKind::egl};
+    return kinds;
+}
+
 std::unique_ptr<Context> open_egl() { return std::make_unique<Egl>(); }
 
 }  // namespace relief

@@ -1,11 +1,12 @@
 // The context of a hidden window. Loads GLFW's module on demand, so that headless runs never load it.
 #include "framework/core/base/error.h"
+#include "framework/core/base/system.h"
 #include "framework/core/context/backends.h"
 
 namespace relief {
 
 const Module& window_module() {
-    if (!has_display()) throw NoWindow("there is no display (DISPLAY and WAYLAND_DISPLAY are empty)");
+    if (!os::has_display()) throw NoWindow("there is no display (DISPLAY and WAYLAND_DISPLAY are empty)");
     try {
         static const Module module = open_own_module("relief-window.so", "libglfw3");
         return module;

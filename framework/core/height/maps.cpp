@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numbers>
 #include <random>
 #include <utility>
 
@@ -41,9 +42,9 @@ std::vector<Wave> random_waves(int count, double shortest, double longest, doubl
     const auto share = [&] { return double(random()) / 4294967296.0; };
     std::vector<Wave> waves;
     for (int i = 0; i < count; ++i) {
-        const double k = shortest * std::pow(longest / shortest, share()), turn = 2 * M_PI * share();
+        const double k = shortest * std::pow(longest / shortest, share()), turn = 2 * std::numbers::pi * share();
         const int kx = int(std::lround(k * std::cos(turn))), ky = int(std::lround(k * std::sin(turn)));
-        waves.push_back({kx, ky, 2 * M_PI * share(), std::pow(std::max(1.0, std::hypot(kx, ky)), -fall)});
+        waves.push_back({kx, ky, 2 * std::numbers::pi * share(), std::pow(std::max(1.0, std::hypot(kx, ky)), -fall)});
     }
     return waves;
 }
@@ -54,7 +55,7 @@ Image sum_of(const std::vector<Wave>& waves, int size) {
     parallel_pieces(waves.size(), 8, 0, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i)
             for (int x = 0; x < size; ++x) {
-                const double angle = 2 * M_PI * (int64_t(waves[i].kx) * x % size) / size;
+                const double angle = 2 * std::numbers::pi * (int64_t(waves[i].kx) * x % size) / size;
                 along_x[i * 2 * size_t(size) + size_t(x)] = float(std::cos(angle));
                 along_x[(i * 2 + 1) * size_t(size) + size_t(x)] = float(std::sin(angle));
             }
@@ -64,7 +65,7 @@ Image sum_of(const std::vector<Wave>& waves, int size) {
         for (int y = int(begin); y < int(end); ++y) {
             float* const row = image.pixel(0, y);
             for (size_t i = 0; i < waves.size(); ++i) {
-                const double angle = 2 * M_PI * (int64_t(waves[i].ky) * y % size) / size + waves[i].phase;
+                const double angle = 2 * std::numbers::pi * (int64_t(waves[i].ky) * y % size) / size + waves[i].phase;
                 const float c = float(waves[i].amplitude * std::cos(angle)),
                             s = float(waves[i].amplitude * std::sin(angle));
                 const float *const cosines = &along_x[i * 2 * size_t(size)], *const sines = cosines + size;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "framework/core/base/error.h"
 
@@ -47,7 +48,7 @@ double angle_degrees(const float* a, const float* b) {
     const double dot = double(a[0]) * b[0] + double(a[1]) * b[1] + double(a[2]) * b[2];
     const double sine = std::sqrt(x * x + y * y + z * z);
     // A zero vector has no direction; atan2(0, 0) would call it exact.
-    return sine == 0 && dot == 0 ? NAN : std::atan2(sine, dot) * 180 / M_PI;
+    return sine == 0 && dot == 0 ? NAN : std::atan2(sine, dot) * 180 / std::numbers::pi;
 }
 
 double distance(const float* a, const float* b, int channels) {

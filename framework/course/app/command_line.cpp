@@ -73,7 +73,8 @@ public:
     void lab(std::string& value, bool required) override {
         value = only_lab_;
         CLI::Option* option = add("LAB", value, "a number, a name or any part of one");
-        option->trigger_on_parse();  // because from CLI11 2.4 on, --help prints the lab's knobs before other options are set
+        option->trigger_on_parse();  // because from CLI11 2.4 on, --help prints the lab's knobs before other options
+                                     // are set
         if (required && only_lab_.empty()) option->required();
     }
     void words(const char* name, std::vector<std::string>& values, const char* help) override {
@@ -198,6 +199,11 @@ private:
 
 int run_command_line(int argc, char** argv) {
     os::take_large_pages();
+    os::prepare_standard_streams();
+    std::vector<std::string> words = os::utf8_arguments(argc, argv);
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    argc = int(pointers.size()), argv = pointers.data();
     clean_up_when_interrupted();
     try {
         // An internal command by which `grade` starts itself in a sandbox. It is not in --help.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "framework/core/base/text.h"
@@ -391,12 +392,12 @@ private:
         size_t count = 0;
         for (size_t i = 0; i < vectors_.size(); ++i) {
             if (!covered(i) || std::isnan(slopes_.of[i].x)) continue;
-            const double angle = std::atan(glm::length(glm::dvec2(slopes_.of[i]))) * 180 / M_PI;
+            const double angle = std::atan(glm::length(glm::dvec2(slopes_.of[i]))) * 180 / std::numbers::pi;
             sum += angle, most = std::max(most, angle), slope += glm::dvec2(slopes_.of[i]), ++count;
         }
         if (count == 0) return;
         slope /= double(count);
-        const double leans = std::atan(glm::length(slope)) * 180 / M_PI;
+        const double leans = std::atan(glm::length(slope)) * 180 / std::numbers::pi;
         add("tilt", Outcome::good, rounded(sum / double(count), 2) + " degrees",
             fmt::format("mean angle to straight up; the largest is {} degrees, the mean slope leans by {}",
                         rounded(most), rounded(leans)),
@@ -418,7 +419,7 @@ private:
         const auto judge = [&](BorderSteps& steps, int component, auto steps_across) {
             std::vector<float> along(slopes.of.size());
             std::transform(slopes.of.begin(), slopes.of.end(), along.begin(),
-                           [&](glm::vec2 s) { return float(std::atan(s[component]) * 180 / M_PI); });
+                           [&](glm::vec2 s) { return float(std::atan(s[component]) * 180 / std::numbers::pi); });
             const BorderSteps aligned = steps_across(along, map_.width, map_.height);
             steps.fits = (steps.fits || steps.across < 0.5 * steps.sharp) && aligned.fits_nearby();
         };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace relief::inspect {
 namespace {
@@ -53,7 +54,7 @@ BorderSteps steps(std::span<const Value> values, int count, int length, size_t l
 }  // namespace
 
 double angle_between(glm::dvec3 a, glm::dvec3 b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / M_PI;
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / std::numbers::pi;
 }
 
 BorderSteps steps_across_sides(std::span<const glm::vec3> vectors, int width, int height) {

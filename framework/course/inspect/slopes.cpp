@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace relief::inspect {
 namespace {
@@ -116,7 +117,7 @@ Agreement best_agreement(Slopes normals, const Image& heights, int first, int ch
 
 Slopes slopes_of_normals(std::span<const glm::vec3> normals, int width, int height) {
     Slopes slopes{width, height, std::vector<glm::vec2>(normals.size(), glm::vec2(NAN))};
-    const float steepest = float(std::cos(85 * M_PI / 180));
+    const float steepest = float(std::cos(85 * std::numbers::pi / 180));
     for (size_t i = 0; i < normals.size(); ++i) {
         const glm::vec3 n = normals[i];
         if (n.z > steepest * glm::length(n)) slopes.of[i] = glm::vec2(-n.x, -n.y) / n.z;

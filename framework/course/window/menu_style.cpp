@@ -36,7 +36,7 @@ void load_fonts(float scale) {
     atlas.Clear();
     for (const File& file : files)
         if (exists(fonts / file.name))
-            atlas.AddFontFromFileTTF((fonts / file.name).c_str(), file.size * scale, nullptr, file.ranges);
+            atlas.AddFontFromFileTTF((fonts / file.name).string().c_str(), file.size * scale, nullptr, file.ranges);
         else
             atlas.AddFontDefault();
 }
