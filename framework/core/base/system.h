@@ -31,6 +31,9 @@ std::vector<std::string> utf8_arguments(int argc, char** argv);
 /// Makes the standard streams carry bytes unchanged, and a terminal take UTF-8 and colours.
 void prepare_standard_streams();
 
+/// Waits for Enter if the terminal would close with this process, as after a double click on Windows.
+void keep_terminal_open();
+
 /// Opens a file to read it. Does not wait for the writer of a pipe. A negative descriptor means failure; errno has the
 /// reason.
 Descriptor open_to_read(const std::filesystem::path& path);

@@ -86,6 +86,7 @@ fs::path executable() {
 std::vector<std::string> utf8_arguments(int argc, char** argv) { return {argv, argv + argc}; }
 
 void prepare_standard_streams() {}
+void keep_terminal_open() {}
 
 Descriptor open_to_read(const fs::path& path) {
     return Descriptor(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));

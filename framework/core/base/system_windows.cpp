@@ -156,6 +156,14 @@ void prepare_standard_streams() {
     }
 }
 
+void keep_terminal_open() {
+    DWORD processes[2];
+    if (GetConsoleProcessList(processes, 2) != 1 || !is_terminal(0) || !is_terminal(standard_error)) return;
+    write_all(standard_error, "Press Enter to close this window.");
+    char line[64];
+    [[maybe_unused]] const int read = _read(0, line, sizeof line);
+}
+
 void clean_up_when_interrupted(void (*clean_up)()) {
     clean_up_before_the_end = clean_up;
     SetConsoleCtrlHandler(end_cleanly, TRUE);

@@ -110,6 +110,8 @@ std::unique_ptr<Context> open_context(std::optional<ContextKind> kind) {
     throw Error(reasons);
 }
 
+bool draws_without_display() { return automatic_kinds().front() != ContextKind::window; }
+
 // Measured: with the first two variables, one real CPU and four emulated models give the same pictures. Without them,
 // CPUs with and without fused multiply-add differ: mostly by 1/255, but by up to 252/255 in 0.01 % of the pixels.
 void pin_software_renderer() {

@@ -37,6 +37,9 @@ const char* name_of(ContextKind kind);
 /// reason.
 std::unique_ptr<Context> open_context(std::optional<ContextKind> kind);
 
+/// Returns whether this system can draw without a display.
+bool draws_without_display();
+
 /// Returns the environment variables that choose a driver, as " (GALLIUM_DRIVER=softpipe is set)", or "" if none is
 /// set.
 std::string driver_variables();

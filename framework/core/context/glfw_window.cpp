@@ -22,7 +22,8 @@ namespace {
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     if (GLFWwindow* const window = glfwCreateWindow(64, 64, "", nullptr, nullptr)) {
         glfwMakeContextCurrent(window);
-        text = too_little(glfwGetProcAddress);
+        text = too_little(glfwGetProcAddress) +
+               ": update the graphics driver, use Mesa's software renderer (llvmpipe), or another computer";
         glfwDestroyWindow(window);
     } else {
         text += driver_variables();

@@ -15,6 +15,7 @@
 #include "framework/core/base/system.h"
 #include "framework/core/base/text.h"
 #include "framework/core/context/backends.h"
+#include "framework/core/context/context.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/core/lab/registry.h"
 #include "framework/course/app/command.h"
@@ -36,6 +37,7 @@ int open_menu_or_gallery(const std::string& lab_folder) {
     try {
         return run_menu({.lab_folder = lab_folder});
     } catch (const NoWindow& error) {
+        if (!draws_without_display()) throw;
         print_note(fmt::format(
             "{}: the course page is made instead; it is there in seconds, and complete in minutes (Ctrl-C ends it)",
             error.what()));
@@ -197,14 +199,14 @@ private:
 
 }  // namespace
 
-int run_command_line(int argc, char** argv) {
-    os::take_large_pages();
-    os::prepare_standard_streams();
-    std::vector<std::string> words = os::utf8_arguments(argc, argv);
+namespace {
+
+/// Runs a command and returns its exit code.
+int run_words(std::vector<std::string> words) {
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
-    argc = int(pointers.size()), argv = pointers.data();
-    clean_up_when_interrupted();
+    const int argc = int(pointers.size());
+    char** const argv = pointers.data();
     try {
         // An internal command by which `grade` starts itself in a sandbox. It is not in --help.
         if (argc == 4 && std::string_view(argv[1]) == "draw-checks") check::draw_request(argv[3]);
@@ -226,6 +228,17 @@ int run_command_line(int argc, char** argv) {
         print_error(error.what());
     }
     return 1;
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+    os::take_large_pages();
+    os::prepare_standard_streams();
+    clean_up_when_interrupted();
+    const int code = run_words(os::utf8_arguments(argc, argv));
+    if (code != 0) os::keep_terminal_open();
+    return code;
 }
 
 }  // namespace relief::app

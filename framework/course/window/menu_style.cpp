@@ -1,11 +1,27 @@
 #include "framework/course/window/menu_style.h"
 
+#include <cstring>
 #include <filesystem>
+#include <system_error>
+
+#include "framework/core/base/file.h"
+#include "framework/core/base/module.h"
 
 namespace relief::window {
 namespace {
 
-const std::filesystem::path fonts = "/usr/share/fonts/truetype/dejavu";
+namespace fs = std::filesystem;
+
+/// Returns a font's file, in a package's folder beside the program or where Debian, Fedora, openSUSE or Arch install
+/// it. Returns an empty path if there is none.
+fs::path font_file(const char* name) {
+    const fs::path system = "/usr/share/fonts";
+    for (const fs::path& folder :
+         {framework_folder() / "fonts", system / "truetype/dejavu", system / "dejavu-sans-fonts",
+          system / "dejavu-sans-mono-fonts", system / "dejavu-serif-fonts", system / "truetype", system / "TTF"})
+        if (std::error_code ignored; fs::exists(folder / name, ignored)) return folder / name;
+    return {};
+}
 
 // Characters of handouts besides Latin: Greek, dashes and quotes, small digits, arrows, mathematics, tree lines,
 // shapes, ticks. Pairs of first and last.
@@ -35,10 +51,14 @@ void load_fonts(float scale) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     for (const File& file : files)
-        if (exists(fonts / file.name))
-            atlas.AddFontFromFileTTF((fonts / file.name).string().c_str(), file.size * scale, nullptr, file.ranges);
-        else
+        if (const fs::path path = font_file(file.name); !path.empty()) {
+            const std::string bytes = read_file(path);         // Dear ImGui itself cannot open every path on Windows
+            void* const copy = ImGui::MemAlloc(bytes.size());  // freed by the atlas
+            std::memcpy(copy, bytes.data(), bytes.size());
+            atlas.AddFontFromMemoryTTF(copy, int(bytes.size()), file.size * scale, nullptr, file.ranges);
+        } else {
             atlas.AddFontDefault();
+        }
 }
 
 }  // namespace
