@@ -171,7 +171,10 @@ void clean_up_when_interrupted(void (*clean_up)()) {
 
 void remove_file(const char* name) { DeleteFileW(fs::path(name).c_str()); }
 
-void set_environment(const char* name, const std::string& value) { _putenv_s(name, value.c_str()); }
+void set_environment(const char* name, const std::string& value) {
+    _putenv_s(name, value.c_str());
+    SetEnvironmentVariableA(name, value.c_str());  // for a driver with a C runtime of its own
+}
 
 double processor_seconds() {
     FILETIME begin, end, kernel, user;
