@@ -56,6 +56,7 @@ expect() { # what, command...
   failed+=("$what")
 }
 
+command -v ccache >/dev/null && export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
 say "the ZIP file of a handout with the solutions' C++ code"
 rm -rf "$here/handout"
 "$program" handout -o "$here/handout" >/dev/null

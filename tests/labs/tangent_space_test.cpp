@@ -150,8 +150,8 @@ TEST(TangentSpace, WithoutAMapUsesNoTangentSamplerOrTexture) {
     EXPECT_EQ(bytes("06", one({{"normals", "vertices"}})), 0);
     // 1024 x 1024 texels of 3 bytes, and a third of that for the other mip levels.
     EXPECT_NEAR(double(bytes("06", one({{"normals", "map"}}))), 3.0 * 1024 * 1024 * 4 / 3, 16);
-    // The columns have an albedo map; a normal map each for columns and floor is added. The floor's albedo map, which lab
-    // 01 makes by hand, is not counted.
+    // The columns have an albedo map; a normal map each for columns and floor is added. The floor's albedo map, which
+    // lab 01 makes by hand, is not counted.
     EXPECT_EQ(bytes("01", {{"method", "normal-map"}}), 3 * bytes("01", {{"method", "vertex-normal"}}));
 }
 

@@ -32,9 +32,8 @@ std::unique_ptr<Context> open_context(ContextKind kind);
 /// Parses the name of a kind; "auto" gives nothing. Throws UsageError for an unknown name.
 std::optional<ContextKind> context_kind(const std::string& name);
 const char* name_of(ContextKind kind);
-/// Opens a context of this kind. Without a kind, opens OSMesa or, if it is missing or fails, EGL. On systems without both,
-/// opens a hidden window. Throws Error with each
-/// reason.
+/// Opens a context of this kind. Without a kind, opens OSMesa or, if it is missing or fails, EGL. On systems without
+/// both, opens a hidden window. Throws Error with each reason.
 std::unique_ptr<Context> open_context(std::optional<ContextKind> kind);
 
 /// Returns whether this system can draw without a display.

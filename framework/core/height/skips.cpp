@@ -119,7 +119,8 @@ public:
         std::mt19937 random(1);
         const auto share = [&] { return double(random()) / 4294967296.0; };
         for (int i = 0; i < 384; ++i) {
-            const double turn = std::numbers::pi / 2 * share(), reach = cells.width * std::pow(2.0, -5.5 + 5.5 * share());
+            const double turn = std::numbers::pi / 2 * share(),
+                         reach = cells.width * std::pow(2.0, -5.5 + 5.5 * share());
             rays_.push_back({{share() * cells.width, share() * cells.height},
                              {reach * std::cos(turn) + 1e-9, reach * std::sin(turn) + 1e-9}});
         }

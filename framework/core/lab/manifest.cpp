@@ -183,15 +183,19 @@ CheckInfo read_check(Table& table, const Manifest& manifest) {
     return check;
 }
 
-std::vector<Edit> read_edits(Table& table, const char* kind) {
+/// Reads the edits of a task's code. An edit that names no file is one of the task's file.
+std::vector<Edit> read_edits(Table& table, const char* kind, const Manifest& manifest, const std::string& task) {
+    require(table, "task", [&] { manifest.task(task); });
     std::vector<Edit> edits;
     for (Table& edit : table.inline_tables("edits")) {
-        edits.push_back({edit.text("file"), edit.text("find"), edit.text("replace")});
+        std::string file = manifest.task(task).file;
+        edit.read("file", file);
+        edits.push_back({file, edit.text("find"), edit.text("replace")});
         edit.finish();
         if (!is_course_path(edits.back().file)) edit.fail("file", "'file' is a path inside the course");
         if (edits.back().find == edits.back().replace) edit.fail("replace", "'replace' is what stands there");
     }
-    if (edits.empty()) table.fail("id", fmt::format("{} has 'edits' = [{{ file, find, replace }}]", kind));
+    if (edits.empty()) table.fail("id", fmt::format("{} has 'edits' = [{{ find, replace }}]", kind));
     return edits;
 }
 
@@ -200,10 +204,9 @@ MistakeInfo read_mistake(Table& table, const Manifest& manifest) {
     mistake.id = table.text("id");
     mistake.task = table.text("task");
     mistake.hint = table.text("hint");
-    mistake.edits = read_edits(table, "a mistake");
+    mistake.edits = read_edits(table, "a mistake", manifest, mistake.task);
     table.read("same_as", mistake.same_as);
     table.finish();
-    require(table, "task", [&] { manifest.task(mistake.task); });
     return mistake;
 }
 
@@ -230,9 +233,8 @@ EquivalentInfo read_equivalent(Table& table, const Manifest& manifest) {
     equivalent.id = table.text("id");
     equivalent.task = table.text("task");
     equivalent.why = table.text("why");
-    equivalent.edits = read_edits(table, "an equivalent");
+    equivalent.edits = read_edits(table, "an equivalent", manifest, equivalent.task);
     table.finish();
-    require(table, "task", [&] { manifest.task(equivalent.task); });
     for (const Edit& edit : equivalent.edits)
         if (std::none_of(manifest.tasks.begin(), manifest.tasks.end(),
                          [&](const TaskInfo& task) { return task.file == edit.file; }))

@@ -207,7 +207,7 @@ edits = [{ file = "shaders/x/task.glsl", find = "a", replace = "b" }, { file = "
 id = "turned"
 task = "1.1"
 hint = "The other sign."
-edits = [{ file = "shaders/x/task.glsl", find = "c", replace = "d" }]
+edits = [{ find = "c", replace = "d" }]
 same_as = "flipped"
 [[equivalent]]
 id = "by-hand"
@@ -236,6 +236,7 @@ lines''' }]
     EXPECT_EQ(manifest.mistakes[0].edits.at(1).file, "labs/x/task.cpp");
     EXPECT_EQ(manifest.mistakes[0].edits.at(1).replace, "");
     EXPECT_EQ(manifest.mistakes[1].same_as, "flipped");
+    EXPECT_EQ(manifest.mistakes[1].edits.at(0).file, "shaders/x/task.glsl") << "the task's";
     ASSERT_EQ(manifest.equivalents.size(), 1u);
     EXPECT_EQ(manifest.equivalents[0].id, "by-hand");
     EXPECT_EQ(manifest.equivalents[0].task, "1.1");

@@ -254,9 +254,9 @@ TEST_F(CourseTest, AHeadlessRunNeedsNoWindowLibraryAndOpenImageIoOnlyForForeignF
 TEST_F(CourseTest, InfoReportsAllThreeContexts) {
     const Result result = course().relief({"info"}, no_display);
     EXPECT_EQ(result.code, 0) << result.err;
-    for (const char* part :
-         {has_osmesa ? "osmesa   OpenGL 4." : "osmesa   missing: ", "egl      OpenGL 4.", "window   missing: no window context: there is no display",
-          "llvmpipe", "tessellation level 64", "OpenImageIO ", "GLFW 3."})
+    for (const char* part : {has_osmesa ? "osmesa   OpenGL 4." : "osmesa   missing: ", "egl      OpenGL 4.",
+                             "window   missing: no window context: there is no display", "llvmpipe",
+                             "tessellation level 64", "OpenImageIO ", "GLFW 3."})
         EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
 }
 

@@ -149,7 +149,8 @@ std::set<std::string> commands_in(std::string help, const std::string& heading) 
 TEST_F(Script, ListsTheProgramsCommandsInTheCourseAndInTheHandout) {
     // The program's own help, without the line breaks of its columns. CLI11 has capitals since 2.5.
     const std::string help = std::regex_replace(run({relief_program(), "--help"}).out, std::regex("\n {6,}"), " ");
-    const std::set<std::string> program = commands_in(help, contains(help, "SUBCOMMANDS:") ? "SUBCOMMANDS:" : "Subcommands:");
+    const std::set<std::string> program =
+        commands_in(help, contains(help, "SUBCOMMANDS:") ? "SUBCOMMANDS:" : "Subcommands:");
     std::set<std::string> students = commands_in(script({"--help"}).out, "Commands:");
     EXPECT_LT(students.size(), program.size());
     for (const char* staff : {"bench", "handout", "grade", "slides", "mistakes", "synctest"})

@@ -317,8 +317,9 @@ TEST_F(ShotCommand, VerbosePrintsTimedEventsInOrder) {
     const Result result = shot({"-o", "a.ppm", "--verbose"});
     EXPECT_EQ(result.code, 0);
     double before = 0;
-    for (const char* event : {"started: ", "lab: 01_specular_highlights",
-                              has_osmesa ? "context: osmesa" : "context: egl", "program: ", "texture: ", "drawn", "read back", "written: a.ppm"}) {
+    for (const char* event :
+         {"started: ", "lab: 01_specular_highlights", has_osmesa ? "context: osmesa" : "context: egl",
+          "program: ", "texture: ", "drawn", "read back", "written: a.ppm"}) {
         const size_t at = result.err.find(std::string(" ms] ") + event);
         ASSERT_NE(at, std::string::npos) << event << "\n" << result.err;
         const double when = std::stod(result.err.substr(result.err.rfind('[', at) + 1));

@@ -52,7 +52,8 @@ double largest_error(const std::string& call, double low, double high, const std
         {"values.frag",
          fmt::format("#version 410 core\n#define RELIEF_FRAGMENT_STAGE\n{}\nlayout(location = 0) out vec4 o_color;\n"
                      "void main() {{\n    double x = {:.17e}lf + ({:.17e}lf) * double(gl_FragCoord.x - 0.5);\n"
-                     "    double y = {};\n    precise float high = float(y);\n    precise float low = float(y - double(high));\n"
+                     "    double y = {};\n    precise float high = float(y);\n    precise float low = float(y - "
+                     "double(high));\n"
                      "    o_color = vec4(high, low, 0.0, 1.0);\n}}\n",
                      helpers, low, (high - low) / (count - 1), call),
          {},
