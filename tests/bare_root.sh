@@ -3,7 +3,9 @@
 # the last commit.
 #
 #   tests/bare_root.sh [NAME]...            bookworm (Debian 12), trixie (Debian 13), forky (Debian testing), noble (Ubuntu
-#                                           24.04); default: the first two
+#                                           24.04); default: the first two. arm64: instead of the two commands, builds
+#                                           the course for 64-bit ARM on Debian 12, and runs the tests without GL under
+#                                           qemu-user
 #
 #   MIRROR=http://deb.debian.org/debian     the source of Debian's packages
 #   UBUNTU=http://archive.ubuntu.com/ubuntu the source of Ubuntu's packages
@@ -23,9 +25,10 @@ say() { printf 'bare_root: %s\n' "$*" >&2; }
 (($#)) || set -- bookworm trixie
 for name in "$@"; do
   case $name in
-    bookworm | trixie | forky | noble) ;;
+    bookworm | trixie | forky | noble | arm64) ;;
     *)
-      say "there are bookworm (Debian 12), trixie (Debian 13), forky (Debian testing) and noble (Ubuntu 24.04), not '$name'"
+      say "there are bookworm (Debian 12), trixie (Debian 13), forky (Debian testing), noble (Ubuntu 24.04) and arm64," \
+        "not '$name'"
       exit 2
       ;;
   esac
@@ -80,8 +83,31 @@ logged() { # root, log, command
   done >"$2"
 }
 
+# In a root of Debian 12: installs the libraries of 64-bit ARM, builds for it, and runs what needs no GL.
+# shellcheck disable=SC2016  # expanded in there
+build_for_arm64='
+  set -euo pipefail
+  export DEBIAN_FRONTEND=noninteractive
+  dpkg --add-architecture arm64
+  apt-get update
+  packages=(g++-aarch64-linux-gnu qemu-user)
+  for name in $(awk "/^(build|staff|test) / { print \$2 }" framework/cmake/packages.txt); do
+    case $(apt-cache show "$name" | grep -m 1 ^Architecture:):$name in
+      *all:* | *:cmake | *:ninja-build | *:pkg-config | *:git | *:ccache | *:bubblewrap) packages+=("$name") ;;
+      *:g++ | *:gnuplot-nox) ;;
+      *) packages+=("$name:arm64") ;;
+    esac
+  done
+  apt-get install -y --no-install-recommends "${packages[@]}"
+  cmake -S . -B build -G Ninja -DCMAKE_TOOLCHAIN_FILE=framework/cmake/arm64.cmake -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
+  ninja -C build course cpu_tests
+  qemu-aarch64 build/bin/relief info
+  qemu-aarch64 build/bin/cpu_tests
+'
+
 run_in() { # name of the release
-  local name=$1 pristine=$roots/$1 used=$roots/$1-used begin=$SECONDS
+  local name=$1 pristine=$roots/${1/arm64/bookworm} used=$roots/$1-used begin=$SECONDS
   # An older debootstrap has no script for a newer release, and all of a system's newer releases have the same one.
   local components=main mirror=${MIRROR:-http://deb.debian.org/debian} script=sid
   if [[ $name == noble ]]; then
@@ -91,7 +117,7 @@ run_in() { # name of the release
   if [[ ! -e $pristine/etc/debian_version ]]; then
     say "$name: making a root by debootstrap"
     rm -rf "$pristine" "$pristine.new"
-    debootstrap --variant=minbase --include=git,ca-certificates --components=$components "$name" "$pristine.new" \
+    debootstrap --variant=minbase --include=git,ca-certificates --components=$components "${pristine##*/}" "$pristine.new" \
       "$mirror" "/usr/share/debootstrap/scripts/$script" \
       >"$roots/$name-debootstrap.log" 2>&1 || { tail -5 "$roots/$name-debootstrap.log" >&2; return 1; }
     mv "$pristine.new" "$pristine"
@@ -100,6 +126,14 @@ run_in() { # name of the release
   cp -a "$pristine" "$used"
   # Nothing of this machine is shared, not even git's objects.
   git clone --quiet --no-hardlinks "file://$course" "$used/course"
+
+  if [[ $name == arm64 ]]; then
+    say "$name: building, and running the tests without GL"
+    logged "$used" "$roots/$name.log" "$build_for_arm64" || { tail -30 "$roots/$name.log" >&2; return 1; }
+    say "$name: $(grep -oE '\[  PASSED  \] .*' "$roots/$name.log"), after $((SECONDS - begin)) s"
+    [[ -n ${KEEP:-} ]] || rm -rf --one-file-system "$used"
+    return
+  fi
 
   say "$name: ./relief"
   if ! logged "$used" "$roots/$name-relief.log" './relief'; then
