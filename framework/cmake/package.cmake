@@ -1,0 +1,41 @@
+# The target `package` makes what a student installs without a compiler, from the program in one piece (option
+# RELIEF_ONE_PROGRAM) and the course's files: a ZIP file for Windows, a Debian package on Debian. Only in a students'
+# course, because the staff's has the solutions.
+if(EXISTS ${PROJECT_SOURCE_DIR}/framework/staff)
+  add_custom_target(package
+    COMMAND ${CMAKE_COMMAND} -E echo "this course has the solutions: make a handout, and the package in it"
+    COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
+  return()
+endif()
+# The program finds the course in its own folder.
+set(place .)
+if(NOT WIN32)
+  set(place lib/relief)
+endif()
+install(TARGETS relief RUNTIME DESTINATION ${place})
+install(DIRECTORY assets labs shaders DESTINATION ${place})
+install(FILES README.md LICENSE DESTINATION ${place})
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_FILE_NAME relief-${PROJECT_VERSION}-windows)
+if(WIN32)
+  find_path(RELIEF_FONTS DejaVuSans.ttf NO_CMAKE_FIND_ROOT_PATH
+    PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/dejavu-sans-fonts /usr/share/fonts/TTF)
+  if(RELIEF_FONTS)
+    list(TRANSFORM "Sans;Sans-Bold;SansMono;Serif" REPLACE "(.+)" "${RELIEF_FONTS}/DejaVu\\1.ttf" OUTPUT_VARIABLE fonts)
+    install(FILES ${fonts} DESTINATION fonts)
+  endif()
+  set(CPACK_GENERATOR ZIP)
+else()
+  install(CODE "file(MAKE_DIRECTORY \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin)
+    file(CREATE_LINK ../lib/relief/relief \$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin/relief SYMBOLIC)")
+  set(CPACK_GENERATOR DEB)
+  set(CPACK_PACKAGE_CONTACT "the instructor")
+  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "labs on surface detail in OpenGL")
+  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri, fonts-dejavu-core")
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libosmesa6")
+  set(CPACK_DEBIAN_PACKAGE_SECTION education)
+endif()
+include(CPack)
