@@ -33,7 +33,7 @@ fi
 
 here=${KEEP:-$(mktemp -d)}
 mkdir -p "$here"
-export WINEPREFIX=$here/wine WINEDEBUG=-all
+export WINEPREFIX=$here/wine WINEDEBUG=-all LC_ALL=C.UTF-8  # the locale of file names under Wine
 server=
 end() {
   "${wine%/*}/wineserver" -k 2>/dev/null || true
