@@ -89,9 +89,9 @@ try_package() { # its name, the folder, command...
   for lab in "$course"/labs/[0-9][0-9]_*; do
     name=${lab##*/} number=${name%%_*}
     expect "$package, $name: the solution has all points" "$@" check "$number"
-    expect "$package, $name: a picture" "$@" shot "$number" --size 640x360 -o "$here/its.png"
+    expect "$package, $name: a picture" "$@" shot "$number" --size 640x360 -o "$here/ü.png"
     expect "$package, $name: the picture of the build" "$program" shot "$number" --size 640x360 -o "$here/ours.png"
-    expect "$package, $name: the pictures are equal" cmp "$here/its.png" "$here/ours.png"
+    expect "$package, $name: the pictures are equal" cmp "$here/ü.png" "$here/ours.png"
   done
   "$@" >"$here/menu.log" 2>&1 &
   local menu=$! colours
@@ -103,7 +103,7 @@ try_package() { # its name, the folder, command...
   kill "$menu" 2>/dev/null || true
 }
 
-unpacked="$here/Übung 1"
+unpacked="$here/Übung 课程"
 rm -rf "$unpacked" "$here/deb"
 mkdir "$unpacked"
 (cd "$unpacked" && cmake -E tar xf "$here"/handout/build/windows/relief-*-windows.zip)

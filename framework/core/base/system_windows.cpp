@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <cwchar>
 #include <iterator>
 
 namespace relief {
@@ -48,6 +49,42 @@ std::optional<size_t> read_up_to(int descriptor, void* bytes, size_t size) {
 }
 
 }  // namespace relief
+
+// GCC's library converts a text to a path by mbrtowc(), which takes each byte for a character, because the C locale has
+// no encoding. The linker (--wrap) replaces it by this function, which decodes UTF-8. A character beyond 16 bits takes
+// two calls: the first one keeps the second half in `state`.
+extern "C" size_t __wrap_mbrtowc(wchar_t* to, const char* from, size_t size, mbstate_t* state) {
+    if (*state) {
+        *to = wchar_t(*state);
+        *state = 0;
+        return 1;
+    }
+    if (size == 0) return size_t(-2);
+    const auto byte = [&](size_t i) { return unsigned(static_cast<unsigned char>(from[i])); };
+    const unsigned first = byte(0);
+    if (first < 0x80) {
+        *to = wchar_t(first);
+        return first ? 1 : 0;
+    }
+    const size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    unsigned code = first & (0x7fu >> length);
+    bool is_valid = first >= 0xc2 && first < 0xf5 && length <= size;
+    for (size_t i = 1; is_valid && i < length; ++i) {
+        is_valid = (byte(i) & 0xc0) == 0x80;
+        code = code << 6 | (byte(i) & 0x3f);
+    }
+    if (!is_valid) {
+        *to = 0xfffd;  // the replacement character
+        return 1;
+    }
+    if (length < 4) {
+        *to = wchar_t(code);
+        return length;
+    }
+    *to = wchar_t(0xd800 + ((code - 0x10000) >> 10));
+    *state = mbstate_t(0xdc00 + ((code - 0x10000) & 0x3ff));
+    return 3;
+}
 
 namespace relief::os {
 namespace {
