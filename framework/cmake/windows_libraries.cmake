@@ -1,22 +1,21 @@
-# The libraries for a program of another system (Windows, the browser), under the names that CMake's and pkg-config's
-# files give them on Linux. Libraries of headers are taken from this system's packages. The others are compiled from
-# Debian's own source archives.
+# The libraries for Windows, under the names that CMake's and pkg-config's files give them on Linux. Libraries of headers
+# are taken from this system's packages. The others are compiled from Debian's own source archives.
 include(FetchContent)
 
 # A header needs a folder of its own: a cross compiler must not see any other header of this system.
-set(other_headers ${PROJECT_BINARY_DIR}/generated/headers)
+set(headers ${PROJECT_BINARY_DIR}/generated/headers)
 function(relief_take_headers target place test_file)
   string(MAKE_C_IDENTIFIER "RELIEF_HEADERS_${place}" found)
   find_path(${found} ${test_file} REQUIRED NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include)
-  get_filename_component(parent ${other_headers}/${place} DIRECTORY)
+  get_filename_component(parent ${headers}/${place} DIRECTORY)
   file(MAKE_DIRECTORY ${parent})
-  if(NOT EXISTS ${other_headers}/${place})
-    file(CREATE_LINK ${${found}}/${place} ${other_headers}/${place} SYMBOLIC)
+  if(NOT EXISTS ${headers}/${place})
+    file(CREATE_LINK ${${found}}/${place} ${headers}/${place} SYMBOLIC)
   endif()
   if(NOT TARGET ${target})
     add_library(${target} INTERFACE IMPORTED GLOBAL)
   endif()
-  target_include_directories(${target} SYSTEM INTERFACE ${other_headers})
+  target_include_directories(${target} SYSTEM INTERFACE ${headers})
 endfunction()
 relief_take_headers(fmt::fmt fmt fmt/format.h)
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY=1)
@@ -25,11 +24,11 @@ relief_take_headers(CLI11::CLI11 CLI CLI/CLI.hpp)
 relief_take_headers(tomlplusplus::tomlplusplus toml++ toml++/toml.h)
 relief_take_headers(nlohmann_json::nlohmann_json nlohmann nlohmann/json.hpp)
 relief_take_headers(relief_mustache kainjow kainjow/mustache.hpp)
-set(RELIEF_MUSTACHE ${other_headers})
+set(RELIEF_MUSTACHE ${headers})
 
 # Reads the version of a library of headers, from the last numbers in the lines of a file that match a pattern.
 function(relief_version library file pattern)
-  file(STRINGS ${other_headers}/${file} lines REGEX "define ${pattern}")
+  file(STRINGS ${headers}/${file} lines REGEX "define ${pattern}")
   list(TRANSFORM lines REPLACE "^#define +[A-Z0-9_]+[^0-9]+([0-9.]+).*" "\\1")
   list(JOIN lines . version)
   set(${library}_VERSION ${version} PARENT_SCOPE)
@@ -83,25 +82,23 @@ file(COPY_FILE ${PROJECT_BINARY_DIR}/generated/tinyobjloader.cpp.new ${PROJECT_B
 relief_compile(relief_tinyobjloader tinyobjloader::tinyobjloader ${PROJECT_BINARY_DIR}/generated/tinyobjloader.cpp)
 target_link_libraries(relief_tinyobjloader PUBLIC relief_tinyobj)
 
-if(NOT EMSCRIPTEN)  # a page has its own window and menu
-  relief_fetch(imgui i/imgui/imgui_1.86+ds.orig.tar.xz 0dace0e8e57d298eb6e93af12dc19420cb96330832f6495c733b90aeeef11f64)
-  set(stem ${imgui_SOURCE_DIR}/imgui)
-  relief_compile(relief_imgui PkgConfig::imgui ${stem}.cpp ${stem}_draw.cpp ${stem}_tables.cpp ${stem}_widgets.cpp
-    ${imgui_SOURCE_DIR}/backends/imgui_impl_glfw.cpp ${imgui_SOURCE_DIR}/backends/imgui_impl_opengl3.cpp)
-  target_include_directories(relief_imgui SYSTEM PUBLIC ${imgui_SOURCE_DIR})
-  target_include_directories(relief_imgui SYSTEM PRIVATE ${imgui_SOURCE_DIR}/backends)
+relief_fetch(imgui i/imgui/imgui_1.86+ds.orig.tar.xz 0dace0e8e57d298eb6e93af12dc19420cb96330832f6495c733b90aeeef11f64)
+set(stem ${imgui_SOURCE_DIR}/imgui)
+relief_compile(relief_imgui PkgConfig::imgui ${stem}.cpp ${stem}_draw.cpp ${stem}_tables.cpp ${stem}_widgets.cpp
+  ${imgui_SOURCE_DIR}/backends/imgui_impl_glfw.cpp ${imgui_SOURCE_DIR}/backends/imgui_impl_opengl3.cpp)
+target_include_directories(relief_imgui SYSTEM PUBLIC ${imgui_SOURCE_DIR})
+target_include_directories(relief_imgui SYSTEM PRIVATE ${imgui_SOURCE_DIR}/backends)
 
-  FetchContent_Declare(glfw URL_HASH SHA256=f30f42e05f11e5fc62483e513b0488d5bceeab7d9c5da0ffe2252ad81816c713
-    URL https://deb.debian.org/debian/pool/main/g/glfw3/glfw3_3.3.8.orig.tar.gz
-    https://snapshot.debian.org/archive/debian/20251101T000000Z/pool/main/g/glfw3/glfw3_3.3.8.orig.tar.gz
-    DOWNLOAD_EXTRACT_TIMESTAMP OFF)
-  foreach(part DOCS TESTS EXAMPLES)
-    set(GLFW_BUILD_${part} OFF CACHE INTERNAL "")
-  endforeach()
-  set(GLFW_INSTALL OFF CACHE INTERNAL "")
-  FetchContent_MakeAvailable(glfw)
-  target_compile_options(glfw PRIVATE -w)
-  target_link_libraries(relief_imgui PUBLIC glfw)
-  set(glfw3_VERSION 3.3.8)
-  set(imgui_VERSION 1.86)
-endif()
+FetchContent_Declare(glfw URL_HASH SHA256=f30f42e05f11e5fc62483e513b0488d5bceeab7d9c5da0ffe2252ad81816c713
+  URL https://deb.debian.org/debian/pool/main/g/glfw3/glfw3_3.3.8.orig.tar.gz
+  https://snapshot.debian.org/archive/debian/20251101T000000Z/pool/main/g/glfw3/glfw3_3.3.8.orig.tar.gz
+  DOWNLOAD_EXTRACT_TIMESTAMP OFF)
+foreach(part DOCS TESTS EXAMPLES)
+  set(GLFW_BUILD_${part} OFF CACHE INTERNAL "")
+endforeach()
+set(GLFW_INSTALL OFF CACHE INTERNAL "")
+FetchContent_MakeAvailable(glfw)
+target_compile_options(glfw PRIVATE -w)
+target_link_libraries(relief_imgui PUBLIC glfw)
+set(glfw3_VERSION 3.3.8)
+set(imgui_VERSION 1.86)
