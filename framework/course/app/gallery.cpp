@@ -263,7 +263,7 @@ private:
                               {"labs", labs_.size()},
                               {"tasks", tasks},
                               {"points", points},
-                              {"links", pages::link_row({{"Run time against error", bench_.place("index.html")}})},
+                              {"links", pages::link_row({{"Speed and error", bench_.place("index.html")}})},
                               {"groups", in_groups(std::move(cards))},
                               {"driver", describe_context().driver()}});
     }

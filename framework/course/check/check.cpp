@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
@@ -37,13 +38,15 @@ constexpr const char* outcome_names[] = {"passed",  "waiting",     "wrong",     
 class Findings {
 public:
     void add(const char* what, double value, std::optional<double> limit, const std::string& unit) {
-        if (!limit) return;
-        const bool kept = value <= *limit;
-        good_ &= kept;
-        use(value, *limit);
-        const int digits = digits_for(value, *limit);
-        text_ += fmt::format("{}{} {}{}", text_.empty() ? "" : ", ", what, amount_of(value, unit, digits),
-                             kept ? "" : fmt::format(" (at most {})", rounded(*limit, digits)));
+        if (limit)
+            add(value, *limit, [&](int digits) { return fmt::format("{} {}", what, amount_of(value, unit, digits)); });
+    }
+    /// Adds the share of pixels for which `what` is true, such as "are too dark".
+    void add_share(const std::string& what, double share, std::optional<double> limit) {
+        const double percent = 100 * share;
+        if (limit)
+            add(percent, 100 * *limit,
+                [&](int digits) { return fmt::format("{} % of the pixels {}", rounded(percent, digits), what); });
     }
     /// Applies a lower bound to the value that was added last.
     void must_reach(double value, std::optional<double> min) {
@@ -63,6 +66,14 @@ private:
         int digits = 3;
         while (digits < 9 && value != limit && rounded(value, digits) == rounded(limit, digits)) ++digits;
         return digits;
+    }
+    void add(double value, double limit, const std::function<std::string(int digits)>& text) {
+        const bool kept = value <= limit;
+        good_ &= kept;
+        use(value, limit);
+        const int digits = digits_for(value, limit);
+        text_ += fmt::format("{}{}{}", text_.empty() ? "" : ", ", text(digits),
+                             kept ? "" : fmt::format(" (at most {})", rounded(limit, digits)));
     }
     void use(double part, double whole) {
         if (part > 0) used_ = std::max(used_, part / whole);
@@ -102,16 +113,16 @@ Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const I
     findings.must_reach(summary.mean, limits.at_least);
     findings.add("99 % within", summary.p99, limits.p99, probe.unit);
     findings.add("largest", summary.largest, limits.largest, probe.unit);
-    findings.add(("share of pixels off by more than " + amount_of(1, probe.unit)).c_str(),
-                 double(off) / double(summary.count), limits.wrong, "");
+    findings.add_share("are off by more than " + amount_of(1, probe.unit), double(off) / double(summary.count),
+                       limits.wrong);
     if (double(only_one) > limits.outline * double(drawn.pixel_count()))
-        findings.add("share of pixels with a surface in only one of the two pictures",
-                     double(only_one) / double(drawn.pixel_count()), limits.outline, "");
+        findings.add_share("show a surface in only one picture", double(only_one) / double(drawn.pixel_count()),
+                           limits.outline);
     if (probe.error == ErrorMetric::angle && !probe.any_length && check.against == "truth")
         if (const double share = share_not_unit(drawn, expected); share > limits.outline) {
             if (findings.judgement().outcome == Outcome::passed)
                 look_at = "the directions are right, but their length is not 1: normalise the vector that you return";
-            findings.add("share of pixels whose vector is not of unit length", share, limits.outline, "");
+            findings.add_share("have a vector whose length is not 1", share, limits.outline);
         }
     if (summary.not_finite > 0)
         return {Outcome::wrong, fmt::format("{} pixels are not a number or have no direction", summary.not_finite)};
@@ -123,8 +134,8 @@ Judgement compare_probes(const CheckInfo& check, const ProbeInfo& probe, const I
 Judgement compare_pictures(const Image& drawn, const Image& expected) {
     const double pixels = double(drawn.pixel_count());
     Findings findings;
-    findings.add("share of pixels off by more than 2/255",
-                 double(difference(drawn, expected, small_difference).pixels_over) / pixels, share_over_small, "");
+    findings.add_share("are off by more than 2/255",
+                       double(difference(drawn, expected, small_difference).pixels_over) / pixels, share_over_small);
     findings.add("pixels off by more than 32/255", double(difference(drawn, expected, large_difference).pixels_over),
                  double(pixels_over_large), "");
     return findings.judgement();

@@ -73,7 +73,7 @@ std::string lab_page(const LabPage& page) {
                           {"links", link_row({{"Handout", page.handout},
                                               {"Slides", page.slides},
                                               {"Slides as PDF", page.slides_to_print},
-                                              {"Run time against error", page.bench}})}});
+                                              {"Speed and error", page.bench}})}});
 }
 
 }  // namespace relief::pages

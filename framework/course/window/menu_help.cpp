@@ -18,7 +18,7 @@ constexpr Line camera[] = {{"drag", "turn the camera"},
                            {"space", "pause an animation"}};
 constexpr Line settings[] = {{"Ctrl+Z, Ctrl+Y", "undo, redo"},
                              {"Ctrl+click", "type a slider's number"},
-                             {"A", "hold this setting as A, beside the present one; again: let it go"},
+                             {"A", "compare with this setting; again: stop comparing"},
                              {"X", "swap A and the present setting"},
                              {"R", "reset the lab: knobs, camera, probe"}};
 constexpr Line looks[] = {{"click", "hold the values of the pixel under the mouse"},

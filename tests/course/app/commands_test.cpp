@@ -260,6 +260,22 @@ TEST_F(CourseTest, InfoReportsAllThreeContexts) {
         EXPECT_TRUE(contains(result.out, part)) << part << "\n" << result.out;
 }
 
+TEST_F(CourseTest, ADriverWithoutOptionalExtensionsGivesTheSamePictures) {
+    const Circumstances bare{{},
+                             {{"MESA_EXTENSION_OVERRIDE",
+                               "-GL_KHR_debug -GL_EXT_texture_filter_anisotropic -GL_ARB_texture_filter_anisotropic "
+                               "-GL_ARB_conservative_depth -GL_ARB_pipeline_statistics_query"}}};
+    const Result info = course().relief({"info"}, bare);
+    EXPECT_TRUE(contains(info.out, "anisotropy 1, ")) << info.out;
+    EXPECT_TRUE(contains(info.out, "no KHR_debug")) << info.out;
+    for (const char* lab : {"01", "12", "14"}) {
+        EXPECT_EQ(course().relief({"shot", lab, "--size", "160x90", "-o", "usual.png"}).code, 0);
+        const Result shot = course().relief({"shot", lab, "--size", "160x90", "-o", "bare.png"}, bare);
+        EXPECT_EQ(shot.code, 0) << shot.err;
+        EXPECT_EQ(read_all(course().path() / "bare.png"), read_all(course().path() / "usual.png")) << lab;
+    }
+}
+
 TEST_F(CourseTest, ListIsReadByPeopleAndByScripts) {
     EXPECT_TRUE(contains(course().relief({"list"}).out, "01  specular_highlights      Specular highlights"));
     const std::string json = course().relief({"list", "--json"}).out;
