@@ -24,7 +24,8 @@ class Skips {
 public:
     /// Precondition: `surface` outlives this object, and its heights do not change.
     explicit Skips(const ReliefSurface& surface)
-        : surface_(surface), highest_(std::ranges::max(surface.heights().values)) {}
+        : surface_(surface),
+          highest_(*std::max_element(surface.heights().values.begin(), surface.heights().values.end())) {}
     Skips(const Skips&) = delete;
 
     /// Sets the uniforms of shaders/12_relief_exact/search.glsl, and binds a texture to unit 3. Precondition: the

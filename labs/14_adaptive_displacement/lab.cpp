@@ -4,6 +4,7 @@
 // only the normal map is left. Your tasks: shaders/14_adaptive_displacement/task.glsl
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "annotations.h"
@@ -224,7 +225,7 @@ private:
             draw_surface(view, "PROBE_winding");
             DisplacedSurface::end_winding();
         });
-        if (std::ranges::find(sums.values, not_written) != sums.values.end()) return;
+        if (std::find(sums.values.begin(), sums.values.end(), not_written) != sums.values.end()) return;
         const std::vector<glm::ivec2> holes = holes_in(sums, surface_.patches().is_closed);
         mark(labels_, size, view.tile, holes);
         labels_.caption(size, view.tile, -1, fmt::format("{} pixels are holes", holes.size()), {1.0f, 0.55f, 0.4f});

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
-#include <ranges>
 
 #include "framework/core/lab/lab.h"
 #include "task.h"
@@ -77,9 +76,14 @@ public:
         constexpr double first = -10;
         constexpr int steps = 16, count = 20 * steps;  // to an exponent of 10
         const std::vector<Layer> used = layers();
-        const int too_long = *std::ranges::partition_point(std::views::iota(0, count), [&](int i) {
-            return segment_error(used, std::exp2(first + double(i) / steps)) <= tolerated;
-        });
+        int too_long = 0, beyond = count;  // the first length that is too long is in [too_long, beyond]
+        while (too_long < beyond) {
+            const int middle = (too_long + beyond) / 2;
+            if (segment_error(used, std::exp2(first + double(middle) / steps)) <= tolerated)
+                too_long = middle + 1;
+            else
+                beyond = middle;
+        }
         return too_long == count ? endless : first + double(std::max(0, too_long - 1)) / steps;
     }
 

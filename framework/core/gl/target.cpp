@@ -45,12 +45,15 @@ Target::Samples::Samples(int count) : resolve(resolving(count)) {}
 
 Target::Target(TargetKind kind, glm::ivec2 size) : kind_(kind), size_(size) {
     const GLenum format = kind == TargetKind::picture ? GL_RGBA8 : GL_RGBA32F;
-    GLint max_samples = 1;
-    glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &max_samples);
-    const int samples = kind == TargetKind::probe ? 0 : std::min(max_samples, samples_of_pictures);
+    GLint in_textures = 1, in_renderbuffers = 0;
+    glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &in_textures);
+    // ES promises samples in renderbuffers for bytes only.
+    if (in_textures <= 1 && kind == TargetKind::picture) glGetIntegerv(GL_MAX_SAMPLES, &in_renderbuffers);
+    const int most = std::max(in_textures, in_renderbuffers);
+    const int samples = kind == TargetKind::probe ? 0 : std::min(most, samples_of_pictures);
     glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
     attach(GL_DEPTH_ATTACHMENT, depth_, GL_DEPTH_COMPONENT32F, samples, size);
-    if (samples > 1) {
+    if (samples > 1 && in_textures > 1) {
         samples_.emplace(samples);
         glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_->color);
         glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, format, size.x, size.y, GL_TRUE);
@@ -66,6 +69,10 @@ Target::Target(TargetKind kind, glm::ivec2 size) : kind_(kind), size_(size) {
         attach(GL_COLOR_ATTACHMENT0, samples_->means, format, 0, size);
         label(GL_FRAMEBUFFER, samples_->framebuffer, "target, resolved");
     }
+    if (samples > 1 && !samples_) {
+        glBindFramebuffer(GL_FRAMEBUFFER, blitted_.emplace().framebuffer);
+        attach(GL_COLOR_ATTACHMENT0, blitted_->means, format, 0, size);
+    }
     const std::string errors = take_gl_errors();
     if (status != GL_FRAMEBUFFER_COMPLETE || !errors.empty())
         throw Error(fmt::format("this driver cannot allocate a picture of {}x{}{}", size.x, size.y,
@@ -73,6 +80,13 @@ Target::Target(TargetKind kind, glm::ivec2 size) : kind_(kind), size_(size) {
 }
 
 GLuint Target::resolve() const {
+    if (blitted_) {
+        glDisable(GL_SCISSOR_TEST);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, blitted_->framebuffer);
+        glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        return blitted_->framebuffer;
+    }
     if (!samples_) return drawn_;
     glBindFramebuffer(GL_FRAMEBUFFER, samples_->framebuffer);
     glViewport(0, 0, size_.x, size_.y);

@@ -39,7 +39,7 @@ private:
     glm::ivec2 size_;
     FramebufferName drawn_;
     RenderbufferName depth_;
-    std::optional<RenderbufferName> color_;  ///< only with one sample a pixel
+    std::optional<RenderbufferName> color_;  ///< unless the samples are in a texture
     /// Only with several samples a pixel.
     struct Samples {
         TextureName color;
@@ -50,6 +50,12 @@ private:
         explicit Samples(int count);
     };
     std::optional<Samples> samples_;
+    /// Only where the driver has samples in renderbuffers, but not in textures (WebGL): a blit takes the average.
+    struct Blitted {
+        FramebufferName framebuffer;
+        RenderbufferName means;
+    };
+    std::optional<Blitted> blitted_;
 };
 
 }  // namespace relief

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/text.h"
@@ -90,7 +91,7 @@ Image decode_floats(Header& header, int width, int height, int channels) {
             uint32_t bits;
             std::memcpy(&bits, rest.data() + (size_t(height - 1 - y) * row + i) * sizeof bits, sizeof bits);
             if ((*scale < 0) != (std::endian::native == std::endian::little)) bits = __builtin_bswap32(bits);
-            image.values[size_t(y) * row + i] = std::bit_cast<float>(bits);
+            image.values[size_t(y) * row + i] = glm::uintBitsToFloat(bits);
         }
     return image;
 }

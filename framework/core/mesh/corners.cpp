@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <glm/common.hpp>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/parallel.h"
@@ -20,7 +21,7 @@ Key key_of(const Vertex& vertex) {
     const float values[8] = {vertex.position.x, vertex.position.y, vertex.position.z, vertex.normal.x,
                              vertex.normal.y,   vertex.normal.z,   vertex.uv.x,       vertex.uv.y};
     Key key;
-    for (size_t i = 0; i < key.size(); ++i) key[i] = std::bit_cast<uint32_t>(values[i] + 0.0f);  // -0 becomes 0
+    for (size_t i = 0; i < key.size(); ++i) key[i] = glm::floatBitsToUint(values[i] + 0.0f);  // -0 becomes 0
     return key;
 }
 

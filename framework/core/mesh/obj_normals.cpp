@@ -1,7 +1,7 @@
 // Computes normals for the corners of an OBJ model that have none.
 #include <array>
-#include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <span>
 #include <unordered_map>
 
@@ -14,7 +14,7 @@ namespace {
 struct PositionHash {
     size_t operator()(const std::array<float, 3>& position) const {
         uint64_t hash = 0;
-        for (const float x : position) hash = mix(hash ^ std::bit_cast<uint32_t>(x + 0.0f));  // -0 becomes 0
+        for (const float x : position) hash = mix(hash ^ glm::floatBitsToUint(x + 0.0f));  // -0 becomes 0
         return hash;
     }
 };

@@ -42,7 +42,8 @@ int open_menu_or_gallery(const std::string& lab_folder) {
             "{}: the course page is made instead; it is there in seconds, and complete in minutes (Ctrl-C ends it)",
             error.what()));
     }
-    return make_gallery({}, {}, {});
+    const auto context = open_context(std::nullopt);
+    return make_gallery({});
 }
 
 /// Returns a message for the argument that CLI11 could not parse, with the nearest known name.

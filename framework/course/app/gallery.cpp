@@ -39,7 +39,8 @@ pages::Fields card(const pages::LabPage& page) {
         {"learns", pages::List(manifest.learns.begin(), manifest.learns.end())},
         {"tasks",
          tasks == 0 ? "" : fmt::format("{} {}, {} points", tasks, tasks == 1 ? "task" : "tasks", manifest.points())},
-        {"links", pages::link_row({{"Lab", file}, {"Handout", page.handout}, {"Slides", page.slides}})}};
+        {"links",
+         pages::link_row({{"Open", page.live}, {"Lab", file}, {"Handout", page.handout}, {"Slides", page.slides}})}};
 }
 
 /// A section of the course page: the labs from number `first` up to the next section.
@@ -90,8 +91,10 @@ private:
 
 class Site {
 public:
-    Site(fs::path folder, std::vector<const LabEntry*> labs)
-        : folder_(std::move(folder)), labs_(std::move(labs)), slides_("slides", folder_), bench_("bench", folder_) {}
+    Site(fs::path folder, std::vector<const LabEntry*> labs, bool is_live)
+        : folder_(std::move(folder)), labs_(std::move(labs)), is_live_(is_live) {
+        if (!is_live) slides_.emplace("slides", folder_), bench_.emplace("bench", folder_);
+    }
 
     /// Makes a page with one picture for each lab, which takes seconds, and calls `ready`. Then adds handouts and
     /// comparisons, lab by lab, which takes minutes. A page of an earlier run stays until its lab is complete. Returns
@@ -100,7 +103,7 @@ public:
         for_each_lab("first picture of lab", [&](const LabEntry& lab) { open(lab); });
         link_neighbours();
         draw_hero();
-        slides_.copy(), bench_.copy();
+        if (!is_live_) slides_->copy(), bench_->copy();
         std::error_code ignored;
         for (const pages::LabPage& page : pages_)
             if (!fs::exists(folder_ / pages::lab_page_file(*page.lab), ignored)) write(page);
@@ -149,9 +152,13 @@ private:
         Shot shot;
         shot.camera = manifest.camera, shot.size = {800, 450};
         page.card = page.picture = put(entry.folder + ".png", render_shot(*make_lab(entry, shot), shot));
-        page.slides = slides_.place(entry.folder + ".html"),
-        page.slides_to_print = slides_.place(entry.folder + ".pdf");
-        page.bench = bench_.place("index.html");
+        if (is_live_) {
+            page.live = pages::live_page_file(entry);
+        } else {
+            page.slides = slides_->place(entry.folder + ".html");
+            page.slides_to_print = slides_->place(entry.folder + ".pdf");
+            page.bench = bench_->place("index.html");
+        }
         pages_.push_back(std::move(page));
     }
 
@@ -254,18 +261,19 @@ private:
         int points = 0;
         for (const pages::LabPage& page : pages_)
             tasks += page.manifest->tasks.size(), points += page.manifest->points();
-        return pages::render({.title = "Relief: the labs",
-                              .body = "index",
-                              .styles = {"site", "index"},
-                              .scripts = {},
-                              .pictures = pages::PagePictures::beside},
-                             {{"hero", hero_},
-                              {"labs", labs_.size()},
-                              {"tasks", tasks},
-                              {"points", points},
-                              {"links", pages::link_row({{"Speed and error", bench_.place("index.html")}})},
-                              {"groups", in_groups(std::move(cards))},
-                              {"driver", describe_context().driver()}});
+        return pages::render(
+            {.title = "Relief: the labs",
+             .body = "index",
+             .styles = {"site", "index"},
+             .scripts = {},
+             .pictures = pages::PagePictures::beside},
+            {{"hero", hero_},
+             {"labs", labs_.size()},
+             {"tasks", tasks},
+             {"points", points},
+             {"links", is_live_ ? pages::Value() : pages::link_row({{"Speed and error", bench_->place("index.html")}})},
+             {"groups", in_groups(std::move(cards))},
+             {"driver", describe_context().driver()}});
     }
 
     /// Groups `cards`, which are in the order of the labs.
@@ -286,10 +294,10 @@ private:
 
     void say_what_is_missing() const {
         std::vector<std::string> missing;
-        if (!staff_is_here()) return;
+        if (!staff_is_here() || is_live_) return;
         if (std::none_of(pages_.begin(), pages_.end(), [](const pages::LabPage& page) { return !page.slides.empty(); }))
             missing.emplace_back("slides");
-        if (!bench_.has("index.html")) missing.emplace_back("measurements");
+        if (!bench_->has("index.html")) missing.emplace_back("measurements");
         if (!missing.empty())
             print_note(fmt::format("the site has no {}: ./relief site, in {}, makes all", join(missing, " and no "),
                                    course_root().string()));
@@ -297,7 +305,8 @@ private:
 
     fs::path folder_;
     std::vector<const LabEntry*> labs_;
-    Others slides_, bench_;
+    bool is_live_;
+    std::optional<Others> slides_, bench_;  ///< unless the site is live
     pages::Value hero_;
     std::map<const LabEntry*, std::string> broken_;  ///< with the reason
     std::list<Manifest> manifests_;                  ///< pages point to these and to each other
@@ -306,16 +315,17 @@ private:
 
 }  // namespace
 
-int make_gallery(fs::path folder, const std::string& labs, ContextChoice choice) {
+int make_gallery(GalleryOptions options) {
+    fs::path& folder = options.folder;
     if (folder.empty()) folder = course_root() / "build" / "gallery";
     std::vector<const LabEntry*> chosen;
-    if (labs.empty())
+    if (options.labs.empty())
         for (const LabEntry& entry : registry()) chosen.push_back(&entry);
     else
-        chosen = find_labs(labs);
+        chosen = find_labs(options.labs);
     make_folder(folder);
-    const auto context = open_context(choice);
-    const int failures = Site(folder, chosen).make([&] {
+    const int failures = Site(folder, chosen, options.is_live).make([&] {
+        if (options.is_live) return;  // its caller has more to make
         fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
         std::fflush(stdout);
     });
@@ -329,7 +339,10 @@ public:
         options.value("--labs", "LABS", labs_, "like 1-5 or 1,3,10-12 [all]");
         options.value("--context", "NAME", context_, context_help);
     }
-    int run() override { return make_gallery(output_, labs_, context_kind(context_)); }
+    int run() override {
+        const auto context = open_context(context_kind(context_));
+        return make_gallery({.folder = output_, .labs = labs_});
+    }
 
 private:
     std::string output_, labs_, context_ = "auto";

@@ -29,15 +29,17 @@ PagePicture drawing_of(const std::string& svg, const fs::path& file) {
 
 class Handout {
 public:
-    Handout(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
-            const std::function<void(const std::string&, const std::string&)>& put)
+    Handout(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs, const PutPicture& put)
         : lab_(lab), manifest_(manifest), labs_(labs), put_(put), home_(fs::path("labs") / lab.folder) {}
 
-    std::string page() const {
+    List blocks() const {
         const PagePlaces places{.link = [this](const std::string& target) { return link(target); },
                                 .picture = [this](const std::string& target) { return picture(target); }};
-        List text =
-            markdown_blocks(parse_markdown(read_file(course_root() / home_ / "README.md", size_t{1} << 24)), places);
+        return markdown_blocks(parse_markdown(read_file(course_root() / home_ / "README.md", size_t{1} << 24)), places);
+    }
+
+    std::string page() const {
+        List text = blocks();
         List contents = chapters_of(text);
         return render({.title = "Handout " + lab_.two_digits() + ": " + manifest_.title,
                        .body = "handout",
@@ -115,7 +117,7 @@ private:
     const LabEntry& lab_;
     const Manifest& manifest_;
     std::span<const LabEntry* const> labs_;
-    const std::function<void(const std::string&, const std::string&)>& put_;
+    const PutPicture& put_;
     fs::path home_;
 };
 
@@ -123,8 +125,13 @@ private:
 
 std::string handout_file(const LabEntry& lab) { return lab.folder + "-handout.html"; }
 
+List handout_blocks(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
+                    const PutPicture& put) {
+    return Handout(lab, manifest, labs, put).blocks();
+}
+
 std::string handout_page(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
-                         const std::function<void(const std::string&, const std::string&)>& put) {
+                         const PutPicture& put) {
     return Handout(lab, manifest, labs, put).page();
 }
 

@@ -7,15 +7,23 @@
 #include <string>
 
 #include "framework/core/lab/manifest.h"
+#include "framework/course/pages/template.h"
 
 namespace relief::pages {
 
 /// Returns the page's file name, such as "05_tangent_basis-handout.html".
 std::string handout_file(const LabEntry& lab);
 
+/// Takes a picture's name and bytes, to be written beside the page.
+using PutPicture = std::function<void(const std::string& name, const std::string& bytes)>;
+
+/// Returns the handout's text, for {{#blocks}}{{> block}}{{/blocks}}, otherwise as for handout_page().
+List handout_blocks(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
+                    const PutPicture& put);
+
 /// Returns the page. `labs` are all labs with a page, in order. `put` writes a file of that name beside the page.
 /// Throws Error for a missing picture and for an invalid formula.
 std::string handout_page(const LabEntry& lab, const Manifest& manifest, std::span<const LabEntry* const> labs,
-                         const std::function<void(const std::string& name, const std::string& bytes)>& put);
+                         const PutPicture& put);
 
 }  // namespace relief::pages

@@ -52,6 +52,8 @@ Value link_row(const std::vector<std::pair<std::string, std::string>>& links) {
 
 std::string lab_page_file(const LabEntry& lab) { return lab.folder + ".html"; }
 
+std::string live_page_file(const LabEntry& lab) { return lab.folder + "-live.html"; }
+
 std::string lab_page(const LabPage& page) {
     const std::string number = page.lab->two_digits();
     const Manifest& manifest = *page.manifest;
@@ -70,7 +72,8 @@ std::string lab_page(const LabPage& page) {
                           {"compared", compared(page)},
                           {"previous", neighbour(page.previous)},
                           {"next", neighbour(page.next)},
-                          {"links", link_row({{"Handout", page.handout},
+                          {"links", link_row({{"Open", page.live},
+                                              {"Handout", page.handout},
                                               {"Slides", page.slides},
                                               {"Slides as PDF", page.slides_to_print},
                                               {"Speed and error", page.bench}})}});

@@ -27,13 +27,15 @@ struct LabPage {
     std::vector<std::string> marks;   ///< marks of the error maps' scale
     glm::ivec2 size{0}, map_size{0};  ///< of the methods' pictures and error maps, in pixels
     std::vector<Method> methods;      ///< empty, or at least two
-    std::string handout, slides, slides_to_print, bench;
+    std::string live, handout, slides, slides_to_print, bench;
     const LabPage *previous = nullptr, *next = nullptr;  ///< among the labs with a page
 };
 
 /// Returns the page's file name, such as "05_tangent_basis.html".
 std::string lab_page_file(const LabEntry& lab);
 std::string lab_page(const LabPage& page);
+/// Returns the name of the page on which the lab runs in the browser, such as "05_tangent_basis-live.html".
+std::string live_page_file(const LabEntry& lab);
 
 /// Returns the value of {{> links}}: links in a row, without the empty ones.
 Value link_row(const std::vector<std::pair<std::string, std::string>>& links);

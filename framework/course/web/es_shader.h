@@ -1,0 +1,37 @@
+// GLSL ES 3.00, the language of WebGL 2, from the GLSL 4.10 of the course. Needs no GL.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace relief::web {
+
+enum class EsStage { vertex, fragment };
+
+/// Returns a stage in GLSL ES 3.00. Every line keeps its number in the compiler's messages. `text` is a stage after all
+/// #include, and begins with its #version line.
+/// - Functions that ES lacks are defined in front of the text if it calls them: see missing_functions().
+/// - Outputs of a vertex stage that are whole numbers become `flat`, as ES wants.
+/// - Doubles become floats.
+/// - `precise` and the declared direction of gl_FragDepth are dropped, as are #extension lines.
+std::string es_shader(const std::string& text, EsStage stage);
+
+/// A function of GLSL 4.10 that ES lacks, and definitions of it in ES.
+struct MissingFunction {
+    const char* name;
+    const char* text;        ///< lines that also compile in GLSL 4.10 if the function has another name
+    bool in_fragments_only;  ///< it needs derivatives
+};
+
+/// Returns the functions that es_shader() defines:
+/// - textureGather, of a sampler2D that repeats, from level 0. A position within 1/512 of a texel's centre may give
+///   another cell than the real function, as GPUs round it to 8 bits.
+/// - textureQueryLod, of a sampler2D, for an isotropic filter: log2 of the longer of both derivatives, in texels.
+/// - findMSB and bitCount, exactly.
+const std::vector<MissingFunction>& missing_functions();
+
+/// Explains a compiler's messages about implicit conversions, which GLSL 4.10 has and ES lacks: adds "in a browser,
+/// write 2.0 instead of 2" to each of their lines.
+std::string es_log(const std::string& log);
+
+}  // namespace relief::web

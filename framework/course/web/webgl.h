@@ -1,0 +1,18 @@
+// WebGL 2 as the OpenGL 4.1 that labs call.
+#pragma once
+
+namespace relief::web {
+
+/// Creates the context of a page's canvas, named by a CSS selector, and loads its functions. Where WebGL 2 lacks a
+/// function or an argument of one, another function takes its place, so that labs draw as they are:
+/// - Shaders are converted by es_shader().
+/// - 16-bit normalised textures become 32-bit floats, and border clamping becomes edge clamping.
+/// - Base vertices move the vertex attributes.
+/// - Doubles in uniforms, depth ranges and clear depths are rounded to single precision.
+/// - Capabilities that ES lacks (multisampling, polygon modes) cannot be changed.
+/// Stages of tessellation and geometry do not exist: a program with one does not compile. Textures are never filtered
+/// anisotropically, as in the pictures that checks compare with.
+/// Throws Error if the browser has no WebGL 2, or cannot draw into floats.
+void open_webgl(const char* canvas);
+
+}  // namespace relief::web

@@ -1,0 +1,111 @@
+// relief web: makes the course's site with the labs in it, for a browser.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/process.h"
+#include "framework/core/base/text.h"
+#include "framework/course/app/command.h"
+#include "framework/course/app/gallery.h"
+#include "framework/staff/handout/handout.h"
+#include "framework/staff/web/live_site.h"
+
+namespace relief::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs a program to its end. Throws Error with its output if it fails.
+void run_tool(const std::string& what, std::vector<std::string> command,
+              std::map<std::string, std::string> environment = {}) {
+    for (const char* name : {"PATH", "HOME", "CCACHE_DIR"})
+        if (const char* const value = std::getenv(name)) environment.emplace(name, value);
+    command.insert(command.begin(), "/usr/bin/env");
+    const ProcessResult result =
+        run_process({.command = command,
+                     .environment = environment,
+                     .limits = {.wall = 3600, .cpu = 3600, .memory = size_t{16} << 30, .file = size_t{1} << 30}});
+    if (!result.succeeded())
+        throw Error({}, fmt::format("{} failed: {}", what, name_of(result.ending)), result.output + result.errors);
+}
+
+/// Compiles the students' course for a browser, and returns the module's folder. The first time takes minutes.
+fs::path compile(const fs::path& course) {
+    const fs::path build = course / "build" / "web";
+    std::error_code none;
+    if (!fs::exists(build / "build.ninja", none))
+        run_tool("configuring for a browser", {"cmake", "--preset", "web", "-S", course.string()});
+    print_note("compiling for a browser");
+    run_tool("compiling for a browser", {"ninja", "-C", build.string(), "relief"});
+    return build / "bin";
+}
+
+/// Bundles the editor with its libraries, and returns the file.
+fs::path bundle_editor() {
+    const fs::path tools = course_root() / "build" / "editor", bundle = tools / "bundle.js";
+    const fs::path program = tools / "node_modules" / "esbuild" / "bin" / "esbuild";
+    std::error_code none;
+    if (!fs::exists(program, none)) throw Error({program}, "is missing: ./relief web installs it");
+    run_tool("bundling the editor",
+             {"node", program.string(), (course_root() / "framework/staff/web/editor.js").string(), "--bundle",
+              "--minify", "--target=es2020", "--outfile=" + bundle.string()},
+             {{"NODE_PATH", (tools / "node_modules").string()}});
+    return bundle;
+}
+
+int make_site(const fs::path& folder) {
+    const fs::path course = course_root() / "build" / "web-course";
+    make_folder(folder);
+    pin_software_renderer();
+    const auto context = open_context(std::nullopt);
+    print_note("making the students' course");
+    handout::write_handout(course);
+    const fs::path module = compile(course);
+    const fs::path editor = bundle_editor();
+    print_note("drawing the site's pictures");
+    if (const int code = make_gallery({.folder = folder, .is_live = true})) return code;
+    web::write_live_pages({.course = course, .module = module, .editor = editor, .folder = folder});
+    fmt::print("{}\n", fs::absolute(folder / "index.html").lexically_normal().string());
+    return 0;
+}
+
+/// Serves the site to this machine until it is interrupted. A browser runs no module from a file.
+int serve(const fs::path& folder, const std::string& port) {
+    fmt::print("http://127.0.0.1:{}/\n", port);
+    std::fflush(stdout);
+    execlp("python3", "python3", "-m", "http.server", "--bind", "127.0.0.1", "--directory", folder.c_str(),
+           port.c_str(), nullptr);
+    throw Error("python3 cannot be started: install the Debian package python3");
+}
+
+class WebCommand final : public Command {
+public:
+    void options(CommandOptions& options) override {
+        options.value("-o", "FOLDER", output_, "folder for the site [the course's build/site-web]");
+        options.flag("--serve", serve_, "then serve it to this machine's browser");
+        options.value("--port", "NUMBER", port_, "of the server [8000]");
+    }
+    int run() override {
+        const std::optional<int> port = parse_int(port_);
+        if (!port || *port < 1 || *port > 65535)
+            throw UsageError("--port takes a number from 1 to 65535, not '" + port_ + "'");
+        const fs::path folder = output_.empty() ? course_root() / "build" / "site-web" : fs::path(output_);
+        const int code = make_site(folder);
+        return code == 0 && serve_ ? serve(folder, port_) : code;
+    }
+
+private:
+    std::string output_;
+    bool serve_ = false;
+    std::string port_ = "8000";
+};
+RELIEF_COMMAND(WebCommand, 12, "web", "makes a site on which the labs run in a browser, for any web server");
+
+}  // namespace
+}  // namespace relief::app

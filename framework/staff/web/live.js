@@ -1,0 +1,501 @@
+// A lab's page: fetches the module and the lab's files, draws when something has changed, and checks the task while it
+// is being written.
+"use strict";
+
+const $ = id => document.getElementById(id);
+const make = (tag, values = {}, ...children) => {
+  const element = Object.assign(document.createElement(tag), values);
+  element.append(...children);
+  return element;
+};
+const wait = milliseconds => new Promise(done => setTimeout(done, milliseconds));
+
+const site = JSON.parse($("lab").textContent);
+const known = new Set(site.files), fetched = new Set();
+const status = text => { $("status").textContent = text; };
+
+let relief, lab, camera, home, editor, starter, dirty = false, playing = false, moment = 0, has_failed = false;
+
+// --- The module ------------------------------------------------------------------------------------------------------
+
+const put = (file, bytes) => {
+  const path = "/course/" + file;
+  relief.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
+  relief.FS.writeFile(path, bytes);
+};
+const take = async file => {
+  if (fetched.has(file)) return;
+  fetched.add(file);
+  const answer = await fetch("course/" + file);
+  if (!answer.ok) throw new Error(`${file}: the server says ${answer.status}`);
+  put(file, new Uint8Array(await answer.arrayBuffer()));
+};
+const take_all = files => Promise.all(files.map(take));
+
+// Calls a function of the module, one call at a time. Fetches the files that it misses, and calls it again.
+let last_call = Promise.resolve();
+const call = (name, ...values) => {
+  const next = last_call.then(async () => {
+    for (;;) {
+      const answer = JSON.parse(relief.ccall("relief_" + name, "string", values.map(value => typeof value), values));
+      const missing = (answer.missing ?? []).filter(file => known.has(file) && !fetched.has(file));
+      if (missing.length) { await take_all(missing); continue; }
+      if ("error" in answer) throw Object.assign(new Error(answer.error), answer);
+      return answer.value;
+    }
+  });
+  last_call = next.catch(() => {});
+  return next;
+};
+// Copies a picture out of the module's memory.
+const picture_of = ({address, width, height}) =>
+  new ImageData(new Uint8ClampedArray(relief.HEAPF32.buffer, address, width * height * 4).slice(), width, height);
+const paint = (canvas, picture) => {
+  canvas.width = picture.width, canvas.height = picture.height;
+  canvas.getContext("2d").putImageData(picture, 0, 0);
+};
+
+// --- The view --------------------------------------------------------------------------------------------------------
+
+const is_software = () => /llvmpipe|softpipe|swiftshader/i.test(site.renderer ?? "");
+const size_now = () => {
+  const box = $("canvas").getBoundingClientRect(), ratio = is_software() ? 1 : Math.min(devicePixelRatio, 2);
+  return {width: Math.max(16, Math.round(box.width * ratio)), height: Math.max(16, Math.round(box.height * ratio))};
+};
+const request = () => ({...size_now(), camera, time: moment, probe: $("probe").value});
+
+// Shows an error: where it is, and in the editor if it is in the task file.
+const complain = error => {
+  $("problem").hidden = !error;
+  $("problem").textContent = error ? error.message + (error.details ? "\n" + error.details : "") : "";
+  editor?.mark(error?.file === site.task ? error.line : 1, error?.file === site.task ? error.message : "");
+};
+
+const draw = async () => {
+  const wanted = request(), canvas = $("canvas");
+  if (canvas.width !== wanted.width || canvas.height !== wanted.height)
+    canvas.width = wanted.width, canvas.height = wanted.height;
+  try {
+    if (wanted.probe)
+      paint($("numbers"), picture_of(await call("probe", JSON.stringify(wanted))));
+    else
+      await call("draw", JSON.stringify(wanted));
+    $("numbers").hidden = !wanted.probe;
+    if (has_failed) complain();
+    has_failed = false;
+  } catch (error) {
+    has_failed = true;
+    complain(error);
+  }
+};
+
+// Draws once for all changes since the last frame.
+let frame = null;
+const change = () => {
+  dirty = true;
+  frame ??= requestAnimationFrame(async now => {
+    if (dirty) { dirty = false; await draw(); }
+    frame = null;
+    if (playing) moment += Math.min((now - (playing.last ?? now)) / 1000, 0.1), playing.last = now;
+    if (dirty || playing) change();
+  });
+};
+
+const camera_text = at =>
+  [at.yaw, at.pitch, at.distance, ...at.target].map(value => +value.toFixed(3)).join(",");
+const set_camera = text => {
+  const [yaw, pitch, distance, x, y, z] = text.split(",").map(Number);
+  if (![yaw, pitch, distance].every(Number.isFinite)) return;
+  camera = {...home, yaw, pitch, distance, target: [x, y, z].every(Number.isFinite) ? [x, y, z] : home.target};
+};
+
+const orbit = (right, up) => {
+  camera.yaw = (camera.yaw - right) % 360;
+  camera.pitch = Math.max(-89, Math.min(89, camera.pitch + up));
+};
+const zoom = factor => { camera.distance = Math.max(home.distance / 50, Math.min(home.distance * 20, camera.distance * factor)); };
+// Moves the target in the picture's plane, by shares of its height.
+const pan = (right, up) => {
+  const yaw = camera.yaw * Math.PI / 180, pitch = camera.pitch * Math.PI / 180;
+  const metres = 2 * camera.distance * Math.tan(camera.field_of_view * Math.PI / 360);
+  const x = [Math.cos(yaw), 0, -Math.sin(yaw)];
+  const y = [-Math.sin(yaw) * Math.sin(pitch), Math.cos(pitch), -Math.cos(yaw) * Math.sin(pitch)];
+  camera.target = camera.target.map((value, i) => value - metres * (right * x[i] - up * y[i]));
+};
+
+const pointers = new Map();
+const listen_to_view = () => {
+  const canvas = $("canvas");
+  canvas.addEventListener("pointerdown", event => {
+    canvas.setPointerCapture(event.pointerId);
+    pointers.set(event.pointerId, event);
+  });
+  for (const end of ["pointerup", "pointercancel"])
+    canvas.addEventListener(end, event => pointers.delete(event.pointerId));
+  canvas.addEventListener("pointermove", event => {
+    const before = pointers.get(event.pointerId), height = canvas.clientHeight;
+    if (!before) return;
+    const right = event.clientX - before.clientX, up = event.clientY - before.clientY;
+    if (pointers.size === 2) {
+      const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
+      const apart = one => Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
+      zoom(Math.max(apart(before), 1) / Math.max(apart(event), 1));
+      pan(right / 2 / height, up / 2 / height);
+    } else if (event.shiftKey || event.buttons & 2) {
+      pan(right / height, up / height);
+    } else {
+      orbit(0.4 * right, 0.4 * up);
+    }
+    pointers.set(event.pointerId, event);
+    change();
+  });
+  canvas.addEventListener("pointerup", () => remember());
+  canvas.addEventListener("contextmenu", event => event.preventDefault());
+  canvas.addEventListener("wheel", event => {
+    event.preventDefault();
+    zoom(Math.exp(event.deltaY * 0.001));
+    change();
+  }, {passive: false});
+  canvas.addEventListener("keydown", event => {
+    const step = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
+    if (step) event.shiftKey ? pan(step[0] * 0.05, step[1] * 0.05) : orbit(5 * step[0], 5 * step[1]);
+    else if (event.key === "+" || event.key === "=") zoom(1 / 1.1);
+    else if (event.key === "-") zoom(1.1);
+    else return;
+    event.preventDefault();
+    change();
+    remember();
+  });
+  // The numbers under the pointer, once it rests.
+  let resting;
+  canvas.addEventListener("pointermove", event => {
+    clearTimeout(resting);
+    if (!$("probe").value || event.buttons) return;
+    resting = setTimeout(() => tell_pixel(event.offsetX / canvas.clientWidth, event.offsetY / canvas.clientHeight), 150);
+  });
+  new ResizeObserver(change).observe(canvas);
+};
+
+const tell_pixel = async (right, down) => {
+  const from = request();
+  const x = Math.floor(right * from.width), y = Math.floor(down * from.height);
+  const unit = lab.probes.find(probe => probe.name === from.probe)?.unit ?? "";
+  const values = await call("pixel", JSON.stringify({...from, x, y})).catch(error => [error.message]);
+  const shown = values.includes("no surface") ? "no surface" : values.slice(0, 3).map(value =>
+    typeof value === "number" ? Number(value.toPrecision(4)).toString() : value).join(", ");
+  $("pixel").textContent = `${from.probe} at (${x}, ${y}): ${shown}${values.includes("no surface") ? "" : " " + unit}`;
+};
+
+// --- Knobs -----------------------------------------------------------------------------------------------------------
+
+const show_knobs = () => {
+  for (const knob of lab.knobs) {
+    const control = $("knobs").elements["knob-" + knob.name], told = $("told-" + knob.name);
+    control.closest(".knobs").querySelector(`label[for="knob-${knob.name}"]`).classList.toggle("ignored", knob.ignored);
+    if (knob.kind === "toggle") control.checked = knob.value === "on";
+    else control.value = knob.value;
+    const unit = knob.unit.startsWith("degree") ? "°" : knob.unit ? " " + knob.unit : "";
+    told.textContent = knob.kind === "slider" || knob.kind === "steps" ? knob.value + unit : "";
+  }
+};
+const set_knob = async (name, value) => {
+  try {
+    lab.knobs = await call("set", name, String(value));
+    show_knobs();
+    change();
+  } catch (error) {
+    complain(error);
+    has_failed = true;
+  }
+};
+const make_knobs = () => {
+  for (const knob of lab.knobs) {
+    const id = "knob-" + knob.name;
+    if (knob.group) $("knobs").append(make("h2", {textContent: knob.group}));
+    let control;
+    if (knob.kind === "choice") {
+      control = make("select", {}, ...knob.names.map(name => make("option", {value: name, textContent: name})));
+    } else if (knob.kind === "toggle") {
+      control = make("input", {type: "checkbox"});
+    } else {
+      control = make("input", {type: "range", min: knob.low, max: knob.high});
+      control.step = knob.kind === "steps" ? 1 : "any";
+    }
+    Object.assign(control, {id, name: id, title: knob.help, autocomplete: "off"});
+    control.addEventListener("input", async () => {
+      const value = knob.kind === "toggle" ? (control.checked ? "on" : "off")
+                  : knob.kind === "slider" ? Number(Number(control.value).toPrecision(4)) : control.value;
+      await set_knob(knob.name, value);
+      remember();
+    });
+    $("knobs").append(make("label", {htmlFor: id, textContent: knob.name.replaceAll("_", " "), title: knob.help}),
+                      control, make("span", {id: "told-" + knob.name}));
+  }
+  $("knobs").addEventListener("submit", event => event.preventDefault());
+  show_knobs();
+};
+
+// The address has what differs from the opening view: #view=one&steps=8&camera=30,20,3&probe=normal
+let defaults;
+const remember = () => {
+  const parts = lab.knobs.filter(knob => knob.value !== defaults.get(knob.name))
+    .map(knob => `${knob.name}=${encodeURIComponent(knob.value)}`);
+  if (camera_text(camera) !== camera_text(home)) parts.push("camera=" + camera_text(camera));
+  if ($("probe").value) parts.push("probe=" + $("probe").value);
+  history.replaceState(null, "", parts.length ? "#" + parts.join("&") : location.pathname);
+};
+const restore = async () => {
+  const wanted = new URLSearchParams(location.hash.slice(1));
+  for (const knob of lab.knobs) {
+    const value = wanted.get(knob.name) ?? defaults.get(knob.name);
+    if (value !== knob.value) await set_knob(knob.name, value);
+  }
+  camera = structuredClone(home);
+  if (wanted.has("camera")) set_camera(wanted.get("camera"));
+  $("probe").value = lab.probes.some(probe => probe.name === wanted.get("probe")) ? wanted.get("probe") : "";
+  change();
+};
+
+// A command of the handout, `./relief shot 06 --set view=one --camera 30,20,3`, as the address of its view.
+const view_of = command => {
+  const words = command.trim().split(/\s+/);
+  if (words[0] !== "./relief" || !["run", "shot"].includes(words[1]) || Number(words[2]) !== site.number) return null;
+  const parts = [];
+  for (let i = 3; i + 1 < words.length; ++i) {
+    if (words[i] === "--set") {
+      const [name, ...value] = words[i + 1].split("=");
+      parts.push(name + "=" + encodeURIComponent(value.join("=")));
+    } else if (words[i] === "--camera") parts.push("camera=" + words[i + 1]);
+    else if (words[i] === "--probe") parts.push("probe=" + words[i + 1]);
+  }
+  return "#" + parts.join("&");
+};
+const link_commands = () => {
+  for (const code of document.querySelectorAll("article code")) {
+    const view = view_of(code.textContent);
+    if (view !== null) code.after(" ", make("button", {className: "go", type: "button", textContent: "show here",
+      onclick: () => { history.pushState(null, "", view); restore(); }}));
+  }
+};
+
+// --- The task file ---------------------------------------------------------------------------------------------------
+
+const place_of_text = () => `relief ${location.pathname} ${site.task}`;
+const kept = () => { try { return localStorage.getItem(place_of_text()); } catch { return null; } };
+const keep = text => {
+  try {
+    if (text === starter) localStorage.removeItem(place_of_text());
+    else localStorage.setItem(place_of_text(), text);
+  } catch { status("this browser keeps no text: download your file before you leave"); }
+};
+
+let pause, checking = 0;
+const written = text => {
+  ++checking;  // ends a run of checks
+  keep(text);
+  clearTimeout(pause);
+  pause = setTimeout(async () => {
+    put(site.task, new TextEncoder().encode(text));
+    await draw();
+    if (!has_failed) pause = setTimeout(check, 700);
+    else stale();
+  }, 400);
+};
+const stale = () => { $("checks").classList.add("stale"); $("points").textContent = "does not compile"; };
+
+const download = () => {
+  const address = URL.createObjectURL(new Blob([editor.text()], {type: "text/plain"}));
+  make("a", {href: address, download: site.task.split("/").pop()}).click();
+  setTimeout(() => URL.revokeObjectURL(address), 1000);
+};
+const load = async () => {
+  const [file] = $("chosen").files;
+  $("chosen").value = "";
+  if (file) editor.replace(await file.text());
+};
+const open_editor = () => {
+  starter = relief.FS.readFile("/course/" + site.task, {encoding: "utf8"});
+  const text = kept() ?? starter;
+  put(site.task, new TextEncoder().encode(text));
+  editor = openEditor($("editor"), text, written);
+  $("file").textContent = site.task;
+  $("download").onclick = download;
+  $("load").onclick = () => $("chosen").click();
+  $("chosen").onchange = load;
+  $("reset").onclick = () => {
+    if (confirm("Replace your text by the starter?")) editor.replace(starter);
+  };
+};
+
+// --- Checks ----------------------------------------------------------------------------------------------------------
+
+// A task in C++ needs a compiler, so its checks cannot pass here, and are not shown.
+const is_here = check => !site.not_here.includes(check.task);
+const words = {out_of_time: "out of time", out_of_memory: "out of memory"};
+const rows = new Map();  // of each check, by index
+
+const make_checks = () => {
+  for (const task of lab.tasks) {
+    const own = lab.checks.map((check, index) => ({...check, index})).filter(check => check.task === task.id);
+    const box = make("section", {className: "task", id: "task-" + task.id},
+      make("h3", {}, `${task.id} ${task.title} `, make("span", {className: "points"})), make("p", {className: "hint", hidden: true}));
+    if (own.some(is_here)) {
+      for (const check of own) {
+        const row = make("button", {className: "row", type: "button"}, make("b", {textContent: "–"}), check.name,
+                         make("small"));
+        row.setAttribute("aria-expanded", "false");
+        row.onclick = () => toggle_pictures(check.index);
+        rows.set(check.index, row);
+        box.append(row);
+      }
+    } else {
+      box.append(make("p", {className: "note", textContent: "C++: see above"}));
+    }
+    $("checks").append(box);
+  }
+};
+
+const show_result = (index, {outcome, found, details, look_at}) => {
+  const row = rows.get(index);
+  row.className = "row " + outcome;
+  row.querySelector("b").textContent = words[outcome] ?? outcome;
+  row.querySelector("small").textContent = [found && " " + found, look_at && " Look at: " + look_at, details && " " + details]
+    .filter(Boolean).join(".");
+  if (row.nextElementSibling?.className === "seen") row.nextElementSibling.remove(), toggle_pictures(index);
+};
+
+const toggle_pictures = async index => {
+  const row = rows.get(index);
+  if (row.nextElementSibling?.className === "seen") {
+    row.setAttribute("aria-expanded", "false");
+    return row.nextElementSibling.remove();
+  }
+  const pictures = [];
+  try {
+    for (const which of [0, 1, 2]) pictures.push(picture_of(await call("picture", index, which)));
+  } catch (error) {
+    row.querySelector("small").textContent += " " + error.message;
+    return;
+  }
+  const [yours, expected, difference] = pictures.map(picture => {
+    const canvas = make("canvas");
+    paint(canvas, picture);
+    return canvas;
+  });
+  const figure = (canvas, text) => make("figure", {}, canvas, make("figcaption", {textContent: text}));
+  const both = figure(expected, "yours on the left, expected on the right");
+  const seen = make("div", {className: "seen"}, both, figure(difference, "difference, brightest where it is largest"));
+  const {label} = wipe(expected, yours, "", "share of yours", 50, value => `${value} % yours`);
+  both.append(label);
+  row.after(seen);
+  row.setAttribute("aria-expanded", "true");
+};
+
+const check = async () => {
+  const run = ++checking, began = performance.now();
+  $("check").disabled = true;
+  try {
+    let done = 0;
+    for (let index = 0; index < lab.checks.length; ++index) {
+      status(`checking ${index + 1} of ${lab.checks.length} …`);
+      await wait(0);  // the page stays alive
+      if (run !== checking) return;
+      await take_all(site.files.filter(file => file === lab.checks[index].expected));
+      const result = await call("check", index);
+      if (rows.has(index)) show_result(index, result);
+    }
+    if (run !== checking) return;
+    const advice = await call("advice");
+    for (const [index] of rows) show_result(index, advice.checks[index]);
+    for (const task of advice.tasks) {
+      const box = $("task-" + task.id), hint = box.querySelector(".hint");
+      if (!site.not_here.includes(task.id)) box.querySelector(".points").textContent = task.said;
+      hint.hidden = !task.mistake;
+      hint.textContent = task.mistake;
+    }
+    $("checks").classList.remove("stale");
+    const here = advice.tasks.filter(task => !site.not_here.includes(task.id));
+    const sum = here.reduce((all, task) => all + task.points, 0), most = here.reduce((all, task) => all + task.of, 0);
+    $("points").textContent = `${Number(sum.toFixed(2))} of ${most} points`;
+    status(`checked in ${((performance.now() - began) / 1000).toFixed(1)} s`);
+    window.checked = run;  // for tests
+  } catch (error) {
+    complain(error);
+    status("the checks did not run");
+  } finally {
+    if (run === checking) $("check").disabled = false;
+  }
+};
+
+// --- Start -----------------------------------------------------------------------------------------------------------
+
+const start = async () => {
+  const began = performance.now();
+  relief = await openRelief({print: () => {}, printErr: text => console.info(text)});
+  await take_all(site.first);
+  site.renderer = await call("start", "#canvas");
+  $("renderer").textContent = `Drawn by ${site.renderer.replace(/^ANGLE \(|\)$/g, "")}.`;
+  lab = await call("open", site.number);
+  home = structuredClone(lab.camera), camera = structuredClone(lab.camera);
+  defaults = new Map(lab.knobs.map(knob => [knob.name, knob.value]));
+};
+
+const set_up_page = async () => {
+  for (const probe of lab.probes) $("probe").append(make("option", {value: probe.name, textContent: probe.name}));
+  make_knobs();
+  link_commands();
+  open_editor();
+  make_checks();
+  listen_to_view();
+  $("probe").onchange = () => { remember(); $("pixel").textContent = ""; change(); };
+  $("home").onclick = () => { camera = structuredClone(home); remember(); change(); };
+  $("check").onclick = check;
+  $("play").hidden = !lab.animated;
+  $("play").onclick = () => {
+    playing = playing ? false : {};
+    $("play").setAttribute("aria-pressed", String(Boolean(playing)));
+    change();
+  };
+  addEventListener("hashchange", restore);
+  addEventListener("popstate", restore);
+  await restore();
+};
+
+// A lost context takes all textures and programs with it: a new module starts on a new canvas, with the same text.
+const survive_a_lost_context = () => {
+  $("canvas").addEventListener("webglcontextlost", async event => {
+    event.preventDefault();
+    status("the graphics driver was reset: starting again …");
+    ++checking;
+    const text = editor.text(), values = lab.knobs.map(knob => [knob.name, knob.value]), at = camera;
+    $("canvas").replaceWith($("canvas").cloneNode());
+    fetched.clear();
+    last_call = Promise.resolve();
+    await start();
+    put(site.task, new TextEncoder().encode(text));
+    camera = at;
+    listen_to_view();
+    survive_a_lost_context();
+    for (const [name, value] of values) await set_knob(name, value);
+    await draw();
+    $("check").disabled = false;
+    status("restarted");
+  });
+};
+
+(async () => {
+  const began = performance.now();
+  try {
+    await start();
+    await set_up_page();
+    await draw();
+    survive_a_lost_context();
+    $("check").disabled = false;
+    status(`ready in ${((performance.now() - began) / 1000).toFixed(1)} s`);
+    window.ready = true;  // for tests
+  } catch (error) {
+    status("cannot run here");
+    complain(error);
+    window.ready = "failed";
+  }
+})();

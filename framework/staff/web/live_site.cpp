@@ -1,0 +1,142 @@
+#include "framework/staff/web/live_site.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "framework/core/base/file.h"
+#include "framework/core/base/paths.h"
+#include "framework/core/base/text.h"
+#include "framework/core/lab/manifest.h"
+#include "framework/course/pages/handout_page.h"
+#include "framework/course/pages/lab_page.h"
+#include "framework/course/pages/template.h"
+
+namespace relief::web {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Returns the paths of the course's files that a lab may read in a browser, relative to the course.
+std::vector<std::string> files_of(const fs::path& course, const std::string& lab) {
+    std::vector<std::string> files;
+    const auto add = [&](const fs::path& folder, const std::function<bool(const fs::path&)>& wanted) {
+        std::error_code none;
+        if (!fs::is_directory(course / folder, none)) return;
+        for (const auto& entry : fs::recursive_directory_iterator(course / folder))
+            if (entry.is_regular_file() && wanted(entry.path()))
+                files.push_back(entry.path().lexically_relative(course).generic_string());
+    };
+    const auto has_ending = [](std::initializer_list<const char*> endings) {
+        return [endings = std::vector<std::string>(endings.begin(), endings.end())](const fs::path& file) {
+            return std::find(endings.begin(), endings.end(), file.extension().string()) != endings.end();
+        };
+    };
+    const auto is_shader = has_ending({".glsl", ".vert", ".frag", ".tesc", ".tese", ".geom"});
+    add("shaders/common", is_shader);
+    add(fs::path("shaders") / lab, is_shader);
+    add(fs::path("labs") / lab, has_ending({".toml"}));
+    add(fs::path("labs") / lab / "expected", [](const fs::path&) { return true; });
+    add("assets", has_ending({".png", ".obj", ".mtl"}));
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// Returns whether a page fetches the file before it opens the lab. The other ones are larger, and not all are needed.
+bool is_fetched_first(const std::string& file) {
+    return !file.starts_with("assets/") && file.find("/expected/") == file.npos;
+}
+
+/// Returns JSON that can stand in a <script> element.
+std::string inside_script(const json& value) {
+    std::string text = value.dump(), result;
+    for (const char c : text) result += c == '<' ? std::string("\\u003c") : std::string(1, c);
+    return result;
+}
+
+/// Lab pages that only tell how to start the lab natively: their programs need stages that no browser has.
+bool needs_tessellation(const LabEntry& lab) { return lab.number == 13 || lab.number == 14 || lab.number == 15; }
+
+class Pages {
+public:
+    explicit Pages(const LiveSite& site) : site_(site) {
+        for (const LabEntry& lab : registry()) labs_.push_back(&lab);
+    }
+
+    void write() {
+        for (size_t i = 0; i < labs_.size(); ++i) write_page(i);
+        for (const std::string& file : copied_) copy(site_.course / file, fs::path("course") / file);
+        for (const char* name : {"relief.js", "relief.wasm"}) copy(site_.module / name, name);
+        copy(site_.editor, "editor.js");
+        copy(course_root() / "framework/staff/web/icon.svg", "icon.svg");
+        put("live.css", style());
+        put("live.js",
+            pages::page_file("wipe", ".js") + "\n" + pages::page_file("framework/staff/web/live", ".js") + "\n");
+    }
+
+private:
+    void write_page(size_t i) {
+        const LabEntry& lab = *labs_[i];
+        const Manifest manifest = load_manifest(site_.course / "labs" / lab.folder / "lab.toml");
+        const bool is_far = needs_tessellation(lab);
+        std::string task;
+        std::vector<std::string> not_here;
+        for (const TaskInfo& each : manifest.tasks)
+            if (is_shader(each.file))
+                task = each.file;
+            else
+                not_here.push_back(each.id);
+        json first = json::array(), files = json::array();
+        if (!is_far)
+            for (const std::string& file : files_of(site_.course, lab.folder)) {
+                copied_.insert(file);
+                files.push_back(file);
+                if (is_fetched_first(file)) first.push_back(file);
+            }
+        const json data = {
+            {"number", lab.number}, {"task", task}, {"not_here", not_here}, {"first", first}, {"files", files}};
+        const auto neighbour = [&](size_t index) {
+            if (index >= labs_.size()) return pages::Value();
+            return pages::Value(pages::Fields{{"file", pages::live_page_file(*labs_[index])},
+                                              {"number", labs_[index]->two_digits()},
+                                              {"title", load_manifest(*labs_[index]).title}});
+        };
+        put(pages::live_page_file(lab),
+            pages::render(
+                "framework/staff/web/live",
+                {{"number", lab.two_digits()},
+                 {"title", manifest.title},
+                 {"is_far", is_far},
+                 {"picture", lab.folder + ".png"},
+                 {"lab", inside_script(data)},
+                 {"compiled",
+                  not_here.empty() ? "" : (not_here.size() == 1 ? "task " : "tasks ") + join(not_here, ", ")},
+                 {"blocks", pages::handout_blocks(lab, manifest, labs_,
+                                                  [&](const auto& name, const auto& bytes) { put(name, bytes); })},
+                 {"previous", neighbour(i - 1)},
+                 {"next", neighbour(i + 1)}}));
+    }
+
+    static std::string style() {
+        std::string all;
+        for (const char* name : {"colors", "page", "markdown", "framework/staff/web/live"})
+            all += pages::page_file(name, ".css") + "\n";
+        return all;
+    }
+
+    void put(const fs::path& name, const std::string& bytes) const {
+        make_folder((site_.folder / name).parent_path());
+        write_file(site_.folder / name, bytes);
+    }
+    void copy(const fs::path& from, const fs::path& name) const { put(name, read_file(from)); }
+
+    const LiveSite& site_;
+    std::vector<const LabEntry*> labs_;
+    std::set<std::string> copied_;
+};
+
+}  // namespace
+
+void write_live_pages(const LiveSite& site) { Pages(site).write(); }
+
+}  // namespace relief::web

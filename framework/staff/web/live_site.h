@@ -1,0 +1,21 @@
+// The labs in a browser: a page a lab, with the module, the lab's files and an editor. The files come from a students'
+// course, so a site holds no solutions, no hidden checks and no exact values.
+#pragma once
+
+#include <filesystem>
+
+namespace relief::web {
+
+/// What a site is made of.
+struct LiveSite {
+    std::filesystem::path course;  ///< a students' course: see write_handout()
+    std::filesystem::path module;  ///< folder of relief.js and relief.wasm, compiled from that course
+    std::filesystem::path editor;  ///< the bundle of framework/staff/web/editor.js
+    std::filesystem::path folder;  ///< the site
+};
+
+/// Adds live_page_file() of each lab in the course, and all that these pages fetch, to a site that has handouts'
+/// pictures already. Throws Error if a file cannot be read or written.
+void write_live_pages(const LiveSite& site);
+
+}  // namespace relief::web
