@@ -143,11 +143,16 @@ private:
         frames.set("u_length", line_length_);
         frames.set("u_focal_pixels",
                    tile.size.y / (2 * std::tan(glm::radians(frame.camera.orbit().field_of_view) / 2)));
-        glDrawArrays(GL_POINTS, 0, mesh.vertices());
+        const auto read_attributes_every = [](GLuint instances) {
+            for (const GLuint attribute : {0, 1, 2}) glVertexAttribDivisor(attribute, instances);
+        };
+        read_attributes_every(3);
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 3 * mesh.vertices());
+        read_attributes_every(0);
     }
 
     Programs surface_{"05_tangent_basis/surface.vert", "05_tangent_basis/surface.frag"};
-    Programs frames_{"05_tangent_basis/lines.vert", "05_tangent_basis/lines.geom", "05_tangent_basis/lines.frag"};
+    Programs frames_{"05_tangent_basis/lines.vert", "05_tangent_basis/lines.frag"};
     Texture albedo_ = load_texture("bricks_albedo.png", ColorSpace::srgb);
     Texture normals_ = load_texture("bricks_normal.png", ColorSpace::linear);
     Kept<std::map<int, GpuMesh>, int, int, int, float, float, bool> meshes_;  ///< by method

@@ -134,7 +134,9 @@ void main() {
     vec2 tiles_per_metre = u_depth_metres > 0.0 ? u_depth / u_depth_metres : vec2(0.0);
     ReliefRay ray = ReliefRay(v_uv, vec2(dot(to_ground, tangent), dot(to_ground, bitangent)) * tiles_per_metre, slant, 0.0);
 #ifdef FOOTPRINT
-    ray.level = max(0.0, textureQueryLod(s_heights, v_uv).y + u_level_bias);
+    // Not textureQueryLod(), of which each driver has its own.
+    vec2 texels = v_uv * vec2(textureSize(s_heights, 0)), right = dFdx(texels), up = dFdy(texels);
+    ray.level = max(0.0, 0.5 * log2(max(max(dot(right, right), dot(up, up)), 1e-30)) + u_level_bias);
 #endif
     float t = seen(ray, has_relief);
     vec2 uv = v_uv + t * ray.march;

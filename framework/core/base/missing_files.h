@@ -6,8 +6,8 @@
 
 namespace relief {
 
-/// The paths that the program tried to read and that do not exist, since a caller last emptied the set. The page
-/// fetches those that the site has, and repeats its call.
+/// The paths of empty files that the program tried to read, since a caller last emptied the set. The page fetches them,
+/// and repeats its call.
 std::set<std::string>& missing_files();
 
 }  // namespace relief

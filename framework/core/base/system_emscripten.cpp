@@ -1,5 +1,5 @@
-// Implements framework/core/base/system.h and descriptor.h for a browser. Files are in memory: the page puts them there
-// before a lab opens, or when missing_files() names them.
+// Implements framework/core/base/system.h and descriptor.h for a browser. Files are in memory. An empty one stands for a
+// file that the page has not fetched yet: see missing_files().
 #include "framework/core/base/system.h"
 
 #include <emscripten.h>
@@ -63,9 +63,11 @@ void keep_terminal_open() {}
 
 Descriptor open_to_read(const fs::path& path) {
     Descriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK));
-    if (file < 0) {
+    const FileState state = file < 0 ? FileState{} : state_of(file).value_or(FileState{});
+    if (state.is_plain && state.size == 0) {
         missing_files().insert(path.string());
         errno = ENOENT;
+        return Descriptor(-1);
     }
     return file;
 }

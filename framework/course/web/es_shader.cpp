@@ -95,8 +95,8 @@ const std::vector<MissingFunction>& missing_functions() {
     static const std::vector<MissingFunction> functions = {
         {"textureGather",
          "vec4 textureGather(sampler2D image, vec2 uv, int channel) {\n"
-         "    ivec2 size = textureSize(image, 0), cell = ivec2(floor(uv * vec2(size) - 0.5));\n"
-         "    ivec2 low = ((cell % size) + size) % size, high = (low + 1) % size;\n"
+         "    vec2 size = vec2(textureSize(image, 0)), cell = floor(uv * size - 0.5);\n"
+         "    ivec2 low = ivec2(cell - size * floor((cell + 0.5) / size)), high = (low + 1) % ivec2(size);\n"
          "    return vec4(texelFetch(image, ivec2(low.x, high.y), 0)[channel], texelFetch(image, high, 0)[channel],\n"
          "                texelFetch(image, ivec2(high.x, low.y), 0)[channel], texelFetch(image, low, 0)[channel]);\n"
          "}\n"

@@ -11,10 +11,10 @@ const make = (tag, values = {}, ...children) => {
 const wait = milliseconds => new Promise(done => setTimeout(done, milliseconds));
 
 const site = JSON.parse($("lab").textContent);
-const known = new Set(site.files), fetched = new Set();
+const fetched = new Set();
 const status = text => { $("status").textContent = text; };
 
-let relief, lab, camera, home, editor, starter, dirty = false, playing = false, moment = 0, has_failed = false;
+let relief, lab, camera, home, editor, starter, dirty = false, playing = false, moment = 0, has_failed = false, does_not_compile = false;
 
 // --- The module ------------------------------------------------------------------------------------------------------
 
@@ -24,7 +24,7 @@ const put = (file, bytes) => {
   relief.FS.writeFile(path, bytes);
 };
 const take = async file => {
-  if (fetched.has(file)) return;
+  if (fetched.has(file)) throw new Error(`${file} is empty`);
   fetched.add(file);
   const answer = await fetch("course/" + file);
   if (!answer.ok) throw new Error(`${file}: the server says ${answer.status}`);
@@ -32,14 +32,13 @@ const take = async file => {
 };
 const take_all = files => Promise.all(files.map(take));
 
-// Calls a function of the module, one call at a time. Fetches the files that it misses, and calls it again.
+// Calls a function of the module, one call at a time. Fetches the files that it wanted to read, and calls it again.
 let last_call = Promise.resolve();
 const call = (name, ...values) => {
   const next = last_call.then(async () => {
     for (;;) {
       const answer = JSON.parse(relief.ccall("relief_" + name, "string", values.map(value => typeof value), values));
-      const missing = (answer.missing ?? []).filter(file => known.has(file) && !fetched.has(file));
-      if (missing.length) { await take_all(missing); continue; }
+      if (answer.missing) { await take_all(answer.missing); continue; }
       if ("error" in answer) throw Object.assign(new Error(answer.error), answer);
       return answer.value;
     }
@@ -82,9 +81,10 @@ const draw = async () => {
       await call("draw", JSON.stringify(wanted));
     $("numbers").hidden = !wanted.probe;
     if (has_failed) complain();
-    has_failed = false;
+    has_failed = does_not_compile = false;
   } catch (error) {
     has_failed = true;
+    does_not_compile = error.file === site.task;
     complain(error);
   }
 };
@@ -297,8 +297,8 @@ const written = text => {
   pause = setTimeout(async () => {
     put(site.task, new TextEncoder().encode(text));
     await draw();
-    if (!has_failed) pause = setTimeout(check, 700);
-    else stale();
+    if (does_not_compile) stale();
+    else pause = setTimeout(check, 700);
   }, 400);
 };
 const stale = () => { $("checks").classList.add("stale"); $("points").textContent = "does not compile"; };
@@ -359,8 +359,7 @@ const show_result = (index, {outcome, found, details, look_at}) => {
   const row = rows.get(index);
   row.className = "row " + outcome;
   row.querySelector("b").textContent = words[outcome] ?? outcome;
-  row.querySelector("small").textContent = [found && " " + found, look_at && " Look at: " + look_at, details && " " + details]
-    .filter(Boolean).join(".");
+  row.querySelector("small").textContent = [found, look_at && "look at " + look_at, details].filter(Boolean).join("; ");
   if (row.nextElementSibling?.className === "seen") row.nextElementSibling.remove(), toggle_pictures(index);
 };
 
@@ -400,7 +399,6 @@ const check = async () => {
       status(`checking ${index + 1} of ${lab.checks.length} …`);
       await wait(0);  // the page stays alive
       if (run !== checking) return;
-      await take_all(site.files.filter(file => file === lab.checks[index].expected));
       const result = await call("check", index);
       if (rows.has(index)) show_result(index, result);
     }
@@ -432,8 +430,11 @@ const check = async () => {
 const start = async () => {
   const began = performance.now();
   relief = await openRelief({print: () => {}, printErr: text => console.info(text)});
+  for (const file of site.files) put(file, new Uint8Array());  // they exist, and are fetched when they are read
   await take_all(site.first);
-  site.renderer = await call("start", "#canvas");
+  await call("start", "#canvas");
+  const gl = $("canvas").getContext("webgl2"), names = gl.getExtension("WEBGL_debug_renderer_info");
+  site.renderer = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
   $("renderer").textContent = `Drawn by ${site.renderer.replace(/^ANGLE \(|\)$/g, "")}.`;
   lab = await call("open", site.number);
   home = structuredClone(lab.camera), camera = structuredClone(lab.camera);

@@ -21,6 +21,27 @@ void fill(const Target& target, glm::ivec2 corner, glm::ivec2 size, glm::vec4 va
     glDisable(GL_SCISSOR_TEST);
 }
 
+/// Draws a white triangle with two slanted edges.
+void draw_triangle(const Target& target) {
+    ShaderSource vertex, fragment;
+    vertex.stage = "triangle.vert", fragment.stage = "triangle.frag";
+    vertex.text =
+        "#version 410 core\n"
+        "void main() { gl_Position = vec4(vec2[](vec2(-0.9, -0.8), vec2(0.8, -0.3), vec2(-0.2, 0.9))[gl_VertexID], "
+        "0.0, "
+        "1.0); }\n";
+    fragment.text = "#version 410 core\nout vec4 o_color;\nvoid main() { o_color = vec4(1.0); }\n";
+    const Program program(std::vector<ShaderSource>{vertex, fragment});
+    const VertexArrayName nothing;
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+    glViewport(0, 0, target.size().x, target.size().y);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(program);
+    glBindVertexArray(nothing);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_DEPTH_TEST);
+}
+
 TEST(Target, RowZeroOfAPictureIsTheTop) {
     for (const TargetKind kind : {TargetKind::picture, TargetKind::light, TargetKind::probe}) {
         const Target target(kind, {3, 2});
@@ -31,6 +52,47 @@ TEST(Target, RowZeroOfAPictureIsTheTop) {
         EXPECT_EQ(image.pixel(2, 1)[0], 0.0f);
         EXPECT_EQ(image.pixel(0, 0)[0], 0.0f);
     }
+}
+
+/// Hides that textures can have samples, as WebGL does, while it lives.
+class NoSamplesInTextures {
+public:
+    NoSamplesInTextures() : real_(glad_glGetIntegerv) {
+        asked() = real_;
+        glad_glGetIntegerv = [](GLenum name, GLint* value) {
+            if (name == GL_MAX_COLOR_TEXTURE_SAMPLES)
+                *value = 1;
+            else
+                asked()(name, value);
+        };
+    }
+    ~NoSamplesInTextures() { glad_glGetIntegerv = real_; }
+    NoSamplesInTextures(const NoSamplesInTextures&) = delete;
+
+private:
+    static PFNGLGETINTEGERVPROC& asked() {
+        static PFNGLGETINTEGERVPROC function;
+        return function;
+    }
+    PFNGLGETINTEGERVPROC real_;
+};
+
+TEST(Target, ABlitTakesTheSameAverageWhereTexturesHaveNoSamples) {
+    const auto drawn = [] {
+        const Target target(TargetKind::picture, {64, 64});
+        fill(target, {0, 0}, {64, 64}, {0, 0, 0, 1});
+        draw_triangle(target);
+        return target.read();
+    };
+    const Image by_program = drawn();
+    const NoSamplesInTextures hidden;
+    const Image by_blit = drawn();
+    size_t grey = 0;
+    for (size_t i = 0; i < by_blit.values.size(); ++i) {
+        EXPECT_NEAR(by_blit.values[i], by_program.values[i], 1.01 / 255);
+        grey += by_blit.values[i] > 0.1f && by_blit.values[i] < 0.9f;
+    }
+    EXPECT_GT(grey, 60u);  // along two edges of the triangle
 }
 
 TEST(Target, AProbeKeepsInfinityNanAndEveryBit) {

@@ -1,0 +1,69 @@
+// GLSL 4.10 in ES 3.00: what is converted, and that lines keep their numbers.
+#include "framework/course/web/es_shader.h"
+
+#include <gtest/gtest.h>
+
+namespace relief::web {
+namespace {
+
+constexpr const char* version = "#version 410 core\n";
+
+/// Returns a converted text without what es_shader() puts in front of it.
+std::string body(const std::string& text, EsStage stage) {
+    const std::string converted = es_shader(version + text, stage), mark = "#line 2\n";
+    const size_t at = converted.find(mark);
+    EXPECT_NE(at, std::string::npos);
+    return converted.substr(at + mark.size());
+}
+
+TEST(EsShader, EveryLineKeepsItsNumber) {
+    const std::string text =
+        "#extension GL_ARB_conservative_depth : enable\n"
+        "layout(depth_greater)\n"
+        "    out float gl_FragDepth;\n"
+        "uniform float u_here;\n";
+    EXPECT_EQ(body(text, EsStage::fragment), "\n\n\nuniform float u_here;\n");
+    EXPECT_TRUE(es_shader(version + text, EsStage::fragment).starts_with("#version 300 es\n"));
+}
+
+TEST(EsShader, WholeNumbersFromAVertexStageAreFlat) {
+    EXPECT_EQ(
+        body("out int v_index;\nout uvec2 v_codes;\nout vec3 v_normal;\nflat out int v_other;\n", EsStage::vertex),
+        "flat out int v_index;\nflat out uvec2 v_codes;\nout vec3 v_normal;\nflat out int v_other;\n");
+}
+
+TEST(EsShader, OutputsInsideOfFunctionsAndOfFragmentsStay) {
+    const std::string function = "void split(out int low, out int high) { low = high = 1; }\n";
+    EXPECT_EQ(body(function, EsStage::vertex), function);
+    EXPECT_EQ(body("out int o_index;\n", EsStage::fragment), "out int o_index;\n");
+}
+
+TEST(EsShader, NumbersInDoublePrecisionLoseTheirSuffix) {
+    EXPECT_EQ(body("const double small = 1e-9lf, half_ = 0.5LF;  // 1.0lf\n", EsStage::fragment),
+              "const double small = 1e-9, half_ = 0.5;  // 1.0lf\n");
+    EXPECT_NE(es_shader(std::string(version) + "double x;\n", EsStage::fragment).find("#define double float\n"),
+              std::string::npos);
+}
+
+TEST(EsShader, AMissingFunctionIsDefinedIfItIsCalled) {
+    const auto defines = [](const std::string& text, EsStage stage) {
+        return es_shader(version + text, stage).find("int findMSB(uint bits)") != std::string::npos;
+    };
+    EXPECT_TRUE(defines("int f(int x) { return findMSB(x); }\n", EsStage::vertex));
+    EXPECT_FALSE(defines("int f(int x) { return x; }  // not findMSB(x)\n", EsStage::vertex));
+    const std::string query = "float f(vec2 uv) { return textureQueryLod(s, uv).y; }\n";
+    EXPECT_NE(es_shader(version + query, EsStage::fragment).find("vec2 textureQueryLod("), std::string::npos);
+    EXPECT_EQ(es_shader(version + query, EsStage::vertex).find("vec2 textureQueryLod("), std::string::npos);
+}
+
+TEST(EsShader, AnEmptyTextIsConverted) { EXPECT_NE(es_shader("", EsStage::vertex), ""); }
+
+TEST(EsLog, ImplicitConversionsAreExplained) {
+    const std::string wrong = "ERROR: 0:12: '*' : wrong operand types - 'const int' and 'highp float'",
+                      other = "ERROR: 0:13: 'interval' : undeclared identifier";
+    EXPECT_EQ(es_log(wrong + "\n" + other + "\n"),
+              wrong + " (in a browser, write 2.0 instead of 2 where a float is wanted)\n" + other + "\n");
+}
+
+}  // namespace
+}  // namespace relief::web

@@ -1,0 +1,119 @@
+// The functions that the labs get in a browser, compared with those of OpenGL.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "framework/core/gl/program.h"
+#include "framework/core/gl/target.h"
+#include "framework/course/web/es_shader.h"
+#include "tests/core/gl/glsl_function.h"
+#include "tests/support.h"
+
+namespace relief::web {
+namespace {
+
+/// Returns the text of a function under another name, `emulated`.
+std::string emulation(const std::string& name) {
+    for (const MissingFunction& function : missing_functions())
+        if (name == function.name) return "#define " + name + " emulated\n" + function.text + "#undef " + name + "\n";
+    ADD_FAILURE() << name << " is not among the missing functions";
+    return "";
+}
+
+/// Numbers of which no two texels are the same, 7 by 5.
+Image numbers() {
+    Image image(7, 5, 2);
+    for (size_t i = 0; i < image.values.size(); ++i) image.values[i] = float(i) + 1;
+    return image;
+}
+
+/// Returns the number of values that differ.
+int differing(const std::vector<glm::vec4>& some, const std::vector<glm::vec4>& others) {
+    int count = 0;
+    for (size_t i = 0; i < some.size(); ++i) count += some[i] != others.at(i);
+    return count;
+}
+
+TEST(MissingFunctions, AGatherReadsTheSameFourTexels) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("gather.glsl", emulation("textureGather")).string();
+    const Texture map("numbers", numbers, {.mips = false});
+    std::mt19937 random(1);
+    std::vector<GlslInput> inputs(2000);
+    for (GlslInput& input : inputs)
+        for (const int axis : {0, 1}) {  // around the middle of a cell of texel centres: GPUs round places to 1/256
+            const float texels = axis == 0 ? 7 : 5;
+            const float cell = float(int(random() % 40)) - 20, within = 0.01f + 0.98f * float(random() % 1000) / 1000;
+            input[0][axis] = (cell + 0.5f + within) / texels;
+        }
+    for (const char* channel : {"0", "1"}) {
+        const std::string arguments = std::string("(s_map, a.xy, ") + channel + ")";
+        const auto real = evaluate_glsl(file, "textureGather" + arguments, inputs, {}, &map);
+        EXPECT_EQ(differing(real, evaluate_glsl(file, "emulated" + arguments, inputs, {}, &map)), 0) << channel;
+        EXPECT_NE(real[0], real[1]);
+    }
+    EXPECT_EQ(differing(evaluate_glsl(file, "textureGather(s_map, a.xy)", inputs, {}, &map),
+                        evaluate_glsl(file, "emulated(s_map, a.xy)", inputs, {}, &map)),
+              0);
+}
+
+TEST(MissingFunctions, BitsAreTheSame) {
+    std::vector<GlslInput> inputs;
+    for (const float number : {0.0f, 1.0f, -1.0f, 2.0f, 3.0f, -2.0f, 255.0f, 256.0f, -256.0f, 65535.0f, 16777215.0f,
+                               2147483520.0f, -2147483648.0f})
+        inputs.push_back({glm::vec4(number)});
+    for (const std::string name : {"findMSB", "bitCount"}) {
+        const TemporaryFolder folder;
+        const std::string file = folder.write("bits.glsl", emulation(name)).string();
+        const std::string real = "vec4(" + name + "(int(a.x)), " + name + "(uint(int(a.x))), 0.0, 0.0)";
+        EXPECT_EQ(
+            differing(evaluate_glsl(file, real, inputs),
+                      evaluate_glsl(file, "vec4(emulated(int(a.x)), emulated(uint(int(a.x))), 0.0, 0.0)", inputs)),
+            0)
+            << name;
+    }
+}
+
+// The real function's formula is up to the driver; llvmpipe takes the larger component instead of the length.
+TEST(MissingFunctions, ALevelIsThatOfTheDriverWithinHalfALevel) {
+    const Texture map("numbers", [] { return Image(64, 64, 1); }, {.mips = true});
+    for (const float scale : {0.5f, 1.0f, 4.0f, 13.0f}) {
+        ShaderSource vertex{.stage = "level.vert", .text = "", .lines = {}, .names = {"s_map", "u_scale"}};
+        vertex.text =
+            "#version 410 core\n"
+            "out vec2 v_uv;\n"
+            "uniform float u_scale;\n"
+            "void main() {\n"
+            "    vec2 at = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);\n"
+            "    v_uv = u_scale * mat2(0.8, 0.6, -0.2, 0.3) * at;\n"
+            "    gl_Position = vec4(at, 0.0, 1.0);\n"
+            "}\n";
+        ShaderSource fragment{.stage = "level.frag", .text = "", .lines = {}, .names = {"s_map", "u_scale"}};
+        fragment.text = "#version 410 core\n" + emulation("textureQueryLod") +
+                        "in vec2 v_uv;\n"
+                        "uniform sampler2D s_map;\n"
+                        "out vec4 o_levels;\n"
+                        "void main() { o_levels = vec4(textureQueryLod(s_map, v_uv), emulated(s_map, v_uv)); }\n";
+        const Program program(std::vector<ShaderSource>{vertex, fragment});
+        const VertexArrayName nothing;
+        const Target target(TargetKind::probe, {16, 16});
+        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+        glViewport(0, 0, 16, 16);
+        glUseProgram(program);
+        program.set("u_scale", scale);
+        program.set("s_map", 0, map);
+        glBindVertexArray(nothing);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        const Image levels = target.read();
+        for (size_t i = 0; i < levels.pixel_count(); ++i) {
+            const float* const at = &levels.values[i * 4];
+            EXPECT_NEAR(at[2], std::max(at[3], 0.0f), 1e-6);
+            EXPECT_NEAR(at[3], at[1], 0.5) << "scale " << scale;
+        }
+        // The longer derivative is that along x: (0.8, 0.6) times the scale, in a picture 2 wide.
+        EXPECT_NEAR(levels.values[3], std::log2(scale * 2 / 16 * 64), 0.02);
+    }
+}
+
+}  // namespace
+}  // namespace relief::web
