@@ -22,7 +22,7 @@ using nlohmann::json;
 /// A browser that shares two cores with other tests starts slowly.
 constexpr int patience_ms = 120'000;
 
-void set_up_and_become_chromium(int reads, int writes, const std::string& profile) {
+void set_up_and_become_chromium(int reads, int writes, const std::string& profile, const std::string& display) {
     setpgid(0, 0);  // so that all its processes can be killed together
     const int null = open("/dev/null", O_RDWR);
     for (const int descriptor : {0, 1, 2}) dup2(null, descriptor);
@@ -30,20 +30,33 @@ void set_up_and_become_chromium(int reads, int writes, const std::string& profil
     const int in = fcntl(reads, F_DUPFD, 10), out = fcntl(writes, F_DUPFD, 10);
     dup2(in, 3), dup2(out, 4);
     const std::string folder = "--user-data-dir=" + profile;
-    execlp("chromium", "chromium", "--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--disable-gpu",
-           "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-dev-shm-usage",
-           folder.c_str(), "about:blank", nullptr);
+    std::vector<const char*> words = {"chromium",
+                                      "--no-sandbox",
+                                      "--remote-debugging-pipe",
+                                      "--no-first-run",
+                                      "--disable-background-networking",
+                                      "--disable-component-update",
+                                      "--disable-dev-shm-usage",
+                                      folder.c_str()};
+    if (display.empty()) {
+        words.insert(words.end(), {"--headless=new", "--disable-gpu"});
+    } else {
+        setenv("DISPLAY", display.c_str(), 1);
+        words.insert(words.end(), {"--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist"});
+    }
+    words.insert(words.end(), {"about:blank", nullptr});
+    execvp("chromium", const_cast<char**>(words.data()));
     _exit(127);
 }
 
 }  // namespace
 
-Browser::Browser() {
+Browser::Browser(const std::string& display) {
     int there[2], back[2];
     if (pipe2(there, O_CLOEXEC) != 0 || pipe2(back, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
     pid_ = fork();
     if (pid_ < 0) throw std::runtime_error("fork failed");
-    if (pid_ == 0) set_up_and_become_chromium(there[0], back[1], profile_.path().string());
+    if (pid_ == 0) set_up_and_become_chromium(there[0], back[1], profile_.path().string(), display);
     close(there[0]), close(back[1]);
     to_ = there[1], from_ = back[0];
     std::signal(SIGPIPE, SIG_IGN);
@@ -52,7 +65,7 @@ Browser::Browser() {
     for (const json& target : targets["targetInfos"])
         if (target["type"] == "page") page = target["targetId"];
     session_ = call("Target.attachToTarget", {{"targetId", page}, {"flatten", true}})["sessionId"];
-    for (const char* part : {"Page", "Runtime", "Log", "Accessibility"}) call(std::string(part) + ".enable");
+    for (const char* part : {"Page", "Runtime", "Log", "Accessibility", "Network"}) call(std::string(part) + ".enable");
     call("Emulation.setFocusEmulationEnabled", {{"enabled", true}});
     call("Emulation.setDeviceMetricsOverride",
          {{"width", 1280}, {"height", 900}, {"deviceScaleFactor", 1}, {"mobile", false}});
@@ -100,9 +113,13 @@ json Browser::call(const std::string& method, const json& parameters) {
 }
 
 void Browser::open(const std::filesystem::path& page) {
-    events_.clear();
     std::string address = "file://";
     for (const char c : page.string()) address += c == ' ' ? "%20" : std::string(1, c);
+    open_address(address);
+}
+
+void Browser::open_address(const std::string& address) {
+    events_.clear();
     call("Page.navigate", {{"url", address}});
     const auto loaded = [&] {
         return std::any_of(events_.begin(), events_.end(),
@@ -115,6 +132,15 @@ json Browser::eval(const std::string& expression) {
     const json answer = call("Runtime.evaluate", {{"expression", expression}, {"returnByValue", true}});
     if (answer.contains("exceptionDetails")) throw std::runtime_error(answer["exceptionDetails"].dump(1));
     return answer["result"].value("value", json());
+}
+
+json Browser::wait_for(const std::string& expression) {
+    for (int i = 0; i < 1200; ++i) {
+        const json value = eval("(() => { const value = " + expression + "; return value || null; })()");
+        if (!value.is_null()) return value;
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    throw std::runtime_error("never true: " + expression);
 }
 
 void Browser::press(const std::string& key, int times) {
@@ -250,6 +276,13 @@ std::vector<std::string> Browser::accessibility_faults() {
         }
     width(0), dark(false);
     return {found.begin(), found.end()};
+}
+
+std::set<std::string> Browser::requests() {
+    std::set<std::string> found;
+    for (const json& event : events_)
+        if (event["method"] == "Network.requestWillBeSent") found.insert(event["params"]["request"]["url"]);
+    return found;
 }
 
 std::vector<std::string> Browser::complaints() {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,16 +13,20 @@ namespace relief {
 
 class Browser {
 public:
-    /// Throws when there is no browser; see framework/cmake/packages.txt.
-    Browser();
+    /// Throws when there is no browser; see framework/cmake/packages.txt. With a display, such as ":77", the browser
+    /// opens a window there, and draws WebGL with that display's OpenGL. Else it has no WebGL.
+    explicit Browser(const std::string& display = "");
     ~Browser();
     Browser(const Browser&) = delete;
     Browser& operator=(const Browser&) = delete;
 
     /// Waits until the page is loaded and its scripts have run.
     void open(const std::filesystem::path& page);
+    void open_address(const std::string& address);
     /// Returns the value of a JavaScript expression. Throws when the expression throws.
     nlohmann::json eval(const std::string& expression);
+    /// Repeats an expression until its value counts as true, for at most two minutes. Returns that value.
+    nlohmann::json wait_for(const std::string& expression);
     /// Presses a key `times` times: Tab, Enter, Escape, Space, ArrowLeft, ArrowRight, Home, End.
     void press(const std::string& key, int times = 1);
     /// Presses Tab until the focused element matches a CSS selector. Returns false when no element does.
@@ -51,6 +56,8 @@ public:
     /// Returns the browser's complaints since the page was opened: errors of scripts, and violations of the page's
     /// policy.
     std::vector<std::string> complaints();
+    /// Returns the addresses that the page has requested since it was opened.
+    std::set<std::string> requests();
 
     /// Calls a command of the DevTools protocol and returns its result. Throws when the command fails.
     nlohmann::json call(const std::string& method, const nlohmann::json& parameters = nlohmann::json::object());

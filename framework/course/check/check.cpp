@@ -365,7 +365,7 @@ std::string task_at(const Manifest& manifest, const Place& place) {
 }
 
 CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check,
-                   const std::optional<Image>& expected) {
+                   const std::optional<Image>& expected, const LabChecker::Allowance& allowance = {}) {
     CheckRun run{{&check}};
     CheckResult& result = run.result;
     if (expected) result.expected = *expected;
@@ -385,7 +385,8 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
             refuse_unusable(run.drawn, check.shot);
             result.drawn = run.drawn;
             if (!expected) result.expected = draw(lab, manifest.check(check.against).shot);
-            said = judge(manifest, check, result.drawn, result.expected);
+            said = judge(manifest, check, allowance ? allowance(check, result.drawn, result.expected) : result.drawn,
+                         result.expected);
         }
     } catch (const Error& error) {
         said = {Outcome::broken, error.what(), task_at(manifest, error.place())};
@@ -431,21 +432,23 @@ struct LabChecker::Memory {
     const Manifest& manifest;
     OtherShaders others;
     Fingerprints fingerprints;
-    std::vector<Judgement> said;
-    Samples drawn;
+    Allowance allowance;
+    std::vector<Judgement> said = {};
+    Samples drawn = {};
 };
 
-LabChecker::LabChecker(const LabEntry& lab, const Manifest& manifest)
-    : memory_(new Memory{lab, manifest, OtherShaders(lab, manifest), known_mistakes(lab, manifest), {}, {}}) {
+LabChecker::LabChecker(const LabEntry& lab, const Manifest& manifest, Allowance allowance)
+    : memory_(
+          new Memory{lab, manifest, OtherShaders(lab, manifest), known_mistakes(lab, manifest), std::move(allowance)}) {
     memory_->said.resize(manifest.checks.size(), {.outcome = Outcome::passed});
 }
 LabChecker::~LabChecker() = default;
 
 CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) {
-    auto& [lab, manifest, others, fingerprints, said, drawn] = *memory_;
+    auto& [lab, manifest, others, fingerprints, allowance, said, drawn] = *memory_;
     const std::string& file = manifest.task(manifest.checks[check].task).file;
     const std::string beyond = what_reaches_beyond(file, others);
-    CheckRun run = beyond.empty() ? try_check(lab, manifest, manifest.checks[check], expected)
+    CheckRun run = beyond.empty() ? try_check(lab, manifest, manifest.checks[check], expected, allowance)
                                   : CheckRun{{&manifest.checks[check], Outcome::broken, beyond}};
     said[check] = {run.result.outcome, run.result.found, run.result.culprit, run.result.look_at};
     drawn.erase(check);
@@ -455,7 +458,7 @@ CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) 
 }
 
 Advice LabChecker::advice() const {
-    const auto& [lab, manifest, others, fingerprints, said, drawn] = *memory_;
+    const auto& [lab, manifest, others, fingerprints, allowance, said, drawn] = *memory_;
     std::set<std::string> recognised;
     for (const auto& [task, mistake] : name_mistakes(fingerprints, manifest, said, drawn)) recognised.insert(task);
     const std::vector<TaskIds> first = put_right_first(manifest, said, recognised);

@@ -116,7 +116,10 @@ struct Advice {
 /// manifest must outlive the checker.
 class LabChecker {
 public:
-    LabChecker(const LabEntry& lab, const Manifest& manifest);
+    /// Returns the picture to judge instead of the drawn one.
+    using Allowance = std::function<Image(const CheckInfo& check, const Image& drawn, const Image& expected)>;
+
+    LabChecker(const LabEntry& lab, const Manifest& manifest, Allowance allowance = {});
     ~LabChecker();
 
     /// Like run_check(), but the outcome is `broken` if the task's shader reaches_beyond() its functions.

@@ -9,6 +9,9 @@ target_link_libraries(relief_framework PUBLIC relief_cpu relief_glad
   PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json relief_warnings)
 relief_takes_precompiled_headers(relief_framework)
 
+# The page shows a task's file by this name, as other systems do.
+add_compile_options(-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
+
 set(RELIEF_MAIN ${PROJECT_SOURCE_DIR}/framework/course/web/web.cpp)
 relief_add_labs(${PROJECT_SOURCE_DIR}/labs)
 target_link_libraries(relief PRIVATE nlohmann_json::nlohmann_json PNG::PNG tinyobjloader::tinyobjloader)

@@ -10,13 +10,13 @@
 #include "framework/core/base/missing_files.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
-#include "framework/core/image/compare.h"
 #include "framework/core/image/visualize.h"
 #include "framework/core/lab/knob_help.h"
 #include "framework/core/lab/knobs.h"
 #include "framework/core/lab/manifest.h"
 #include "framework/core/lab/shot.h"
 #include "framework/course/check/check.h"
+#include "framework/course/web/allowance.h"
 #include "framework/course/web/webgl.h"
 
 namespace relief::web {
@@ -34,7 +34,14 @@ struct OpenLab {
     std::map<size_t, check::CheckResult> results = {};
 
     explicit OpenLab(const LabEntry& from)
-        : entry(from), manifest(check::manifest_to_check(from)), lab(from.make()), checker(from, manifest) {}
+        : entry(from),
+          manifest(check::manifest_to_check(from)),
+          lab(from.make()),
+          checker(from, manifest, [this](const CheckInfo& check, const Image& drawn, const Image& expected) {
+              const std::string& probe = check.shot.probe.name;
+              const ErrorMetric metric = probe.empty() ? ErrorMetric::distance : manifest.probe(probe).error;
+              return with_allowance(rasteriser_of(renderer_name()), check.limits, metric, drawn, expected);
+          }) {}
 };
 
 std::unique_ptr<OpenLab>& opened() {
@@ -164,11 +171,11 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE const char* relief_start(const char* canvas) {
     return answer([&]() -> json {
         open_webgl(canvas);
-        return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+        return renderer_name();
     });
 }
 
-/// Opens a lab by its number. Returns its title, knobs, camera, probes, tasks and checks.
+/// Opens a lab by its number. Returns its title, knobs, camera, probes, tasks, and checks with their views.
 EMSCRIPTEN_KEEPALIVE const char* relief_open(int number) {
     return answer([&]() -> json {
         opened().reset();
@@ -178,7 +185,12 @@ EMSCRIPTEN_KEEPALIVE const char* relief_open(int number) {
         for (const ProbeInfo& probe : manifest.probes) probes.push_back({{"name", probe.name}, {"unit", probe.unit}});
         for (const TaskInfo& task : manifest.tasks)
             tasks.push_back({{"id", task.id}, {"title", task.title}, {"file", task.file}, {"points", task.points}});
-        for (const CheckInfo& check : manifest.checks) checks.push_back({{"name", check.name}, {"task", check.task}});
+        for (const CheckInfo& check : manifest.checks)
+            checks.push_back({{"name", check.name},
+                              {"task", check.task},
+                              {"camera", camera_of(check.shot.camera)},
+                              {"probe", check.shot.probe.name},
+                              {"set", check.shot.set}});
         return {{"title", manifest.title},
                 {"folder", lab().entry.folder},
                 {"knobs", knobs_of(*lab().lab)},

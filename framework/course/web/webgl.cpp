@@ -372,8 +372,16 @@ void open_webgl(const char* canvas) {
     for (const char* extension : {"EXT_color_buffer_float", "OES_texture_float_linear"})
         if (!emscripten_webgl_enable_extension(context, extension))
             throw Error(std::string("this browser's WebGL 2 lacks ") + extension);
+    emscripten_webgl_enable_extension(context, "WEBGL_debug_renderer_info");
     load_gl(load);
     GLAD_GL_EXT_texture_filter_anisotropic = 0;
+}
+
+std::string renderer_name() {
+    constexpr GLenum unmasked_renderer = 0x9246;
+    const auto* name = reinterpret_cast<const char*>(glGetString(unmasked_renderer));
+    if (glGetError() != GL_NO_ERROR || !name) name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name;
 }
 
 }  // namespace relief::web

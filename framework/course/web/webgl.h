@@ -1,6 +1,8 @@
 // WebGL 2 as the OpenGL 4.1 that labs call.
 #pragma once
 
+#include <string>
+
 namespace relief::web {
 
 /// Creates the context of a page's canvas, named by a CSS selector, and loads its functions. Where WebGL 2 lacks a
@@ -14,5 +16,8 @@ namespace relief::web {
 /// anisotropically, as in the pictures that checks compare with.
 /// Throws Error if the browser has no WebGL 2, or cannot draw into floats.
 void open_webgl(const char* canvas);
+
+/// Returns the renderer's name, with that of the device if the browser tells it.
+std::string renderer_name();
 
 }  // namespace relief::web

@@ -293,7 +293,7 @@ private:
     std::string lab_, output_, context_ = "auto";
     bool update_ = false;
 };
-RELIEF_COMMAND(MistakesCommand, 14, "mistakes", "makes a page of all known mistakes, each beside the correct picture");
+RELIEF_COMMAND(MistakesCommand, 15, "mistakes", "makes a page of all known mistakes, each beside the correct picture");
 
 Image picture_with_mistake(const LabEntry& entry, const std::string& id, const Shot& shot, bool light,
                            ContextChoice choice) {

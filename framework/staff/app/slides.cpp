@@ -242,7 +242,7 @@ public:
 private:
     SlidesArguments slides_;
 };
-RELIEF_COMMAND(SlidesCommand, 13, "slides", "makes the slides: a deck for each lab, as HTML and PDF");
+RELIEF_COMMAND(SlidesCommand, 14, "slides", "makes the slides: a deck for each lab, as HTML and PDF");
 
 }  // namespace
 

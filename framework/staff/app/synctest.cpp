@@ -91,7 +91,7 @@ private:
     std::string output_, picture_;
     bool json_ = false;
 };
-RELIEF_COMMAND(SynctestCommand, 15, "synctest",
+RELIEF_COMMAND(SynctestCommand, 16, "synctest",
                "writes a cube that other renderers must show flat, and judges their pictures of it");
 
 }  // namespace

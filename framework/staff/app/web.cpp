@@ -105,7 +105,7 @@ private:
     bool serve_ = false;
     std::string port_ = "8000";
 };
-RELIEF_COMMAND(WebCommand, 12, "web", "makes a site on which the labs run in a browser, for any web server");
+RELIEF_COMMAND(WebCommand, 13, "web", "makes a site on which the labs run in a browser, for any web server");
 
 }  // namespace
 }  // namespace relief::app

@@ -38,6 +38,7 @@ window.openEditor = (place, text, changed) => {
       EditorView.updateListener.of(update => { if (update.docChanged) changed(view.state.doc.toString()); }),
     ],
   });
+  view.scrollDOM.tabIndex = 0;
   return {
     text: () => view.state.doc.toString(),
     replace: whole => {

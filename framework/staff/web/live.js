@@ -256,6 +256,17 @@ const restore = async () => {
   change();
 };
 
+// Shows what a check draws.
+const show_check = async check => {
+  const wanted = new Map([...defaults, ...check.set]);
+  for (const knob of lab.knobs)
+    if (wanted.get(knob.name) !== knob.value) await set_knob(knob.name, wanted.get(knob.name));
+  camera = structuredClone(check.camera);
+  $("probe").value = check.probe;
+  remember();
+  change();
+};
+
 // A command of the handout, `./relief shot 06 --set view=one --camera 30,20,3`, as the address of its view.
 const view_of = command => {
   const words = command.trim().split(/\s+/);
@@ -386,6 +397,7 @@ const toggle_pictures = async index => {
   const seen = make("div", {className: "seen"}, both, figure(difference, "difference, brightest where it is largest"));
   const {label} = wipe(expected, yours, "", "share of yours", 50, value => `${value} % yours`);
   both.append(label);
+  seen.append(make("button", {type: "button", textContent: "Show this view", onclick: () => show_check(lab.checks[index])}));
   row.after(seen);
   row.setAttribute("aria-expanded", "true");
 };
@@ -432,9 +444,7 @@ const start = async () => {
   relief = await openRelief({print: () => {}, printErr: text => console.info(text)});
   for (const file of site.files) put(file, new Uint8Array());  // they exist, and are fetched when they are read
   await take_all(site.first);
-  await call("start", "#canvas");
-  const gl = $("canvas").getContext("webgl2"), names = gl.getExtension("WEBGL_debug_renderer_info");
-  site.renderer = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+  site.renderer = await call("start", "#canvas");
   $("renderer").textContent = `Drawn by ${site.renderer.replace(/^ANGLE \(|\)$/g, "")}.`;
   lab = await call("open", site.number);
   home = structuredClone(lab.camera), camera = structuredClone(lab.camera);
@@ -459,7 +469,10 @@ const set_up_page = async () => {
   };
   addEventListener("hashchange", restore);
   addEventListener("popstate", restore);
-  await restore();
+  // A lab whose opening view waits for a task in C++ opens with the view of a task that can be written here.
+  const first = lab.checks.find(is_here);
+  if (site.not_here.length && first && !location.hash) await show_check({...first, probe: ""});
+  else await restore();
 };
 
 // A lost context takes all textures and programs with it: a new module starts on a new canvas, with the same text.

@@ -1,0 +1,37 @@
+// What a check in a browser allows for its renderer. No page can choose a rasteriser, and they put a surface into
+// slightly different places, and differ in their filters and derivatives.
+#pragma once
+
+#include <string>
+
+#include "framework/core/image/compare.h"
+#include "framework/core/image/image.h"
+#include "framework/core/lab/manifest.h"
+
+namespace relief::web {
+
+/// How a renderer draws: `exact` like the one that drew the expected pictures (Mesa's llvmpipe); `usual` like a GPU;
+/// `coarse` with vertices on a grid of 1/16 pixel, 16 times as wide as usual (SwiftShader), which changes the slopes of
+/// surfaces that are seen from the side.
+enum class Rasteriser { exact, usual, coarse };
+Rasteriser rasteriser_of(const std::string& renderer);
+
+/// Returns the picture to judge instead of `drawn`. `exact`: `drawn` itself. `usual`: without_shifts(), then
+/// without_outliers() of 2 %. `coarse`: then a sixteenth of the errors that are left. Two pictures that must differ
+/// (Limits::at_least) are judged as they are, and so are pictures of different shapes.
+Image with_allowance(Rasteriser rasteriser, const Limits& limits, ErrorMetric metric, const Image& drawn,
+                     const Image& expected);
+
+/// Returns `drawn` without the part of each pixel's error that a shift of the picture by less than a pixel can explain.
+/// The expected pixel and its eight neighbours span a range in each channel. A value in that range becomes the
+/// expected value. A value outside of it keeps its distance from the range as its error. So errors count in full where
+/// the expected picture is smooth, and less along its edges and in its noise. Directions (ErrorMetric::angle) keep
+/// their length. A surface in only one of both pictures is allowed where the expected picture has an outline. NaN and
+/// not_written stay. Precondition: the same width and height, and the channels that the metric reads.
+Image without_shifts(const Image& drawn, const Image& expected, ErrorMetric metric);
+
+/// Returns `drawn` with the expected values in the `share` of its pixels whose errors are largest, for checks that
+/// limit the largest error. NaN and not_written stay, and so do surfaces in only one of both pictures.
+Image without_outliers(const Image& drawn, const Image& expected, ErrorMetric metric, double share);
+
+}  // namespace relief::web
