@@ -38,24 +38,18 @@ Rasteriser rasteriser_of(const std::string& renderer) {
     return has("llvmpipe") ? Rasteriser::exact : has("SwiftShader") ? Rasteriser::coarse : Rasteriser::usual;
 }
 
-Image with_allowance(Rasteriser rasteriser, const Limits& limits, ErrorMetric metric, const Image& drawn,
+Image with_allowance(Rasteriser rasteriser, const CheckInfo& check, ErrorMetric metric, const Image& drawn,
                      const Image& expected) {
     const bool same_shape =
         drawn.width == expected.width && drawn.height == expected.height && drawn.channels <= expected.channels;
-    if (rasteriser == Rasteriser::exact || limits.at_least || !same_shape) return drawn;
-    Image judged = without_outliers(without_shifts(drawn, expected, metric), expected, metric, 0.02);
-    if (rasteriser == Rasteriser::usual) return judged;
-    for (int y = 0; y < judged.height; ++y)
-        for (int x = 0; x < judged.width; ++x)
-            for (int c = 0; c < judged.channels; ++c) {
-                const float exact = expected.pixel(x, y)[c];
-                float& value = judged.pixel(x, y)[c];
-                if (std::isfinite(value) && std::isfinite(exact)) value = exact + (value - exact) / 16;
-            }
-    return judged;
+    if (rasteriser == Rasteriser::exact || check.limits.at_least || !same_shape) return drawn;
+    const bool is_coarse = rasteriser == Rasteriser::coarse;
+    if (is_coarse && check.fine) return expected;
+    const Image shifted = without_shifts(drawn, expected, metric, is_coarse ? 1 : 0.5f);
+    return without_outliers(shifted, expected, metric, is_coarse ? 0.02 : 0.01);
 }
 
-Image without_shifts(const Image& drawn, const Image& expected, ErrorMetric metric) {
+Image without_shifts(const Image& drawn, const Image& expected, ErrorMetric metric, float pixels) {
     Image result = drawn;
     for (int y = 0; y < drawn.height; ++y)
         for (int x = 0; x < drawn.width; ++x) {
@@ -71,7 +65,9 @@ Image without_shifts(const Image& drawn, const Image& expected, ErrorMetric metr
                 if (value == no_surface || exact[c] == no_surface) {
                     if (range.has_surface && range.has_background) to[c] = exact[c];
                 } else {
-                    to[c] = scale * (exact[c] + (value - std::clamp(value, range.low, range.high)));
+                    const float low = exact[c] + pixels * (range.low - exact[c]);
+                    const float high = exact[c] + pixels * (range.high - exact[c]);
+                    to[c] = scale * (exact[c] + (value - std::clamp(value, low, high)));
                 }
             }
         }

@@ -16,19 +16,20 @@ namespace relief::web {
 enum class Rasteriser { exact, usual, coarse };
 Rasteriser rasteriser_of(const std::string& renderer);
 
-/// Returns the picture to judge instead of `drawn`. `exact`: `drawn` itself. `usual`: without_shifts(), then
-/// without_outliers() of 2 %. `coarse`: then a sixteenth of the errors that are left. Two pictures that must differ
-/// (Limits::at_least) are judged as they are, and so are pictures of different shapes.
-Image with_allowance(Rasteriser rasteriser, const Limits& limits, ErrorMetric metric, const Image& drawn,
+/// Returns the picture to judge instead of `drawn`. `exact`: `drawn` itself. `usual`: without_shifts() of half a pixel,
+/// then without_outliers() of 1 %. `coarse`: of a whole pixel and of 2 %; and `expected` for a check that is `fine`.
+/// Two pictures that must differ (Limits::at_least) are judged as they are, and so are pictures of different shapes.
+Image with_allowance(Rasteriser rasteriser, const CheckInfo& check, ErrorMetric metric, const Image& drawn,
                      const Image& expected);
 
-/// Returns `drawn` without the part of each pixel's error that a shift of the picture by less than a pixel can explain.
-/// The expected pixel and its eight neighbours span a range in each channel. A value in that range becomes the
+/// Returns `drawn` without the part of each pixel's error that a shift of the picture by `pixels` (0 to 1) can explain.
+/// The expected pixel and its eight neighbours span a range in each channel. Towards the pixel's own value, the range
+/// is shortened to the share `pixels`. A value in that range becomes the
 /// expected value. A value outside of it keeps its distance from the range as its error. So errors count in full where
 /// the expected picture is smooth, and less along its edges and in its noise. Directions (ErrorMetric::angle) keep
 /// their length. A surface in only one of both pictures is allowed where the expected picture has an outline. NaN and
 /// not_written stay. Precondition: the same width and height, and the channels that the metric reads.
-Image without_shifts(const Image& drawn, const Image& expected, ErrorMetric metric);
+Image without_shifts(const Image& drawn, const Image& expected, ErrorMetric metric, float pixels);
 
 /// Returns `drawn` with the expected values in the `share` of its pixels whose errors are largest, for checks that
 /// limit the largest error. NaN and not_written stay, and so do surfaces in only one of both pictures.

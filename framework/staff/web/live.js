@@ -10,7 +10,7 @@ const make = (tag, values = {}, ...children) => {
 };
 const wait = milliseconds => new Promise(done => setTimeout(done, milliseconds));
 
-const site = JSON.parse($("lab").textContent);
+const site = JSON.parse(document.body.dataset.lab);
 const fetched = new Set();
 const status = text => { $("status").textContent = text; };
 

@@ -37,6 +37,7 @@ std::vector<std::string> files_of(const fs::path& course, const std::string& lab
     add(fs::path("shaders") / lab, is_shader);
     add(fs::path("labs") / lab, has_ending({".toml"}));
     add(fs::path("labs") / lab / "expected", [](const fs::path&) { return true; });
+    add(fs::path("labs") / lab, [](const fs::path& file) { return file.filename() == "task.cpp"; });
     add("assets", has_ending({".png", ".obj", ".mtl"}));
     std::sort(files.begin(), files.end());
     return files;
@@ -45,13 +46,6 @@ std::vector<std::string> files_of(const fs::path& course, const std::string& lab
 /// Returns whether a page fetches the file before it opens the lab. The other ones are larger, and not all are needed.
 bool is_fetched_first(const std::string& file) {
     return !file.starts_with("assets/") && file.find("/expected/") == file.npos;
-}
-
-/// Returns JSON that can stand in a <script> element.
-std::string inside_script(const json& value) {
-    std::string text = value.dump(), result;
-    for (const char c : text) result += c == '<' ? std::string("\\u003c") : std::string(1, c);
-    return result;
 }
 
 /// Lab pages that only tell how to start the lab natively: their programs need stages that no browser has.
@@ -108,7 +102,7 @@ private:
                  {"title", manifest.title},
                  {"is_far", is_far},
                  {"picture", lab.folder + ".png"},
-                 {"lab", inside_script(data)},
+                 {"lab", data.dump()},
                  {"compiled",
                   not_here.empty() ? "" : (not_here.size() == 1 ? "task " : "tasks ") + join(not_here, ", ")},
                  {"blocks", pages::handout_blocks(lab, manifest, labs_,

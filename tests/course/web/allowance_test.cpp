@@ -30,26 +30,26 @@ TEST(Allowance, AShiftByHalfAPixelIsAllowed) {
     const auto wave = [](double x, double y) { return std::sin(0.7 * x) + 0.3 * y; };
     const Image expected = picture(wave), shifted = picture([&](int x, int y) { return wave(x + 0.4, y - 0.4); });
     EXPECT_GT(largest_error(shifted, expected), 0.3f);
-    EXPECT_LT(largest_error(without_shifts(shifted, expected, ErrorMetric::absolute), expected), 0.05f);
+    EXPECT_LT(largest_error(without_shifts(shifted, expected, ErrorMetric::absolute, 1), expected), 0.05f);
 }
 
 TEST(Allowance, AnErrorOnSmoothGroundCountsInFull) {
     const Image expected = picture([](int, int) { return 1.0; }), wrong = picture([](int, int) { return 1.25; });
-    EXPECT_EQ(without_shifts(wrong, expected, ErrorMetric::absolute).values, wrong.values);
+    EXPECT_EQ(without_shifts(wrong, expected, ErrorMetric::absolute, 1).values, wrong.values);
 }
 
 TEST(Allowance, BeyondTheNeighboursTheRestOfTheErrorCounts) {
     const Image expected = picture([](int x, int) { return x; }), wrong = picture([](int x, int) { return x + 3; });
-    const Image left = without_shifts(wrong, expected, ErrorMetric::absolute);
+    const Image left = without_shifts(wrong, expected, ErrorMetric::absolute, 1);
     EXPECT_EQ(*left.pixel(5, 5), 5 + 2);
 }
 
 TEST(Allowance, ASurfaceMayMoveByAPixelAtItsOutline) {
     const auto step = [](int edge) { return picture([=](int x, int) { return x < edge ? 0.5 : double(no_surface); }); };
     const Image expected = step(8);
-    EXPECT_EQ(without_shifts(step(9), expected, ErrorMetric::absolute).values, expected.values);
-    EXPECT_EQ(without_shifts(step(7), expected, ErrorMetric::absolute).values, expected.values);
-    EXPECT_EQ(*without_shifts(step(10), expected, ErrorMetric::absolute).pixel(9, 3), 0.5f);
+    EXPECT_EQ(without_shifts(step(9), expected, ErrorMetric::absolute, 1).values, expected.values);
+    EXPECT_EQ(without_shifts(step(7), expected, ErrorMetric::absolute, 1).values, expected.values);
+    EXPECT_EQ(*without_shifts(step(10), expected, ErrorMetric::absolute, 1).pixel(9, 3), 0.5f);
 }
 
 TEST(Allowance, ValuesThatAreNoNumbersStay) {
@@ -57,7 +57,7 @@ TEST(Allowance, ValuesThatAreNoNumbersStay) {
     Image wrong = expected;
     *wrong.pixel(2, 2) = NAN;
     *wrong.pixel(3, 3) = not_written;
-    const Image left = without_shifts(wrong, expected, ErrorMetric::absolute);
+    const Image left = without_shifts(wrong, expected, ErrorMetric::absolute, 1);
     EXPECT_TRUE(std::isnan(*left.pixel(2, 2)));
     EXPECT_EQ(*left.pixel(3, 3), not_written);
 }
@@ -67,7 +67,7 @@ TEST(Allowance, ADirectionKeepsItsLength) {
     for (size_t i = 0; i < expected.values.size(); i += 3) expected.values[i + 2] = 1;
     Image twice = expected;
     for (float& value : twice.values) value *= 2;
-    EXPECT_EQ(without_shifts(twice, expected, ErrorMetric::angle).values, twice.values);
+    EXPECT_EQ(without_shifts(twice, expected, ErrorMetric::angle, 1).values, twice.values);
 }
 
 TEST(Allowance, TheLargestErrorsOfAShareOfThePixelsAreLeftOut) {
@@ -77,6 +77,37 @@ TEST(Allowance, TheLargestErrorsOfAShareOfThePixelsAreLeftOut) {
     EXPECT_EQ(*left.pixel(3, 4), 0);
     EXPECT_EQ(*left.pixel(3, 2), 0);
     EXPECT_EQ(*left.pixel(3, 1), 2);
+}
+
+TEST(Allowance, AShiftIsAllowedUpToAShareOfAPixel) {
+    const Image expected = picture([](int x, int) { return x; }),
+                shifted = picture([](int x, int) { return x + 0.75; });
+    EXPECT_EQ(*without_shifts(shifted, expected, ErrorMetric::absolute, 0.5f).pixel(5, 5), 5.25f);
+}
+
+TEST(Allowance, DependsOnTheRenderer) {
+    EXPECT_EQ(rasteriser_of("ANGLE (Mesa/X.org, llvmpipe (LLVM 15.0.6 256 bits), OpenGL 4.5)"), Rasteriser::exact);
+    EXPECT_EQ(rasteriser_of("ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)))"), Rasteriser::coarse);
+    EXPECT_EQ(rasteriser_of("ANGLE (Intel, Mesa Intel(R) UHD Graphics 620)"), Rasteriser::usual);
+    const Image expected = picture([](int x, int) { return x; }), moved = picture([](int x, int) { return x + 0.75; });
+    CheckInfo check;
+    const auto left = [&](Rasteriser rasteriser) {
+        return *with_allowance(rasteriser, check, ErrorMetric::absolute, moved, expected).pixel(5, 5);
+    };
+    EXPECT_EQ(left(Rasteriser::exact), 5.75f);
+    EXPECT_EQ(left(Rasteriser::usual), 5.25f);
+    EXPECT_EQ(left(Rasteriser::coarse), 5);
+    check.limits.at_least = 0.5;  // the two must differ
+    EXPECT_EQ(left(Rasteriser::coarse), 5.75f);
+}
+
+TEST(Allowance, OnlyACoarseRendererLeavesFineChecksToTheGrader) {
+    const Image expected = picture([](int, int) { return 0; }), wrong = picture([](int, int) { return 7; });
+    CheckInfo check;
+    check.fine = true;
+    EXPECT_EQ(with_allowance(Rasteriser::coarse, check, ErrorMetric::absolute, wrong, expected).values,
+              expected.values);
+    EXPECT_EQ(*with_allowance(Rasteriser::usual, check, ErrorMetric::absolute, wrong, expected).pixel(5, 5), 7);
 }
 
 }  // namespace

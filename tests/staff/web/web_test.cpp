@@ -170,7 +170,7 @@ TEST_F(Web, AMistakeIsNamedMendedAndHandedIn) {
     const Result graded =
         run({relief_program(), "grade", submission.string(), "--trust", "-o", (folder_->path() / "marks").string()});
     EXPECT_EQ(graded.code, 0) << graded.err;
-    EXPECT_TRUE(contains(read_file(folder_->path() / "marks" / "grades.csv"), ",13")) << graded.out;
+    EXPECT_TRUE(contains(read_file(folder_->path() / "marks" / "results.csv"), "ada,graded,13,13")) << graded.out;
 }
 
 TEST_F(Web, AnErrorNamesItsLine) {
