@@ -90,6 +90,9 @@ private:
     int process_;
 };
 
+/// Continues as another program, found in PATH, with its arguments. Returns only if that fails.
+void become_program(const std::vector<std::string>& command);
+
 /// Shows a file in the browser, or in the program for its type, and does not wait. Returns false if there is no display
 /// or no xdg-open.
 bool open_on_desktop(const std::filesystem::path& file);

@@ -336,6 +336,13 @@ ChildEnd ChildProcess::wait() {
     return {.code = WEXITSTATUS(status), .crash = WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : ""};
 }
 
+void become_program(const std::vector<std::string>& command) {
+    std::vector<char*> words;
+    for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    execvp(words[0], words.data());
+}
+
 bool open_on_desktop(const fs::path& wanted) { return start_on_desktop({"xdg-open", fs::absolute(wanted).string()}); }
 
 bool start_on_desktop(const std::vector<std::string>& command) {

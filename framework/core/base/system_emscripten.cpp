@@ -1,5 +1,5 @@
-// Implements framework/core/base/system.h and descriptor.h for a browser. Files are in memory. An empty one stands for a
-// file that the page has not fetched yet: see missing_files().
+// Implements framework/core/base/system.h and descriptor.h for a browser. Files are in memory. An empty one stands for
+// a file that the page has not fetched yet: see missing_files().
 #include "framework/core/base/system.h"
 
 #include <emscripten.h>

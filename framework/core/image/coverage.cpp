@@ -33,8 +33,8 @@ std::vector<double> alphas_of(const Image& level) {
 
 std::vector<float> coverage_scales(const std::vector<Image>& levels) {
     const std::vector<double> whole = alphas_of(levels.at(0));
-    const double share =
-        double(std::count_if(whole.begin(), whole.end(), [](double alpha) { return alpha > 0.5; })) / double(whole.size());
+    const double share = double(std::count_if(whole.begin(), whole.end(), [](double alpha) { return alpha > 0.5; })) /
+                         double(whole.size());
     std::vector<float> scales = {1};
     for (size_t i = 1; i < levels.size(); ++i) {
         std::vector<double> alphas = alphas_of(levels[i]);

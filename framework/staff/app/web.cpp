@@ -1,6 +1,5 @@
 // relief web: makes the course's site with the labs in it, for a browser.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -79,8 +78,7 @@ int make_site(const fs::path& folder) {
 int serve(const fs::path& folder, const std::string& port) {
     fmt::print("http://127.0.0.1:{}/\n", port);
     std::fflush(stdout);
-    execlp("python3", "python3", "-m", "http.server", "--bind", "127.0.0.1", "--directory", folder.c_str(),
-           port.c_str(), nullptr);
+    become_program({"python3", "-m", "http.server", "--bind", "127.0.0.1", "--directory", folder.string(), port});
     throw Error("python3 cannot be started: install the Debian package python3");
 }
 
