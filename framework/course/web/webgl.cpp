@@ -210,6 +210,13 @@ void read_pixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
 
 // --- Shaders ---------------------------------------------------------------------------------------------------------
 
+GLuint create_shader(GLenum stage) {
+    RELIEF_REAL(glCreateShader);
+    if (stage != GL_VERTEX_SHADER && stage != GL_FRAGMENT_SHADER)
+        throw Error("this view draws with tessellation, which no browser has: start the lab on your computer");
+    return real_glCreateShader(stage);
+}
+
 void shader_source(GLuint shader, GLsizei, const GLchar* const* text, const GLint*) {
     RELIEF_REAL(glShaderSource);
     RELIEF_REAL(glGetShaderiv);
@@ -328,6 +335,7 @@ GLADapiproc load(const char* name) {
         {"glBindVertexArray", of(bind_vertex_array)},
         {"glBlendFunci", of(blend_func_i)},
         {"glClearDepth", of(clear_depth)},
+        {"glCreateShader", of(create_shader)},
         {"glDeleteVertexArrays", of(delete_vertex_arrays)},
         {"glDepthRange", of(depth_range)},
         {"glDisable", of(disable)},

@@ -48,9 +48,6 @@ bool is_fetched_first(const std::string& file) {
     return !file.starts_with("assets/") && file.find("/expected/") == file.npos;
 }
 
-/// Lab pages that only tell how to start the lab natively: their programs need stages that no browser has.
-bool needs_tessellation(const LabEntry& lab) { return lab.number == 13 || lab.number == 14 || lab.number == 15; }
-
 class Pages {
 public:
     explicit Pages(const LiveSite& site) : site_(site) {
@@ -72,7 +69,7 @@ private:
     void write_page(size_t i) {
         const LabEntry& lab = *labs_[i];
         const Manifest manifest = load_manifest(site_.course / "labs" / lab.folder / "lab.toml");
-        const bool is_far = needs_tessellation(lab);
+        const bool is_far = !manifest.browser;
         std::string task;
         std::vector<std::string> not_here;
         for (const TaskInfo& each : manifest.tasks)
