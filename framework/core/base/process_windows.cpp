@@ -40,21 +40,6 @@ Pipe::Pipe() {
     read = Descriptor(ends[0]), write = Descriptor(ends[1]);
 }
 
-bool can_copy_process() { return false; }
-
-// Runs the function here and now.
-ChildProcess::ChildProcess(const std::function<void()>& work) : process_(0) {
-    try {
-        work();
-    } catch (...) {
-        process_ = 1;
-    }
-}
-ChildProcess::~ChildProcess() = default;
-ChildEnd ChildProcess::wait() { return {.code = process_, .crash = {}}; }
-
-void become_program(const std::vector<std::string>&) {}
-
 bool open_on_desktop(const std::filesystem::path& file) {
     const HINSTANCE code =
         ShellExecuteW(nullptr, nullptr, std::filesystem::absolute(file).c_str(), nullptr, nullptr, SW_SHOWNORMAL);

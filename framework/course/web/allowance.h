@@ -1,5 +1,5 @@
-// What a check in a browser allows for its renderer. No page can choose a rasteriser, and they put a surface into
-// slightly different places, and differ in their filters and derivatives.
+// What a check in a browser allows for the renderer, which a page cannot choose. Renderers draw a surface at slightly
+// different places, and differ in their filters and derivatives.
 #pragma once
 
 #include <string>
@@ -24,11 +24,11 @@ Image with_allowance(Rasteriser rasteriser, const CheckInfo& check, ErrorMetric 
 
 /// Returns `drawn` without the part of each pixel's error that a shift of the picture by `pixels` (0 to 1) can explain.
 /// The expected pixel and its eight neighbours span a range in each channel. Towards the pixel's own value, the range
-/// is shortened to the share `pixels`. A value in that range becomes the
-/// expected value. A value outside of it keeps its distance from the range as its error. So errors count in full where
-/// the expected picture is smooth, and less along its edges and in its noise. Directions (ErrorMetric::angle) keep
-/// their length. A surface in only one of both pictures is allowed where the expected picture has an outline. NaN and
-/// not_written stay. Precondition: the same width and height, and the channels that the metric reads.
+/// is shortened to the share `pixels`. A value in that range becomes the expected value. A value outside of it keeps
+/// its distance from the range as its error. So errors count in full where the expected picture is smooth, and less
+/// along its edges and in its noise. Directions (ErrorMetric::angle) keep their length. A surface in only one of both
+/// pictures is allowed where the expected picture has an outline. NaN and not_written stay. Precondition: the same
+/// width and height, and the channels that the metric reads.
 Image without_shifts(const Image& drawn, const Image& expected, ErrorMetric metric, float pixels);
 
 /// Returns `drawn` with the expected values in the `share` of its pixels whose errors are largest, for checks that

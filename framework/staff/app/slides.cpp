@@ -15,6 +15,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/lab/registry.h"
 #include "framework/course/app/command.h"
+#include "framework/staff/app/tool.h"
 #include "framework/staff/slides/deck.h"
 
 namespace relief::app {
@@ -54,21 +55,6 @@ Words decks_asked_for(const Words& asked) {
         chosen.push_back(found.front());
     }
     return chosen;
-}
-
-/// Runs a program in a folder and waits for it to exit.
-ProcessResult run_tool(Words command, const fs::path& folder, double seconds) {
-    Words words = {"/bin/sh", "-c", "cd \"$1\" && shift && exec \"$@\"", "sh", folder.string()};
-    words.insert(words.end(), command.begin(), command.end());
-    std::map<std::string, std::string> environment;
-    for (const char* name : {"PATH", "HOME", "LANG", "TMPDIR", "CHROME_PATH", "LP_NUM_THREADS"})
-        if (const char* value = std::getenv(name)) environment[name] = value;
-    // The decks are trusted, and a browser started by root does not run in its sandbox.
-    environment["CHROME_NO_SANDBOX"] = "1";
-    return run_process(
-        {.command = words,
-         .environment = environment,
-         .limits = {.wall = seconds, .cpu = 4 * seconds, .memory = ~size_t{0}, .file = size_t{1} << 32}});
 }
 
 /// Returns the last line of its error output, which names the error.

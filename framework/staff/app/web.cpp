@@ -2,16 +2,15 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <cstdlib>
 
 #include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/log.h"
 #include "framework/core/base/paths.h"
-#include "framework/core/base/process.h"
 #include "framework/core/base/text.h"
 #include "framework/course/app/command.h"
 #include "framework/course/app/gallery.h"
+#include "framework/staff/app/tool.h"
 #include "framework/staff/handout/handout.h"
 #include "framework/staff/web/live_site.h"
 
@@ -20,16 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a program to its end. Throws Error with its output if it fails.
-void run_tool(const std::string& what, std::vector<std::string> command,
-              std::map<std::string, std::string> environment = {}) {
-    for (const char* name : {"PATH", "HOME", "CCACHE_DIR"})
-        if (const char* const value = std::getenv(name)) environment.emplace(name, value);
-    command.insert(command.begin(), "/usr/bin/env");
-    const ProcessResult result =
-        run_process({.command = command,
-                     .environment = environment,
-                     .limits = {.wall = 3600, .cpu = 3600, .memory = size_t{16} << 30, .file = size_t{1} << 30}});
+/// Throws Error with the program's output if it fails.
+void run_or_throw(const std::string& what, const std::vector<std::string>& command, const fs::path& folder) {
+    const ProcessResult result = run_tool(command, folder, 3600);
     if (!result.succeeded())
         throw Error({}, fmt::format("{} failed: {}", what, name_of(result.ending)), result.output + result.errors);
 }
@@ -39,9 +31,9 @@ fs::path compile(const fs::path& course) {
     const fs::path build = course / "build" / "web";
     std::error_code none;
     if (!fs::exists(build / "build.ninja", none))
-        run_tool("configuring for a browser", {"cmake", "--preset", "web", "-S", course.string()});
+        run_or_throw("configuring for a browser", {"cmake", "--preset", "web"}, course);
     print_note("compiling for a browser");
-    run_tool("compiling for a browser", {"ninja", "-C", build.string(), "relief"});
+    run_or_throw("compiling for a browser", {"ninja", "relief"}, build);
     return build / "bin";
 }
 
@@ -51,10 +43,11 @@ fs::path bundle_editor() {
     const fs::path program = tools / "node_modules" / "esbuild" / "bin" / "esbuild";
     std::error_code none;
     if (!fs::exists(program, none)) throw Error({program}, "is missing: ./relief web installs it");
-    run_tool("bundling the editor",
-             {"node", program.string(), (course_root() / "framework/staff/web/editor.js").string(), "--bundle",
-              "--minify", "--target=es2020", "--outfile=" + bundle.string()},
-             {{"NODE_PATH", (tools / "node_modules").string()}});
+    run_or_throw("bundling the editor",
+                 {"/usr/bin/env", "NODE_PATH=" + (tools / "node_modules").string(), "node", program.string(),
+                  (course_root() / "framework/staff/web/editor.js").string(), "--bundle", "--minify", "--target=es2020",
+                  "--outfile=" + bundle.string()},
+                 tools);
     return bundle;
 }
 

@@ -308,11 +308,10 @@ const written = text => {
   pause = setTimeout(async () => {
     put(site.task, new TextEncoder().encode(text));
     await draw();
-    if (does_not_compile) stale();
+    if (does_not_compile) $("points").textContent = "does not compile";
     else pause = setTimeout(check, 700);
   }, 400);
 };
-const stale = () => { $("checks").classList.add("stale"); $("points").textContent = "does not compile"; };
 
 const download = () => {
   const address = URL.createObjectURL(new Blob([editor.text()], {type: "text/plain"}));
@@ -423,7 +422,6 @@ const check = async () => {
       hint.hidden = !task.mistake;
       hint.textContent = task.mistake;
     }
-    $("checks").classList.remove("stale");
     const here = advice.tasks.filter(task => !site.not_here.includes(task.id));
     const sum = here.reduce((all, task) => all + task.points, 0), most = here.reduce((all, task) => all + task.of, 0);
     $("points").textContent = `${Number(sum.toFixed(2))} of ${most} points`;
@@ -440,7 +438,6 @@ const check = async () => {
 // --- Start -----------------------------------------------------------------------------------------------------------
 
 const start = async () => {
-  const began = performance.now();
   relief = await openRelief({print: () => {}, printErr: text => console.info(text)});
   for (const file of site.files) put(file, new Uint8Array());  // they exist, and are fetched when they are read
   await take_all(site.first);

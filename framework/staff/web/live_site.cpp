@@ -98,7 +98,6 @@ private:
                 {{"number", lab.two_digits()},
                  {"title", manifest.title},
                  {"is_far", is_far},
-                 {"picture", lab.folder + ".png"},
                  {"lab", data.dump()},
                  {"compiled",
                   not_here.empty() ? "" : (not_here.size() == 1 ? "task " : "tasks ") + join(not_here, ", ")},

@@ -186,6 +186,7 @@ TEST_F(Web, AnErrorNamesItsLine) {
     EXPECT_EQ(browser_->eval(
                   "$('editor').shadowRoot.querySelectorAll('.cm-lint-marker-error, .cm-lintRange-error').length > 0"),
               true);
+    expect_no_complaint("the mark of an error");
     browser_->eval("editor.replace(" + json(solution(lab)).dump() + ")");
     browser_->wait_for("$('problem').hidden");
 }
