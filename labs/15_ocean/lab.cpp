@@ -77,12 +77,9 @@ public:
 private:
     enum ViewKind { halves, far_seas, one };
     static constexpr std::array kinds = {"halves", "far", "one"};
-    enum Combine { mean, whiteout, udn, rnm, slopes };
-    static constexpr auto combines = choices<Combine>({{mean, "mean", "COMBINE MEAN"},
-                                                       {whiteout, "whiteout", "COMBINE WHITEOUT"},
-                                                       {udn, "udn", "COMBINE UDN"},
-                                                       {rnm, "rnm", "COMBINE RNM"},
-                                                       {slopes, "slopes", "COMBINE SLOPES"}});
+    enum Combine { mean, slopes };
+    static constexpr auto combines =
+        choices<Combine>({{mean, "mean", "COMBINE MEAN"}, {slopes, "slopes", "COMBINE SLOPES"}});
     enum Source { maps, heights, analytic };
     static constexpr auto sources = choices<Source>(
         {{maps, "maps"}, {heights, "heights", "NORMALS_BY_HEIGHTS"}, {analytic, "analytic", "NORMALS_ANALYTIC"}});

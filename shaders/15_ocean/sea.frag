@@ -11,10 +11,7 @@
 
 // The rules for the normal of two maps: values of COMBINE.
 #define MEAN 0
-#define WHITEOUT 1
-#define UDN 2
-#define RNM 3
-#define SLOPES 4
+#define SLOPES 1
 
 #if defined FAR_LEAN || defined FAR_SAMPLES
 #define FROM_MOMENTS
@@ -77,16 +74,7 @@ vec3 with_slope(vec2 slope) { return vec3(-slope, 1.0) * inversesqrt(1.0 + dot(s
 
 vec3 combined(vec2 first, vec2 second, int rule) {
     if (rule == SLOPES) return sea_normal(first, second);
-    vec3 a = with_slope(first), b = with_slope(second), sum = a + b;
-    if (rule == WHITEOUT)
-        sum = vec3(a.xy + b.xy, a.z * b.z);
-    else if (rule == UDN)
-        sum = vec3(a.xy + b.xy, a.z);
-    else if (rule == RNM) {
-        vec3 t = a + vec3(0.0, 0.0, 1.0), u = b * vec3(-1.0, -1.0, 1.0);
-        sum = t * dot(t, u) / t.z - u;
-    }
-    return normalize(sum.xzy);
+    return normalize((with_slope(first) + with_slope(second)).xzy);
 }
 
 vec3 normal_at(vec2 place, int rule) {

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The course's own labs are 01 to 18, and their numbers are fixed.
+// The course's own labs are 01 to 19, and their numbers are fixed.
 constexpr int first_free_number = 20, last_number = 99;
 
 /// Returns the numbers and folder names of everything in labs/, built or not.

@@ -17,7 +17,7 @@ Shot sea_shot(const BenchSettings& settings, const BenchKnobs& set, const Orbit&
 /// Two maps combined into one normal, seen from above.
 BenchScene rules(const char* wind, const BenchSettings& settings) {
     BenchScene scene{{{"wind", wind}}, "frame"};
-    for (const char* rule : {"slopes", "mean", "whiteout", "udn", "rnm"})
+    for (const char* rule : {"slopes", "mean"})
         scene.methods.push_back(
             {rule,
              {{"combine", rule}},

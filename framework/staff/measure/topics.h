@@ -19,6 +19,7 @@ BenchTopic planet_topic();
 BenchTopic ocean_topic();
 BenchTopic environment_topic();
 BenchTopic moving_frames_topic();
+BenchTopic layers_topic();
 BenchTopic budget_topic();
 BenchTopic frames_topic();
 BenchTopic stability_topic();
