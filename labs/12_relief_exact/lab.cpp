@@ -63,7 +63,8 @@ public:
         knobs.choice("view", view_, views, "reliefs and a ball, every method, or one of them");
         knobs.choice("method", method_, methods.names, "how the search skips; the hit is the same");
         knobs.choice("show", show_, shows, "the light, the iterations of each pixel, or half of each");
-        knobs.choice("shadow", shadow_, shadows.names, "shadow of the relief on itself");
+        knobs.choice("shadow", shadow_, shadows.names,
+                     "shadow of the relief on itself: by search, or guessed from normals");
         knobs.toggle("write_depth", write_depth_, "write the depth of the hit; off: of the base");
         knobs.toggle("outline", outline_, "end where the relief ends, and curve with a column");
         knobs.toggle("costs", costs_, "show the time and memory of each method's map");
@@ -81,11 +82,14 @@ public:
 private:
     enum View { scene, compare, one };
     enum Show { show_light, show_half, show_turns };
-    enum Shadow { no_shadow, hard, soft };
+    enum Shadow { no_shadow, hard, soft, estevez, chiang };
     static constexpr std::array views = {"scene", "compare", "one"};
     static constexpr std::array shows = {"light", "half-and-half", "iterations"};
-    static constexpr auto shadows =
-        choices<Shadow>({{no_shadow, "none"}, {hard, "hard", "HARD_SHADOW"}, {soft, "soft", "SOFT_SHADOW"}});
+    static constexpr auto shadows = choices<Shadow>({{no_shadow, "none"},
+                                                     {hard, "hard", "HARD_SHADOW"},
+                                                     {soft, "soft", "SOFT_SHADOW"},
+                                                     {estevez, "estevez", "GUESS_ESTEVEZ"},
+                                                     {chiang, "chiang", "GUESS_CHIANG"}});
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         const int below = view_ != scene && show_ != show_light ? Labels::scale_height(size) : 0;

@@ -16,7 +16,7 @@ layout(location = 0) out vec4 o_color;
 void main() {
 #if defined PROBE_depth
     o_color = vec4(distance(u_eye, v_position), 0.0, 0.0, 0.0);
-#elif defined PROBE_uv || defined PROBE_steps || defined PROBE_shadow
+#elif defined PROBE_uv || defined PROBE_steps || defined PROBE_shadow || defined PROBE_ray || defined PROBE_guess
     o_color = vec4(u_nothing);
 #else
     vec3 normal = normalize(v_normal), albedo = vec3(0.32, 0.07, 0.03);

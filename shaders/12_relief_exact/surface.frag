@@ -76,6 +76,18 @@ float lit_at(vec2 uv, float height, vec3 to_light, int iterations) {
 #endif
 }
 
+// Returns light_at() by a guess from the normals, without a search.
+float guessed(vec3 surface, vec3 mapped) {
+#ifdef GUESS_CHIANG
+    // Chiang, Li and Burley 2019.
+    float g = dot(surface, u_to_light) / max(dot(mapped, u_to_light) * dot(surface, mapped), 1e-6);
+    g = clamp(g, 0.0, 1.0);
+    return g * (1.0 + g * (1.0 - g));
+#else
+    return dot(surface, u_to_light) > 0.0 ? guessed_shadow(surface, mapped, u_to_light) : 0.0;
+#endif
+}
+
 // The point at which a view ray enters the relief.
 struct Entry {
     dvec2 uv;     // tiles
@@ -149,6 +161,10 @@ void main() {
     o_color = probed(vec4(float(hit.iterations), hit.stopped ? 1.0 : 0.0, 0.0, 0.0));
 #elif defined PROBE_shadow
     o_color = probed(vec4(lit_at(uv, height, u_to_light * frame, hit.iterations), 0.0, 0.0, 0.0));
+#elif defined PROBE_guess
+    // Slopes from -4 to 4, by the place in a tile.
+    vec3 mapped = normalize(vec3(4.0 - 8.0 * start, 1.0));
+    o_color = probed(vec4(guessed_shadow(vec3(0.0, 0.0, 1.0), mapped, u_to_light * frame), 0.0, 0.0, 0.0));
 #else
     if (gl_FragCoord.x > u_turns_from) {
         o_color = finished(vec4(heat(log2(float(max(hit.iterations, 1))) / 8.0), 1.0), gl_FragCoord.xy);
@@ -159,9 +175,14 @@ void main() {
     vec3 n = normalize(frame * vec3(mapped.xy * u_normal_strength, mapped.z));
     vec3 light = albedo * mix(vec3(0.1, 0.09, 0.08), vec3(0.25, 0.28, 0.34), 0.5 + 0.5 * n.y);
     // A place that faces away from the light is dark, without a search.
-    if (dot(n, u_to_light) > 0.0)
-        light += lit_at(uv, height, u_to_light * frame, hit.iterations) * vec3(1.35, 1.22, 1.02)
-               * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
+    if (dot(n, u_to_light) > 0.0) {
+#if defined GUESS_ESTEVEZ || defined GUESS_CHIANG
+        float lit = guessed(normal, n);
+#else
+        float lit = lit_at(uv, height, u_to_light * frame, hit.iterations);
+#endif
+        light += lit * vec3(1.35, 1.22, 1.02) * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
+    }
     o_color = finished(vec4(srgb_from_linear(light), 1.0), gl_FragCoord.xy);
 #endif
 }

@@ -77,3 +77,20 @@ float bend(float across, float radius, float depth_metres) {
     //| return unfinished(0.0);
     //]
 }
+
+// TASK 12.6 (2 points): a guess of the relief's shadow without a search, from three unit vectors: the normal of the base,
+// the normal of the map, and the direction to the light, which is above the base. A low lamp is blocked the more, the
+// steeper the map is (Estevez, Lecocq and Ebelin 2019). With c = |surface . mapped| and l = surface . to_light:
+//     a = (1 - c^2) / (8 c^2), but at most 1        t = (1 - l^2) / l^2        2 / (1 + sqrt(1 + a t))
+// c and l may be 0: count each as 1e-6 at least, so that the result is finite.
+//(guess
+float guessed_shadow(vec3 surface, vec3 mapped, vec3 to_light) {
+    //[solution
+    float c = max(abs(dot(surface, mapped)), 1e-6), l = max(dot(surface, to_light), 1e-6);
+    float a = min((1.0 - c * c) / (8.0 * c * c), 1.0), t = (1.0 - l * l) / (l * l);
+    return 2.0 / (1.0 + sqrt(1.0 + max(a, 0.0) * max(t, 0.0)));
+    //]starter
+    //| return unfinished(1.0);
+    //]
+}
+//)

@@ -20,6 +20,7 @@ BenchTopic ocean_topic();
 BenchTopic environment_topic();
 BenchTopic moving_frames_topic();
 BenchTopic layers_topic();
+BenchTopic terminator_topic();
 BenchTopic budget_topic();
 BenchTopic frames_topic();
 BenchTopic stability_topic();

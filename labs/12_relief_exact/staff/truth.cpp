@@ -5,6 +5,7 @@
 #include "framework/staff/reference/height_field.h"
 #include "framework/staff/reference/relief_sight.h"
 #include "framework/staff/reference/surfaces.h"
+#include "framework/staff/reference/terminator.h"
 
 namespace relief::exact {
 namespace {
@@ -12,9 +13,11 @@ namespace {
 struct Seen {
     double distance = std::numeric_limits<double>::infinity();
     glm::dvec2 texel{};
-    glm::dvec4 ray{};  ///< value of the probe `ray`
+    glm::dvec4 ray{};    ///< value of the probe `ray`
+    glm::dvec3 light{};  ///< direction to the light in tangent space
     double lit = 0;
     bool is_ball = false;
+    double texels = 1;  ///< along a side of the map
 };
 
 class SeenObject {
@@ -51,12 +54,12 @@ public:
         if (uv.x < double(low.x) || uv.y < double(low.y) || uv.x > double(high.x) || uv.y > double(high.y)) return;
         if (distance >= nearest.distance) return;
         const glm::dvec2 entry = sight->ray.texel - glm::floor(sight->uv) * double(mapping_.texels);
-        nearest = {distance, texel, {sight->ray.march, entry}, 0, false};
+        const glm::dvec3 light =
+            glm::dvec3(turn * to_light) * glm::dmat3(sight->tangent, sight->bitangent, sight->normal);
+        nearest = {distance, texel, {sight->ray.march, entry}, light, 0, false, double(mapping_.texels)};
         if (!wants_light) return;
-        const glm::dvec3 light = turn * to_light;
-        const glm::dvec2 across(glm::dot(light, sight->tangent), glm::dot(light, sight->bitangent));
-        nearest.lit = field_.is_lit(
-            texel, {across * glm::dvec2(mapping_.depth) * double(mapping_.texels), glm::dot(light, sight->normal)});
+        nearest.lit =
+            field_.is_lit(texel, {glm::dvec2(light) * glm::dvec2(mapping_.depth) * double(mapping_.texels), light.z});
     }
 
 private:
@@ -72,13 +75,13 @@ private:
 void look(const Ball& ball, const Ray& ray, Seen& nearest) {
     const SphereShape sphere{.radius = float(ball.radius)};
     const auto hit = first_hit(sphere, {ray.origin - ball.centre, ray.direction});
-    if (hit && hit->t < nearest.distance) nearest = {hit->t, {}, {}, 0, true};
+    if (hit && hit->t < nearest.distance) nearest = {hit->t, {}, {}, {}, 0, true};
 }
 
 std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const Sight& sight) {
     const bool uv = probe.name == "uv", depth = probe.name == "depth", shadow = probe.name == "shadow";
-    const bool way = probe.name == "ray";
-    if (!uv && !depth && !shadow && !way) return {};
+    const bool way = probe.name == "ray", guess = probe.name == "guess";
+    if (!uv && !depth && !shadow && !way && !guess) return {};
     std::vector<SeenObject> objects;
     for (const Object& object : sight.objects) objects.emplace_back(object, sight.outline);
     return truth_of_rays(frame, [&](const Ray& ray) -> std::optional<glm::dvec4> {
@@ -87,6 +90,10 @@ std::optional<Image> exact_values(const Frame& frame, const Probe& probe, const 
         if (sight.ball) look(*sight.ball, ray, seen);
         if (std::isinf(seen.distance) || (seen.is_ball && !depth)) return {};
         if (way) return seen.ray;
+        if (guess) {
+            const glm::dvec2 place = glm::dvec2(seen.ray.z, seen.ray.w) / seen.texels, slope = 8.0 * place - 4.0;
+            return glm::dvec4(estevez_shadow({0, 0, 1}, glm::normalize(glm::dvec3(-slope, 1)), seen.light), 0, 0, 0);
+        }
         return glm::dvec4(depth ? glm::dvec2(seen.distance, 0) : uv ? seen.texel : glm::dvec2(seen.lit, 0), 0, 0);
     });
 }

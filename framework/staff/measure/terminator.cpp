@@ -1,0 +1,102 @@
+// The bump terminator: the mean light of a relief by factors on a normal map's light, against the relief with its own
+// shadow. Error by slope and by the light's elevation.
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <memory>
+
+#include "framework/staff/measure/topics.h"
+#include "framework/staff/reference/terminator.h"
+
+namespace relief::measure {
+namespace {
+
+/// A relief, and its steepest slope for a depth of 1 texel.
+struct Tile {
+    HeightField heights;
+    double steepest = 0;
+    explicit Tile(int side) : heights(sine_relief(side), true) {
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x)
+                steepest = std::max(steepest, glm::length(heights.slope(glm::dvec2(x, y) + 0.7)));
+    }
+};
+
+struct Way {
+    const char* name;
+    double TileLight::*light;
+};
+constexpr Way ways[] = {{"usual", &TileLight::clamped},
+                        {"estevez", &TileLight::estevez},
+                        {"chiang", &TileLight::chiang},
+                        {"no-map", &TileLight::flat},
+                        {"shadow", &TileLight::exact}};
+
+/// Returns the factors' light of one place, summed over a tile: the work of a pixel without its texture.
+double summed(const char* name, const Tile& tile, double depth, const glm::dvec3& to_light, int samples) {
+    const std::string way = name;
+    const glm::dvec3 up(0, 0, 1), in_heights(to_light.x, to_light.y, to_light.z / depth);
+    double sum = 0;
+    for (int row = 0; row < samples; ++row)
+        for (int column = 0; column < samples; ++column) {
+            const glm::dvec2 texel =
+                (glm::dvec2(column, row) + 0.5) / double(samples) * glm::dvec2(tile.heights.size());
+            const glm::dvec3 normal = glm::normalize(glm::dvec3(-depth * tile.heights.slope(texel), 1));
+            const double facing = std::max(glm::dot(normal, to_light), 0.0);
+            if (way == "usual") sum += facing;
+            if (way == "estevez") sum += facing * estevez_shadow(up, normal, to_light);
+            if (way == "chiang") sum += facing * chiang_shadow(up, normal, to_light);
+            if (way == "no-map") sum += to_light.z;
+            if (way == "shadow" && facing > 0 && tile.heights.is_lit(texel, in_heights)) sum += facing;
+        }
+    return sum;
+}
+
+std::vector<BenchScene> scenes(const BenchSettings& settings) {
+    const auto tile = std::make_shared<Tile>(128);
+    const int samples = settings.quick ? 64 : 192;
+    std::vector<BenchScene> all;
+    for (const char* slope : {"0.5", "1", "2"})
+        for (const char* elevation : {"5", "10", "20", "30"}) {
+            if (settings.quick && slope != std::string("1")) continue;
+            BenchScene scene{{{"slope", slope}, {"elevation", elevation}}, "place"};
+            for (const Way& way : ways)
+                scene.methods.push_back(
+                    {way.name,
+                     {},
+                     [=] {
+                         const double depth = std::stod(slope) / tile->steepest,
+                                      up = glm::radians(std::stod(elevation));
+                         const auto light_from = [&](int i) {
+                             const double around = glm::two_pi<double>() * (i + 0.3) / 8;
+                             return glm::dvec3(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around),
+                                               std::sin(up));
+                         };
+                         // The mean over eight azimuths, in percent of the exact one.
+                         double light = 0, exact = 0, largest = 0;
+                         for (int i = 0; i < 8; ++i) {
+                             const TileLight of = tile_light(tile->heights, depth, light_from(i), samples);
+                             light += of.*way.light, exact += of.exact;
+                             largest = std::max(largest, 100 * std::abs(of.*way.light / of.exact - 1));
+                         }
+                         const double off = 100 * std::abs(light / exact - 1);
+                         const auto sum = std::make_shared<double>(0);
+                         const glm::dvec3 to_light = light_from(0);
+                         return BenchSubject{
+                             .items = size_t(samples) * size_t(samples),
+                             .error = {.mean = off, .p99 = largest, .largest = largest, .unit = "percent"},
+                             .run = [=] { *sum += summed(way.name, *tile, depth, to_light, samples); }};
+                     },
+                     way.light != &TileLight::exact && way.light != &TileLight::estevez});
+            all.push_back(scene);
+        }
+    return all;
+}
+
+}  // namespace
+
+BenchTopic terminator_topic() {
+    return {"terminator", "light of a normal map under a low lamp, against the relief with its own shadow",
+            "How much light does a normal map invent?", scenes};
+}
+
+}  // namespace relief::measure
