@@ -16,7 +16,7 @@
 namespace relief {
 namespace {
 
-TEST(RgtcTexture, TheDriverDecodesEachTexelWithinOneStep) {
+TEST(RgtcTexture, TheDriverDecodesEachTexelWithinItsRounding) {
     TemporaryFolder folder;
     folder.write("a.vert",
                  "#version 410 core\nvoid main() {\n"
@@ -67,8 +67,9 @@ TEST(RgtcTexture, TheDriverDecodesEachTexelWithinOneStep) {
                     largest = std::max(largest, off);
                     if (block.indices[texel] < 2) largest_at_ends = std::max(largest_at_ends, off);
                 }
-        // Mesa computes the values between the ends in integers, and truncates them.
-        EXPECT_LE(largest * high, 1.001) << "kind " << int(kind);
+        // Both ends are exact. Mesa's renderer computes the values between them in integers, with rounded weights: it
+        // is off by up to 1.6 steps.
+        EXPECT_LE(largest * high, 1.601) << "kind " << int(kind);
         EXPECT_LE(largest_at_ends, 1e-6) << "kind " << int(kind);
     }
 }

@@ -82,9 +82,8 @@ TEST(Rgtc, ABlockOfOneValueIsItsNearestStep) {
         values.fill(100.3 / steps(kind));
         const RgtcBlock fit = rgtc_range_fit(values, kind);
         EXPECT_EQ(fit.first, 100);
-        for (const double value : rgtc_decode(fit, kind)) EXPECT_EQ(value, 100 / steps(kind));
-        // The best block has values between the steps: (5 a + 2 b) / 7 with a = 101, b = 98.55 is not whole, but
-        // a = 102, b = 96 gives 100.2857.
+        for (const double value : rgtc_decode(fit, kind)) EXPECT_NEAR(value, 100 / steps(kind), 1e-15);
+        // The best block is nearer, by a value between two steps: (5 * 102 + 2 * 96) / 7 = 100.286.
         EXPECT_LE(squared(rgtc_best, values, kind), 16 * std::pow((100.3 - 702 / 7.) / steps(kind), 2) + 1e-15);
     }
 }
