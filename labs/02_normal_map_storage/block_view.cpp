@@ -100,7 +100,7 @@ void BlockView::set_textures(const Program& program, Format format) {
 /// Returns the error over all texels of the map, computed by the shader.
 const ErrorSummary& BlockView::measure(Format format) {
     const Program& program = program_.with({formats.define(format), "MEASURE"});
-    return measured_[format].get({program, map_, stored_[format].version()}, [&] {
+    return measured_[format].get({program, map_}, [&] {
         const Image drawn = draw_numbers(glm::ivec2(map_size), [&] {
             glUseProgram(program);
             set_textures(program, format);

@@ -27,7 +27,7 @@ public:
     void knobs(Knobs& knobs) {
         knobs.group("Blocks");
         knobs.choice("map", map_, map_names, "normal map for the formats in blocks");
-        knobs.toggle("borders", borders_, "lines between the blocks of 4 x 4 texels, beside the light");
+        knobs.toggle("borders", borders_, "lines between the blocks of 4 x 4 texels, over the error");
     }
 
     /// Draws the map into a tile of frame.target, with captions in `labels`. `part` is the frame of the tile. To the
@@ -50,7 +50,7 @@ private:
     mutable Kept<Image, int> texels_;
     Kept<Texture, int> exact_;
     std::map<Format, Kept<std::shared_ptr<const Stored>, int>> stored_;
-    std::map<Format, Kept<ErrorSummary, GLuint, int, int>> measured_;
+    std::map<Format, Kept<ErrorSummary, GLuint, int>> measured_;
     int map_ = 0;
     bool borders_ = true;
 };
