@@ -23,9 +23,9 @@ ChannelBlock encode_channel(const std::array<double, 16>& values) {
     ChannelBlock block{.first = int(std::lround(*largest)), .second = int(std::lround(*smallest))};
     if (block.first == block.second) return block;
     constexpr std::array index_of_step = {0, 2, 3, 4, 5, 6, 7, 1};
-    for (size_t i = 0; i < values.size(); ++i) {
-        const double steps = 7 * (block.first - values[i]) / (block.first - block.second);
-        block.indices[i] = index_of_step[size_t(std::clamp(int(std::lround(steps)), 0, 7))];
+    for (size_t texel = 0; texel < values.size(); ++texel) {
+        const double steps = 7 * (block.first - values[texel]) / (block.first - block.second);
+        block.indices[texel] = index_of_step[size_t(std::clamp(int(std::lround(steps)), 0, 7))];
     }
     return block;
     //]starter
