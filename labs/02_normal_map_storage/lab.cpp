@@ -1,12 +1,14 @@
 // Lab 02: normal map storage.
 //
 // A sphere of directions, stored in each format and read back: lit on the left, the error in degrees on the right.
-// Your tasks: shaders/02_normal_map_storage/task.glsl
+// Or a normal map in compressed blocks. Your tasks: shaders/02_normal_map_storage/task.glsl and
+// labs/02_normal_map_storage/task.cpp
 #include <fmt/format.h>
 
 #include <map>
 #include <memory>
 
+#include "block_view.h"
 #include "formats.h"
 #include "framework/core/base/text.h"
 #include "framework/core/gl/texel_target.h"
@@ -23,6 +25,68 @@ namespace relief {
 class NormalMapStorage final : public Lab {
 public:
     void draw(const Frame& frame) override {
+        if (shows_blocks())
+            draw_blocks(frame);
+        else
+            draw_spheres(frame);
+        if (show_ != light) labels_.log_scale(frame.size, "0.001~", "10~", 4);
+        labels_.draw(frame);
+    }
+
+    void knobs(Knobs& knobs) override {
+        static const auto names = [] {
+            std::array<const char*, storage::formats.size() + block_formats> list{};
+            for (size_t i = 0; i < list.size(); ++i)
+                list[i] = i < storage::formats.size() ? storage::formats[i].name
+                                                      : storage::BlockView::formats.names[i - storage::formats.size()];
+            return list;
+        }();
+        knobs.choice("view", view_, views, "every format of a texel, one format, or the formats in blocks");
+        knobs.choice("format", format_, names,
+                     "for view = one: the format of the sphere, or of a map in blocks (bc...)");
+        knobs.toggle("mismatch", mismatch_, "decode 8-bit codes with the other convention's rule");
+        knobs.choice("show", show_, shows, "the light, the error, or half of each");
+        block_view_.knobs(knobs);
+    }
+
+    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
+        return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t i) {
+            return shows_blocks() ? block_view_.truth(part, probe, block_format_of(i))
+                                  : storage::truth(part, probe, format_of(i));
+        });
+    }
+
+private:
+    enum View { every, one, blocks };
+    static constexpr std::array views = {"every", "one", "blocks"};
+    enum Show { half_and_half, light, error_map };
+    static constexpr std::array shows = {"half-and-half", "light", "error"};
+    static constexpr glm::ivec2 measured{512, 256};
+    static constexpr size_t block_formats = 3;  ///< the first ones of BlockView::formats
+
+    bool shows_blocks() const { return view_ == blocks || (view_ == one && format_ >= int(storage::formats.size())); }
+    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
+        const size_t count = view_ == one      ? 1
+                             : view_ == blocks ? storage::BlockView::shown.size()
+                                               : storage::formats.size();
+        return tiles_of(size, int(count), Labels::scale_height(size));
+    }
+    int format_of(size_t tile) const { return view_ == one ? format_ : int(tile); }
+    storage::BlockView::Format block_format_of(size_t tile) const {
+        return view_ == one ? storage::BlockView::Format(format_ - int(storage::formats.size()))
+                            : storage::BlockView::shown[tile];
+    }
+    float split() const { return show_ == half_and_half ? 0.0f : show_ == light ? 2.0f : -2.0f; }
+
+    void draw_blocks(const Frame& frame) {
+        glBindFramebuffer(GL_FRAMEBUFFER, frame.target);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        const auto tiles = tiles_of_view(frame.size);
+        for (size_t i = 0; i < tiles.size(); ++i)
+            block_view_.draw(frame_in(frame, tiles[i]), frame.size, tiles[i], block_format_of(i), split(), labels_);
+    }
+
+    void draw_spheres(const Frame& frame) {
         const auto tiles = tiles_of_view(frame.size);
         std::vector<ErrorSummary> errors(tiles.size());
         if (!frame.probe)
@@ -42,38 +106,7 @@ public:
             draw_sphere(frame_in(frame, tiles[i]), tiles[i], program(format_of(i), frame.probe));
             describe(frame.size, tiles[i], format_of(i), errors[i]);
         }
-        if (show_ != light) labels_.log_scale(frame.size, "0.001~", "10~", 4);
-        labels_.draw(frame);
     }
-
-    void knobs(Knobs& knobs) override {
-        static const auto names = [] {
-            std::array<const char*, storage::formats.size()> list{};
-            for (size_t i = 0; i < list.size(); ++i) list[i] = storage::formats[i].name;
-            return list;
-        }();
-        knobs.choice("view", view_, views, "every format, or one of them");
-        knobs.choice("format", format_, names, "for view = one: the format of the sphere");
-        knobs.toggle("mismatch", mismatch_, "decode 8-bit codes with the other convention's rule");
-        knobs.choice("show", show_, shows, "the lit sphere, the error, or half of each");
-    }
-
-    std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        return truth_in_tiles(frame, tiles_of_view(frame.size),
-                              [&](const Frame& part, size_t i) { return storage::truth(part, probe, format_of(i)); });
-    }
-
-private:
-    enum View { every, one };
-    static constexpr std::array views = {"every", "one"};
-    enum Show { half_and_half, light, error_map };
-    static constexpr std::array shows = {"half-and-half", "light", "error"};
-    static constexpr glm::ivec2 measured{512, 256};
-
-    std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        return tiles_of(size, view_ == one ? 1 : int(storage::formats.size()), Labels::scale_height(size));
-    }
-    int format_of(size_t tile) const { return view_ == one ? format_ : int(tile); }
 
     const Program& program(int format, const Define& purpose, const char* store = "") const {
         return sphere_.with({fmt::format("FORMAT {}", format), mismatch_ ? "MISMATCH" : "", purpose, store});
@@ -98,7 +131,7 @@ private:
         sphere.set("u_forward", forward);
         sphere.set("u_right", side({1, 0}));
         sphere.set("u_up", side({0, 1}));
-        sphere.set("u_split", show_ == half_and_half ? 0.0f : show_ == light ? 2.0f : -2.0f);
+        sphere.set("u_split", split());
         glBindVertexArray(nothing_.layout());
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
@@ -141,6 +174,7 @@ private:
     Programs sphere_{"02_normal_map_storage/window.vert", "02_normal_map_storage/sphere.frag"};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Kept<std::unique_ptr<TexelTarget>, glm::ivec2> codes_;
+    storage::BlockView block_view_;
     Labels labels_;
     std::map<int, Kept<ErrorSummary, GLuint, GLuint>> measured_;  ///< by format
 

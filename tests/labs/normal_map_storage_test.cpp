@@ -1,4 +1,13 @@
 // Lab 02: each format against its codec in double precision, and against published errors.
+#include <cmath>
+#include <limits>
+
+#include "framework/core/base/error.h"
+#include "framework/core/base/parallel.h"
+#include "framework/core/image/bc1.h"
+#include "framework/staff/reference/rgtc.h"
+#include "labs/02_normal_map_storage/blocks.h"
+#include "labs/02_normal_map_storage/maps.h"
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -44,6 +53,209 @@ TEST(NormalMapStorage, TwoChannelsShowNoSurfaceBelowTheHorizon) {
     const Image normal = drawn("02", shot);
     for (size_t i = 0; i < normal.pixel_count(); ++i)
         ASSERT_TRUE(normal.values[i * 4] == no_surface || normal.values[i * 4 + 2] >= 0);
+}
+
+using storage::compress, storage::BlockMap, storage::MapName, storage::normal_map;
+
+RgtcKind kind_of(bool is_signed) { return is_signed ? RgtcKind::snorm : RgtcKind::unorm; }
+
+std::array<uint8_t, 8> channel_bytes(const BlockMap& map, size_t channel) {
+    std::array<uint8_t, 8> bytes;
+    std::copy_n(map.bytes.begin() + ptrdiff_t(8 * channel), 8, bytes.begin());
+    return bytes;
+}
+
+/// Returns the values of a channel of a block. Channel 2 i is x of block i, channel 2 i + 1 is y.
+std::array<double, 16> channel_values(const Image& normals, bool is_signed, size_t channel) {
+    const int columns = (normals.width + 3) / 4, block = int(channel / 2);
+    std::array<double, 16> values;
+    for (int i = 0; i < 16; ++i) {
+        const int x = std::min(block % columns * 4 + i % 4, normals.width - 1);
+        const int y = std::min(block / columns * 4 + i / 4, normals.height - 1);
+        const double n = normals.pixel(x, normals.height - 1 - y)[channel % 2];
+        values[size_t(i)] = is_signed ? n : 0.5 * n + 0.5;
+    }
+    return values;
+}
+
+struct Degrees {
+    double mean = 0, largest = 0;
+};
+
+/// Returns the error of a map that was stored: `stored` has x and y, or three components if `has_z`.
+Degrees error_in_degrees(const Image& normals, const Image& stored, bool has_z) {
+    Degrees degrees;
+    for (size_t i = 0; i < normals.pixel_count(); ++i) {
+        const float *n = &normals.values[i * 3], *s = &stored.values[i * size_t(stored.channels)];
+        const double z = has_z ? s[2] : std::sqrt(std::max(0.0, 1 - double(s[0]) * s[0] - double(s[1]) * s[1]));
+        const glm::dvec3 exact(n[0], n[1], n[2]), read(s[0], s[1], z);
+        const double error = glm::degrees(std::atan2(glm::length(glm::cross(exact, read)), glm::dot(exact, read)));
+        degrees.mean += error / double(normals.pixel_count());
+        degrees.largest = std::max(degrees.largest, error);
+    }
+    return degrees;
+}
+
+/// Returns x and y of a map whose channels `encode` encodes, by the decoder of the specification.
+template <class Encode>
+Image through_blocks(const Image& normals, bool is_signed, Encode encode) {
+    Image result(normals.width, normals.height, 2);
+    parallel_each(normals.pixel_count() / 8, 0, [&](size_t channel) {
+        const RgtcBlock block = encode(channel_values(normals, is_signed, channel), channel);
+        const auto decoded = rgtc_decode(block, kind_of(is_signed));
+        const int columns = normals.width / 4, index = int(channel / 2);
+        for (int i = 0; i < 16; ++i) {
+            const int x = index % columns * 4 + i % 4, y = index / columns * 4 + i / 4;
+            result.pixel(x, normals.height - 1 - y)[channel % 2] =
+                float(is_signed ? decoded[size_t(i)] : 2 * decoded[size_t(i)] - 1);
+        }
+    });
+    return result;
+}
+
+/// Returns (n + 1) / 2 of each component, or the inverse of it.
+Image as_colors(Image normals) {
+    for (float& value : normals.values) value = 0.5f * value + 0.5f;
+    return normals;
+}
+Image as_normals(Image colors) {
+    for (float& value : colors.values) value = 2 * value - 1;
+    return colors;
+}
+Image in_bytes(Image colors) {
+    for (float& value : colors.values) value = std::round(255 * value) / 255;
+    return colors;
+}
+
+TEST(NormalMapBlocks, TheSolutionIsRangeFit) {
+    for (const MapName name : {MapName::shapes, MapName::bricks, MapName::paving})
+        for (const bool is_signed : {false, true}) {
+            const Image normals = normal_map(name);
+            const BlockMap map = compress(normals, is_signed);
+            ASSERT_EQ(map.bytes.size(), normals.pixel_count()) << "a byte a texel";
+            for (size_t channel = 0; channel < map.bytes.size() / 8; ++channel) {
+                const auto values = channel_values(normals, is_signed, channel);
+                const RgtcBlock own = rgtc_block(channel_bytes(map, channel), kind_of(is_signed));
+                const RgtcBlock fit = rgtc_range_fit(values, kind_of(is_signed));
+                // Ties round either way.
+                EXPECT_LE(std::abs(own.first - fit.first) + std::abs(own.second - fit.second), 1);
+                EXPECT_NEAR(rgtc_squared_error(own, values, kind_of(is_signed)),
+                            rgtc_squared_error(fit, values, kind_of(is_signed)), 1e-4);
+            }
+        }
+}
+
+TEST(NormalMapBlocks, HaveTheErrorsOfTheHandout) {
+    struct Row {
+        MapName map;
+        Degrees two_bytes, bc1, bc5, best, of_signed, best_signed;
+    };
+    // Measured once; this test repeats it.
+    for (const Row& row : {Row{MapName::shapes,
+                               {0.2268, 0.370},
+                               {3.2972, 16.313},
+                               {0.9030, 6.062},
+                               {0.6568, 5.444},
+                               {0.8375, 5.871},
+                               {0.6246, 5.107}},
+                           Row{MapName::bricks,
+                               {0.0542, 0.512},
+                               {3.8026, 25.714},
+                               {0.8556, 7.210},
+                               {0.7216, 4.421},
+                               {0.8659, 7.005},
+                               {0.7311, 5.110}},
+                           Row{MapName::paving,
+                               {0.0270, 0.337},
+                               {1.7555, 14.993},
+                               {0.4030, 3.172},
+                               {0.3047, 2.636},
+                               {0.4323, 3.135},
+                               {0.3472, 2.780}}}) {
+        const Image normals = normal_map(row.map);
+        const auto expect = [&](const char* format, const Degrees& expected, const Degrees& measured) {
+            SCOPED_TRACE(fmt::format("{} {}: {:.4f}, {:.3f}", storage::map_names[size_t(row.map)], format,
+                                     measured.mean, measured.largest));
+            EXPECT_NEAR(measured.mean, expected.mean, 0.0001);
+            EXPECT_NEAR(measured.largest, expected.largest, 0.001);
+        };
+        const auto blocks = [&](bool is_signed, bool is_best) {
+            const BlockMap map = compress(normals, is_signed);
+            const auto encode = [&](const auto& values, size_t channel) {
+                return is_best ? rgtc_best(values, kind_of(is_signed))
+                               : rgtc_block(channel_bytes(map, channel), kind_of(is_signed));
+            };
+            return error_in_degrees(normals, through_blocks(normals, is_signed, encode), false);
+        };
+        const Image colors = as_colors(normals);
+        expect("8:8", row.two_bytes, error_in_degrees(normals, as_normals(in_bytes(colors)), false));
+        expect("BC1", row.bc1, error_in_degrees(normals, as_normals(through_bc1(colors)), true));
+        expect("BC5", row.bc5, blocks(false, false));
+        expect("BC5, best", row.best, blocks(false, true));
+        expect("BC5, signed", row.of_signed, blocks(true, false));
+        expect("BC5, signed, best", row.best_signed, blocks(true, true));
+    }
+}
+
+TEST(NormalMapBlocks, ShowBC1WithTwiceTheErrorOfBC5) {
+    for (const char* map : {"shapes", "bricks", "paving"}) {
+        const auto error_with = [&](const char* format) {
+            std::vector<Knob> knobs = one(format);
+            knobs.emplace_back("map", map);
+            Shot shot = shot_of("02", knobs, "normal", {128, 128});
+            shot.camera = {.yaw = 0, .pitch = 0, .distance = 3};
+            return error_of("02", shot).mean;
+        };
+        EXPECT_GT(error_with("bc1"), 2 * error_with("bc5")) << map;
+        EXPECT_GT(error_with("bc1"), 2 * error_with("bc5-snorm")) << map;
+    }
+}
+
+TEST(NormalMapBlocks, MixNoTexelsOfTwoTiles) {
+    // Two tiles of 8 x 8 texels side by side, and their left one alone.
+    Image both = normal_map(MapName::shapes), left(8, 8, 3);
+    Image atlas(16, 8, 3);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 16; ++x)
+            for (int c = 0; c < 3; ++c) {
+                atlas.pixel(x, y)[c] = both.pixel(x < 8 ? 4 + x : 40 + x, 8 + y)[c];
+                if (x < 8) left.pixel(x, y)[c] = atlas.pixel(x, y)[c];
+            }
+    const BlockMap of_both = compress(atlas, false), of_left = compress(left, false);
+    for (size_t row = 0; row < 2; ++row)
+        for (size_t i = 0; i < 32; ++i) EXPECT_EQ(of_both.bytes[row * 64 + i], of_left.bytes[row * 32 + i]);
+}
+
+TEST(NormalMapBlocks, RepeatTheBorderOfAMapWhoseSizeIsNoMultipleOfFour) {
+    // A map of 6 x 5 texels has 2 x 2 blocks. x is -0.5 in the first four columns, and 0.5 in the last two.
+    Image map(6, 5, 3);
+    for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 6; ++x) map.pixel(x, y)[0] = x < 4 ? -0.5f : 0.5f;
+    const BlockMap stored = compress(map, true);
+    ASSERT_EQ(stored.bytes.size(), 4u * 16);
+    for (size_t block = 0; block < 4; ++block)
+        for (const double value :
+             rgtc_decode(rgtc_block(channel_bytes(stored, 2 * block), RgtcKind::snorm), RgtcKind::snorm))
+            EXPECT_NEAR(value, block % 2 ? 0.5 : -0.5, 0.5 / 127 + 1e-9) << "block " << block;
+}
+
+TEST(NormalMapBlocks, RefuseAMapThatIsNotFinite) {
+    Image map(4, 4, 3);
+    map.pixel(2, 1)[1] = std::numeric_limits<float>::quiet_NaN();
+    try {
+        compress(map, false);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "the normal in column 2, row 1 of the map is not finite");
+    }
+}
+
+TEST(NormalMapBlocks, RefuseEndsAndIndicesOutOfRange) {
+    EXPECT_THROW(storage::packed({.first = 256}, false), Error);
+    EXPECT_THROW(storage::packed({.first = -128}, true), Error);
+    storage::ChannelBlock block;
+    block.indices[3] = 8;
+    EXPECT_THROW(storage::packed(block, false), Error);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST_F(BenchCommand, BenchWritesATableACsvAPlotAndAPage) {
     const auto folder = course().path() / "measured";
     const std::string csv = read_all(folder / "storage.csv");
     EXPECT_TRUE(csv.starts_with("topic,scene,method,")) << csv;
-    EXPECT_EQ(lines(csv), 1 + 28) << "a header, then encoding and decoding of 13 formats and of what is usual";
+    EXPECT_EQ(lines(csv), 1 + 34) << "a header, encoding and decoding of 13 formats and of what is usual, 6 maps";
     EXPECT_TRUE(contains(read_all(folder / "storage.svg"), "</svg>"));
     EXPECT_TRUE(contains(read_all(folder / "index.html"), "</html>"));
 }

@@ -398,7 +398,7 @@ TEST_F(CourseTest, AProbeReportsAnUnwrittenTaskAndOtherChecksStillRun) {
 TEST_F(CourseTest, CheckReportsTheErrorTheLimitAndAHint) {
     const Result right = course().relief({"check", "2"});
     EXPECT_EQ(right.code, 0) << right.out << right.err;
-    EXPECT_TRUE(contains(right.out, "11 of 11 points")) << right.out;
+    EXPECT_TRUE(contains(right.out, "13 of 13 points")) << right.out;
     const std::string file = "shaders/02_normal_map_storage/task.glsl", before = read_all(course().path() / file);
     course().edit(file, "code / 255.0 * 2.0 - 1.0", "code / 255.0");
     const Result wrong = course().relief({"check", "storage"});
@@ -495,7 +495,7 @@ TEST_F(CourseTest, TheCheckPageIsSelfContained) {
     const std::string escaped = "&#39;a&#39; &lt;/script&gt; &amp; &quot;b&quot;";
     EXPECT_TRUE(contains(page, "<h3>" + escaped + "</h3>"));
     EXPECT_FALSE(contains(page, "'a' <"));
-    for (const char* part : {"9 of 11 points", "(at most 0.26)", "rounding to 8 bits costs", "decode_unorm8 undoes f",
+    for (const char* part : {"11 of 13 points", "(at most 0.26)", "rounding to 8 bits costs", "decode_unorm8 undoes f",
                              "degrees and more", "./relief shot 02 --check &#39;paired bytes&#39; -o mine.png"})
         EXPECT_TRUE(contains(page, part)) << part;
     for (const char* outside : {"http:", "https:", "src=\"/", "@import", "url("})

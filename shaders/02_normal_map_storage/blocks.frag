@@ -1,0 +1,88 @@
+#version 410 core
+// A normal map on the square from -1 to 1 in the plane z = 0, as a texture gives it back: lit, or compared with the map.
+
+#include "common/unfinished.glsl"
+#include "02_normal_map_storage/task.glsl"
+#include "common/heat.glsl"
+#include "common/srgb.glsl"
+
+in vec2 v_clip;
+
+uniform vec3 u_eye;
+uniform vec3 u_forward;  // to the middle of the window; `right` and `up` lead from there to its edges
+uniform vec3 u_right;
+uniform vec3 u_up;
+uniform float u_split;    // x in clip coordinates: lit to its left, the error to its right
+uniform float u_borders;  // 1: lines between the blocks
+uniform sampler2D s_exact;
+uniform sampler2D s_stored;
+
+layout(location = 0) out vec4 o_color;
+
+// Returns the texel in the steps of its channels.
+vec3 stored(ivec2 texel) {
+    vec3 value = texelFetch(s_stored, texel, 0).xyz;
+#ifdef COLORS
+    return 255.0 * value;
+#elif defined TWO_SIGNED
+    return vec3(127.0 * value.xy, 0.0);
+#else
+    return vec3(255.0 * value.xy, 0.0);
+#endif
+}
+
+vec3 read_back(ivec2 texel) {
+#ifdef COLORS
+    return stored(texel) / 127.5 - 1.0;
+#elif defined TWO_SIGNED
+    vec2 xy = stored(texel).xy / 127.0;
+    return vec3(xy, z_from_xy(xy));
+#else
+    vec2 xy = stored(texel).xy / 127.5 - 1.0;
+    return vec3(xy, z_from_xy(xy));
+#endif
+}
+
+float error_degrees(ivec2 texel) {
+    vec3 a = read_back(texel), b = texelFetch(s_exact, texel, 0).xyz;
+    return degrees(atan(length(cross(a, b)), dot(a, b)));
+}
+
+#ifdef MEASURE
+void main() { o_color = measured(vec4(error_degrees(ivec2(gl_FragCoord.xy)), 0.0, 0.0, 1.0)); }
+#else
+
+void main() {
+    vec3 direction = normalize(u_forward + v_clip.x * u_right + v_clip.y * u_up);
+    float t = -u_eye.z / direction.z;
+    vec2 place = (u_eye + t * direction).xy;
+    float outside = t > 0.0 ? max(abs(place.x), abs(place.y)) : 2.0;
+    vec2 size = vec2(textureSize(s_exact, 0)), uv = 0.5 * place + 0.5;
+    ivec2 texel = clamp(ivec2(floor(uv * size)), ivec2(0), ivec2(size) - 1);
+#ifdef PROBE_normal
+    if (outside >= 1.0) discard;
+    o_color = probed(vec4(read_back(texel), 0.0));
+#elif defined PROBE_stored
+    if (outside >= 1.0) discard;
+    o_color = vec4(stored(texel), 0.0);
+#else
+    // The outline is antialiased over one pixel.
+    float cover = clamp((1.0 - outside) / max(fwidth(outside), 1e-6) + 0.5, 0.0, 1.0);
+    vec2 block = uv * size / 4.0, pixel = fwidth(block);
+    vec3 back = mix(vec3(0.075, 0.08, 0.095), vec3(0.15, 0.16, 0.185), 0.5 + 0.5 * v_clip.y), color = back;
+    if (cover > 0.0 && v_clip.x > u_split) {
+        color = heat((log2(max(error_degrees(texel), 1e-6)) / log2(10.0) + 3.0) / 4.0);
+        vec2 distance_ = abs(fract(block - 0.5) - 0.5) / max(pixel, vec2(1e-6));
+        float line = 1.0 - smoothstep(0.4, 1.2, min(distance_.x, distance_.y));
+        float room = 1.0 - smoothstep(0.1, 0.25, max(pixel.x, pixel.y));  // no lines where blocks are a few pixels
+        color = mix(color, vec3(0.45, 0.55, 0.60), 0.6 * line * room * u_borders);
+    } else if (cover > 0.0) {
+        vec3 normal = normalize(read_back(texel)), light = normalize(vec3(-0.6, 0.55, 0.6));
+        vec3 eye = -direction * (u_eye.z < 0.0 ? -1.0 : 1.0);
+        float shine = pow(max(dot(normal, normalize(light + eye)), 0.0), 60.0);
+        color = srgb_from_linear(vec3(0.42, 0.15, 0.08) * (0.06 + max(dot(normal, light), 0.0)) + 0.5 * shine);
+    }
+    o_color = finished(vec4(mix(back, color, cover), 1.0), gl_FragCoord.xy);
+#endif
+}
+#endif
