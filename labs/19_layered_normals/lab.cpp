@@ -63,12 +63,13 @@ private:
         for (size_t i = 0; i < tiles.size(); ++i) {
             draw_tile(frame, tiles[i], [&](const Frame& part) { draw(part, methods[i], "ERROR"); });
             labels_.caption(frame.size, tiles[i], 0, names[size_t(methods[i])]);
-            const ErrorSummary& error = measured_[i].get({values_of_knobs(), programs.renewals()}, [&] {
-                const Camera camera(frame.camera.orbit(), 1);
-                const Frame small{.target = 0, .size = {256, 256}, .time = 0, .camera = camera, .probe = {}};
-                const Image errors = draw_numbers(small.size, [&] { draw(small, methods[i], "MEASURE"); });
-                return summarize(channels_of(errors, 0, 1));
-            });
+            const ErrorSummary& error =
+                measured_[i].get({values_of_knobs(), frame.camera.orbit(), programs.renewals()}, [&] {
+                    const Camera camera(frame.camera.orbit(), 1);
+                    const Frame small{.target = 0, .size = {256, 256}, .time = 0, .camera = camera, .probe = {}};
+                    const Image errors = draw_numbers(small.size, [&] { draw(small, methods[i], "MEASURE"); });
+                    return summarize(channels_of(errors, 0, 1));
+                });
             if (error.missing == 0 && error.not_finite == 0)
                 labels_.caption(frame.size, tiles[i], -1,
                                 fmt::format("{:.2f}~ off, {:.1f}~ at most", error.mean, error.largest));
@@ -177,9 +178,8 @@ private:
     Texture detail_bends_{"bends of grain", [] { return grain_maps().bends; }};
     std::array<GpuMesh, 3> solids_{upload([] { return solid_mesh(0); }), upload([] { return solid_mesh(1); }),
                                    upload([] { return solid_mesh(2); })};
-    /// By tile. Inputs: knobs, renewals of the programs. (The camera's share is left out: a mean over the lab's own
-    /// view.)
-    std::array<Kept<ErrorSummary, std::vector<std::string>, int>, 6> measured_;
+    /// By tile. Inputs: knobs, camera, renewals of the programs.
+    std::array<Kept<ErrorSummary, std::vector<std::string>, Orbit, int>, 6> measured_;
     WindowTriangle window_;
     Labels labels_;
 };

@@ -42,11 +42,8 @@ struct Place {
     vec3 to_eye;
 };
 
-// Returns where a ray meets the wall. A ray that does not ends at infinity.
-vec2 met(vec3 ray) { return u_eye.xy - ray.xy * (u_eye.z / ray.z); }
-
-Place place_at(vec2 clip) {
-    vec3 ray = u_forward + clip.x * u_right + clip.y * u_up;
+// Returns where a ray meets the wall. Precondition: it does.
+Place place_at(vec3 ray) {
     float away = -u_eye.z / ray.z;
     Place place;
     place.position = u_eye.xy + away * ray.xy;
@@ -187,7 +184,7 @@ void main() {
         return;
     }
 #endif
-    Place place = place_at(v_clip);
+    Place place = place_at(ray);
     Layers layers = layers_at(place.position, place);
 #if defined PROBE_normal
     o_color = probed(vec4(normal_of(layers), 0.0));

@@ -27,11 +27,7 @@ Value value_of(const char* what, const std::string& word, const std::pair<const 
         if (word == name) return value;
         names.emplace_back(name);
     }
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    const auto near = nearest(word, names);
-    throw UsageError(fmt::format("unknown {} '{}'{}; there are: {}", what, word,
-                                 near ? fmt::format(", did you mean '{}'?", *near) : "", list));
+    throw UsageError(unknown(what, word, names));
 }
 
 /// Returns the heights in a file as one channel. Alpha is ignored. Throws Error for a picture with colours, or for a

@@ -21,32 +21,39 @@ struct Tile {
     }
 };
 
+using Factor = double (*)(const glm::dvec3& surface, const glm::dvec3& mapped, const glm::dvec3& to_light);
+
 struct Way {
     const char* name;
     double TileLight::*light;
+    Factor factor;  ///< on the light of the mapped normal; null for the other two
 };
-constexpr Way ways[] = {{"usual", &TileLight::clamped},
-                        {"estevez", &TileLight::estevez},
-                        {"chiang", &TileLight::chiang},
-                        {"no-map", &TileLight::flat},
-                        {"shadow", &TileLight::exact}};
+constexpr Way ways[] = {
+    {"usual", &TileLight::clamped, [](const glm::dvec3&, const glm::dvec3&, const glm::dvec3&) { return 1.0; }},
+    {"estevez", &TileLight::estevez, estevez_shadow},
+    {"chiang", &TileLight::chiang, chiang_shadow},
+    {"no-map", &TileLight::flat, nullptr},
+    {"shadow", &TileLight::exact, nullptr}};
 
-/// Returns the factors' light of one place, summed over a tile: the work of a pixel without its texture.
-double summed(const char* name, const Tile& tile, double depth, const glm::dvec3& to_light, int samples) {
-    const std::string way = name;
+/// Returns the light of a tile, summed over its places: the work of a pixel without its texture.
+double summed(const Way& way, const Tile& tile, double depth, const glm::dvec3& to_light, int samples) {
+    const bool is_flat = way.light == &TileLight::flat;
     const glm::dvec3 up(0, 0, 1), in_heights(to_light.x, to_light.y, to_light.z / depth);
     double sum = 0;
     for (int row = 0; row < samples; ++row)
         for (int column = 0; column < samples; ++column) {
+            if (is_flat) {
+                sum += to_light.z;
+                continue;
+            }
             const glm::dvec2 texel =
                 (glm::dvec2(column, row) + 0.5) / double(samples) * glm::dvec2(tile.heights.size());
             const glm::dvec3 normal = glm::normalize(glm::dvec3(-depth * tile.heights.slope(texel), 1));
             const double facing = std::max(glm::dot(normal, to_light), 0.0);
-            if (way == "usual") sum += facing;
-            if (way == "estevez") sum += facing * estevez_shadow(up, normal, to_light);
-            if (way == "chiang") sum += facing * chiang_shadow(up, normal, to_light);
-            if (way == "no-map") sum += to_light.z;
-            if (way == "shadow" && facing > 0 && tile.heights.is_lit(texel, in_heights)) sum += facing;
+            if (way.factor)
+                sum += facing * way.factor(up, normal, to_light);
+            else if (facing > 0 && tile.heights.is_lit(texel, in_heights))
+                sum += facing;
         }
     return sum;
 }
@@ -84,7 +91,7 @@ std::vector<BenchScene> scenes(const BenchSettings& settings) {
                          return BenchSubject{
                              .items = size_t(samples) * size_t(samples),
                              .error = {.mean = off, .p99 = largest, .largest = largest, .unit = "percent"},
-                             .run = [=] { *sum += summed(way.name, *tile, depth, to_light, samples); }};
+                             .run = [=] { *sum += summed(way, *tile, depth, to_light, samples); }};
                      },
                      way.light != &TileLight::exact && way.light != &TileLight::estevez});
             all.push_back(scene);
