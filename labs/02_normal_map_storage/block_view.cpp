@@ -6,6 +6,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/gl/counters.h"
 #include "framework/core/image/bc1.h"
+#include "framework/core/image/own_picture.h"
 #include "framework/core/kit/numbers.h"
 #include "framework/core/kit/view_axes.h"
 
@@ -106,9 +107,7 @@ const ErrorSummary& BlockView::measure(Format format) {
             set_textures(program, format);
             window_.draw();
         });
-        Image error(map_size, map_size, 1);
-        for (size_t i = 0; i < error.values.size(); ++i) error.values[i] = drawn.values[i * 4];
-        return summarize(error);
+        return summarize(channels_of(drawn, 0, 1));
     });
 }
 

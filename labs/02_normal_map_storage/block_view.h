@@ -45,7 +45,7 @@ private:
     const ErrorSummary& measure(Format format);
     void set_textures(const Program& program, Format format);
 
-    Programs program_{"02_normal_map_storage/window.vert", "02_normal_map_storage/blocks.frag"};
+    Programs program_{"common/window.vert", "02_normal_map_storage/blocks.frag"};
     WindowTriangle window_;
     mutable Kept<Image, int> texels_;
     Kept<Texture, int> exact_;

@@ -13,6 +13,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/gl/texel_target.h"
 #include "framework/core/image/compare.h"
+#include "framework/core/image/own_picture.h"
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/numbers.h"
@@ -153,9 +154,7 @@ private:
             draw_with(encoder);
             codes.bind(0);
             const Image drawn = draw_numbers(measured, [&] { draw_with(decoder); });
-            Image error(measured.x, measured.y, 1);
-            for (size_t i = 0; i < error.values.size(); ++i) error.values[i] = drawn.values[i * 4];
-            return summarize(error);
+            return summarize(channels_of(drawn, 0, 1));
         });
     }
 
@@ -171,7 +170,7 @@ private:
                             {0.62f, 0.63f, 0.65f});
     }
 
-    Programs sphere_{"02_normal_map_storage/window.vert", "02_normal_map_storage/sphere.frag"};
+    Programs sphere_{"common/window.vert", "02_normal_map_storage/sphere.frag"};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Kept<std::unique_ptr<TexelTarget>, glm::ivec2> codes_;
     storage::BlockView block_view_;

@@ -168,9 +168,7 @@ private:
 
     /// Returns the mean error of a rule in degrees, over the water ahead. Infinity before its task is written.
     double mean_error(Combine rule) {
-        std::vector<std::string> values;
-        for (const KnobText& knob : describe_knobs(*this)) values.push_back(knob.value);
-        return means_[rule == mean ? 0 : 1].get({values, sea_.renewals()}, [&] {
+        return means_[rule == mean ? 0 : 1].get({knob_values(*this), sea_.renewals()}, [&] {
             constexpr glm::ivec2 size(48);
             const Camera camera({.yaw = 180, .pitch = 38, .distance = 26, .field_of_view = 30}, 1);
             const View view{.tile = {{0, 0}, size},

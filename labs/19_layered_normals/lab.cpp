@@ -64,7 +64,7 @@ private:
             draw_tile(frame, tiles[i], [&](const Frame& part) { draw(part, methods[i], "ERROR"); });
             labels_.caption(frame.size, tiles[i], 0, names[size_t(methods[i])]);
             const ErrorSummary& error =
-                measured_[i].get({values_of_knobs(), frame.camera.orbit(), programs.renewals()}, [&] {
+                measured_[i].get({knob_values(*this), frame.camera.orbit(), programs.renewals()}, [&] {
                     const Camera camera(frame.camera.orbit(), 1);
                     const Frame small{.target = 0, .size = {256, 256}, .time = 0, .camera = camera, .probe = {}};
                     const Image errors = draw_numbers(small.size, [&] { draw(small, methods[i], "MEASURE"); });
@@ -90,12 +90,6 @@ private:
         glViewport(tile.corner.x, tile.corner.y, tile.size.x, tile.size.y);
         split_ = float(tile.corner.x) + float(tile.size.x) / 2;
         draw(frame_in(frame, tile));
-    }
-
-    std::vector<std::string> values_of_knobs() {
-        std::vector<std::string> values;
-        for (const KnobText& knob : describe_knobs(*this)) values.push_back(knob.value);
-        return values;
     }
 
     // ---- passes
@@ -167,9 +161,9 @@ private:
 
     Settings settings_;
     float split_ = 0;
-    Programs wall_{"19_layered_normals/window.vert", "19_layered_normals/wall.frag"};
+    Programs wall_{"common/window.vert", "19_layered_normals/wall.frag"};
     Programs solid_{"19_layered_normals/solid.vert", "19_layered_normals/solid.frag"};
-    Programs sky_{"19_layered_normals/window.vert", "19_layered_normals/sky.frag"};
+    Programs sky_{"common/window.vert", "19_layered_normals/sky.frag"};
     Texture base_normals_{"stones", [] { return stone_maps().normals; }};
     Texture base_slopes_{"slopes of stones", [] { return stone_maps().slopes; }};
     Texture base_bends_{"bends of stones", [] { return stone_maps().bends; }};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "framework/core/image/image.h"
@@ -19,6 +20,10 @@ enum class SlopeFilter {
     fourth_order,  ///< (8 (h(+1) - h(-1)) - (h(+2) - h(-2))) / 12; 0.18 degrees, noise 0.95
     spline         ///< slope m of the cubic spline, m(-1) + 4 m + m(+1) = 3 (h(+1) - h(-1)); 0.034 degrees
 };
+/// Their names in commands and tables.
+constexpr std::pair<const char*, SlopeFilter> slope_filters[] = {
+    {"forward", SlopeFilter::forward}, {"central", SlopeFilter::central},           {"sobel", SlopeFilter::sobel},
+    {"scharr", SlopeFilter::scharr},   {"fourth-order", SlopeFilter::fourth_order}, {"spline", SlopeFilter::spline}};
 
 struct NormalOptions {
     /// A height of 1, in texels along u and along v. They differ when texels are not square.

@@ -136,6 +136,12 @@ std::vector<KnobText> describe_knobs(Lab& lab) {
     return std::move(describe.found);
 }
 
+std::vector<std::string> knob_values(Lab& lab) {
+    std::vector<std::string> values;
+    for (KnobText& knob : describe_knobs(lab)) values.push_back(std::move(knob.value));
+    return values;
+}
+
 void set_knob(Lab& lab, const std::string& name, const std::string& value) {
     SetOne set(name, value);
     lab.knobs(set);

@@ -37,6 +37,9 @@ class Lab;
 /// Returns all knobs of a lab with their current values.
 std::vector<KnobText> describe_knobs(Lab& lab);
 
+/// Returns the current values of all knobs, in the same order.
+std::vector<std::string> knob_values(Lab& lab);
+
 /// Sets a knob from text. Throws UsageError that suggests the nearest knob, or names the range or the choices.
 void set_knob(Lab& lab, const std::string& name, const std::string& value);
 

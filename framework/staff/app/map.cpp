@@ -14,9 +14,6 @@
 namespace relief::app {
 namespace {
 
-constexpr std::pair<const char*, SlopeFilter> filters[] = {
-    {"central", SlopeFilter::central}, {"forward", SlopeFilter::forward},           {"sobel", SlopeFilter::sobel},
-    {"scharr", SlopeFilter::scharr},   {"fourth-order", SlopeFilter::fourth_order}, {"spline", SlopeFilter::spline}};
 constexpr double usual_depth = 0.08;  ///< of the course's reliefs, in widths of the map
 
 /// Returns the value of `word` in a table of names. Throws UsageError that suggests the nearest name.
@@ -107,6 +104,11 @@ std::pair<double, double> slopes_of(const Image& normals) {
     return {sum / double(normals.pixel_count()), most};
 }
 
+struct MadeMap {
+    Image image;
+    std::string about;  ///< for the line that is printed
+};
+
 class MapCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
@@ -132,7 +134,7 @@ public:
     }
 
     int run() override {
-        constexpr std::pair<const char*, Image (MapCommand::*)() const> kinds[] = {
+        constexpr std::pair<const char*, MadeMap (MapCommand::*)() const> kinds[] = {
             {"normal", &MapCommand::normal},
             {"heights", &MapCommand::heights},
             {"occlusion", &MapCommand::occlusion},
@@ -143,10 +145,10 @@ public:
         const bool combines = kind_ == "combine";
         if (files_.empty() || files_.size() > (combines ? 4u : 1u))
             throw UsageError(fmt::format("map {} takes {}", kind_, combines ? "1 to 4 channels" : "one FILE"));
-        Image image = (this->*make)();
+        auto [image, about] = (this->*make)();
         if (!bits_.empty() || kind_ == "heights") image.bits = bits();
         write_image(output_, image, {}, ColorSpace::linear);
-        fmt::print("{}: {} x {}, {}{}\n", output_, image.width, image.height, described_, stored(image));
+        fmt::print("{}: {} x {}, {}{}\n", output_, image.width, image.height, about, stored(image));
         return 0;
     }
 
@@ -168,12 +170,12 @@ private:
         return format == ImageFormat::png && image.bits == 16 ? "16 bits" : "8 bits";
     }
 
-    Image normal() const {
+    MadeMap normal() const {
         constexpr std::pair<const char*, bool> greens[] = {{"up", true}, {"down", false}};
         const bool is_up = green_.empty() || value_of("direction of green", green_, greens);
         const double depth = number("--depth", depth_, usual_depth, 0, 1000);
         NormalOptions options;
-        options.filter = filter_.empty() ? SlopeFilter::central : value_of("filter", filter_, filters);
+        options.filter = filter_.empty() ? SlopeFilter::central : value_of("filter", filter_, slope_filters);
         options.wrap = !no_wrap_;
         const Image heights = read_heights(files_[0]);
         options.texels_u = options.texels_v = depth * heights.width;
@@ -181,20 +183,20 @@ private:
         if (!is_up)
             for (size_t i = 1; i < normals.values.size(); i += 3) normals.values[i] = 1 - normals.values[i];
         const auto [mean, most] = slopes_of(normals);
-        described_ = fmt::format("green {}, slopes {} on average and {} at most, ", is_up ? "up" : "down",
-                                 rounded(mean), rounded(most));
-        return normals;
+        std::string about = fmt::format("green {}, slopes {} on average and {} at most, ", is_up ? "up" : "down",
+                                        rounded(mean), rounded(most));
+        return {std::move(normals), std::move(about)};
     }
 
-    Image heights() const {
+    MadeMap heights() const {
         const Image picture = read_image(files_[0]);
         Image made = heights_from_color(picture, ColorSpace::srgb);
         const auto [low, high] = std::minmax_element(made.values.begin(), made.values.end());
-        described_ = fmt::format("heights from {} to {}, ", rounded(double(*low)), rounded(double(*high)));
-        return made;
+        std::string about = fmt::format("heights from {} to {}, ", rounded(double(*low)), rounded(double(*high)));
+        return {std::move(made), std::move(about)};
     }
 
-    Image occlusion() const {
+    MadeMap occlusion() const {
         const double depth = number("--depth", depth_, usual_depth, 0, 1000);
         const int slices = int(number("--slices", slices_, 16, 1, 256));
         const Image heights = read_heights(files_[0]);
@@ -204,20 +206,20 @@ private:
         open.bits = 8;
         double sum = 0;
         for (const float value : open.values) sum += double(value);
-        described_ = fmt::format("{} % of the sky seen on average, ", rounded(100 * sum / double(open.values.size())));
-        return open;
+        std::string about =
+            fmt::format("{} % of the sky seen on average, ", rounded(100 * sum / double(open.values.size())));
+        return {std::move(open), std::move(about)};
     }
 
-    Image combine() const {
+    MadeMap combine() const {
         Image image = combined(files_);
-        described_ = fmt::format("{} channel{}, ", image.channels, image.channels == 1 ? "" : "s");
-        return image;
+        std::string about = fmt::format("{} channel{}, ", image.channels, image.channels == 1 ? "" : "s");
+        return {std::move(image), std::move(about)};
     }
 
     std::string kind_, output_, depth_, filter_, green_, bits_, slices_;
     std::vector<std::string> files_;
     bool no_wrap_ = false;
-    mutable std::string described_;  ///< what the map is, for the line that is printed
 };
 RELIEF_COMMAND(MapCommand, 17, "map", "makes normal maps, heights, occlusion, and maps of several channels, as files");
 

@@ -140,17 +140,11 @@ private:
 };
 
 std::vector<BenchScene> scenes(const BenchSettings& settings) {
-    constexpr std::pair<const char*, SlopeFilter> filters[] = {{"forward", SlopeFilter::forward},
-                                                               {"central", SlopeFilter::central},
-                                                               {"sobel", SlopeFilter::sobel},
-                                                               {"scharr", SlopeFilter::scharr},
-                                                               {"fourth-order", SlopeFilter::fourth_order},
-                                                               {"spline", SlopeFilter::spline}};
     const unsigned most_threads = std::min(2u, hardware_threads());
     NormalsScene normals(settings.quick);
     for (unsigned threads = 1; threads <= most_threads; ++threads) {
         normals.add_memcpy(threads);
-        for (const auto& [name, filter] : filters)
+        for (const auto& [name, filter] : slope_filters)
             for (const int bits : threads == most_threads ? std::vector{8, 16, 32} : std::vector{32})
                 normals.add_filter(name, filter, bits, threads);
     }

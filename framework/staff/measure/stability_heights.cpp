@@ -12,10 +12,6 @@ namespace {
 
 constexpr int side = 32, border = 4;  // border texels are excluded: filters differ there by design
 
-constexpr std::pair<const char*, SlopeFilter> filters[] = {
-    {"forward", SlopeFilter::forward}, {"central", SlopeFilter::central},           {"sobel", SlopeFilter::sobel},
-    {"scharr", SlopeFilter::scharr},   {"fourth-order", SlopeFilter::fourth_order}, {"spline", SlopeFilter::spline}};
-
 constexpr double ramp_u = 0.625, ramp_v = 0.75;  // dh/du and dh/dv of a ramp of slope 1
 
 /// A ramp whose steps floats hold exactly: all filters should find its slope. Rows run down, v up.
@@ -69,7 +65,7 @@ struct Method {
 
 std::vector<Method> methods() {
     std::vector<Method> all;
-    for (const auto& [name, filter] : filters)
+    for (const auto& [name, filter] : slope_filters)
         all.push_back({name, [filter = filter](const Image& heights, double texels) {
                            return normals_from_heights(
                                heights, {.texels_u = texels, .texels_v = texels, .filter = filter, .wrap = false});

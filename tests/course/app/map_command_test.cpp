@@ -65,8 +65,14 @@ TEST_F(MapCommand, HeightsKeepAGreyPictureAndOcclusionIsLeastInValleys) {
     hills("hills.png");
     ASSERT_EQ(relief({"map", "heights", "hills.png", "-o", "h.png"}).code, 0);
     EXPECT_LE(difference(made("h.png"), made("hills.png"), 1).largest, 1e-4);
-    ASSERT_EQ(relief({"map", "occlusion", "h.png", "-o", "open.png", "--slices", "4", "--depth", "0.2"}).code, 0);
+    const Result result = relief({"map", "occlusion", "h.png", "-o", "open.png", "--slices", "4", "--depth", "0.2"});
+    ASSERT_EQ(result.code, 0);
     const Image open = made("open.png"), heights = made("h.png");
+    double mean = 0;
+    for (const float value : open.values) mean += double(value) / double(open.values.size());
+    const size_t percent = result.out.find(", ");
+    ASSERT_NE(percent, std::string::npos);
+    EXPECT_NEAR(std::strtod(result.out.c_str() + percent + 2, nullptr), 100 * mean, 0.5) << result.out;
     double low = 0, lows = 0, high = 0, highs = 0;
     for (size_t i = 0; i < open.values.size(); ++i) {
         const double share = heights.values[i] > 0.5f ? 1 : 0;
