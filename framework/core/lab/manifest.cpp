@@ -108,6 +108,7 @@ ProbeInfo read_probe(Table& table) {
     table.read("limit", probe.limit, 0, any);
     table.read("any_length", probe.any_length);
     table.read("signed", probe.is_signed);
+    if (auto knobs = table.table("without")) probe.without = knobs->all_as_text();
     table.finish();
     if (!is_identifier(probe.name))
         table.fail("name", fmt::format("'{}' becomes PROBE_<name> in the shader: use a-z, 0-9 and _", probe.name));

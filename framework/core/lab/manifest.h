@@ -21,6 +21,8 @@ struct ProbeInfo {
     double limit = 1e-3;      ///< in the unit
     bool any_length = false;  ///< of a direction whose exact value is a unit vector: any other length is accepted
     bool is_signed = false;   ///< the sign of a value matters, and colours show it
+    /// Knobs that take away the relief, such as strength = 0: the probe then shows the base that the relief changes.
+    std::vector<std::pair<std::string, std::string>> without = {};
     ProbeColors colors() const { return {error, is_signed}; }
 };
 

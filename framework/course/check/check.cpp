@@ -16,6 +16,7 @@
 #include "framework/core/image/file.h"
 #include "framework/course/check/fingerprints.h"
 #include "framework/course/check/reach.h"
+#include "framework/course/check/relation.h"
 #include "framework/course/check/starter.h"
 
 namespace relief::check {
@@ -226,6 +227,10 @@ TaskIds wrong_tasks(const Manifest& manifest, const std::vector<Judgement>& said
     return best;
 }
 
+std::string as_sentence(const std::string& text) {
+    return text + (text.ends_with('?') || text.ends_with('.') ? " " : ". ");
+}
+
 /// "1.2", "1.2, 1.3 and 1.4"
 std::string names_of(const TaskIds& tasks) {
     if (tasks.size() < 2) return fmt::format("{}", fmt::join(tasks, ""));
@@ -309,6 +314,14 @@ std::vector<TaskIds> put_right_first(const Manifest& manifest, const std::vector
     return first;
 }
 
+std::string hint_of(const CheckInfo& check, const Judgement& said) {
+    const std::string& look_at = said.look_at.empty() ? check.look_at : said.look_at;
+    if (said.relation.empty()) return look_at;
+    std::string relation = said.relation;
+    relation.front() = char(std::toupper(static_cast<unsigned char>(relation.front())));
+    return as_sentence(look_at) + relation;
+}
+
 std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said,
                                const std::vector<TaskIds>& first) {
     std::vector<std::string> hints(said.size());
@@ -316,7 +329,7 @@ std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judge
         if (!first[i].empty())
             hints[i] = fmt::format("put task {} right first", fmt::join(first[i], " and task "));
         else if (said[i].outcome == Outcome::wrong)
-            hints[i] = said[i].look_at.empty() ? manifest.checks[i].look_at : said[i].look_at;
+            hints[i] = hint_of(manifest.checks[i], said[i]);
     return hints;
 }
 
@@ -334,6 +347,41 @@ std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check) {
     if (fs::exists(file)) return read_image(file);
     if (check.against == "solution") return draw(lab, check.shot);
     return truth_of(*make_lab(lab, check.shot), check.shot);
+}
+
+std::optional<Shot> base_shot(const Manifest& manifest, const CheckInfo& check) {
+    if (!check.shot.probe) return {};
+    const ProbeInfo& probe = manifest.probe(check.shot.probe.name);
+    if (probe.without.empty()) return {};
+    Shot shot = check.shot;
+    shot.set.insert(shot.set.end(), probe.without.begin(), probe.without.end());
+    return shot;
+}
+
+std::optional<Relation> relation_of(const Manifest& manifest, const CheckInfo& check, const Image& drawn,
+                                    const Image& expected, const Image* base) {
+    if (!drawn.same_shape(expected)) return {};
+    if (!check.shot.probe) return relation_between(drawn, expected, {});
+    const ProbeInfo& probe = manifest.probe(check.shot.probe.name);
+    if (const auto& least = check.limits.at_least)
+        if (summarize(error_image(drawn, expected, probe.error)).mean < *least) return {};
+    std::string knobs;
+    for (const auto& [knob, value] : probe.without)
+        knobs += fmt::format("{}{} = {}", knobs.empty() ? "" : ", ", knob, value);
+    return relation_between(drawn, expected, {probe.name, probe.error, base, knobs});
+}
+
+std::string sentence_of(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
+                        const std::function<Image(const Shot& base)>& draw_base) {
+    auto relation = relation_of(manifest, check, drawn, expected);
+    if (!relation || relation->predicted.values.empty())
+        if (const auto shot = base_shot(manifest, check)) try {
+                const Image base = draw_base(*shot);
+                relation = relation_of(manifest, check, drawn, expected, &base);
+            } catch (const Error&) {
+                // Without a base there are fewer relations.
+            }
+    return relation ? relation->sentence : "";
 }
 
 Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected) {
@@ -385,8 +433,11 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
             refuse_unusable(run.drawn, check.shot);
             result.drawn = run.drawn;
             if (!expected) result.expected = draw(lab, manifest.check(check.against).shot);
-            said = judge(manifest, check, allowance ? allowance(check, result.drawn, result.expected) : result.drawn,
-                         result.expected);
+            const Image judged = allowance ? allowance(check, result.drawn, result.expected) : result.drawn;
+            said = judge(manifest, check, judged, result.expected);
+            if (said.outcome == Outcome::wrong)
+                said.relation = sentence_of(manifest, check, judged, result.expected,
+                                            [&](const Shot& shot) { return draw_shot(*make_lab(lab, shot), shot); });
         }
     } catch (const Error& error) {
         said = {Outcome::broken, error.what(), task_at(manifest, error.place())};
@@ -396,6 +447,7 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
     result.found = said.found;
     result.culprit = said.culprit;
     result.look_at = said.look_at;
+    result.relation = said.relation;
     return run;
 }
 
@@ -404,10 +456,6 @@ std::string what_reaches_beyond(const std::string& file, const OtherShaders& oth
     if (!is_shader(file) || !fs::exists(course_root() / file)) return {};
     const std::string beyond = reaches_beyond(read_file(course_root() / file), others);
     return beyond.empty() ? "" : fmt::format("{} {}", file, beyond);
-}
-
-std::string as_sentence(const std::string& text) {
-    return text + (text.ends_with('?') || text.ends_with('.') ? " " : ". ");
 }
 
 /// Returns no mistakes if their file is damaged or belongs to another manifest: the checks work without them.
@@ -450,7 +498,7 @@ CheckResult LabChecker::run(size_t check, const std::optional<Image>& expected) 
     const std::string beyond = what_reaches_beyond(file, others);
     CheckRun run = beyond.empty() ? try_check(lab, manifest, manifest.checks[check], expected, allowance)
                                   : CheckRun{{&manifest.checks[check], Outcome::broken, beyond}};
-    said[check] = {run.result.outcome, run.result.found, run.result.culprit, run.result.look_at};
+    said[check] = {run.result.outcome, run.result.found, run.result.culprit, run.result.look_at, run.result.relation};
     drawn.erase(check);
     if (const auto places = fingerprints.checks.find(check); run.was_tried && places != fingerprints.checks.end())
         drawn[check] = sample_at(run.drawn, run.result.found, places->second.values);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "framework/core/lab/manifest.h"
+#include "framework/course/check/relation.h"
 
 namespace relief::check {
 
@@ -33,6 +34,8 @@ struct Judgement {
     /// The task whose part of a file holds the compiler's error; no other task can be the cause. Else empty.
     std::string culprit = {};
     std::string look_at = {};  ///< a hint from the measured values, which replaces the check's own; or empty
+    /// How the picture differs from the expected one, see sentence_of(); or empty. judge() does not look for it.
+    std::string relation = {};
     /// The maximum over all limits of value / upper bound and of lower bound / value; at most 1 if the check passed.
     double used = 0;
 };
@@ -44,8 +47,8 @@ struct CheckResult {
     std::string details = {};         ///< the compiler's message beyond `found`, with its source lines, or empty
     Image drawn = {}, expected = {};  ///< the compared pictures; empty if nothing was compared
     std::string look_at = {};         ///< see Advice; only check_lab() fills it in
-    std::string culprit = {};         ///< see Judgement
-    TaskIds waits_for = {};           ///< the tasks that the check waits for, in the manifest's order
+    std::string culprit = {}, relation = {};  ///< see Judgement
+    TaskIds waits_for = {};                   ///< the tasks that the check waits for, in the manifest's order
 };
 
 struct TaskResult {
@@ -81,8 +84,12 @@ std::string waits_text(const TaskIds& tasks, const char* state);
 std::vector<TaskIds> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said,
                                      const std::set<std::string>& recognised = {});
 
+/// Returns the hint of a failed check: the relation of the two pictures, then the hint of the judgement or of the
+/// check.
+std::string hint_of(const CheckInfo& check, const Judgement& said);
+
 /// Returns the hint of each check for the student: the tasks to put right first (`first`, see put_right_first()), else
-/// the hint of the judgement or of the check. Empty for every other check whose outcome is not `wrong`.
+/// hint_of(). Empty for every other check whose outcome is not `wrong`.
 std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judgement>& said,
                                const std::vector<TaskIds>& first);
 
@@ -92,6 +99,18 @@ std::vector<std::string> hints(const Manifest& manifest, const std::vector<Judge
 std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check);
 /// Returns the path of the file in `expected`; it may not exist.
 std::filesystem::path expectation_file(const LabEntry& lab, const CheckInfo& check);
+
+/// Returns the shot of a check without relief: see ProbeInfo::without. Empty if the probe has no such knobs.
+std::optional<Shot> base_shot(const Manifest& manifest, const CheckInfo& check);
+
+/// Returns how a wrong picture relates to the expected one; nothing if the picture is better than the task asks for.
+/// `base`: the picture of base_shot(), or null.
+std::optional<Relation> relation_of(const Manifest& manifest, const CheckInfo& check, const Image& drawn,
+                                    const Image& expected, const Image* base = nullptr);
+
+/// Returns the sentence of relation_of(), or an empty text. Draws the base only if there is no relation without it.
+std::string sentence_of(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
+                        const std::function<Image(const Shot& base)>& draw_base);
 
 /// Judges a picture: first whether it is usable, then its distance from the expected one. `drawn` may come from an
 /// untrusted process: its shape and values are checked. Needs no context.

@@ -58,6 +58,14 @@ std::string expected_caption(const CheckInfo& check) {
     return "expected: the same as in “" + check.against + "”";
 }
 
+/// Returns the expected picture with the relation of a wrong one, see check::Relation; empty if there is none.
+Image related_picture(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected) {
+    if (expected.pixel_count() == 0) return {};
+    if (check::judge(manifest, check, drawn, expected).outcome != check::Outcome::wrong) return {};
+    const auto relation = check::relation_of(manifest, check, drawn, expected);
+    return relation ? relation->predicted : Image();
+}
+
 }  // namespace
 
 std::string outcome_words(check::Outcome outcome) {
@@ -128,6 +136,9 @@ Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Ima
     add(shown.drawn, "mine", who == DrawnBy::reader ? "yours" : "submitted",
         fmt::format("What {} {} for the check: {}", whose, what, check.name));
     add(shown.expected, "expected", expected_caption(check), "What is expected of the check: " + check.name);
+    if (const Image related = related_picture(manifest, check, drawn, expected); related.pixel_count() > 0)
+        add(compare_images(probe, related, expected, 0).drawn, "related", "expected, with that change",
+            "The expected picture, changed as the hint says, in the check: " + check.name);
     add(shown.difference, "difference", "where they differ",
         "Where they differ in the check: " + check.name + ". " + shown.differs, shown.scale);
     const bool is_explained = probe && expected.pixel_count() > 0;

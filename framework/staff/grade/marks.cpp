@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <mutex>
 #include <set>
 
 #include "framework/core/base/error.h"
@@ -156,6 +157,18 @@ void LabGrader::keep_pictures(const Comparison& shown, bool is_hidden, std::vect
     kept.push_back({lab().folder, &manifest(), std::move(check), is_hidden, *drawn, *expected});
 }
 
+/// Returns how the drawn picture of a comparison relates to the expected one, in a sentence; or an empty text.
+std::string LabGrader::relation_in(const Comparison& shown) const {
+    if (!shown.drawn.image || !shown.expected()) return {};
+    CheckInfo check = shown.check;
+    check.shot = shown.view.shot;
+    return check::sentence_of(manifest(), check, *shown.drawn.image, *shown.expected(), [&](const Shot& shot) {
+        static std::mutex mutex;  // a lab computes exact values in one thread at a time
+        const std::lock_guard lock(mutex);
+        return truth_of(*make_lab(lab(), shot), shot);
+    });
+}
+
 /// Returns the marks of all tasks. `marks` is in the manifest's order of checks.
 std::vector<TaskMark> LabGrader::task_marks(const std::vector<CheckMark>& marks) const {
     std::vector<TaskMark> tasks;
@@ -217,6 +230,7 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
         const Verdict& verdict = verdicts[i];
         const Comparison shown = verdict.in_hidden_view ? views_.hidden(i, drawn) : views_.own(i, drawn);
         said.push_back(verdict.said);
+        if (with_names && verdict.said.outcome == check::Outcome::wrong) said[i].relation = relation_in(shown);
         const std::string slow = views_.slowness(i, drawn);
         marks.push_back({.name = checks[i].name,
                          .outcome = verdict.said.outcome,
@@ -228,9 +242,7 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
     const std::vector<check::TaskIds> first = check::put_right_first(manifest(), said);
     const std::vector<std::string> all_hints = check::hints(manifest(), said, first);
     for (size_t i = 0; i < marks.size(); ++i)
-        marks[i].look_at = !verdicts[i].is_own       ? all_hints[i]
-                           : said[i].look_at.empty() ? checks[i].look_at
-                                                     : said[i].look_at;
+        marks[i].look_at = verdicts[i].is_own ? check::hint_of(checks[i], said[i]) : all_hints[i];
     lab.tasks = task_marks(marks);
     if (with_names && lab.graded()) name_mistakes(lab, drawn, verdicts, first, said, is_drawn);
     return lab;

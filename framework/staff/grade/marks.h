@@ -86,6 +86,7 @@ private:
     Verdict judge_check(size_t check, const DrawnChecks& drawn) const;
     void mark_tasks_alone(const Submission& submission, std::vector<Verdict>& verdicts, DrawnChecks& drawn) const;
     void keep_pictures(const Comparison& shown, bool is_hidden, std::vector<CheckPictures>& kept) const;
+    std::string relation_in(const Comparison& shown) const;
     std::vector<TaskMark> task_marks(const std::vector<CheckMark>& marks) const;
     void name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Verdict>& verdicts,
                        const std::vector<check::TaskIds>& first, const std::vector<check::Judgement>& said,
