@@ -120,6 +120,8 @@ void BlockView::draw(const Frame& part, glm::ivec2 size, const Tile& tile, Forma
     set_textures(program, format);
     program.set("u_eye", part.camera.eye());
     set_rays(program, part);
+    program.set("u_tiles", repeat_ == once ? 1.0f : 2.0f);
+    program.set("u_mirrored", repeat_ == mirrored);
     program.set("u_split", split);
     program.set("u_borders", borders_ ? 1.0f : 0.0f);
     window_.draw();
@@ -139,10 +141,16 @@ Image BlockView::truth(const Frame& part, const Probe& probe, Format format) con
         const double t = -ray.origin.z / ray.direction.z;
         const glm::dvec3 place = ray.at(t);
         if (!(t > 0) || std::max(std::abs(place.x), std::abs(place.y)) >= 1) return {};
-        const auto texel = [](double x) { return std::clamp(int((0.5 * x + 0.5) * map_size), 0, map_size - 1); };
-        const float* n = normals.pixel(texel(place.x), map_size - 1 - texel(place.y));
+        glm::dvec2 uv = (0.5 * glm::dvec2(place) + 0.5) * (repeat_ == once ? 1.0 : 2.0), sign(1);
+        for (int c = 0; c < 2; ++c) {
+            const bool second = uv[c] >= 1;
+            uv[c] -= second;
+            if (second && repeat_ == mirrored) uv[c] = 1 - uv[c], sign[c] = -1;
+        }
+        const auto texel = [](double x) { return std::clamp(int(x * map_size), 0, map_size - 1); };
+        const float* n = normals.pixel(texel(uv.x), map_size - 1 - texel(uv.y));
         const glm::dvec3 normal(n[0], n[1], n[2]);
-        if (probe.name == "normal") return glm::dvec4(normal, 0);
+        if (probe.name == "normal") return glm::dvec4(sign.x * normal.x, sign.y * normal.y, normal.z, 0);
         if (format == bc5_snorm) return glm::dvec4(127.0 * normal.x, 127.0 * normal.y, 0, 0);
         const glm::dvec3 codes = 127.5 * (normal + 1.0);
         return glm::dvec4(codes.x, codes.y, format == bc1 ? codes.z : 0, 0);

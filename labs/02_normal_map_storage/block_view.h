@@ -23,10 +23,14 @@ public:
                                                      {bc5_snorm, "bc5-snorm", "TWO_SIGNED"},
                                                      {bytes, "rg8", "TWO_UNSIGNED"}});
     static constexpr std::array shown = {bytes, bc1, bc5, bc5_snorm};  ///< side by side
+    enum Repeat { once, wrapped, mirrored };
+    static constexpr auto repeats = choices<Repeat>({{once, "once"}, {wrapped, "wrapped"}, {mirrored, "mirrored"}});
 
     void knobs(Knobs& knobs) {
         knobs.group("Blocks");
         knobs.choice("map", map_, map_names, "normal map for the formats in blocks");
+        knobs.choice("repeat", repeat_, repeats.names,
+                     "a map in blocks once, or 2 x 2 tiles of it, each like the other or mirrored at its border");
         knobs.toggle("borders", borders_, "lines between the blocks of 4 x 4 texels, over the error");
     }
 
@@ -34,8 +38,8 @@ public:
     /// right of `split`, in clip coordinates, the picture has the error.
     void draw(const Frame& part, glm::ivec2 size, const Tile& tile, Format format, float split, Labels& labels);
 
-    /// Returns the exact values of a probe: for `normal` the map's own normals; for `stored` its codes without rounding
-    /// and without blocks. +infinity beside the map.
+    /// Returns the exact values of a probe: for `normal` the map's own normals, of which a mirrored tile turns x or y
+    /// around; for `stored` its codes without rounding and without blocks. +infinity beside the map.
     Image truth(const Frame& part, const Probe& probe, Format format) const;
 
 private:
@@ -51,7 +55,7 @@ private:
     Kept<Texture, int> exact_;
     std::map<Format, Kept<std::shared_ptr<const Stored>, int>> stored_;
     std::map<Format, Kept<ErrorSummary, GLuint, int>> measured_;
-    int map_ = 0;
+    int map_ = 0, repeat_ = once;
     bool borders_ = true;
 };
 

@@ -14,6 +14,8 @@ uniform vec3 u_right;
 uniform vec3 u_up;
 uniform float u_split;    // x in clip coordinates: lit to its left, the error to its right
 uniform float u_borders;  // 1: lines between the blocks
+uniform float u_tiles;    // tiles of the map along each side of the square, 1 or 2
+uniform bool u_mirrored;  // the right and the upper tiles are mirrored
 uniform sampler2D s_exact;
 uniform sampler2D s_stored;
 
@@ -57,18 +59,23 @@ void main() {
     float t = -u_eye.z / direction.z;
     vec2 place = (u_eye + t * direction).xy;
     float outside = t > 0.0 ? max(abs(place.x), abs(place.y)) : 2.0;
-    vec2 size = vec2(textureSize(s_exact, 0)), uv = 0.5 * place + 0.5;
+    vec2 size = vec2(textureSize(s_exact, 0)), tiles = (0.5 * place + 0.5) * u_tiles;
+    vec2 tile = clamp(floor(tiles), vec2(0.0), vec2(u_tiles - 1.0)), uv = tiles - tile;
+    // A mirrored tile runs backwards, and its slopes along that axis have the other sign.
+    vec2 turned = u_mirrored ? tile : vec2(0.0);
+    uv = mix(uv, 1.0 - uv, turned);
+    vec3 sign_ = vec3(1.0 - 2.0 * turned, 1.0);
     ivec2 texel = clamp(ivec2(floor(uv * size)), ivec2(0), ivec2(size) - 1);
 #ifdef PROBE_normal
     if (outside >= 1.0) discard;
-    o_color = probed(vec4(read_back(texel), 0.0));
+    o_color = probed(vec4(sign_ * read_back(texel), 0.0));
 #elif defined PROBE_stored
     if (outside >= 1.0) discard;
     o_color = vec4(stored(texel), 0.0);
 #else
     // The outline is antialiased over one pixel.
     float cover = clamp((1.0 - outside) / max(fwidth(outside), 1e-6) + 0.5, 0.0, 1.0);
-    vec2 block = uv * size / 4.0, pixel = fwidth(block);
+    vec2 block = tiles * size / 4.0, pixel = fwidth(block);
     vec3 back = mix(vec3(0.075, 0.08, 0.095), vec3(0.15, 0.16, 0.185), 0.5 + 0.5 * v_clip.y), color = back;
     if (cover > 0.0 && v_clip.x > u_split) {
         color = heat((log2(max(error_degrees(texel), 1e-6)) / log2(10.0) + 3.0) / 4.0);
@@ -77,7 +84,7 @@ void main() {
         float room = 1.0 - smoothstep(0.1, 0.25, max(pixel.x, pixel.y));  // no lines where blocks are a few pixels
         color = mix(color, vec3(0.45, 0.55, 0.60), 0.6 * line * room * u_borders);
     } else if (cover > 0.0) {
-        vec3 normal = normalize(read_back(texel)), light = normalize(vec3(-0.6, 0.55, 0.6));
+        vec3 normal = sign_ * normalize(read_back(texel)), light = normalize(vec3(-0.6, 0.55, 0.6));
         vec3 eye = -direction * (u_eye.z < 0.0 ? -1.0 : 1.0);
         float shine = pow(max(dot(normal, normalize(light + eye)), 0.0), 60.0);
         color = srgb_from_linear(vec3(0.42, 0.15, 0.08) * (0.06 + max(dot(normal, light), 0.0)) + 0.5 * shine);

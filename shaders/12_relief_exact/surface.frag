@@ -5,6 +5,7 @@
 #extension GL_ARB_conservative_depth : enable
 #endif
 
+#include "12_relief_exact/chiang.glsl"
 #include "12_relief_exact/search.glsl"
 #include "common/heat.glsl"
 #include "common/light.glsl"
@@ -79,10 +80,7 @@ float lit_at(vec2 uv, float height, vec3 to_light, int iterations) {
 // Returns light_at() by a guess from the normals, without a search.
 float guessed(vec3 surface, vec3 mapped) {
 #ifdef GUESS_CHIANG
-    // Chiang, Li and Burley 2019.
-    float g = dot(surface, u_to_light) / max(dot(mapped, u_to_light) * dot(surface, mapped), 1e-6);
-    g = clamp(g, 0.0, 1.0);
-    return g * (1.0 + g * (1.0 - g));
+    return chiang_shadow(surface, mapped, u_to_light);
 #else
     return dot(surface, u_to_light) > 0.0 ? guessed_shadow(surface, mapped, u_to_light) : 0.0;
 #endif

@@ -211,6 +211,34 @@ TEST(NormalMapBlocks, ShowBC1WithTwiceTheErrorOfBC5) {
     }
 }
 
+Shot four_tiles(const char* format, const char* repeat) {
+    std::vector<Knob> knobs = one(format);
+    knobs.insert(knobs.end(), {{"map", "shapes"}, {"repeat", repeat}});
+    Shot shot = shot_of("02", knobs, "normal", {128, 128});
+    shot.camera = {.yaw = 0, .pitch = 0, .distance = 3};
+    return shot;
+}
+
+TEST(NormalMapBlocks, MirroredAndWrappedTilesHaveTheErrorOfTheMap) {
+    for (const char* format : {"bc5", "bc5-snorm"}) {
+        const double alone = error_of("02", four_tiles(format, "once")).mean;
+        // The pixels of four tiles meet other texels of the map.
+        for (const char* repeat : {"wrapped", "mirrored"})
+            EXPECT_NEAR(error_of("02", four_tiles(format, repeat)).mean, alone, 0.2 * alone) << format << ' ' << repeat;
+    }
+}
+
+TEST(NormalMapBlocks, AMirroredBorderShowsThatUnsignedBytesHaveNoZero) {
+    // The border of the map is flat, and the seam is in the middle of the picture.
+    const auto jump = [](const char* format, const char* repeat) {
+        const Image normals = drawn("02", four_tiles(format, repeat));
+        return glm::degrees(double(normals.pixel(64, 64)[0]) - double(normals.pixel(63, 64)[0]));
+    };
+    EXPECT_NEAR(std::abs(jump("bc5", "mirrored")), glm::degrees(2 * 0.5 / 127.5), 1e-3);
+    EXPECT_EQ(jump("bc5", "wrapped"), 0);
+    EXPECT_EQ(jump("bc5-snorm", "mirrored"), 0);
+}
+
 TEST(NormalMapBlocks, MixNoTexelsOfTwoTiles) {
     // Two tiles of 8 x 8 texels side by side, and their left one alone.
     Image both = normal_map(MapName::shapes), left(8, 8, 3);

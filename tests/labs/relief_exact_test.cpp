@@ -2,6 +2,8 @@
 #include "framework/core/gl/counters.h"
 #include "framework/core/kit/relief_material.h"
 #include "framework/staff/reference/height_field.h"
+#include "framework/staff/reference/terminator.h"
+#include "tests/core/gl/glsl_function.h"
 #include "tests/labs/shots.h"
 
 namespace relief {
@@ -251,6 +253,56 @@ TEST(ReliefExact, ItsShadowHasTheShapeOfTheRelief) {
                 summarize(error_image(render_shot(*lab, shot), truth_of(*lab, shot), ErrorMetric::absolute));
             EXPECT_LT(error.mean, 0.01) << map << ", " << yaw << ", " << pitch;
         }
+}
+
+/// A normal of the base, a normal of the map and a direction to the light.
+using Guess = std::array<glm::vec3, 3>;
+
+/// Returns the largest error of the shader's Chiang factor against the reference.
+double chiang_error(const std::vector<Guess>& guesses, const PlantedMistake& mistake = {}) {
+    std::vector<GlslInput> inputs;
+    for (const auto& [surface, mapped, light] : guesses)
+        inputs.push_back({glm::vec4(surface, 0), glm::vec4(mapped, 0), glm::vec4(light, 0)});
+    const std::vector<glm::vec4> drawn =
+        evaluate_glsl("12_relief_exact/chiang.glsl", "vec4(chiang_shadow(a.xyz, b.xyz, c.xyz))", inputs, mistake);
+    double largest = 0;
+    for (size_t i = 0; i < guesses.size(); ++i) {
+        const double exact = chiang_shadow(guesses[i][0], guesses[i][1], guesses[i][2]);
+        const double off = std::abs(double(drawn[i].x) - exact);
+        largest = std::isfinite(off) ? std::max(largest, off) : HUGE_VAL;  // max() would drop NaN
+    }
+    return largest;
+}
+
+TEST(ReliefExact, TheChiangFactorEqualsItsTwinInDoublePrecisionAlsoAtItsEnds) {
+    std::mt19937 random(12);
+    std::normal_distribution<float> one;
+    const auto unit = [&] { return glm::normalize(glm::vec3(one(random), one(random), one(random))); };
+    std::vector<Guess> inside;
+    while (inside.size() < 5000) {
+        const Guess guess = {unit(), unit(), unit()};
+        // Near 0 the rounding of the product's cosines is a large share of it.
+        if (glm::dot(guess[1], guess[2]) * glm::dot(guess[0], guess[1]) > 0.01f) inside.push_back(guess);
+    }
+    EXPECT_LT(chiang_error(inside), 5e-5) << "cosines are rounded by 1e-7, a hundred-thousandth of a product of 0.01";
+
+    const glm::vec3 up(0, 0, 1), side(1, 0, 0), across(0, 1, 0), low = glm::normalize(glm::vec3(1, 0, 0.25f));
+    const glm::vec3 leaning(0.6f, 0, 0.8f), away(-0.8f, 0, 0.6f);
+    const glm::vec3 horizon(1, 0, 1e-7f);
+    const std::vector<Guess> ends = {
+        {up, side, up}, {up, across, low},   {up, away, leaning},                     // n . L = 0
+        {up, up, side}, {up, leaning, side}, {up, side, side},    {up, up, horizon},  // Ng . L
+        {up, up, low},  {up, up, up},        {low, low, side},                        // equal normals
+        {up, up, -up},  {up, leaning, -up},  {up, -leaning, low}, {up, away, side}};  // below
+    for (const Guess& end : ends)
+        EXPECT_LT(chiang_error({end}), 1e-6) << fmt::format("{} {}, {} {}", end[1].x, end[1].z, end[2].x, end[2].z);
+    for (const float slope : {1e3f, 1e6f, 1e18f}) {
+        const glm::vec3 steep = glm::normalize(glm::vec3(slope, 0, 1));
+        EXPECT_LT(chiang_error({{up, steep, low}, {up, steep, away}, {up, steep, up}}), 1e-6) << slope;
+    }
+
+    EXPECT_GT(chiang_error(inside, {"g * (1.0 - g)", "g * (1.0 + g)"}), 0.1) << "a mistake in the shader";
+    EXPECT_GT(chiang_error(ends, {", 1e-6)", ", 1e-30)"}), 0.1) << "a lower bound that is too small";
 }
 
 TEST(ReliefExact, TurningCameraAndLightWithTheColumnChangesNothing) {

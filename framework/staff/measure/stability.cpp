@@ -51,7 +51,7 @@ namespace {
 
 std::vector<BenchScene> scenes(const BenchSettings& settings) {
     std::vector<BenchScene> all;
-    for (const auto part : {tangent_sweeps, codec_sweeps, height_sweeps, hit_sweeps, lab_sweeps})
+    for (const auto part : {tangent_sweeps, codec_sweeps, height_sweeps, hit_sweeps, lab_sweeps, layer_sweeps})
         for (BenchScene& scene : part(settings)) all.push_back(std::move(scene));
     return all;
 }
@@ -62,7 +62,7 @@ BenchTopic stability_topic() {
     return {.name = "stability",
             .help =
                 "error against how hard the input is: where methods are wrong, not finite, or do not end (seeds: "
-                "tangents 1, formats 3, rays 5, rays against a mesh 7)",
+                "tangents 1, formats 3, rays 5, rays against a mesh 7, layers 19)",
             .question = "From where on is each method wrong?",
             .scenes = scenes,
             .draws = true,

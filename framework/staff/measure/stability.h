@@ -13,6 +13,7 @@ std::vector<BenchScene> codec_sweeps(const BenchSettings& settings);
 std::vector<BenchScene> height_sweeps(const BenchSettings& settings);
 std::vector<BenchScene> hit_sweeps(const BenchSettings& settings);
 std::vector<BenchScene> lab_sweeps(const BenchSettings& settings);
+std::vector<BenchScene> layer_sweeps(const BenchSettings& settings);
 
 /// Returns the screen error, in pixels, of lab 14's hilly ground with `knobs`. One value for each of 512 x 512 pixels
 /// that shows the ground.

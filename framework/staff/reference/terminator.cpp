@@ -20,8 +20,27 @@ double chiang_shadow(const glm::dvec3& surface, const glm::dvec3& mapped, const 
     return g * (1 + g * (1 - g));
 }
 
-TileLight tile_light(const HeightField& heights, double depth, const glm::dvec3& to_light, int samples) {
-    TileLight sum;
+FacetLight schuessler_light(const glm::dvec3& surface, const glm::dvec3& mapped, const glm::dvec3& to_light) {
+    const double upright = glm::dot(surface, mapped), above = glm::dot(surface, to_light);
+    if (upright <= 0 || above <= 0) return {};
+    const glm::dvec3 lean = mapped - upright * surface;
+    const double sine = glm::length(lean);
+    if (sine == 0) return {above, 0};
+    const glm::dvec3 other = -lean / sine;
+    const auto visible = [&](const glm::dvec3& way) {
+        const double area = std::max(glm::dot(mapped, way), 0.0) + sine * std::max(glm::dot(other, way), 0.0);
+        return area > 0 ? std::min(glm::dot(surface, way) * upright / area, 1.0) : 1;
+    };
+    FacetLight light{std::max(glm::dot(mapped, to_light), 0.0) * visible(to_light), 0};
+    const double on_other = glm::dot(other, to_light);
+    if (on_other <= 0) return light;
+    const glm::dvec3 mirrored = to_light - 2 * on_other * other;
+    light.mirrored = std::max(glm::dot(mapped, mirrored), 0.0) * (1 - visible(mirrored)) * visible(to_light);
+    return light;
+}
+
+std::vector<TileLight> place_lights(const HeightField& heights, double depth, const glm::dvec3& to_light, int samples) {
+    std::vector<TileLight> places;
     const glm::dvec3 up(0, 0, 1), in_heights(to_light.x, to_light.y, to_light.z / depth);
     for (int row = 0; row < samples; ++row)
         for (int column = 0; column < samples; ++column) {
@@ -29,15 +48,27 @@ TileLight tile_light(const HeightField& heights, double depth, const glm::dvec3&
             const glm::dvec3 normal = glm::normalize(glm::dvec3(-depth * heights.slope(texel), 1));
             const double cosine = glm::dot(normal, to_light), facing = std::max(cosine, 0.0);
             const bool is_lit = cosine > 0 && heights.is_lit(texel, in_heights);
-            sum.clamped += facing;
-            sum.estevez += facing * estevez_shadow(up, normal, to_light);
-            sum.chiang += facing * chiang_shadow(up, normal, to_light);
-            sum.exact += is_lit ? facing : 0;
-            sum.flux += is_lit ? cosine / normal.z : 0;
+            places.push_back({.clamped = facing,
+                              .estevez = facing * estevez_shadow(up, normal, to_light),
+                              .chiang = facing * chiang_shadow(up, normal, to_light),
+                              .schuessler = schuessler_light(up, normal, to_light).sum(),
+                              .flat = to_light.z,
+                              .exact = is_lit ? facing : 0,
+                              .flux = is_lit ? cosine / normal.z : 0});
         }
-    const double count = double(samples) * samples;
-    return {sum.clamped / count, sum.estevez / count, sum.chiang / count,
-            to_light.z,          sum.exact / count,   sum.flux / count};
+    return places;
+}
+
+TileLight tile_light(const HeightField& heights, double depth, const glm::dvec3& to_light, int samples) {
+    const std::vector<TileLight> places = place_lights(heights, depth, to_light, samples);
+    TileLight mean;
+    for (double TileLight::*const of :
+         {&TileLight::clamped, &TileLight::estevez, &TileLight::chiang, &TileLight::schuessler, &TileLight::flat,
+          &TileLight::exact, &TileLight::flux}) {
+        for (const TileLight& place : places) mean.*of += place.*of;
+        mean.*of /= double(places.size());
+    }
+    return mean;
 }
 
 Image sine_relief(int side) {

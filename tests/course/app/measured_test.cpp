@@ -176,11 +176,11 @@ Measured measured_by_shot(const std::string& command) {
 }
 
 /// Returns the figures of the baseline's row with all these words: first the topic, then words of its scene, method and
-/// knobs.
+/// knobs. Of several, that without other words.
 Measured measured_by_bench(const std::string& command) {
     static const grade::CsvTable table = grade::read_csv(course_root() / "tests/staff/measure/baseline.csv");
     const Words wanted = words_of(command);
-    const grade::CsvRow* found = nullptr;
+    const grade::CsvRow *found = nullptr, *others = nullptr;
     for (const grade::CsvRow& row : table.rows) {
         Words has = {"bench", table.cell(row, "topic")};
         for (const char* column : {"scene", "method", "knobs"})
@@ -188,10 +188,14 @@ Measured measured_by_bench(const std::string& command) {
         if (!std::all_of(wanted.begin(), wanted.end(),
                          [&](const std::string& word) { return std::find(has.begin(), has.end(), word) != has.end(); }))
             continue;
-        if (found) throw Error(fmt::format("{}: lines {} and {} of the baseline", command, found->line, row.line));
-        found = &row;
+        if (has.size() == wanted.size()) {  // the row has no other words: exactly the one that is meant
+            found = &row, others = nullptr;
+            break;
+        }
+        (found ? others : found) = &row;
     }
     if (!found) throw Error(command + ": no such row in the baseline");
+    if (others) throw Error(fmt::format("{}: lines {} and {} of the baseline", command, found->line, others->line));
     Measured values;
     for (const auto& [name, column] : {std::pair("mean", "error_mean"),
                                        {"p99", "error_p99"},
@@ -331,6 +335,14 @@ TEST(Measured, AFalseClaimIsReportedWithItsLine) {
     EXPECT_EQ(faults_in("99", "99  " + test), Words{"t:3: 99 is not in " + test});
     EXPECT_EQ(faults_in("5.52", "5.52  " + test), Words{});
     EXPECT_EQ(faults_in("1", "1  test No.Such"), Words{"t:3: no test No.Such"});
+}
+
+TEST(Measured, OfSeveralRowsOnlyTheOneWithoutOtherWordsIsMeant) {
+    const double mean = measured_by_bench("bench terminator slope=1 elevation=5 usual").at("mean"),
+                 by_place = measured_by_bench("bench terminator elevation=5 error=by-place usual").at("mean");
+    EXPECT_GT(by_place, 1.5 * mean);
+    EXPECT_THROW(measured_by_bench("bench terminator elevation=5 usual"), Error);
+    EXPECT_THROW(measured_by_bench("bench terminator elevation=6 usual"), Error);
 }
 
 TEST(Measured, NumbersInHandoutsAndDecksMatchTheMeasurements) {

@@ -86,6 +86,19 @@ TEST(Stability, FormatsAndAnglesAreStableWherePeersAre) {
 TEST(Stability, NormalsFromHeightsAreStableWherePeersAre) {
     expect_course_holds_where_peers_do(height_sweeps({.quick = true}));
 }
+TEST(Stability, LayersAndGuessedShadowsAreStableWherePeersAre) {
+    expect_course_holds_where_peers_do(layer_sweeps({.quick = true}));
+}
+
+TEST(Stability, LayersAndGuessedShadowsKeepTheirStatedErrorsWherePeersFail) {
+    for (const BenchScene& scene : layer_sweeps({.quick = true}))
+        for (const BenchMethod& method : scene.methods) {
+            const BenchSweep sweep = method.prepare().sweep.value();
+            const bool keeps = std::all_of(sweep.places.begin(), sweep.places.end(),
+                                           [&](const BenchSweep::Place& place) { return holds(sweep, place); });
+            EXPECT_NE(keeps, method.peer) << knob_text(scene.knobs) << ", " << method.name;
+        }
+}
 
 }  // namespace
 }  // namespace relief::measure
