@@ -92,7 +92,7 @@ Image own_heights(Image picture) {
 ReliefMaterial::ReliefMaterial() : own_(own_heights) {}
 
 void ReliefMaterial::knobs(Knobs& knobs) {
-    knobs.choice_or_picture("map", map, own_, maps, "the height map");
+    knobs.choice_or_file("map", map, own_, maps, "the height map");
     knobs.choice("size", size, sizes, "size of the map, texels; wall and paving have 1024");
     knobs.choice("bits", bits, bit_counts, "bits per stored height");
 }
