@@ -1,8 +1,9 @@
-// Models of the user in the labs, from the command line.
+// Models and colours of the user in the labs, from the command line.
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "framework/core/image/color.h"
 #include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
 #include "framework/core/mesh/shapes.h"
@@ -40,6 +41,12 @@ protected:
         const Result result = shot(lab, set, more);
         EXPECT_EQ(result.code, 0) << result.err;
         return result.code == 0 ? read_image(folder_.path() / "picture.exr") : Image(1, 1, 3);
+    }
+    /// Writes a picture of one colour, 8 bits as sRGB stores them or light.
+    void write_color(const std::string& name, glm::vec3 color, int bits) const {
+        Image image(4, 4, 3, bits);
+        for (size_t i = 0; i < image.values.size(); ++i) image.values[i] = color[int(i % 3)];
+        write_image(folder_.path() / name, image);
     }
 };
 
@@ -143,6 +150,46 @@ TEST_F(OwnFiles, ABrokenModelIsRefusedWithOneLine) {
     const Result analytic = shot("05", {"view=one", "method=analytic", "shape=cube.obj"}, {"-o", "o.png"});
     EXPECT_EQ(analytic.code, 1);
     EXPECT_TRUE(contains(analytic.err, "an own model has none")) << analytic.err;
+}
+
+TEST_F(OwnFiles, ColorsOfTheMapGivenAsAFileChangeNothing) {
+    const std::string albedo = std::string(source_folder) + "/assets/bricks_albedo.png";
+    for (const std::string lab : {"10", "11", "12"}) {
+        const std::vector<std::string> set = {"view=one", "map=wall"};
+        std::vector<std::string> own = set;
+        own.push_back("colors=" + albedo);
+        EXPECT_EQ(difference(picture(lab, set), picture(lab, own), 1).largest, 0) << lab;
+    }
+}
+
+TEST_F(OwnFiles, ColorsAreThoseOfAPictureAsSrgbOrAsLight) {
+    write_color("stored.png", {0.8f, 0.4f, 0}, 8);
+    write_color("light.exr", {float(linear_from_srgb(0.8)), float(linear_from_srgb(0.4)), 0}, 32);
+    write_color("black.png", {0, 0, 0}, 8);
+    for (const std::string lab : {"10", "11", "12"}) {
+        const auto with = [&](const char* colors) {
+            return picture(lab, {"view=one", "map=posts", fmt::format("colors={}", colors)});
+        };
+        const Image stored = with("stored.png"), black = with("black.png");
+        EXPECT_LE(difference(stored, with("light.exr"), 1).largest, 0.02) << lab;
+        EXPECT_GT(share_apart(stored, with("map"), 0.05f), 0.3) << lab;
+        // What is not albedo, such as highlights, is in the black picture. The rest has the proportions of the colour.
+        double sums[3] = {};
+        for (size_t i = 0; i < stored.values.size(); ++i)
+            sums[i % 3] += double(stored.values[i]) - double(black.values[i]);  // EXR has light
+        EXPECT_GT(sums[0], 0) << lab;
+        EXPECT_NEAR(sums[1] / sums[0], linear_from_srgb(0.4) / linear_from_srgb(0.8), 0.02) << lab;
+        EXPECT_NEAR(sums[2] / sums[0], 0, 0.01) << lab;
+    }
+}
+
+TEST_F(OwnFiles, ABrokenPictureOfColorsIsRefusedWithOneLine) {
+    folder_.write("text.png", "not a picture");
+    const Result result = shot("12", {"colors=text.png"}, {"-o", "o.png"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "text.png: neither PNG")) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "o.png"));
 }
 
 }  // namespace
