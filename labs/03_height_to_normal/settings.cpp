@@ -18,8 +18,8 @@ void Settings::knobs(Knobs& knobs) {
                  "the lit relief, the error compared with the exact slope, or half of each; or what else heights give: "
                  "how open a place is to the sky, how glossy by its normals' spread");
     knobs.group("Map");
-    knobs.choice_or_picture("source", map.source, own, MapSettings::sources.names,
-                            "a known function, the bricks' height map, or the bricks' colours");
+    knobs.choice_or_file("source", map.source, own, MapSettings::sources.names,
+                         "a known function, the bricks' height map, or the bricks' colours");
     knobs.choice("size", map.size_choice, MapSettings::sizes, "texels along each side of the map (source waves)");
     knobs.choice("bits", map.bits_choice, MapSettings::bit_counts, "bits per stored height (source waves)");
     knobs.slider("depth", map.depth, 0, 64, "depth of the relief: texels of a height of 1");

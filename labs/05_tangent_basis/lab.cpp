@@ -10,6 +10,7 @@
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
+#include "framework/core/kit/own_mesh.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
 #include "shapes.h"
@@ -36,9 +37,10 @@ public:
         knobs.group("Picture");
         knobs.choice("view", view_, views, "the methods side by side, or one of them");
         knobs.choice("method", method_, methods, "for view = one: source of the tangent");
-        knobs.choice("shape", shape_, shapes, "shape with the bricks");
+        knobs.choice_or_file("shape", shape_, own_, shapes, "shape with the bricks");
         knobs.choice("show", show_, shows, "the light, the angle to the exact dP/du, or half of each");
-        knobs.toggle("lines", lines_, "draw the frames: tangent red, bitangent green, normal blue");
+        knobs.toggle("lines", lines_,
+                     "draw the frames: tangent red, bitangent green, normal blue; a file of many vertices has none");
         knobs.slider("line_length", line_length_, 2, 60, "length of the drawn axes, pixels");
         knobs.group("Mesh");
         knobs.steps("columns", columns_, 3, 64, "cells of the mesh around the shape");
@@ -51,7 +53,7 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe& probe) const override {
-        if (shape() == basis::Shape::urn || collapsed_) return {};
+        if (shape() == basis::Shape::urn || is_own() || collapsed_) return {};
         const basis::CoarseMesh mesh = coarse();
         return truth_in_tiles(frame, tiles_of_view(frame.size), [&](const Frame& part, size_t) {
             return basis::truth(part, probe, mesh, shape(), shear_);
@@ -68,19 +70,25 @@ private:
                                            "mikktspace", "derivatives", "analytic"};
     static constexpr std::array shapes = {"quad", "box", "cylinder", "sphere", "torus", "mirrored", "urn"};
     static constexpr std::array shows = {"half-and-half", "light", "error"};
-    static constexpr std::array side_by_side = {per_face, uniform, area, angle, derivatives, analytic};
+    static constexpr std::array side_by_side = {per_face, uniform,     area,
+                                                angle,    derivatives, analytic};  // the last: not of an own model
+
+    static constexpr size_t most_lined_vertices = 1000;  ///< of an own model; more frames would hide it
 
     basis::Shape shape() const { return basis::Shape(shape_); }
+    /// An own model has no formula: neither an analytic tangent nor an error.
+    bool is_own() const { return shape() == basis::Shape::own; }
+    bool shows_light_only() const { return show_ == light || is_own(); }
     basis::CoarseMesh coarse() const { return basis::coarse_mesh(shape(), columns_, rows_, jitter_, shear_); }
-    bool has_scale() const { return show_ != light; }
+    bool has_scale() const { return !shows_light_only(); }
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
-        return tiles_of(size, view_ == one ? 1 : int(side_by_side.size()),
+        return tiles_of(size, view_ == one ? 1 : int(side_by_side.size()) - is_own(),
                         has_scale() ? Labels::scale_height(size) : 0);
     }
     int method_of(size_t tile) const { return view_ == one ? method_ : side_by_side[tile]; }
 
     Mesh make(int method) const {
-        Mesh mesh = coarse().mesh;
+        Mesh mesh = is_own() ? own_.mesh() : coarse().mesh;
         if (collapsed_)
             for (Vertex& vertex : mesh.vertices) vertex.uv.x = 0;
         switch (method) {
@@ -98,12 +106,15 @@ private:
                 if (!basis::with_mikktspace)
                     throw Error("MikkTSpace is not in this course: it holds what tasks 5.1 to 5.3 ask for");
                 return basis::with_mikktspace(mesh);
+            case analytic:
+                if (is_own()) throw Error("method=analytic needs a shape with a formula: an own model has none");
+                return mesh;
             default:
                 return mesh;
         }
     }
     const GpuMesh& mesh_of(int method) {
-        auto& meshes = meshes_.get({shape_, columns_, rows_, jitter_, shear_, collapsed_},
+        auto& meshes = meshes_.get({shape_, columns_, rows_, jitter_, shear_, collapsed_, own_.version()},
                                    [] { return std::map<int, GpuMesh>(); });
         return meshes.try_emplace(method, upload([this, method] { return make(method); })).first->second;
     }
@@ -123,19 +134,20 @@ private:
         surface.set("u_clip_from_world", frame.camera.clip_from_world());
         surface.set("u_eye", frame.camera.eye());
         surface.set("u_light", lamp_at(light_yaw_, 3, 2.4f));
-        surface.set("u_repeat", shape() == basis::Shape::quad  ? glm::vec2(2)
-                                : shape() == basis::Shape::box ? glm::vec2(1)
-                                                               : glm::vec2(4, 2));
-        surface.set("u_split", float(tile.corner.x) + float(tile.size.x) * (show_ == half_and_half ? 0.5f
-                                                                            : show_ == light       ? 2.0f
-                                                                                                   : -1.0f));
+        surface.set("u_repeat", shape() == basis::Shape::quad              ? glm::vec2(2)
+                                : shape() == basis::Shape::box || is_own() ? glm::vec2(1)
+                                                                           : glm::vec2(4, 2));
+        surface.set("u_split", float(tile.corner.x) + float(tile.size.x) * (shows_light_only()       ? 2.0f
+                                                                            : show_ == half_and_half ? 0.5f
+                                                                                                     : -1.0f));
         surface.set("u_shear", shear_);
         surface.set("s_albedo", 0, albedo_);
         surface.set("s_normals", 1, normals_);
         glBindVertexArray(mesh.layout());
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
 
-        if (!lines_ || method == derivatives || frame.probe) return;
+        const bool are_too_many = is_own() && own_.mesh().vertices.size() > most_lined_vertices;
+        if (!lines_ || are_too_many || method == derivatives || frame.probe) return;
         const Program& frames = frames_.with();
         glUseProgram(frames);
         frames.set("u_clip_from_world", frame.camera.clip_from_world());
@@ -155,7 +167,8 @@ private:
     Programs frames_{"05_tangent_basis/lines.vert", "05_tangent_basis/lines.frag"};
     Texture albedo_ = load_texture("bricks_albedo.png", ColorSpace::srgb);
     Texture normals_ = load_texture("bricks_normal.png", ColorSpace::linear);
-    Kept<std::map<int, GpuMesh>, int, int, int, float, float, bool> meshes_;  ///< by method
+    Kept<std::map<int, GpuMesh>, int, int, int, float, float, bool, int> meshes_;  ///< by method
+    OwnMesh own_{basis::box_half * std::sqrt(3.0)};
     Labels labels_;
 
     int view_ = every, method_ = angle, shape_ = int(basis::Shape::torus), show_ = half_and_half, columns_ = 24,

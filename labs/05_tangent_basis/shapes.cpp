@@ -27,7 +27,7 @@ Place on_box(glm::dvec2 uv) {
     constexpr glm::dvec3 normals[] = {{0, 0, 1}, {1, 0, 0}, {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
     const glm::dvec3 normal = normals[face];
     const glm::dvec3 tangent = face < 4 ? glm::cross(glm::dvec3(0, 1, 0), normal) : glm::dvec3(1, 0, 0);
-    return {0.62 * (normal + s * tangent + t * glm::cross(normal, tangent)), normal, {tangent, 1}};
+    return {box_half * (normal + s * tangent + t * glm::cross(normal, tangent)), normal, {tangent, 1}};
 }
 
 /// Returns a pseudo-random number in [-1, 1], a hash of a and b.
@@ -68,6 +68,7 @@ Place place_on(Shape shape, glm::dvec2 uv, double shear) {
             return place;
         }
         case Shape::torus:
+        case Shape::own:
             break;
     }
     const double tube = 2 * pi * uv.y;

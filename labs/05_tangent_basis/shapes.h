@@ -8,7 +8,8 @@
 
 namespace relief::basis {
 
-enum class Shape { quad, box, cylinder, sphere, torus, mirrored, urn };
+enum class Shape { quad, box, cylinder, sphere, torus, mirrored, urn, own };
+constexpr double box_half = 0.62;  ///< half the side of the box, metres
 
 /// A place on a surface. The normal has unit length. `tangent` is dP/du, normalized, with the handedness in w.
 struct Place {
@@ -28,7 +29,7 @@ struct CoarseMesh {
 };
 /// Returns a mesh of columns x rows cells. `jitter` in [0, 1] moves inner vertices along the surface by up to
 /// 0.33 * jitter cells. If it is above 0, the diagonals of cells are random, too. The urn comes from a file and has no
-/// jitter.
+/// jitter. Precondition: the shape is not `own`, which has no formula.
 CoarseMesh coarse_mesh(Shape shape, int columns, int rows, double jitter, double shear);
 
 }  // namespace relief::basis

@@ -10,6 +10,7 @@
 #include "framework/core/kit/kept.h"
 #include "framework/core/kit/labels.h"
 #include "framework/core/kit/light.h"
+#include "framework/core/kit/own_mesh.h"
 #include "framework/core/kit/tiles.h"
 #include "framework/core/lab/lab.h"
 #include "scene.h"
@@ -33,10 +34,11 @@ public:
     void knobs(Knobs& knobs) override {
         knobs.group("Picture");
         knobs.choice("view", view_, views, "the right way and three mistakes, or one picture by the knobs");
-        knobs.choice("shape", shape_, shapes, "shape of the model; the wall's left half is mirrored");
+        knobs.choice_or_file("shape", shape_, own_mesh_, shapes,
+                             "shape of the model; the wall's left half is mirrored");
         knobs.group("Normals");
         knobs.choice("normals", normals_from_, sources, "normals from the map, or from the vertices only");
-        knobs.choice_or_picture("map", map_, own_, maps, "the normal map: bricks, or one flat texel");
+        knobs.choice_or_file("map", map_, own_, maps, "the normal map: bricks, or one flat texel");
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
         knobs.choice("light_in", light_in_, spaces, "space of the lighting");
         knobs.toggle("gram_schmidt", gram_schmidt_, "for view = one: make each pixel's frame orthonormal");
@@ -61,7 +63,7 @@ public:
     }
 
     std::optional<Image> truth(const Frame& frame, const Probe&) const override {
-        if (normals_from_ == from_map && map_ == own) return {};
+        if (frames::Shape(shape_) == frames::Shape::own || (normals_from_ == from_map && map_ == own)) return {};
         const bool has_map = normals_from_ == from_map && map_ == bricks;
         // Without a tangent, the direction of the bumps is undefined.
         if (has_map && strength_ != 0 && (trouble_ == along_normal || trouble_ == missing)) return {};
@@ -136,7 +138,8 @@ private:
         const auto shape = frames::Shape(shape_);
         const GpuMesh& mesh = shape == frames::Shape::sphere   ? sphere_
                               : shape == frames::Shape::column ? column_
-                                                               : wall_;
+                              : shape == frames::Shape::wall   ? wall_
+                                                               : own_model();
         glBindVertexArray(mesh.layout());
         glDrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
     }
@@ -152,6 +155,10 @@ private:
         return own_texture_.get({own_.version()},
                                 [this] { return Texture("own map", [this] { return own_.image(); }); });
     }
+    const GpuMesh& own_model() const {
+        return own_model_.get({own_mesh_.version()},
+                              [this] { return upload([this] { return with_face_tangents(own_mesh_.mesh()); }); });
+    }
     static Image flat_texel() {
         Image image(1, 1, 3);
         image.values = {0.5f, 0.5f, 1};
@@ -163,6 +170,8 @@ private:
     Texture texel_{"a flat texel", flat_texel};
     OwnPicture own_{own_normals};
     mutable Kept<Texture, int> own_texture_;  ///< by the picture
+    OwnMesh own_mesh_{1.25};
+    mutable Kept<GpuMesh, int> own_model_;  ///< by the model
     GpuMesh sphere_ = upload([] { return make_sphere(frames::sphere); });
     GpuMesh column_ = upload([] { return make_column(frames::column); });
     GpuMesh wall_ = upload([] { return frames::make_mirrored_wall(); });

@@ -5,7 +5,7 @@
 
 namespace relief::frames {
 
-enum class Shape { sphere, column, wall };
+enum class Shape { sphere, column, wall, own };
 
 // A tile of bricks is as wide as it is high on the column and on the wall, and at the sphere's equator.
 constexpr SphereShape sphere{.radius = 1, .sides = 48, .rows = 24, .repeat = {4, 2}};

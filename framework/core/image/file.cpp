@@ -10,6 +10,7 @@
 #include "framework/core/base/file.h"
 #include "framework/core/base/module.h"
 #include "framework/core/base/text.h"
+#include "framework/core/image/dds.h"
 #include "framework/core/image/exr.h"
 #include "framework/core/image/netpbm.h"
 #include "framework/core/image/openimageio.h"
@@ -32,7 +33,7 @@ const char* format_by_content(const std::string& bytes) {
     if (start.starts_with("\x89PNG\r\n\x1a\n"sv)) return "png";
     if (start.starts_with("\x76\x2f\x31\x01"sv)) return "openexr";
     if (start.starts_with("\xff\xd8\xff"sv)) return "jpeg";
-    throw Error("neither PNG, OpenEXR, JPEG, PPM nor PFM");
+    throw Error("neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
 }
 
 /// Returns the size in bytes of an OpenEXR header value of a fixed-size type, or nothing for a type of variable size.
@@ -134,6 +135,7 @@ void check_png_chunks(std::string_view bytes) {
 
 Image decode_image(const std::string& bytes, Notes* notes) {
     if (is_netpbm(bytes)) return decode_netpbm(bytes);
+    if (is_dds(bytes)) return decode_dds(bytes);
     const char* const format = format_by_content(bytes);
     if (format == "openexr"sv) check_openexr_header(bytes);
     if (format == "png"sv) check_png_chunks(bytes);

@@ -1,6 +1,6 @@
-// Images in files. PNG is handled by libpng, and PPM, PFM and plain OpenEXR by our own code. JPEG and all other OpenEXR
-// are read by OpenImageIO. It is optional, and opened at first use, because it loads 260 libraries in a sixth of a
-// second.
+// Images in files. PNG is handled by libpng, and PPM, PFM, plain OpenEXR and normal maps in DDS by our own code. JPEG
+// and all other OpenEXR are read by OpenImageIO. It is optional, and opened at first use, because it loads 260
+// libraries in a sixth of a second.
 #pragma once
 
 #include <filesystem>
@@ -21,9 +21,9 @@ using Notes = std::vector<std::pair<std::string, std::string>>;
 constexpr int max_image_side = 16384;
 constexpr size_t max_image_bytes = size_t{1} << 30;
 
-/// Returns the image in PNG, OpenEXR, JPEG, PPM, PGM or PFM bytes; the format is detected from the content. `notes`
-/// receives the notes that write_image() stored. Throws Error without a place when the bytes are damaged, too large, or
-/// of another format.
+/// Returns the image in PNG, OpenEXR, JPEG, PPM, PGM, PFM or DDS (BC5) bytes; the format is detected from the content.
+/// `notes` receives the notes that write_image() stored. Throws Error without a place when the bytes are damaged, too
+/// large, or of another format.
 Image decode_image(const std::string& bytes, Notes* notes = nullptr);
 
 /// Returns the image in a file. The name does not matter. Throws Error that names the file, also when it is missing.

@@ -7,15 +7,13 @@
 
 namespace relief {
 
-void OwnPicture::read(const std::filesystem::path& file) {
+void OwnPicture::load(const std::filesystem::path& file) {
     Image picture = read_image(file);
     try {
         image_ = prepare_(std::move(picture));
     } catch (const Error& error) {
         throw Error({file}, error.what());
     }
-    file_ = std::filesystem::absolute(file);
-    ++version_;
 }
 
 bool is_nearly_grey(const Image& picture) {

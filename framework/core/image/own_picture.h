@@ -4,32 +4,27 @@
 #include <filesystem>
 #include <functional>
 
+#include "framework/core/base/own_file.h"
 #include "framework/core/image/image.h"
 
 namespace relief {
 
-class OwnPicture {
+class OwnPicture final : public OwnFile {
 public:
     /// `prepare` converts a picture for the lab. It throws Error, without a place, when the picture is unsuitable; the
-    /// message says which pictures are accepted.
+    /// message says which pictures are accepted. Then the previous picture stays.
     explicit OwnPicture(std::function<Image(Image)> prepare) : prepare_(std::move(prepare)) {}
 
-    /// Reads and prepares a picture. Throws Error that names the file when it is missing, damaged, too large or refused
-    /// by `prepare`; then the previous picture stays.
-    void read(const std::filesystem::path& file);
-
-    /// Absolute path; empty until a picture has been read.
-    const std::filesystem::path& file() const { return file_; }
+    const char* kind() const override { return "a picture's file"; }
+    bool accepts(const std::filesystem::path& file) const override { return !is_named_as_model(file); }
     /// The picture as `prepare` returned it.
     const Image& image() const { return image_; }
-    /// Increases with each picture that is read.
-    int version() const { return version_; }
 
 private:
+    void load(const std::filesystem::path& file) override;
+
     std::function<Image(Image)> prepare_;
-    std::filesystem::path file_;
     Image image_;
-    int version_ = 0;
 };
 
 /// Returns whether the first three channels of a pixel span at most 0.02 on average. An image with fewer channels is

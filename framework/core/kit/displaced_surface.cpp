@@ -19,22 +19,24 @@ struct Lay {
     float metres;
     glm::vec2 tiles;
 };
-constexpr std::array<Lay, 8> lays = {{{DisplacedSurface::wall_metres, {2, 2}},
+constexpr std::array<Lay, 9> lays = {{{DisplacedSurface::wall_metres, {2, 2}},
                                       {DisplacedSurface::ground_metres, {1, 1}},
                                       {around / 4, {1, 1}},
                                       {around, {6, 3}},
                                       {around, {6, 2}},
                                       {around / 2, {3, 2}},
-                                      {1.5f, {1, 1}},
-                                      {3.2f, {3, 2}}}};
+                                      {DisplacedSurface::box_metres, {1, 1}},
+                                      {3.2f, {3, 2}},
+                                      {0, {1, 1}}}};  // an own model: metres_per_uv()
 
 }  // namespace
 
 void DisplacedSurface::knobs(Knobs& knobs) {
     knobs.group("Surface");
-    knobs.choice("surface", shape, shapes, "shape with the relief");
+    knobs.choice_or_file("surface", shape, own_, shapes, "shape with the relief");
     knobs.choice("corners", corners_choice, corner_counts, "corners of a patch");
-    knobs.steps("patches", density, 1, most_density, "patches along a side, before tessellation; the urn has its own");
+    knobs.steps("patches", density, 1, most_density,
+                "patches along a side, before tessellation; the urn and a file have their own");
     material.knobs(knobs);
     knobs.slider("depth", depth, 0, 0.5f, "depth of the relief, in widths of a tile");
     knobs.steps("repeat", repeat, 1, 8, "repeats of the tile");
@@ -44,7 +46,9 @@ Define DisplacedSurface::spacing_define(int spacing) { return spacing_defines[si
 
 glm::vec2 DisplacedSurface::tiles() const { return lays[size_t(shape)].tiles * float(repeat); }
 
-float DisplacedSurface::tile() const { return lays[size_t(shape)].metres / tiles().x; }
+float DisplacedSurface::tile() const {
+    return (shape == own ? made().own_metres : lays[size_t(shape)].metres) / tiles().x;
+}
 
 Mesh DisplacedSurface::mesh() const {
     const glm::vec2 tiles = this->tiles();
@@ -73,18 +77,21 @@ Mesh DisplacedSurface::mesh() const {
             return mesh;
         }
         case box:
-            return make_box({.size = glm::vec3(1.5f), .cells = glm::ivec3(std::max(1, density / 2)), .repeat = tiles});
+            return make_box(
+                {.size = glm::vec3(box_metres), .cells = glm::ivec3(std::max(1, density / 2)), .repeat = tiles});
         case urn:
+        case own:
             break;
     }
-    Mesh mesh = read_urn();
+    Mesh mesh = shape == own ? with_face_tangents(own_.mesh()) : read_urn();
     for (Vertex& vertex : mesh.vertices) vertex.uv *= tiles;
     return mesh;
 }
 
 const DisplacedSurface::Made& DisplacedSurface::made() const {
-    return made_.get({shape, corners(), density, repeat}, [this]() -> Made {
-        return {make_patches(mesh(), corners()), GpuPatches([this] { return patches(); })};
+    return made_.get({shape, corners(), density, repeat, own_.version()}, [this]() -> Made {
+        return {make_patches(mesh(), corners()), GpuPatches([this] { return patches(); }),
+                shape == own ? float(metres_per_uv(own_.mesh())) : 0};
     });
 }
 

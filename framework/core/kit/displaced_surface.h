@@ -5,6 +5,7 @@
 
 #include "framework/core/gl/patches.h"
 #include "framework/core/kit/kept.h"
+#include "framework/core/kit/own_mesh.h"
 #include "framework/core/kit/relief_material.h"
 #include "framework/core/lab/lab.h"
 
@@ -12,8 +13,10 @@ namespace relief {
 
 class DisplacedSurface {
 public:
-    enum Shape { wall, ground, sphere, globe, torus, column, box, urn };
-    static constexpr float wall_metres = 2, ground_metres = 16;  ///< side lengths
+    enum Shape { wall, ground, sphere, globe, torus, column, box, urn, own };
+    static constexpr float wall_metres = 2, ground_metres = 16, box_metres = 1.5f;  ///< side lengths
+    /// Half the diagonal of a model's bounding box, metres: that of the box.
+    static constexpr double own_radius = 0.8660254037844386 * double(box_metres);
 
     /// The spacings of a tessellation, which place the vertices at a fractional level: the choices of a lab's knob.
     static constexpr std::array spacings = {"equal", "fractional-odd", "fractional-even"};
@@ -75,14 +78,17 @@ public:
 
 private:
     float tile() const;  ///< width of a tile, metres
+    OwnMesh own_{own_radius};
     Mesh mesh() const;
 
     struct Made {
         PatchMesh patches;
         GpuPatches uploaded;
+        float own_metres;  ///< a unit of an own model's uv; 0 for other shapes
     };
     const Made& made() const;
-    mutable Kept<Made, int, int, int, int> made_;  ///< inputs: shape, corners, density and repeat
+    /// Inputs: shape, corners, density, repeat and version of the own model.
+    mutable Kept<Made, int, int, int, int, int> made_;
     mutable std::optional<QueryName> count_;
 };
 

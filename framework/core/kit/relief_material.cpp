@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::array maps = {"smooth", "fbm",    "bricks", "stones", "posts",   "rock",
                              "wall",   "paving", "low",    "high",   "plateau", "damaged"};
+constexpr std::array color_names = {"map"};
 constexpr std::array sizes = {"1", "256", "512", "1024", "4096"};
 constexpr std::array texels = {1, 256, 512, 1024, 4096};
 constexpr std::array bit_counts = {"float", "8"};
@@ -87,12 +88,26 @@ Image own_heights(Image picture) {
     return heights;
 }
 
+/// Returns the colours of a user's picture in three channels, as sRGB stores them. Pictures of floats hold light. A
+/// grey picture is grey; alpha is ignored.
+Image own_albedo(Image picture) {
+    Image colors(picture.width, picture.height, 3, 8);
+    for (size_t i = 0; i < picture.pixel_count(); ++i)
+        for (size_t c = 0; c < 3; ++c) {
+            const float stored = picture.values[i * size_t(picture.channels) + (picture.channels < 3 ? 0 : c)];
+            const double shown = picture.bits == 32 ? srgb_from_linear(double(stored)) : double(stored);
+            colors.values[i * 3 + c] = std::isfinite(shown) ? float(std::clamp(shown, 0.0, 1.0)) : 0;
+        }
+    return colors;
+}
+
 }  // namespace
 
-ReliefMaterial::ReliefMaterial() : own_(own_heights) {}
+ReliefMaterial::ReliefMaterial() : own_(own_heights), own_colors_(own_albedo) {}
 
 void ReliefMaterial::knobs(Knobs& knobs) {
-    knobs.choice_or_picture("map", map, own_, maps, "the height map");
+    knobs.choice_or_file("map", map, own_, maps, "the height map");
+    knobs.choice_or_file("colors", colors, own_colors_, color_names, "colours: those of the map");
     knobs.choice("size", size, sizes, "size of the map, texels; wall and paving have 1024");
     knobs.choice("bits", bits, bit_counts, "bits per stored height");
 }
@@ -169,9 +184,15 @@ Image ReliefMaterial::normals() const {
     return image;
 }
 
+const Texture& ReliefMaterial::own_albedo_texture() const {
+    return own_albedo_.get({own_colors_.version()}, [this] {
+        return Texture("own colours", [this] { return own_colors_.image(); }, {.space = ColorSpace::srgb});
+    });
+}
+
 void ReliefMaterial::set(const Program& program) const {
     program.set("s_heights", 0, made().height_texture);
-    program.set("s_albedo", 1, made().albedo_texture);
+    program.set("s_albedo", 1, colors == own_colors ? own_albedo_texture() : made().albedo_texture);
     program.set("s_normals", 2, made().normal_texture);
 }
 

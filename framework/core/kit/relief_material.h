@@ -17,6 +17,7 @@ struct ReliefMap {
 
 class ReliefMaterial {
 public:
+    enum Colors { colors_of_map, own_colors };
     enum Size { texels_1, texels_256, texels_512, texels_1024, texels_4096 };
 
     ReliefMaterial();
@@ -42,11 +43,12 @@ public:
     static constexpr float normals_depth = 0.08f;
 
     // The knobs. A lab may set other defaults.
-    int map = ReliefMap::wall, size = texels_512, bits = 0;
+    int map = ReliefMap::wall, size = texels_512, bits = 0, colors = colors_of_map;
     int asset_texels = 1024;  ///< not a knob: maximum size of the wall's and the paving's heights
 
 private:
     bool is_asset() const;
+    const Texture& own_albedo_texture() const;
     Image albedo() const;
 
     struct Made {
@@ -57,6 +59,8 @@ private:
     Made make() const;
     /// One channel of heights, or four: a normal map with heights in the fourth.
     OwnPicture own_;
+    OwnPicture own_colors_;                        ///< as sRGB stores them
+    mutable Kept<Texture, int> own_albedo_;        ///< by the version of the picture
     mutable Kept<Made, int, int, int, int> made_;  ///< inputs: map, size, bits and version of the picture
 };
 

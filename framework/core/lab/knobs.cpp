@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/own_file.h"
 #include "framework/core/base/text.h"
-#include "framework/core/image/own_picture.h"
 #include "framework/core/lab/lab.h"
 
 namespace relief {
@@ -30,11 +30,11 @@ public:
     void choice(const char* name, int& value, std::span<const char* const> names, const char* help) override {
         found.push_back({name, names[size_t(value)], fmt::format("{}", fmt::join(names, ", ")), help});
     }
-    void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
-                           const char* help) override {
+    void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
+                        const char* help) override {
         int named = std::min(value, int(names.size()) - 1);
         choice(name, named, names, help);
-        found.back().help += ", or a picture's file";
+        found.back().help += std::string(", or ") + own.kind();
         if (value != named) found.back().value = own.file().string();
     }
 };
@@ -76,13 +76,13 @@ public:
             }
         if (!done) throw UsageError(unknown_choice(names));
     }
-    void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
-                           const char* help) override {
+    void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
+                        const char* help) override {
         if (name != name_) return;
         if (std::find(names.begin(), names.end(), text_) != names.end()) return choice(name, value, names, help);
         // A word without a dot or a slash is more likely a misspelt choice than a missing file.
         if (text_.find_first_of("./\\") == std::string::npos && !std::filesystem::exists(text_))
-            throw UsageError(unknown_choice(names) + ", or a picture's file");
+            throw UsageError(unknown_choice(names) + ", or " + own.kind());
         own.read(text_);
         value = int(names.size());
         done = true;
@@ -99,18 +99,18 @@ private:
     const std::string& text_;
 };
 
-class GivePicture final : public Knobs {
+class GiveFile final : public Knobs {
 public:
-    explicit GivePicture(const std::filesystem::path& file) : file_(file) {}
+    explicit GiveFile(const std::filesystem::path& file) : file_(file) {}
     std::string knob;
 
     void slider(const char*, float&, float, float, const char*) override {}
     void steps(const char*, int&, int, int, const char*) override {}
     void toggle(const char*, bool&, const char*) override {}
     void choice(const char*, int&, std::span<const char* const>, const char*) override {}
-    void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
-                           const char*) override {
-        if (!knob.empty()) return;
+    void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
+                        const char*) override {
+        if (!knob.empty() || !own.accepts(file_)) return;
         own.read(file_);
         value = int(names.size());
         knob = name;
@@ -122,8 +122,8 @@ private:
 
 }  // namespace
 
-void Knobs::choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
-                              const char* help) {
+void Knobs::choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
+                           const char* help) {
     std::vector<const char*> all(names.begin(), names.end());
     const std::string file = own.file().filename().string();
     if (!file.empty()) all.push_back(file.c_str());
@@ -151,8 +151,8 @@ void set_knob(Lab& lab, const std::string& name, const std::string& value) {
     throw UsageError(unknown("knob", name, names));
 }
 
-std::string set_picture(Lab& lab, const std::filesystem::path& file) {
-    GivePicture give(file);
+std::string set_file(Lab& lab, const std::filesystem::path& file) {
+    GiveFile give(file);
     lab.knobs(give);
     return give.knob;
 }

@@ -8,7 +8,7 @@
 
 namespace relief {
 
-class OwnPicture;
+class OwnFile;
 
 /// The visitor that a lab declares its values to, with inclusive ranges and one line of help each. A help may end in a
 /// unit. It may begin with the values of another knob for which this knob has an effect: see knob_help.h.
@@ -21,10 +21,10 @@ public:
     virtual void steps(const char* name, int& value, int low, int high, const char* help) = 0;
     virtual void toggle(const char* name, bool& value, const char* help) = 0;
     virtual void choice(const char* name, int& value, std::span<const char* const> names, const char* help) = 0;
-    /// A choice that also accepts a picture file; the value is then names.size(). The default is a choice() with
-    /// the file's name as one more name, if a picture was read.
-    virtual void choice_or_picture(const char* name, int& value, OwnPicture& own, std::span<const char* const> names,
-                                   const char* help);
+    /// A choice that also accepts a file; the value is then names.size(). The default is a choice() with the file's
+    /// name as one more name, if a file was read.
+    virtual void choice_or_file(const char* name, int& value, OwnFile& own, std::span<const char* const> names,
+                                const char* help);
 };
 
 /// A knob as text.
@@ -43,8 +43,8 @@ std::vector<std::string> knob_values(Lab& lab);
 /// Sets a knob from text. Throws UsageError that suggests the nearest knob, or names the range or the choices.
 void set_knob(Lab& lab, const std::string& name, const std::string& value);
 
-/// Gives a file to the first knob that accepts a picture. Returns that knob's name, or an empty string if the lab has
-/// none. Throws as OwnPicture::read() does.
-std::string set_picture(Lab& lab, const std::filesystem::path& file);
+/// Gives a file to the first knob that accepts it: an OBJ file, or a picture. Returns that knob's name, or an empty
+/// string if the lab has none. Throws as OwnFile::read() does.
+std::string set_file(Lab& lab, const std::filesystem::path& file);
 
 }  // namespace relief

@@ -71,7 +71,7 @@ void print_legend(const std::string& picture, const inspect::Inspection& found) 
 class InspectCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        options.word("MAP", map_, "a normal or height map: PNG, EXR, JPEG, PPM or PFM");
+        options.word("MAP", map_, "a normal or height map: PNG, EXR, JPEG, PPM, PFM, or DDS (BC5)");
         options.words("HEIGHTS", heights_, "the heights that its normals are to agree with");
         options.flag("--json", json_, "print JSON, for scripts");
         options.value("-o", "PICTURE", picture_, "draw where the faults are: .png, .exr, .ppm or .pfm");

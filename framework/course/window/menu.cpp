@@ -14,6 +14,7 @@
 #include "framework/core/base/editor.h"
 #include "framework/core/base/error.h"
 #include "framework/core/base/log.h"
+#include "framework/core/base/own_file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/process.h"
 #include "framework/core/context/glfw_window.h"
@@ -508,13 +509,14 @@ private:
         camera.target += world_from_view * glm::dvec3(-right * metres, down * metres, 0);
     }
 
-    /// Loads a picture that was dropped on the window.
+    /// Loads a picture or a model that was dropped on the window.
     void take(const std::filesystem::path& file) {
         try {
             if (!stage_.lab()) return;
-            const std::string knob = set_picture(*stage_.lab(), file);
-            message_ =
-                knob.empty() ? stage_.manifest().title + " takes no picture" : knob + ": " + file.filename().string();
+            const std::string knob = set_file(*stage_.lab(), file);
+            message_ = knob.empty() ? stage_.manifest().title +
+                                          (is_named_as_model(file) ? " takes no OBJ file" : " takes no picture")
+                                    : knob + ": " + file.filename().string();
             if (!knob.empty()) stage_.changed();
         } catch (const Error& error) {
             message_ = error.what();

@@ -1,15 +1,26 @@
-// relief map: makes normal maps, heights, occlusion, and maps of several channels, as files.
+// relief map: makes normal maps, heights, occlusion, gloss, maps of several channels, blocks of BC5, and baked maps, as
+// files.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <optional>
 
 #include "framework/core/base/error.h"
+#include "framework/core/base/file.h"
+#include "framework/core/base/log.h"
 #include "framework/core/base/text.h"
+#include "framework/core/image/color.h"
 #include "framework/core/image/file.h"
+#include "framework/core/mesh/obj.h"
 #include "framework/course/app/command.h"
+#include "framework/course/app/shot_options.h"
+#include "framework/staff/reference/bake.h"
+#include "framework/staff/reference/bc5.h"
 #include "framework/staff/reference/normals.h"
 #include "framework/staff/reference/occlusion.h"
+#include "framework/staff/reference/tangents.h"
 
 namespace relief::app {
 namespace {
@@ -104,48 +115,112 @@ std::pair<double, double> slopes_of(const Image& normals) {
     return {sum / double(normals.pixel_count()), most};
 }
 
+/// Returns a guess of the gloss of a picture: its relative luminance (Rec. 709) in linear light, from 0 to 1. So bright
+/// places count as smooth; `inverted`, as rough. A picture does not show its gloss: a bright place may as well be
+/// chalk. Pictures of 8 and 16 bits are read as sRGB, and floats as light. Alpha is ignored. Throws Error without a
+/// place for a value that is not finite.
+Image gloss_from_color(const Image& picture, bool inverted) {
+    Image gloss(picture.width, picture.height, 1, picture.bits);
+    const auto light_of = [&](float stored) {
+        return picture.bits == 32 ? double(stored) : linear_from_srgb(double(stored));
+    };
+    for (size_t i = 0; i < gloss.values.size(); ++i) {
+        const float* texel = picture.values.data() + i * size_t(picture.channels);
+        const double light = picture.channels >= 3 ? 0.2126 * light_of(texel[0]) + 0.7152 * light_of(texel[1]) +
+                                                         0.0722 * light_of(texel[2])
+                                                   : light_of(texel[0]);
+        if (!std::isfinite(light)) throw Error("has a value that is not a finite number");
+        const double bright = std::clamp(light, 0.0, 1.0);
+        gloss.values[i] = float(inverted ? 1 - bright : bright);
+    }
+    return gloss;
+}
+
+/// Returns the coarse model of a bake, with tangents by MikkTSpace.
+Mesh read_coarse(const std::string& file) {
+    const ObjModel model = read_obj(file);
+    if (!model.has_uvs) throw Error({file}, "has no uv: they are the places of its surface on the map");
+    return with_tangents(model.mesh, TangentMethod::mikktspace);
+}
+
+/// Shows the progress of work in parts.
+class PartProgress {
+public:
+    explicit PartProgress(const char* what) : what_(what) {}
+    std::function<void(int, int)> before_part() {
+        return [this](int, int parts) {
+            if (!progress_) progress_.emplace(parts);
+            progress_->next(what_);
+        };
+    }
+
+private:
+    const char* what_;
+    std::optional<Progress> progress_;
+};
+
 struct MadeMap {
     Image image;
-    std::string about;  ///< for the line that is printed
+    std::string about;       ///< for the line that is printed
+    std::string bytes = {};  ///< the file, if it is none of write_image(); the image has its size then
 };
 
 class MapCommand final : public Command {
 public:
     void options(CommandOptions& options) override {
-        options.word("KIND", kind_, "normal, heights, occlusion or combine");
-        options.words("FILE", files_, "a height map, or a picture (heights); for combine 1 to 4 channels");
-        options.value("-o", "FILE", output_, "the map: .png, .exr, .ppm or .pfm");
-        options.value("--depth", "DEPTH", depth_, "normal, occlusion: a height of 1, in widths of the map (0.08)");
-        options.value("--filter", "NAME", filter_,
-                      "normal: central, forward, sobel, scharr, fourth-order or spline (central)");
-        options.value("--green", "up|down", green_, "normal: where the green channel points (up)");
-        options.value("--bits", "8|16", bits_, "bits of a PNG (8; 16 for heights)");
-        options.value("--slices", "COUNT", slices_, "occlusion: directions that are searched (16)");
-        options.flag("--no-wrap", no_wrap_, "normal: the map does not tile");
+        options.word("KIND", kind_, "normal, heights, occlusion, gloss, combine, bc5 or bake");
+        options.words("FILE", files_,
+                      "a height map; a picture (heights, gloss); 1 to 4 channels (combine); a normal map (bc5); "
+                      "FINE.obj COARSE.obj (bake)");
+        options.value("-o", "FILE", output_, "the map: .png, .exr, .ppm or .pfm; .dds (bc5)");
+        for (const Option& option : options_) {
+            const std::string& help = helps_.emplace_back(fmt::format("{}: {}", option.kinds, option.help));
+            if (option.flag)
+                options.flag(option.name, *option.flag, help.c_str());
+            else
+                options.value(option.name, option.type, *option.value, help.c_str());
+        }
         options.footer([] {
             return std::string(
                 "relief map normal stones.png -o stones_normal.png --depth 0.1\n"
                 "relief map heights photo.jpg -o heights.png      brightness as a first guess of heights\n"
                 "relief map occlusion stones.png -o occlusion.png openness to the sky; the map tiles\n"
+                "relief map gloss photo.jpg -o gloss.png          brightness as a first guess of gloss\n"
                 "relief map combine gloss.png stones.png occlusion.png:r 1 -o packed.png\n"
+                "relief map bc5 normal.png -o normal.dds --mips   x and y in blocks, 1 byte a texel\n"
+                "relief map bake fine.obj coarse.obj -o normal.png --size 2048\n"
                 "A channel of combine is a FILE (its first channel), FILE:r, :g, :b or :a, or a number from 0 to 1.\n"
+                "gloss is the luminance (Rec. 709) in linear light: bright is smooth. It is a guess, since a picture\n"
+                "does not show how rough a surface is. --invert takes bright places for rough.\n"
+                "bake casts a ray through each texel of COARSE along its normal, and takes the nearest front of FINE.\n"
+                "A ray that misses gives the coarse normal, or height 0. All texels between the islands are filled. "
+                "The\n"
+                "tangent frame is that of MikkTSpace. Heights are stored from 0 (lowest) to 1 (highest).\n"
                 "Numbers are stored as they are, without a colour space. `relief inspect` says what a map is.");
         });
     }
 
     int run() override {
-        constexpr std::pair<const char*, MadeMap (MapCommand::*)() const> kinds[] = {
-            {"normal", &MapCommand::normal},
-            {"heights", &MapCommand::heights},
-            {"occlusion", &MapCommand::occlusion},
-            {"combine", &MapCommand::combine}};
-        const auto make = value_of("map", kind_, kinds);
+        constexpr std::pair<const char*, Kind> kinds[] = {
+            {"normal", {1, 1, "one FILE", &MapCommand::normal}},
+            {"heights", {1, 1, "one FILE", &MapCommand::heights}},
+            {"occlusion", {1, 1, "one FILE", &MapCommand::occlusion}},
+            {"gloss", {1, 1, "one FILE", &MapCommand::gloss}},
+            {"combine", {1, 4, "1 to 4 channels", &MapCommand::combine}},
+            {"bc5", {1, 1, "one FILE, a normal map", &MapCommand::bc5}},
+            {"bake", {2, 2, "FINE.obj and COARSE.obj", &MapCommand::bake_map}}};
+        const Kind kind = value_of("map", kind_, kinds);
+        refuse_unused_options();
         if (output_.empty()) throw UsageError("map needs -o FILE, the map to write");
-        format_of(output_);
-        const bool combines = kind_ == "combine";
-        if (files_.empty() || files_.size() > (combines ? 4u : 1u))
-            throw UsageError(fmt::format("map {} takes {}", kind_, combines ? "1 to 4 channels" : "one FILE"));
-        auto [image, about] = (this->*make)();
+        check_output();
+        if (files_.size() < kind.least_files || files_.size() > kind.most_files)
+            throw UsageError(fmt::format("map {} takes {}", kind_, kind.takes));
+        auto [image, about, bytes] = (this->*kind.make)();
+        if (!bytes.empty()) {
+            write_file(output_, bytes);
+            fmt::print("{}: {} x {}, {}\n", output_, image.width, image.height, about);
+            return 0;
+        }
         if (!bits_.empty() || kind_ == "heights") image.bits = bits();
         write_image(output_, image, {}, ColorSpace::linear);
         fmt::print("{}: {} x {}, {}{}\n", output_, image.width, image.height, about, stored(image));
@@ -153,6 +228,37 @@ public:
     }
 
 private:
+    struct Kind {
+        size_t least_files, most_files;
+        const char* takes;
+        MadeMap (MapCommand::*make)() const;
+    };
+    /// An option that not all kinds use.
+    struct Option {
+        const char* kinds;  ///< the kinds that use it: "normal, bake"
+        const char *name, *type;
+        std::string* value;
+        bool* flag;
+        const char* help;
+    };
+
+    void refuse_unused_options() const {
+        for (const Option& option : options_) {
+            const bool given = option.flag ? *option.flag : !option.value->empty();
+            const std::vector<std::string> kinds = split(option.kinds, ',');
+            const auto is_it = [&](const std::string& kind) { return kind == kind_ || kind == " " + kind_; };
+            if (given && std::none_of(kinds.begin(), kinds.end(), is_it))
+                throw UsageError(
+                    fmt::format("map {} does not use {}, which is for {}", kind_, option.name, option.kinds));
+        }
+    }
+    void check_output() const {
+        if (kind_ == "bc5") {
+            if (!output_.ends_with(".dds")) throw UsageError(fmt::format("'{}' must end in .dds", output_));
+        } else if (format_of(output_) != ImageFormat::png && !bits_.empty()) {
+            throw UsageError(fmt::format("--bits is for PNG files, not for {}", output_));
+        }
+    }
     double number(const char* option, const std::string& text, double otherwise, double low, double high) const {
         if (text.empty()) return otherwise;
         const auto value = parse_number(text);
@@ -164,6 +270,13 @@ private:
         constexpr std::pair<const char*, int> choices[] = {{"8", 8}, {"16", 16}};
         return bits_.empty() ? 16 : value_of("number of bits", bits_, choices);
     }
+    bool is_green_up() const {
+        constexpr std::pair<const char*, bool> greens[] = {{"up", true}, {"down", false}};
+        return green_.empty() || value_of("direction of green", green_, greens);
+    }
+    static void turn_green(Image& normals) {
+        for (size_t i = 1; i < normals.values.size(); i += 3) normals.values[i] = 1 - normals.values[i];
+    }
     std::string stored(const Image& image) const {
         const ImageFormat format = format_of(output_);
         if (format == ImageFormat::exr || format == ImageFormat::pfm) return "32-bit floats";
@@ -171,8 +284,7 @@ private:
     }
 
     MadeMap normal() const {
-        constexpr std::pair<const char*, bool> greens[] = {{"up", true}, {"down", false}};
-        const bool is_up = green_.empty() || value_of("direction of green", green_, greens);
+        const bool is_up = is_green_up();
         const double depth = number("--depth", depth_, usual_depth, 0, 1000);
         NormalOptions options;
         options.filter = filter_.empty() ? SlopeFilter::central : value_of("filter", filter_, slope_filters);
@@ -180,8 +292,7 @@ private:
         const Image heights = read_heights(files_[0]);
         options.texels_u = options.texels_v = depth * heights.width;
         Image normals = normals_from_heights(heights, options);
-        if (!is_up)
-            for (size_t i = 1; i < normals.values.size(); i += 3) normals.values[i] = 1 - normals.values[i];
+        if (!is_up) turn_green(normals);
         const auto [mean, most] = slopes_of(normals);
         std::string about = fmt::format("green {}, slopes {} on average and {} at most, ", is_up ? "up" : "down",
                                         rounded(mean), rounded(most));
@@ -202,7 +313,8 @@ private:
         const Image heights = read_heights(files_[0]);
         // A tile can shade itself from as far as the light of 10 degrees reaches.
         const int reach = int(std::clamp(depth * heights.width * 5.7, 1.0, double(heights.width)));
-        Image open = occlusion_from_heights(heights, depth * heights.width, slices, reach);
+        PartProgress progress("horizons");
+        Image open = occlusion_from_heights(heights, depth * heights.width, slices, reach, progress.before_part());
         open.bits = 8;
         double sum = 0;
         for (const float value : open.values) sum += double(value);
@@ -217,11 +329,116 @@ private:
         return {std::move(image), std::move(about)};
     }
 
-    std::string kind_, output_, depth_, filter_, green_, bits_, slices_;
+    MadeMap gloss() const {
+        const Image picture = read_image(files_[0]);
+        try {
+            Image made = gloss_from_color(picture, invert_);
+            const auto [low, high] = std::minmax_element(made.values.begin(), made.values.end());
+            std::string about = fmt::format("gloss from {} to {}, a guess from {} places, ", rounded(double(*low)),
+                                            rounded(double(*high)), invert_ ? "dark" : "bright");
+            return {std::move(made), std::move(about)};
+        } catch (const Error& error) {
+            throw Error({files_[0]}, error.what());
+        }
+    }
+
+    MadeMap bc5() const {
+        const Image normals = read_image(files_[0]);
+        PartProgress progress("blocks");
+        try {
+            Bc5Texture made = encode_bc5(normals, {.kind = signed_ ? RgtcKind::snorm : RgtcKind::unorm,
+                                                   .mips = mips_,
+                                                   .best = best_,
+                                                   .before_part = progress.before_part()});
+            const std::string bytes = rounded(double(made.block_bytes) / double(normals.pixel_count()));
+            std::string about =
+                fmt::format("{}, {} level{}, {} degrees off on average and {} at most, {} byte{} per texel",
+                            signed_ ? "BC5_SNORM" : "BC5_UNORM", made.levels, made.levels == 1 ? "" : "s",
+                            rounded(made.mean_degrees), rounded(made.largest_degrees), bytes, bytes == "1" ? "" : "s");
+            return {Image(normals.width, normals.height, 0), std::move(about), std::move(made.file)};
+        } catch (const Error& error) {
+            throw Error({files_[0]}, error.what());
+        }
+    }
+
+    MadeMap bake_map() const {
+        constexpr std::pair<const char*, BakeStore> stores[] = {
+            {"tangent", BakeStore::tangent}, {"object", BakeStore::object}, {"heights", BakeStore::heights}};
+        BakeOptions options;
+        options.store = store_.empty() ? BakeStore::tangent : value_of("content", store_, stores);
+        if (!green_.empty() && options.store != BakeStore::tangent)
+            throw UsageError(fmt::format("map bake --store {} does not use --green, which is for tangent", store_));
+        const bool is_up = is_green_up();
+        if (!size_.empty()) options.size = parse_size(parse_int(size_) ? size_ + "x" + size_ : size_);
+        const double given_reach = number("--reach", reach_, 0, 1e-9, 1e9);
+        const Mesh fine = read_obj(files_[0]).mesh, coarse = read_coarse(files_[1]);
+        options.reach = given_reach > 0 ? given_reach : diagonal_of(coarse) / 20;
+        PartProgress progress("rays");
+        options.before_part = progress.before_part();
+        BakedMap baked = [&] {
+            try {
+                return bake(fine, coarse, options);
+            } catch (const Error& error) {
+                throw Error({files_[1]}, error.what());
+            }
+        }();
+        if (baked.hit == 0)
+            throw Error({files_[0]}, fmt::format("no ray from {} meets it within {}: are both models in one place? "
+                                                 "--reach sets the distance",
+                                                 files_[1], rounded(options.reach)));
+        std::string about;
+        Image image = std::move(baked.values);
+        if (options.store == BakeStore::heights) {
+            const auto [low, high] = std::minmax_element(image.values.begin(), image.values.end());
+            about = fmt::format("heights from {} to {}, ", rounded(double(*low)), rounded(double(*high)));
+            const double from = double(*low), range = double(*high) - from;
+            for (float& value : image.values) value = range > 0 ? float((double(value) - from) / range) : 0;
+        } else {
+            for (float& value : image.values) value = 0.5f * value + 0.5f;
+            about = options.store == BakeStore::object ? "object space, "
+                                                       : fmt::format("green {}, ", is_up ? "up" : "down");
+            if (!is_up) turn_green(image);
+        }
+        image.bits = options.store == BakeStore::heights ? 16 : 8;
+        const double largest = baked.largest_distance < 1e-9 * options.reach ? 0 : baked.largest_distance;  // rounding
+        about += fmt::format("texels: {} hit, {} missed, {} filled{}, largest distance {} of {}, ", baked.hit,
+                             baked.missed, baked.filled,
+                             baked.covered_twice > 0 ? fmt::format(", {} covered twice", baked.covered_twice) : "",
+                             rounded(largest), rounded(options.reach));
+        return {std::move(image), std::move(about)};
+    }
+    static double diagonal_of(const Mesh& mesh) {
+        glm::dvec3 low(INFINITY), high(-INFINITY);
+        for (const Vertex& vertex : mesh.vertices)
+            low = glm::min(low, glm::dvec3(vertex.position)), high = glm::max(high, glm::dvec3(vertex.position));
+        return glm::distance(low, high);
+    }
+
+    std::string kind_, output_, depth_, filter_, green_, bits_, slices_, store_, size_, reach_;
     std::vector<std::string> files_;
-    bool no_wrap_ = false;
+    bool no_wrap_ = false, invert_ = false, signed_ = false, mips_ = false, best_ = false;
+    std::deque<std::string> helps_;
+    const std::vector<Option> options_ = {
+        {"normal, occlusion", "--depth", "DEPTH", &depth_, nullptr, "a height of 1, in widths of the map (0.08)"},
+        {"normal", "--filter", "NAME", &filter_, nullptr,
+         "central, forward, sobel, scharr, fourth-order or spline (central)"},
+        {"normal, bake", "--green", "up|down", &green_, nullptr, "where the green channel points (up)"},
+        {"normal", "--no-wrap", "", nullptr, &no_wrap_, "the map does not tile"},
+        {"occlusion", "--slices", "COUNT", &slices_, nullptr, "directions that are searched (16)"},
+        {"gloss", "--invert", "", nullptr, &invert_, "bright places are rough"},
+        {"bc5", "--signed", "", nullptr, &signed_, "BC5_SNORM, where 0 is exact, in place of BC5_UNORM"},
+        {"bc5", "--mips", "", nullptr, &mips_, "all mip levels: means of the unit normals, made unit"},
+        {"bc5", "--best", "", nullptr, &best_,
+         "smallest squared error of x and y: tries all ends, a minute or two for a million texels"},
+        {"bake", "--store", "WHAT", &store_, nullptr, "tangent, object (normals in these spaces) or heights (tangent)"},
+        {"bake", "--size", "N|WxH", &size_, nullptr, "size of the map, texels (1024)"},
+        {"bake", "--reach", "DISTANCE", &reach_, nullptr,
+         "distance of the search above and below COARSE, in the models' units (a twentieth of COARSE's diagonal)"},
+        {"normal, heights, occlusion, gloss, combine, bake", "--bits", "8|16", &bits_, nullptr,
+         "bits of a PNG (8; 16 for heights)"}};
 };
-RELIEF_COMMAND(MapCommand, 17, "map", "makes normal maps, heights, occlusion, and maps of several channels, as files");
+RELIEF_COMMAND(MapCommand, 17, "map",
+               "makes normal maps, heights, occlusion, gloss, packed channels, BC5 and baked maps, as files");
 
 }  // namespace
 }  // namespace relief::app

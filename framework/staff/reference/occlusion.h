@@ -1,6 +1,8 @@
 // Ambient occlusion by horizons, in double precision.
 #pragma once
 
+#include <functional>
+
 #include "framework/core/image/image.h"
 
 namespace relief {
@@ -12,7 +14,8 @@ double open_share(double h1, double h2, double g);
 
 /// Returns the openness of each texel to the sky above a relief that tiles; 1 is open. Samples `slices` vertical planes
 /// through the texel and the heights within `reach` texels. `texels` is the size of height 1 in texels. One channel of
-/// floats.
-Image occlusion_from_heights(const Image& heights, double texels, int slices, int reach);
+/// floats. `before_part` is called before each part of the work, with its index and the number of parts.
+Image occlusion_from_heights(const Image& heights, double texels, int slices, int reach,
+                             const std::function<void(int part, int parts)>& before_part = {});
 
 }  // namespace relief

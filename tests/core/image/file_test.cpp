@@ -258,9 +258,9 @@ protected:
 };
 
 TEST_F(NoImages, AreRefusedWithTheirName) {
-    EXPECT_EQ(refusal("empty.png", ""), "neither PNG, OpenEXR, JPEG, PPM nor PFM");
-    EXPECT_EQ(refusal("text.png", "a text\n"), "neither PNG, OpenEXR, JPEG, PPM nor PFM");
-    EXPECT_EQ(refusal("a.ppm", "P3\n1 1\n255\n1 2 3"), "neither PNG, OpenEXR, JPEG, PPM nor PFM") << "in letters";
+    EXPECT_EQ(refusal("empty.png", ""), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
+    EXPECT_EQ(refusal("text.png", "a text\n"), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS");
+    EXPECT_EQ(refusal("a.ppm", "P3\n1 1\n255\n1 2 3"), "neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS") << "in letters";
     const TemporaryFolder folder;
     EXPECT_EQ(message_of([&] { read_image(folder.path()); }), folder.path().string() + ": cannot read: not a file");
     EXPECT_TRUE(

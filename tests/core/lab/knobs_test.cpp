@@ -128,7 +128,7 @@ public:
     void draw(const Frame&) override {}
     void knobs(Knobs& knobs) override {
         static constexpr std::array maps = {"bricks", "stones"};
-        knobs.choice_or_picture("map", map, own, maps, "the height map");
+        knobs.choice_or_file("map", map, own, maps, "the height map");
     }
 };
 
@@ -157,10 +157,49 @@ TEST(Knobs, TakeAPictureBesideTheNamesOfAChoice) {
 
     set_knob(canvas, "map", "bricks");
     EXPECT_EQ(canvas.map, 0);
-    EXPECT_EQ(set_picture(canvas, file), "map");
+    EXPECT_EQ(set_file(canvas, file), "map");
     EXPECT_EQ(canvas.map, 2);
     Wall wall;
-    EXPECT_EQ(set_picture(wall, file), "") << "has no knob for it";
+    EXPECT_EQ(set_file(wall, file), "") << "has no knob for it";
+}
+
+/// Accepts pictures of any kind, and models that a test allows.
+class Sculpture final : public Lab {
+public:
+    class Model final : public OwnFile {
+    public:
+        const char* kind() const override { return "an OBJ file"; }
+        bool accepts(const std::filesystem::path& file) const override { return is_named_as_model(file); }
+
+    private:
+        void load(const std::filesystem::path&) override {}
+    } model;
+    int map = 0, shape = 0;
+    OwnPicture picture{[](Image image) { return image; }};
+
+    void draw(const Frame&) override {}
+    void knobs(Knobs& knobs) override {
+        static constexpr std::array maps = {"bricks"};
+        static constexpr std::array shapes = {"sphere", "box"};
+        knobs.choice_or_file("map", map, picture, maps, "the height map");
+        knobs.choice_or_file("shape", shape, model, shapes, "the shape");
+    }
+};
+
+TEST(Knobs, GiveADroppedFileToTheKnobOfItsKind) {
+    const TemporaryFolder folder;
+    write_image(folder.path() / "mine.pfm", Image(1, 1, 1));
+    Sculpture sculpture;
+    EXPECT_EQ(set_file(sculpture, folder.path() / "mine.obj"), "shape");
+    EXPECT_EQ(sculpture.shape, 2);
+    EXPECT_EQ(sculpture.map, 0);
+    EXPECT_EQ(set_file(sculpture, folder.path() / "mine.pfm"), "map");
+    EXPECT_EQ(sculpture.map, 1);
+    EXPECT_EQ(describe_knobs(sculpture)[1].help, "the shape, or an OBJ file");
+    EXPECT_EQ(message_of<UsageError>([&] { set_knob(sculpture, "shape", "bo"); }),
+              "unknown value of knob shape, 'bo': did you mean 'box'? There are: sphere, box, or an OBJ file");
+    Canvas canvas;
+    EXPECT_EQ(set_file(canvas, folder.path() / "mine.obj"), "") << "it has a knob for pictures only";
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST_F(Golden, ADamagedReferenceIsNamed) {
     course_.overwrite("labs/01_specular_highlights/golden/close.png", "not a picture");
     const Result result = golden();
     EXPECT_EQ(result.code, 1);
-    EXPECT_TRUE(contains(result.err, "close.png: neither PNG, OpenEXR, JPEG, PPM nor PFM")) << result.err;
+    EXPECT_TRUE(contains(result.err, "close.png: neither PNG, OpenEXR, JPEG, PPM, PFM nor DDS")) << result.err;
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+// A file of the user, which a knob accepts in addition to its named choices.
+#pragma once
+
+#include <filesystem>
+
+namespace relief {
+
+class OwnFile {
+public:
+    virtual ~OwnFile() = default;
+    OwnFile() = default;
+    OwnFile(const OwnFile&) = delete;
+    OwnFile& operator=(const OwnFile&) = delete;
+
+    /// Reads a file. Throws Error that names the file when it is missing, damaged, too large or unsuitable; then the
+    /// previous file's contents stay.
+    void read(const std::filesystem::path& file) {
+        load(file);
+        file_ = std::filesystem::absolute(file);
+        ++version_;
+    }
+
+    /// Names the kind of file: "a picture's file".
+    virtual const char* kind() const = 0;
+    /// Returns whether a file of this name is for this knob and not for one of another kind.
+    virtual bool accepts(const std::filesystem::path& file) const = 0;
+
+    /// Absolute path; empty until a file has been read.
+    const std::filesystem::path& file() const { return file_; }
+    /// Increases with each file that is read.
+    int version() const { return version_; }
+
+private:
+    /// Reads the contents. Throws as read() does, and changes nothing then.
+    virtual void load(const std::filesystem::path& file) = 0;
+
+    std::filesystem::path file_;
+    int version_ = 0;
+};
+
+/// Returns whether a file's name ends in .obj.
+inline bool is_named_as_model(const std::filesystem::path& file) {
+    const std::string ending = file.extension().string();
+    return ending == ".obj" || ending == ".OBJ";
+}
+
+}  // namespace relief

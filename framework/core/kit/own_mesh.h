@@ -1,0 +1,46 @@
+// A model of the user, which a knob accepts in addition to its named shapes: --set shape=FILE.obj.
+#pragma once
+
+#include "framework/core/base/own_file.h"
+#include "framework/core/mesh/mesh.h"
+#include "framework/core/mesh/obj.h"
+
+namespace relief {
+
+/// Prepares a model for a lab:
+/// - moves it so that the middle of its bounding box is the origin, and scales the box's half diagonal to `radius`;
+/// - makes uv if some are missing: each triangle is projected along the axis that its normal is nearest to, so that u
+///   grows to the right and v up, and the longest side of the bounding box is one unit.
+/// read_obj() makes missing normals. Vertices have no useful tangents: see with_face_tangents(). Throws Error without a
+/// place if no triangle has an area.
+Mesh prepared_model(ObjModel model, double radius);
+
+/// Returns the mesh with a vertex for each corner, which has the tangent of its triangle, made perpendicular to the
+/// corner's normal. A triangle without area in uv keeps the tangents that it has.
+Mesh with_face_tangents(const Mesh& mesh);
+
+/// Returns the side, in metres, of the square that a unit of u and v covers on average: the square root of the mesh's
+/// area divided by its area in uv. 1 if either is 0.
+double metres_per_uv(const Mesh& mesh);
+
+class OwnMesh final : public OwnFile {
+public:
+    /// `radius` of the lab's view, metres: see prepared_model().
+    explicit OwnMesh(double radius) : radius_(radius) {}
+
+    const char* kind() const override { return "an OBJ file"; }
+    bool accepts(const std::filesystem::path& file) const override { return is_named_as_model(file); }
+    /// Returns the prepared model. Empty until a file has been read.
+    const Mesh& mesh() const { return mesh_; }
+
+    /// Limits of a file: a lab draws it in each frame, on any machine, and may tessellate it.
+    static constexpr ObjLimits limits{.bytes = size_t{64} << 20, .corners = 900'000};
+
+private:
+    void load(const std::filesystem::path& file) override;
+
+    const double radius_;
+    Mesh mesh_;
+};
+
+}  // namespace relief

@@ -1,0 +1,103 @@
+// Models of the user: their place, their uv and tangents, and refusals.
+#include "framework/core/kit/own_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "framework/core/mesh/shapes.h"
+#include "tests/support.h"
+
+namespace relief {
+namespace {
+
+/// A box from (10, 20, 30) on, of 4 x 2 x 1, with neither uv nor normals.
+constexpr const char* box =
+    "v 10 20 30\nv 14 20 30\nv 14 22 30\nv 10 22 30\nv 10 20 31\nv 14 20 31\nv 14 22 31\nv 10 22 31\ns off\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n";
+
+/// Returns the sums over the corners of a mesh's triangles, which neither sharing nor the order of vertices changes.
+struct Sums {
+    double area = 0, area_in_uv = 0;
+    glm::dvec3 low{INFINITY}, high{-INFINITY};
+};
+Sums sums_of(const Mesh& mesh) {
+    Sums sums;
+    for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const Vertex &a = mesh.vertices[mesh.indices[i]], &b = mesh.vertices[mesh.indices[i + 1]],
+                     &c = mesh.vertices[mesh.indices[i + 2]];
+        sums.area +=
+            0.5 * glm::length(glm::cross(glm::dvec3(b.position - a.position), glm::dvec3(c.position - a.position)));
+        const glm::dvec2 u = b.uv - a.uv, v = c.uv - a.uv;
+        sums.area_in_uv += 0.5 * (u.x * v.y - u.y * v.x);
+        for (const Vertex* vertex : {&a, &b, &c})
+            sums.low = glm::min(sums.low, glm::dvec3(vertex->position)),
+            sums.high = glm::max(sums.high, glm::dvec3(vertex->position));
+    }
+    return sums;
+}
+
+TEST(OwnMesh, IsMovedToTheOriginAndScaledByTheHalfDiagonalOfItsBox) {
+    const Mesh mesh = prepared_model(parse_obj(box), std::sqrt(21.0));  // twice the half diagonal of 4 x 2 x 1
+    const Sums sums = sums_of(mesh);
+    EXPECT_LT(glm::distance(sums.low, {-4, -2, -1}), 1e-6);
+    EXPECT_LT(glm::distance(sums.high, {4, 2, 1}), 1e-6);
+}
+
+TEST(OwnMesh, WithoutUvIsProjectedAlongItsAxesAsTheCoursesBoxIs) {
+    const Mesh mesh = with_face_tangents(prepared_model(parse_obj(box), std::sqrt(21.0)));
+    const Mesh wanted = make_box({.size = {8, 4, 2}});
+    for (const Vertex& vertex : mesh.vertices) {
+        const auto same = [&](const Vertex& other) {
+            return glm::distance(vertex.position, other.position) < 1e-5f &&
+                   glm::distance(vertex.normal, other.normal) < 1e-5f &&
+                   glm::distance(vertex.tangent, other.tangent) < 1e-5f;
+        };
+        const auto found = std::find_if(wanted.vertices.begin(), wanted.vertices.end(), same);
+        ASSERT_NE(found, wanted.vertices.end())
+            << vertex.position.x << " " << vertex.position.y << " " << vertex.position.z;
+        // The longest side, 8 metres, is one unit of u and v; the course's box has one on each side.
+        const glm::vec2 size = std::abs(vertex.normal.x) > 0.5f   ? glm::vec2(2, 4)
+                               : std::abs(vertex.normal.y) > 0.5f ? glm::vec2(8, 2)
+                                                                  : glm::vec2(8, 4);
+        EXPECT_LT(glm::distance(vertex.uv, found->uv * size / 8.0f), 1e-5f);
+    }
+    EXPECT_NEAR(metres_per_uv(mesh), 8, 1e-5);
+}
+
+TEST(OwnMesh, KeepsItsUvAndSharedVerticesAndHasLeftHandedFramesWhereTheyAreMirrored) {
+    const char* const quads =
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nvt 0 0\nvt 3 0\nvt 3 3\nvt 0 3\n"
+        "f 1/1 2/2 3/3 4/4\nf 2/2 5/1 6/4 3/3\n";
+    const Mesh shared = prepared_model(parse_obj(quads), 1);
+    EXPECT_EQ(shared.vertices.size(), 6u) << "the mean of tangents at a vertex is a task of lab 05";
+    EXPECT_EQ(sums_of(shared).area_in_uv, 0) << "9 and -9";
+    const Mesh mesh = with_face_tangents(shared);
+    ASSERT_EQ(mesh.vertices.size(), 12u);
+    for (const Vertex& vertex : mesh.vertices) {
+        const size_t i = size_t(&vertex - mesh.vertices.data());
+        EXPECT_LT(glm::distance(vertex.tangent, i < 6 ? glm::vec4(1, 0, 0, 1) : glm::vec4(-1, 0, 0, -1)), 1e-6f) << i;
+    }
+    // 2 x 1 metres become 2 / sqrt(5) of it, and three tiles cover half of the longer side.
+    EXPECT_NEAR(metres_per_uv(mesh), 2 / std::sqrt(5.0) / 3, 1e-6);
+}
+
+TEST(OwnMesh, KeepsThePreviousModelWhenAFileIsRefused) {
+    const TemporaryFolder folder;
+    OwnMesh own(1);
+    own.read(folder.write("box.obj", box));
+    EXPECT_EQ(own.version(), 1);
+    const size_t vertices = own.mesh().vertices.size();
+    const auto refusal = [&](const char* name, const char* text) {
+        return message_of([&] { own.read(folder.write(name, text)); }).substr(folder.path().string().size() + 1);
+    };
+    EXPECT_TRUE(contains(refusal("bad.obj", "v 0 0 0\nv 1 0 zero\nf 1 2 3\n"), "bad.obj:2: "));
+    EXPECT_EQ(refusal("line.obj", "v 0 0 0\nv 1 1 0\nv 3 3 0\nf 1 2 3\n"),
+              "line.obj: has no area: the corners of each triangle lie on a line");
+    EXPECT_TRUE(contains(refusal("empty.obj", "# nothing\n"), "empty.obj"));
+    EXPECT_TRUE(contains(message_of([&] { own.read(folder.path() / "missing.obj"); }), "missing.obj"));
+    EXPECT_EQ(own.version(), 1);
+    EXPECT_EQ(own.file().filename(), "box.obj");
+    EXPECT_EQ(own.mesh().vertices.size(), vertices);
+}
+
+}  // namespace
+}  // namespace relief

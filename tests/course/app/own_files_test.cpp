@@ -1,0 +1,196 @@
+// Models and colours of the user in the labs, from the command line.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "framework/core/image/color.h"
+#include "framework/core/image/compare.h"
+#include "framework/core/image/file.h"
+#include "framework/core/mesh/shapes.h"
+#include "tests/course/app/course_copy.h"
+
+namespace relief::app {
+namespace {
+
+class OwnFiles : public testing::Test {
+protected:
+    TemporaryFolder folder_;
+
+    void SetUp() override { write_model("cube.obj", make_box({.size = {4, 4, 4}, .cells = {2, 2, 2}})); }
+
+    /// Writes a model far from the origin, with its uv and normals.
+    void write_model(const std::string& name, const Mesh& mesh) const {
+        std::string text = "# a model\n";
+        for (const auto& [position, normal, tangent, uv] : mesh.vertices)
+            text += fmt::format("v {} {} {}\nvt {} {}\nvn {} {} {}\n", position.x + 64, position.y - 32,
+                                position.z + 16, uv.x, uv.y, normal.x, normal.y, normal.z);
+        for (size_t i = 0; i < mesh.indices.size(); i += 3)
+            text += fmt::format("f {0}/{0}/{0} {1}/{1}/{1} {2}/{2}/{2}\n", mesh.indices[i] + 1, mesh.indices[i + 1] + 1,
+                                mesh.indices[i + 2] + 1);
+        folder_.write(name, text);
+    }
+    Result shot(const std::string& lab, const std::vector<std::string>& set, std::vector<std::string> more) const {
+        std::vector<std::string> command = {relief_program(), "shot", lab, "--size", "160x120"};
+        for (const std::string& one : set) command.insert(command.end(), {"--set", one});
+        command.insert(command.end(), more.begin(), more.end());
+        return run(command, {folder_.path(), {}});
+    }
+    Image picture(const std::string& lab, const std::vector<std::string>& set,
+                  std::vector<std::string> more = {}) const {
+        more.insert(more.end(), {"-o", "picture.exr"});
+        const Result result = shot(lab, set, more);
+        EXPECT_EQ(result.code, 0) << result.err;
+        return result.code == 0 ? read_image(folder_.path() / "picture.exr") : Image(1, 1, 3);
+    }
+    /// Writes a picture of one colour, 8 bits as sRGB stores them or light.
+    void write_color(const std::string& name, glm::vec3 color, int bits) const {
+        Image image(4, 4, 3, bits);
+        for (size_t i = 0; i < image.values.size(); ++i) image.values[i] = color[int(i % 3)];
+        write_image(folder_.path() / name, image);
+    }
+};
+
+/// Returns the share of pixels in which two pictures differ by more than `allowed`.
+double share_apart(const Image& a, const Image& b, float allowed) {
+    EXPECT_TRUE(a.same_shape(b));
+    size_t apart = 0;
+    for (size_t i = 0; i < a.values.size(); i += size_t(a.channels)) {
+        bool is = false;
+        for (size_t c = 0; c < size_t(a.channels); ++c) is |= !(std::abs(a.values[i + c] - b.values[i + c]) <= allowed);
+        apart += is;
+    }
+    return double(apart) / double(a.pixel_count());
+}
+
+TEST_F(OwnFiles, ACubeIsDrawnAsTheBoxOfTheLab) {
+    const struct {
+        const char *lab, *knob;
+        std::vector<std::string> set;
+    } labs[] = {
+        {"05", "shape", {"view=one", "method=angle", "show=light", "lines=off", "columns=12", "rows=2", "jitter=0"}},
+        {"13", "surface", {"view=one", "show=light", "patches=4", "level=3", "depth=0.2"}},
+        {"14", "surface", {"view=eye", "patches=4"}}};
+    for (const auto& [lab, knob, set] : labs) {
+        std::vector<std::string> with_box = set, with_cube = set, with_sphere = set;
+        with_box.push_back(fmt::format("{}=box", knob));
+        with_cube.push_back(fmt::format("{}=cube.obj", knob));
+        with_sphere.push_back(fmt::format("{}=sphere", knob));
+        const Image box = picture(lab, with_box, {"--camera", "30,20,4"});
+        EXPECT_FALSE(is_one_color(box)) << lab;
+        EXPECT_LT(share_apart(box, picture(lab, with_cube, {"--camera", "30,20,4"}), 0.02f), 0.002) << lab;
+        EXPECT_GT(share_apart(box, picture(lab, with_sphere, {"--camera", "30,20,4"}), 0.02f), 0.05) << lab;
+    }
+}
+
+TEST_F(OwnFiles, Lab05DrawsNoFramesOnAModelOfManyVertices) {
+    write_model("sphere.obj", make_sphere({.sides = 48, .rows = 24}));  // 1225 vertices
+    const auto with = [&](const char* model, const char* lines) {
+        return picture("05", {"view=one", fmt::format("shape={}", model), fmt::format("lines={}", lines)});
+    };
+    EXPECT_EQ(difference(with("sphere.obj", "on"), with("sphere.obj", "off"), 1).largest, 0);
+    EXPECT_GT(difference(with("cube.obj", "on"), with("cube.obj", "off"), 1).largest, 0.1);
+}
+
+TEST_F(OwnFiles, ACubeOfLab06HasTheBoundsAndTheNormalOfItsFace) {
+    const Image normals =
+        picture("06", {"view=one", "normals=vertices", "shape=cube.obj", "scale_x=1", "scale_y=1", "scale_z=1"},
+                {"--camera", "0,0,4.2,0,0,0,40", "--probe", "normal", "--size", "200x200"});
+    // The half side is 1.25 / sqrt(3), and the front face is that much nearer to the eye.
+    const double half = 1.25 / std::sqrt(3.0), pixels = half / (4.2 - half) / std::tan(glm::radians(20.0)) * 100;
+    ASSERT_EQ(normals.width, 200);
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 200; ++x) {
+            const double off = std::max(std::abs(x + 0.5 - 100), std::abs(y + 0.5 - 100));
+            if (std::abs(off - pixels) < 0.1) continue;
+            const float* const normal = normals.pixel(x, y);
+            ASSERT_EQ(std::isfinite(normal[0]), off < pixels) << x << " " << y;
+            const glm::vec3 off_z = glm::vec3(normal[0], normal[1], normal[2]) - glm::vec3(0, 0, 1);
+            ASSERT_TRUE(off > pixels || glm::length(off_z) < 1e-3f) << x << " " << y;
+        }
+}
+
+TEST_F(OwnFiles, AModelHasNoExactValuesButWhereTheyFollowFromItBeingClosed) {
+    const struct {
+        const char *lab, *knob, *probe;
+    } without[] = {{"05", "shape", "tangent"}, {"06", "shape", "normal"}, {"13", "surface", "depth"}};
+    for (const auto& [lab, knob, probe] : without) {
+        const Result result =
+            shot(lab, {"view=one", fmt::format("{}=cube.obj", knob)}, {"--error", probe, "-o", "error.png"});
+        EXPECT_EQ(result.code, 2) << lab;
+        EXPECT_TRUE(contains(result.err, "there are no exact values for the probe")) << result.err;
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+    const std::vector<std::string> closed = {"view=one", "surface=cube.obj", "depth=0.1"};
+    const Result winding = shot("13", closed, {"--error", "winding", "-o", "error.png"});
+    EXPECT_EQ(winding.code, 0) << winding.err;
+    for (const float value : picture("13", closed, {"--probe", "winding"}).values) ASSERT_EQ(value, 0);
+}
+
+TEST_F(OwnFiles, ABrokenModelIsRefusedWithOneLine) {
+    folder_.write("broken.obj", "v 0 0 0\nv 1 0 zero\nf 1 2 3\n");
+    folder_.write("point.obj", "v 1 1 1\nf 1 1 1\n");
+    const std::pair<const char*, const char*> labs[] = {
+        {"05", "shape"}, {"06", "shape"}, {"13", "surface"}, {"14", "surface"}};
+    for (const auto& [lab, knob] : labs) {
+        const std::pair<const char*, const char*> files[] = {{"broken.obj", "broken.obj:2: "},
+                                                             {"point.obj", "point.obj: has no area"},
+                                                             {"missing.obj", "missing.obj: cannot read"}};
+        for (const auto& [file, words] : files) {
+            const Result result = shot(lab, {fmt::format("{}={}", knob, file)}, {"-o", "o.png"});
+            EXPECT_EQ(result.code, 1);
+            EXPECT_TRUE(contains(result.err, words)) << result.err;
+            EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+            EXPECT_FALSE(std::filesystem::exists(folder_.path() / "o.png"));
+        }
+        const Result misspelt = shot(lab, {fmt::format("{}=spher", knob)}, {});
+        EXPECT_EQ(misspelt.code, 2);
+        EXPECT_TRUE(contains(misspelt.err, "did you mean 'sphere'?")) << misspelt.err;
+        EXPECT_TRUE(contains(misspelt.err, ", or an OBJ file")) << misspelt.err;
+    }
+    const Result analytic = shot("05", {"view=one", "method=analytic", "shape=cube.obj"}, {"-o", "o.png"});
+    EXPECT_EQ(analytic.code, 1);
+    EXPECT_TRUE(contains(analytic.err, "an own model has none")) << analytic.err;
+}
+
+TEST_F(OwnFiles, ColorsOfTheMapGivenAsAFileChangeNothing) {
+    const std::string albedo = std::string(source_folder) + "/assets/bricks_albedo.png";
+    for (const std::string lab : {"10", "11", "12"}) {
+        const std::vector<std::string> set = {"view=one", "map=wall"};
+        std::vector<std::string> own = set;
+        own.push_back("colors=" + albedo);
+        EXPECT_EQ(difference(picture(lab, set), picture(lab, own), 1).largest, 0) << lab;
+    }
+}
+
+TEST_F(OwnFiles, ColorsAreThoseOfAPictureAsSrgbOrAsLight) {
+    write_color("stored.png", {0.8f, 0.4f, 0}, 8);
+    write_color("light.exr", {float(linear_from_srgb(0.8)), float(linear_from_srgb(0.4)), 0}, 32);
+    write_color("black.png", {0, 0, 0}, 8);
+    for (const std::string lab : {"10", "11", "12"}) {
+        const auto with = [&](const char* colors) {
+            return picture(lab, {"view=one", "map=posts", fmt::format("colors={}", colors)});
+        };
+        const Image stored = with("stored.png"), black = with("black.png");
+        EXPECT_LE(difference(stored, with("light.exr"), 1).largest, 0.02) << lab;
+        EXPECT_GT(share_apart(stored, with("map"), 0.05f), 0.3) << lab;
+        // What is not albedo, such as highlights, is in the black picture. The rest has the proportions of the colour.
+        double sums[3] = {};
+        for (size_t i = 0; i < stored.values.size(); ++i)
+            sums[i % 3] += double(stored.values[i]) - double(black.values[i]);  // EXR has light
+        EXPECT_GT(sums[0], 0) << lab;
+        EXPECT_NEAR(sums[1] / sums[0], linear_from_srgb(0.4) / linear_from_srgb(0.8), 0.02) << lab;
+        EXPECT_NEAR(sums[2] / sums[0], 0, 0.01) << lab;
+    }
+}
+
+TEST_F(OwnFiles, ABrokenPictureOfColorsIsRefusedWithOneLine) {
+    folder_.write("text.png", "not a picture");
+    const Result result = shot("12", {"colors=text.png"}, {"-o", "o.png"});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.err, "text.png: neither PNG")) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "o.png"));
+}
+
+}  // namespace
+}  // namespace relief::app
