@@ -157,7 +157,19 @@ private:
         return most;
     }
     void add(std::string words, Rule rule) { found_.push_back({std::move(words), std::move(rule)}); }
-    void add_fitted(std::string words, Rule rule) { found_.push_back({std::move(words), std::move(rule), true}); }
+    void add_constant(std::string words, Rule rule) {
+        add(std::move(words), std::move(rule));
+        found_.back().is_constant = true;
+    }
+    void add_function(std::string words, Rule rule) {
+        add(std::move(words), std::move(rule));
+        found_.back().most_left = 0.03;
+    }
+    /// With a number that comes from the pictures.
+    void add_fitted(std::string words, Rule rule) {
+        add_function(std::move(words), std::move(rule));
+        found_.back().may_hold_in_part = false;
+    }
     void add_component(const std::string& words, size_t channel, std::function<double(const Value&)> of) {
         add(fmt::format("the expected {} with {}", pair_.noun(), words), [=](size_t, const Value& e) {
             Value value = e;
@@ -173,13 +185,13 @@ private:
         const auto drawn = constant(pair_, differing(), &Sample::drawn),
                    expected = constant(pair_, differing(), &Sample::expected);
         if (everywhere && !expected)
-            add(fmt::format("{} everywhere", text_of(pair_, *everywhere)),
-                [v = *everywhere](size_t, const Value&) { return v; });
+            add_constant(fmt::format("{} everywhere", text_of(pair_, *everywhere)),
+                         [v = *everywhere](size_t, const Value&) { return v; });
         if (drawn && expected)
-            add(fmt::format("{} where {} is expected", text_of(pair_, *drawn), text_of(pair_, *expected)),
-                [v = *drawn, was = *expected, &pair = pair_](size_t, const Value& e) {
-                    return pair.error(e, was) <= pair.threshold() ? v : e;
-                });
+            add_constant(fmt::format("{} where {} is expected", text_of(pair_, *drawn), text_of(pair_, *expected)),
+                         [v = *drawn, was = *expected, &pair = pair_](size_t, const Value& e) {
+                             return pair.error(e, was) <= pair.threshold() ? v : e;
+                         });
     }
 
     /// All orders of the components with all signs, the simplest first.
@@ -325,7 +337,7 @@ private:
     void whole(const Function& one) {
         if (count() < 2) return;
         const int n = pair_.channels();
-        add(fmt::format(fmt::runtime(one.words), whole_name()), [=](size_t, const Value& e) {
+        add_function(fmt::format(fmt::runtime(one.words), whole_name()), [=](size_t, const Value& e) {
             Value value = e;
             for (int c = 0; c < n; ++c) value[size_t(c)] = one.of(e[size_t(c)]);
             return std::optional(value);
@@ -337,6 +349,7 @@ private:
         add_component(fmt::format("{} in place of {}", fmt::format(fmt::runtime(one.words), pair_.name(int(channel))),
                                   pair_.name(int(channel))),
                       channel, [=](const Value& e) { return one.of(e[channel]); });
+        found_.back().most_left = 0.03;
     }
 
     /// Returns the median of a quotient where the pictures differ and the divisor is not small.

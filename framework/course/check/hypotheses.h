@@ -19,7 +19,11 @@ using Rule = std::function<std::optional<Value>(size_t pixel, const Value& expec
 struct Hypothesis {
     std::string words;  ///< completes "yours is ..."
     Rule rule;
-    bool is_fitted = false;  ///< a number in it comes from the pictures, so it must hold in the whole picture
+    bool is_constant = false;
+    /// Whether it may hold in a part of the picture only: not if a number in it comes from the pictures.
+    bool may_hold_in_part = true;
+    /// The share of the error that it may leave. Functions, and numbers from the pictures, are near many curves.
+    double most_left = 0.1;
 };
 
 /// Returns all hypotheses about the pair, from simple to complex. The pair must outlive them.

@@ -14,8 +14,8 @@ namespace relief::check {
 namespace {
 
 constexpr double explained_share = 0.95;
-/// Most of the error that a relation may leave. A number that comes from the pictures fits many curves nearly.
-constexpr double most_left = 0.1, most_left_if_fitted = 0.03;
+/// Most of the sum of the errors that a relation may leave.
+constexpr double most_left = 0.1;
 
 std::optional<Value> predicted(const PicturePair& pair, const Hypothesis& one, const Sample& sample) {
     return pair.finished(one.rule(sample.pixel, sample.expected));
@@ -86,18 +86,30 @@ struct Explanation {
     Samples contradicted;  ///< pixels that are right, and for which it predicts a difference
 };
 
+/// Returns the sum of the errors of the mean, where the pictures differ.
+double spread_of_drawn(const PicturePair& pair) {
+    Value sum{};
+    for (const Sample& one : pair.differing())
+        for (size_t c = 0; c < 4; ++c) sum[c] += one.drawn[c] / double(pair.differing().size());
+    const auto mean = pair.finished(sum);
+    double spread = 0;
+    for (const Sample& one : pair.differing()) spread += mean ? pair.error(*mean, one.drawn) : one.error;
+    return spread;
+}
+
 std::optional<Explanation> explanation(const PicturePair& pair, const Hypothesis& one) {
     const Samples& differing = pair.differing();
     const auto most_failures = size_t((1 - explained_share) * double(differing.size()));
     size_t failures = 0;
-    const double share = one.is_fitted ? most_left_if_fitted : most_left;
     Explanation found{&one, 0, 0, {}};
     for (const Sample& sample : differing) {
         const auto value = predicted(pair, one, sample);
-        if (!pair.explains(value, sample, share) && ++failures > most_failures) return {};
+        if (!pair.explains(value, sample, one.most_left) && ++failures > most_failures) return {};
         found.left += std::min(pair.error(value, sample.drawn), 2 * sample.error);
     }
     if (found.left > most_left * pair.sum()) return {};
+    // Nearly constant values are near many functions of large expected ones. Only a constant explains them.
+    if (!one.is_constant && found.left > 0.3 * spread_of_drawn(pair)) return {};
     for (const Sample& sample : pair.same())
         if (pair.error(predicted(pair, one, sample), sample.drawn) > pair.threshold())
             found.contradicted.push_back(sample);
@@ -175,7 +187,7 @@ std::optional<Relation> relation_of_pixels(const Image& drawn, const Image& expe
             predicted(pair, *one->hypothesis, expected)};
     std::vector<const Explanation*> somewhere;
     for (const Explanation& one : explanations)
-        if (!one.hypothesis->is_fitted) somewhere.push_back(&one);
+        if (one.hypothesis->may_hold_in_part) somewhere.push_back(&one);
     if (const Explanation* const one = simplest(pair, somewhere))
         return Relation{
             fmt::format("on {}, yours is {}; on the others it is right",

@@ -28,11 +28,11 @@ struct Relation {
 };
 
 /// Returns the simplest relation that explains the difference, or nothing. A relation explains it if it leaves less
-/// than a tenth of the error (3 % if a number in it comes from the pictures) at 95 % of the pixels that differ. If it
-/// also predicts a difference where there is none, the sentence says where it holds. If nothing explains the
-/// difference, the sentence says which part of the picture is right, or that all values are too large or too small; if
-/// that is unknown, too, there is none. Also returns nothing for pictures of different shapes, and if fewer than 40 of
-/// about 2,500 sampled pixels differ. `drawn` may hold any values.
+/// than a tenth of the error (3 % for a function, and if a number in it comes from the pictures) at 95 % of the pixels
+/// that differ. If it also predicts a difference where there is none, the sentence says where it holds. If nothing
+/// explains the difference, the sentence says which part of the picture is right, or that all values are too large or
+/// too small; if that is unknown, too, there is none. Also returns nothing for pictures of different shapes, and if
+/// fewer than 40 of about 2,500 sampled pixels differ. `drawn` may hold any values.
 std::optional<Relation> relation_between(const Image& drawn, const Image& expected, const Quantity& quantity);
 
 }  // namespace relief::check
