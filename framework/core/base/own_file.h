@@ -1,6 +1,7 @@
 // A file of the user, which a knob accepts in addition to its named choices.
 #pragma once
 
+#include <cctype>
 #include <filesystem>
 
 namespace relief {
@@ -38,10 +39,11 @@ private:
     int version_ = 0;
 };
 
-/// Returns whether a file's name ends in .obj.
+/// Returns whether a file's name ends in .obj, in any case.
 inline bool is_named_as_model(const std::filesystem::path& file) {
-    const std::string ending = file.extension().string();
-    return ending == ".obj" || ending == ".OBJ";
+    std::string ending = file.extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return ending == ".obj";
 }
 
 }  // namespace relief

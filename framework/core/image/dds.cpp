@@ -32,7 +32,8 @@ Layout layout_of(std::string_view bytes) {
     const std::string_view four_cc = bytes.substr(four_cc_at, 4);
     if (four_cc == "ATI2" || four_cc == "BC5U") return {false, dx9_header_bytes};
     if (four_cc == "BC5S") return {true, dx9_header_bytes};
-    if (four_cc == "DX10" && bytes.size() >= dds_header_bytes) {
+    if (four_cc == "DX10") {
+        if (bytes.size() < dds_header_bytes) throw Error("damaged: its header has no end");
         const uint32_t format = number_at(bytes, dxgi_format_at);
         if (format == dxgi_bc5_unorm || format == dxgi_bc5_snorm) return {format == dxgi_bc5_snorm, dds_header_bytes};
         throw Error(fmt::format("its DXGI_FORMAT is {}: of DDS files only BC5 is supported ({} or {})", format,

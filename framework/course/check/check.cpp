@@ -349,39 +349,41 @@ std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check) {
     return truth_of(*make_lab(lab, check.shot), check.shot);
 }
 
-std::optional<Shot> base_shot(const Manifest& manifest, const CheckInfo& check) {
+fs::path base_file(const LabEntry& lab, const CheckInfo& check) {
+    fs::path file = expectation_file(lab, check);
+    return file.replace_filename(file.stem().string() + "-base" + file.extension().string());
+}
+
+std::optional<Image> base_of(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check) {
     if (!check.shot.probe) return {};
     const ProbeInfo& probe = manifest.probe(check.shot.probe.name);
     if (probe.without.empty()) return {};
+    if (const fs::path file = base_file(lab, check); fs::exists(file)) return read_image(file);
     Shot shot = check.shot;
     shot.set.insert(shot.set.end(), probe.without.begin(), probe.without.end());
-    return shot;
+    try {
+        return truth_of(*make_lab(lab, shot), shot);
+    } catch (const Error&) {
+        return {};  // this view has no exact values
+    }
 }
 
 std::optional<Relation> relation_of(const Manifest& manifest, const CheckInfo& check, const Image& drawn,
-                                    const Image& expected, const Image* base) {
+                                    const Image& expected, const std::function<std::optional<Image>()>& base) {
     if (!drawn.same_shape(expected)) return {};
     if (!check.shot.probe) return relation_between(drawn, expected, {});
     const ProbeInfo& probe = manifest.probe(check.shot.probe.name);
     if (const auto& least = check.limits.at_least)
         if (summarize(error_image(drawn, expected, probe.error)).mean < *least) return {};
-    std::string knobs;
+    Quantity quantity{.name = probe.name, .error = probe.error};
+    auto relation = relation_between(drawn, expected, quantity);
+    if ((relation && !relation->predicted.values.empty()) || probe.without.empty()) return relation;
+    const std::optional<Image> without_relief = base();
+    if (!without_relief) return relation;
+    quantity.base = &*without_relief;
     for (const auto& [knob, value] : probe.without)
-        knobs += fmt::format("{}{} = {}", knobs.empty() ? "" : ", ", knob, value);
-    return relation_between(drawn, expected, {probe.name, probe.error, base, knobs});
-}
-
-std::string sentence_of(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
-                        const std::function<Image(const Shot& base)>& draw_base) {
-    auto relation = relation_of(manifest, check, drawn, expected);
-    if (!relation || relation->predicted.values.empty())
-        if (const auto shot = base_shot(manifest, check)) try {
-                const Image base = draw_base(*shot);
-                relation = relation_of(manifest, check, drawn, expected, &base);
-            } catch (const Error&) {
-                // Without a base there are fewer relations.
-            }
-    return relation ? relation->sentence : "";
+        quantity.base_knob += fmt::format("{}{} = {}", quantity.base_knob.empty() ? "" : ", ", knob, value);
+    return relation_between(drawn, expected, quantity);
 }
 
 Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected) {
@@ -436,8 +438,11 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
             const Image judged = allowance ? allowance(check, result.drawn, result.expected) : result.drawn;
             said = judge(manifest, check, judged, result.expected);
             if (said.outcome == Outcome::wrong)
-                said.relation = sentence_of(manifest, check, judged, result.expected,
-                                            [&](const Shot& shot) { return draw_shot(*make_lab(lab, shot), shot); });
+                if (auto relation = relation_of(manifest, check, judged, result.expected,
+                                                [&] { return base_of(lab, manifest, check); })) {
+                    said.relation = relation->sentence;
+                    result.related = std::move(relation->predicted);
+                }
         }
     } catch (const Error& error) {
         said = {Outcome::broken, error.what(), task_at(manifest, error.place())};
@@ -528,6 +533,8 @@ Advice LabChecker::advice() const {
 
 void Advice::apply(size_t check, CheckResult& result) const {
     result.look_at = look_at[check];
+    // The hint of a known mistake replaces the relation.
+    if (result.relation.empty() || !result.look_at.ends_with(result.relation.substr(1))) result.related = {};
     if (first[check].empty()) return;
     result.outcome = Outcome::waiting;
     result.found = waits_text(first[check], "right");

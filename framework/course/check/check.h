@@ -34,7 +34,7 @@ struct Judgement {
     /// The task whose part of a file holds the compiler's error; no other task can be the cause. Else empty.
     std::string culprit = {};
     std::string look_at = {};  ///< a hint from the measured values, which replaces the check's own; or empty
-    /// How the picture differs from the expected one, see sentence_of(); or empty. judge() does not look for it.
+    /// How the picture differs from the expected one, see relation_of(); or empty. judge() does not look for it.
     std::string relation = {};
     /// The maximum over all limits of value / upper bound and of lower bound / value; at most 1 if the check passed.
     double used = 0;
@@ -48,6 +48,7 @@ struct CheckResult {
     Image drawn = {}, expected = {};  ///< the compared pictures; empty if nothing was compared
     std::string look_at = {};         ///< see Advice; only check_lab() fills it in
     std::string culprit = {}, relation = {};  ///< see Judgement
+    Image related = {};                       ///< see Relation::predicted; empty unless the hint tells the relation
     TaskIds waits_for = {};                   ///< the tasks that the check waits for, in the manifest's order
 };
 
@@ -100,17 +101,15 @@ std::optional<Image> expectation(const LabEntry& lab, const CheckInfo& check);
 /// Returns the path of the file in `expected`; it may not exist.
 std::filesystem::path expectation_file(const LabEntry& lab, const CheckInfo& check);
 
-/// Returns the shot of a check without relief: see ProbeInfo::without. Empty if the probe has no such knobs.
-std::optional<Shot> base_shot(const Manifest& manifest, const CheckInfo& check);
+/// Returns the picture of a check's shot without relief, see ProbeInfo::without. It is the file in the lab's folder
+/// `expected`, if a handout put it there; else the exact values. Empty if there is neither.
+std::optional<Image> base_of(const LabEntry& lab, const Manifest& manifest, const CheckInfo& check);
+std::filesystem::path base_file(const LabEntry& lab, const CheckInfo& check);
 
-/// Returns how a wrong picture relates to the expected one; nothing if the picture is better than the task asks for.
-/// `base`: the picture of base_shot(), or null.
+/// Returns how a wrong picture relates to the expected one. Nothing if there is no simple relation, or if the picture
+/// is better than the task asks for. Calls `base`, which returns base_of(), only if there is no relation without it.
 std::optional<Relation> relation_of(const Manifest& manifest, const CheckInfo& check, const Image& drawn,
-                                    const Image& expected, const Image* base = nullptr);
-
-/// Returns the sentence of relation_of(), or an empty text. Draws the base only if there is no relation without it.
-std::string sentence_of(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
-                        const std::function<Image(const Shot& base)>& draw_base);
+                                    const Image& expected, const std::function<std::optional<Image>()>& base);
 
 /// Judges a picture: first whether it is usable, then its distance from the expected one. `drawn` may come from an
 /// untrusted process: its shape and values are checked. Needs no context.

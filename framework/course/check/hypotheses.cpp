@@ -9,6 +9,7 @@
 #include <set>
 
 #include "framework/core/base/text.h"
+#include "framework/core/image/color.h"
 
 namespace relief::check {
 namespace {
@@ -49,9 +50,13 @@ std::optional<Value> constant(const PicturePair& pair, const Samples& samples, V
 
 std::string text_of(const PicturePair& pair, const Value& value) {
     if (pair.channels() == 1) return rounded(value[0], 3);
+    double largest = 0;
+    for (int c = 0; c < pair.channels(); ++c) largest = std::max(largest, std::abs(value[size_t(c)]));
     std::string text;
-    for (int c = 0; c < pair.channels(); ++c)
-        text += (c ? ", " : "(") + rounded(std::abs(value[size_t(c)]) < 5e-4 ? 0 : value[size_t(c)], 3);
+    for (int c = 0; c < pair.channels(); ++c) {
+        const double one = value[size_t(c)];
+        text += (c ? ", " : "(") + rounded(std::abs(one) < 1e-3 * largest ? 0 : one, 3);
+    }
     return text + ")";
 }
 
@@ -80,12 +85,14 @@ const NamedFactor* name_of(double factor) {
         if (std::abs(std::abs(factor) / one.factor - 1) < 0.002) return &one;
     return nullptr;
 }
+bool is_one(double factor) { return std::abs(factor - 1) < 0.005; }
 bool is_named(double factor) { return name_of(factor) || std::abs(std::abs(factor) - 1) < 0.002; }
 
 /// Returns a factor in words: "twice", "half", "pi / 180 times", "1.37 times".
 std::string times(double factor) {
     if (const NamedFactor* const one = name_of(factor))
         return fmt::format("{}{}", factor < 0 ? "minus " : "", one->words);
+    if (is_one(-factor)) return "minus";
     return fmt::format("{} times", rounded(factor, 3));
 }
 
@@ -94,8 +101,6 @@ struct Function {
     const char* words;
     double (*of)(double);
 };
-double to_srgb(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
-double from_srgb(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); }
 constexpr Function functions[] = {
     {"{} negated", [](double x) { return -x; }},
     {"the absolute value of {}", [](double x) { return std::abs(x); }},
@@ -109,9 +114,9 @@ constexpr Function functions[] = {
     {"1 / {}", [](double x) { return 1 / x; }},
     {"{} / 2 + 1/2", [](double x) { return x / 2 + 0.5; }},
     {"2 {} - 1", [](double x) { return 2 * x - 1; }},
-    {"{} encoded as sRGB", to_srgb},
-    {"{} decoded from sRGB", from_srgb},
-    {"{} read from an sRGB texture", [](double x) { return 2 * from_srgb(x / 2 + 0.5) - 1; }},
+    {"{} encoded as sRGB", srgb_from_linear},
+    {"{} decoded from sRGB", linear_from_srgb},
+    {"{} read from an sRGB texture", [](double x) { return 2 * linear_from_srgb(x / 2 + 0.5) - 1; }},
     {"the sine for the cosine {}", [](double x) { return std::sqrt(1 - x * x); }},
     {"1 - the square of {}", [](double x) { return 1 - x * x; }},
 };
@@ -139,10 +144,10 @@ public:
             for (const Function& one : roundings) whole(one);
         factors();
         in_place();
+        components();
         if (pair_.channels() > 1)
             for (const Function& one : functions)
                 for (int c = 0; c < pair_.channels(); ++c) part(one, size_t(c));
-        components();
         lines();
         return std::move(found_);
     }
@@ -296,6 +301,7 @@ private:
                 value[a] = c * e[a] - s * e[b], value[b] = s * e[a] + c * e[b];
                 return std::optional(value);
             });
+            found_.back().may_hold_in_part = false;
         }
     }
 
@@ -367,7 +373,7 @@ private:
         if (pair_.is_direction() || count() < 2) return;
         const double k = quotient(
             [](const Sample& one) { return std::pair(dot(one.drawn, one.expected), dot(one.expected, one.expected)); });
-        if (std::isfinite(k))
+        if (std::isfinite(k) && !is_one(k))
             add_fitted(fmt::format("{} {}", times(k), whole_name()),
                        [=](size_t, const Value& e) { return std::optional(scaled(e, k)); });
         Value apart{};
@@ -429,16 +435,18 @@ private:
                 weights(i, name);
                 continue;
             }
+            const size_t before = found_.size();
             std::vector<double> drawn, apart;
             for (const Sample& one : differing())
                 drawn.push_back(one.drawn[i]), apart.push_back(one.drawn[i] - one.expected[i]);
             const double middle = median(drawn), offset = median(apart);
             const double k = quotient([=](const Sample& one) { return std::pair(one.drawn[i], one.expected[i]); });
             add_component(fmt::format("{} for {}", rounded(middle, 3), name), i, [=](const Value&) { return middle; });
-            if (std::isfinite(k))
+            if (std::isfinite(k) && !is_one(k))
                 add_component(fmt::format("{} {}", times(k), name), i, [=](const Value& e) { return k * e[i]; });
             add_component(fmt::format("{} {} {}", name, offset < 0 ? "minus" : "plus", rounded(std::abs(offset), 3)), i,
                           [=](const Value& e) { return e[i] + offset; });
+            for (size_t last = before; last < found_.size(); ++last) found_[last].may_hold_in_part = false;
         }
         // A component in place of another.
         for (int c = 0; c < pair_.channels(); ++c)
@@ -457,7 +465,7 @@ private:
         });
         if (std::isfinite(k) && std::abs(k) < 0.003)
             add_component(fmt::format("0 for {}", name), up, [](const Value&) { return 0.0; });
-        else if (std::isfinite(k))
+        else if (std::isfinite(k) && !is_one(k))
             add_component(fmt::format("{} {}", times(k), name), up, [=](const Value& e) { return k * e[up]; });
         // A fixed component, and one with an offset, before the vector was normalised.
         const double fixed = quotient(
@@ -493,8 +501,8 @@ private:
         }
         const double b = (n * sed - se * sd) / (n * see - se * se), a = (sd - b * se) / n;
         if (!std::isfinite(a) || std::abs(b) < 0.01) return;
-        const bool is_offset = std::abs(b - 1) < 0.002,
-                   is_factor = std::abs(a) < 1e-4 * (std::abs(low) + std::abs(high));
+        const bool is_offset = is_one(b), is_factor = std::abs(a) < 1e-4 * (std::abs(low) + std::abs(high));
+        if (is_offset && is_factor) return;
         if (!is_offset && !is_factor && !is_named(b)) return;  // any two numbers would say little
         std::string words = is_offset ? whole_name() : fmt::format("{} {}", times(b), whole_name());
         if (!is_factor) words += fmt::format(" {} {}", a < 0 ? "minus" : "plus", rounded(std::abs(a), 3));

@@ -9,6 +9,18 @@ namespace {
 
 constexpr size_t most_samples = 2500;
 
+/// Returns the number of channels up to the last that is not 0 in both pictures; at least 1.
+int used_channels(const Image& drawn, const Image& expected) {
+    const auto is_used = [](const Image& image, int channel) {
+        for (size_t i = size_t(channel); i < image.values.size(); i += size_t(image.channels))
+            if (std::isfinite(image.values[i]) && image.values[i] != 0) return true;
+        return false;
+    };
+    int count = std::min(4, expected.channels);
+    while (count > 1 && !is_used(drawn, count - 1) && !is_used(expected, count - 1)) --count;
+    return count;
+}
+
 }  // namespace
 
 double dot(const Value& a, const Value& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]; }
@@ -29,7 +41,7 @@ PicturePair::PicturePair(const Image& drawn, const Image& expected, const Quanti
       channels_(is_direction_                             ? 3
                 : quantity.error == ErrorMetric::absolute ? 1
                 : is_picture_                             ? std::min(3, expected.channels)
-                                                          : std::min(4, expected.channels)),
+                                                          : used_channels(drawn, expected)),
       names_(is_picture_                               ? std::array{"red", "green", "blue", "alpha"}
              : quantity.name == "uv" && channels_ <= 2 ? std::array{"u", "v", "", ""}
                                                        : std::array{"x", "y", "z", "w"}) {

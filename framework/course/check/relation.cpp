@@ -146,15 +146,17 @@ Image predicted(const PicturePair& pair, const Hypothesis& one, const Image& exp
 /// Says when every error has the same sign: a value that is too large, a picture that is too dark.
 std::optional<Relation> one_sided_error(const PicturePair& pair) {
     if (pair.is_unrolled() || (!pair.is_picture() && pair.channels() > 1)) return {};
-    size_t above = 0;
+    size_t above = 0, below = 0;
     double sum = 0;
-    for (const Sample& one : pair.differing()) {
-        const double off =
-            one.drawn[0] + one.drawn[1] + one.drawn[2] - one.expected[0] - one.expected[1] - one.expected[2];
-        above += off > 0, sum += off;
-    }
-    const auto count = double(pair.differing().size());
-    if (std::min(double(above), count - double(above)) > 0.005 * count) return {};
+    for (const Samples* const some : {&pair.differing(), &pair.same()})
+        for (const Sample& one : *some) {
+            if (one.error <= pair.noise()) continue;
+            double off = 0;
+            for (size_t c = 0; c < 4; ++c) off += one.drawn[c] - one.expected[c];
+            ++(off > 0 ? above : below), sum += off;
+        }
+    const auto count = double(above + below);
+    if (double(std::min(above, below)) > 0.005 * count) return {};
     const char* const words = pair.is_picture() ? sum > 0 ? "brighter" : "darker" : sum > 0 ? "larger" : "smaller";
     const std::string by =
         pair.is_picture() ? "" : fmt::format(", by {} on average", rounded(std::abs(sum) / count, 3));
@@ -182,7 +184,7 @@ std::optional<Relation> relation_of_pixels(const Image& drawn, const Image& expe
         if (part_with(pair, pair.differing(), one.contradicted)) in_part.push_back(&one);
     if (const Explanation* const one = simplest(pair, in_part))
         return Relation{
-            fmt::format("{}, yours is {}; elsewhere it is right",
+            fmt::format("{}, yours is {}; elsewhere it is right or nearly so",
                         part_with(pair, pair.differing(), one->contradicted)->words, one->hypothesis->words),
             predicted(pair, *one->hypothesis, expected)};
     std::vector<const Explanation*> somewhere;
@@ -190,7 +192,7 @@ std::optional<Relation> relation_of_pixels(const Image& drawn, const Image& expe
         if (one.hypothesis->may_hold_in_part) somewhere.push_back(&one);
     if (const Explanation* const one = simplest(pair, somewhere))
         return Relation{
-            fmt::format("on {}, yours is {}; on the others it is right",
+            fmt::format("on {}, yours is {}; on the others it is right or nearly so",
                         percent(pair, double(pair.differing().size()) / double(pair.count())), one->hypothesis->words),
             predicted(pair, *one->hypothesis, expected)};
     if (const auto part = part_with(pair, pair.differing(), pair.same()))
@@ -198,22 +200,26 @@ std::optional<Relation> relation_of_pixels(const Image& drawn, const Image& expe
     return one_sided_error(pair);
 }
 
-/// Returns an image in which each channel is a pixel of its own.
-Image unrolled(const Image& image) {
-    Image result(image.width * image.channels, image.height, 1, image.bits);
-    result.values = image.values;
+/// Returns an image in which each of the first channels is a pixel of its own.
+Image unrolled(const Image& image, int channels) {
+    Image result(image.width * channels, image.height, 1, image.bits);
+    for (size_t i = 0; i < result.values.size(); ++i)
+        result.values[i] = image.values[i / size_t(channels) * size_t(image.channels) + i % size_t(channels)];
     return result;
 }
 
 std::optional<Relation> relation_of_components(const Image& drawn, const Image& expected, const Quantity& quantity) {
     if (quantity.error != ErrorMetric::distance || quantity.name.empty() || expected.channels < 2) return {};
-    auto found = relation_of_pixels(unrolled(drawn), unrolled(expected),
+    const int channels = PicturePair(drawn, expected, quantity).channels();
+    auto found = relation_of_pixels(unrolled(drawn, channels), unrolled(expected, channels),
                                     {.name = quantity.name, .error = ErrorMetric::absolute}, true);
     if (!found || found->predicted.values.empty()) return {};
     found->sentence = "component by component, " + found->sentence;
-    std::vector<float> values = std::move(found->predicted.values);
+    const Image components = std::move(found->predicted);
     found->predicted = expected;
-    found->predicted.values = std::move(values);
+    for (size_t i = 0; i < components.values.size(); ++i)
+        found->predicted.values[i / size_t(channels) * size_t(expected.channels) + i % size_t(channels)] =
+            components.values[i];
     return found;
 }
 
@@ -249,9 +255,17 @@ std::optional<Relation> relation_in_tangent_space(const Image& drawn, const Imag
 
 std::optional<Relation> relation_between(const Image& drawn, const Image& expected, const Quantity& quantity) {
     if (!drawn.same_shape(expected) || expected.channels < (quantity.error == ErrorMetric::angle ? 3 : 1)) return {};
-    if (auto found = relation_of_pixels(drawn, expected, quantity)) return found;
-    if (auto found = relation_in_tangent_space(drawn, expected, quantity)) return found;
-    return relation_of_components(drawn, expected, quantity);
+    auto found = relation_of_pixels(drawn, expected, quantity);
+    // A sentence without a prediction only says where the pictures differ, so the search goes on.
+    const auto is_whole = [](const std::optional<Relation>& one) { return one && !one->predicted.values.empty(); };
+    if (!is_whole(found))
+        if (auto other = relation_in_tangent_space(drawn, expected, quantity); is_whole(other))
+            found = std::move(other);
+    if (!is_whole(found))
+        if (auto other = relation_of_components(drawn, expected, quantity); is_whole(other)) found = std::move(other);
+    if (found && double(one_sided(drawn, expected).count()) > 0.01 * double(expected.pixel_count()))
+        found->sentence += ", where both pictures have a surface";
+    return found;
 }
 
 }  // namespace relief::check

@@ -28,7 +28,7 @@ struct Relation {
 };
 
 /// Returns the simplest relation that explains the difference, or nothing. A relation explains it if it leaves less
-/// than a tenth of the error (3 % for a function, and if a number in it comes from the pictures) at 95 % of the pixels
+/// than a tenth of the error (3 % for a function, and for a factor or an offset of the whole) at 95 % of the pixels
 /// that differ. If it also predicts a difference where there is none, the sentence says where it holds. If nothing
 /// explains the difference, the sentence says which part of the picture is right, or that all values are too large or
 /// too small; if that is unknown, too, there is none. Also returns nothing for pictures of different shapes, and if

@@ -58,14 +58,6 @@ std::string expected_caption(const CheckInfo& check) {
     return "expected: the same as in “" + check.against + "”";
 }
 
-/// Returns the expected picture with the relation of a wrong one, see check::Relation; empty if there is none.
-Image related_picture(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected) {
-    if (expected.pixel_count() == 0) return {};
-    if (check::judge(manifest, check, drawn, expected).outcome != check::Outcome::wrong) return {};
-    const auto relation = check::relation_of(manifest, check, drawn, expected);
-    return relation ? relation->predicted : Image();
-}
-
 }  // namespace
 
 std::string outcome_words(check::Outcome outcome) {
@@ -121,7 +113,7 @@ double largest_limit(const Limits& limits) {
 }
 
 Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected,
-                     DrawnBy who) {
+                     DrawnBy who, const Image& related) {
     const ProbeInfo* const probe = check.shot.probe ? &manifest.probe(check.shot.probe.name) : nullptr;
     // The scale reaches at least the limit, so that the map of a passed check stays dark.
     const ComparedImages shown = compare_images(probe, drawn, expected, largest_limit(check.limits));
@@ -136,8 +128,8 @@ Fields check_figures(const Manifest& manifest, const CheckInfo& check, const Ima
     add(shown.drawn, "mine", who == DrawnBy::reader ? "yours" : "submitted",
         fmt::format("What {} {} for the check: {}", whose, what, check.name));
     add(shown.expected, "expected", expected_caption(check), "What is expected of the check: " + check.name);
-    if (const Image related = related_picture(manifest, check, drawn, expected); related.pixel_count() > 0)
-        add(compare_images(probe, related, expected, 0).drawn, "related", "expected, with that change",
+    if (related.pixel_count() > 0)
+        add(compare_images(probe, related, expected).drawn, "related", "expected, with that change",
             "The expected picture, changed as the hint says, in the check: " + check.name);
     add(shown.difference, "difference", "where they differ",
         "Where they differ in the check: " + check.name + ". " + shown.differs, shown.scale);

@@ -16,15 +16,16 @@ namespace {
 Fields fields_of(const Manifest& manifest, const check::CheckResult& result) {
     const CheckInfo& check = *result.check;
     const bool passed = result.outcome == check::Outcome::passed;
-    return {{"name", check.name},
-            {"quoted", quoted_for_shell(check.name)},
-            {"badge", badge(result.outcome)},
-            {"open", !passed},
-            {"found_is", result.outcome == check::Outcome::broken ? "message" : "found"},
-            {"found", result.found},
-            {"details", result.details},
-            {"allowed", check.reason},
-            {"pictures", check_figures(manifest, check, result.drawn, result.expected, DrawnBy::reader)}};
+    return {
+        {"name", check.name},
+        {"quoted", quoted_for_shell(check.name)},
+        {"badge", badge(result.outcome)},
+        {"open", !passed},
+        {"found_is", result.outcome == check::Outcome::broken ? "message" : "found"},
+        {"found", result.found},
+        {"details", result.details},
+        {"allowed", check.reason},
+        {"pictures", check_figures(manifest, check, result.drawn, result.expected, DrawnBy::reader, result.related)}};
 }
 
 check::Outcome worst(const check::TaskResult& task) {

@@ -383,7 +383,8 @@ private:
             }
         }();
         if (baked.hit == 0)
-            throw Error({files_[0]}, fmt::format("no ray from {} meets it within {}: are both models in one place? "
+            throw Error({files_[0]}, fmt::format("no ray from {} meets it within {}: are both models in one place, "
+                                                 "and do its faces turn outwards? "
                                                  "--reach sets the distance",
                                                  files_[1], rounded(options.reach)));
         std::string about;
@@ -435,7 +436,7 @@ private:
         {"bake", "--reach", "DISTANCE", &reach_, nullptr,
          "distance of the search above and below COARSE, in the models' units (a twentieth of COARSE's diagonal)"},
         {"normal, heights, occlusion, gloss, combine, bake", "--bits", "8|16", &bits_, nullptr,
-         "bits of a PNG (8; 16 for heights)"}};
+         "bits of a PNG (8; 16 for heights; those of the input for gloss and combine)"}};
 };
 RELIEF_COMMAND(MapCommand, 17, "map",
                "makes normal maps, heights, occlusion, gloss, packed channels, BC5 and baked maps, as files");

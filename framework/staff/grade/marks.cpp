@@ -157,16 +157,16 @@ void LabGrader::keep_pictures(const Comparison& shown, bool is_hidden, std::vect
     kept.push_back({lab().folder, &manifest(), std::move(check), is_hidden, *drawn, *expected});
 }
 
-/// Returns how the drawn picture of a comparison relates to the expected one, in a sentence; or an empty text.
-std::string LabGrader::relation_in(const Comparison& shown) const {
+/// Returns how the picture of a check's own view relates to the expected one, in a sentence; or an empty text.
+std::string LabGrader::relation_in(size_t check, const Comparison& shown) const {
     if (!shown.drawn.image || !shown.expected()) return {};
-    CheckInfo check = shown.check;
-    check.shot = shown.view.shot;
-    return check::sentence_of(manifest(), check, *shown.drawn.image, *shown.expected(), [&](const Shot& shot) {
-        static std::mutex mutex;  // a lab computes exact values in one thread at a time
-        const std::lock_guard lock(mutex);
-        return truth_of(*make_lab(lab(), shot), shot);
-    });
+    const auto base = [&] {
+        const std::lock_guard lock(base_mutex_);
+        if (!bases_.contains(check)) bases_[check] = check::base_of(lab(), manifest(), manifest().checks[check]);
+        return bases_.at(check);
+    };
+    const auto relation = check::relation_of(manifest(), shown.check, *shown.drawn.image, *shown.expected(), base);
+    return relation ? relation->sentence : "";
 }
 
 /// Returns the marks of all tasks. `marks` is in the manifest's order of checks.
@@ -230,7 +230,9 @@ LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>
         const Verdict& verdict = verdicts[i];
         const Comparison shown = verdict.in_hidden_view ? views_.hidden(i, drawn) : views_.own(i, drawn);
         said.push_back(verdict.said);
-        if (with_names && verdict.said.outcome == check::Outcome::wrong) said[i].relation = relation_in(shown);
+        // A relation has numbers of the picture, and students do not see what a hidden check or view measures.
+        if (with_names && verdict.said.outcome == check::Outcome::wrong && !verdict.in_hidden_view && !checks[i].hidden)
+            said[i].relation = relation_in(i, shown);
         const std::string slow = views_.slowness(i, drawn);
         marks.push_back({.name = checks[i].name,
                          .outcome = verdict.said.outcome,

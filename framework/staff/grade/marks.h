@@ -1,6 +1,9 @@
 // Marks: a submission is drawn in the sandbox, and its pictures are compared with the exact values or the solution's.
 #pragma once
 
+#include <map>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,7 +80,8 @@ public:
     size_t hidden_views() const { return views_.hidden_count(); }
 
     /// Grades a submission. Adds to `pictures` the pictures that failed checks compared; they point to this grader's
-    /// manifest. `with_names`: whether to name known mistakes.
+    /// manifest. `with_names`: whether to name known mistakes, and
+    /// relations to the expected picture.
     LabMark mark(const Submission& submission, std::vector<CheckPictures>* pictures = nullptr,
                  bool with_names = true) const;
 
@@ -86,7 +90,7 @@ private:
     Verdict judge_check(size_t check, const DrawnChecks& drawn) const;
     void mark_tasks_alone(const Submission& submission, std::vector<Verdict>& verdicts, DrawnChecks& drawn) const;
     void keep_pictures(const Comparison& shown, bool is_hidden, std::vector<CheckPictures>& kept) const;
-    std::string relation_in(const Comparison& shown) const;
+    std::string relation_in(size_t check, const Comparison& shown) const;
     std::vector<TaskMark> task_marks(const std::vector<CheckMark>& marks) const;
     void name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std::vector<Verdict>& verdicts,
                        const std::vector<check::TaskIds>& first, const std::vector<check::Judgement>& said,
@@ -95,6 +99,8 @@ private:
     LabViews views_;
     MistakeNames mistakes_;
     check::OtherShaders others_;
+    mutable std::mutex base_mutex_;
+    mutable std::map<size_t, std::optional<Image>> bases_;  ///< by check, see check::base_of()
 };
 
 }  // namespace relief::grade

@@ -154,6 +154,9 @@ int add_expected(const std::vector<const LabEntry*>& labs, HandedFiles& files) {
             if (!files.emplace(file, HandedFile{encode_image(*image, format_of(file))}).second)
                 throw Error(fmt::format("labs/{}/lab.toml: two checks have names like '{}'", lab->folder, check.name));
             ++count;
+            if (const auto base = check::base_of(*lab, manifest, check))
+                files.emplace(check::base_file(*lab, check).lexically_relative(course_root()),
+                              HandedFile{encode_image(*base, ImageFormat::exr)});
         }
     }
     return count;
