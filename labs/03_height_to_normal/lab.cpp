@@ -219,8 +219,8 @@ private:
     }
 
     Settings settings_;
-    Programs heights_program_{"03_height_to_normal/map.vert", "03_height_to_normal/heights.frag"};
-    Programs normals_program_{"03_height_to_normal/map.vert", "03_height_to_normal/normals.frag"};
+    Programs heights_program_{"common/window.vert", "03_height_to_normal/heights.frag"};
+    Programs normals_program_{"common/window.vert", "03_height_to_normal/normals.frag"};
     Programs wall_program_{"03_height_to_normal/wall.vert", "03_height_to_normal/wall.frag"};
     GpuMesh quad_ = upload([] { return make_quad({.width = 2, .height = 2}); });
     GpuMesh nothing_ = upload([] { return Mesh{}; });

@@ -75,9 +75,9 @@ public:
 
 private:
     Programs bake_{"07_baking/bake.vert", "07_baking/bake.frag"};
-    Programs pad_{"07_baking/window.vert", "07_baking/pad.frag"};
-    Programs store_{"07_baking/window.vert", "07_baking/store.frag"};
-    Programs clear_{"07_baking/window.vert", "07_baking/cover.frag"};
+    Programs pad_{"common/window.vert", "07_baking/pad.frag"};
+    Programs store_{"common/window.vert", "07_baking/store.frag"};
+    Programs clear_{"common/window.vert", "07_baking/cover.frag"};
     Programs cover_{"07_baking/bake.vert", "07_baking/cover.frag"};
     // Index 0 of of_shape_ is the ammonite, 1 the cube.
     struct OfShape {

@@ -246,7 +246,7 @@ private:
     }
 
     Programs surface_{"07_baking/surface.vert", "07_baking/surface.frag"};
-    Programs map_{"07_baking/window.vert", "07_baking/map.frag"};
+    Programs map_{"common/window.vert", "07_baking/map.frag"};
     Baker baker_;
     WindowTriangle window_;
     CutDrawing cut_drawing_;

@@ -273,9 +273,9 @@ private:
 
     Surfaces surfaces_;
     MaskLevels levels_;
-    Programs sky_{"08_obj_materials/window.vert", "08_obj_materials/sky.frag"};
-    Programs encode_{"08_obj_materials/window.vert", "08_obj_materials/encode.frag"};
-    Programs cut_{"08_obj_materials/window.vert", "08_obj_materials/cone.frag"};
+    Programs sky_{"common/window.vert", "08_obj_materials/sky.frag"};
+    Programs encode_{"common/window.vert", "08_obj_materials/encode.frag"};
+    Programs cut_{"common/window.vert", "08_obj_materials/cone.frag"};
     WindowTriangle window_;
     std::optional<LightTarget> target_;
     std::tuple<glm::ivec2, int, int> target_is_for_;

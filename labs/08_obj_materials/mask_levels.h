@@ -26,7 +26,7 @@ private:
     void draw_level(int level, int alpha, float threshold, const Define& purpose);
     double measure(int level, int alpha, float threshold);
 
-    Programs program_{"08_obj_materials/window.vert", "08_obj_materials/levels.frag"};
+    Programs program_{"common/window.vert", "08_obj_materials/levels.frag"};
     WindowTriangle window_;
     std::optional<Texture> texture_;
     std::vector<float> scales_;

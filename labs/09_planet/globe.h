@@ -100,8 +100,8 @@ private:
     void draw_normals(std::span<const SpherePatch> patches, const TexelTarget& heights);
     void set_patch(const Program& program, const SpherePatch& patch) const;
 
-    Programs heights_{"09_planet/window.vert", "09_planet/heights.frag"};
-    Programs normals_{"09_planet/window.vert", "09_planet/normals.frag"};
+    Programs heights_{"common/window.vert", "09_planet/heights.frag"};
+    Programs normals_{"common/window.vert", "09_planet/normals.frag"};
     std::optional<Buffers> buffers_;
     std::unique_ptr<TexelTarget> map_;
     std::map<SpherePatch, Slot> slots_;

@@ -201,9 +201,9 @@ private:
 
     Settings settings_;
     Programs surface_{"09_planet/surface.vert", "09_planet/surface.frag"};
-    Programs flat_{"09_planet/window.vert", "09_planet/flat.frag"};
+    Programs flat_{"common/window.vert", "09_planet/flat.frag"};
     Programs frames_{"09_planet/frames.vert", "09_planet/frames.frag"};
-    Programs sky_{"09_planet/window.vert", "09_planet/sky.frag"};
+    Programs sky_{"common/far_window.vert", "09_planet/sky.frag"};
     std::array<Globe, 3> globes_;
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Labels labels_;

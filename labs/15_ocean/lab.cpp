@@ -241,7 +241,7 @@ private:
     }
 
     Programs sea_{"15_ocean/sea.vert", "15_ocean/sea.tesc", "15_ocean/sea.tese", "15_ocean/sea.frag"};
-    Programs sky_{"15_ocean/sky.vert", "15_ocean/sky.frag"};
+    Programs sky_{"common/window.vert", "15_ocean/sky.frag"};
     WindowTriangle window_;
     std::array<Kept<double, std::vector<std::string>, int>, 2> means_;
     Labels labels_;

@@ -213,7 +213,7 @@ private:
     }
 
     Programs surface_{"16_environment/scene.vert", "16_environment/surface.frag"};
-    Programs sky_{"16_environment/window.vert", "16_environment/sky.frag"};
+    Programs sky_{"common/far_window.vert", "16_environment/sky.frag"};
     CubeTexture sky_map_{"evening sky", sky_texels, evening_sky};
     GpuMesh nothing_ = upload([] { return Mesh{}; });
     Stage stage_;

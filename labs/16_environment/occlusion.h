@@ -71,8 +71,8 @@ private:
     }
 
     Programs surfaces_{"16_environment/scene.vert", "16_environment/near.frag"};
-    Programs search_{"16_environment/window.vert", "16_environment/occlusion.frag"};
-    Programs smooth_{"16_environment/window.vert", "16_environment/smooth.frag"};
+    Programs search_{"common/window.vert", "16_environment/occlusion.frag"};
+    Programs smooth_{"common/window.vert", "16_environment/smooth.frag"};
     WindowTriangle window_;
     std::unique_ptr<Targets> targets_;
 };

@@ -198,7 +198,7 @@ private:
 
     Settings settings_;
     Programs skin_{"18_moving_frames/serpent.vert", "18_moving_frames/serpent.frag"};
-    Programs sky_{"18_moving_frames/sky.vert", "18_moving_frames/sky.frag"};
+    Programs sky_{"common/window.vert", "18_moving_frames/sky.frag"};
     Texture scales_{"scales", [] { return make_scales(256); }};
     Bodies first_, flock_;
     /// By way. Inputs: shape, pose, scale_y, triangles, renewals of the program.

@@ -5,7 +5,7 @@
 #include "common/unfinished.glsl"
 #include "16_environment/task.glsl"
 
-in vec2 v_window;
+in vec2 v_clip;
 
 uniform sampler2D s_surface;  // normal in the camera's space, distance ahead; 0 where there is nothing
 uniform vec2 u_half;          // half of the picture's size, one metre ahead

@@ -1,13 +1,16 @@
-// The decks of slides: every lab has one. In a browser every picture loads, every formula is typeset, and no slide
-// overflows its frame. A deck without solutions does not contain any.
+// The decks of slides: every lab has one. Each command in the table of sources is valid. In a browser every picture
+// loads, every formula is typeset, and no slide overflows its frame. A deck without solutions does not contain any.
 #include <algorithm>
 #include <map>
 #include <set>
 
+#include "framework/core/base/error.h"
 #include "framework/core/base/file.h"
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
+#include "framework/core/lab/knob_help.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/core/lab/shot.h"
 #include "framework/course/check/starter.h"
 #include "framework/staff/slides/deck.h"
 #include "tests/browser.h"
@@ -187,6 +190,60 @@ TEST(Slides, EveryLabHasADeckWithPicturesCodeMistakesAndAnExercise) {
         for (const TaskInfo& task : load_manifest(lab).tasks)
             EXPECT_TRUE(contains(text, task.id)) << lab.folder << " says nothing of task " << task.id;
     }
+}
+
+/// Returns the words of each command `./relief shot ...` in a table of the text, without "./relief shot".
+std::vector<Names> shots_in_tables(const std::string& text) {
+    constexpr std::string_view begin = "`./relief shot ";
+    std::vector<Names> shots;
+    for (const std::string& line : split(text, '\n')) {
+        const size_t at = line.find(begin);
+        if (!line.starts_with('|') || at == std::string::npos) continue;
+        const size_t words = at + begin.size();
+        shots.push_back(split(line.substr(words, line.find('`', words) - words), ' '));
+    }
+    return shots;
+}
+
+/// Returns the fault of a command: its lab, a knob or a value does not exist, or a knob is ignored. Returns an empty
+/// text for a valid command. Draws nothing.
+std::string fault_of_shot(const Names& words) {
+    try {
+        const LabEntry& entry = find_lab(words.at(0));
+        Shot shot;
+        for (size_t i = 1; i < words.size(); i += 2) {
+            const size_t equals = i + 1 < words.size() ? words[i + 1].find('=') : std::string::npos;
+            if (words[i] != "--set" || equals == std::string::npos) return "expected --set knob=value";
+            shot.set.emplace_back(words[i + 1].substr(0, equals), words[i + 1].substr(equals + 1));
+        }
+        const std::vector<KnobText> knobs = describe_knobs(*make_lab(entry, shot));
+        for (const auto& [name, value] : shot.set)
+            if (is_ignored(name, knobs)) return "the knob " + name + " has no effect here";
+        return "";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+TEST(Slides, TheTableOfSourcesHasACommandOfEachLabAndNoWrongOne) {
+    std::set<std::string> labs;
+    for (const Names& words : shots_in_tables(read_file(course_root() / "slides/00_relief.md"))) {
+        EXPECT_EQ(fault_of_shot(words), "") << "./relief shot " << join(words, " ");
+        labs.insert(words.at(0));
+    }
+    for (const LabEntry& lab : registry()) {
+        if (lab.number >= 20) continue;  // not one of the course's labs
+        EXPECT_TRUE(labs.contains(lab.two_digits())) << lab.folder;
+    }
+}
+
+TEST(Slides, ACommandWithAWrongLabKnobOrValueIsAFault) {
+    EXPECT_EQ(fault_of_shot({"05", "--set", "view=one", "--set", "method=angle"}), "");
+    EXPECT_NE(fault_of_shot({"99"}), "");
+    EXPECT_NE(fault_of_shot({"05", "--set", "veiw=one"}), "");
+    EXPECT_NE(fault_of_shot({"05", "--set", "view=two"}), "");
+    EXPECT_EQ(fault_of_shot({"05", "--set", "method=angle"}), "the knob method has no effect here");
+    EXPECT_NE(fault_of_shot({"05", "--size", "8x8"}), "");
 }
 
 /// Returns the text without white space, because a slide may break lines elsewhere.
