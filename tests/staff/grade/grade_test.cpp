@@ -226,6 +226,22 @@ TEST(Grade, NoMistakeIsNamedForACorrectTask) {
     EXPECT_EQ(jane[1]["points"], jane[1]["of"]);
     EXPECT_EQ(joe[0]["points"], joe[0]["of"]);
     EXPECT_EQ(joe[1]["mistake"], "bitangent-flipped");
+
+    // A wrong public check tells how the picture relates to the expected one. A hidden one must not: a relation has
+    // numbers of the picture.
+    size_t told = 0, hidden = 0;
+    for (const json& tasks : {jane, joe})
+        for (const json& task : tasks)
+            for (const json& check : task["checks"]) {
+                if (check["outcome"] != "wrong") continue;
+                const bool is_told = contains(std::string(check["look_at"]), "ours is ");
+                hidden += check["hidden"].get<bool>(), told += is_told;
+                EXPECT_FALSE(is_told && check["hidden"].get<bool>()) << check.dump(1);
+            }
+    EXPECT_TRUE(contains(joe[1].dump(), "In tangent space, yours is the expected direction with y negated"))
+        << joe[1].dump(1);
+    EXPECT_GE(told, 2u);
+    EXPECT_GE(hidden, 1u);
 }
 
 TEST(Grade, HostileProgramsAreClassifiedAndContained) {
@@ -351,6 +367,7 @@ TEST(Grade, AProgramThatStallsBeforeItsFirstRequestIsNotRestarted) {
 
 // Otherwise a submission could compute for longer on a busy machine than on an idle one.
 TEST(Grade, ProcessorTimeIsLimitedByTheSolutionsTimeOnTheFirstMachine) {
+    if (!tests_all()) GTEST_SKIP() << "uses a minute of processor time: ./relief test --all";
     const TemporaryFolder folder;
     const fs::path output = folder.path() / "out";
     folder.write(std::string("slow/") + cpp, course_file(cpp));

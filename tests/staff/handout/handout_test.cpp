@@ -9,6 +9,8 @@
 #include "framework/core/base/paths.h"
 #include "framework/core/base/text.h"
 #include "framework/core/lab/manifest.h"
+#include "framework/core/lab/registry.h"
+#include "framework/course/check/check.h"
 #include "framework/course/check/starter.h"
 #include "framework/staff/grade/overlay.h"
 #include "tests/code_shape.h"
@@ -163,13 +165,21 @@ TEST_F(StudentsCourse, IsTheCourseWithoutFoldersNamedStaffAndWithStarters) {
 
 TEST_F(StudentsCourse, ContainsTheTruthOnlyAsPictures) {
     for (const std::string& lab : *labs_) {
-        size_t pictures = 0;
-        for (const auto& entry : fs::directory_iterator(course() / "labs" / lab / "expected"))
-            pictures += entry.is_regular_file();
-        size_t wanted = 0;
-        for (const CheckInfo& check : staff(lab).checks)
-            wanted += !check.hidden && (check.against == "truth" || check.against == "solution");
-        EXPECT_EQ(pictures, wanted) << lab;
+        std::set<std::string> pictures, wanted, bases;
+        for (const auto& file : fs::directory_iterator(course() / "labs" / lab / "expected"))
+            pictures.insert(file.path().filename().string());
+        const Manifest manifest = staff(lab);
+        LabEntry entry;
+        entry.folder = lab;
+        for (const CheckInfo& check : manifest.checks) {
+            if (check.hidden || (check.against != "truth" && check.against != "solution")) continue;
+            wanted.insert(check::expectation_file(entry, check).filename().string());
+            if (check.shot.probe && !manifest.probe(check.shot.probe.name).without.empty())
+                bases.insert(check::base_file(entry, check).filename().string());
+        }
+        for (const std::string& name : wanted) EXPECT_TRUE(pictures.contains(name)) << lab << ": " << name;
+        for (const std::string& name : pictures)
+            EXPECT_TRUE(wanted.contains(name) || bases.contains(name)) << lab << ": " << name;
     }
 }
 
