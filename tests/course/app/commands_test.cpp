@@ -502,7 +502,10 @@ TEST_F(CourseTest, TheCheckPageIsSelfContained) {
         EXPECT_FALSE(contains(page, outside)) << outside;
 
     const std::map<std::string, Image> pictures = pictures_of(page);
-    EXPECT_EQ(pictures.size(), 3 * checks) << "each has words of its own";
+    // Yours, the expected one and their difference, with words of their own. Two checks also have the expected picture
+    // as the hint changes it.
+    EXPECT_EQ(pictures.size(), 3 * checks + 2);
+    EXPECT_TRUE(contains(page, "Yours is the expected direction / 2 + 1/2"));
     const auto of_it = [&](const std::string& words) {
         for (const auto& [alt, picture] : pictures)
             if (alt.starts_with(words) && alt.ends_with(": " + escaped)) return picture;
@@ -510,6 +513,7 @@ TEST_F(CourseTest, TheCheckPageIsSelfContained) {
         return Image(1, 1, 3);
     };
     const Image yours = of_it("What your normal is"), expected = of_it("What is expected");
+    EXPECT_EQ(difference(of_it("The expected picture, changed as the hint says"), yours, 8.0 / 255).pixels_over, 0u);
     EXPECT_EQ(yours.width, 128);
     EXPECT_GT(difference(yours, expected, 0.1).pixels_over, 1000u) << "a mistake is seen";
 }
