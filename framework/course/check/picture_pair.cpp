@@ -83,6 +83,12 @@ std::optional<Value> PicturePair::value_of(const Image& image, size_t pixel) con
     return finished(value);
 }
 
+double PicturePair::drawn_length(size_t pixel) const {
+    const float* const v = drawn_.values.data() + pixel * size_t(drawn_.channels);
+    const double of = length({v[0], v[1], v[2]});
+    return std::isfinite(of) && of > 0 ? of : 1;
+}
+
 std::optional<Value> PicturePair::finished(const std::optional<Value>& value) const {
     return value && is_direction_ ? unit(*value) : value;
 }

@@ -49,6 +49,8 @@ public:
     /// a direction has no length.
     std::optional<Value> value_of(const Image& image, size_t pixel) const;
     std::optional<Value> expected_at(size_t pixel) const { return value_of(expected_, pixel); }
+    /// Of a drawn direction; 1 if it has none.
+    double drawn_length(size_t pixel) const;
     bool has_base() const { return base_; }
     const std::string& base_knob() const { return base_knob_; }
     /// Precondition: has_base().

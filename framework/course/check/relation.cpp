@@ -131,12 +131,13 @@ const Explanation* simplest(const PicturePair& pair, const std::vector<const Exp
     return nullptr;
 }
 
-/// Returns the expected picture with the hypothesis applied.
+/// Returns the expected picture with the hypothesis applied. Directions get the length of the drawn ones.
 Image predicted(const PicturePair& pair, const Hypothesis& one, const Image& expected) {
     Image result = expected;
     for (size_t i = 0; i < expected.pixel_count(); ++i) {
         const auto e = pair.expected_at(i);
-        const auto value = e ? pair.finished(one.rule(i, *e)) : e;
+        auto value = e ? pair.finished(one.rule(i, *e)) : e;
+        if (value && pair.is_direction()) value = scaled(*value, pair.drawn_length(i));
         for (int c = 0; value && c < pair.channels(); ++c)
             result.values[i * size_t(expected.channels) + size_t(c)] = float((*value)[size_t(c)]);
     }
