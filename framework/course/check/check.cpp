@@ -358,13 +358,13 @@ std::optional<Image> base_of(const LabEntry& lab, const Manifest& manifest, cons
     if (!check.shot.probe) return {};
     const ProbeInfo& probe = manifest.probe(check.shot.probe.name);
     if (probe.without.empty()) return {};
-    if (const fs::path file = base_file(lab, check); fs::exists(file)) return read_image(file);
     Shot shot = check.shot;
     shot.set.insert(shot.set.end(), probe.without.begin(), probe.without.end());
     try {
+        if (const fs::path file = base_file(lab, check); fs::exists(file)) return read_image(file);
         return truth_of(*make_lab(lab, shot), shot);
     } catch (const Error&) {
-        return {};  // this view has no exact values
+        return {};  // no exact values, or a damaged file: without a base there are only fewer relations
     }
 }
 
@@ -533,8 +533,9 @@ Advice LabChecker::advice() const {
 
 void Advice::apply(size_t check, CheckResult& result) const {
     result.look_at = look_at[check];
-    // The hint of a known mistake replaces the relation.
-    if (result.relation.empty() || !result.look_at.ends_with(result.relation.substr(1))) result.related = {};
+    // The hint of a known mistake may replace the relation.
+    if (result.relation.empty() || result.look_at.find(result.relation.substr(1)) == std::string::npos)
+        result.related = {};
     if (first[check].empty()) return;
     result.outcome = Outcome::waiting;
     result.found = waits_text(first[check], "right");

@@ -85,8 +85,8 @@ std::string waits_text(const TaskIds& tasks, const char* state);
 std::vector<TaskIds> put_right_first(const Manifest& manifest, const std::vector<Judgement>& said,
                                      const std::set<std::string>& recognised = {});
 
-/// Returns the hint of a failed check: the relation of the two pictures, then the hint of the judgement or of the
-/// check.
+/// Returns the hint of a failed check: the hint of the judgement or of the check, then the relation of the two
+/// pictures.
 std::string hint_of(const CheckInfo& check, const Judgement& said);
 
 /// Returns the hint of each check for the student: the tasks to put right first (`first`, see put_right_first()), else

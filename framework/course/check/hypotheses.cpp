@@ -132,11 +132,13 @@ constexpr Function roundings[] = {
 /// The hypotheses about two pictures, from simple to complex.
 class Hypotheses {
 public:
-    explicit Hypotheses(const PicturePair& pair) : pair_(pair) {}
+    explicit Hypotheses(const PicturePair& pair) : pair_(pair) {
+        for (int c = 0; c < pair.channels(); ++c) count_ = std::max(count_, distinct(differing(), size_t(c)));
+    }
 
     std::vector<Hypothesis> all() {
         constants();
-        if (count() > 1 && pair_.channels() >= 2) signs_and_orders();
+        if (count_ > 1 && pair_.channels() >= 2) signs_and_orders();
         if (pair_.has_base()) moves();
         if (pair_.channels() >= 2) turns();
         for (const Function& one : functions) whole(one);
@@ -155,12 +157,6 @@ public:
 private:
     std::string whole_name() const { return fmt::format("the expected {}", pair_.noun()); }
     const Samples& differing() const { return pair_.differing(); }
-    /// Returns the largest number of distinct values of a channel, where the pictures differ.
-    size_t count() const {
-        size_t most = 1;
-        for (int c = 0; c < pair_.channels(); ++c) most = std::max(most, distinct(differing(), size_t(c)));
-        return most;
-    }
     void add(std::string words, Rule rule) { found_.push_back({std::move(words), std::move(rule)}); }
     void add_constant(std::string words, Rule rule) {
         add(std::move(words), std::move(rule));
@@ -227,7 +223,6 @@ private:
             });
     }
     std::string words_of(const std::array<size_t, 3>& from, unsigned negated, size_t n) const {
-        std::vector<std::string> said;
         std::string row;
         bool is_plain = true;
         for (size_t i = 0; i < n; ++i) {
@@ -341,7 +336,7 @@ private:
 
     /// A function of all components.
     void whole(const Function& one) {
-        if (count() < 2) return;
+        if (count_ < 2) return;
         const int n = pair_.channels();
         add_function(fmt::format(fmt::runtime(one.words), whole_name()), [=](size_t, const Value& e) {
             Value value = e;
@@ -370,7 +365,7 @@ private:
 
     /// A constant factor, an offset, a bound.
     void factors() {
-        if (pair_.is_direction() || count() < 2) return;
+        if (pair_.is_direction() || count_ < 2) return;
         const double k = quotient(
             [](const Sample& one) { return std::pair(dot(one.drawn, one.expected), dot(one.expected, one.expected)); });
         if (std::isfinite(k) && !is_one(k))
@@ -412,7 +407,7 @@ private:
             });
         };
         const std::string name = whole_name();
-        if (count() < 4 || pair_.is_unrolled()) return;
+        if (count_ < 4 || pair_.is_unrolled()) return;
         add_moved(name + " upside down", [h](int x, int y) { return std::pair(x, h - 1 - y); });
         add_moved(name + " mirrored from left to right", [w](int x, int y) { return std::pair(w - 1 - x, y); });
         add_moved(name + " turned by 180 degrees", [w, h](int x, int y) { return std::pair(w - 1 - x, h - 1 - y); });
@@ -518,6 +513,7 @@ private:
     }
 
     const PicturePair& pair_;
+    size_t count_ = 1;  ///< largest number of distinct values of a channel, where the pictures differ
     std::vector<Hypothesis> found_;
 };
 

@@ -122,10 +122,13 @@ bool holds_everywhere(const PicturePair& pair, const Explanation& one) {
     return contradicted <= 0.02 * double(pair.count()) && contradicted <= 0.25 * double(pair.differing().size());
 }
 
-/// Returns the simplest of the explanations that leave nearly as little as the best.
-const Explanation* simplest(const PicturePair& pair, const std::vector<const Explanation*>& some) {
+/// Returns the simplest of the explanations for which `holds` is true and that leave nearly as little as the best.
+const Explanation* simplest(const PicturePair& pair, const std::vector<Explanation>& all,
+                            const std::function<bool(const Explanation&)>& holds) {
+    std::vector<const Explanation*> some;
     double least = INFINITY;
-    for (const Explanation* one : some) least = std::min(least, one->left);
+    for (const Explanation& one : all)
+        if (holds(one)) some.push_back(&one), least = std::min(least, one.left);
     for (const Explanation* one : some)
         if (one->left <= 20 * least + pair.noise() * double(pair.count())) return one;
     return nullptr;
@@ -173,29 +176,23 @@ std::optional<Relation> relation_of_pixels(const Image& drawn, const Image& expe
     std::vector<Explanation> explanations;
     for (const Hypothesis& one : all)
         if (auto found = explanation(pair, one)) explanations.push_back(std::move(*found));
-    std::vector<const Explanation*> everywhere;
-    for (const Explanation& one : explanations)
-        if (holds_everywhere(pair, one)) everywhere.push_back(&one);
-    if (const Explanation* const one = simplest(pair, everywhere))
-        return Relation{fmt::format("yours is {}{}", one->hypothesis->words,
-                                    one->share < 0.9995 ? ", on " + percent(pair, one->share) : ""),
-                        predicted(pair, *one->hypothesis, expected)};
-    std::vector<const Explanation*> in_part;
-    for (const Explanation& one : explanations)
-        if (part_with(pair, pair.differing(), one.contradicted)) in_part.push_back(&one);
-    if (const Explanation* const one = simplest(pair, in_part))
-        return Relation{
-            fmt::format("{}, yours is {}; elsewhere it is right or nearly so",
-                        part_with(pair, pair.differing(), one->contradicted)->words, one->hypothesis->words),
-            predicted(pair, *one->hypothesis, expected)};
-    std::vector<const Explanation*> somewhere;
-    for (const Explanation& one : explanations)
-        if (one.hypothesis->may_hold_in_part) somewhere.push_back(&one);
-    if (const Explanation* const one = simplest(pair, somewhere))
-        return Relation{
+    const auto told = [&](std::string sentence, const Explanation& one) {
+        return Relation{std::move(sentence), predicted(pair, *one.hypothesis, expected)};
+    };
+    const auto part_of = [&](const Explanation& one) { return part_with(pair, pair.differing(), one.contradicted); };
+    if (const auto* one = simplest(pair, explanations, [&](auto& each) { return holds_everywhere(pair, each); }))
+        return told(fmt::format("yours is {}{}", one->hypothesis->words,
+                                one->share < 0.9995 ? ", on " + percent(pair, one->share) : ""),
+                    *one);
+    if (const auto* one = simplest(pair, explanations, [&](auto& each) { return part_of(each).has_value(); }))
+        return told(fmt::format("{}, yours is {}; elsewhere it is right or nearly so", part_of(*one)->words,
+                                one->hypothesis->words),
+                    *one);
+    if (const auto* one = simplest(pair, explanations, [](auto& each) { return each.hypothesis->may_hold_in_part; }))
+        return told(
             fmt::format("on {}, yours is {}; on the others it is right or nearly so",
                         percent(pair, double(pair.differing().size()) / double(pair.count())), one->hypothesis->words),
-            predicted(pair, *one->hypothesis, expected)};
+            *one);
     if (const auto part = part_with(pair, pair.differing(), pair.same()))
         return Relation{fmt::format("yours is right except {}", part->words)};
     return one_sided_error(pair);
@@ -230,12 +227,12 @@ Image in_frames(const Image& image, const Image& base, bool back) {
     for (size_t i = 0; i < image.pixel_count(); ++i) {
         float* const v = result.values.data() + i * size_t(image.channels);
         const float* const n = base.values.data() + i * size_t(image.channels);
-        const double of = std::sqrt(double(n[0]) * n[0] + double(n[1]) * n[1] + double(n[2]) * n[2]);
-        if (!(of > 0) || !std::isfinite(of) || !std::isfinite(v[0])) {
+        const auto normal = unit({n[0], n[1], n[2]});
+        if (!normal || !std::isfinite(v[0])) {
             std::fill(v, v + image.channels, no_surface);
             continue;
         }
-        const TangentFrame frame({n[0] / of, n[1] / of, n[2] / of});
+        const TangentFrame frame(*normal);
         const Value value{v[0], v[1], v[2]}, turned = back ? frame.world(value) : frame.local(value);
         for (size_t c = 0; c < 3; ++c) v[c] = float(turned[c]);
     }
@@ -258,12 +255,11 @@ std::optional<Relation> relation_between(const Image& drawn, const Image& expect
     if (!drawn.same_shape(expected) || expected.channels < (quantity.error == ErrorMetric::angle ? 3 : 1)) return {};
     auto found = relation_of_pixels(drawn, expected, quantity);
     // A sentence without a prediction only says where the pictures differ, so the search goes on.
-    const auto is_whole = [](const std::optional<Relation>& one) { return one && !one->predicted.values.empty(); };
-    if (!is_whole(found))
-        if (auto other = relation_in_tangent_space(drawn, expected, quantity); is_whole(other))
-            found = std::move(other);
-    if (!is_whole(found))
-        if (auto other = relation_of_components(drawn, expected, quantity); is_whole(other)) found = std::move(other);
+    const auto is_whole = [&] { return found && !found->predicted.values.empty(); };
+    if (!is_whole())
+        if (auto other = relation_in_tangent_space(drawn, expected, quantity)) found = std::move(other);
+    if (!is_whole())
+        if (auto other = relation_of_components(drawn, expected, quantity)) found = std::move(other);
     if (found && double(one_sided(drawn, expected).count()) > 0.01 * double(expected.pixel_count()))
         found->sentence += ", where both pictures have a surface";
     return found;

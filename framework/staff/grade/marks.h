@@ -80,8 +80,7 @@ public:
     size_t hidden_views() const { return views_.hidden_count(); }
 
     /// Grades a submission. Adds to `pictures` the pictures that failed checks compared; they point to this grader's
-    /// manifest. `with_names`: whether to name known mistakes, and
-    /// relations to the expected picture.
+    /// manifest. `with_names`: whether to name known mistakes and relations to the expected picture.
     LabMark mark(const Submission& submission, std::vector<CheckPictures>* pictures = nullptr,
                  bool with_names = true) const;
 
