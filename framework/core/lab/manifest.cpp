@@ -303,6 +303,9 @@ const CheckInfo& Manifest::check(const std::string& wanted) const {
 const MistakeInfo& Manifest::mistake(const std::string& wanted) const {
     return find_named(mistakes, &MistakeInfo::id, "mistake", wanted);
 }
+const GoldenInfo& Manifest::golden(const std::string& wanted) const {
+    return find_named(goldens, &GoldenInfo::name, "golden picture", wanted);
+}
 
 namespace {
 
@@ -391,6 +394,9 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
         refuse_second(table, "name", "golden pictures", manifest.goldens, &GoldenInfo::name, golden.name);
         manifest.goldens.push_back(std::move(golden));
     }
+    if (!manifest.goldens.empty()) manifest.cover = manifest.goldens.front().name;
+    root.read("cover", manifest.cover);
+    if (!manifest.cover.empty()) require(root, "cover", [&] { manifest.golden(manifest.cover); });
     for (const char* key : {"mistake", "equivalent", "vary"})
         if (root.has(key))
             root.fail(key, fmt::format("'{}' belongs in staff/grading.toml, which students do not get", key));

@@ -124,6 +124,9 @@ struct Manifest {
     std::vector<EquivalentInfo> equivalents;
     std::optional<CompareInfo> compare;
     std::vector<GoldenInfo> goldens;
+    /// Name of the reference screenshot that stands for the lab among other labs: one scene without captions. The first
+    /// one if the manifest names none; empty if there is none.
+    std::string cover;
 
     int points() const;
     // These throw UsageError that suggests the nearest name.
@@ -131,6 +134,7 @@ struct Manifest {
     const TaskInfo& task(const std::string& id) const;
     const CheckInfo& check(const std::string& name) const;
     const MistakeInfo& mistake(const std::string& id) const;
+    const GoldenInfo& golden(const std::string& name) const;
 };
 
 /// Reads a lab.toml, and staff/grading.toml beside it if it exists. Throws Error with file and line for a missing file

@@ -18,6 +18,7 @@
 #include "framework/course/app/gallery.h"
 #include "framework/course/pages/comparison.h"
 #include "framework/course/pages/handout_page.h"
+#include "framework/course/pages/lab_groups.h"
 #include "framework/course/pages/lab_page.h"
 #include "framework/course/pages/page.h"
 
@@ -42,17 +43,6 @@ pages::Fields card(const pages::LabPage& page) {
         {"links",
          pages::link_row({{"Open", page.live}, {"Lab", file}, {"Handout", page.handout}, {"Slides", page.slides}})}};
 }
-
-/// A section of the course page: the labs from number `first` up to the next section.
-struct Group {
-    int first;
-    const char *name, *title, *about;
-};
-constexpr Group groups[] = {
-    {1, "light", "Light: normals", "What a normal map stores, where it comes from, and in which frame it is right."},
-    {10, "eye", "Eye: rays in a relief", "What a view ray meets in a height map: guessed, searched, and exact."},
-    {13, "shape", "Shape: triangles, and all of it together",
-     "Displaced triangles, moving surfaces, whole scenes, and the cheapest method for each place."}};
 
 /// Converts a knob's value to a part of a file name.
 std::string as_file_name(const std::string& value) {
@@ -164,8 +154,7 @@ private:
 
     void complete(pages::LabPage& page) const {
         const auto comparison = pages::compare_methods(*page.lab, *page.manifest);
-        page.card = put(page.lab->folder + "-card.png",
-                        card_picture(*page.lab, *page.manifest, comparison ? &*comparison : nullptr));
+        page.card = put(page.lab->folder + "-card.png", card_picture(*page.lab, *page.manifest));
         if (comparison) add(*comparison, page);
         page.handout = add_handout(*page.lab, *page.manifest);
     }
@@ -190,13 +179,12 @@ private:
         write_file(folder_ / "index.html", index(std::move(cards)));
     }
 
-    /// Draws one scene with the last of the compared methods, because many labs open with all methods at once.
-    static Image card_picture(const LabEntry& entry, const Manifest& manifest, const pages::Comparison* comparison) {
+    /// Draws the lab's cover, because many labs open with all methods at once.
+    static Image card_picture(const LabEntry& entry, const Manifest& manifest) {
         Shot shot;
         shot.camera = manifest.camera;
-        if (manifest.compare) shot = manifest.compare->shot;
+        if (!manifest.cover.empty()) shot = manifest.golden(manifest.cover).shot;
         shot.probe = {};
-        if (comparison) shot.set.emplace_back(comparison->knob, comparison->methods.back().name);
         shot.size = {640, 360};
         return render_shot(*make_lab(entry, shot), shot);
     }
@@ -279,8 +267,8 @@ private:
     /// Groups `cards`, which are in the order of the labs.
     pages::List in_groups(pages::List cards) const {
         pages::List all;
-        for (const Group& group : groups) {
-            const Group* const next = &group + 1 == std::end(groups) ? nullptr : &group + 1;
+        for (const pages::LabGroup& group : pages::lab_groups) {
+            const pages::LabGroup* const next = &group + 1 == std::end(pages::lab_groups) ? nullptr : &group + 1;
             pages::List own;
             for (size_t i = 0; i < cards.size(); ++i)
                 if (labs_[i]->number >= group.first && (!next || labs_[i]->number < next->first))

@@ -36,6 +36,7 @@
 #include "framework/course/window/menu_pixel.h"
 #include "framework/course/window/menu_search.h"
 #include "framework/course/window/menu_stage.h"
+#include "framework/course/window/menu_start.h"
 #include "framework/course/window/menu_status.h"
 #include "framework/course/window/menu_style.h"
 #include "framework/course/window/menu_wipe.h"
@@ -101,7 +102,9 @@ public:
         const auto found =
             std::find_if(labs.begin(), labs.end(), [&](const LabEntry& lab) { return lab.folder == start.lab_folder; });
         fit_to_display(window_.handle(), display_scale_);
-        open(found == labs.end() ? labs.front() : *found, start.shot ? &*start.shot : nullptr);
+        const LabEntry* const edited = found == labs.end() ? StartPage::last_edited() : nullptr;
+        open(found != labs.end() ? *found : edited ? *edited : labs.front(), start.shot ? &*start.shot : nullptr);
+        if (found == labs.end()) show_labs();
         if (start.error_map) error_map_.toggle();
         if (!start.check.empty()) show_check(start.check);
     }
@@ -113,7 +116,7 @@ public:
             // Sleep until an event. An event needs up to three turns: Dear ImGui shows its effect in the second turn.
             // It measures a new window before it shows it in the third. The sleep ends regularly to look at files;
             // unchanged files cause no drawing.
-            if (moves() || turns_ > 0 || checking()) {
+            if (moves() || turns_ > 0 || checking() || start_.waits()) {
                 glfwPollEvents();
             } else {
                 if (shown_ != told_) print_event(fmt::format("asleep after {} frames of the menu", told_ = shown_));
@@ -121,6 +124,7 @@ public:
             }
             const bool news = look();
             if (window_.take_event() || news) turns_ = 3;
+            if (start_.waits() && !is_dragged()) start_.make_next(), turns_ = std::max(turns_, 1);
             if (checking()) checks_.run_next(check_view_.name()), turns_ = std::max(turns_, 1);
             if (!moves() && turns_ == 0) continue;
             turns_ = std::max(0, turns_ - 1);
@@ -132,11 +136,12 @@ public:
     }
 
 private:
-    bool moves() const { return stage_.manifest().animated && !stage_.failed() && !paused_; }
+    bool moves() const { return !start_.is_open() && stage_.manifest().animated && !stage_.failed() && !paused_; }
 
     /// Returns whether to run a check now: between two frames, if nothing is being dragged and the panel is visible.
     bool checking() const {
-        return checks_.pending() && !panel_hidden_ && !is_dragged() && glfwGetTime() - opened_ >= still_for;
+        return checks_.pending() && !start_.is_open() && !panel_hidden_ && !is_dragged() &&
+               glfwGetTime() - opened_ >= still_for;
     }
     bool is_dragged() const {
         for (int button = 0; button < 3; ++button)
@@ -156,6 +161,7 @@ private:
             news |= handout_.look();
             news |= checks_.look();
         }
+        if (start_.is_open()) return news;
         if (explanation_.wanted()) {
             explanation_.compute(stage_);
             news = true;
@@ -170,6 +176,7 @@ private:
 
     void open(const LabEntry& entry, const Shot* shot = nullptr) {
         stage_.open(entry, shot);
+        start_.close();
         checks_.open(entry, stage_.manifest());
         check_view_.close();
         explanation_.close();
@@ -181,6 +188,22 @@ private:
         if (handout_.is_open()) handout_.open(entry);
         begin_ = glfwGetTime(), time_ = 0;
         message_.clear();
+        set_title();
+    }
+
+    void show_labs() {
+        if (registry().size() < 2) return;
+        start_.open(stage_.entry());
+        glfwSetWindowTitle(window_.handle(), "Relief: all labs");
+        turns_ = 3;
+    }
+    void hide_labs() {
+        start_.close();
+        set_title();
+        turns_ = 3;
+    }
+    void set_title() {
+        const LabEntry& entry = stage_.entry();
         glfwSetWindowTitle(window_.handle(), fmt::format("Relief: {} {}", entry.two_digits(), entry.name).c_str());
     }
 
@@ -199,6 +222,10 @@ private:
         glfwGetFramebufferSize(window_.handle(), &window.x, &window.y);
         MenuWish wish;
         keyboard(wish);
+        if (start_.is_open()) {
+            draw_start_page(window, wish);
+            return;
+        }
         const Layout layout = borders_.layout(window, scale_, {.panel = !panel_hidden_, .handout = handout_.is_open()});
         const Box& picture = layout.picture;
         note(layout);
@@ -249,6 +276,18 @@ private:
         act(wish);
     }
 
+    void draw_start_page(glm::ivec2 window, MenuWish& wish) {
+        window_.take_files();  // no lab is there to take them
+        start_.draw(window, scale_, wish);
+        search_.draw(scale_, stage_, checks_, wish);
+        draw_help({{0, 0}, window}, scale_, help_);
+        ImGui::Render();
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, window.x, window.y);
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        act(wish);
+    }
+
     /// Draws a note in the lower left corner of the picture.
     static void draw_note(const Box& picture, const char* note) {
         const float margin = ImGui::GetStyle().WindowPadding.x;
@@ -293,6 +332,7 @@ private:
     }
 
     void act(const MenuWish& wish) {
+        if (wish.labs) show_labs();
         if (wish.lab) open(*wish.lab);
         if (wish.step) step(wish.step);
         if (wish.handout) toggle_handout();
@@ -342,6 +382,8 @@ private:
         if (key.name == "0" || key.code == GLFW_KEY_KP_0) zoom_ = 1;
         if (std::abs(zoom_ - 1) < 0.01f) zoom_ = 1;
         if (key.name == "f") wish.search = true;
+        if (key.name == "q") glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+        if (start_.is_open()) return;
         if (const Error* const error = stage_.error(); error && key.name == "e" && !error->place().file.empty())
             wish.edit = error->place();
         if (ImGui::GetIO().WantTextInput) return;  // a text field has its own undo
@@ -418,6 +460,15 @@ private:
         return key == GLFW_KEY_ESCAPE || found != lines.end();
     }
 
+    void press_in_start_page(int key) {
+        static const std::map<int, glm::ivec2> steps = {{GLFW_KEY_LEFT, {-1, 0}},    {GLFW_KEY_RIGHT, {1, 0}},
+                                                        {GLFW_KEY_UP, {0, -1}},      {GLFW_KEY_DOWN, {0, 1}},
+                                                        {GLFW_KEY_PAGE_UP, {0, -3}}, {GLFW_KEY_PAGE_DOWN, {0, 3}}};
+        if (const auto found = steps.find(key); found != steps.end()) start_.move(found->second.x, found->second.y);
+        if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) open(start_.marked());
+        if (key == GLFW_KEY_ESCAPE || key == GLFW_KEY_HOME) hide_labs();
+    }
+
     void press(int key, MenuWish& wish) {
         if (key == GLFW_KEY_ESCAPE && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
             ImGui::SetWindowFocus(nullptr);  // closes any open list
@@ -427,6 +478,7 @@ private:
             help_ = false;
             return;
         }
+        if (start_.is_open()) return press_in_start_page(key);
         if (key == GLFW_KEY_ESCAPE && explanation_.is_open()) return explanation_.close();
         if (key == GLFW_KEY_ESCAPE && check_view_.is_open()) {
             wish.check = "";
@@ -474,8 +526,8 @@ private:
             case GLFW_KEY_SPACE:
                 pause();
                 break;
-            case GLFW_KEY_ESCAPE:
-                glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+            case GLFW_KEY_HOME:
+                show_labs();
                 break;
             default:
                 break;
@@ -552,6 +604,7 @@ private:
     Borders borders_;
     ErrorBox error_box_;
     Search search_;
+    StartPage start_;
     History history_;
     Wipe wipe_;
     bool help_ = false, is_told_ = false;  ///< help is open; the "drawing ..." note has been shown

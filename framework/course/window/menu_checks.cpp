@@ -21,17 +21,17 @@ void Checks::open(const LabEntry& lab, const Manifest& manifest) {
     expected_.assign(manifest_.checks.size(), {});
     waiting_.assign(manifest_.checks.size(), true);
     ++version_;
-    seen_ = last_look_ = files();
+    seen_ = last_look_ = files(lab, manifest_);
     to_build_.clear();
 }
 
-Checks::Files Checks::files() const {
+Checks::Files Checks::files(const LabEntry& lab, const Manifest& manifest) {
     Files found;
     std::error_code ignored;  // a file that is missing for a moment is skipped in this look
-    for (const fs::path& folder : {fs::path("shaders") / lab_->folder, fs::path("shaders") / "common"})
+    for (const fs::path& folder : {fs::path("shaders") / lab.folder, fs::path("shaders") / "common"})
         for (const auto& entry : fs::directory_iterator(course_root() / folder, ignored))
             found[entry.path()] = entry.last_write_time(ignored);
-    for (const TaskInfo& task : manifest_.tasks) {
+    for (const TaskInfo& task : manifest.tasks) {
         const fs::path file = course_root() / task.file;
         found[file] = fs::last_write_time(file, ignored);
     }
@@ -40,7 +40,7 @@ Checks::Files Checks::files() const {
 
 bool Checks::look() {
     if (manifest_.checks.empty()) return false;
-    Files now = files();
+    Files now = files(*lab_, manifest_);
     const bool is_stable = now == last_look_;
     last_look_ = std::move(now);
     if (!is_stable || last_look_ == seen_) return false;
@@ -118,10 +118,18 @@ check::TaskResult Checks::of(const TaskInfo& task) const {
     return whole;
 }
 
-std::string Checks::points() const {
-    std::vector<check::TaskResult> tasks;
-    for (const TaskInfo& task : manifest_.tasks) tasks.push_back(of(task));
-    return check::points_text(tasks);
+std::vector<check::TaskResult> Checks::tasks() const {
+    std::vector<check::TaskResult> all;
+    for (const TaskInfo& task : manifest_.tasks) all.push_back(of(task));
+    return all;
+}
+
+std::string Checks::points() const { return check::points_text(tasks()); }
+
+double Checks::share() const {
+    double earned = 0;
+    for (const check::TaskResult& task : tasks()) earned += task.points();
+    return manifest_.points() > 0 ? earned / manifest_.points() : 0;
 }
 
 std::string Checks::mistake(const TaskInfo& task) const {

@@ -20,8 +20,15 @@ public:
     Checks(const Checks&) = delete;
     Checks& operator=(const Checks&) = delete;
 
+    /// When the files were saved that a lab's checks depend on.
+    using Files = std::map<std::filesystem::path, std::filesystem::file_time_type>;
+    static Files files(const LabEntry& lab, const Manifest& manifest);
+
     /// Switches to the checks of this lab; all of them wait.
     void open(const LabEntry& lab, const Manifest& manifest);
+
+    /// Deletes the results and all objects of the lab.
+    void close() { lab_ = nullptr, checker_.reset(), results_.clear(), expected_.clear(), waiting_.clear(); }
 
     /// Marks all checks as waiting if a file that they depend on was saved. Call it a few times a second: a change
     /// counts after two calls in a row have seen the same files. Returns whether there is anything new to show.
@@ -31,6 +38,7 @@ public:
     /// long as `relief check` takes for that check.
     void run_next(const std::string& first);
 
+    bool is_of(const LabEntry& lab) const { return lab_ == &lab; }
     const LabEntry& lab() const { return *lab_; }
     const Manifest& manifest() const { return manifest_; }
     /// Returns the result of a check, indexed in the manifest's order. Empty before the first run. The old result stays
@@ -46,6 +54,8 @@ public:
     check::TaskResult of(const TaskInfo& task) const;
     /// Returns the points of the lab, as `relief check` prints them.
     std::string points() const;
+    /// The earned points as a share of all, 0 to 1. 0 if the lab has no points.
+    double share() const;
     /// Returns the hint of the known mistake that the task's pictures show. Empty if none is known, or if some checks
     /// have not run.
     std::string mistake(const TaskInfo& task) const;
@@ -57,8 +67,7 @@ public:
     const std::string& to_build() const { return to_build_; }
 
 private:
-    using Files = std::map<std::filesystem::path, std::filesystem::file_time_type>;
-    Files files() const;
+    std::vector<check::TaskResult> tasks() const;
 
     const LabEntry* lab_ = nullptr;
     Manifest manifest_;

@@ -104,6 +104,11 @@ void draw_header(const Box& box, float scale, const Stage& stage, const Checks& 
     if (box.size.y == 0) return;
     begin_in(box, "header", {14 * scale, 8 * scale}, false);
 
+    if (registry().size() > 1) {
+        if (ImGui::Button("Labs")) wish.labs = true;
+        tooltip("All labs, with a picture and the points of each (Home).");
+        ImGui::SameLine();
+    }
     if (ImGui::ArrowButton("before", ImGuiDir_Left)) wish.step = -1;
     tooltip("The lab before (left, Page Up).");
     ImGui::SameLine(0, 4 * scale);

@@ -26,13 +26,15 @@ constexpr Line looks[] = {{"click", "hold the values of the pixel under the mous
                           {"E", "error map"},
                           {"S, F12", "save the picture"},
                           {"H", "the picture alone, without header, panel and status"}};
-constexpr Line places[] = {{"left, right", "the lab before, the next lab"},
+constexpr Line places[] = {{"Home", "all labs, with a picture and the points of each"},
+                           {"left, right", "the lab before, the next lab"},
                            {"Ctrl+F, /", "search labs, knobs, probes and checks"},
                            {"F1", "handout; up, down, Page Up and Page Down scroll it"},
                            {"Ctrl +, Ctrl -", "larger, smaller; Ctrl+0: the usual size"},
                            {"Ctrl+E", "the line of a shader's error in your editor"},
                            {"?", "these keys"},
-                           {"Esc", "close what is open; then quit"}};
+                           {"Esc", "close what is open"},
+                           {"Ctrl+Q", "quit"}};
 
 template <size_t count>
 void draw_lines(const char* title, const Line (&lines)[count], float keys_width) {
@@ -57,10 +59,14 @@ void draw_help(const Box& picture, float scale, bool& open) {
     const float x = std::clamp(middle - width / 2, 8.0f, std::max(8.0f, ImGui::GetIO().DisplaySize.x - width - 8));
     ImGui::SetNextWindowPos({x, ImGui::GetIO().DisplaySize.y / 2}, ImGuiCond_Always, {0, 0.5f});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, ImGui::GetIO().DisplaySize.y - 16});
-    ImGui::SetNextWindowBgAlpha(0.97f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::Begin("keys", &open,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    push_font(font(FontRole::title));
+    ImGui::TextUnformatted("Keys and mouse");
+    ImGui::PopFont();
     const float keys_width = 150 * scale;
     draw_lines("Camera", camera, keys_width);
     draw_lines("Settings", settings, keys_width);

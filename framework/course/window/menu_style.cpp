@@ -80,6 +80,7 @@ void style_menu(float scale) {
         style.Colors[color] = {0.30f, 0.24f, 0.21f, 1};
     for (const int color : {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive})
         style.Colors[color] = {0.42f, 0.28f, 0.21f, 1};
+    style.Colors[ImGuiCol_PopupBg] = {0.11f, 0.115f, 0.13f, 1};
     style.Colors[ImGuiCol_Header] = {0.22f, 0.19f, 0.18f, 1};
     style.Colors[ImGuiCol_CheckMark] = accent;
     // Dark enough for the digits on it: white has a contrast of 5 to 1.

@@ -14,6 +14,7 @@ struct MenuWish {
     int step = 0;                             ///< 1: the next lab, -1: the previous one
     bool handout = false, error_map = false;  ///< toggle
     bool help = false, search = false;        ///< toggle
+    bool labs = false;                        ///< open the start page
     bool tasks = false;                       ///< open the panel's checks
     std::optional<std::string> check = {};    ///< show this check; "": the picture again
     std::string knob = {}, probe = {};        ///< show the slider of this knob; show this probe
