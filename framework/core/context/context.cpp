@@ -16,7 +16,7 @@ namespace relief {
 namespace {
 
 constexpr std::array kinds = {ContextKind::osmesa, ContextKind::egl, ContextKind::window};
-bool pinned = false;
+bool pinned = false, optimizes_shaders = false;
 
 std::string text_of(GLenum name) {
     const auto* const text = reinterpret_cast<const char*>(glGetString(name));
@@ -85,6 +85,7 @@ std::string too_little(LoadFunction* load) {
 }
 
 std::unique_ptr<Context> open_context(ContextKind kind) {
+    if (!optimizes_shaders && !std::getenv("GALLIVM_PERF")) os::set_environment("GALLIVM_PERF", "nopt");
     try {
         std::unique_ptr<Context> context = open_backend(kind);
         watch_errors();
@@ -122,6 +123,8 @@ void pin_software_renderer() {
 }
 
 bool is_pinned() { return pinned; }
+
+void optimize_shaders() { optimizes_shaders = true; }
 
 ContextInfo describe_context() {
     ContextInfo info;

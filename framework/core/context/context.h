@@ -46,6 +46,12 @@ std::string driver_variables();
 /// Makes Mesa's software renderer produce the same bits on every x86-64 machine, about 20 % slower. Golden pictures and
 /// marks need this. Precondition: no context of this process has been opened.
 void pin_software_renderer();
+
+/// Makes Mesa's software renderer optimise the code of shaders, for a process that draws one picture many times.
+/// Without it, a program compiles in a third of the time, and a frame takes up to 1.9 times as long (median 1.1), with
+/// the same bits: a command that draws each picture once ends earlier, with the sea of lab 15 seven times. A variable
+/// GALLIVM_PERF of the user decides instead. Precondition: no context of this process has been opened.
+void optimize_shaders();
 bool is_pinned();
 
 /// Properties of the current context.

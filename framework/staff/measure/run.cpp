@@ -109,6 +109,7 @@ public:
 
     void measure(std::vector<size_t> methods) {
         if (run_.pinned) pin_software_renderer();
+        if (run_.settings.repeats > 0) optimize_shaders();
         const auto context = topic_.draws ? open_context(run_.context) : nullptr;
         const bool on_gpu = context && !is_software_renderer();
         send(pipe_, {{"renderer", context ? describe_context().renderer : "none"}, {"clock", on_gpu ? "gpu" : "wall"}});

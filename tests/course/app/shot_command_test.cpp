@@ -52,6 +52,25 @@ TEST_F(ShotCommand, GivesTheSameBytesForTheSameTimeAndKnobs) {
     }
 }
 
+TEST_F(ShotCommand, GivesTheSameBitsWithAndWithoutOptimisedShaders) {
+    struct Picture {
+        const char *lab, *probe;
+    };
+    for (const auto& [lab, probe] : {Picture{"02", "normal"}, {"12", "uv"}, {"13", "normal"}, {"18", "normal"}}) {
+        std::string bits;
+        for (const char* perf : {"nopt", "optimised"}) {
+            const Result result =
+                run({relief_program(), "shot", lab, "--probe", probe, "--size", "96x64", "-o", "p.exr"},
+                    {folder_.path(), {{"GALLIVM_PERF", perf}, {"MESA_SHADER_CACHE_DISABLE", "true"}}});
+            EXPECT_EQ(result.code, 0) << result.err;
+            const std::string drawn = read_all(file("p.exr"));
+            EXPECT_FALSE(drawn.empty());
+            EXPECT_TRUE(bits.empty() || drawn == bits) << lab;
+            bits = drawn;
+        }
+    }
+}
+
 TEST_F(ShotCommand, GivesTheSameBitsOnOsmesaAndEgl) {
     if (!has_osmesa) GTEST_SKIP() << "OSMesa is not installed";
     good_shot({"-o", "o.png", "--context", "osmesa"});
