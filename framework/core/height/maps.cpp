@@ -108,18 +108,23 @@ Image bricks(int size) {
 /// Worley noise (1996) with one random point per cell. Joints are where the two nearest points are equally far.
 Image stones(int size) {
     constexpr int cells = 8;
+    struct Stone {
+        float x, y, top;  ///< its point's place in its cell, and its height
+    };
+    std::array<Stone, cells * cells> all{};
+    for (uint32_t id = 0; id < all.size(); ++id)
+        all[id] = {0.7f * dice(id, 1), 0.7f * dice(id, 2), 0.65f + 0.35f * dice(id, 3)};
     Image image = by_texel(size, [&](int x, int y) {
         const float px = float(x) * cells / float(size), py = float(y) * cells / float(size);
         float first = 9, second = 9, top = 0;
         for (int j = int(py) - 2; j <= int(py) + 2; ++j)
             for (int i = int(px) - 2; i <= int(px) + 2; ++i) {
-                const uint32_t id = uint32_t((j + cells) % cells * cells + (i + cells) % cells);
-                const float dx = float(i) + 0.15f + 0.7f * dice(id, 1) - px,
-                            dy = float(j) + 0.15f + 0.7f * dice(id, 2) - py;
+                const Stone& stone = all[size_t((j + cells) % cells * cells + (i + cells) % cells)];
+                const float dx = float(i) + 0.15f + stone.x - px, dy = float(j) + 0.15f + stone.y - py;
                 const float distance = std::sqrt(dx * dx + dy * dy);
                 if (distance < first) {
                     second = std::exchange(first, distance);
-                    top = 0.65f + 0.35f * dice(id, 3);
+                    top = stone.top;
                 } else {
                     second = std::min(second, distance);
                 }
