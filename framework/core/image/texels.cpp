@@ -13,12 +13,12 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "as GL takes them, and as files hold them");
 
 /// The beginning of a file; the levels follow, from 0 on. The last character of `magic` is the format's version.
-struct Header {
+struct FileHeader {
     char magic[8] = {'r', 'e', 'l', 'i', 'e', 'f', 'T', '1'};
     uint64_t source = 0;
     int32_t width = 0, height = 0, channels = 0, bits = 0, srgb = 0, zero = 0;
 };
-static_assert(sizeof(Header) == 40);
+static_assert(sizeof(FileHeader) == 40);
 
 template <class Value>
 void pack_level(const Image& image, std::byte* to) {
@@ -81,7 +81,7 @@ Image unpack(const Texels& texels) {
 }
 
 std::string encode_texels(const Texels& chain, uint64_t source) {
-    Header header;
+    FileHeader header;
     header.source = source;
     header.width = chain.levels.at(0).width, header.height = chain.levels[0].height;
     header.channels = chain.channels, header.bits = chain.bits, header.srgb = chain.space == ColorSpace::srgb;
@@ -92,11 +92,11 @@ std::string encode_texels(const Texels& chain, uint64_t source) {
 }
 
 std::optional<Texels> decode_texels(std::string_view bytes, uint64_t source, std::shared_ptr<const void> memory) {
-    Header header;
+    FileHeader header;
     if (bytes.size() < sizeof header) return {};
     std::memcpy(&header, bytes.data(), sizeof header);
     const auto within = [](int value, int max) { return value >= 1 && value <= max; };
-    if (std::memcmp(header.magic, Header().magic, sizeof header.magic) != 0 || header.source != source ||
+    if (std::memcmp(header.magic, FileHeader().magic, sizeof header.magic) != 0 || header.source != source ||
         !within(header.width, max_image_side) || !within(header.height, max_image_side) ||
         !within(header.channels, 4) || (header.bits != 8 && header.bits != 16 && header.bits != 32))
         return {};

@@ -8,7 +8,7 @@ namespace relief {
 namespace {
 
 /// A point of a patch. u and v are in [0, 1]; s and t are the same in [-1, 1], and exactly opposite at opposite points.
-struct Place {
+struct GridPlace {
     double u, v, s, t;
 };
 
@@ -25,10 +25,10 @@ void add_patch(Mesh& mesh, int columns, int rows, glm::vec2 repeat, Surface vert
     const auto first = static_cast<uint32_t>(mesh.vertices.size());
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column <= columns; ++column) {
-            const Place place{.u = double(column) / columns,
-                              .v = double(row) / rows,
-                              .s = double(2 * column - columns) / columns,
-                              .t = double(2 * row - rows) / rows};
+            const GridPlace place{.u = double(column) / columns,
+                                  .v = double(row) / rows,
+                                  .s = double(2 * column - columns) / columns,
+                                  .t = double(2 * row - rows) / rows};
             Vertex corner = vertex(place);
             corner.uv = glm::vec2(place.u, place.v) * repeat;
             mesh.vertices.push_back(corner);
@@ -59,7 +59,7 @@ double once_around(double u) { return u < 1 ? u : 0; }
 
 Mesh make_quad(const QuadShape& shape) {
     const double width = extent(shape.width), height = extent(shape.height);
-    return make_patch(shape.columns, shape.rows, shape.repeat, [&](const Place& at) {
+    return make_patch(shape.columns, shape.rows, shape.repeat, [&](const GridPlace& at) {
         return Vertex{.position = {(at.u - 0.5) * width, (at.v - 0.5) * height, 0},
                       .normal = {0, 0, 1},
                       .tangent = {1, 0, 0, 1},
@@ -69,7 +69,7 @@ Mesh make_quad(const QuadShape& shape) {
 
 Mesh make_grid(const GridShape& shape) {
     const double width = extent(shape.width), depth = extent(shape.depth);
-    return make_patch(shape.columns, shape.rows, shape.repeat, [&](const Place& at) {
+    return make_patch(shape.columns, shape.rows, shape.repeat, [&](const GridPlace& at) {
         return Vertex{.position = {at.s / 2 * width, 0, -at.t / 2 * depth},
                       .normal = {0, 1, 0},
                       .tangent = {1, 0, 0, 1},
@@ -83,7 +83,7 @@ Mesh make_box(const BoxShape& shape) {
     Mesh mesh;
     for (const CubeFace& face : cube_faces) {
         const double columns = glm::dot(cells, glm::abs(face.right)), rows = glm::dot(cells, glm::abs(face.up));
-        add_patch(mesh, int(columns), int(rows), shape.repeat, [&](const Place& at) {
+        add_patch(mesh, int(columns), int(rows), shape.repeat, [&](const GridPlace& at) {
             return Vertex{.position = half * (face.normal + at.s * face.right + at.t * face.up),
                           .normal = face.normal,
                           .tangent = glm::dvec4(face.right, 1),
@@ -95,7 +95,7 @@ Mesh make_box(const BoxShape& shape) {
 
 Mesh make_column(const ColumnShape& shape) {
     const double bottom = extent(shape.bottom_radius), top = extent(shape.top_radius), height = extent(shape.height);
-    return make_patch(count_of(shape.sides, 3), shape.rows, shape.repeat, [&](const Place& at) {
+    return make_patch(count_of(shape.sides, 3), shape.rows, shape.repeat, [&](const GridPlace& at) {
         const double angle = glm::two_pi<double>() * once_around(at.u), s = std::sin(angle), c = std::cos(angle);
         const double radius = glm::mix<double>(bottom, top, at.v), taper = top - bottom;
         // dP/du points along (c, 0, -s), dP/dv along (taper s, height, taper c); the normal is their cross product.
@@ -119,7 +119,7 @@ Mesh make_disc(const DiscShape& shape) {
 
 Mesh make_sphere(const SphereShape& shape) {
     const double radius = extent(shape.radius);
-    return make_patch(count_of(shape.sides, 3), count_of(shape.rows, 2), shape.repeat, [&](const Place& at) {
+    return make_patch(count_of(shape.sides, 3), count_of(shape.rows, 2), shape.repeat, [&](const GridPlace& at) {
         const double around = glm::two_pi<double>() * (once_around(at.u) - 0.5), up = glm::pi<double>() * (at.v - 0.5);
         const glm::dvec3 out(std::sin(around) * std::cos(up), std::sin(up), std::cos(around) * std::cos(up));
         return Vertex{
@@ -141,7 +141,7 @@ Mesh make_cube_sphere(const CubeSphereShape& shape) {
     Mesh mesh;
     for (int index = 0; index < 6; ++index) {
         const CubeFace& face = cube_faces[index];
-        add_patch(mesh, shape.cells, shape.cells, shape.repeat, [&](const Place& at) {
+        add_patch(mesh, shape.cells, shape.cells, shape.repeat, [&](const GridPlace& at) {
             const glm::dvec3 out = cube_sphere_direction(index, at.s, at.t);
             // On the cube, the point moves along `right` with u. The part along `out` does not move it on the sphere.
             const glm::dvec3 along_u = glm::normalize(face.right - out * glm::dot(out, face.right));
@@ -153,7 +153,7 @@ Mesh make_cube_sphere(const CubeSphereShape& shape) {
 
 Mesh make_torus(const TorusShape& shape) {
     const double ring = extent(shape.ring_radius), tube = std::min(extent(shape.tube_radius), ring);
-    return make_patch(count_of(shape.sides, 3), count_of(shape.rows, 3), shape.repeat, [&](const Place& at) {
+    return make_patch(count_of(shape.sides, 3), count_of(shape.rows, 3), shape.repeat, [&](const GridPlace& at) {
         const double around = glm::two_pi<double>() * (once_around(at.u) - 0.5);
         const double up = glm::two_pi<double>() * (once_around(at.v) - 0.5);
         const glm::dvec3 out(std::sin(around) * std::cos(up), std::sin(up), std::cos(around) * std::cos(up));

@@ -22,13 +22,13 @@ double median(std::vector<double> values) {
 }
 
 /// Returns the number of values of a channel that are at least a hundredth of its range apart, at most `most`.
-size_t distinct(const Samples& samples, size_t channel, size_t most = 8) {
+size_t distinct(const PixelPairs& samples, size_t channel, size_t most = 8) {
     double low = INFINITY, high = -INFINITY;
-    for (const Sample& one : samples)
+    for (const PixelPair& one : samples)
         low = std::min(low, one.expected[channel]), high = std::max(high, one.expected[channel]);
     if (!(high - low > 0.02 * std::max(std::abs(low), std::abs(high)))) return 1;
     std::set<long> found;
-    for (const Sample& one : samples) {
+    for (const PixelPair& one : samples) {
         found.insert(std::lround((one.expected[channel] - low) / (high - low) * 100));
         if (found.size() >= most) break;
     }
@@ -36,14 +36,15 @@ size_t distinct(const Samples& samples, size_t channel, size_t most = 8) {
 }
 
 /// Returns the mean of all samples, if each is near it.
-std::optional<Value> constant(const PicturePair& pair, const Samples& samples, Value Sample::*of) {
+std::optional<Value> constant(const PicturePair& pair, const PixelPairs& samples, Value PixelPair::*of) {
     Value sum{};
-    for (const Sample& one : samples)
+    for (const PixelPair& one : samples)
         for (size_t c = 0; c < 4; ++c) sum[c] += (one.*of)[c] / double(samples.size());
     const auto mean = pair.finished(sum);
     if (!mean) return {};
     size_t near = 0;
-    for (const Sample& one : samples) near += pair.error(*mean, one.*of) <= std::max(0.005 * one.error, pair.noise());
+    for (const PixelPair& one : samples)
+        near += pair.error(*mean, one.*of) <= std::max(0.005 * one.error, pair.noise());
     if (double(near) < 0.98 * double(samples.size())) return {};
     return mean;
 }
@@ -156,7 +157,7 @@ public:
 
 private:
     std::string whole_name() const { return fmt::format("the expected {}", pair_.noun()); }
-    const Samples& differing() const { return pair_.differing(); }
+    const PixelPairs& differing() const { return pair_.differing(); }
     void add(std::string words, Rule rule) { found_.push_back({std::move(words), std::move(rule)}); }
     void add_constant(std::string words, Rule rule) {
         add(std::move(words), std::move(rule));
@@ -180,11 +181,11 @@ private:
     }
 
     void constants() {
-        Samples all = differing();
+        PixelPairs all = differing();
         all.insert(all.end(), pair_.same().begin(), pair_.same().end());
-        const auto everywhere = constant(pair_, all, &Sample::drawn);
-        const auto drawn = constant(pair_, differing(), &Sample::drawn),
-                   expected = constant(pair_, differing(), &Sample::expected);
+        const auto everywhere = constant(pair_, all, &PixelPair::drawn);
+        const auto drawn = constant(pair_, differing(), &PixelPair::drawn),
+                   expected = constant(pair_, differing(), &PixelPair::expected);
         if (everywhere && !expected)
             add_constant(fmt::format("{} everywhere", text_of(pair_, *everywhere)),
                          [v = *everywhere](size_t, const Value&) { return v; });
@@ -254,9 +255,9 @@ private:
             });
     }
     /// Returns the samples with a base.
-    std::vector<std::pair<Sample, Value>> with_base() const {
-        std::vector<std::pair<Sample, Value>> some;
-        for (const Sample& one : differing())
+    std::vector<std::pair<PixelPair, Value>> with_base() const {
+        std::vector<std::pair<PixelPair, Value>> some;
+        for (const PixelPair& one : differing())
             if (const auto base = pair_.base_at(one.pixel)) some.emplace_back(one, *base);
         return some;
     }
@@ -278,7 +279,7 @@ private:
         for (int axis = n == 2 ? 2 : 0; axis < 3; ++axis) {
             const auto a = size_t((axis + 1) % 3), b = size_t((axis + 2) % 3);
             std::vector<double> sines, cosines;
-            for (const Sample& one : differing()) {
+            for (const PixelPair& one : differing()) {
                 const Value &e = one.expected, &d = one.drawn;
                 const double both = std::hypot(e[a], e[b]) * std::hypot(d[a], d[b]);
                 if (both < 0.01 * length(e) * length(d)) continue;
@@ -354,11 +355,11 @@ private:
     }
 
     /// Returns the median of a quotient where the pictures differ and the divisor is not small.
-    double quotient(const std::function<std::pair<double, double>(const Sample&)>& of) const {
+    double quotient(const std::function<std::pair<double, double>(const PixelPair&)>& of) const {
         double largest = 0;
-        for (const Sample& one : differing()) largest = std::max(largest, std::abs(of(one).second));
+        for (const PixelPair& one : differing()) largest = std::max(largest, std::abs(of(one).second));
         std::vector<double> quotients;
-        for (const Sample& one : differing())
+        for (const PixelPair& one : differing())
             if (const auto [a, b] = of(one); std::abs(b) > 0.05 * largest) quotients.push_back(a / b);
         return median(quotients);
     }
@@ -366,15 +367,16 @@ private:
     /// A constant factor, an offset, a bound.
     void factors() {
         if (pair_.is_direction() || count_ < 2) return;
-        const double k = quotient(
-            [](const Sample& one) { return std::pair(dot(one.drawn, one.expected), dot(one.expected, one.expected)); });
+        const double k = quotient([](const PixelPair& one) {
+            return std::pair(dot(one.drawn, one.expected), dot(one.expected, one.expected));
+        });
         if (std::isfinite(k) && !is_one(k))
             add_fitted(fmt::format("{} {}", times(k), whole_name()),
                        [=](size_t, const Value& e) { return std::optional(scaled(e, k)); });
         Value apart{};
         for (int c = 0; c < pair_.channels(); ++c) {
             std::vector<double> offsets;
-            for (const Sample& one : differing()) offsets.push_back(one.drawn[size_t(c)] - one.expected[size_t(c)]);
+            for (const PixelPair& one : differing()) offsets.push_back(one.drawn[size_t(c)] - one.expected[size_t(c)]);
             apart[size_t(c)] = median(offsets);
         }
         add_fitted(pair_.channels() == 1 ? fmt::format("{} {} {}", whole_name(), apart[0] < 0 ? "minus" : "plus",
@@ -388,8 +390,8 @@ private:
     }
     void bounds() {
         double low = INFINITY, high = -INFINITY;
-        for (const Samples* some : {&pair_.differing(), &pair_.same()})
-            for (const Sample& one : *some) low = std::min(low, one.drawn[0]), high = std::max(high, one.drawn[0]);
+        for (const PixelPairs* some : {&pair_.differing(), &pair_.same()})
+            for (const PixelPair& one : *some) low = std::min(low, one.drawn[0]), high = std::max(high, one.drawn[0]);
         add_fitted(fmt::format("{}, but never above {}", whole_name(), rounded(high, 3)),
                    [=](size_t, const Value& e) { return std::optional(Value{std::min(e[0], high)}); });
         add_fitted(fmt::format("{}, but never below {}", whole_name(), rounded(low, 3)),
@@ -432,10 +434,10 @@ private:
             }
             const size_t before = found_.size();
             std::vector<double> drawn, apart;
-            for (const Sample& one : differing())
+            for (const PixelPair& one : differing())
                 drawn.push_back(one.drawn[i]), apart.push_back(one.drawn[i] - one.expected[i]);
             const double middle = median(drawn), offset = median(apart);
-            const double k = quotient([=](const Sample& one) { return std::pair(one.drawn[i], one.expected[i]); });
+            const double k = quotient([=](const PixelPair& one) { return std::pair(one.drawn[i], one.expected[i]); });
             add_component(fmt::format("{} for {}", rounded(middle, 3), name), i, [=](const Value&) { return middle; });
             if (std::isfinite(k) && !is_one(k))
                 add_component(fmt::format("{} {}", times(k), name), i, [=](const Value& e) { return k * e[i]; });
@@ -455,7 +457,7 @@ private:
         const size_t a = (up + 1) % 3, b = (up + 2) % 3;
         // d_up / |d_ab| = k e_up / |e_ab|
         const auto across = [=](const Value& v) { return std::hypot(v[a], v[b]); };
-        const double k = quotient([=](const Sample& one) {
+        const double k = quotient([=](const PixelPair& one) {
             return std::pair(one.drawn[up] * across(one.expected), one.expected[up] * across(one.drawn));
         });
         if (std::isfinite(k) && std::abs(k) < 0.003)
@@ -464,11 +466,11 @@ private:
             add_component(fmt::format("{} {}", times(k), name), up, [=](const Value& e) { return k * e[up]; });
         // A fixed component, and one with an offset, before the vector was normalised.
         const double fixed = quotient(
-            [=](const Sample& one) { return std::pair(one.drawn[up] * across(one.expected), across(one.drawn)); });
+            [=](const PixelPair& one) { return std::pair(one.drawn[up] * across(one.expected), across(one.drawn)); });
         if (std::isfinite(fixed))
             add_component(fmt::format("{} for {}", rounded(fixed, 3), name), up, [=](const Value&) { return fixed; });
         std::vector<double> offsets;
-        for (const Sample& one : differing())
+        for (const PixelPair& one : differing())
             if (across(one.drawn) > 0.05)
                 offsets.push_back(one.drawn[up] / across(one.drawn) * across(one.expected) - one.expected[up]);
         if (const double offset = median(offsets); std::isfinite(offset))
@@ -480,17 +482,17 @@ private:
     void lines() {
         if (pair_.channels() > 1 || distinct(differing(), 0) < 5) return;
         double low = INFINITY, high = -INFINITY;
-        for (const Sample& one : differing()) low = std::min(low, one.drawn[0]), high = std::max(high, one.drawn[0]);
-        Samples inside;
+        for (const PixelPair& one : differing()) low = std::min(low, one.drawn[0]), high = std::max(high, one.drawn[0]);
+        PixelPairs inside;
         size_t at_low = 0, at_high = 0;
-        for (const Sample& one : differing()) {
+        for (const PixelPair& one : differing()) {
             at_low += one.drawn[0] == low, at_high += one.drawn[0] == high;
             if (one.drawn[0] > low && one.drawn[0] < high) inside.push_back(one);
         }
         if (inside.size() < least_differing || distinct(inside, 0) < 5) return;
         double se = 0, sd = 0, see = 0, sed = 0;
         const double n = double(inside.size());
-        for (const Sample& one : inside) {
+        for (const PixelPair& one : inside) {
             const double e = one.expected[0], d = one.drawn[0];
             se += e, sd += d, see += e * e, sed += e * d;
         }

@@ -45,7 +45,7 @@ PicturePair::PicturePair(const Image& drawn, const Image& expected, const Quanti
       names_(is_picture_                               ? std::array{"red", "green", "blue", "alpha"}
              : quantity.name == "uv" && channels_ <= 2 ? std::array{"u", "v", "", ""}
                                                        : std::array{"x", "y", "z", "w"}) {
-    Samples all;
+    PixelPairs all;
     std::vector<double> errors;
     const size_t pixels = expected.pixel_count(), step = pixels / most_samples + 1;
     for (size_t place = 0; place < pixels; place += step) {
@@ -61,7 +61,7 @@ PicturePair::PicturePair(const Image& drawn, const Image& expected, const Quanti
     const auto high = errors.begin() + std::ptrdiff_t(double(errors.size()) * 0.99);
     std::nth_element(errors.begin(), high, errors.end());
     threshold_ = std::max(noise(), 0.05 * *high);
-    for (Sample& one : all) {
+    for (PixelPair& one : all) {
         sum_ += one.error;
         (one.error > threshold_ ? differing_ : same_).push_back(one);
     }
@@ -102,7 +102,7 @@ double PicturePair::error(const std::optional<Value>& predicted, const Value& dr
     return predicted ? error(*predicted, drawn) : INFINITY;
 }
 
-bool PicturePair::explains(const std::optional<Value>& predicted, const Sample& sample, double share) const {
+bool PicturePair::explains(const std::optional<Value>& predicted, const PixelPair& sample, double share) const {
     return error(predicted, sample.drawn) <= std::max({share * sample.error, 5 * share * threshold_, noise()});
 }
 

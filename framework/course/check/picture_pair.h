@@ -18,12 +18,12 @@ Value scaled(Value a, double by);
 /// Empty for a vector without length.
 std::optional<Value> unit(const Value& value);
 
-struct Sample {
+struct PixelPair {
     size_t pixel;
     Value expected, drawn;
     double error;
 };
-using Samples = std::vector<Sample>;
+using PixelPairs = std::vector<PixelPair>;
 
 /// Two pictures, the pixels that can be compared, and those of them that differ.
 class PicturePair {
@@ -36,8 +36,8 @@ public:
     bool is_unrolled() const { return is_unrolled_; }
     int channels() const { return channels_; }
     const char* name(int channel) const { return names_[size_t(channel)]; }
-    const Samples& differing() const { return differing_; }
-    const Samples& same() const { return same_; }
+    const PixelPairs& differing() const { return differing_; }
+    const PixelPairs& same() const { return same_; }
     size_t count() const { return differing_.size() + same_.size(); }
     double sum() const { return sum_; }
     double largest() const { return largest_; }
@@ -68,7 +68,7 @@ public:
     /// Pixels with a larger error differ: a twentieth of the error that 99 % of the pixels do not exceed.
     double threshold() const { return threshold_; }
     /// Returns whether the prediction leaves at most this share of the pixel's error.
-    bool explains(const std::optional<Value>& predicted, const Sample& sample, double share) const;
+    bool explains(const std::optional<Value>& predicted, const PixelPair& sample, double share) const;
 
 private:
     const Image &drawn_, &expected_;
@@ -77,7 +77,7 @@ private:
     bool is_direction_, is_picture_, is_unrolled_;
     int channels_;
     std::array<const char*, 4> names_;
-    Samples differing_, same_;
+    PixelPairs differing_, same_;
     double largest_ = 0, threshold_ = 0, sum_ = 0;
 };
 

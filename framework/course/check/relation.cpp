@@ -17,14 +17,14 @@ constexpr double explained_share = 0.95;
 /// Most of the sum of the errors that a relation may leave.
 constexpr double most_left = 0.1;
 
-std::optional<Value> predicted(const PicturePair& pair, const Hypothesis& one, const Sample& sample) {
+std::optional<Value> predicted(const PicturePair& pair, const Hypothesis& one, const PixelPair& sample) {
     return pair.finished(one.rule(sample.pixel, sample.expected));
 }
 
 /// A part of the picture.
 struct Part {
     std::string words;  ///< "where the expected x is negative"
-    std::function<bool(const Sample&)> has;
+    std::function<bool(const PixelPair&)> has;
 };
 
 std::vector<Part> parts_of(const PicturePair& pair) {
@@ -33,20 +33,20 @@ std::vector<Part> parts_of(const PicturePair& pair) {
         const std::string name = pair.channels() == 1 ? "value" : pair.name(c);
         const auto i = size_t(c);
         parts.push_back({fmt::format("where the expected {} is negative", name),
-                         [=](const Sample& s) { return s.expected[i] < 0; }});
+                         [=](const PixelPair& s) { return s.expected[i] < 0; }});
         parts.push_back({fmt::format("where the expected {} is positive", name),
-                         [=](const Sample& s) { return s.expected[i] > 0; }});
+                         [=](const PixelPair& s) { return s.expected[i] > 0; }});
         parts.push_back({fmt::format("where the expected {} is 0", name),
-                         [=](const Sample& s) { return std::abs(s.expected[i]) < 1e-6; }});
+                         [=](const PixelPair& s) { return std::abs(s.expected[i]) < 1e-6; }});
         parts.push_back({fmt::format("where the expected {} is above 1", name),
-                         [=](const Sample& s) { return s.expected[i] > 1; }});
+                         [=](const PixelPair& s) { return s.expected[i] > 1; }});
     }
     const auto w = size_t(pair.width()), h = size_t(pair.height());
-    parts.push_back({"in the left half of the picture", [=](const Sample& s) { return s.pixel % w < w / 2; }});
-    parts.push_back({"in the right half of the picture", [=](const Sample& s) { return s.pixel % w >= w / 2; }});
-    parts.push_back({"in the upper half of the picture", [=](const Sample& s) { return s.pixel / w < h / 2; }});
-    parts.push_back({"in the lower half of the picture", [=](const Sample& s) { return s.pixel / w >= h / 2; }});
-    parts.push_back({"within 2 pixels of a surface's edge", [=, &pair](const Sample& s) {
+    parts.push_back({"in the left half of the picture", [=](const PixelPair& s) { return s.pixel % w < w / 2; }});
+    parts.push_back({"in the right half of the picture", [=](const PixelPair& s) { return s.pixel % w >= w / 2; }});
+    parts.push_back({"in the upper half of the picture", [=](const PixelPair& s) { return s.pixel / w < h / 2; }});
+    parts.push_back({"in the lower half of the picture", [=](const PixelPair& s) { return s.pixel / w >= h / 2; }});
+    parts.push_back({"within 2 pixels of a surface's edge", [=, &pair](const PixelPair& s) {
                          const int x = int(s.pixel % w), y = int(s.pixel / w);
                          for (int dy = -2; dy <= 2; ++dy)
                              for (int dx = -2; dx <= 2; ++dx) {
@@ -58,12 +58,12 @@ std::vector<Part> parts_of(const PicturePair& pair) {
     return parts;
 }
 
-size_t count_in(const Part& part, const Samples& samples) {
+size_t count_in(const Part& part, const PixelPairs& samples) {
     return size_t(std::count_if(samples.begin(), samples.end(), part.has));
 }
 
 /// Returns the part that has all of `inside` and hardly any of `outside`.
-std::optional<Part> part_with(const PicturePair& pair, const Samples& inside, const Samples& outside) {
+std::optional<Part> part_with(const PicturePair& pair, const PixelPairs& inside, const PixelPairs& outside) {
     for (Part& part : parts_of(pair)) {
         const size_t in = count_in(part, inside), out = count_in(part, outside);
         if (double(in) >= 0.98 * double(inside.size()) &&
@@ -81,28 +81,28 @@ std::string percent(const PicturePair& pair, double share) {
 /// A hypothesis that explains the difference at the pixels that differ.
 struct Explanation {
     const Hypothesis* hypothesis;
-    double left;           ///< sum of the errors that remain
-    double share;          ///< of all pixels: those that it explains, or where it agrees that there is no difference
-    Samples contradicted;  ///< pixels that are right, and for which it predicts a difference
+    double left;              ///< sum of the errors that remain
+    double share;             ///< of all pixels: those that it explains, or where it agrees that there is no difference
+    PixelPairs contradicted;  ///< pixels that are right, and for which it predicts a difference
 };
 
 /// Returns the sum of the errors of the mean, where the pictures differ.
 double spread_of_drawn(const PicturePair& pair) {
     Value sum{};
-    for (const Sample& one : pair.differing())
+    for (const PixelPair& one : pair.differing())
         for (size_t c = 0; c < 4; ++c) sum[c] += one.drawn[c] / double(pair.differing().size());
     const auto mean = pair.finished(sum);
     double spread = 0;
-    for (const Sample& one : pair.differing()) spread += mean ? pair.error(*mean, one.drawn) : one.error;
+    for (const PixelPair& one : pair.differing()) spread += mean ? pair.error(*mean, one.drawn) : one.error;
     return spread;
 }
 
 std::optional<Explanation> explanation(const PicturePair& pair, const Hypothesis& one) {
-    const Samples& differing = pair.differing();
+    const PixelPairs& differing = pair.differing();
     const auto most_failures = size_t((1 - explained_share) * double(differing.size()));
     size_t failures = 0;
     Explanation found{&one, 0, 0, {}};
-    for (const Sample& sample : differing) {
+    for (const PixelPair& sample : differing) {
         const auto value = predicted(pair, one, sample);
         if (!pair.explains(value, sample, one.most_left) && ++failures > most_failures) return {};
         found.left += std::min(pair.error(value, sample.drawn), 2 * sample.error);
@@ -110,7 +110,7 @@ std::optional<Explanation> explanation(const PicturePair& pair, const Hypothesis
     if (found.left > most_left * pair.sum()) return {};
     // Nearly constant values are near many functions of large expected ones. Only a constant explains them.
     if (!one.is_constant && found.left > 0.3 * spread_of_drawn(pair)) return {};
-    for (const Sample& sample : pair.same())
+    for (const PixelPair& sample : pair.same())
         if (pair.error(predicted(pair, one, sample), sample.drawn) > pair.threshold())
             found.contradicted.push_back(sample);
     found.share = 1 - double(failures + found.contradicted.size()) / double(pair.count());
@@ -152,8 +152,8 @@ std::optional<Relation> one_sided_error(const PicturePair& pair) {
     if (pair.is_unrolled() || (!pair.is_picture() && pair.channels() > 1)) return {};
     size_t above = 0, below = 0;
     double sum = 0;
-    for (const Samples* const some : {&pair.differing(), &pair.same()})
-        for (const Sample& one : *some) {
+    for (const PixelPairs* const some : {&pair.differing(), &pair.same()})
+        for (const PixelPair& one : *some) {
             if (one.error <= pair.noise()) continue;
             double off = 0;
             for (size_t c = 0; c < 4; ++c) off += one.drawn[c] - one.expected[c];

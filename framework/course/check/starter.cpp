@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Part { shared, solution, starter };
+enum class TextPart { shared, solution, starter };
 
 std::string_view without_blanks(std::string_view line) {
     const size_t begin = line.find_first_not_of(" \t\r"), end = line.find_last_not_of(" \t\r");
@@ -20,7 +20,7 @@ std::string_view without_blanks(std::string_view line) {
 /// Calls take(part, line, region) for each line that is not a mark; the region's name is empty outside of any.
 template <class Take>
 void walk(const std::string& text, const fs::path& file, Take take) {
-    Part part = Part::shared;
+    TextPart part = TextPart::shared;
     int number = 0, opened = 0, region_opened = 0;
     std::string region;
     const auto expect = [&](bool good, const char* message) {
@@ -30,36 +30,36 @@ void walk(const std::string& text, const fs::path& file, Take take) {
         ++number;
         const std::string_view word = without_blanks(line);
         if (word == "//[solution") {
-            expect(part == Part::shared, "a //[solution inside another: close that with //] first");
-            part = Part::solution;
+            expect(part == TextPart::shared, "a //[solution inside another: close that with //] first");
+            part = TextPart::solution;
             opened = number;
         } else if (word == "//]starter") {
-            expect(part == Part::solution, "a //]starter without its //[solution");
-            part = Part::starter;
+            expect(part == TextPart::solution, "a //]starter without its //[solution");
+            part = TextPart::starter;
         } else if (word == "//]") {
-            expect(part != Part::shared, "a //] without its //[solution");
-            part = Part::shared;
+            expect(part != TextPart::shared, "a //] without its //[solution");
+            part = TextPart::shared;
         } else if (word.starts_with("//(")) {
             expect(word.size() > 3, "a region has a name: //(name");
             expect(region.empty(), "a //( inside another: close that with //) first");
-            expect(part == Part::shared, "a region begins and ends outside of solutions");
+            expect(part == TextPart::shared, "a region begins and ends outside of solutions");
             region = word.substr(3);
             region_opened = number;
         } else if (word == "//)") {
             expect(!region.empty(), "a //) without its //(name");
-            expect(part == Part::shared, "a region begins and ends outside of solutions");
+            expect(part == TextPart::shared, "a region begins and ends outside of solutions");
             region.clear();
         } else {
-            expect(part != Part::starter || word.starts_with("//|"), "a line of a starter begins with //|");
+            expect(part != TextPart::starter || word.starts_with("//|"), "a line of a starter begins with //|");
             take(part, line, region);
         }
     }
     if (!region.empty()) throw Error({file, region_opened}, "this //( is never closed by //)");
-    if (part != Part::shared) throw Error({file, opened}, "this //[solution is never closed by //]");
+    if (part != TextPart::shared) throw Error({file, opened}, "this //[solution is never closed by //]");
 }
 
 /// Returns the text without comments, so that a mention in a comment does not count.
-std::string without_comments(const std::string& text) {
+std::string code_of(const std::string& text) {
     std::string code;
     for (size_t i = 0; i < text.size();) {
         if (text.compare(i, 2, "//") == 0) {
@@ -91,9 +91,9 @@ size_t find_task(const std::string& text, const std::string& id, size_t from) {
 
 std::string starter_of(const std::string& text, const fs::path& file) {
     std::string result;
-    walk(text, file, [&](Part part, const std::string& line, const std::string&) {
-        if (part == Part::solution) return;
-        const size_t bar = part == Part::starter ? line.find("//|") : std::string::npos;
+    walk(text, file, [&](TextPart part, const std::string& line, const std::string&) {
+        if (part == TextPart::solution) return;
+        const size_t bar = part == TextPart::starter ? line.find("//|") : std::string::npos;
         if (bar == std::string::npos) {
             result += line + '\n';
             return;
@@ -108,8 +108,8 @@ std::string starter_of(const std::string& text, const fs::path& file) {
 
 std::vector<std::string> solution_lines(const std::string& text, const fs::path& file) {
     std::vector<std::string> result;
-    walk(text, file, [&](Part part, const std::string& line, const std::string&) {
-        if (part == Part::solution && !without_blanks(line).empty()) result.emplace_back(without_blanks(line));
+    walk(text, file, [&](TextPart part, const std::string& line, const std::string&) {
+        if (part == TextPart::solution && !without_blanks(line).empty()) result.emplace_back(without_blanks(line));
     });
     return result;
 }
@@ -118,10 +118,10 @@ Region region_of(const std::string& text, const fs::path& file, const std::strin
     Region found;
     std::vector<std::string> lines, names;
     size_t margin = std::string::npos;
-    walk(text, file, [&](Part part, const std::string& line, const std::string& region) {
+    walk(text, file, [&](TextPart part, const std::string& line, const std::string& region) {
         if (!region.empty() && (names.empty() || names.back() != region)) names.push_back(region);
-        if (region != name || part == Part::starter) return;
-        found.has_solution |= part == Part::solution;
+        if (region != name || part == TextPart::starter) return;
+        found.has_solution |= part == TextPart::solution;
         lines.push_back(line);
         margin = std::min(margin, line.find_first_not_of(' '));
     });
@@ -135,7 +135,7 @@ bool is_unfinished(const std::string& text, const std::string& task) {
     const size_t end = named == std::string::npos ? named : find_task(text, "", begin + 1);
     // From the line's start: "TASK" stands in a comment, whose "//" comes before it.
     const size_t line = begin == 0 ? 0 : text.rfind('\n', begin) + 1;
-    const std::string code = without_comments(text.substr(line, end == std::string::npos ? end : end - line));
+    const std::string code = code_of(text.substr(line, end == std::string::npos ? end : end - line));
     for (size_t at = code.find("unfinished"); at != std::string::npos; at = code.find("unfinished", at + 1)) {
         const size_t after = code.find_first_not_of(" \t\n", at + 10);
         if ((at == 0 || !is_name(code[at - 1])) && after != std::string::npos && code[after] == '(') return true;

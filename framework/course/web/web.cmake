@@ -8,6 +8,8 @@ add_library(relief_framework OBJECT ${web_sources})
 target_link_libraries(relief_framework PUBLIC relief_cpu relief_glad
   PRIVATE tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json relief_warnings)
 relief_takes_precompiled_headers(relief_framework)
+# This halves the time of the whole build for a browser, which nobody repeats after each line.
+set_target_properties(relief_cpu relief_framework PROPERTIES UNITY_BUILD ${RELIEF_UNITY} UNITY_BUILD_BATCH_SIZE 12)
 
 # The page shows a task's file by this name, as other systems do.
 add_compile_options(-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)

@@ -29,7 +29,7 @@ Sign sign_of(const std::optional<check::CheckResult>& result) {
             return {"\u2713", good};
         case check::Outcome::unfinished:
         case check::Outcome::waiting:
-            return {"\u2026", waiting};
+            return {"\u2026", amber};
         case check::Outcome::wrong:
             return {"\u2717", alarm};
         default:
@@ -88,7 +88,7 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
     }
     quiet_text(checks.pending() ? "Checking ..." : "Choose a check to see yours, the expected picture and the error.");
     if (!checks.to_build().empty())
-        colored_text(waiting, fmt::format("{} was saved. C++ needs a build: close the window and use ./relief run {}.",
+        colored_text(amber, fmt::format("{} was saved. C++ needs a build: close the window and use ./relief run {}.",
                                           checks.to_build(), checks.lab().two_digits()));
     for (const TaskInfo& task : manifest.tasks) {
         ImGui::Dummy({0, 4});

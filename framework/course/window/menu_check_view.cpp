@@ -81,7 +81,7 @@ void CheckView::draw(const Box& box, float scale, const Checks& checks, MenuWish
     else
         colored_text(result->outcome == check::Outcome::passed ? good
                      : result->outcome == check::Outcome::unfinished || result->outcome == check::Outcome::waiting
-                         ? waiting
+                         ? amber
                          : alarm,
                      pages::outcome_words(result->outcome) + ": " + result->found);
     if (ImGui::Button("yours")) border_ = 1;

@@ -26,9 +26,9 @@ Sign sign_of(TaskState state) {
         case TaskState::wrong:
             return {"\u2717", "has a check that fails", alarm};
         case TaskState::unfinished:
-            return {"\u2026", "is not written yet", waiting};
+            return {"\u2026", "is not written yet", amber};
         case TaskState::blocked:
-            return {"\u2026", "waits for another task that is not written or not right", waiting};
+            return {"\u2026", "waits for another task that is not written or not right", amber};
         case TaskState::waiting:
             break;
     }

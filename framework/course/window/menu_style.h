@@ -8,7 +8,7 @@
 namespace relief::window {
 
 inline const ImVec4 accent{0.90f, 0.54f, 0.36f, 1}, quiet{0.62f, 0.63f, 0.65f, 1}, alarm{1, 0.45f, 0.38f, 1},
-    good{0.47f, 0.80f, 0.45f, 1}, waiting{0.93f, 0.76f, 0.35f, 1};
+    good{0.47f, 0.80f, 0.45f, 1}, amber{0.93f, 0.76f, 0.35f, 1};
 
 /// For parts with a fixed place: not movable, not saved, and below everything that opens over them.
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |

@@ -21,8 +21,8 @@
 namespace relief::grade {
 namespace {
 
-/// A difference that a person sees: `visible` in a channel, in at least `visible_share` of the pixels.
-constexpr double visible = 8.0 / 255 + 1e-6, visible_share = 0.002;
+/// A difference that a person sees: `visible` in a channel, in at least `changed_share` of the pixels.
+constexpr double visible_change = 8.0 / 255 + 1e-6, changed_share = 0.002;
 constexpr int random_views = 24;
 constexpr glm::ivec2 view_size{96, 96};
 constexpr AttemptLimits looking{.cpu = 600};
@@ -173,7 +173,7 @@ private:
             if (right_[i].image && drawn[i].image) {
                 if (right_[i].image->values == drawn[i].image->values) continue;
                 const auto [one, other] = shown(views_[i].probe, *right_[i].image, *drawn[i].image);
-                const Difference differs = difference(one, other, visible);
+                const Difference differs = difference(one, other, visible_change);
                 largest = differs.largest, share = double(differs.pixels_over) / double(one.pixel_count());
             }
             result.fate = MutantFate::unseen;
@@ -183,7 +183,7 @@ private:
             }
             result.largest = std::max(result.largest, largest);
         }
-        if (result.share >= visible_share) result.fate = MutantFate::survived;
+        if (result.share >= changed_share) result.fate = MutantFate::survived;
     }
 
     /// Returns two pictures to compare with `visible`. A vector's tone curve would hide small differences. So its pair

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr const char* file_name = "class.json";
-constexpr int schema = 1;
+constexpr int roster_schema = 1;
 
 /// Returns a whole number in the environment; `otherwise` if the variable is missing or empty.
 int number(const char* name, int otherwise) {
@@ -55,7 +55,7 @@ Shard shard_of_array() {
 }  // namespace
 
 std::string to_json(const Roster& roster) {
-    ordered_json json = {{"schema", schema},
+    ordered_json json = {{"schema", roster_schema},
                          {"course", roster.course},
                          {"seed", utf8_of_bytes(roster.seed)},
                          {"labs", roster.labs},
@@ -72,7 +72,7 @@ std::optional<Roster> read_roster(const fs::path& folder) {
     if (!fs::exists(file)) return {};
     try {
         const ordered_json json = ordered_json::parse(read_file(file, size_t{1} << 28));
-        if (json.at("schema") != schema) throw Error({file}, "was written by another version: use a new folder");
+        if (json.at("schema") != roster_schema) throw Error({file}, "was written by another version: use a new folder");
         Roster roster{.course = json.at("course"),
                       .seed = bytes_of_utf8(json.at("seed").get<std::string>()),
                       .labs = json.at("labs"),
