@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "floor.h"
+#include "framework/core/kit/choices.h"
 #include "framework/core/kit/culling.h"
 #include "framework/core/kit/light.h"
 #include "framework/core/kit/tiles.h"
@@ -50,6 +51,8 @@ public:
         knobs.slider("light_height", light_height_, 0.1f, 5, "height of the lamp, metres");
         knobs.slider("shininess", shininess_, 2, 256, "exponent of the highlight");
         knobs.slider("strength", strength_, 0, 2, "strength of the normal map; 0 is flat");
+        knobs.choice("terminator", terminator_, terminators.names,
+                     "what stands for the shadow that a normal map does not cast");
     }
 
     /// Returns the exact values for the bricks, independent of the method that draws them.
@@ -61,6 +64,11 @@ public:
 
 private:
     enum Method { vertex_normal, normal_map, side_by_side, wipe };
+    enum Terminator { no_shadow, by_step, chiang, schuessler };
+    static constexpr auto terminators = choices<Terminator>({{no_shadow, "none"},
+                                                             {by_step, "step", "TERMINATOR_STEP"},
+                                                             {chiang, "chiang", "TERMINATOR_CHIANG"},
+                                                             {schuessler, "schuessler", "TERMINATOR_SCHUESSLER"}});
     static constexpr std::array methods = {"vertex-normal", "normal-map", "side-by-side", "wipe"};
 
     /// Draws the scene. `shown` is the range of pixel columns that the scissor leaves; columns and balls outside of it
@@ -72,7 +80,8 @@ private:
         glViewport(corner.x, corner.y, size.x, size.y);
         const Camera camera = size == frame.size ? frame.camera : frame_in(frame, {corner, size}).camera;
         const glm::vec3 light = lamp_at(light_yaw_, 2.8f, light_height_);
-        const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : ""});
+        const Program& surface = surface_.with({frame.probe, with_map ? "NORMAL_MAP" : "",
+                                                with_map && !frame.probe ? terminators.define(terminator_) : ""});
         glUseProgram(surface);
         const glm::dmat4 clip_from_world = camera.clip_from_world();
         surface.set("u_clip_from_world", clip_from_world);
@@ -128,7 +137,7 @@ private:
 
     static constexpr float lamp_scale = 0.15f;  // relative to a ball
 
-    int method_ = wipe;
+    int method_ = wipe, terminator_ = no_shadow;
     float wipe_ = 0.5f, light_yaw_ = 14, light_height_ = 1.7f, shininess_ = 48, strength_ = 1;
 };
 

@@ -82,14 +82,15 @@ public:
 private:
     enum View { scene, compare, one };
     enum Show { show_light, show_half, show_turns };
-    enum Shadow { no_shadow, hard, soft, estevez, chiang };
+    enum Shadow { no_shadow, hard, soft, estevez, chiang, schuessler };
     static constexpr std::array views = {"scene", "compare", "one"};
     static constexpr std::array shows = {"light", "half-and-half", "iterations"};
     static constexpr auto shadows = choices<Shadow>({{no_shadow, "none"},
                                                      {hard, "hard", "HARD_SHADOW"},
                                                      {soft, "soft", "SOFT_SHADOW"},
                                                      {estevez, "estevez", "GUESS_ESTEVEZ"},
-                                                     {chiang, "chiang", "GUESS_CHIANG"}});
+                                                     {chiang, "chiang", "GUESS_CHIANG"},
+                                                     {schuessler, "schuessler", "GUESS_SCHUESSLER"}});
 
     std::vector<Tile> tiles_of_view(glm::ivec2 size) const {
         const int below = view_ != scene && show_ != show_light ? Labels::scale_height(size) : 0;

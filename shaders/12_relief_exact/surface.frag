@@ -5,11 +5,11 @@
 #extension GL_ARB_conservative_depth : enable
 #endif
 
-#include "12_relief_exact/chiang.glsl"
 #include "12_relief_exact/search.glsl"
 #include "common/heat.glsl"
 #include "common/light.glsl"
 #include "common/srgb.glsl"
+#include "common/terminator.glsl"
 
 in vec3 v_position;
 in vec3 v_normal;
@@ -172,6 +172,10 @@ void main() {
     vec3 mapped = textureGrad(s_normals, uv, dx, dy).xyz * 2.0 - 1.0;
     vec3 n = normalize(frame * vec3(mapped.xy * u_normal_strength, mapped.z));
     vec3 light = albedo * mix(vec3(0.1, 0.09, 0.08), vec3(0.25, 0.28, 0.34), 0.5 + 0.5 * n.y);
+    vec3 lamp = vec3(1.35, 1.22, 1.02);
+#ifdef GUESS_SCHUESSLER
+    light += lamp * blinn_phong_on_facets(albedo, 0.05, 24.0, normal, n, u_to_light, to_eye);
+#else
     // A place that faces away from the light is dark, without a search.
     if (dot(n, u_to_light) > 0.0) {
 #if defined GUESS_ESTEVEZ || defined GUESS_CHIANG
@@ -179,8 +183,9 @@ void main() {
 #else
         float lit = lit_at(uv, height, u_to_light * frame, hit.iterations);
 #endif
-        light += lit * vec3(1.35, 1.22, 1.02) * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
+        light += lit * lamp * blinn_phong(albedo, 0.05, 24.0, n, u_to_light, to_eye);
     }
+#endif
     o_color = finished(vec4(srgb_from_linear(light), 1.0), gl_FragCoord.xy);
 #endif
 }

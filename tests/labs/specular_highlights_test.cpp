@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/core/gl/counters.h"
+#include "framework/core/image/compare.h"
 #include "framework/core/lab/manifest.h"
 
 namespace relief {
@@ -121,6 +122,41 @@ TEST(SpecularHighlights, SomeMappedNormalsOfVisiblePixelsFaceAwayFromTheEye) {
     EXPECT_NEAR(100 * share_facing_away("normal-map", "1", 2.6), 1.6, 0.05);
     EXPECT_NEAR(100 * share_facing_away("normal-map", "2", 2.6), 4.4, 0.05);
     EXPECT_LT(100 * share_facing_away("vertex-normal", "1", 2.6), 0.3);
+}
+
+/// Returns the picture by a normal map, with the lamp on the floor, near the line where a column turns away from it.
+Image lit_from_the_floor(const char* terminator, const char* strength) {
+    Shot shot;
+    shot.size = {240, 160};
+    shot.camera = {.yaw = 20, .pitch = 20, .distance = 3.2, .target = {1, 0.2, 0}};
+    shot.set = {{"method", "normal-map"}, {"light_height", "0.1"}, {"strength", strength}, {"terminator", terminator}};
+    return render_shot(*make_lab(find_lab("01"), shot), shot);
+}
+
+double mean_of(const Image& image) {
+    double sum = 0;
+    for (const float value : image.values) sum += double(value);
+    return sum / double(image.values.size());
+}
+
+TEST(SpecularHighlights, EachTerminatorTakesLightAwayAndAddsNone) {
+    const Image none = lit_from_the_floor("none", "2");
+    double before = mean_of(none);
+    for (const char* terminator : {"step", "chiang"}) {
+        const Image image = lit_from_the_floor(terminator, "2");
+        for (size_t i = 0; i < image.values.size(); ++i)
+            ASSERT_LE(image.values[i], none.values[i] + 1e-4f) << terminator;
+        EXPECT_LT(mean_of(image), before) << terminator << " takes away more than the one before it";
+        before = mean_of(image);
+    }
+    // It spreads light: faces that turn away from the lamp get what their other facet mirrors.
+    EXPECT_LT(mean_of(lit_from_the_floor("schuessler", "2")), mean_of(none));
+}
+
+TEST(SpecularHighlights, AFlatMapLooksTheSameWithEachTerminator) {
+    const Image none = lit_from_the_floor("none", "0");
+    for (const char* terminator : {"step", "chiang", "schuessler"})
+        EXPECT_LE(difference(lit_from_the_floor(terminator, "0"), none, 0).largest, 1.0 / 255 + 1e-6) << terminator;
 }
 
 TEST(SpecularHighlights, TheWipeDrawsOnlyTheObjectsOfEachHalf) {

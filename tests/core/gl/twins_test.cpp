@@ -26,6 +26,7 @@
 #include "framework/staff/reference/normal_map.h"
 #include "framework/staff/reference/patches.h"
 #include "framework/staff/reference/tangent_space.h"
+#include "framework/staff/reference/terminator.h"
 #include "framework/staff/reference/tessellation.h"
 #include "tests/core/gl/glsl_function.h"
 
@@ -89,6 +90,64 @@ GlslInput random_differences(Dice& dice) {
         if (std::abs(glm::dot(n, glm::cross(p, q))) > 0.1f && std::abs(u.x * v.y - u.y * v.x) > 0.1f)
             return {glm::vec4(n, 0), glm::vec4(p, 0), glm::vec4(q, 0), glm::vec4(u, v)};
     }
+}
+
+/// A base's normal, a normal of a map that leans by 3 to 75 degrees, and a light at least 3 degrees above the base:
+/// near the ends the relative error of a cosine is unbounded. ReliefExact tests the ends.
+GlslInput random_terminator(Dice& dice) {
+    for (;;) {
+        const glm::vec3 base = dice.unit(), mapped = dice.unit(), light = dice.unit();
+        const float upright = glm::dot(base, mapped);
+        if (upright > 0.26f && upright < 0.9986f && glm::dot(base, light) > 0.05f && glm::dot(mapped, light) > 0.05f)
+            return {glm::vec4(base, 0), glm::vec4(mapped, 0), glm::vec4(light, 0), glm::vec4(dice.unit(), 0)};
+    }
+}
+
+/// See schuessler_light() in terminator.h.
+double visible_share(const glm::dvec3& surface, const glm::dvec3& mapped, const glm::dvec3& way) {
+    const glm::dvec3 lean = mapped - glm::dot(surface, mapped) * surface;
+    const double area = std::max(glm::dot(mapped, way), 0.0) + std::max(glm::dot(-lean, way), 0.0);
+    return std::min(glm::dot(surface, way) * glm::dot(surface, mapped) / area, 1.0);
+}
+
+std::vector<Twin> terminator() {
+    const char* const file = "common/terminator.glsl";
+    return {{"chiang_shadow",
+             file,
+             "vec4(chiang_shadow(a.xyz, b.xyz, c.xyz), 0.0, 0.0, 0.0)",
+             random_terminator,
+             [](const GlslInput& in) { return scalar(chiang_shadow(xyz(in[0]), xyz(in[1]), xyz(in[2]))); },
+             {"g * (1.0 - g)", "g * (1.0 + g)"}},
+            {"visible_share",
+             file,
+             "vec4(visible_share(a.xyz, b.xyz, -normalize(b.xyz - dot(a.xyz, b.xyz) * a.xyz), "
+             "length(b.xyz - dot(a.xyz, b.xyz) * a.xyz), c.xyz), 0.0, 0.0, 0.0)",
+             random_terminator,
+             [](const GlslInput& in) { return scalar(visible_share(xyz(in[0]), xyz(in[1]), xyz(in[2]))); },
+             {"* dot(surface, mapped) / area", "/ area"}},
+            {"schuessler_light",
+             file,
+             "vec4(schuessler_light(a.xyz, b.xyz, c.xyz), 0.0, 0.0)",
+             random_terminator,
+             [](const GlslInput& in) {
+                 const FacetLight light = schuessler_light(xyz(in[0]), xyz(in[1]), xyz(in[2]));
+                 return glm::dvec4(light.direct, light.mirrored, 0, 0);
+             },
+             {"1.0 - visible_share", "visible_share"}},
+            {"blinn_phong_on_facets",
+             file,
+             "vec4(blinn_phong_on_facets(vec3(0.5), 0.2, 8.0, a.xyz, b.xyz, c.xyz, d.xyz), 0.0)",
+             random_terminator,
+             [](const GlslInput& in) {
+                 const glm::dvec3 mapped = xyz(in[1]), to_light = xyz(in[2]);
+                 const FacetLight light = schuessler_light(xyz(in[0]), mapped, to_light);
+                 const double visible = light.direct / glm::dot(mapped, to_light);
+                 return glm::dvec4(glm::dvec3(0.5 * light.sum()) +
+                                       visible * blinn_phong(glm::dvec3(0), 0.2, 8, mapped, to_light, xyz(in[3])),
+                                   0);
+             },
+             {"light.x + light.y", "light.x"},
+             1e-4}};  // the power of a cosine, as in blinn_phong
 }
 
 std::vector<Twin> light_and_color() {
@@ -729,7 +788,7 @@ std::vector<Twin> mesh_rays() {
 
 std::vector<Twin> all_twins() {
     std::vector<Twin> all;
-    for (const auto& some : {light_and_color(), normals_and_frames(), height_cells(), cell_walks(),
+    for (const auto& some : {light_and_color(), terminator(), normals_and_frames(), height_cells(), cell_walks(),
                              displacement_and_levels(), mesh_rays()})
         all.insert(all.end(), some.begin(), some.end());
     return all;
