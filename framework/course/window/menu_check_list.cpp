@@ -89,7 +89,7 @@ void draw_check_list(const Checks& checks, const std::string& chosen, MenuWish& 
     quiet_text(checks.pending() ? "Checking ..." : "Choose a check to see yours, the expected picture and the error.");
     if (!checks.to_build().empty())
         colored_text(amber, fmt::format("{} was saved. C++ needs a build: close the window and use ./relief run {}.",
-                                          checks.to_build(), checks.lab().two_digits()));
+                                        checks.to_build(), checks.lab().two_digits()));
     for (const TaskInfo& task : manifest.tasks) {
         ImGui::Dummy({0, 4});
         push_font(font(FontRole::bold));
