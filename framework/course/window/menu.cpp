@@ -32,6 +32,7 @@
 #include "framework/course/window/menu_history.h"
 #include "framework/course/window/menu_imgui.h"
 #include "framework/course/window/menu_layout.h"
+#include "framework/course/window/menu_motion.h"
 #include "framework/course/window/menu_panel.h"
 #include "framework/course/window/menu_pixel.h"
 #include "framework/course/window/menu_search.h"
@@ -136,7 +137,10 @@ public:
     }
 
 private:
-    bool moves() const { return !start_.is_open() && stage_.manifest().animated && !stage_.failed() && !paused_; }
+    bool moves() const {
+        return !start_.is_open() && !check_view_.is_open() && (stage_.manifest().animated || motion_.is_on()) &&
+               !stage_.failed() && !paused_;
+    }
 
     /// Returns whether to run a check now: between two frames, if nothing is being dragged and the panel is visible.
     bool checking() const {
@@ -187,6 +191,7 @@ private:
         drawn_ = HUGE_VAL;  // not drawn yet
         if (handout_.is_open()) handout_.open(entry);
         begin_ = glfwGetTime(), time_ = 0;
+        motion_.stop();
         message_.clear();
         set_title();
     }
@@ -230,9 +235,12 @@ private:
         const Box& picture = layout.picture;
         note(layout);
         mouse();
+        const double now = glfwGetTime();
+        if (moves()) motion_.advance(stage_, now - moved_);
+        moved_ = now;
         for (const std::filesystem::path& file : window_.take_files()) take(file);
         draw_header(layout.header, scale_, stage_, checks_, wish);
-        panel_.draw(layout.panel, stage_, checks_, check_view_.name(), error_map_.on(), wish);
+        panel_.draw(layout.panel, stage_, motion_, checks_, check_view_.name(), error_map_.on(), wish);
         status_.draw(layout.status, scale_, stage_, message_);
         handout_.draw(layout.handout, scale_,
                       handout_.is_open() && stage_.lab() ? describe_knobs(*stage_.lab()) : std::vector<KnobText>(),
@@ -300,7 +308,7 @@ private:
 
     /// Adds a step of undo for a setting that is complete, not for one in the middle of a drag.
     void remember() {
-        if (settled_ == stage_.edits() || is_dragged() || ImGui::IsAnyItemActive()) return;
+        if (settled_ == stage_.edits() || moves() || is_dragged() || ImGui::IsAnyItemActive()) return;
         settled_ = stage_.edits();
         history_.note(stage_.settings());
     }
@@ -485,6 +493,7 @@ private:
             return;
         }
         if (key == GLFW_KEY_ESCAPE && wipe_.on()) return wipe_.let_go();
+        if (key == GLFW_KEY_ESCAPE && motion_.is_on()) return motion_.stop();
         if (handout_.is_open() && press_in_handout(key)) return;
         switch (key) {
             case GLFW_KEY_PAGE_DOWN:
@@ -519,6 +528,10 @@ private:
                 break;
             case GLFW_KEY_C:
                 stage_.camera() = stage_.manifest().camera, stage_.changed();
+                break;
+            case GLFW_KEY_T:
+                motion_.toggle_camera();
+                if (paused_) pause();
                 break;
             case GLFW_KEY_H:
                 panel_hidden_ = !panel_hidden_;
@@ -605,6 +618,7 @@ private:
     ErrorBox error_box_;
     Search search_;
     StartPage start_;
+    Motion motion_;
     History history_;
     Wipe wipe_;
     bool help_ = false, is_told_ = false;  ///< help is open; the "drawing ..." note has been shown
@@ -615,7 +629,7 @@ private:
     PixelValues pixel_;
     PixelExplanation explanation_;
     double looked_ = 0, drawn_ = 0, opened_ = 0;
-    double begin_ = 0, time_ = 0;
+    double begin_ = 0, time_ = 0, moved_ = 0;
     bool paused_ = false, panel_hidden_ = false;
     int turns_ = 3;
     int64_t shown_ = 0, told_ = 0;  ///< frames of the menu so far; at the last --verbose message

@@ -11,13 +11,12 @@ namespace {
 struct Line {
     const char *keys, *does;
 };
-constexpr Line camera[] = {{"drag", "turn the camera"},
-                           {"right drag", "move it sideways"},
-                           {"wheel", "nearer, farther"},
-                           {"C", "reset the camera"},
-                           {"space", "pause an animation"}};
+constexpr Line camera[] = {{"drag", "turn the camera"},       {"right drag", "move it sideways"},
+                           {"wheel", "nearer, farther"},      {"C", "reset the camera"},
+                           {"T", "let it turn; again: stop"}, {"space", "pause what moves"}};
 constexpr Line settings[] = {{"Ctrl+Z, Ctrl+Y", "undo, redo"},
                              {"Ctrl+click", "type a slider's number"},
+                             {"right click", "let a slider run over its range; again: stop"},
                              {"A", "compare with this setting; again: stop comparing"},
                              {"X", "swap A and the present setting"},
                              {"R", "reset the lab: knobs, camera, probe"}};

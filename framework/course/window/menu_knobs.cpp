@@ -9,6 +9,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/lab/knob_help.h"
 #include "framework/core/lab/lab.h"
+#include "framework/course/window/menu_motion.h"
 #include "framework/course/window/menu_stage.h"
 #include "framework/course/window/menu_style.h"
 
@@ -40,8 +41,8 @@ private:
 /// Draws a knob's name, its widget, and an arrow that resets it if it differs from its default.
 class DrawKnobs final : public Knobs {
 public:
-    DrawKnobs(Stage& stage, std::string& seek)
-        : knobs_(describe_knobs(*stage.lab())), defaults_(stage.defaults()), seek_(seek) {
+    DrawKnobs(Stage& stage, Motion& motion, std::string& seek)
+        : knobs_(describe_knobs(*stage.lab())), defaults_(stage.defaults()), motion_(motion), seek_(seek) {
         if (!seek_.empty()) {
             FindGroup find(seek_);
             stage.lab()->knobs(find);
@@ -66,7 +67,10 @@ public:
         const int digits = std::max(3, int(std::ceil(std::log10(std::max(1.0, largest) + 1))));
         const std::string format = fmt::format("%.{}g{}", digits, unit_after_number(read_help(help).unit));
         row(name, help, [&] {
-            return ImGui::SliderFloat(id(name), &value, low, high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+            const bool is_moved =
+                ImGui::SliderFloat(id(name), &value, low, high, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+            if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) motion_.toggle_slider(name);
+            return is_moved;
         });
     }
     void steps(const char* name, int& value, int low, int high, const char* help) override {
@@ -92,7 +96,7 @@ private:
         mark(name, at);
         ImGui::BeginDisabled(ignored);
         ImGui::AlignTextToFramePadding();
-        ImGui::PushStyleColor(ImGuiCol_Text, quiet);
+        ImGui::PushStyleColor(ImGuiCol_Text, motion_.slider() == name ? accent : quiet);
         ImGui::TextUnformatted(name);
         ImGui::PopStyleColor();
         tooltip(note);
@@ -109,6 +113,7 @@ private:
         std::string note = read_help(help).sentence;
         for (const KnobText& knob : knobs_)
             if (knob.name == name) note += fmt::format("\n{}; {} at first.", knob.range, default_of(name));
+        if (motion_.slider() == name) note += "\nIt runs. A right click stops it.";
         if (ignored) note += "\nIt changes nothing as the knobs are now.";
         return note;
     }
@@ -152,6 +157,7 @@ private:
 
     std::vector<KnobText> knobs_;
     const std::vector<KnobText>& defaults_;
+    Motion& motion_;
     std::string& seek_;
     std::string open_, id_;
     float label_width_ = 0, widget_end_ = 0;
@@ -160,8 +166,8 @@ private:
 
 }  // namespace
 
-void draw_knobs(Stage& stage, std::string& seek) {
-    DrawKnobs draw(stage, seek);
+void draw_knobs(Stage& stage, Motion& motion, std::string& seek) {
+    DrawKnobs draw(stage, motion, seek);
     stage.lab()->knobs(draw);
     if (!draw.to_reset.empty()) stage.reset_knob(draw.to_reset);
     if (draw.changed) stage.changed();

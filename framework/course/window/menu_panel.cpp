@@ -35,8 +35,8 @@ bool Panel::begin_tab(const char* name) {
     return ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
 }
 
-void Panel::draw(const Box& box, Stage& stage, const Checks& checks, const std::string& check, bool error_map,
-                 MenuWish& wish) {
+void Panel::draw(const Box& box, Stage& stage, Motion& motion, const Checks& checks, const std::string& check,
+                 bool error_map, MenuWish& wish) {
     if (box.size.x == 0) return;
     begin_in(box, "panel", ImGui::GetStyle().WindowPadding, false);
     if (ImGui::BeginTabBar("tabs")) {
@@ -50,7 +50,7 @@ void Panel::draw(const Box& box, Stage& stage, const Checks& checks, const std::
         };
         scrolled("Knobs", [&] {
             if (!stage.lab()) return;
-            draw_knobs(stage, seek_);
+            draw_knobs(stage, motion, seek_);
             ImGui::Dummy({0, 6});
             draw_probes(stage, error_map, wish);
         });

@@ -9,13 +9,14 @@
 namespace relief::window {
 
 class Checks;
+class Motion;
 class Stage;
 
 class Panel {
 public:
     /// Draws the panel. Knobs and probe change the stage at once. `check` is the name of the check on screen, or empty.
-    void draw(const Box& box, Stage& stage, const Checks& checks, const std::string& check, bool error_map,
-              MenuWish& wish);
+    void draw(const Box& box, Stage& stage, Motion& motion, const Checks& checks, const std::string& check,
+              bool error_map, MenuWish& wish);
 
     void show_knobs() { wanted_ = "Knobs"; }
     void show_checks() { wanted_ = "Checks"; }

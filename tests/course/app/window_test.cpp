@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "framework/core/base/text.h"
+#include "framework/core/image/compare.h"
 #include "framework/core/image/file.h"
 #include "tests/course/app/course_with_new_lab.h"
 #include "tests/screen.h"
@@ -258,6 +259,37 @@ TEST_F(Window, SwitchingLabsAndBackRestoresThePictureAndLeaksNothing) {
     EXPECT_EQ(frames().back().bytes, first.bytes);
     EXPECT_EQ(frames().back().draws, first.draws);
     EXPECT_EQ(saved("01_specular_highlights-2.png").values, before.values);
+}
+
+TEST_F(Window, TheCameraTurnsUntilItIsStopped) {
+    open("20");
+    const Image before = saved_anew();
+    size_t still = frames().size();
+    press("t");
+    EXPECT_TRUE(eventually([&] { return frames().size() > still + 5; })) << window_->err();
+    press("t");
+    settle();
+    const Image after = saved_anew();
+    EXPECT_GT(difference(before, after, 8.0 / 255).pixels_over, before.pixel_count() / 50);
+    still = frames().size();
+    EXPECT_TRUE(eventually([&] { return count("asleep after ") > 0; })) << window_->err();
+    EXPECT_EQ(frames().size(), still);
+}
+
+TEST_F(Window, ASliderRunsAfterARightClickUntilEscape) {
+    open("20");
+    const size_t still = frames().size();
+    // The sliders stand one below the other; the exact places depend on the panel.
+    for (int y = 90; y < 300 && frames().size() < still + 5; y += 8) {
+        run({"xdotool", "mousemove", "270", std::to_string(y), "click", "3"}, where_);
+        std::this_thread::sleep_for(300ms);
+    }
+    EXPECT_TRUE(eventually([&] { return frames().size() > still + 5; })) << window_->err();
+    press("Escape");
+    settle();
+    const size_t stopped = frames().size();
+    rest_the_mouse();
+    EXPECT_EQ(frames().size(), stopped);
 }
 
 TEST_F(Window, DrawsNoFrameWhileNothingChanges) {
