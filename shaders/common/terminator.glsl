@@ -22,8 +22,9 @@ float visible_share(vec3 surface, vec3 mapped, vec3 other, float sine, vec3 way)
 // that completes it to a surface (y). Seen from straight above the base. By Schuessler, Heitz, Hanika and Dachsbacher
 // ("Microfacet-based normal mapping for robust Monte Carlo path tracing", 2017).
 vec2 schuessler_light(vec3 surface, vec3 mapped, vec3 to_light) {
-    float upright = dot(surface, mapped), above = dot(surface, to_light);
-    if (upright <= 0.0 || above <= 0.0) return vec2(0.0);
+    float upright = dot(mapped, surface);
+    float above = dot(to_light, surface);
+    if (min(upright, above) <= 0.0) return vec2(0.0);
     vec3 lean = mapped - upright * surface;
     float sine = length(lean);
     if (sine < 1e-6) return vec2(above, 0.0);

@@ -8,7 +8,7 @@
 namespace relief {
 namespace {
 
-constexpr std::array shape_names = {"wall", "ground", "sphere", "globe", "torus", "column", "box", "urn"};
+constexpr std::array displaced_shapes = {"wall", "ground", "sphere", "globe", "torus", "column", "box", "urn"};
 constexpr std::array corner_counts = {"3", "4"};
 constexpr std::array spacing_defines = {"SPACING equal_spacing", "SPACING fractional_odd_spacing",
                                         "SPACING fractional_even_spacing"};  // in the order of spacings
@@ -33,7 +33,7 @@ constexpr std::array<Lay, 9> lays = {{{DisplacedSurface::wall_metres, {2, 2}},
 
 void DisplacedSurface::knobs(Knobs& knobs) {
     knobs.group("Surface");
-    knobs.choice_or_file("surface", shape, own_, shape_names, "shape with the relief");
+    knobs.choice_or_file("surface", shape, own_, displaced_shapes, "shape with the relief");
     knobs.choice("corners", corners_choice, corner_counts, "corners of a patch");
     knobs.steps("patches", density, 1, most_density,
                 "patches along a side, before tessellation; the urn and a file have their own");

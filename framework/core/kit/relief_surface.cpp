@@ -9,7 +9,7 @@
 namespace relief {
 namespace {
 
-constexpr std::array shape_names = {"wall", "column", "urn"};
+constexpr std::array base_shapes = {"wall", "column", "urn"};
 
 constexpr ColumnShape column_shape{.bottom_radius = ReliefSurface::column_radius,
                                    .top_radius = ReliefSurface::column_radius,
@@ -45,7 +45,7 @@ Mesh read_urn() {
 
 void ReliefSurface::knobs(Knobs& knobs) {
     knobs.group("Surface");
-    knobs.choice("surface", shape, shape_names, "shape with the relief");
+    knobs.choice("surface", shape, base_shapes, "shape with the relief");
     material.knobs(knobs);
     knobs.slider("depth", depth, 0, 1, "depth of the relief, in widths of a tile");
     knobs.steps("repeat", repeat, 1, 8, "repeats of the tile: per metre of wall, per third of the column");

@@ -341,7 +341,9 @@ private:
 
     void act(const MenuWish& wish) {
         if (wish.labs) show_labs();
-        if (wish.lab) open(*wish.lab);
+        if (wish.lab && !(start_.is_open() && wish.lab == &stage_.entry())) open(*wish.lab);
+        // A lab that is open keeps its settings.
+        if (start_.is_open() && (wish.lab || wish.check || !wish.probe.empty() || !wish.knob.empty())) hide_labs();
         if (wish.step) step(wish.step);
         if (wish.handout) toggle_handout();
         if (wish.error_map) error_map_.toggle();
@@ -473,8 +475,9 @@ private:
                                                         {GLFW_KEY_UP, {0, -1}},      {GLFW_KEY_DOWN, {0, 1}},
                                                         {GLFW_KEY_PAGE_UP, {0, -3}}, {GLFW_KEY_PAGE_DOWN, {0, 3}}};
         if (const auto found = steps.find(key); found != steps.end()) start_.move(found->second.x, found->second.y);
-        if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) open(start_.marked());
-        if (key == GLFW_KEY_ESCAPE || key == GLFW_KEY_HOME) hide_labs();
+        const bool is_chosen = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
+        if (is_chosen && &start_.marked() != &stage_.entry()) return open(start_.marked());
+        if (is_chosen || key == GLFW_KEY_ESCAPE || key == GLFW_KEY_HOME) hide_labs();
     }
 
     void press(int key, MenuWish& wish) {
