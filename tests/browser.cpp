@@ -23,7 +23,8 @@ using nlohmann::json;
 constexpr int patience_ms = 120'000;
 
 void set_up_and_become_chromium(int reads, int writes, const std::string& profile, const std::string& display) {
-    setenv("GALLIVM_PERF", "nopt", 1);  // its pages draw few pictures: see optimize_shaders()
+    // Its pages draw few pictures: see optimize_shaders().
+    setenv("GALLIVM_PERF", "nopt", 1);
     setpgid(0, 0);  // so that all its processes can be killed together
     const int null = open("/dev/null", O_RDWR);
     for (const int descriptor : {0, 1, 2}) dup2(null, descriptor);
