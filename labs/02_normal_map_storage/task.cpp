@@ -15,7 +15,7 @@ namespace relief::storage {
 // `second`:
 //     index   0  2  3  4  5  6  7  1
 // Store the index of the nearest of these 8 values. (The decoder uses this order only where first > second. If both
-// ends are the same number, the indices 6 and 7 mean the limits of the format. Store 0 for all texels then.)
+// ends are the same number, the indices 6 and 7 mean the limits of the format: store none of them then.)
 //(channel
 ChannelBlock encode_channel(const std::array<double, 16>& values) {
     //[solution

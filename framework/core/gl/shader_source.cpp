@@ -154,9 +154,10 @@ class Loader {
 public:
     explicit Loader(const std::vector<std::string>& defines) : defines_(defines) {}
 
-    void append(const fs::path& path, bool is_stage) {
+    void append(const fs::path& path, bool is_stage) { append(read_file(path, size_t{1} << 24), path, is_stage); }
+
+    void append(const std::string& text, const fs::path& path, bool is_stage) {
         taken_.push_back(path);
-        const std::string text = read_file(path, size_t{1} << 24);
         if (is_stage && text.empty()) throw Error({path, 1}, must_begin);
         collect_names(text, source_.names);
 
@@ -200,6 +201,14 @@ private:
 ShaderSource load_shader(const fs::path& stage, const std::vector<std::string>& defines) {
     Loader loader(defines);
     loader.append(stage, true);
+    ShaderSource source = loader.take();
+    source.stage = stage;
+    return source;
+}
+
+ShaderSource load_shader_text(const std::string& text, const fs::path& stage, const std::vector<std::string>& defines) {
+    Loader loader(defines);
+    loader.append(text, stage, true);
     ShaderSource source = loader.take();
     source.stage = stage;
     return source;

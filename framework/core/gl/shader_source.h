@@ -23,6 +23,9 @@ struct ShaderSource {
 /// VALUE") are inserted after the `#version` line, which must be the first line of the stage. Throws Error with file
 /// and line.
 ShaderSource load_shader(const std::filesystem::path& stage, const std::vector<std::string>& defines);
+/// Returns the same for a stage whose text is in memory. `stage` is the file that it would be in.
+ShaderSource load_shader_text(const std::string& text, const std::filesystem::path& stage,
+                              const std::vector<std::string>& defines);
 
 /// Returns the names in a text's own #include lines, as written. Skips malformed lines.
 std::set<std::string> included_by(const std::string& text);

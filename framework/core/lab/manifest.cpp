@@ -110,6 +110,7 @@ ProbeInfo read_probe(Table& table) {
     table.read("signed", probe.is_signed);
     if (auto knobs = table.table("without")) probe.without = knobs->all_as_text();
     table.finish();
+    if (probe.name == calls_probe) table.fail("name", fmt::format("'{}' is the probe of examples", calls_probe));
     if (!is_identifier(probe.name))
         table.fail("name", fmt::format("'{}' becomes PROBE_<name> in the shader: use a-z, 0-9 and _", probe.name));
     return probe;
@@ -212,6 +213,39 @@ MistakeInfo read_mistake(Table& table, const Manifest& manifest) {
     return mistake;
 }
 
+ExampleInfo read_example(Table& table, const Manifest& manifest) {
+    ExampleInfo example;
+    example.task = table.text("task");
+    example.asks = table.text("asks");
+    table.read("calls", example.calls);
+    table.read("within", example.within, 0, any);
+    example.edits = read_edits(table, "an example", manifest, example.task);
+    table.finish();
+    if (example.calls.empty()) table.fail("asks", "an example has 'calls' = [\"function(arguments)\"]");
+    return example;
+}
+
+/// Adds a check for each task that has examples.
+void add_example_checks(Manifest& manifest) {
+    for (const TaskInfo& task : manifest.tasks) {
+        CheckInfo check;
+        check.task = task.id;
+        check.name = fmt::format("the words of task {}", task.id);
+        check.against = "solution";
+        check.shot.probe.name = calls_probe;
+        check.shot.calls.file = task.file;
+        check.shot.calls.includes = manifest.example_includes;
+        for (const ExampleInfo& example : manifest.examples)
+            if (example.task == task.id)
+                check.shot.calls.texts.insert(check.shot.calls.texts.end(), example.calls.begin(), example.calls.end());
+        if (!check.shot.calls) continue;
+        check.shot.size = {int(check.shot.calls.texts.size()), 1};
+        check.look_at = "read the task's text once more, sentence by sentence";
+        check.hidden = true;
+        manifest.checks.push_back(std::move(check));
+    }
+}
+
 /// Reads knobs that vary: two numbers are a range, texts are choices.
 std::vector<VaryInfo> read_vary(Table table) {
     std::vector<VaryInfo> all;
@@ -292,6 +326,8 @@ int Manifest::points() const {
 }
 
 const ProbeInfo& Manifest::probe(const std::string& wanted) const {
+    static const ProbeInfo calls{.name = calls_probe, .unit = ""};
+    if (wanted == calls_probe) return calls;
     return find_named(probes, &ProbeInfo::name, "probe", wanted);
 }
 const TaskInfo& Manifest::task(const std::string& wanted) const {
@@ -397,7 +433,7 @@ Manifest parse_manifest(const std::string& text, const fs::path& file) {
     if (!manifest.goldens.empty()) manifest.cover = manifest.goldens.front().name;
     root.read("cover", manifest.cover);
     if (!manifest.cover.empty()) require(root, "cover", [&] { manifest.golden(manifest.cover); });
-    for (const char* key : {"mistake", "equivalent", "vary"})
+    for (const char* key : {"mistake", "equivalent", "example", "vary"})
         if (root.has(key))
             root.fail(key, fmt::format("'{}' belongs in staff/grading.toml, which students do not get", key));
     root.finish();
@@ -409,6 +445,9 @@ void add_grading(Manifest& manifest, const std::string& text, const fs::path& fi
     Table root(file, parsed, "a lab's grading");
     read_checks(root, true, manifest);
     add_picture_checks(manifest);
+    root.read("example_includes", manifest.example_includes);
+    for (Table& table : root.tables("example")) manifest.examples.push_back(read_example(table, manifest));
+    add_example_checks(manifest);
     std::vector<Table> mistakes = root.tables("mistake");
     for (Table& table : mistakes) {
         MistakeInfo mistake = read_mistake(table, manifest);

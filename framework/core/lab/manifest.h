@@ -78,6 +78,16 @@ struct MistakeInfo {
     std::string same_as;  ///< another mistake that no check can distinguish from this one, or empty
 };
 
+/// Something that the text of a task asks for, with calls of the task's functions that tell whether it is so. All
+/// examples of a task form one hidden check, whose expected values are the solution's.
+struct ExampleInfo {
+    std::string task;
+    std::string asks;                ///< words of the task's text
+    std::vector<std::string> calls;  ///< expressions; each results in a number, a bool or a vector of up to 4 numbers
+    double within = 1e-4;            ///< limit of the error of a component, relative to the larger of it and 1
+    std::vector<Edit> edits;         ///< of the solution, so that at least one of the calls returns something else
+};
+
 /// A knob that differs in hidden views: in a range, or among several values.
 struct VaryInfo {
     std::string knob;
@@ -120,6 +130,8 @@ struct Manifest {
     std::vector<TaskInfo> tasks;
     std::vector<CheckInfo> checks;
     std::vector<MistakeInfo> mistakes;
+    std::vector<ExampleInfo> examples;
+    std::vector<std::string> example_includes;  ///< see Calls::includes
     std::vector<VaryInfo> vary;
     std::vector<EquivalentInfo> equivalents;
     std::optional<CompareInfo> compare;
@@ -143,8 +155,11 @@ struct Manifest {
 Manifest load_manifest(const std::filesystem::path& file);
 /// Parses the text of a lab.toml alone. `file` appears in messages only.
 Manifest parse_manifest(const std::string& text, const std::filesystem::path& file);
-/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, and knobs that vary. Then each task
-/// whose checks all read a probe gets a hidden check more: the picture of its first check must be the solution's.
+/// The name of the probe of ExampleInfo::calls. No lab has a probe with this name.
+inline constexpr const char* calls_probe = "calls";
+
+/// Adds the text of a staff/grading.toml: hidden checks, mistakes, equivalents, examples, and knobs that vary. Each
+/// task whose checks all read a probe gets a hidden check more: the picture of its first check must be the solution's.
 /// Otherwise a submission could be right in the probe, and wrong in the picture that a person sees.
 void add_grading(Manifest& manifest, const std::string& text, const std::filesystem::path& file);
 Manifest load_manifest(const LabEntry& lab);

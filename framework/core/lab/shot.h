@@ -10,12 +10,22 @@
 
 namespace relief {
 
+/// Calls of a task's functions in place of a view. The picture has one pixel a call: its value.
+struct Calls {
+    std::string file = {};                   ///< the task's file, relative to the course's top folder
+    std::vector<std::string> texts = {};     ///< expressions in the file's language
+    std::vector<std::string> includes = {};  ///< files below `shaders` that the task's shader needs before it
+
+    explicit operator bool() const { return !texts.empty(); }
+};
+
 struct Shot {
     glm::ivec2 size{1280, 720};
     double time = 0;
     Orbit camera;
     Probe probe;
     std::vector<std::pair<std::string, std::string>> set;  ///< knobs and their values, in order
+    Calls calls = {};                                      ///< see check::make_drawer()
 };
 
 /// Returns a camera in the format of `--camera`, to four digits, which suffice for a picture.

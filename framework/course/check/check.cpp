@@ -14,6 +14,7 @@
 #include "framework/core/base/text.h"
 #include "framework/core/gl/missing_tasks.h"
 #include "framework/core/image/file.h"
+#include "framework/course/check/calls.h"
 #include "framework/course/check/fingerprints.h"
 #include "framework/course/check/reach.h"
 #include "framework/course/check/relation.h"
@@ -144,7 +145,7 @@ Judgement compare_pictures(const Image& drawn, const Image& expected) {
 
 Image draw(const LabEntry& lab, const Shot& shot) {
     const TellMissingTasks untold(false);  // the check does not need the missing task
-    return render_shot(*make_lab(lab, shot), shot);
+    return render_shot(*make_drawer(lab, shot), shot);
 }
 
 bool has_failed(Outcome outcome) {
@@ -370,7 +371,7 @@ std::optional<Image> base_of(const LabEntry& lab, const Manifest& manifest, cons
 
 std::optional<Relation> relation_of(const Manifest& manifest, const CheckInfo& check, const Image& drawn,
                                     const Image& expected, const std::function<std::optional<Image>()>& base) {
-    if (!drawn.same_shape(expected)) return {};
+    if (!drawn.same_shape(expected) || check.shot.calls) return {};
     if (!check.shot.probe) return relation_between(drawn, expected, {});
     const ProbeInfo& probe = manifest.probe(check.shot.probe.name);
     if (const auto& least = check.limits.at_least)
@@ -386,7 +387,39 @@ std::optional<Relation> relation_of(const Manifest& manifest, const CheckInfo& c
     return relation_between(drawn, expected, quantity);
 }
 
+namespace {
+
+/// Judges the values of a task's calls. `look_at` quotes the words of the task that do not hold.
+Judgement compare_calls(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected) {
+    Judgement said{.outcome = Outcome::passed};
+    size_t call = 0, wrong = 0;
+    for (const ExampleInfo& example : manifest.examples) {
+        if (example.task != check.task) continue;
+        bool holds = true;
+        for (size_t i = 0; i < example.calls.size(); ++i, ++call) {
+            double used = 0;
+            for (int channel = 0; channel < 4; ++channel) {
+                const double value = drawn.values[4 * call + size_t(channel)],
+                             right = expected.values[4 * call + size_t(channel)];
+                const double error = std::abs(value - right) / (example.within * std::max(1.0, std::abs(right)));
+                used = std::max(used, std::isfinite(error) ? error : 1e30);
+            }
+            said.used = std::max(said.used, used);
+            wrong += used > 1;
+            holds &= used <= 1;
+        }
+        if (!holds)
+            said.look_at += fmt::format("{}\"{}\"", said.look_at.empty() ? "the task says: " : "; ", example.asks);
+    }
+    said.found = fmt::format("{} of {} calls return something else", wrong, call);
+    if (wrong > 0) said.outcome = Outcome::wrong;
+    return said;
+}
+
+}  // namespace
+
 Judgement judge(const Manifest& manifest, const CheckInfo& check, const Image& drawn, const Image& expected) {
+    if (check.shot.calls && drawn.same_shape(expected)) return compare_calls(manifest, check, drawn, expected);
     try {
         refuse_unusable(drawn, check.shot);
     } catch (const Error& error) {
@@ -431,7 +464,7 @@ CheckRun try_check(const LabEntry& lab, const Manifest& manifest, const CheckInf
         } else {
             run.was_tried = true;
             const TellMissingTasks untold(false);
-            run.drawn = draw_shot(*make_lab(lab, check.shot), check.shot);
+            run.drawn = draw_shot(*make_drawer(lab, check.shot), check.shot);
             refuse_unusable(run.drawn, check.shot);
             result.drawn = run.drawn;
             if (!expected) result.expected = draw(lab, manifest.check(check.against).shot);

@@ -15,6 +15,7 @@
 #include "framework/core/base/process.h"
 #include "framework/core/base/system.h"
 #include "framework/core/lab/registry.h"
+#include "framework/course/check/calls.h"
 
 namespace relief::check {
 namespace {
@@ -47,7 +48,10 @@ json as_json(const Shot& shot) {
              {camera.yaw, camera.pitch, camera.distance, camera.target.x, camera.target.y, camera.target.z,
               camera.field_of_view}},
             {"probe", shot.probe.name},
-            {"set", shot.set}};
+            {"set", shot.set},
+            {"calls_file", shot.calls.file},
+            {"calls", shot.calls.texts},
+            {"calls_include", shot.calls.includes}};
 }
 
 Shot shot_of(const json& from) {
@@ -58,6 +62,9 @@ Shot shot_of(const json& from) {
     shot.camera = {camera[0], camera[1], camera[2], {camera[3], camera[4], camera[5]}, camera[6]};
     shot.probe.name = from.at("probe");
     shot.set = from.at("set").get<decltype(shot.set)>();
+    shot.calls.file = from.at("calls_file");
+    shot.calls.texts = from.at("calls").get<std::vector<std::string>>();
+    shot.calls.includes = from.at("calls_include").get<std::vector<std::string>>();
     return shot;
 }
 
@@ -197,8 +204,8 @@ void draw_request(const char* course) {
     stream.send(Kind::ready, 0, {});
     for (size_t i = 0; i < shots.size(); ++i) {
         std::string pixels;
-        const std::string error =
-            error_of([&] { pixels = bytes_of(draw_shot(*make_lab(lab, shots[i]), shots[i]), bool(shots[i].probe)); });
+        const std::string error = error_of(
+            [&] { pixels = bytes_of(draw_shot(*make_drawer(lab, shots[i]), shots[i]), bool(shots[i].probe)); });
         if (error.empty())
             stream.send(Kind::image, i, pixels);
         else

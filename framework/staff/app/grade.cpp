@@ -86,10 +86,11 @@ int test_the_grader(grade::ClassOptions& options, int sample) {
         sum.equivalents += test.equivalents;
         sum.right += test.right;
         for (const std::string& wrong : test.wrong) sum.wrong.push_back("lab " + lab->two_digits() + ": " + wrong);
-        fmt::print("lab {}: {} of {} known mistakes caught, {}; {} of {} correct variants get all points; {:.1f} s\n",
-                   lab->two_digits(), test.caught, test.mistakes,
-                   sample > 0 ? "names not tested" : fmt::format("{} named", test.named), test.right, test.equivalents,
-                   test.seconds);
+        fmt::print(
+            "lab {}: {} of {} known mistakes caught, {}; {} of {} correct variants get all points; {:.1f} s\n",
+            lab->two_digits(), test.caught, test.mistakes,
+            sample > 0 ? "names not tested" : fmt::format("{} named, {} examples tried", test.named, test.examples),
+            test.right, test.equivalents, test.seconds);
         if (!options.setup.seed.empty())
             fmt::print("        hidden views of {} of {} checks\n", test.hidden_views, test.checks);
         std::fflush(stdout);

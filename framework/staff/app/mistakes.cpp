@@ -198,6 +198,19 @@ Drawn draw_all(const std::vector<const LabEntry*>& labs, int count, const fs::pa
     return drawn;
 }
 
+/// Returns the demands of a task's text, with the calls that test them; nothing if there are none.
+pages::Value demands_of(const Manifest& manifest, const std::string& task) {
+    pages::List examples;
+    for (const ExampleInfo& example : manifest.examples) {
+        if (example.task != task) continue;
+        pages::List calls;
+        for (const std::string& call : example.calls) calls.push_back(pages::Fields{{"call", call}});
+        examples.push_back(pages::Fields{{"asks", example.asks}, {"calls", std::move(calls)}});
+    }
+    if (examples.empty()) return {};
+    return pages::Fields{{"count", examples.size()}, {"examples", std::move(examples)}};
+}
+
 std::string page_of(const std::vector<const LabEntry*>& labs, int count, const Drawn& drawn) {
     pages::List all;
     for (const LabEntry* lab : labs) {
@@ -211,7 +224,10 @@ std::string page_of(const std::vector<const LabEntry*>& labs, int count, const D
                         pages::Fields{{"id", mistake.id},
                                       {"place", lab->two_digits() + "-" + mistake.id},
                                       {"article", drawn.articles.at(lab->two_digits() + " " + mistake.id)}});
-            tasks.push_back(pages::Fields{{"id", task.id}, {"title", task.title}, {"mistakes", std::move(mistakes)}});
+            tasks.push_back(pages::Fields{{"id", task.id},
+                                          {"title", task.title},
+                                          {"demands", demands_of(manifest, task.id)},
+                                          {"mistakes", std::move(mistakes)}});
         }
         all.push_back(pages::Fields{{"number", lab->two_digits()},
                                     {"title", manifest.title},

@@ -151,7 +151,7 @@ void LabGrader::mark_tasks_alone(const Submission& submission, std::vector<Verdi
 
 void LabGrader::keep_pictures(const Comparison& shown, bool is_hidden, std::vector<CheckPictures>& kept) const {
     const std::optional<Image>&drawn = shown.drawn.image, &expected = shown.expected();
-    if (!drawn || !expected || !drawn->same_shape(*expected)) return;
+    if (!drawn || !expected || !drawn->same_shape(*expected) || shown.check.shot.calls) return;
     CheckInfo check = shown.check;
     check.shot = shown.view.shot;
     kept.push_back({lab().folder, &manifest(), std::move(check), is_hidden, *drawn, *expected});
@@ -203,6 +203,17 @@ void LabGrader::name_mistakes(LabMark& lab, const DrawnChecks& drawn, const std:
         task.mistake = named->id;
         task.hint = check::told(named->hint, failures.at(task.id));
     }
+}
+
+check::Judgement LabGrader::words_of(const std::string& task, const CourseFiles& edited) const {
+    const std::vector<CheckInfo>& checks = manifest().checks;
+    const auto check = std::find_if(checks.begin(), checks.end(),
+                                    [&](const CheckInfo& one) { return one.task == task && one.shot.calls; });
+    CourseFiles files = edited;
+    files.merge(solution_files(manifest()));  // keeps the edited files
+    std::vector<bool> wanted(checks.size());
+    wanted[size_t(check - checks.begin())] = true;
+    return judge_check(size_t(check - checks.begin()), views_.draw(files, wanted, WhichViews::own)).said;
 }
 
 LabMark LabGrader::mark(const Submission& submission, std::vector<CheckPictures>* kept, bool with_names) const {

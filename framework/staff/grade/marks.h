@@ -79,6 +79,10 @@ public:
     /// Returns the number of checks that have a hidden view.
     size_t hidden_views() const { return views_.hidden_count(); }
 
+    /// Judges the check of a task's examples with this course's files, except for those that are edited. Precondition:
+    /// the task has examples.
+    check::Judgement words_of(const std::string& task, const CourseFiles& edited) const;
+
     /// Grades a submission. Adds to `pictures` the pictures that failed checks compared; they point to this grader's
     /// manifest. `with_names`: whether to name known mistakes and relations to the expected picture.
     LabMark mark(const Submission& submission, std::vector<CheckPictures>* pictures = nullptr,

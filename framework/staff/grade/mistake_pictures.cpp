@@ -125,7 +125,7 @@ MistakePicture MistakePictures::best(const MistakeInfo& mistake) {
         return shots.size() - 1;
     };
     for (const CheckInfo& check : manifest_.checks) {
-        if (check.task != mistake.task) continue;
+        if (check.task != mistake.task || check.shot.calls) continue;
         Look look{&check, add(check.shot), 0, add(enlarged(check.shot, false)), 0};
         if (!right(check).expected) look.other = add(manifest_.check(check.against).shot);
         if (check.shot.probe) look.probe = add(enlarged(check.shot, true));

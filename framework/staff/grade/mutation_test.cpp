@@ -64,6 +64,7 @@ std::vector<Shot> views_of(const LabEntry& entry, const Manifest& manifest, cons
         shots.push_back(std::move(shot));
     };
     for (const CheckInfo& check : manifest.checks) {
+        if (check.shot.calls) continue;
         shots.push_back(check.shot);
         if (!check.shot.probe) continue;
         Shot lit = check.shot;

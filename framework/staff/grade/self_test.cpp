@@ -62,6 +62,9 @@ public:
         const std::vector<size_t> equivalents = sample_of(manifest.equivalents.size(), options_.sample);
         for (const size_t i : mistakes)
             steps.push_back({manifest.mistakes[i].id, [&, i] { mistake(manifest.mistakes[i]); }});
+        const std::vector<size_t> examples = sample_of(manifest.examples.size(), options_.sample);
+        for (const size_t i : examples)
+            steps.push_back({"words of task " + manifest.examples[i].task, [&, i] { example(manifest.examples[i]); }});
         for (const size_t i : equivalents)
             steps.push_back({manifest.equivalents[i].id, [&, i] { equivalent(manifest.equivalents[i]); }});
         result_.left_out =
@@ -145,6 +148,15 @@ private:
                 wrong(fmt::format("'{}' is named '{}': give it same_as, or a check that tells them apart", info.id,
                                   task.mistake));
         }
+    }
+
+    void example(const ExampleInfo& info) {
+        const check::Judgement said = grader_.words_of(info.task, edited(info.edits));
+        const std::lock_guard lock(mutex_);
+        ++result_.examples;
+        if (said.outcome == check::Outcome::wrong && said.look_at.find(info.asks) != std::string::npos) return;
+        wrong(fmt::format("task {} says \"{}\", and its example does not notice the edit ({}: {})", info.task,
+                          info.asks, name_of(said.outcome), said.found));
     }
 
     void equivalent(const EquivalentInfo& info) {

@@ -154,7 +154,7 @@ void Stage::add(const LabEntry& lab) {
     part.readable = {folder_.path() / "bin", folder_.path() / "assets", folder_.path() / "shaders"};
     for (const std::string& file : task_files(manifest))
         if (is_cpp(file)) part.sources[file] = check::starter_of(read_file(course_root() / file), file);
-    if (!part.sources.empty()) build_lab(lab, part);
+    if (!part.sources.empty()) build_lab(lab, manifest, part);
     labs_[lab.folder] = std::move(part);
 }
 
@@ -187,8 +187,44 @@ void Stage::must(const Words& command, const char* what) const {
         throw Error(fmt::format("cannot {}: {}", what, done.errors.substr(0, done.errors.find('\n'))));
 }
 
+namespace {
+
+/// Returns the main program of a lab with C++ tasks, with the calls of its examples. It is compiled once, so an example
+/// costs a submission no time.
+std::string main_of(const Manifest& manifest, const std::string& includes, const CourseFiles& sources) {
+    std::string text = includes;
+    std::string calls;
+    for (const ExampleInfo& example : manifest.examples) {
+        const auto source = sources.find(manifest.task(example.task).file);
+        if (source == sources.end()) continue;
+        // An unqualified name means a function of the task.
+        static const std::regex opening("\nnamespace ([a-z0-9_:]+) \\{");
+        std::smatch found;
+        const bool is_found = std::regex_search(source->second, found, opening);
+        for (const std::string& call : example.calls)
+            calls += fmt::format("    if (call == R\"call({0})call\") {{ {1} return as_pixel({0}); }}\n", call,
+                                 is_found ? "using namespace " + found[1].str() + ";" : "");
+    }
+    text +=
+        "#include \"framework/course/check/calls.h\"\n"
+        "namespace relief::check {\n"
+        "[[noreturn]] void draw_request(const char* course);\n"
+        "namespace {\n"
+        "std::optional<glm::dvec4> value([[maybe_unused]] const std::string& call) {\n" +
+        calls +
+        "    return {};\n"
+        "}\n"
+        "const decltype(value_of_call)::Provided provided(value_of_call, &value);\n"
+        "}\n"
+        "}\n"
+        "int main(int, char** words) { relief::check::draw_request(words[3]); }\n";
+    return text;
+}
+
+}  // namespace
+
 /// Prepares the headers, the lab's objects, and the library that students build. None of them contains an answer.
-void Stage::build_lab(const LabEntry& lab, LabPart& part) {
+void Stage::build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& part) {
     const fs::path here = folder_.path() / "students" / lab.folder, include = here / "include",
                    build = RELIEF_BUILD_FOLDER;
     for (const std::string& file : files_below("framework"))
@@ -202,16 +238,13 @@ void Stage::build_lab(const LabEntry& lab, LabPart& part) {
             put(include / file, check::starter_of(read_file(course_root() / file), file));
     // A lab's C++ may share a file of constants with its shaders.
     for (const auto& [file, text] : part.shaders) put(include / file, text);
-    put(include / "main.cpp",
-        "namespace relief::check { [[noreturn]] void draw_request(const char* course); }\n"
-        "int main(int, char** words) { relief::check::draw_request(words[3]); }\n");
-
     // Precompiles the headers that the tasks' starters include: they take nine tenths of a task's compile time.
     std::string includes;
     for (const auto& [name, text] : part.sources)
         for (const std::string& line : split(text, '\n'))
             if (line.starts_with("#include")) includes += line + '\n';
     put(include / precompiled, includes);
+    put(include / "main.cpp", main_of(manifest, includes, part.sources));
 
     std::vector<std::string> sources = {precompiled, "main.cpp"};
     for (const std::string& file : files_below("labs/" + lab.folder))

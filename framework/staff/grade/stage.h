@@ -82,7 +82,7 @@ private:
     void copy_programs();
     void copy_assets();
     std::filesystem::path textures() const { return folder_.path() / "bin/textures"; }
-    void build_lab(const LabEntry& lab, LabPart& part);
+    void build_lab(const LabEntry& lab, const Manifest& manifest, LabPart& part);
     std::vector<std::string> compiler(const LabEntry& lab) const;
     ProcessResult run_compiler(const LabEntry& lab, const StagedCourse& course, double cpu, double wall) const;
     void must(const std::vector<std::string>& command, const char* what) const;

@@ -42,7 +42,8 @@ Words shot_words(const std::string& program, const LabEntry& lab, const Shot& sh
 class PlainLoop {
 public:
     PlainLoop(const LabEntry& lab, int count) : lab_(lab), manifest_(load_manifest(lab)) {
-        for (const CheckInfo& check : manifest_.checks) shots_.push_back(check.shot);
+        for (const CheckInfo& check : manifest_.checks)
+            if (!check.shot.calls) shots_.push_back(check.shot);  // `relief shot` draws only views
         for (size_t i = 0; i < size_t(count); ++i) {
             const fs::path here = course(i);
             make_folder(here / "bin");

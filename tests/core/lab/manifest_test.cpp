@@ -246,6 +246,24 @@ lines''' }]
     EXPECT_EQ(manifest.equivalents[0].edits.at(0).replace, "two\nlines");
 }
 
+TEST(Manifest, TheExamplesOfATaskAreOneHiddenCheck) {
+    const std::string example =
+        "[[example]]\ntask = \"1.1\"\nasks = \"never NaN\"\ncalls = [\"f(0.0)\", \"f(1.0)\"]\n"
+        "edits = [{ find = \"a\", replace = \"b\" }]\n";
+    const Manifest manifest = load(with_task, example + example);
+    ASSERT_EQ(manifest.examples.size(), 2u);
+    ASSERT_EQ(manifest.checks.size(), 1u);
+    const CheckInfo& check = manifest.checks[0];
+    EXPECT_TRUE(check.hidden);
+    EXPECT_EQ(check.task, "1.1");
+    EXPECT_EQ(check.against, "solution");
+    EXPECT_EQ(check.shot.calls.file, "shaders/x/task.glsl");
+    EXPECT_EQ(check.shot.calls.texts, (std::vector<std::string>{"f(0.0)", "f(1.0)", "f(0.0)", "f(1.0)"}));
+    EXPECT_EQ(check.shot.size, glm::ivec2(4, 1)) << "one pixel a call";
+    EXPECT_EQ(manifest.probe(check.shot.probe.name).name, calls_probe);
+    EXPECT_TRUE(load(with_task).checks.empty()) << "students do not get it";
+}
+
 // Otherwise a submission could be right in the probe, and wrong in the picture.
 TEST(Manifest, ATaskWithProbesOnlyGetsAHiddenCheckOfItsPicture) {
     const std::string second = "[[task]]\nid = \"1.2\"\ntitle = \"T\"\nfile = \"shaders/x/task.glsl\"\n";
@@ -323,6 +341,9 @@ TEST(Manifest, AnInvalidCheckMistakeOrEquivalentIsReportedWithItsLine) {
         {"[[equivalent]]\nid = \"e\"\ntask = \"1.2\"\nwhy = \"w\"\n" + edits,
          "staff/grading.toml:3: unknown task '1.2'"},
         {equivalent + edits + equivalent + edits, "staff/grading.toml:7: two equivalents are named 'e'"},
+        {"[[example]]\ntask = \"1.1\"\nasks = \"a\"\n" + edits, "staff/grading.toml:3: an example has 'calls'"},
+        {"[[example]]\ntask = \"1.1\"\nasks = \"a\"\ncalls = [\"f()\"]\n",
+         "staff/grading.toml:1: an example has 'edits'"},
     };
     for (const auto& [text, message] : staffs_texts) {
         const std::string found = refusal(with_task, text);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 
 namespace relief::check {
@@ -30,6 +31,36 @@ std::vector<TaskIds> first(const std::vector<Judgement>& said, const std::set<st
 }
 std::vector<std::string> hints_of(const Manifest& manifest, const std::vector<Judgement>& said) {
     return hints(manifest, said, put_right_first(manifest, said));
+}
+
+/// Judges two examples of task 1.1, of which the second one has two calls, by the values of the three calls.
+Judgement judge_calls(std::vector<float> values) {
+    Manifest all = manifest();
+    all.examples = {{.task = "1.2", .asks = "of another task", .calls = {"f()"}, .edits = {}},
+                    {.task = "1.1", .asks = "of unit length", .calls = {"f(1)"}, .edits = {}},
+                    {.task = "1.1", .asks = "never NaN", .calls = {"f(0)", "f(2)"}, .edits = {}}};
+    CheckInfo info = check("1.1", {});
+    info.shot.probe.name = calls_probe, info.shot.calls.texts = {"f(1)", "f(0)", "f(2)"};
+    Image expected(3, 1, 4), drawn(3, 1, 4);
+    expected.values = {1, 0, 0, 0, 0, 0, 0, 0, 1e30f, 0, 0, 0};
+    drawn.values = std::move(values);
+    return judge(all, info, drawn, expected);
+}
+
+TEST(Examples, QuoteTheWordsThatDoNotHold) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(judge_calls({1.00005f, 0, 0, 0, 0, 0, 0, 0, 1e30f, 0, 0, 0}).outcome, Outcome::passed)
+        << "within 1e-4, relative where values are large";
+    const Judgement too_long = judge_calls({1.0002f, 0, 0, 0, 0, 0, 0, 0, 1e30f, 0, 0, 0});
+    EXPECT_EQ(too_long.outcome, Outcome::wrong);
+    EXPECT_EQ(too_long.look_at, "the task says: \"of unit length\"");
+    EXPECT_EQ(too_long.found, "1 of 3 calls return something else");
+    EXPECT_EQ(judge_calls({1, 0, 0, 0, nan, 0, 0, 0, 1e30f, 0, 0, 0}).look_at, "the task says: \"never NaN\"");
+    EXPECT_EQ(judge_calls({1, 0, 0, 0, no_surface, no_surface, no_surface, no_surface, 1e30f, 0, 0, 0}).outcome,
+              Outcome::wrong);
+    EXPECT_EQ(judge_calls({1, 0, 0, 9, 0, 0, 0, 0, 1, 0, 0, 0}).look_at,
+              "the task says: \"of unit length\"; \"never NaN\"")
+        << "all four components count";
 }
 
 TEST(MissingTasks, AreTheUnwrittenTasksThatTheCheckNeeds) {
