@@ -638,7 +638,7 @@ TEST_F(CourseTest, CheckSuggestsTheLabThatWasMeant) {
 TEST_F(CourseTest, NoHelpShowsHowItsOptionsAreWritten) {
     for (const char* command :
          {"list", "info", "run", "shot", "gallery", "check", "golden", "new-lab", "bench", "handout", "grade", "web",
-          "slides", "mistakes", "inspect", "synctest", "map", "explain"}) {
+          "slides", "mistakes", "inspect", "synctest", "map", "explain", "questions"}) {
         const Result result = course().relief({command, "--help"});
         EXPECT_EQ(result.code, 0) << result.err;
         EXPECT_FALSE(contains(result.out, "{") || contains(result.out, "!-")) << result.out;
