@@ -72,6 +72,15 @@ std::set<std::string> words_of(const std::string& text) {
     return words;
 }
 
+/// Returns the names before an opening parenthesis: a variable may have the name of a function.
+std::set<std::string> called_in(const std::string& text) {
+    std::set<std::string> called;
+    const std::vector<GlslToken> tokens = glsl_tokens(text);
+    for (size_t i = 0; i + 1 < tokens.size(); ++i)
+        if (tokens[i].kind == GlslToken::word && tokens[i + 1].text == "(") called.insert(tokens[i].text);
+    return called;
+}
+
 /// Returns the function and those that it calls, also indirectly, in the order of the text.
 std::string with_callees(const std::string& fragment, const std::vector<GlslFunction>& all, size_t first) {
     std::vector<bool> taken(all.size());
@@ -81,10 +90,10 @@ std::string with_callees(const std::string& fragment, const std::vector<GlslFunc
         return fragment.substr(all[i].begin, all[i].end - all[i].begin) + "\n";
     };
     while (!waiting.empty()) {
-        const std::set<std::string> words = words_of(text_of_function(waiting.back()));
+        const std::set<std::string> called = called_in(text_of_function(waiting.back()));
         waiting.pop_back();
         for (size_t i = 0; i < all.size(); ++i)
-            if (!taken[i] && words.contains(all[i].name)) taken[i] = true, waiting.push_back(i);
+            if (!taken[i] && called.contains(all[i].name)) taken[i] = true, waiting.push_back(i);
     }
     std::string text;
     for (size_t i = 0; i < all.size(); ++i)

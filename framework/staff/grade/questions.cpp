@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <random>
 #include <set>
@@ -15,16 +16,17 @@
 #include "framework/core/image/visualize.h"
 #include "framework/course/check/lone_function.h"
 #include "framework/course/check/starter.h"
+#include "framework/staff/grade/variation.h"
 
 namespace relief::grade {
 namespace {
 
 /// A difference that a person sees, in a channel.
 constexpr double seen_change = 8.0 / 255 + 1e-6;
-constexpr size_t pixels_of_a_check = 8, checks_noted = 8, mutants_drawn = 12;
-constexpr int digits_of_answers = 3;
-/// How far an answer may be off, as a share of its largest number: twice what rounded arguments may cause.
-constexpr double share_of_margin = 0.02, share_of_rounding = 0.01;
+constexpr size_t pixels_of_a_check = 8, checks_noted = 8, mutants_drawn = 12, views_of_a_task = 3;
+constexpr int digits_of_answers = 4;
+/// How far an answer may be off, and how far rounded arguments may move a result, as shares of its largest number.
+constexpr double share_of_margin = 0.005, share_of_rounding = 0.0025;
 constexpr glm::ivec2 sheet_size{240, 180};
 
 std::mt19937 dice_of(const std::string& seed) {
@@ -50,9 +52,9 @@ check::ValueShape shape_of_result(size_t count) {
     return {.name = {}, .kind = check::ValueShape::group, .parts = std::vector<check::ValueShape>(count)};
 }
 
-std::string answer_of(const check::LoneCall& call) {
+check::ShownValue answer_of(const check::LoneCall& call) {
     const float* at = call.results.data();
-    return check::shown_value(shape_of_result(call.results.size()), at, digits_of_answers).text;
+    return check::shown_value(shape_of_result(call.results.size()), at, digits_of_answers);
 }
 
 std::string numbers_at(const Image& image, glm::ivec2 pixel) {
@@ -113,16 +115,16 @@ std::vector<glm::ivec2> telling_pixels(const Image& drawn, const Image* expected
 
 bool is_telling(const check::LoneCall& call) {
     const double size = size_of(call.results);
-    if (!std::isfinite(size) || size == 0 || answer_of(call).empty()) return false;
+    if (!std::isfinite(size) || size == 0 || answer_of(call).text.empty()) return false;
     const auto is_near = [&](float a, float b, double share) {
         return std::abs(double(a) - double(b)) <= share * size;
     };
     for (size_t i = 0; i < call.results.size(); ++i)
         if (!is_near(call.results[i], call.again[i], share_of_rounding)) return false;
-    const auto is_plain = [](float v) { return std::abs(v) < 1e-4F || std::abs(std::abs(v) - 1) < 1e-4F; };
-    if (std::all_of(call.results.begin(), call.results.end(), is_plain)) return false;
+    const std::vector<float> shown = answer_of(call).numbers;
+    if (std::all_of(shown.begin(), shown.end(), [](float v) { return v == 0 || std::abs(v) == 1; })) return false;
     const auto copied = std::search(call.inputs.begin(), call.inputs.end(), call.results.begin(), call.results.end(),
-                                    [&](float a, float b) { return is_near(a, b, 1e-3); });
+                                    [&](float a, float b) { return is_near(a, b, 2 * share_of_margin); });
     return copied == call.inputs.end();
 }
 
@@ -234,18 +236,22 @@ private:
     struct Noted {
         size_t check;
         check::Judgement said;
-        bool lost = false;  ///< its pixels are wrong
+        bool lost = false;  ///< it fails through its own task, and its pixels are wrong
         check::NotedShot shot = {};
     };
 
     /// Returns the checks to ask about: those that fail come first, the others are in a seeded order.
     std::vector<Noted> noted_checks() const {
         std::vector<Noted> noted;
-        for (const size_t i : usable_) noted.push_back({i, maker_.views_.judge(maker_.views_.own(i, drawn_))});
+        std::vector<check::Judgement> said(manifest_.checks.size(), {check::Outcome::passed});
+        for (const size_t i : usable_) said[i] = maker_.views_.judge(maker_.views_.own(i, drawn_));
+        // A check that waits for another task costs no mark of its own.
+        const std::vector<check::TaskIds> first = check::put_right_first(manifest_, said);
+        for (const size_t i : usable_)
+            noted.push_back({i, said[i], said[i].outcome == check::Outcome::wrong && first[i].empty()});
         std::mt19937 dice = dice_of(seed_ + "|checks");
         shuffle(noted, dice);
-        std::stable_partition(noted.begin(), noted.end(),
-                              [](const Noted& one) { return one.said.outcome == check::Outcome::wrong; });
+        std::stable_partition(noted.begin(), noted.end(), [](const Noted& one) { return one.lost; });
         noted.resize(std::min(noted.size(), std::max(checks_noted, count_)));
         for (Noted& one : noted) {
             const CheckInfo& check = manifest_.checks[one.check];
@@ -253,7 +259,7 @@ private:
             const Image& drawn = *shown.drawn.image;
             const std::string seed = seed_ + "|" + check.name;
             one.shot.shot = check.shot;
-            if (one.said.outcome == check::Outcome::wrong && shown.expected() && drawn.same_shape(*shown.expected()))
+            if (one.lost && shown.expected() && drawn.same_shape(*shown.expected()))
                 one.shot.pixels =
                     telling_pixels(drawn, &*shown.expected(), probe_of(check.shot), pixels_of_a_check, seed);
             one.lost = !one.shot.pixels.empty();
@@ -301,12 +307,14 @@ private:
         question.call = call;
         question.call.name = printable(call.name);
         for (std::string& argument : question.call.arguments) argument = printable(argument);
-        question.answer = answer_of(call);
+        question.answer = answer_of(call).text;
         question.margin = share_of_margin * size_of(call.results);
         question.mark_is_lost = noted.lost;
         if (noted.lost) {
             question.drawn_here = numbers_at(*shown.drawn.image, pixel);
             question.expected_here = numbers_at(*shown.expected(), pixel);
+            if (const ProbeInfo* const probe = probe_of(check.shot); probe && probe->error != ErrorMetric::angle)
+                question.unit = plural(probe->unit);
             question.found = noted.said.found;
             question.look_at = check::hint_of(check, noted.said);
         }
@@ -323,13 +331,16 @@ private:
         return question;
     }
 
-    /// The changed lines of one task, and their pictures of one view.
+    /// The changed lines of one task.
     struct Changed {
         const TaskInfo* task;
-        const CheckInfo* check;
-        Shot shot;
         std::vector<Mutant> mutants;
-        std::vector<Image> pictures;  ///< the student's own first; empty where a mutant draws nothing
+        std::vector<const CheckInfo*> views;  ///< of the task's checks, without probes
+        std::vector<Shot> shots;              ///< by view
+        /// By view: the student's own picture, then the mutants'. Empty where nothing is drawn.
+        std::vector<std::vector<Image>> pictures = {};
+        size_t view = 0;                    ///< the one with the most pictures that differ
+        std::vector<size_t> distinct = {};  ///< the pictures that differ in this view
     };
 
     void ask_for_changes() {
@@ -340,51 +351,66 @@ private:
         shuffle(tasks, dice);
         tasks.resize(std::min(tasks.size(), count_));
         draw_changes(tasks);
-        // Each task has at most one question of each kind, and their changes differ.
+        // Each task has at most one question of each kind, and their changes differ if there are enough.
         for (const Changed& one : tasks) {
-            const std::vector<size_t> distinct = distinct_pictures(one.pictures, 8);
+            const std::vector<size_t>& distinct = one.distinct;
             if (distinct.size() >= 4) add_picture(one, {distinct.begin(), distinct.begin() + 4});
             if (distinct.size() >= 5) add_line(one, {distinct.end() - 4, distinct.end()});
         }
     }
 
-    /// Returns a seeded sample of a task's mutants, with the view of its first check that draws something.
+    /// Returns a seeded sample of a task's mutants, and the views of its checks that draw something.
     std::optional<Changed> changes_of(const TaskInfo& task) const {
-        const auto check =
-            std::find_if(usable_.begin(), usable_.end(), [&](size_t i) { return manifest_.checks[i].task == task.id; });
-        if (check == usable_.end()) return {};
-        Changed changed{.task = &task, .check = &manifest_.checks[*check], .shot = {}, .mutants = {}, .pictures = {}};
-        changed.shot = changed.check->shot;
-        changed.shot.probe = {};
-        changed.shot.size = glm::min(changed.shot.size, sheet_size);
+        Changed changed{.task = &task, .mutants = {}, .views = {}, .shots = {}};
+        std::set<std::string> known;
+        for (const size_t i : usable_) {
+            const CheckInfo& check = manifest_.checks[i];
+            Shot shot = check.shot;
+            shot.probe = {};
+            shot.size = glm::min(shot.size, sheet_size);
+            if (check.task != task.id || changed.shots.size() == views_of_a_task ||
+                !known.insert(view_text(shot)).second)
+                continue;
+            changed.views.push_back(&check);
+            changed.shots.push_back(shot);
+        }
+        if (changed.shots.empty()) return {};
         const std::string& text = files_.at(task.file);
         std::vector<Mutant> all = line_mutants_of(text);
         std::erase_if(all, [&](const Mutant& one) { return check::task_at_line(text, size_t(one.line)) != task.id; });
         std::mt19937 dice = dice_of(seed_ + "|" + task.id);
         shuffle(all, dice);
-        std::set<int> lines;  // first one mutant of each line
-        std::stable_partition(all.begin(), all.end(), [&](const Mutant& one) { return lines.insert(one.line).second; });
-        all.resize(std::min(all.size(), mutants_drawn));
-        changed.mutants = std::move(all);
-        changed.pictures.resize(changed.mutants.size() + 1);
+        std::set<int> lines;
+        std::vector<Mutant> others;
+        for (Mutant& one : all)  // first one of each line
+            (lines.insert(one.line).second ? changed.mutants : others).push_back(std::move(one));
+        std::move(others.begin(), others.end(), std::back_inserter(changed.mutants));
+        changed.mutants.resize(std::min(changed.mutants.size(), mutants_drawn));
+        changed.pictures.assign(changed.shots.size(), std::vector<Image>(changed.mutants.size() + 1));
         return changed;
     }
 
     void draw_changes(std::vector<Changed>& tasks) const {
+        const AttemptLimits limits{.cpu = std::max(10.0, 10 * maker_.views_.solution_cpu())};
         std::vector<std::pair<Changed*, size_t>> places;
         for (Changed& one : tasks)
-            for (size_t i = 0; i < one.pictures.size(); ++i) places.emplace_back(&one, i);
+            for (size_t i = 0; i <= one.mutants.size(); ++i) places.emplace_back(&one, i);
         parallel_each(places.size(), unsigned(jobs_), [&](size_t i) {
             const auto [task, place] = places[i];
             CourseFiles files = files_;
             if (place > 0) files[task->task->file] = task->mutants[place - 1].text;
-            DrawnAttempt drawn =
-                std::move(attempt(maker_.stage_, maker_.lab_, files, {task->shot}, maker_.setup_.renderer, limits_)
-                              .shots.front());
-            if (drawn.image && !is_one_color(*drawn.image)) task->pictures[place] = visualize_picture(*drawn.image);
+            const Attempt drawn =
+                attempt(maker_.stage_, maker_.lab_, files, task->shots, maker_.setup_.renderer, limits);
+            for (size_t view = 0; view < task->shots.size(); ++view)
+                if (const auto& image = drawn.shots[view].image; image && !is_one_color(*image))
+                    task->pictures[view][place] = visualize_picture(*image);
         });
         for (Changed& one : tasks)
-            if (one.pictures.front().values.empty()) one.pictures.clear();
+            for (size_t view = 0; view < one.shots.size(); ++view) {
+                if (one.pictures[view].front().values.empty()) continue;
+                const std::vector<size_t> distinct = distinct_pictures(one.pictures[view], 8);
+                if (distinct.size() > one.distinct.size()) one.distinct = distinct, one.view = view;
+            }
     }
 
     LineChange change_of(const Changed& of, size_t picture) const {
@@ -401,13 +427,13 @@ private:
 
     /// `choices`: the student's own picture, and those of three changes; the question is about the second.
     void add_picture(const Changed& of, std::vector<size_t> choices) {
-        Question question = begun(QuestionKind::picture, *of.task, *of.check);
+        Question question = begun(QuestionKind::picture, *of.task, *of.views[of.view]);
         const size_t right = choices[1];
         question.changes = {change_of(of, right)};
         std::mt19937 dice = dice_for(of, "picture");
         shuffle(choices, dice);
         for (size_t i = 0; i < choices.size(); ++i) {
-            question.pictures.push_back(of.pictures[choices[i]]);
+            question.pictures.push_back(of.pictures[of.view][choices[i]]);
             if (choices[i] == right) question.answer = letter(i);
         }
         result_.questions.push_back(std::move(question));
@@ -415,9 +441,9 @@ private:
 
     /// `choices`: the pictures of four changes; the question shows the last.
     void add_line(const Changed& of, std::vector<size_t> choices) {
-        Question question = begun(QuestionKind::line, *of.task, *of.check);
+        Question question = begun(QuestionKind::line, *of.task, *of.views[of.view]);
         const size_t right = choices.back();
-        question.pictures = {of.pictures.front(), of.pictures[right]};
+        question.pictures = {of.pictures[of.view].front(), of.pictures[of.view][right]};
         std::mt19937 dice = dice_for(of, "line");
         shuffle(choices, dice);
         for (size_t i = 0; i < choices.size(); ++i) {

@@ -41,6 +41,7 @@ struct Question {
     double margin = 0;          ///< how far an answer in numbers may be off
     bool mark_is_lost = false;  ///< the check fails, and this pixel is wrong: the question asks for the reason, too
     std::string drawn_here = {}, expected_here = {};  ///< the numbers of the check there, if the mark is lost
+    std::string unit = {};                            ///< of these numbers, or empty
     std::string found = {}, look_at = {};             ///< the result and the hint of the failed check
     // A change of a line:
     std::vector<LineChange> changes = {};  ///< one for `picture`, four for `line`
@@ -60,7 +61,7 @@ std::vector<glm::ivec2> telling_pixels(const Image& drawn, const Image* expected
                                        const std::string& seed);
 
 /// Returns whether a call is worth a question: its result is no mere 0, 1 or argument, and the rounded arguments give
-/// the same result within a hundredth.
+/// the same result within a quarter of a percent.
 bool is_telling(const check::LoneCall& call);
 
 /// Returns the largest set, at most `count`, of the first pictures that all differ visibly from each other. The first

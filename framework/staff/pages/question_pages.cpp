@@ -94,6 +94,7 @@ Fields key_fields(const Question& question, size_t number) {
     if (question.mark_is_lost)
         why = Fields{{"drawn", question.drawn_here},
                      {"expected", question.expected_here},
+                     {"unit", question.unit},
                      {"found", question.found},
                      {"look_at", with_code(question.look_at)}};
     fields["answer"] = answer_text(question);
