@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <memory>
@@ -44,10 +45,16 @@ public:
         }
         Progress progress(parts + int(needed.size()));
         for (const One& one : all_) ask(one, progress);
+        // All at once, so that an interrupted run leaves no sheets of another key.
+        for (const auto& [sheet, page] : sheets_)
+            if (std::error_code ignored; page.empty())  // there may be one of an earlier run
+                fs::remove(sheet, ignored);
+            else
+                pages::write_page(sheet, page);
         pages::write_page(options_.folder / "key.html", pages::question_key(students_));
         pages::write_page(options_.folder / "questions.json",
                           pages::questions_json(students_, options_.keeps_seed ? options_.seed : ""));
-        return sheets_ > 0 ? 0 : 1;
+        return has_sheets() ? 0 : 1;
     }
 
     void print() const {
@@ -59,12 +66,16 @@ public:
             else
                 fmt::print("{}: {} of {} questions\n", name, student.questions.size(), student.wanted);
         }
-        if (sheets_ == 0) return;
+        if (!has_sheets()) return;
         fmt::print("{}: for the students, without answers\n{}: for you\n", (options_.folder / "sheets").string(),
                    (options_.folder / "key.html").string());
     }
 
 private:
+    bool has_sheets() const {
+        return std::any_of(sheets_.begin(), sheets_.end(), [](const auto& sheet) { return !sheet.second.empty(); });
+    }
+
     struct One {
         grade::Submission submission;
         std::vector<const LabEntry*> labs;
@@ -117,16 +128,9 @@ private:
                 student.problems.push_back(fmt::format("lab {}: {}", lab->two_digits(), labs.back().problem));
         }
         student.questions = grade::chosen_questions(labs, student.wanted);
-        const fs::path sheet = options_.folder / "sheets" / (grade::file_name_of(name) + ".html");
-        if (student.questions.empty()) {
-            std::error_code ignored;  // there may be none of an earlier run
-            fs::remove(sheet, ignored);
-        } else {
-            pages::write_page(sheet, pages::question_sheet(student));
-            ++sheets_;
-        }
-        for (grade::Question& question : student.questions)
-            question.pictures.clear();  // so that a class fits in memory
+        sheets_[options_.folder / "sheets" / (grade::file_name_of(name) + ".html")] =
+            student.questions.empty() ? "" : pages::question_sheet(student);
+        for (grade::Question& question : student.questions) question.pictures.clear();
         students_.push_back(std::move(student));
     }
 
@@ -136,7 +140,7 @@ private:
     std::map<const LabEntry*, std::unique_ptr<grade::QuestionMaker>> makers_;
     std::vector<One> all_;
     std::vector<pages::StudentQuestions> students_;
-    size_t sheets_ = 0;
+    std::map<fs::path, std::string> sheets_;  ///< the pages; empty without questions
 };
 
 /// Returns the seed of the last run into the folder, else a random one.
